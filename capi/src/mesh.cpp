@@ -1,0 +1,1 @@
+#include "orbicube/mesh.h"

@@ -1,0 +1,53 @@
+// What the calling program lends to a computation: memory, threads, and a place to report progress to.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <memory_resource>
+#include <string>
+
+#include "base/parallel.h"
+
+namespace orbicube::base {
+
+// One report of progress. `best` is the best value of the objective so far, NaN where there is none.
+struct Progress {
+  const char* phase;  // a string literal
+  std::uint64_t done;
+  std::uint64_t total;  // 0 where it is not known
+  double best;
+};
+
+class Host {
+ public:
+  // Every member may be left as it is: no progress, the default memory, every core.
+  std::function<bool(const Progress&)> on_progress;     // answers false to cancel
+  std::function<void(const std::string&)> on_log;       // one line, without a line end
+  std::pmr::memory_resource* memory = std::pmr::get_default_resource();
+  unsigned thread_count = 0;                            // 0: as many as the machine has
+  Executor executor;                                    // replaces our own threads when set
+
+  // Tells the host how far the work is; throws Error "cancelled" when the host wants it to stop.
+  // Cheap (a clock read): call it at least every few milliseconds of work. Reports are passed on at most every 20 ms,
+  // but for the first of a phase and the last (done == total). Call from the thread that entered the library only.
+  void report(const char* phase, std::uint64_t done, std::uint64_t total, double best) const;
+  void report(const char* phase, std::uint64_t done, std::uint64_t total) const;
+
+  // A line for the log; nothing happens when there is no log.
+  void log(const std::string& line) const {
+    if (on_log) on_log(line);
+  }
+
+  // body(i) for every i in [0, count), in any order and on any thread. What is computed must not depend on the order:
+  // results are the same bits for any number of threads. An exception in a body is rethrown here.
+  void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) const;
+
+ private:
+  mutable const char* last_phase_ = nullptr;
+  mutable std::chrono::steady_clock::time_point last_report_{};
+};
+
+}  // namespace orbicube::base
