@@ -1,0 +1,46 @@
+// Bijective, low-distortion maps of closed genus-0 triangle surfaces to the unit sphere.
+//
+// The hierarchical method of the dissertation's chapter 3 and of Praun and Hoppe (2003), with what is known today put in
+// where it is better: the surface is decimated to a tetrahedron (decimation.h), the tetrahedron is put on the sphere, and
+// the vertices are inserted again one by one, each into the spherical kernel of its ring (spherical_kernel.h), with local
+// optimisation (vertex_step.h, relaxation.h) of a distortion energy that grows without bound as a triangle collapses
+// (distortion.h). No step is taken that makes a triangle non-positive by exact predicates, so the map is a bijection at
+// every moment.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "base/host.h"
+#include "mesh/mesh.h"
+
+namespace orbicube::sphere_map {
+
+using base::Array;
+using mesh::Index;
+using mesh::Triangle;
+using mesh::Vector3;
+
+enum class Method : std::int32_t {
+  balanced = 0,    // angle and area distortion with a barrier on the worst triangle: the default
+  angle_area = 1,  // the dissertation's energy E = angle_weight E_D + area_weight E_A, the barrier kept minimal
+  isometric = 2,   // symmetric Dirichlet energy
+};
+
+struct Options {
+  Method method = Method::balanced;
+  double angle_weight = 0.1;  // lambda of eq. 3.5; positive
+  double area_weight = 1.0;   // mu of eq. 3.5; not negative
+  std::uint64_t seed = 0;     // varies the order of equally good decimation steps
+};
+
+// Maps the vertices of a closed, connected, consistently oriented surface of genus 0 to unit vectors, one a vertex in
+// the order of `positions`. Vertices in no triangle get the direction from the bounding box's centre. Orientation is kept:
+// det[p q r] > 0 for every triangle, exactly, and so that rounding each coordinate once more cannot change it.
+// O(n log n) time, about 700 bytes a vertex.
+// Throws Error: invalid-argument (options, sizes), the kinds of mesh::require_closed_genus_zero, cancelled,
+// no-valid-result when no valid map was found.
+Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
+                       const base::Host& host);
+
+}  // namespace orbicube::sphere_map
