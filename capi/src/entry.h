@@ -21,7 +21,8 @@ inline void fill_error(obc_error* error, obc_status status, const char* kind, co
   const auto copy = [](char* to, std::size_t capacity, const char* from) {
     std::size_t length = std::min(std::strlen(from), capacity - 1);
     // Do not cut a UTF-8 character in half.
-    while (length > 0 && from[length] != '\0' && (static_cast<unsigned char>(from[length]) & 0xC0U) == 0x80U) --length;
+    while (length > 0 && from[length] != '\0' && (static_cast<unsigned char>(from[length]) & 0xC0U) == 0x80U)
+      --length;
     std::memcpy(to, from, length);
     to[length] = '\0';
   };
@@ -128,8 +129,9 @@ class HostAdapter {
       host_.executor = [call = c.parallel_for, user = c.parallel_for_user](
                            std::size_t count, const std::function<void(std::size_t)>& task) {
         using Task = std::function<void(std::size_t)>;
-        call(count, [](std::size_t i, void* context) { (*static_cast<const Task*>(context))(i); },
-             const_cast<Task*>(&task), user);
+        call(
+            count, [](std::size_t i, void* context) { (*static_cast<const Task*>(context))(i); },
+            const_cast<Task*>(&task), user);
       };
     }
     if (c.allocator != nullptr) {

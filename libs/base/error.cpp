@@ -59,19 +59,32 @@ constexpr std::array kinds = {
 
 const char* status_name(Status status) {
   switch (status) {
-    case Status::ok: return "ok";
-    case Status::invalid_argument: return "invalid argument";
-    case Status::malformed_file: return "malformed file";
-    case Status::not_closed: return "not closed";
-    case Status::not_manifold: return "not manifold";
-    case Status::wrong_genus: return "wrong genus";
-    case Status::degenerate: return "degenerate";
-    case Status::out_of_memory: return "out of memory";
-    case Status::cancelled: return "cancelled";
-    case Status::io: return "input or output failed";
-    case Status::unsupported: return "unsupported";
-    case Status::no_valid_result: return "no valid result";
-    case Status::internal: return "internal error";
+    case Status::ok:
+      return "ok";
+    case Status::invalid_argument:
+      return "invalid argument";
+    case Status::malformed_file:
+      return "malformed file";
+    case Status::not_closed:
+      return "not closed";
+    case Status::not_manifold:
+      return "not manifold";
+    case Status::wrong_genus:
+      return "wrong genus";
+    case Status::degenerate:
+      return "degenerate";
+    case Status::out_of_memory:
+      return "out of memory";
+    case Status::cancelled:
+      return "cancelled";
+    case Status::io:
+      return "input or output failed";
+    case Status::unsupported:
+      return "unsupported";
+    case Status::no_valid_result:
+      return "no valid result";
+    case Status::internal:
+      return "internal error";
   }
   return "unknown status";
 }

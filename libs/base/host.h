@@ -24,11 +24,11 @@ struct Progress {
 class Host {
  public:
   // Every member may be left as it is: no progress, the default memory, every core.
-  std::function<bool(const Progress&)> on_progress;     // answers false to cancel
-  std::function<void(const std::string&)> on_log;       // one line, without a line end
+  std::function<bool(const Progress&)> on_progress;  // answers false to cancel
+  std::function<void(const std::string&)> on_log;    // one line, without a line end
   std::pmr::memory_resource* memory = std::pmr::get_default_resource();
-  unsigned thread_count = 0;                            // 0: as many as the machine has
-  Executor executor;                                    // replaces our own threads when set
+  unsigned thread_count = 0;  // 0: as many as the machine has
+  Executor executor;          // replaces our own threads when set
 
   // Tells the host how far the work is; throws Error "cancelled" when the host wants it to stop.
   // Cheap (a clock read): call it at least every few milliseconds of work. Reports are passed on at most every 20 ms,

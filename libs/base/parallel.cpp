@@ -51,7 +51,8 @@ void parallel_for(const Executor& executor, unsigned thread_count, std::size_t c
   const std::size_t cores = thread_count != 0 ? thread_count : std::max(1u, std::thread::hardware_concurrency());
   const std::size_t workers = std::min(count, cores);
   if (workers <= 1) {
-    for (std::size_t i = 0; i < count; ++i) body(i);
+    for (std::size_t i = 0; i < count; ++i)
+      body(i);
     return;
   }
   std::atomic<std::size_t> next{0};

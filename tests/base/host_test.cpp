@@ -15,7 +15,8 @@ TEST_CASE("the first and the last report of a phase always arrive") {
     seen.push_back(std::string(p.phase) + " " + std::to_string(p.done));
     return true;
   };
-  for (std::uint64_t i = 0; i <= 1000; ++i) host.report("one", i, 1000);
+  for (std::uint64_t i = 0; i <= 1000; ++i)
+    host.report("one", i, 1000);
   host.report("two", 0, 0);
   REQUIRE(seen.size() >= 3);
   CHECK(seen.front() == "one 0");

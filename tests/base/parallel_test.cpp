@@ -1,7 +1,7 @@
 #include "base/parallel.h"
 
-#include <atomic>
 #include <doctest/doctest.h>
+#include <atomic>
 #include <stdexcept>
 #include <vector>
 
@@ -12,7 +12,8 @@ TEST_CASE("every piece runs exactly once, for any number of threads") {
     for (const std::size_t count : {0U, 1U, 2U, 1000U}) {
       std::vector<std::atomic<int>> runs(count);
       parallel_for({}, threads, count, [&](std::size_t i) { ++runs[i]; });
-      for (const auto& r : runs) CHECK(r == 1);
+      for (const auto& r : runs)
+        CHECK(r == 1);
     }
   }
 }
@@ -21,7 +22,8 @@ TEST_CASE("a host's executor is used") {
   std::size_t asked = 0;
   const Executor backwards = [&](std::size_t count, const std::function<void(std::size_t)>& task) {
     asked = count;
-    for (std::size_t i = count; i-- > 0;) task(i);
+    for (std::size_t i = count; i-- > 0;)
+      task(i);
   };
   std::vector<std::size_t> order;
   parallel_for(backwards, 1, 3, [&](std::size_t i) { order.push_back(i); });
@@ -35,7 +37,8 @@ TEST_CASE("an exception in a piece reaches the caller, also through an executor"
   };
   CHECK_THROWS_WITH(parallel_for({}, 3, 100, body), "piece 5");
   const Executor plain = [](std::size_t count, const std::function<void(std::size_t)>& task) {
-    for (std::size_t i = 0; i < count; ++i) task(i);
+    for (std::size_t i = 0; i < count; ++i)
+      task(i);
   };
   CHECK_THROWS_WITH(parallel_for(plain, 1, 100, body), "piece 5");
 }
