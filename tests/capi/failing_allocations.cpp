@@ -1,0 +1,224 @@
+#include "failing_allocations.h"
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <new>
+
+namespace {
+
+constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
+
+std::atomic<std::size_t> live_blocks{0};  // allocated and not yet released, by operator new or by a host's allocator
+std::atomic<std::size_t> until_failure{never};  // allocations that still succeed
+std::atomic<bool> failed{false};                // the failure happened
+std::atomic<bool> could_throw{true};            // ... in an allocation that may throw
+std::atomic<bool> wrong_release{false};         // a block was released with another size or alignment
+
+// Whether the allocation that is being made is the one to fail.
+bool fails_now(bool throwing) {
+  std::size_t left = until_failure.load();
+  while (left != never && !until_failure.compare_exchange_weak(left, left == 0 ? never : left - 1)) {
+  }
+  if (left != 0) return false;
+  could_throw = throwing;
+  failed = true;
+  return true;
+}
+
+void* allocate(std::size_t size, std::size_t alignment, bool throwing) {
+  void* pointer = nullptr;
+  if (!fails_now(throwing)) {
+    alignment = alignment < sizeof(void*) ? sizeof(void*) : alignment;
+    // aligned_alloc asks for a multiple of the alignment.
+    const std::size_t padding = (alignment - size % alignment) % alignment;
+    if (size <= never - padding) pointer = std::aligned_alloc(alignment, size + padding + (size == 0 ? alignment : 0));
+  }
+  if (pointer != nullptr) {
+    ++live_blocks;
+  } else if (throwing) {
+    throw std::bad_alloc();
+  }
+  return pointer;
+}
+
+void release(void* pointer) {
+  if (pointer == nullptr) return;
+  --live_blocks;
+  std::free(pointer);
+}
+
+// A block of the host's allocator remembers in front of it what was asked for.
+struct Header {
+  std::size_t size;
+  std::size_t alignment;
+};
+
+std::size_t header_space(std::size_t alignment) {
+  return alignment < sizeof(Header) ? sizeof(Header) : alignment;
+}
+
+void* host_allocate(std::size_t size, std::size_t alignment, void*) {
+  const std::size_t space = header_space(alignment);
+  if (size > never - space) return nullptr;
+  void* block = allocate(size + space, space, false);
+  if (block == nullptr) {
+    could_throw = true;  // unlike with nothrow, the library is to answer "out of memory"
+    return nullptr;
+  }
+  char* pointer = static_cast<char*>(block) + space;
+  new (pointer - sizeof(Header)) Header{size, alignment};
+  return pointer;
+}
+
+void host_release(void* pointer, std::size_t size, std::size_t alignment, void*) {
+  char* bytes = static_cast<char*>(pointer);
+  const Header* header = std::launder(reinterpret_cast<Header*>(bytes - sizeof(Header)));
+  if (header->size != size || header->alignment != alignment) wrong_release = true;
+  release(bytes - header_space(header->alignment));
+}
+
+constexpr obc_allocator counting_allocator{host_allocate, host_release, nullptr};
+
+obc_host counting_host() {
+  obc_host host{};
+  obc_host_init(&host, sizeof host);
+  host.thread_count = 1;
+  host.allocator = &counting_allocator;
+  return host;
+}
+
+// What is wrong with a run that answered `status`, or nothing.
+std::string problem_of_run(std::size_t run, obc_status status, obc_status expected, std::size_t live_before) {
+  const std::size_t live_after = live_blocks.load();
+  const std::string where = "run " + std::to_string(run) + ": ";
+  if (status != expected) return where + "answered " + obc_status_name(status) + ", not " + obc_status_name(expected);
+  if (live_after != live_before) {
+    return where + std::to_string(static_cast<std::int64_t>(live_after - live_before)) + " blocks were not released";
+  }
+  if (wrong_release) return where + "a block was released with another size or alignment";
+  return "";
+}
+
+struct Reports {
+  std::size_t until_stop;
+  bool stopped = false;
+  bool reported_again = false;
+};
+
+std::int32_t count_report(const char*, std::uint64_t, std::uint64_t, double, void* user) {
+  auto& reports = *static_cast<Reports*>(user);
+  if (reports.stopped) reports.reported_again = true;
+  if (reports.until_stop-- == 0) reports.stopped = true;
+  return reports.stopped ? 1 : 0;
+}
+
+}  // namespace
+
+namespace orbicube::test {
+
+Outcome fail_each_allocation(const Call& call) {
+  Outcome outcome;
+  const obc_host host = counting_host();
+  wrong_release = false;
+  for (bool disturbed = true; disturbed && outcome.problem.empty(); ++outcome.runs) {
+    const std::size_t before = live_blocks.load();
+    failed = false;
+    until_failure = outcome.runs;
+    const obc_status status = call(host);
+    until_failure = never;
+    disturbed = failed;
+    const bool unnoticed = disturbed && !could_throw && status == OBC_OK;
+    outcome.problem =
+        problem_of_run(outcome.runs, status, disturbed && !unnoticed ? OBC_OUT_OF_MEMORY : OBC_OK, before);
+  }
+  return outcome;
+}
+
+Outcome cancel_everywhere(const Call& call, std::size_t most_runs) {
+  Outcome outcome;
+  obc_host host = counting_host();
+  host.progress = count_report;
+  wrong_release = false;
+  std::size_t stop_at = 0;
+  std::size_t step = 1;
+  for (bool disturbed = true; disturbed && outcome.problem.empty(); ++outcome.runs) {
+    Reports reports{stop_at};
+    host.progress_user = &reports;
+    const std::size_t before = live_blocks.load();
+    const obc_status status = call(host);
+    disturbed = reports.stopped;
+    outcome.problem = problem_of_run(outcome.runs, status, disturbed ? OBC_CANCELLED : OBC_OK, before);
+    if (outcome.problem.empty() && reports.reported_again) {
+      outcome.problem = "run " + std::to_string(outcome.runs) + ": reported progress after it was cancelled";
+    }
+    if (outcome.runs >= most_runs) step *= 2;
+    stop_at += step;
+  }
+  return outcome;
+}
+
+}  // namespace orbicube::test
+
+// Every form of operator new and delete of the program.
+void* operator new(std::size_t size) {
+  return allocate(size, alignof(std::max_align_t), true);
+}
+void* operator new[](std::size_t size) {
+  return allocate(size, alignof(std::max_align_t), true);
+}
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return allocate(size, static_cast<std::size_t>(alignment), true);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment) {
+  return allocate(size, static_cast<std::size_t>(alignment), true);
+}
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+  return allocate(size, alignof(std::max_align_t), false);
+}
+void* operator new[](std::size_t size, const std::nothrow_t&) noexcept {
+  return allocate(size, alignof(std::max_align_t), false);
+}
+void* operator new(std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return allocate(size, static_cast<std::size_t>(alignment), false);
+}
+void* operator new[](std::size_t size, std::align_val_t alignment, const std::nothrow_t&) noexcept {
+  return allocate(size, static_cast<std::size_t>(alignment), false);
+}
+void operator delete(void* pointer) noexcept {
+  release(pointer);
+}
+void operator delete[](void* pointer) noexcept {
+  release(pointer);
+}
+void operator delete(void* pointer, std::size_t) noexcept {
+  release(pointer);
+}
+void operator delete[](void* pointer, std::size_t) noexcept {
+  release(pointer);
+}
+void operator delete(void* pointer, std::align_val_t) noexcept {
+  release(pointer);
+}
+void operator delete[](void* pointer, std::align_val_t) noexcept {
+  release(pointer);
+}
+void operator delete(void* pointer, std::size_t, std::align_val_t) noexcept {
+  release(pointer);
+}
+void operator delete[](void* pointer, std::size_t, std::align_val_t) noexcept {
+  release(pointer);
+}
+void operator delete(void* pointer, const std::nothrow_t&) noexcept {
+  release(pointer);
+}
+void operator delete[](void* pointer, const std::nothrow_t&) noexcept {
+  release(pointer);
+}
+void operator delete(void* pointer, std::align_val_t, const std::nothrow_t&) noexcept {
+  release(pointer);
+}
+void operator delete[](void* pointer, std::align_val_t, const std::nothrow_t&) noexcept {
+  release(pointer);
+}

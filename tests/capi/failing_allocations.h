@@ -1,0 +1,36 @@
+// For tests of C functions: makes each allocation fail in turn, or cancels at each progress report in turn, and says
+// whether the function kept its promises. Linking failing_allocations.cpp replaces operator new and delete of the test
+// program, so that what a library allocates without the host's allocator is counted and fails as well.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+#include "orbicube/base.h"
+
+namespace orbicube::test {
+
+struct Outcome {
+  std::size_t runs = 0;  // how often the call ran, the last time undisturbed
+  std::string problem;   // empty when every run did as it should
+};
+
+// A call that gets a host to hand to the library, releases everything that it made and answers its status. It starts
+// from nothing each time it is called; it does not allocate for itself what it keeps.
+using Call = std::function<obc_status(const obc_host& host)>;
+
+// Runs `call` with the n-th allocation (operator new or the host's allocator, counted together) failing, for n = 0, 1,
+// 2,
+// ... until a run has fewer. Each disturbed run must answer OBC_OUT_OF_MEMORY, the last one OBC_OK, and after each
+// every block must be released, the host's with the size and alignment it was allocated with. An allocation that cannot
+// throw (new (std::nothrow), with which the standard library asks for memory that it can do without) may fail
+// unnoticed. The host has one thread, so that the order of allocations is always the same.
+Outcome fail_each_allocation(const Call& call);
+
+// Runs `call` with a progress callback that stops at its n-th call, for n = 0, 1, 2, ... until a run has fewer reports.
+// Each stopped run must answer OBC_CANCELLED without another report, the last one OBC_OK, and after each every block
+// must be released. `most_runs` bounds the work: from there on the step from n to the next doubles.
+Outcome cancel_everywhere(const Call& call, std::size_t most_runs = 64);
+
+}  // namespace orbicube::test
