@@ -119,6 +119,18 @@ def breaches(name, header, headers):
     return found
 
 
+def declared_twice(headers):
+    """Names that two headers declare, which then cannot be included together."""
+    owner, found = {}, []
+    for header in headers.values():
+        entries = header.aliases + header.handles + header.structs + header.callbacks + header.functions
+        for entry in entries + [value for enumeration in header.constants for value in enumeration["values"]]:
+            if entry["name"] in owner:
+                found.append(f"{header.path}:{entry.get('line', 1)}: {entry['name']} is declared in {owner[entry['name']]} too")
+            owner[entry["name"]] = header.path
+    return found
+
+
 # -- what is generated ---------------------------------------------------------------------------------------------------
 
 def without_lines(value):
@@ -224,6 +236,7 @@ def main():
     except HeaderError as error:
         sys.exit(str(error))
     problems = [line for name, header in headers.items() for line in breaches(name, header, headers)]
+    problems += declared_twice(headers)
     files = generated_files(root, headers)
     record = os.path.join(root, "capi", "abi", "released.json")
     if arguments.release:

@@ -135,6 +135,11 @@ class Rules(unittest.TestCase):
                 self.assertTrue(any(said in line for line in breaches(changed)), breaches(changed))
 
 
+    def test_two_headers_do_not_declare_the_same_name(self):
+        headers = {"thing": parsed(GOOD), "other": Header("other.h", "typedef double obc_thing;", {})}
+        self.assertEqual(api.declared_twice(headers), ["other.h:1: obc_thing is declared in thing.h too"])
+
+
 class Compatibility(unittest.TestCase):
     def changes(self, old, new):
         before = api.description({"thing": parsed(GOOD)}, "0")
