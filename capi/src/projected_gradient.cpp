@@ -1,0 +1,273 @@
+#include "orbicube/projected_gradient.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <new>
+#include <span>
+
+#include "base/version.h"
+#include "capi/src/entry.h"
+#include "projected_gradient/solver.h"
+
+using namespace orbicube;
+namespace pg = orbicube::projected_gradient;
+
+struct obc_projected_gradient {
+  obc_projected_gradient(const obc_host* host, const pg::Problem& problem, const pg::Options& options,
+                         std::span<const double> start)
+      : adapter(host), solver(problem, options, start, adapter.host()) {}
+  capi::HostAdapter adapter;
+  pg::Solver solver;
+};
+
+namespace {
+
+obc_projected_gradient_options default_options() {
+  const pg::Options from;
+  obc_projected_gradient_options options{};
+  options.struct_size = sizeof options;
+  options.method = static_cast<int32_t>(from.method);
+  options.line_search = static_cast<int32_t>(from.line_search);
+  options.memory = from.memory;
+  options.history = from.history;
+  options.average_weight = from.average_weight;
+  options.gradient_tolerance = from.gradient_tolerance;
+  options.target = from.target;
+  options.max_evaluations = from.max_evaluations;
+  options.max_iterations = from.max_iterations;
+  return options;
+}
+
+pg::Options to_options(const obc_projected_gradient_options* given) {
+  const obc_projected_gradient_options from = capi::copy_versioned(given, default_options());
+  pg::Options options;
+  options.method = static_cast<pg::Method>(from.method);
+  options.line_search = static_cast<pg::LineSearch>(from.line_search);
+  options.memory = from.memory;
+  options.history = from.history;
+  options.average_weight = from.average_weight;
+  options.gradient_tolerance = from.gradient_tolerance;
+  options.target = from.target;
+  options.max_evaluations = from.max_evaluations;
+  options.max_iterations = from.max_iterations;
+  return options;
+}
+
+pg::Problem to_problem(const obc_projected_gradient_problem* given) {
+  capi::require(given != nullptr, "problem is NULL");
+  obc_projected_gradient_problem defaults{};
+  defaults.struct_size = sizeof defaults;
+  const obc_projected_gradient_problem from = capi::copy_versioned(given, defaults);
+  capi::require(from.n >= 1 && from.n < std::numeric_limits<std::uint32_t>::max(), "n must be from 1 to 4294967294");
+  capi::require(from.m < std::numeric_limits<std::uint32_t>::max(), "there are too many rows");
+  pg::Problem problem;
+  problem.n = from.n;
+  if (from.lower != nullptr) problem.lower = {from.lower, from.n};
+  if (from.upper != nullptr) problem.upper = {from.upper, from.n};
+  if (from.m > 0) {
+    capi::require(from.row_start != nullptr && from.b != nullptr, "row_start or b is NULL");
+    const std::size_t entries = from.row_start[from.m];
+    capi::require(entries == 0 || (from.column != nullptr && from.value != nullptr), "column or value is NULL");
+    problem.row_start = {from.row_start, from.m + 1};
+    problem.column = {from.column, entries};
+    problem.value = {from.value, entries};
+    problem.rhs = {from.b, from.m};
+  }
+  if (from.project != nullptr) {
+    // Two pointers and a count do not fit into a std::function without an allocation, which is made here and freed with
+    // the problem.
+    problem.project = [call = from.project, user = from.project_user, n = from.n](const double* y, double* x) {
+      return call(y, n, x, user) == 0;
+    };
+  }
+  return problem;
+}
+
+obc_projected_gradient_result to_result(const pg::Result& from) {
+  obc_projected_gradient_result result{};
+  result.stop = static_cast<int32_t>(from.stop);
+  result.value = from.value;
+  result.projected_gradient = from.projected_gradient;
+  result.equality_residual = from.equality_residual;
+  result.evaluations = from.evaluations;
+  result.failed_evaluations = from.failed_evaluations;
+  result.iterations = from.iterations;
+  result.projection_passes = from.projection_passes;
+  result.certificate_gap = from.certificate_gap;
+  return result;
+}
+
+void copy_result(const pg::Solver& solver, obc_projected_gradient_result* result, double* x) {
+  if (result != nullptr) capi::write_versioned(result, to_result(solver.result()));
+  const std::span<const double> best = solver.best_point();
+  if (x != nullptr) std::copy(best.begin(), best.end(), x);
+}
+
+const obc_projected_gradient& checked(const obc_projected_gradient* solver) {
+  capi::require(solver != nullptr, "solver is NULL");
+  return *solver;
+}
+
+}  // namespace
+
+obc_status obc_projected_gradient_problem_init(obc_projected_gradient_problem* problem, size_t struct_size) {
+  return capi::init_versioned(problem, struct_size, obc_projected_gradient_problem{});
+}
+
+obc_status obc_projected_gradient_options_init(obc_projected_gradient_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_options());
+}
+
+obc_status obc_projected_gradient_create(const obc_projected_gradient_problem* problem,
+                                         const obc_projected_gradient_options* options, const double* x0,
+                                         const obc_host* host, obc_projected_gradient** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr && x0 != nullptr, "x0 or out is NULL");
+    *out = nullptr;
+    const pg::Problem translated = to_problem(problem);
+    *out = new obc_projected_gradient(host, translated, to_options(options), {x0, translated.n});
+  });
+}
+
+int32_t obc_projected_gradient_step(obc_projected_gradient* solver, const double** x) {
+  if (solver == nullptr) return OBC_INVALID_ARGUMENT;
+  pg::Request request{};
+  const obc_status status = capi::guarded(nullptr, [&] { request = solver->solver.step(); });
+  if (status != OBC_OK) return status;
+  if (x != nullptr) *x = solver->solver.point().data();
+  return static_cast<int32_t>(request);
+}
+
+obc_status obc_projected_gradient_tell(obc_projected_gradient* solver, double value, const double* gradient,
+                                       obc_error* error) {
+  return capi::guarded(error, [&] {
+    checked(solver);
+    if (gradient != nullptr) {
+      solver->solver.tell(value, {gradient, solver->solver.size()});
+    } else {
+      capi::require(!std::isfinite(value), "gradient is NULL");
+      solver->solver.tell_failure();
+    }
+  });
+}
+
+obc_status obc_projected_gradient_get_result(const obc_projected_gradient* solver,
+                                             obc_projected_gradient_result* result, double* x, obc_error* error) {
+  return capi::guarded(error, [&] { copy_result(checked(solver).solver, result, x); });
+}
+
+obc_status obc_projected_gradient_multipliers(const obc_projected_gradient* solver, double* multipliers,
+                                              obc_error* error) {
+  return capi::guarded(error, [&] {
+    const pg::Solver& from = checked(solver).solver;
+    capi::require(from.rows() == 0 || multipliers != nullptr, "multipliers is NULL");
+    from.copy_multipliers({multipliers, from.rows()});
+  });
+}
+
+obc_status obc_projected_gradient_certificate(const obc_projected_gradient* solver, double* certificate,
+                                              obc_error* error) {
+  return capi::guarded(error, [&] {
+    const pg::Solver& from = checked(solver).solver;
+    capi::require(from.result().stop == pg::Stop::infeasible, "the constraints were not found infeasible");
+    capi::require(certificate != nullptr, "certificate is NULL");
+    std::copy(from.certificate().begin(), from.certificate().end(), certificate);
+  });
+}
+
+size_t obc_projected_gradient_save_size(const obc_projected_gradient* solver) {
+  return solver != nullptr ? solver->solver.save_size() : 0;
+}
+
+obc_status obc_projected_gradient_save(const obc_projected_gradient* solver, void* blob, size_t capacity,
+                                       obc_error* error) {
+  return capi::guarded(error, [&] {
+    const pg::Solver& from = checked(solver).solver;
+    capi::require(blob != nullptr && capacity >= from.save_size(), "blob is NULL or too small");
+    from.save({static_cast<std::byte*>(blob), from.save_size()});
+  });
+}
+
+obc_status obc_projected_gradient_load(const obc_projected_gradient_problem* problem, const void* blob, size_t size,
+                                       const obc_host* host, obc_projected_gradient** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr && blob != nullptr, "blob or out is NULL");
+    *out = nullptr;
+    const std::span<const std::byte> bytes(static_cast<const std::byte*>(blob), size);
+    const pg::Options options = pg::Solver::options_of(bytes);
+    auto loaded =
+        std::make_unique<obc_projected_gradient>(host, to_problem(problem), options, std::span<const double>());
+    loaded->solver.load(bytes);
+    *out = loaded.release();
+  });
+}
+
+void obc_projected_gradient_destroy(obc_projected_gradient* solver) {
+  delete solver;
+}
+
+obc_status obc_projected_gradient_minimize(const obc_projected_gradient_problem* problem,
+                                           const obc_projected_gradient_options* options,
+                                           obc_projected_gradient_function f, void* user, double* x,
+                                           obc_projected_gradient_result* result, const obc_host* host,
+                                           obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(f != nullptr && x != nullptr, "f or x is NULL");
+    const pg::Problem translated = to_problem(problem);
+    const std::size_t n = translated.n;
+    obc_projected_gradient run(host, translated, to_options(options), {x, n});
+    base::Array<double> gradient(n, 0.0, run.adapter.host().memory);
+    for (pg::Request request; (request = run.solver.step()) != pg::Request::done;) {
+      if (request != pg::Request::need_value_and_gradient) continue;
+      double value = std::numeric_limits<double>::quiet_NaN();
+      const int32_t answer = f(run.solver.point().data(), n, &value, gradient.data(), user);
+      if (answer == OBC_PROJECTED_GRADIENT_FAILED) {
+        run.solver.tell_failure();
+      } else if (answer == OBC_PROJECTED_GRADIENT_CONTINUE) {
+        run.solver.tell(value, gradient);
+      } else {
+        run.solver.cancel();
+      }
+    }
+    copy_result(run.solver, result, x);
+    if (run.solver.cancelled_by_host()) throw base::Error("cancelled", "stopped by the host");
+  });
+}
+
+obc_status obc_projected_gradient_project(const obc_projected_gradient_problem* problem, const double* y, double* x,
+                                          double* multipliers, obc_projected_gradient_result* result,
+                                          const obc_host* host, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(y != nullptr && x != nullptr && x != y, "y or x is NULL, or they are the same");
+    const capi::HostAdapter adapter(host);
+    const pg::Problem translated = to_problem(problem);
+    for (std::size_t j = 0; j < translated.n; ++j)
+      capi::require(std::isfinite(y[j]), "y is not finite");
+    pg::FeasibleSet set(translated, adapter.host().memory);
+    const std::span<double> to(x, translated.n);
+    const pg::Projected outcome = set.project({y, translated.n}, to, 1, adapter.host());
+    pg::Result report;
+    report.projection_passes = set.passes();
+    report.certificate_gap = set.certificate_gap();
+    report.stop = outcome == pg::Projected::done         ? pg::Stop::converged
+                  : outcome == pg::Projected::infeasible ? pg::Stop::infeasible
+                                                         : pg::Stop::projection_failed;
+    if (outcome == pg::Projected::done) report.equality_residual = set.relative_residual(to);
+    if (multipliers != nullptr) {
+      for (std::size_t i = 0; i < set.rows(); ++i) {
+        multipliers[i] =
+            outcome == pg::Projected::infeasible ? set.certificate()[i] : set.guess()[i] * set.linear_rows().scale(i);
+      }
+    }
+    if (result != nullptr) capi::write_versioned(result, to_result(report));
+  });
+}
+
+const char* obc_projected_gradient_stop_name(int32_t stop) {
+  return pg::stop_name(static_cast<pg::Stop>(stop));
+}
+
+uint32_t obc_projected_gradient_version(void) {
+  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+}

@@ -1,0 +1,238 @@
+#include "projected_gradient/feasible_set.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "projected_gradient/hash.h"
+#include "projected_gradient/row_equation.h"
+#include "projected_gradient/vector_math.h"
+
+namespace orbicube::projected_gradient {
+namespace {
+
+// A residual of a row that is rounding, relative to the sizes of its terms.
+constexpr double row_accuracy = 1e-15;
+
+base::Array<double> bounds_or(std::span<const double> given, std::size_t n, double otherwise,
+                              std::pmr::memory_resource* memory) {
+  if (given.empty()) return base::Array<double>(n, otherwise, memory);
+  if (given.size() != n) throw base::Error("invalid-argument", "bounds must have one entry an unknown");
+  return base::Array<double>(given.begin(), given.end(), memory);
+}
+
+}  // namespace
+
+FeasibleSet::FeasibleSet(const Problem& problem, std::pmr::memory_resource* memory)
+    : lower_(bounds_or(problem.lower, problem.n, -std::numeric_limits<double>::infinity(), memory)),
+      upper_(bounds_or(problem.upper, problem.n, std::numeric_limits<double>::infinity(), memory)),
+      rows_(problem, memory),
+      custom_(problem.project),
+      free_(problem.n, 0, memory),
+      guess_(rows_.rows(), 0.0, memory),
+      certificate_(rows_.rows(), 0.0, memory),
+      multiplier_(rows_.rows(), 0.0, memory),
+      newton_(rows_.rows(), 0.0, memory),
+      residual_(rows_.rows(), 0.0, memory),
+      moved_(rows_.rows() > 0 ? problem.n : 0, 0.0, memory),
+      direction_(moved_.size(), 0.0, memory) {
+  if (problem.n == 0) throw base::Error("invalid-argument", "there are no unknowns");
+  if (custom_ && (rows_.rows() > 0 || !problem.lower.empty() || !problem.upper.empty())) {
+    throw base::Error("invalid-argument", "give either a projection or bounds and rows");
+  }
+  for (std::size_t j = 0; j < size(); ++j) {
+    if (!(lower_[j] <= upper_[j]) || lower_[j] == std::numeric_limits<double>::infinity() ||
+        upper_[j] == -std::numeric_limits<double>::infinity()) {
+      throw base::Error("invalid-argument", "no number lies within the bounds of unknown " + std::to_string(j));
+    }
+  }
+  if (rows() > 0) factor_.emplace(rows_, memory);
+  if (rows() == 1) {
+    // The row as a dense vector, as the equation along a line wants it.
+    const auto columns = rows_.row_columns(0);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      direction_[columns[k]] = rows_.row_values(0)[k];
+  }
+}
+
+void FeasibleSet::clip_into(std::span<const double> y, std::span<double> x) const {
+  for (std::size_t j = 0; j < y.size(); ++j)
+    x[j] = clip(y[j], lower_[j], upper_[j]);
+}
+
+Projected FeasibleSet::project(std::span<const double> y, std::span<double> x, double step, const base::Host& host) {
+  if (custom_) {
+    ++passes_;
+    return custom_(y.data(), x.data()) && all_finite(x) ? Projected::done : Projected::failed;
+  }
+  if (rows() == 0) {
+    ++passes_;
+    clip_into(y, x);
+    return Projected::done;
+  }
+  return rows() == 1 ? project_one_row(y, x, step) : project_many_rows(y, x, step, host);
+}
+
+Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<double> x, double step) {
+  const RowEquation equation{direction_, y, lower_, upper_, rows_.rhs()[0]};
+  const RowRoot root = solve_row_equation(equation, guess_[0] * step, 0);
+  passes_ += root.passes + 1;
+  if (!root.feasible) {
+    // With +-1 as multiplier: the row cannot be as large, or as small, as b.
+    const double multiplier = root.residual < 0 ? 1 : -1;
+    return certify({&multiplier, 1}) ? Projected::infeasible : Projected::failed;
+  }
+  if (step > 0) guess_[0] = root.t / step;
+  for (std::size_t j = 0; j < x.size(); ++j)
+    x[j] = clip(y[j] + root.t * direction_[j], lower_[j], upper_[j]);
+  // Where y is far larger than x, t is not resolved well enough to meet the row; the free unknowns still can.
+  if (rows_.residual(x, residual_) > row_accuracy) {
+    choose_face(x);
+    meet_rows(x);
+    passes_ += 3;
+  }
+  return Projected::done;
+}
+
+// Maximises the concave dual function of t, whose gradient is b - A clip(y + A't): Newton steps with A_F A_F' + shift I
+// for the second derivative (semismooth Newton; Li, Sun, Toh 2018 and Qi, Sun 1993), each followed by a search along
+// the step, which is again one row equation. The shift keeps rows without free unknowns moving.
+Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<double> x, double step,
+                                         const base::Host& host) {
+  constexpr int newton_limit = 200, without_gain_limit = 8;
+  const std::size_t m = rows(), n = size();
+  for (std::size_t i = 0; i < m; ++i)
+    multiplier_[i] = guess_[i] * step;
+  double best = std::numeric_limits<double>::infinity();
+  int without_gain = 0;
+  for (int iteration = 0; iteration < newton_limit && without_gain < without_gain_limit; ++iteration) {
+    host.report("projection", static_cast<std::uint64_t>(iteration), 0);
+    for (std::size_t j = 0; j < n; ++j) {
+      moved_[j] = y[j] + rows_.column_times(j, multiplier_);
+      x[j] = clip(moved_[j], lower_[j], upper_[j]);
+    }
+    const double worst = rows_.residual(x, residual_);
+    ++passes_;
+    if (worst < best) {
+      without_gain = 0;
+      best = worst;
+    } else {
+      ++without_gain;
+    }
+    if (worst <= row_accuracy) break;
+    if (iteration > 2 && certify(residual_)) return Projected::infeasible;
+
+    const double residual_size = largest_magnitude(residual_);
+    choose_face(x);
+    const double shift = std::clamp(0.1 * residual_size, 1e-13, 1e-3);
+    factor_->factor(rows_, free_, shift);
+    std::copy(residual_.begin(), residual_.end(), newton_.begin());
+    factor_->solve(newton_);
+    const double slope = dot(newton_, residual_);
+    if (!(slope > 0)) break;
+    for (std::size_t j = 0; j < n; ++j)
+      direction_[j] = rows_.column_times(j, newton_);
+    const RowEquation along{direction_, moved_, lower_, upper_, dot(newton_, rows_.rhs())};
+    const RowRoot root = solve_row_equation(along, 1, 0.1 * slope);
+    passes_ += root.passes + 1;
+    if (!root.feasible && certify(newton_)) return Projected::infeasible;
+    const double length = root.feasible ? root.t : 1;
+    for (std::size_t i = 0; i < m; ++i)
+      multiplier_[i] += length * newton_[i];
+  }
+  choose_face(x);
+  meet_rows(x);
+  passes_ += 3;
+  if (rows_.residual(x, residual_) > 1e-10) return certify(residual_) ? Projected::infeasible : Projected::failed;
+  if (step > 0) {
+    for (std::size_t i = 0; i < m; ++i)
+      guess_[i] = multiplier_[i] / step;
+  }
+  return Projected::done;
+}
+
+// Farkas: the largest value that lambda'A x takes within the bounds stays below lambda'b. With an infinite bound that
+// value is finite only where (A'lambda)_j is zero, which rounding never gives exactly: parts of 1e-9 count as zero.
+bool FeasibleSet::certify(std::span<const double> multipliers) {
+  constexpr double zero = 1e-9, margin = 1e-9;
+  const double length = std::sqrt(dot(multipliers, multipliers));
+  if (!(length > 0) || !std::isfinite(length)) return false;
+  double largest = 0, scale = 0;
+  for (std::size_t j = 0; j < size(); ++j) {
+    const double slope = rows_.column_times(j, multipliers) / length;
+    if (slope == 0) continue;
+    const double bound = slope > 0 ? upper_[j] : lower_[j];
+    if (!std::isfinite(bound)) {
+      if (std::abs(slope) > zero) return false;
+      continue;
+    }
+    largest += slope * bound;
+    scale += std::abs(slope * bound);
+  }
+  const double wanted = dot(multipliers, rows_.rhs()) / length;
+  const double gap = wanted - largest;
+  if (!(gap > margin * (scale + std::abs(wanted)))) return false;
+  certificate_gap_ = gap;
+  for (std::size_t i = 0; i < rows(); ++i)
+    certificate_[i] = multipliers[i] / length * rows_.scale(i);
+  return true;
+}
+
+void FeasibleSet::choose_face(std::span<const double> x) {
+  free_count_ = 0;
+  if (custom_) return;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    free_[j] = x[j] > lower_[j] && x[j] < upper_[j];
+    free_count_ += free_[j];
+  }
+  if (rows() > 0) factor_->factor(rows_, free_, 0);
+}
+
+void FeasibleSet::subtract_rows(std::span<const double> t, std::span<double> v) const {
+  for (std::size_t j = 0; j < v.size() && rows() > 0; ++j)
+    v[j] -= rows_.column_times(j, t);
+}
+
+void FeasibleSet::project_to_face(std::span<double> v) const {
+  for (std::size_t j = 0; j < v.size(); ++j) {
+    if (!free_[j]) v[j] = 0;
+  }
+  if (rows() == 0) return;
+  // Twice, so that A v is rounding also where the rows are ill-conditioned.
+  for (int repeat = 0; repeat < 2; ++repeat) {
+    rows_.multiply_free(v, free_, residual_);
+    factor_->solve(residual_);
+    for (std::size_t j = 0; j < v.size(); ++j) {
+      if (free_[j]) v[j] -= rows_.column_times(j, residual_);
+    }
+  }
+}
+
+void FeasibleSet::meet_rows(std::span<double> x) const {
+  if (rows() == 0 || custom_) return;
+  for (int repeat = 0; repeat < 3; ++repeat) {
+    if (rows_.residual(x, residual_) <= row_accuracy) return;
+    factor_->solve(residual_);
+    for (std::size_t j = 0; j < x.size(); ++j) {
+      if (free_[j]) x[j] = clip(x[j] + rows_.column_times(j, residual_), lower_[j], upper_[j]);
+    }
+  }
+}
+
+std::uint64_t FeasibleSet::fingerprint() const {
+  Hash hash;
+  const auto add = [&](auto array) { hash.add(std::as_bytes(array)); };
+  add(std::span(lower_));
+  add(std::span(upper_));
+  add(rows_.rhs());
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const double scale = rows_.scale(i);
+    add(std::span(&scale, 1));
+    add(rows_.row_columns(i));
+    add(rows_.row_values(i));
+  }
+  return hash.value() ^ static_cast<std::uint64_t>(custom());
+}
+
+}  // namespace orbicube::projected_gradient

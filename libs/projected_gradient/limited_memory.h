@@ -1,0 +1,77 @@
+// The limited-memory BFGS model of the Hessian in its compact form (Byrd, Nocedal, Schnabel 1994),
+//   B = sigma I - W N^-1 W',  W = [sigma S, Y],  N = [sigma S'S, L; L', -D],
+// with L the strictly lower and D the diagonal part of S'Y, and the minimiser of a quadratic with this Hessian in a
+// face.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+
+#include "base/array.h"
+#include "projected_gradient/feasible_set.h"
+
+namespace orbicube::projected_gradient {
+
+class LimitedMemory {
+ public:
+  // Room for `capacity` pairs of n entries, 2 capacity n numbers, and for faces with m rows.
+  LimitedMemory(std::size_t n, std::size_t m, std::size_t capacity, std::pmr::memory_resource* memory);
+
+  std::size_t count() const { return count_; }
+  void clear() {
+    count_ = 0;
+    newest_ = 0;
+  }
+  double sigma() const { return sigma_; }
+  // Curvature of the model while there are no pairs.
+  void set_sigma(double sigma) { sigma_ = sigma; }
+
+  // Adds step s and change of gradient y with the new sigma (y'y / s'y if it is not positive), dropping the oldest pair
+  // when full. False, and nothing kept, when the curvature s'y is not safely positive or N becomes singular (then the
+  // memory is empty).
+  bool push(std::span<const double> s, std::span<const double> y, double sigma);
+
+  // out = B v.
+  void multiply(std::span<const double> v, std::span<double> out) const;
+
+  // Readies minimise_in_face for the face that `set` has chosen; false when the model there is not resolvable.
+  bool enter_face(const FeasibleSet& set);
+  // d = -(P B P)^+ P gradient, with P the projection to the face: the step to the model's minimiser there.
+  void minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d) const;
+
+  // Shows every part of the state to `visit` as spans of numbers, for saving and loading; then rebuild() after loading.
+  template <class Self, class Visit>
+  static void visit_state(Self& self, const Visit& visit) {
+    visit(std::span(self.table_));
+    visit(std::span(self.step_products_));
+    visit(std::span(self.mixed_products_));
+    visit(std::span(&self.sigma_, 1));
+    visit(std::span(&self.count_, 1));
+    visit(std::span(&self.newest_, 1));
+  }
+  // The matrices that follow from the products; false when N is singular.
+  bool rebuild();
+
+ private:
+  // Slot of the pair added `age` pushes before the newest.
+  std::size_t slot_of_age(std::size_t age) const { return (newest_ + capacity_ - age) % capacity_; }
+  std::size_t age_of_slot(std::size_t slot) const { return (newest_ + capacity_ - slot) % capacity_; }
+  // Coefficients c with B v = sigma v - [S Y] c from the products [S Y]'v, in place: 2 count entries.
+  void apply_inverse_middle(std::span<double> products) const;
+
+  std::size_t n_, capacity_;
+  std::uint64_t count_ = 0, newest_ = 0;
+  double sigma_ = 1;
+  base::Array<double> table_;           // n rows of [s_0 .. s_c-1, y_0 .. y_c-1], each pair scaled to |s| = 1
+  base::Array<double> step_products_;   // S'S, capacity x capacity
+  base::Array<double> mixed_products_;  // S'Y: row s, column y
+  base::Array<double> plain_middle_, middle_, face_middle_;  // N, its LU, and that of N - U'U / sigma with U = P W
+  base::Array<std::uint32_t> middle_pivots_, face_pivots_;
+  base::Array<double> gram_;                       // (2 capacity)^2
+  base::Array<double> row_products_, row_column_;  // A_F [S Y], m x 2 capacity; one of its columns
+  mutable base::Array<double> products_;           // 2 capacity
+};
+
+}  // namespace orbicube::projected_gradient

@@ -1,0 +1,94 @@
+#include "projected_gradient/line_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orbicube::projected_gradient {
+namespace {
+
+// Where the cubic through two values and slopes is least (Nocedal and Wright 2006, eq. 3.59); NaN if nowhere.
+double cubic_minimiser(double a, double value_a, double slope_a, double b, double value_b, double slope_b) {
+  const double first = slope_a + slope_b - 3 * (value_a - value_b) / (a - b);
+  const double square = first * first - slope_a * slope_b;
+  if (!(square >= 0)) return std::numeric_limits<double>::quiet_NaN();
+  const double second = std::copysign(std::sqrt(square), b - a);
+  return b - (b - a) * ((slope_b + second - first) / (slope_b - slope_a + 2 * second));
+}
+
+}  // namespace
+
+void WolfeSearch::start(double value, double slope, double first_length, double longest_length) {
+  *this = WolfeSearch{};
+  start_value = low_value = value;
+  start_slope = low_slope = slope;
+  longest = longest_length;
+  length = first_length;
+}
+
+Search WolfeSearch::advance(double value, double slope) {
+  constexpr double decrease = 1e-4, curvature = 0.9, rounding = 1e-10;
+  constexpr std::uint64_t trial_limit = 30;
+  ++trials;
+  const bool finite = std::isfinite(value) && std::isfinite(slope);
+  if (returning) return finite ? Search::accept : Search::give_up;
+  const bool lower = value <= start_value + decrease * length * start_slope;
+  const bool level = value <= start_value + rounding * std::abs(start_value);
+  const bool flat_enough = slope >= curvature * start_slope;
+  if (finite) {
+    if (flat_enough && (lower || (level && slope <= (2 * decrease - 1) * start_slope))) return Search::accept;
+    if (!flat_enough && lower && length >= longest) return Search::accept;
+  }
+  if (trials >= trial_limit || (has_high && high - low <= 1e-15 * high)) {
+    if (!(low > 0)) return Search::give_up;
+    returning = 1;
+    length = low;
+    return Search::again;
+  }
+  if (finite && !flat_enough && (lower || level)) {
+    const double previous = low;
+    const double previous_slope = low_slope;
+    low = length;
+    low_value = value;
+    low_slope = slope;
+    if (!has_high) {
+      // Still falling: follow the secant of the slopes, two to ten times as far.
+      const double secant = slope > previous_slope ? length - slope * (length - previous) / (slope - previous_slope)
+                                                   : std::numeric_limits<double>::infinity();
+      length = std::min(longest, std::clamp(secant, 2 * length, 10 * length));
+      return Search::again;
+    }
+  } else {
+    has_high = 1;
+    high = length;
+    high_value = finite ? value : std::numeric_limits<double>::quiet_NaN();
+    high_slope = slope;
+  }
+  const double width = high - low;
+  const double guess = cubic_minimiser(low, low_value, low_slope, high, high_value, high_slope);
+  // After failures of f the way back is short first and long when they go on.
+  const double otherwise = std::isfinite(high_value) ? 0.5 : 0.25;
+  length = std::isfinite(guess) ? std::clamp(guess, low + 0.1 * width, high - 0.1 * width) : low + otherwise * width;
+  return Search::again;
+}
+
+void BacktrackingSearch::start(double reference_value, double slope) {
+  reference = reference_value;
+  start_slope = slope;
+  length = 1;
+  trials = 0;
+}
+
+Search BacktrackingSearch::advance(double start_value, double value) {
+  constexpr double decrease = 1e-4;
+  constexpr std::uint64_t trial_limit = 60;
+  ++trials;
+  if (value <= reference + decrease * length * start_slope) return Search::accept;
+  if (trials >= trial_limit) return Search::give_up;
+  // The parabola through the start, its slope and this value; NaN (f failed) ends in the middle of the range.
+  const double guess = -0.5 * length * length * start_slope / (value - start_value - length * start_slope);
+  length = std::isfinite(guess) ? std::clamp(guess, 0.1 * length, 0.5 * length) : 0.25 * length;
+  return Search::again;
+}
+
+}  // namespace orbicube::projected_gradient

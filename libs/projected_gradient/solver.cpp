@@ -1,0 +1,321 @@
+// The iteration of both methods. Method::seed is the dissertation's section 4.3.1: x + alpha d with
+// d = P(x - g / lambda) - x (eq. 4.11), lambda = max(s'y / s's, 1e-10) (eq. 4.13) and a nonmonotone line search.
+// Method::face takes d from the minimiser of a limited-memory model over the feasible set (face_step.h).
+#include "projected_gradient/solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "projected_gradient/vector_math.h"
+
+namespace orbicube::projected_gradient {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void require(bool condition, const char* message) {
+  if (!condition) throw base::Error("invalid-argument", message);
+}
+
+// How far x + t d stays within the bounds.
+double longest_step(std::span<const double> x, std::span<const double> d, std::span<const double> lower,
+                    std::span<const double> upper) {
+  double longest = infinity;
+  for (std::size_t j = 0; j < x.size(); ++j) {
+    if (d[j] != 0) longest = std::min(longest, ((d[j] > 0 ? upper[j] : lower[j]) - x[j]) / d[j]);
+  }
+  return longest;
+}
+
+}  // namespace
+
+const char* stop_name(Stop stop) {
+  switch (stop) {
+    case Stop::running:
+      return "running";
+    case Stop::converged:
+      return "converged";
+    case Stop::target_reached:
+      return "target reached";
+    case Stop::evaluation_budget:
+      return "evaluation budget";
+    case Stop::iteration_budget:
+      return "iteration budget";
+    case Stop::stalled:
+      return "stalled";
+    case Stop::infeasible:
+      return "infeasible";
+    case Stop::cancelled:
+      return "cancelled";
+    case Stop::evaluation_failed:
+      return "evaluation failed";
+    case Stop::projection_failed:
+      return "projection failed";
+  }
+  return "unknown";
+}
+
+Solver::Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host)
+    : host_(host),
+      options_(options),
+      set_(problem, host.memory),
+      model_(problem.n, problem.rows(), options.method == Method::face ? options.memory : 0, host.memory),
+      face_step_(options.method == Method::face ? problem.n : 0, host.memory),
+      x_(problem.n, 0.0, host.memory),
+      gradient_(problem.n, 0.0, host.memory),
+      trial_(problem.n, 0.0, host.memory),
+      trial_gradient_(problem.n, 0.0, host.memory),
+      target_(problem.n, 0.0, host.memory),
+      direction_(problem.n, 0.0, host.memory),
+      best_(problem.n, 0.0, host.memory),
+      multipliers_(problem.rows(), 0.0, host.memory),
+      last_values_(options.history, -infinity, host.memory) {
+  require((start.size() == problem.n || start.empty()) && all_finite(start), "the start must be n finite numbers");
+  require(options.method == Method::face || options.method == Method::seed, "unknown method");
+  require(options.line_search == LineSearch::largest_of_last || options.line_search == LineSearch::average,
+          "unknown line search");
+  require(options.memory >= 1 && options.memory <= 1000, "memory must be from 1 to 1000 pairs");
+  require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
+  require(options.average_weight >= 0 && options.average_weight <= 1, "average_weight must be from 0 to 1");
+  require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
+  require(!std::isnan(options.target), "target must be a number");
+  std::copy(start.begin(), start.end(), x_.begin());
+  state_.best_value = state_.measure = infinity;
+}
+
+Request Solver::step() {
+  if (asked()) return Request::need_value_and_gradient;
+  try {
+    host_.report("projected gradient", state_.evaluations, options_.max_evaluations, state_.best_value);
+    return advance();
+  } catch (const base::Error& error) {
+    if (error.status() != base::Status::cancelled) throw;
+    state_.cancelled_by_host = 1;
+    return finish(Stop::cancelled);
+  }
+}
+
+Request Solver::advance() {
+  switch (state_.phase) {
+    case Phase::created:
+      if (!project(x_, trial_, 0)) return Request::done;
+      std::copy(trial_.begin(), trial_.end(), best_.begin());
+      return ask(Phase::asked_first);
+    case Phase::told_first:
+      if (!std::isfinite(state_.trial_value)) return finish(Stop::evaluation_failed);
+      state_.curvature = std::max(largest_magnitude(trial_gradient_), 1e-10);
+      model_.set_sigma(state_.curvature);
+      std::copy(trial_.begin(), trial_.end(), x_.begin());
+      accept_trial();
+      return state_.phase == Phase::done ? Request::done : Request::iteration;
+    case Phase::iterate:
+      return begin_iteration();
+    case Phase::told:
+      return take_trial();
+    default:
+      return Request::done;
+  }
+}
+
+Request Solver::ask(Phase phase) {
+  if (state_.evaluations >= options_.max_evaluations) return finish(Stop::evaluation_budget);
+  state_.phase = phase;
+  return Request::need_value_and_gradient;
+}
+
+Request Solver::finish(Stop stop) {
+  state_.phase = Phase::done;
+  state_.stop = stop;
+  return Request::done;
+}
+
+void Solver::tell(double value, std::span<const double> gradient) {
+  require(asked(), "nothing was asked for");
+  require(gradient.size() == x_.size(), "the gradient must have n entries");
+  if (!std::isfinite(value) || !all_finite(gradient)) return tell_failure();
+  ++state_.evaluations;
+  state_.trial_value = value;
+  std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
+  set_.subtract_rows(multipliers_, trial_gradient_);
+  if (value < state_.best_value) {
+    state_.best_value = value;
+    std::copy(trial_.begin(), trial_.end(), best_.begin());
+  }
+  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
+}
+
+void Solver::tell_failure() {
+  require(asked(), "nothing was asked for");
+  ++state_.evaluations;
+  ++state_.failed_evaluations;
+  state_.trial_value = std::numeric_limits<double>::quiet_NaN();
+  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
+}
+
+bool Solver::settle_projection(Projected outcome) {
+  if (outcome == Projected::done) return true;
+  finish(outcome == Projected::infeasible ? Stop::infeasible : Stop::projection_failed);
+  return false;
+}
+
+bool Solver::project(std::span<const double> y, std::span<double> x, double step) {
+  return settle_projection(set_.project(y, x, step, host_));
+}
+
+// Makes the trial the iterate, with its projected gradient.
+void Solver::accept_trial() {
+  x_.swap(trial_);
+  gradient_.swap(trial_gradient_);
+  state_.value = state_.trial_value;
+  last_values_[state_.iterations % last_values_.size()] = state_.value;
+  if (state_.iterations == 0) {
+    state_.average = state_.value;
+    state_.average_count = 1;
+  } else {
+    const double count = options_.average_weight * state_.average_count + 1;
+    state_.average = (options_.average_weight * state_.average_count * state_.average + state_.value) / count;
+    state_.average_count = count;
+  }
+  for (std::size_t j = 0; j < x_.size(); ++j)
+    trial_[j] = x_[j] - gradient_[j];
+  state_.phase = Phase::iterate;
+  if (!project(trial_, target_, 1)) return;
+  state_.measure = 0;
+  for (std::size_t j = 0; j < x_.size(); ++j)
+    state_.measure = std::max(state_.measure, std::abs(target_[j] - x_[j]));
+  // The rows' multipliers of this projection go into the gradient: it then tends to zero on the free unknowns, and
+  // slopes along feasible directions do not drown in the rounding of g'd.
+  const std::span<double> change = set_.guess();
+  set_.subtract_rows(change, gradient_);
+  for (std::size_t i = 0; i < multipliers_.size(); ++i)
+    multipliers_[i] += change[i];
+  std::fill(change.begin(), change.end(), 0.0);
+}
+
+Request Solver::begin_iteration() {
+  if (state_.measure <= options_.gradient_tolerance) return finish(Stop::converged);
+  if (state_.best_value <= options_.target) return finish(Stop::target_reached);
+  if (state_.iterations >= options_.max_iterations) return finish(Stop::iteration_budget);
+  const bool seed = options_.method == Method::seed;
+  const bool found = seed ? choose_seed_direction() : choose_direction();
+  if (state_.phase == Phase::done) return Request::done;
+  if (!found) return finish(Stop::stalled);
+  return ask(Phase::asked);
+}
+
+// d = P(x - g / lambda) - x, and the first trial at its end.
+bool Solver::choose_seed_direction() {
+  for (std::size_t j = 0; j < x_.size(); ++j)
+    trial_[j] = x_[j] - gradient_[j] / state_.curvature;
+  if (!project(trial_, target_, 1 / state_.curvature)) return false;
+  for (std::size_t j = 0; j < x_.size(); ++j)
+    direction_[j] = target_[j] - x_[j];
+  const double slope = dot(gradient_, direction_);
+  if (!(slope < 0)) return false;
+  state_.backtracking.start(reference_value(), slope);
+  std::copy(target_.begin(), target_.end(), trial_.begin());
+  return true;
+}
+
+double Solver::reference_value() const {
+  if (options_.line_search == LineSearch::average) return state_.average;
+  return *std::max_element(last_values_.begin(), last_values_.end());
+}
+
+bool Solver::choose_direction() {
+  for (;;) {
+    state_.without_memory = model_.count() == 0;
+    if (!settle_projection(face_step_.find(set_, model_, x_, gradient_, state_.measure, target_, host_))) return false;
+    set_.choose_face(target_);
+    set_.meet_rows(target_);
+    for (std::size_t j = 0; j < x_.size(); ++j)
+      direction_[j] = target_[j] - x_[j];
+    const double slope = dot(gradient_, direction_);
+    if (slope < 0) {
+      const double longest = set_.custom() ? 1.0 : longest_step(x_, direction_, set_.lower(), set_.upper());
+      state_.wolfe.start(state_.value, slope, 1, std::max(longest, 1.0));
+      std::copy(target_.begin(), target_.end(), trial_.begin());
+      return true;
+    }
+    if (state_.without_memory) return false;
+    model_.clear();
+  }
+}
+
+Request Solver::take_trial() {
+  const bool seed = options_.method == Method::seed;
+  Search verdict;
+  if (seed) {
+    verdict = state_.backtracking.advance(state_.value, state_.trial_value);
+  } else {
+    const double slope = std::isfinite(state_.trial_value) ? dot(trial_gradient_, direction_) : state_.trial_value;
+    verdict = state_.wolfe.advance(state_.trial_value, slope);
+  }
+  if (verdict == Search::accept) {
+    ++state_.iterations;
+    // x and gradient become s and y, and then the new iterate takes their place.
+    for (std::size_t j = 0; j < x_.size(); ++j) {
+      direction_[j] = trial_[j] - x_[j];
+      target_[j] = trial_gradient_[j] - gradient_[j];
+    }
+    const double step_curvature = dot(direction_, target_);
+    if (seed) {
+      // As printed, s'y <= 0 would make the next step 1e10: take the length of the first step again.
+      state_.curvature = step_curvature > 0 ? std::max(step_curvature / dot(direction_, direction_), 1e-10)
+                                            : std::max(largest_magnitude(trial_gradient_), 1e-10);
+    } else {
+      // The curvature that sigma stands for is that of the face: y on bounds would make every step too short. The old
+      // gradient is not needed any more.
+      std::copy(target_.begin(), target_.end(), gradient_.begin());
+      if (!set_.custom()) {
+        set_.choose_face(trial_);
+        set_.project_to_face(gradient_);
+      }
+      model_.push(direction_, target_, dot(gradient_, gradient_) / step_curvature);
+    }
+    accept_trial();
+    return state_.phase == Phase::done ? Request::done : Request::iteration;
+  }
+  if (verdict == Search::again) {
+    const double length = seed ? state_.backtracking.length : state_.wolfe.length;
+    for (std::size_t j = 0; j < x_.size(); ++j) {
+      trial_[j] = clip(x_[j] + length * direction_[j], set_.lower()[j], set_.upper()[j]);
+    }
+    return ask(Phase::asked);
+  }
+  const bool failed = !std::isfinite(state_.trial_value);
+  if (seed || state_.without_memory) return finish(failed ? Stop::evaluation_failed : Stop::stalled);
+  // The model may be at fault: once more along the projected gradient.
+  model_.clear();
+  model_.set_sigma(std::max(largest_magnitude(gradient_), 1e-10));
+  return begin_iteration();
+}
+
+Result Solver::result() const {
+  Result result;
+  result.stop = state_.stop;
+  const bool any = state_.evaluations > state_.failed_evaluations;
+  if (any) result.value = state_.stop == Stop::converged ? state_.value : state_.best_value;
+  result.projected_gradient = state_.measure;
+  if (state_.phase != Phase::created && state_.stop != Stop::infeasible) {
+    result.equality_residual = set_.relative_residual(best_point());
+  }
+  result.evaluations = state_.evaluations;
+  result.failed_evaluations = state_.failed_evaluations;
+  result.iterations = state_.iterations;
+  result.projection_passes = set_.passes();
+  result.certificate_gap = set_.certificate_gap();
+  return result;
+}
+
+void Solver::copy_multipliers(std::span<double> out) const {
+  for (std::size_t i = 0; i < multipliers_.size(); ++i)
+    out[i] = multipliers_[i] * set_.linear_rows().scale(i);
+}
+
+std::span<const double> Solver::best_point() const {
+  return state_.stop == Stop::converged ? x_ : best_;
+}
+
+}  // namespace orbicube::projected_gradient

@@ -1,0 +1,105 @@
+// The solver, one evaluation at a time: step() says what is wanted, tell() gives it. Everything is allocated when the
+// solver is made; a run can be saved between any two calls and goes on with the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+
+#include "base/array.h"
+#include "base/host.h"
+#include "projected_gradient/face_step.h"
+#include "projected_gradient/feasible_set.h"
+#include "projected_gradient/limited_memory.h"
+#include "projected_gradient/line_search.h"
+#include "projected_gradient/problem.h"
+
+namespace orbicube::projected_gradient {
+
+enum class Request : std::int32_t {
+  need_value_and_gradient = 1,  // of f at point(); answer with tell()
+  iteration = 2,                // point() is a new iterate; nothing to answer
+  done = 3,                     // see result()
+};
+
+class Solver {
+ public:
+  // Copies problem and start (n entries, projected to the feasible set first; none for a solver that a run is loaded
+  // into). Throws invalid-argument.
+  // `host` must outlive the solver.
+  Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host);
+
+  Request step();
+  std::span<const double> point() const { return asked() ? trial_ : x_; }
+  // After need_value_and_gradient only (throws invalid-argument otherwise). A value or an entry that is not finite says
+  // that f could not be evaluated there.
+  void tell(double value, std::span<const double> gradient);
+  void tell_failure();
+  // Ends the run as cancelled; what is known stays available.
+  void cancel() { finish(Stop::cancelled); }
+  bool cancelled_by_host() const { return state_.cancelled_by_host != 0; }
+
+  Result result() const;
+  // The point that result() speaks of: the iterate that met the tolerance, else the lowest feasible point evaluated;
+  // before the first evaluation, the projected start.
+  std::span<const double> best_point() const;
+  std::span<const double> certificate() const { return set_.certificate(); }
+  std::size_t size() const { return x_.size(); }
+  std::size_t rows() const { return set_.rows(); }
+
+  // Multipliers t of the rows as given, m entries: near a solution g - A't is zero on the unknowns within their bounds.
+  void copy_multipliers(std::span<double> out) const;
+
+  // The run's whole state as save_size() bytes, and back into a solver of the same problem and options (options_of).
+  // load() throws invalid-argument for a blob of another problem and parse for one that is damaged. Blobs are for
+  // machines with the same order of bytes.
+  std::size_t save_size() const;
+  void save(std::span<std::byte> blob) const;
+  void load(std::span<const std::byte> blob);
+  static Options options_of(std::span<const std::byte> blob);
+
+ private:
+  enum class Phase : std::int32_t { created, asked_first, told_first, iterate, asked, told, done };
+
+  // All that a run is besides its arrays and its model; saved as bytes, so it holds no pointer and no padding.
+  struct State {
+    Phase phase = Phase::created;
+    Stop stop = Stop::running;
+    std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
+    std::uint64_t cancelled_by_host = 0;
+    std::uint64_t without_memory = 0;  // 1 while the current direction was made with an empty model
+    double value = 0, trial_value = 0, best_value = 0, measure = 0;
+    double curvature = 0;                   // lambda of eq. 4.13
+    double average = 0, average_count = 0;  // C and Q of Zhang and Hager
+    WolfeSearch wolfe{};
+    BacktrackingSearch backtracking{};
+  };
+
+  bool asked() const { return state_.phase == Phase::asked || state_.phase == Phase::asked_first; }
+  Request advance();
+  Request begin_iteration();
+  Request take_trial();
+  Request ask(Phase phase);
+  Request finish(Stop stop);
+  bool choose_direction();
+  bool choose_seed_direction();
+  void accept_trial();
+  bool project(std::span<const double> y, std::span<double> x, double step);
+  bool settle_projection(Projected outcome);
+  double reference_value() const;
+  template <class Self, class Visit>
+  static void visit_state(Self& self, const Visit& visit);
+
+  const base::Host& host_;
+  Options options_;
+  FeasibleSet set_;
+  LimitedMemory model_;
+  FaceStep face_step_;
+  State state_;
+  base::Array<double> x_, gradient_, trial_, trial_gradient_, target_, direction_, best_;  // n each
+  base::Array<double> multipliers_;  // m: gradients are kept as those of f - t'(A x - b)
+  base::Array<double> last_values_;  // ring of Options::history values of f
+};
+
+}  // namespace orbicube::projected_gradient

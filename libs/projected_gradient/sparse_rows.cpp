@@ -1,0 +1,103 @@
+#include "projected_gradient/sparse_rows.h"
+
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "projected_gradient/vector_math.h"
+
+namespace orbicube::projected_gradient {
+
+SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory)
+    : row_start_(memory),
+      column_start_(memory),
+      column_(memory),
+      column_row_(memory),
+      value_(memory),
+      column_value_(memory),
+      rhs_(memory),
+      scale_(memory) {
+  const std::size_t m = problem.rows(), n = problem.n;
+  column_start_.assign(n + 1, 0);
+  row_start_.assign(m + 1, 0);
+  if (m == 0) return;
+  if (problem.row_start.size() != m + 1 || problem.row_start[0] != 0 || problem.row_start[m] != problem.column.size() ||
+      problem.column.size() != problem.value.size()) {
+    throw base::Error("invalid-argument", "row_start does not span the entries of A");
+  }
+  column_.reserve(problem.column.size());
+  value_.reserve(problem.column.size());
+  rhs_.resize(m);
+  scale_.resize(m);
+  base::Array<std::size_t> place(n, std::size_t(-1), memory);  // where this row already holds the column
+  for (std::size_t i = 0; i < m; ++i) {
+    if (problem.row_start[i] > problem.row_start[i + 1]) {
+      throw base::Error("invalid-argument", "row_start decreases at row " + std::to_string(i));
+    }
+    for (std::size_t k = problem.row_start[i]; k < problem.row_start[i + 1]; ++k) {
+      const std::uint32_t j = problem.column[k];
+      if (j >= n || !std::isfinite(problem.value[k])) {
+        throw base::Error("invalid-argument", "row " + std::to_string(i) +
+                                                  " of A has a column out of range or a value " + "that is not finite");
+      }
+      if (place[j] != std::size_t(-1) && place[j] >= row_start_[i]) {
+        value_[place[j]] += problem.value[k];
+      } else {
+        place[j] = column_.size();
+        column_.push_back(j);
+        value_.push_back(problem.value[k]);
+      }
+    }
+    row_start_[i + 1] = column_.size();
+    if (!std::isfinite(problem.rhs[i]))
+      throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] is not finite");
+    double length = 0;
+    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
+      length = std::hypot(length, value_[k]);
+    scale_[i] = length > 0 ? 1 / length : 1;
+    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
+      value_[k] *= scale_[i];
+    rhs_[i] = problem.rhs[i] * scale_[i];
+  }
+
+  for (const std::uint32_t j : column_)
+    ++column_start_[j + 1];
+  for (std::size_t j = 0; j < n; ++j)
+    column_start_[j + 1] += column_start_[j];
+  column_row_.resize(column_.size());
+  column_value_.resize(column_.size());
+  base::Array<std::size_t> next(column_start_.begin(), column_start_.end() - 1, memory);
+  for (std::size_t i = 0; i < m; ++i) {
+    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) {
+      const std::size_t to = next[column_[k]]++;
+      column_row_[to] = static_cast<std::uint32_t>(i);
+      column_value_[to] = value_[k];
+    }
+  }
+}
+
+double SparseRows::residual(std::span<const double> x, std::span<double> out) const {
+  double worst = 0;
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const double* value = value_.data() + row_start_[i];
+    const std::uint32_t* column = column_.data() + row_start_[i];
+    const std::size_t count = row_start_[i + 1] - row_start_[i];
+    const double sum = blocked_sum(count, [&](std::size_t k) { return value[k] * x[column[k]]; });
+    const double scale = blocked_sum(count, [&](std::size_t k) { return std::abs(value[k] * x[column[k]]); });
+    out[i] = rhs_[i] - sum;
+    if (out[i] != 0) worst = std::max(worst, std::abs(out[i]) / (scale + std::abs(rhs_[i])));
+  }
+  return worst;
+}
+
+void SparseRows::multiply_free(std::span<const double> x, std::span<const std::uint8_t> free,
+                               std::span<double> out) const {
+  for (std::size_t i = 0; i < rows(); ++i) {
+    const double* value = value_.data() + row_start_[i];
+    const std::uint32_t* column = column_.data() + row_start_[i];
+    out[i] = blocked_sum(row_start_[i + 1] - row_start_[i],
+                         [&](std::size_t k) { return free[column[k]] ? value[k] * x[column[k]] : 0.0; });
+  }
+}
+
+}  // namespace orbicube::projected_gradient
