@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
 std::atomic<std::size_t> live_blocks{0};  // allocated and not yet released, by operator new or by a host's allocator
+std::atomic<std::size_t> allocations{0};  // ... since the program started
 std::atomic<std::size_t> until_failure{never};  // allocations that still succeed
 std::atomic<bool> failed{false};                // the failure happened
 std::atomic<bool> could_throw{true};            // ... in an allocation that may throw
@@ -37,6 +38,7 @@ void* allocate(std::size_t size, std::size_t alignment, bool throwing) {
   }
   if (pointer != nullptr) {
     ++live_blocks;
+    ++allocations;
   } else if (throwing) {
     throw std::bad_alloc();
   }
@@ -157,6 +159,10 @@ Outcome cancel_everywhere(const Call& call, std::size_t most_runs) {
     stop_at += step;
   }
   return outcome;
+}
+
+std::size_t allocation_count() {
+  return allocations.load();
 }
 
 }  // namespace orbicube::test

@@ -33,4 +33,7 @@ Outcome fail_each_allocation(const Call& call);
 // must be released. `most_runs` bounds the work: from there on the step from n to the next doubles.
 Outcome cancel_everywhere(const Call& call, std::size_t most_runs = 64);
 
+// How many allocations the program has made so far, to see that something allocates nothing.
+std::size_t allocation_count();
+
 }  // namespace orbicube::test
