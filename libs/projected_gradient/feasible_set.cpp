@@ -14,6 +14,8 @@ namespace {
 
 // A residual of a row that is rounding, relative to the sizes of its terms.
 constexpr double row_accuracy = 1e-15;
+// A projection that leaves more has failed.
+constexpr double acceptable = 1e-10;
 
 base::Array<double> bounds_or(std::span<const double> given, std::size_t n, double otherwise,
                               std::pmr::memory_resource* memory) {
@@ -81,7 +83,8 @@ Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<doub
   if (!root.feasible) {
     // With +-1 as multiplier: the row cannot be as large, or as small, as b.
     const double multiplier = root.residual < 0 ? 1 : -1;
-    return certify({&multiplier, 1}) ? Projected::infeasible : Projected::failed;
+    if (certify({&multiplier, 1})) return Projected::infeasible;
+    // Else the row is met only at its extreme, and missed there by rounding.
   }
   if (step > 0) guess_[0] = root.t / step;
   for (std::size_t j = 0; j < x.size(); ++j)
@@ -91,6 +94,7 @@ Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<doub
     choose_face(x);
     meet_rows(x);
     passes_ += 3;
+    if (rows_.residual(x, residual_) > acceptable) return Projected::failed;
   }
   return Projected::done;
 }
@@ -101,6 +105,8 @@ Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<doub
 Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<double> x, double step,
                                          const base::Host& host) {
   constexpr int newton_limit = 200, without_gain_limit = 8;
+  constexpr double longest_search = 1e6;
+  constexpr double resolved = 1e-6;  // from here on, what is left may be the rounding of t
   const std::size_t m = rows(), n = size();
   for (std::size_t i = 0; i < m; ++i)
     multiplier_[i] = guess_[i] * step;
@@ -114,14 +120,14 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     }
     const double worst = rows_.residual(x, residual_);
     ++passes_;
+    if (worst > 0.5 * best && certify(residual_)) return Projected::infeasible;
     if (worst < best) {
       without_gain = 0;
       best = worst;
-    } else {
+    } else if (best <= resolved) {
       ++without_gain;
     }
     if (worst <= row_accuracy) break;
-    if (iteration > 2 && certify(residual_)) return Projected::infeasible;
 
     const double residual_size = largest_magnitude(residual_);
     choose_face(x);
@@ -136,15 +142,19 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     const RowEquation along{direction_, moved_, lower_, upper_, dot(newton_, rows_.rhs())};
     const RowRoot root = solve_row_equation(along, 1, 0.1 * slope);
     passes_ += root.passes + 1;
-    if (!root.feasible && certify(newton_)) return Projected::infeasible;
-    const double length = root.feasible ? root.t : 1;
+    const bool bounded = root.feasible && std::abs(root.t) < longest_search;
+    if (!bounded && certify(newton_)) return Projected::infeasible;
+    // A full step, whose residual tends to the smallest that the bounds allow, unless the search ends earlier or the
+    // function of t is flat for long; by turns, since infeasible rows let it rise for ever.
+    const double length = bounded && (root.t < 1 || (root.t > 10 && iteration % 2 == 0)) ? root.t : 1;
     for (std::size_t i = 0; i < m; ++i)
       multiplier_[i] += length * newton_[i];
   }
   choose_face(x);
   meet_rows(x);
   passes_ += 3;
-  if (rows_.residual(x, residual_) > 1e-10) return certify(residual_) ? Projected::infeasible : Projected::failed;
+  if (best > resolved || rows_.residual(x, residual_) > acceptable)
+    return certify(residual_) ? Projected::infeasible : Projected::failed;
   if (step > 0) {
     for (std::size_t i = 0; i < m; ++i)
       guess_[i] = multiplier_[i] / step;

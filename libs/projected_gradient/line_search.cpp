@@ -18,25 +18,27 @@ double cubic_minimiser(double a, double value_a, double slope_a, double b, doubl
 
 }  // namespace
 
-void WolfeSearch::start(double value, double slope, double first_length, double longest_length) {
+void WolfeSearch::start(double value, double lowest, double slope, double longest_length) {
+  constexpr double rounding = 1e-12;  // of f, relative: what sums over many unknowns leave
   *this = WolfeSearch{};
   start_value = low_value = value;
   start_slope = low_slope = slope;
   longest = longest_length;
-  length = first_length;
+  length = 1;
+  level = lowest + rounding * std::abs(lowest);
 }
 
 Search WolfeSearch::advance(double value, double slope) {
-  constexpr double decrease = 1e-4, curvature = 0.9, rounding = 1e-10;
+  constexpr double decrease = 1e-4, curvature = 0.9;
   constexpr std::uint64_t trial_limit = 30;
   ++trials;
   const bool finite = std::isfinite(value) && std::isfinite(slope);
   if (returning) return finite ? Search::accept : Search::give_up;
   const bool lower = value <= start_value + decrease * length * start_slope;
-  const bool level = value <= start_value + rounding * std::abs(start_value);
+  const bool not_higher = value <= level;
   const bool flat_enough = slope >= curvature * start_slope;
   if (finite) {
-    if (flat_enough && (lower || (level && slope <= (2 * decrease - 1) * start_slope))) return Search::accept;
+    if (flat_enough && (lower || (not_higher && slope <= (2 * decrease - 1) * start_slope))) return Search::accept;
     if (!flat_enough && lower && length >= longest) return Search::accept;
   }
   if (trials >= trial_limit || (has_high && high - low <= 1e-15 * high)) {
@@ -45,7 +47,7 @@ Search WolfeSearch::advance(double value, double slope) {
     length = low;
     return Search::again;
   }
-  if (finite && !flat_enough && (lower || level)) {
+  if (finite && !flat_enough && (lower || not_higher)) {
     const double previous = low;
     const double previous_slope = low_slope;
     low = length;
@@ -65,7 +67,10 @@ Search WolfeSearch::advance(double value, double slope) {
     high_slope = slope;
   }
   const double width = high - low;
-  const double guess = cubic_minimiser(low, low_value, low_slope, high, high_value, high_slope);
+  // Where rounding hides the difference of the values, the slopes still tell.
+  const bool resolved = std::abs(high_value - low_value) > 1e-12 * std::abs(start_value);
+  const double guess = resolved ? cubic_minimiser(low, low_value, low_slope, high, high_value, high_slope)
+                                : low - low_slope * width / (high_slope - low_slope);
   // After failures of f the way back is short first and long when they go on.
   const double otherwise = std::isfinite(high_value) ? 0.5 : 0.25;
   length = std::isfinite(guess) ? std::clamp(guess, low + 0.1 * width, high - 0.1 * width) : low + otherwise * width;

@@ -15,13 +15,15 @@ enum class Search : std::int32_t { again = 0, accept = 1, give_up = 2 };
 // Plain data: saved and loaded as bytes.
 struct WolfeSearch {
   double start_value, start_slope;      // f and its derivative along the direction at 0
+  double level;                         // f may end this high where it no longer resolves a decrease
   double longest;                       // the direction may be followed this far
   double low, low_value, low_slope;     // the best point with a sufficient decrease, 0 at first
   double high, high_value, high_slope;  // beyond the wanted point, where there is one (NaN values: f failed there)
   double length;                        // of the trial that is asked for
   std::uint64_t trials, has_high, returning;
 
-  void start(double value, double slope, double first_length, double longest_length);
+  // `lowest` is the least value so far; the first trial is at length 1.
+  void start(double value, double lowest, double slope, double longest_length);
   // Takes f and its derivative at `length` (NaN: failed). again: evaluate at the new `length`.
   Search advance(double value, double slope);
 };

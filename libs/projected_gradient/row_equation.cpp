@@ -63,7 +63,7 @@ std::array<double, 2> breakpoints(const RowEquation& e, std::size_t j) {
   return {std::min(at_lower, at_upper), std::max(at_lower, at_upper)};
 }
 
-// On a flat piece: the nearest breakpoint beyond t in the direction of `sign`, or an infinity.
+// The nearest breakpoint beyond t in the direction of `sign`, and a little more; an infinity when there is none.
 double next_breakpoint(const RowEquation& e, double t, double sign) {
   double best = infinity;
   for (std::size_t j = 0; j < e.a.size(); ++j) {
@@ -72,25 +72,77 @@ double next_breakpoint(const RowEquation& e, double t, double sign) {
       if (distance > 0) best = std::min(best, distance);
     }
   }
-  return t + sign * best;
+  // A little more, so that rounding does not leave t on the flat side.
+  return t + sign * best * (1 + 1e-10);
 }
 
-// The median of up to 512 breakpoints inside (low, high), from unknowns spread evenly; low when there is none.
-double middle_breakpoint(const RowEquation& e, double low, double high) {
-  std::array<double, 1024> sample;
+constexpr std::size_t sample_size = 1024;
+
+// Breakpoints strictly within (low, high) of up to sample_size unknowns spread evenly.
+struct Sample {
+  std::array<double, 2 * sample_size> points;
   std::size_t count = 0;
-  const std::size_t n = e.a.size(), stride = n / 512 + 1;
-  // Each phase is a fresh set of unknowns; mostly the first already holds some.
-  for (std::size_t phase = 0; phase < stride && count == 0; ++phase) {
-    for (std::size_t j = phase; j < n; j += stride) {
-      for (const double point : breakpoints(e, j)) {
-        if (point > low && point < high && count < sample.size()) sample[count++] = point;
+  std::size_t first = 0, stride = 1;  // the unknowns first, first + stride, ...
+
+  Sample(const RowEquation& e, double low, double high) {
+    const std::size_t n = e.a.size();
+    stride = (n + sample_size - 1) / sample_size;
+    // Each first is a fresh set of unknowns; mostly one set holds some.
+    for (first = 0; first < stride; ++first) {
+      for (std::size_t j = first; j < n; j += stride) {
+        for (const double point : breakpoints(e, j)) {
+          if (point > low && point < high) points[count++] = point;
+        }
       }
+      if (count > 0) return;
+    }
+    first = 0;
+  }
+  std::span<double> inside() { return {points.data(), count}; }
+};
+
+// Where the residual, known at t, would vanish if all unknowns moved as the sampled ones do; NaN when they cannot tell.
+double sampled_root(const RowEquation& e, double t, double residual, double low, double high) {
+  Sample sample(e, residual < 0 ? t : low, residual < 0 ? high : t);
+  if (sample.count == 0) return std::numeric_limits<double>::quiet_NaN();
+  const std::span<double> points = sample.inside();
+  std::sort(points.begin(), points.end());
+  const double weight = static_cast<double>(sample.stride);
+  const auto predicted = [&](double at) {
+    double change = 0;
+    for (std::size_t j = sample.first; j < e.a.size(); j += sample.stride) {
+      const double a = e.a[j];
+      change += a * (clip(e.y[j] + at * a, e.lower[j], e.upper[j]) - clip(e.y[j] + t * a, e.lower[j], e.upper[j]));
+    }
+    return residual + weight * change;
+  };
+  // The first breakpoint at or beyond the predicted root.
+  std::size_t below = 0, above = points.size();
+  while (below < above) {
+    const std::size_t middle = (below + above) / 2;
+    if (predicted(points[middle]) < 0) {
+      below = middle + 1;
+    } else {
+      above = middle;
     }
   }
-  if (count == 0) return low;
-  const auto middle = sample.begin() + static_cast<std::ptrdiff_t>(count / 2);
-  std::nth_element(sample.begin(), middle, sample.begin() + static_cast<std::ptrdiff_t>(count));
+  const double left = below == 0 ? (residual < 0 ? t : low) : points[below - 1];
+  const double right = below == points.size() ? (residual < 0 ? high : t) : points[below];
+  // Beyond the outermost breakpoint, by a little more than rounding, so that its unknown moves there.
+  if (!std::isfinite(left)) return right + 1e-10 * (right - t);
+  if (!std::isfinite(right)) return left + 1e-10 * (left - t);
+  const double at_left = predicted(left), at_right = predicted(right);
+  if (!(at_right > at_left)) return 0.5 * (left + right);
+  return std::clamp(left - at_left * ((right - left) / (at_right - at_left)), left, right);
+}
+
+// The median of the sampled breakpoints inside (low, high); low when there is none at all.
+double middle_breakpoint(const RowEquation& e, double low, double high) {
+  Sample sample(e, low, high);
+  if (sample.count == 0) return low;
+  const std::span<double> points = sample.inside();
+  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
+  std::nth_element(points.begin(), middle, points.end());
   return *middle;
 }
 
@@ -98,8 +150,10 @@ double middle_breakpoint(const RowEquation& e, double low, double high) {
 
 RowRoot solve_row_equation(const RowEquation& equation, double start, double accuracy) {
   constexpr std::uint32_t pass_limit = 400;
-  double low = -infinity, high = infinity, low_residual = -infinity, high_residual = infinity;
+  double low = -infinity, high = infinity;
+  double low_residual = 0, high_residual = 0;
   double previous = infinity;
+  int slow = 0;  // passes in a row that did not halve the residual
   RowRoot root;
   root.t = std::isfinite(start) ? start : 0;
   RowRoot best = root;
@@ -112,37 +166,41 @@ RowRoot solve_row_equation(const RowEquation& equation, double start, double acc
     if (std::abs(root.residual) <= std::max(accuracy, 2 * epsilon * pass.magnitude)) return root;
 
     const double sign = root.residual < 0 ? 1 : -1;
-    if (sign > 0) {
-      low = root.t;
-      low_residual = root.residual;
-    } else {
-      high = root.t;
-      high_residual = root.residual;
-    }
+    (sign > 0 ? low : high) = root.t;
+    (sign > 0 ? low_residual : high_residual) = root.residual;
+    slow = std::abs(root.residual) > 0.5 * previous ? slow + 1 : 0;
+    previous = std::abs(root.residual);
+
+    const bool bracketed = std::isfinite(low) && std::isfinite(high);
+    const auto usable = [&](double t) { return std::isfinite(t) && t > low && t < high; };
+    // Newton's step; where that gains little, the root of a sample until there is a bracket, then its chord, and now
+    // and then the middle one of the breakpoints that are left.
     const double slope = sign > 0 ? pass.slope_up : pass.slope_down;
     double candidate = slope > 0 ? root.t - root.residual / slope : infinity;
-    if (!std::isfinite(candidate)) {
-      candidate = next_breakpoint(equation, root.t, sign);
-      ++root.passes;
+    if (slow > 0 || !usable(candidate)) {
+      if (!bracketed) {
+        candidate = sampled_root(equation, root.t, root.residual, low, high);
+      } else {
+        candidate = low - low_residual * ((high - low) / (high_residual - low_residual));
+        if (slow % 3 == 2 || !usable(candidate)) {
+          // Without any breakpoint the function is one piece there and the chord exact.
+          const double middle = middle_breakpoint(equation, low, high);
+          if (middle > low) candidate = middle;
+        }
+      }
+    }
+    if (!bracketed && !usable(candidate)) {
+      candidate = slope > 0 ? root.t - root.residual / slope : infinity;
+      if (!std::isfinite(candidate)) {
+        candidate = next_breakpoint(equation, root.t, sign);
+        ++root.passes;
+      }
       if (!std::isfinite(candidate)) {
         root.feasible = false;
         return root;
       }
     }
-    const bool bracketed = std::isfinite(low) && std::isfinite(high);
-    const bool slow = std::abs(root.residual) > 0.5 * previous;
-    if (bracketed && (slow || !(candidate > low && candidate < high))) {
-      // Newton left the bracket or hardly gains: take the chord, and when that too is no help halve the breakpoints.
-      candidate = low - low_residual * ((high - low) / (high_residual - low_residual));
-      if (slow || !(candidate > low && candidate < high)) {
-        const double middle = middle_breakpoint(equation, low, high);
-        // No breakpoint between: the function is one piece there, and the chord is exact.
-        if (middle > low) candidate = middle;
-      }
-    }
-    previous = std::abs(root.residual);
-    const bool resolved = candidate == root.t || (bracketed && !(candidate > low && candidate < high));
-    if (resolved) break;
+    if (!usable(candidate)) break;  // neighbouring numbers
     root.t = candidate;
   }
   best.passes = root.passes;

@@ -18,6 +18,11 @@ void require(bool condition, const char* message) {
   if (!condition) throw base::Error("invalid-argument", message);
 }
 
+// Values of f that differ by less may be the same.
+double rounding_of(double value) {
+  return 8 * std::numeric_limits<double>::epsilon() * std::abs(value);
+}
+
 // How far x + t d stays within the bounds.
 double longest_step(std::span<const double> x, std::span<const double> d, std::span<const double> lower,
                     std::span<const double> upper) {
@@ -81,7 +86,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
   require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
   require(!std::isnan(options.target), "target must be a number");
   std::copy(start.begin(), start.end(), x_.begin());
-  state_.best_value = state_.measure = infinity;
+  state_.best_value = state_.measure = state_.best_measure = state_.lowest_measure = infinity;
 }
 
 Request Solver::step() {
@@ -138,8 +143,11 @@ void Solver::tell(double value, std::span<const double> gradient) {
   state_.trial_value = value;
   std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
   set_.subtract_rows(multipliers_, trial_gradient_);
-  if (value < state_.best_value) {
+  const bool known = std::isfinite(state_.best_measure);
+  if (value < state_.best_value - (known ? rounding_of(state_.best_value) : 0)) {
     state_.best_value = value;
+    state_.best_measure = infinity;
+    state_.without_gain = 0;
     std::copy(trial_.begin(), trial_.end(), best_.begin());
   }
   state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
@@ -184,6 +192,16 @@ void Solver::accept_trial() {
   state_.measure = 0;
   for (std::size_t j = 0; j < x_.size(); ++j)
     state_.measure = std::max(state_.measure, std::abs(target_[j] - x_[j]));
+  if (state_.measure < state_.best_measure && state_.value <= state_.best_value + rounding_of(state_.best_value)) {
+    std::copy(x_.begin(), x_.end(), best_.begin());
+    state_.best_value = state_.value;
+    state_.best_measure = state_.measure;
+  }
+  ++state_.without_gain;
+  if (state_.measure < state_.lowest_measure) {
+    state_.lowest_measure = state_.measure;
+    state_.without_gain = 0;
+  }
   // The rows' multipliers of this projection go into the gradient: it then tends to zero on the free unknowns, and
   // slopes along feasible directions do not drown in the rounding of g'd.
   const std::span<double> change = set_.guess();
@@ -196,6 +214,9 @@ void Solver::accept_trial() {
 Request Solver::begin_iteration() {
   if (state_.measure <= options_.gradient_tolerance) return finish(Stop::converged);
   if (state_.best_value <= options_.target) return finish(Stop::target_reached);
+  // Lower values are found for a while after the last that rounding resolves; nonmonotone searches may need more.
+  constexpr std::uint64_t patience = 200;
+  if (state_.without_gain >= patience + 10 * options_.history) return finish(Stop::stalled);
   if (state_.iterations >= options_.max_iterations) return finish(Stop::iteration_budget);
   const bool seed = options_.method == Method::seed;
   const bool found = seed ? choose_seed_direction() : choose_direction();
@@ -234,7 +255,7 @@ bool Solver::choose_direction() {
     const double slope = dot(gradient_, direction_);
     if (slope < 0) {
       const double longest = set_.custom() ? 1.0 : longest_step(x_, direction_, set_.lower(), set_.upper());
-      state_.wolfe.start(state_.value, slope, 1, std::max(longest, 1.0));
+      state_.wolfe.start(state_.value, state_.best_value, slope, std::max(longest, 1.0));
       std::copy(target_.begin(), target_.end(), trial_.begin());
       return true;
     }
@@ -265,14 +286,16 @@ Request Solver::take_trial() {
       state_.curvature = step_curvature > 0 ? std::max(step_curvature / dot(direction_, direction_), 1e-10)
                                             : std::max(largest_magnitude(trial_gradient_), 1e-10);
     } else {
-      // The curvature that sigma stands for is that of the face: y on bounds would make every step too short. The old
-      // gradient is not needed any more.
+      // The curvature that sigma stands for is that of the face: y on bounds would make every step too short. In a
+      // small face too little of y may be left; s'y / s's is the least that y'y / s'y can be. The old gradient is not
+      // needed any more.
       std::copy(target_.begin(), target_.end(), gradient_.begin());
       if (!set_.custom()) {
         set_.choose_face(trial_);
         set_.project_to_face(gradient_);
       }
-      model_.push(direction_, target_, dot(gradient_, gradient_) / step_curvature);
+      const double in_face = dot(gradient_, gradient_) / step_curvature;
+      model_.push(direction_, target_, std::max(in_face, step_curvature / dot(direction_, direction_)));
     }
     accept_trial();
     return state_.phase == Phase::done ? Request::done : Request::iteration;
@@ -281,6 +304,11 @@ Request Solver::take_trial() {
     const double length = seed ? state_.backtracking.length : state_.wolfe.length;
     for (std::size_t j = 0; j < x_.size(); ++j) {
       trial_[j] = clip(x_[j] + length * direction_[j], set_.lower()[j], set_.upper()[j]);
+    }
+    if (!seed && length > 1) {
+      // What the iterate misses the rows by would be multiplied by every step beyond the target.
+      set_.choose_face(trial_);
+      set_.meet_rows(trial_);
     }
     return ask(Phase::asked);
   }

@@ -41,8 +41,9 @@ class Solver {
   bool cancelled_by_host() const { return state_.cancelled_by_host != 0; }
 
   Result result() const;
-  // The point that result() speaks of: the iterate that met the tolerance, else the lowest feasible point evaluated;
-  // before the first evaluation, the projected start.
+  // The point that result() speaks of: the iterate that met the tolerance, else the lowest feasible point evaluated
+  // (among values that differ by rounding only, the one with the least projected gradient); before the first
+  // evaluation, the projected start.
   std::span<const double> best_point() const;
   std::span<const double> certificate() const { return set_.certificate(); }
   std::size_t size() const { return x_.size(); }
@@ -69,7 +70,10 @@ class Solver {
     std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
     std::uint64_t cancelled_by_host = 0;
     std::uint64_t without_memory = 0;  // 1 while the current direction was made with an empty model
+    std::uint64_t without_gain = 0;    // iterations since value or projected gradient were lower than ever before
     double value = 0, trial_value = 0, best_value = 0, measure = 0;
+    double best_measure = 0;  // projected gradient at the best point, infinite while it is not known
+    double lowest_measure = 0;
     double curvature = 0;                   // lambda of eq. 4.13
     double average = 0, average_count = 0;  // C and Q of Zhang and Hager
     WolfeSearch wolfe{};
