@@ -31,7 +31,8 @@ SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory
   scale_.resize(m);
   base::Array<std::size_t> place(n, std::size_t(-1), memory);  // where this row already holds the column
   for (std::size_t i = 0; i < m; ++i) {
-    if (problem.row_start[i] > problem.row_start[i + 1]) {
+    // Beyond the entries is backwards, too: a later row must come back to where the entries end.
+    if (problem.row_start[i] > problem.row_start[i + 1] || problem.row_start[i + 1] > problem.column.size()) {
       throw base::Error("invalid-argument", "row_start decreases at row " + std::to_string(i));
     }
     for (std::size_t k = problem.row_start[i]; k < problem.row_start[i + 1]; ++k) {
