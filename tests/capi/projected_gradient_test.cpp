@@ -1,16 +1,18 @@
-// The C functions of projected_gradient: what they promise about arguments, memory, cancelling, callbacks and resuming.
-// How well the methods do is tested in tests/projected_gradient/.
+// The C interface of projected_gradient: arguments, memory, cancelling, callbacks, and a run that goes on in another
+// process.
 #include "orbicube/projected_gradient.h"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <array>
-#include <atomic>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <limits>
-#include <thread>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "failing_allocations.h"
@@ -19,28 +21,18 @@ using namespace orbicube;
 
 namespace {
 
-constexpr std::size_t unknowns = 12;
-using Point = std::array<double, unknowns>;
+constexpr std::size_t unknowns = 6;
 
-// min sum (i + 1) (x_i - 0.3 i)^4 + x_i x_(i+1)   subject to   sum x = 4, x_0 - x_11 = 0, 0 <= x <= 1.
-struct Task {
-  Point lower{};
-  Point upper{};
-  Point start{};
-  std::array<std::size_t, 3> row_start{0, unknowns, unknowns + 2};
-  std::array<std::uint32_t, unknowns + 2> column{};
-  std::array<double, unknowns + 2> value{};
-  std::array<double, 2> b{4, 0};
+// min sum w_j (x_j - j)^2 / 2 + (x_0 - x_1)^4 over two rows and a box.
+struct Fixture {
+  std::array<double, unknowns> lower{-1, -1, -1, -1, -1, -1}, upper{1, 2, 2, 2, 2, 1.5}, start{5, 5, 5, -5, -5, 0};
+  std::array<std::size_t, 3> row_start{0, 4, 7};
+  std::array<std::uint32_t, 7> column{0, 1, 2, 5, 1, 3, 4};
+  std::array<double, 7> value{1, 2, -1, 1, 3, 1, -2};
+  std::array<double, 2> b{0.5, 1};
   obc_projected_gradient_problem problem{};
 
-  Task() {
-    upper.fill(1);
-    value.fill(1);
-    for (std::uint32_t i = 0; i < unknowns; ++i)
-      column[i] = i;
-    column[unknowns] = 0;
-    column[unknowns + 1] = unknowns - 1;
-    value[unknowns + 1] = -1;
+  Fixture() {
     obc_projected_gradient_problem_init(&problem, sizeof problem);
     problem.n = unknowns;
     problem.m = 2;
@@ -51,262 +43,352 @@ struct Task {
     problem.value = value.data();
     problem.b = b.data();
   }
-  Task(const Task&) = delete;
 };
 
-double objective(const double* x, double* gradient) {
-  double sum = 0;
-  for (std::size_t i = 0; i < unknowns; ++i) {
-    const double away = x[i] - 0.3 * static_cast<double>(i);
-    const double weight = static_cast<double>(i + 1);
-    sum += weight * away * away * away * away;
-    gradient[i] = 4 * weight * away * away * away;
+double evaluate(const double* x, double* gradient) {
+  double f = 0;
+  for (std::size_t j = 0; j < unknowns; ++j) {
+    const double weight = static_cast<double>(j + 1), away = x[j] - static_cast<double>(j);
+    gradient[j] = weight * away;
+    f += 0.5 * weight * away * away;
   }
-  for (std::size_t i = 0; i + 1 < unknowns; ++i) {
-    sum += x[i] * x[i + 1];
-    gradient[i] += x[i + 1];
-    gradient[i + 1] += x[i];
-  }
-  return sum;
+  const double difference = x[0] - x[1], cube = difference * difference * difference;
+  gradient[0] += 4 * cube;
+  gradient[1] -= 4 * cube;
+  return f + cube * difference;
 }
 
-std::int32_t callback(const double* x, std::size_t, double* value, double* gradient, void*) {
-  *value = objective(x, gradient);
+std::int32_t callback(const double* x, std::size_t n, double* value, double* gradient, void* user) {
+  if (n != unknowns) return OBC_PROJECTED_GRADIENT_STOP;
+  if (user != nullptr) ++*static_cast<int*>(user);
+  *value = evaluate(x, gradient);
   return OBC_PROJECTED_GRADIENT_CONTINUE;
 }
 
-obc_status minimize(const Task& task, const obc_host* host, Point& x, obc_projected_gradient_function f = callback,
-                    void* user = nullptr, obc_projected_gradient_result* result = nullptr) {
-  x = task.start;
-  return obc_projected_gradient_minimize(&task.problem, nullptr, f, user, x.data(), result, host, nullptr);
+obc_projected_gradient_result empty_result() {
+  obc_projected_gradient_result result{};
+  result.struct_size = sizeof result;
+  return result;
 }
 
-// Answers at most `most` requests of a solver; whether it is done.
-bool drive(obc_projected_gradient* solver, std::size_t most) {
+struct Destroy {
+  void operator()(obc_projected_gradient* solver) const { obc_projected_gradient_destroy(solver); }
+};
+using Handle = std::unique_ptr<obc_projected_gradient, Destroy>;
+
+Handle create(const Fixture& fixture) {
+  obc_projected_gradient* solver = nullptr;
+  REQUIRE(obc_projected_gradient_create(&fixture.problem, nullptr, fixture.start.data(), nullptr, &solver, nullptr) ==
+          OBC_OK);
+  return Handle(solver);
+}
+
+// Answers requests until the end, or until `evaluations` have been told.
+void drive(obc_projected_gradient* solver, int evaluations = -1) {
   const double* x = nullptr;
-  Point gradient;
-  while (true) {
-    const std::int32_t request = obc_projected_gradient_step(solver, &x);
+  std::array<double, unknowns> gradient;
+  for (std::int32_t request; (request = obc_projected_gradient_step(solver, &x)) != OBC_PROJECTED_GRADIENT_DONE;) {
     REQUIRE(request > 0);
-    if (request == OBC_PROJECTED_GRADIENT_DONE) return true;
     if (request != OBC_PROJECTED_GRADIENT_NEED_FG) continue;
-    if (most-- == 0) return false;
-    const double value = objective(x, gradient.data());
-    REQUIRE(obc_projected_gradient_tell(solver, value, gradient.data(), nullptr) == OBC_OK);
+    if (evaluations-- == 0) return;
+    const double f = evaluate(x, gradient.data());
+    REQUIRE(obc_projected_gradient_tell(solver, f, gradient.data(), nullptr) == OBC_OK);
   }
 }
 
-bool same_bits(const Point& a, const Point& b) {
-  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+std::array<double, unknowns> best(const obc_projected_gradient* solver) {
+  std::array<double, unknowns> x;
+  REQUIRE(obc_projected_gradient_get_result(solver, nullptr, x.data(), nullptr) == OBC_OK);
+  return x;
 }
 
 }  // namespace
 
-TEST_CASE("Wrong arguments are answered, not followed") {
-  const Task task;
-  obc_projected_gradient* solver = nullptr;
-  obc_projected_gradient_options options;
+TEST_CASE("Minimising with a callback and by steps ends in the same bits") {
+  const Fixture fixture;
+  int calls = 0;
+  std::array<double, unknowns> x = fixture.start;
+  obc_projected_gradient_result result = empty_result();
   obc_error error;
-  const auto created_with = [&](const obc_projected_gradient_problem* problem, const double* start) {
-    return obc_projected_gradient_create(problem, &options, start, nullptr, &solver, &error);
-  };
-  REQUIRE(obc_projected_gradient_options_init(&options, sizeof options) == OBC_OK);
-  CHECK(obc_projected_gradient_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
-  CHECK(created_with(nullptr, task.start.data()) == OBC_INVALID_ARGUMENT);
-  CHECK(created_with(&task.problem, nullptr) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_projected_gradient_create(&task.problem, nullptr, task.start.data(), nullptr, nullptr, &error) ==
-        OBC_INVALID_ARGUMENT);
+  REQUIRE(obc_projected_gradient_minimize(&fixture.problem, nullptr, callback, &calls, x.data(), &result, nullptr,
+                                          &error) == OBC_OK);
+  CHECK(result.stop == OBC_PROJECTED_GRADIENT_CONVERGED);
+  CHECK(result.projected_gradient <= 1e-8);
+  CHECK(result.equality_residual < 1e-14);
+  CHECK(result.evaluations == static_cast<std::uint64_t>(calls));
+  const Handle solver = create(fixture);
+  drive(solver.get());
+  CHECK(best(solver.get()) == x);
 
-  Task wrong;
-  wrong.column[3] = unknowns;
-  CHECK(created_with(&wrong.problem, wrong.start.data()) == OBC_INVALID_ARGUMENT);
-  CHECK(std::strlen(error.message) > 0);
-  wrong.column[3] = 3;
-  wrong.row_start[1] = 100;
-  CHECK(created_with(&wrong.problem, wrong.start.data()) == OBC_INVALID_ARGUMENT);
-  wrong.row_start[1] = unknowns;
-  wrong.start[5] = std::numeric_limits<double>::quiet_NaN();
-  CHECK(created_with(&wrong.problem, wrong.start.data()) == OBC_INVALID_ARGUMENT);
-  wrong.start[5] = 0;
-  wrong.lower[2] = 2;
-  CHECK(created_with(&wrong.problem, wrong.start.data()) == OBC_INVALID_ARGUMENT);
-  options.method = 1000;
-  CHECK(created_with(&task.problem, task.start.data()) == OBC_INVALID_ARGUMENT);
-
-  CHECK(obc_projected_gradient_step(nullptr, nullptr) < 0);
-  CHECK(obc_projected_gradient_tell(nullptr, 0, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_projected_gradient_get_result(nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_projected_gradient_save(nullptr, nullptr, 0, &error) == OBC_INVALID_ARGUMENT);
-  obc_projected_gradient_destroy(nullptr);
-  CHECK(obc_projected_gradient_stop_name(-5) != nullptr);
-}
-
-TEST_CASE("Each allocation fails in turn and nothing is leaked") {
-  const Task task;
-  Point x;
-  const test::Outcome outcome =
-      test::fail_each_allocation([&](const obc_host& host) { return minimize(task, &host, x); });
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 5);
-
-  obc_projected_gradient* solver = nullptr;
-  REQUIRE(obc_projected_gradient_create(&task.problem, nullptr, task.start.data(), nullptr, &solver, nullptr) ==
-          OBC_OK);
-  REQUIRE_FALSE(drive(solver, 3));
-  std::vector<unsigned char> blob(obc_projected_gradient_save_size(solver));
-  CHECK(test::fail_each_allocation([&](const obc_host&) {
-          return obc_projected_gradient_save(solver, blob.data(), blob.size(), nullptr);
-        }).problem == "");
-  obc_projected_gradient_destroy(solver);
-  CHECK(test::fail_each_allocation([&](const obc_host& host) {
-          obc_projected_gradient* loaded = nullptr;
-          const obc_status status =
-              obc_projected_gradient_load(&task.problem, blob.data(), blob.size(), &host, &loaded, nullptr);
-          obc_projected_gradient_destroy(loaded);
-          return status;
-        }).problem == "");
-  CHECK(test::fail_each_allocation([&](const obc_host& host) {
-          return obc_projected_gradient_project(&task.problem, task.start.data(), x.data(), nullptr, nullptr, &host,
-                                                nullptr);
-        }).problem == "");
-}
-
-TEST_CASE("A solver allocates in create only") {
-  const Task task;
-  for (const std::int32_t method : {OBC_PROJECTED_GRADIENT_FACE, OBC_PROJECTED_GRADIENT_SEED}) {
-    obc_projected_gradient_options options;
-    obc_projected_gradient_options_init(&options, sizeof options);
-    options.method = method;
-    obc_projected_gradient* solver = nullptr;
-    REQUIRE(obc_projected_gradient_create(&task.problem, &options, task.start.data(), nullptr, &solver, nullptr) ==
-            OBC_OK);
-    const std::size_t before = test::allocation_count();
-    const double* x = nullptr;
-    Point gradient;
-    std::int32_t request = 0;
-    while ((request = obc_projected_gradient_step(solver, &x)) > 0 && request != OBC_PROJECTED_GRADIENT_DONE) {
-      if (request != OBC_PROJECTED_GRADIENT_NEED_FG) continue;
-      const double value = objective(x, gradient.data());
-      obc_projected_gradient_tell(solver, value, gradient.data(), nullptr);
-    }
-    CHECK(test::allocation_count() == before);
-    CHECK(request == OBC_PROJECTED_GRADIENT_DONE);
-    obc_projected_gradient_destroy(solver);
+  // Stationary with the multipliers that the interface gives.
+  std::array<double, 2> t;
+  REQUIRE(obc_projected_gradient_multipliers(solver.get(), t.data(), &error) == OBC_OK);
+  std::array<double, unknowns> slope;
+  evaluate(x.data(), slope.data());
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t k = fixture.row_start[i]; k < fixture.row_start[i + 1]; ++k)
+      slope[fixture.column[k]] -= fixture.value[k] * t[i];
+  }
+  for (std::size_t j = 0; j < unknowns; ++j) {
+    if (x[j] > fixture.lower[j]) CHECK(slope[j] < 1e-7);
+    if (x[j] < fixture.upper[j]) CHECK(slope[j] > -1e-7);
   }
 }
 
-TEST_CASE("A run is cancelled at each of its reports") {
-  const Task task;
-  Point x;
-  const test::Outcome outcome = test::cancel_everywhere([&](const obc_host& host) { return minimize(task, &host, x); });
+TEST_CASE("Each allocation of create, load, minimise and project fails in turn and nothing is leaked") {
+  const Fixture fixture;
+  Handle saved = create(fixture);
+  drive(saved.get(), 3);
+  std::vector<unsigned char> blob(obc_projected_gradient_save_size(saved.get()));
+  REQUIRE(obc_projected_gradient_save(saved.get(), blob.data(), blob.size(), nullptr) == OBC_OK);
+
+  const auto created = test::fail_each_allocation([&](const obc_host& host) {
+    obc_projected_gradient* solver = nullptr;
+    const obc_status status =
+        obc_projected_gradient_create(&fixture.problem, nullptr, fixture.start.data(), &host, &solver, nullptr);
+    obc_projected_gradient_destroy(solver);
+    return status;
+  });
+  CHECK(created.problem == "");
+  CHECK(created.runs > 20);
+  const auto loaded = test::fail_each_allocation([&](const obc_host& host) {
+    obc_projected_gradient* solver = nullptr;
+    const obc_status status =
+        obc_projected_gradient_load(&fixture.problem, blob.data(), blob.size(), &host, &solver, nullptr);
+    obc_projected_gradient_destroy(solver);
+    return status;
+  });
+  CHECK(loaded.problem == "");
+  const auto minimised = test::fail_each_allocation([&](const obc_host& host) {
+    std::array<double, unknowns> x = fixture.start;
+    return obc_projected_gradient_minimize(&fixture.problem, nullptr, callback, nullptr, x.data(), nullptr, &host,
+                                           nullptr);
+  });
+  CHECK(minimised.problem == "");
+  // All memory is taken at the start: the run itself allocates only the gradient more than create.
+  CHECK(minimised.runs <= created.runs + 1);
+  const auto projected = test::fail_each_allocation([&](const obc_host& host) {
+    std::array<double, unknowns> x;
+    return obc_projected_gradient_project(&fixture.problem, fixture.start.data(), x.data(), nullptr, nullptr, &host,
+                                          nullptr);
+  });
+  CHECK(projected.problem == "");
+}
+
+TEST_CASE("A host can cancel at any report, and gets its best point") {
+  const Fixture fixture;
+  const auto outcome = test::cancel_everywhere([&](const obc_host& host) {
+    std::array<double, unknowns> x = fixture.start;
+    obc_projected_gradient_result result = empty_result();
+    const obc_status status = obc_projected_gradient_minimize(&fixture.problem, nullptr, callback, nullptr, x.data(),
+                                                              &result, &host, nullptr);
+    const bool cancelled = result.stop == OBC_PROJECTED_GRADIENT_CANCELLED;
+    // Cancelled in the status if and only if in the result; with a value, x is where it was found.
+    if (cancelled != (status == OBC_CANCELLED)) return static_cast<obc_status>(OBC_INTERNAL);
+    std::array<double, unknowns> gradient;
+    if (!std::isnan(result.value) && evaluate(x.data(), gradient.data()) != result.value)
+      return static_cast<obc_status>(OBC_INTERNAL);
+    return status;
+  });
   CHECK(outcome.problem == "");
   CHECK(outcome.runs > 1);
 }
 
-TEST_CASE("A callback that fails at any evaluation, in any way, ends in a stated outcome") {
-  struct Script {
-    std::size_t count = 0;
-    std::size_t failing = 0;
-    int way = 0;
+TEST_CASE("A callback can stop the run or say that f has no value") {
+  const Fixture fixture;
+  struct Plan {
+    int calls = 0, stop_at = -1, fail_at = -1;
   };
-  const auto failing = [](const double* x, std::size_t, double* value, double* gradient, void* user) -> std::int32_t {
-    auto& script = *static_cast<Script*>(user);
-    *value = objective(x, gradient);
-    if (script.count++ != script.failing) return OBC_PROJECTED_GRADIENT_CONTINUE;
-    if (script.way == 0) *value = std::numeric_limits<double>::quiet_NaN();
-    if (script.way == 1) gradient[unknowns - 1] = std::numeric_limits<double>::infinity();
-    return script.way == 2 ? OBC_PROJECTED_GRADIENT_FAILED : OBC_PROJECTED_GRADIENT_CONTINUE;
+  const obc_projected_gradient_function f = [](const double* x, std::size_t, double* value, double* gradient,
+                                               void* user) -> std::int32_t {
+    Plan& plan = *static_cast<Plan*>(user);
+    const int call = plan.calls++;
+    if (call == plan.stop_at) return OBC_PROJECTED_GRADIENT_STOP;
+    if (call == plan.fail_at) return OBC_PROJECTED_GRADIENT_FAILED;
+    *value = evaluate(x, gradient);
+    return OBC_PROJECTED_GRADIENT_CONTINUE;
   };
-  const Task task;
-  Point clean;
-  obc_projected_gradient_result result{};
-  result.struct_size = sizeof result;
-  REQUIRE(minimize(task, nullptr, clean, callback, nullptr, &result) == OBC_OK);
-  REQUIRE(result.stop == OBC_PROJECTED_GRADIENT_CONVERGED);
-  const std::size_t evaluations = result.evaluations;
-  const double clean_value = result.value;
-  for (int way = 0; way < 3; ++way) {
-    for (std::size_t at = 0; at < evaluations; ++at) {
-      CAPTURE(way);
-      CAPTURE(at);
-      Script script{0, at, way};
-      Point x;
-      REQUIRE(minimize(task, nullptr, x, failing, &script, &result) == OBC_OK);
-      CHECK(result.failed_evaluations == 1);
-      if (at == 0) {
-        CHECK(result.stop == OBC_PROJECTED_GRADIENT_EVALUATION_FAILED);
-        continue;
-      }
-      CHECK((result.stop == OBC_PROJECTED_GRADIENT_CONVERGED || result.stop == OBC_PROJECTED_GRADIENT_STALLED));
-      CHECK(std::all_of(x.begin(), x.end(), [](double entry) { return entry >= 0 && entry <= 1; }));
-      // Both are stationary to 1e-8 within a set of diameter 4, so the values agree to about 4e-8, and they are near
-      // 1e3.
-      CHECK(result.value == doctest::Approx(clean_value).epsilon(1e-10));
-    }
-  }
-}
-
-TEST_CASE("A callback stops the run and the best point so far is handed out") {
-  const auto stopping = [](const double* x, std::size_t, double* value, double* gradient, void* user) -> std::int32_t {
-    *value = objective(x, gradient);
-    return --*static_cast<int*>(user) == 0 ? OBC_PROJECTED_GRADIENT_STOP : OBC_PROJECTED_GRADIENT_CONTINUE;
-  };
-  const Task task;
-  int left = 4;
-  Point x;
-  Point gradient;
-  obc_projected_gradient_result result{};
-  result.struct_size = sizeof result;
-  REQUIRE(minimize(task, nullptr, x, stopping, &left, &result) == OBC_OK);
+  Plan stopping{0, 4, -1};
+  std::array<double, unknowns> x = fixture.start;
+  obc_projected_gradient_result result = empty_result();
+  CHECK(obc_projected_gradient_minimize(&fixture.problem, nullptr, f, &stopping, x.data(), &result, nullptr, nullptr) ==
+        OBC_OK);
   CHECK(result.stop == OBC_PROJECTED_GRADIENT_CANCELLED);
-  CHECK(result.value == objective(x.data(), gradient.data()));
+  CHECK(stopping.calls == 5);
+  std::array<double, unknowns> gradient;
+  CHECK(evaluate(x.data(), gradient.data()) == result.value);
+
+  Plan failing{0, -1, 3};
+  x = fixture.start;
+  CHECK(obc_projected_gradient_minimize(&fixture.problem, nullptr, f, &failing, x.data(), &result, nullptr, nullptr) ==
+        OBC_OK);
+  CHECK(result.stop == OBC_PROJECTED_GRADIENT_CONVERGED);
+  CHECK(result.failed_evaluations == 1);
 }
 
-TEST_CASE("A run saved after any evaluation goes on with the same bits, and damaged bytes are refused") {
-  const Task task;
-  Point whole;
-  REQUIRE(minimize(task, nullptr, whole) == OBC_OK);
-  for (std::size_t at = 0;; ++at) {
-    obc_projected_gradient* first = nullptr;
-    obc_projected_gradient* second = nullptr;
-    REQUIRE(obc_projected_gradient_create(&task.problem, nullptr, task.start.data(), nullptr, &first, nullptr) ==
-            OBC_OK);
-    const bool done = drive(first, at);
-    std::vector<unsigned char> blob(obc_projected_gradient_save_size(first));
-    REQUIRE(obc_projected_gradient_save(first, blob.data(), blob.size(), nullptr) == OBC_OK);
-    CHECK(obc_projected_gradient_save(first, blob.data(), blob.size() - 1, nullptr) == OBC_INVALID_ARGUMENT);
-    obc_projected_gradient_destroy(first);
-    REQUIRE(obc_projected_gradient_load(&task.problem, blob.data(), blob.size(), nullptr, &second, nullptr) == OBC_OK);
-    REQUIRE(drive(second, 100000));
-    Point x;
-    REQUIRE(obc_projected_gradient_get_result(second, nullptr, x.data(), nullptr) == OBC_OK);
-    CHECK(same_bits(x, whole));
-    obc_projected_gradient_destroy(second);
-    if (!done) continue;
-    for (std::size_t size = 0; size < blob.size(); size += 7) {
-      CHECK(obc_projected_gradient_load(&task.problem, blob.data(), size, nullptr, &second, nullptr) ==
-            OBC_MALFORMED_FILE);
+TEST_CASE("Infeasible constraints come with a certificate") {
+  Fixture fixture;
+  fixture.b[0] = 100;  // x_0 + 2 x_1 - x_2 + x_5 is at most 1 + 4 + 1 + 1.5
+  const Handle solver = create(fixture);
+  std::array<double, 2> certificate;
+  CHECK(obc_projected_gradient_certificate(solver.get(), certificate.data(), nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_projected_gradient_step(solver.get(), nullptr) == OBC_PROJECTED_GRADIENT_DONE);
+  obc_projected_gradient_result result = empty_result();
+  REQUIRE(obc_projected_gradient_get_result(solver.get(), &result, nullptr, nullptr) == OBC_OK);
+  CHECK(result.stop == OBC_PROJECTED_GRADIENT_INFEASIBLE);
+  REQUIRE(obc_projected_gradient_certificate(solver.get(), certificate.data(), nullptr) == OBC_OK);
+  const auto proves = [&] {
+    std::array<double, unknowns> slope{};
+    for (std::size_t i = 0; i < 2; ++i) {
+      for (std::size_t k = fixture.row_start[i]; k < fixture.row_start[i + 1]; ++k)
+        slope[fixture.column[k]] += fixture.value[k] * certificate[i];
     }
-    blob[blob.size() / 2] ^= 0x10U;
-    CHECK(obc_projected_gradient_load(&task.problem, blob.data(), blob.size(), nullptr, &second, nullptr) ==
-          OBC_MALFORMED_FILE);
-    break;
+    double largest = 0;
+    for (std::size_t j = 0; j < unknowns; ++j)
+      largest += slope[j] * (slope[j] > 0 ? fixture.upper[j] : fixture.lower[j]);
+    return largest < certificate[0] * fixture.b[0] + certificate[1] * fixture.b[1];
+  };
+  CHECK(proves());
+  std::array<double, unknowns> x;
+  certificate = {};
+  CHECK(obc_projected_gradient_project(&fixture.problem, fixture.start.data(), x.data(), certificate.data(), &result,
+                                       nullptr, nullptr) == OBC_OK);
+  CHECK(result.stop == OBC_PROJECTED_GRADIENT_INFEASIBLE);
+  CHECK(proves());
+}
+
+TEST_CASE("The projection alone is clip(y + A't)") {
+  const Fixture fixture;
+  const std::array<double, unknowns> y{3, -2, 0.5, 7, -7, 0.25};
+  std::array<double, unknowns> x;
+  std::array<double, 2> t;
+  obc_projected_gradient_result result = empty_result();
+  REQUIRE(obc_projected_gradient_project(&fixture.problem, y.data(), x.data(), t.data(), &result, nullptr, nullptr) ==
+          OBC_OK);
+  CHECK(result.stop == OBC_PROJECTED_GRADIENT_CONVERGED);
+  CHECK(result.equality_residual < 1e-14);
+  std::array<double, unknowns> moved = y;
+  for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t k = fixture.row_start[i]; k < fixture.row_start[i + 1]; ++k)
+      moved[fixture.column[k]] += fixture.value[k] * t[i];
+  }
+  for (std::size_t j = 0; j < unknowns; ++j) {
+    CHECK(x[j] == doctest::Approx(std::clamp(moved[j], fixture.lower[j], fixture.upper[j])).epsilon(1e-12));
   }
 }
 
-TEST_CASE("64 solvers on threads at once give the bits of one alone") {
-  const Task task;
-  Point alone;
-  REQUIRE(minimize(task, nullptr, alone) == OBC_OK);
-  std::atomic<int> equal{0};
-  std::vector<std::thread> threads;
-  for (int i = 0; i < 64; ++i) {
-    threads.emplace_back([&] {
-      Point x;
-      if (minimize(task, nullptr, x) == OBC_OK && same_bits(x, alone)) ++equal;
-    });
+TEST_CASE("Arguments that cannot be are refused") {
+  const Fixture fixture;
+  obc_projected_gradient* solver = nullptr;
+  obc_error error;
+  const auto refused = [&](const obc_projected_gradient_problem& problem, const obc_projected_gradient_options* options,
+                           const double* start) {
+    solver = reinterpret_cast<obc_projected_gradient*>(&error);
+    return obc_projected_gradient_create(&problem, options, start, nullptr, &solver, &error) == OBC_INVALID_ARGUMENT &&
+           solver == nullptr && error.message[0] != '\0';
+  };
+  obc_projected_gradient_problem problem = fixture.problem;
+  problem.struct_size = 0;
+  CHECK(refused(problem, nullptr, fixture.start.data()));
+  problem = fixture.problem;
+  problem.n = 0;
+  CHECK(refused(problem, nullptr, fixture.start.data()));
+  problem = fixture.problem;
+  problem.column = nullptr;
+  CHECK(refused(problem, nullptr, fixture.start.data()));
+  problem = fixture.problem;
+  std::array<double, unknowns> crossed = fixture.upper;
+  crossed[2] = -3;
+  problem.upper = crossed.data();
+  CHECK(refused(problem, nullptr, fixture.start.data()));
+  std::array<double, unknowns> start = fixture.start;
+  start[1] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(refused(fixture.problem, nullptr, start.data()));
+  obc_projected_gradient_options options;
+  for (const int which : {0, 1, 2, 3, 4, 5}) {
+    obc_projected_gradient_options_init(&options, sizeof options);
+    if (which == 0) options.method = 2;
+    if (which == 1) options.line_search = -1;
+    if (which == 2) options.memory = 0;
+    if (which == 3) options.history = 0;
+    if (which == 4) options.average_weight = 1.5;
+    if (which == 5) options.gradient_tolerance = std::numeric_limits<double>::quiet_NaN();
+    CHECK(refused(fixture.problem, &options, fixture.start.data()));
   }
-  for (std::thread& thread : threads)
-    thread.join();
-  CHECK(equal == 64);
+  CHECK(obc_projected_gradient_create(nullptr, nullptr, start.data(), nullptr, &solver, nullptr) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_projected_gradient_create(&fixture.problem, nullptr, nullptr, nullptr, &solver, nullptr) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_projected_gradient_step(nullptr, nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_projected_gradient_tell(nullptr, 0, nullptr, nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_projected_gradient_get_result(nullptr, nullptr, nullptr, nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_projected_gradient_save_size(nullptr) == 0);
+  obc_projected_gradient_destroy(nullptr);
+}
+
+TEST_CASE("Every stop has a name of its own") {
+  std::vector<std::string> names;
+  for (std::int32_t stop = 0; stop <= OBC_PROJECTED_GRADIENT_PROJECTION_FAILED; ++stop)
+    names.emplace_back(obc_projected_gradient_stop_name(stop));
+  std::sort(names.begin(), names.end());
+  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
+  CHECK(std::string(obc_projected_gradient_stop_name(99)) == "unknown");
+  CHECK(obc_projected_gradient_version() >= 100);
+}
+
+// The second half of the next test runs in another process: this program again, with only this test and two file names.
+TEST_CASE("A run goes on from a file" * doctest::skip(std::getenv("ORBICUBE_TEST_BLOB") == nullptr)) {
+  std::FILE* file = std::fopen(std::getenv("ORBICUBE_TEST_BLOB"), "rb");
+  REQUIRE(file != nullptr);
+  std::vector<unsigned char> blob(1 << 20);
+  blob.resize(std::fread(blob.data(), 1, blob.size(), file));
+  std::fclose(file);
+  const Fixture fixture;
+  obc_projected_gradient* solver = nullptr;
+  REQUIRE(obc_projected_gradient_load(&fixture.problem, blob.data(), blob.size(), nullptr, &solver, nullptr) == OBC_OK);
+  const Handle handle(solver);
+  drive(solver);
+  const std::array<double, unknowns> x = best(solver);
+  file = std::fopen(std::getenv("ORBICUBE_TEST_END"), "wb");
+  REQUIRE(file != nullptr);
+  CHECK(std::fwrite(x.data(), sizeof(double), unknowns, file) == unknowns);
+  std::fclose(file);
+}
+
+TEST_CASE("Saved at each evaluation, a run goes on in a new process with the same bits") {
+  const Fixture fixture;
+  const Handle whole = create(fixture);
+  drive(whole.get());
+  obc_projected_gradient_result result = empty_result();
+  REQUIRE(obc_projected_gradient_get_result(whole.get(), &result, nullptr, nullptr) == OBC_OK);
+  const std::array<double, unknowns> expected = best(whole.get());
+  const std::filesystem::path folder = std::filesystem::temp_directory_path();
+  const std::string stem =
+      (folder / ("orbicube-resume-" + std::to_string(reinterpret_cast<std::uintptr_t>(&result)))).string();
+  const std::string blob_name = stem + ".blob", end_name = stem + ".end";
+  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
+  const std::string command = "ORBICUBE_TEST_BLOB='" + blob_name + "' ORBICUBE_TEST_END='" + end_name + "' '" +
+                              program + "' --test-case='A run goes on from a file' > /dev/null";
+  REQUIRE(result.evaluations > 5);
+  for (int evaluation = 0; evaluation < static_cast<int>(result.evaluations); ++evaluation) {
+    const Handle solver = create(fixture);
+    drive(solver.get(), evaluation);
+    std::vector<unsigned char> blob(obc_projected_gradient_save_size(solver.get()));
+    obc_error error;
+    REQUIRE(obc_projected_gradient_save(solver.get(), blob.data(), blob.size() - 1, &error) == OBC_INVALID_ARGUMENT);
+    REQUIRE(obc_projected_gradient_save(solver.get(), blob.data(), blob.size(), &error) == OBC_OK);
+    std::FILE* file = std::fopen(blob_name.c_str(), "wb");
+    REQUIRE(file != nullptr);
+    REQUIRE(std::fwrite(blob.data(), 1, blob.size(), file) == blob.size());
+    std::fclose(file);
+    REQUIRE(std::system(command.c_str()) == 0);
+    std::array<double, unknowns> x{};
+    file = std::fopen(end_name.c_str(), "rb");
+    REQUIRE(file != nullptr);
+    CHECK(std::fread(x.data(), sizeof(double), unknowns, file) == unknowns);
+    std::fclose(file);
+    CHECK(std::memcmp(x.data(), expected.data(), sizeof x) == 0);
+  }
+  std::filesystem::remove(blob_name);
+  std::filesystem::remove(end_name);
 }
