@@ -1,5 +1,5 @@
-// Exact signs of determinants of coordinates. A floating-point filter with a proven bound answers nearly always; what it
-// leaves open is decided exactly, for every finite double.
+// Exact signs of determinants of coordinates. A floating-point filter with a proven bound answers nearly always; what
+// it leaves open is decided exactly, for every finite double.
 #pragma once
 
 #include "mesh/mesh.h"

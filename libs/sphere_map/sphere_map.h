@@ -1,11 +1,11 @@
 // Bijective, low-distortion maps of closed genus-0 triangle surfaces to the unit sphere.
 //
-// The hierarchical method of the dissertation's chapter 3 and of Praun and Hoppe (2003), with what is known today put in
-// where it is better: the surface is decimated to a tetrahedron (decimation.h), the tetrahedron is put on the sphere, and
-// the vertices are inserted again one by one, each into the spherical kernel of its ring (spherical_kernel.h), with local
-// optimisation (vertex_step.h, relaxation.h) of a distortion energy that grows without bound as a triangle collapses
-// (distortion.h). No step is taken that makes a triangle non-positive by exact predicates, so the map is a bijection at
-// every moment.
+// The hierarchical method of the dissertation's chapter 3 and of Praun and Hoppe (2003), with what is known today put
+// in where it is better: the surface is decimated to a tetrahedron (decimation.h), the tetrahedron is put on the
+// sphere, and the vertices are inserted again one by one, each into the spherical kernel of its ring
+// (spherical_kernel.h), with local optimisation (vertex_step.h, relaxation.h) of a distortion energy that grows without
+// bound as a triangle collapses (distortion.h). No step is taken that makes a triangle non-positive by exact
+// predicates, so the map is a bijection at every moment.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +35,8 @@ struct Options {
 };
 
 // Maps the vertices of a closed, connected, consistently oriented surface of genus 0 to unit vectors, one a vertex in
-// the order of `positions`. Vertices in no triangle get the direction from the bounding box's centre. Orientation is kept:
-// det[p q r] > 0 for every triangle, exactly, and so that rounding each coordinate once more cannot change it.
+// the order of `positions`. Vertices in no triangle get the direction from the bounding box's centre. Orientation is
+// kept: det[p q r] > 0 for every triangle, exactly, and so that rounding each coordinate once more cannot change it.
 // O(n log n) time, about 700 bytes a vertex.
 // Throws Error: invalid-argument (options, sizes), the kinds of mesh::require_closed_genus_zero, cancelled,
 // no-valid-result when no valid map was found.
