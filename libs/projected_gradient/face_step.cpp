@@ -18,7 +18,7 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
                          std::span<const double> gradient, double projected_gradient, std::span<double> target,
                          const base::Host& host) {
   constexpr int round_limit = 8, shrink_limit = 3;
-  constexpr double enough = 0.1;
+  constexpr double enough = 0.5;
   const std::size_t n = x.size();
   std::copy(x.begin(), x.end(), target.begin());
   std::copy(gradient.begin(), gradient.end(), model_gradient_.begin());
@@ -37,7 +37,6 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
   };
 
   for (int round = 0; round < round_limit; ++round) {
-    host.report("model", static_cast<std::uint64_t>(round), 0);
     // A projected gradient step; along an arc that is too long for the model the Rayleigh quotient shortens it.
     for (int shrink = 0;; ++shrink) {
       for (std::size_t j = 0; j < n; ++j)
@@ -45,6 +44,8 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
       if (const Projected p = set.project(moved_, projected_, 1 / curvature, host); p != Projected::done) return p;
       for (std::size_t j = 0; j < n; ++j)
         direction_[j] = projected_[j] - target[j];
+      const double measure = largest_magnitude(direction_) * std::max(1.0, curvature);
+      if (round > 0 && measure <= enough * projected_gradient) return Projected::done;
       model.multiply(direction_, curved_);
       const double square = dot(direction_, direction_);
       if (square == 0) return Projected::done;
@@ -53,14 +54,14 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
       if (!(rayleigh > 0) || length >= 0.9 || shrink == shrink_limit) break;
       curvature = std::max(rayleigh, 2 * curvature);
     }
-    const double measure = largest_magnitude(direction_) * std::max(1.0, curvature);
-    if (round > 0 && measure <= enough * projected_gradient) return Projected::done;
     if (!move(projected_)) return Projected::done;
     if (set.custom()) continue;
 
+    host.report("model", static_cast<std::uint64_t>(round), round_limit);
     set.choose_face(target);
     if (set.free_count() == 0 || !model.enter_face(set)) continue;
     model.minimise_in_face(set, model_gradient_, direction_);
+    host.report("face", static_cast<std::uint64_t>(round), round_limit);
     bool inside = true;
     for (std::size_t j = 0; j < n; ++j) {
       moved_[j] = target[j] + direction_[j];

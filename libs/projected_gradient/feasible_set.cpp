@@ -64,6 +64,7 @@ void FeasibleSet::clip_into(std::span<const double> y, std::span<double> x) cons
 }
 
 Projected FeasibleSet::project(std::span<const double> y, std::span<double> x, double step, const base::Host& host) {
+  host.report("projection", passes_, 0);
   if (custom_) {
     ++passes_;
     return custom_(y.data(), x.data()) && all_finite(x) ? Projected::done : Projected::failed;
@@ -113,7 +114,7 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
   double best = std::numeric_limits<double>::infinity();
   int without_gain = 0;
   for (int iteration = 0; iteration < newton_limit && without_gain < without_gain_limit; ++iteration) {
-    host.report("projection", static_cast<std::uint64_t>(iteration), 0);
+    host.report("projection", passes_, 0);
     for (std::size_t j = 0; j < n; ++j) {
       moved_[j] = y[j] + rows_.column_times(j, multiplier_);
       x[j] = clip(moved_[j], lower_[j], upper_[j]);

@@ -58,8 +58,10 @@ class LimitedMemory {
   // Slot of the pair added `age` pushes before the newest.
   std::size_t slot_of_age(std::size_t age) const { return (newest_ + capacity_ - age) % capacity_; }
   std::size_t age_of_slot(std::size_t slot) const { return (newest_ + capacity_ - slot) % capacity_; }
-  // Coefficients c with B v = sigma v - [S Y] c from the products [S Y]'v, in place: 2 count entries.
-  void apply_inverse_middle(std::span<double> products) const;
+  // products_ = [S, Y]'v.
+  void multiply_table(std::span<const double> v) const;
+  // products_ <- diag(sigma, 1) M^-1 diag(sigma, 1) products_, with M by its factors.
+  void solve_middle(std::span<const double> factors, std::span<const std::uint32_t> pivots) const;
 
   std::size_t n_, capacity_;
   std::uint64_t count_ = 0, newest_ = 0;
@@ -71,7 +73,7 @@ class LimitedMemory {
   base::Array<std::uint32_t> middle_pivots_, face_pivots_;
   base::Array<double> gram_;                       // (2 capacity)^2
   base::Array<double> row_products_, row_column_;  // A_F [S Y], m x 2 capacity; one of its columns
-  mutable base::Array<double> products_;           // 2 capacity
+  mutable base::Array<double> products_, dense_;   // 2 capacity: as wide as the table; packed
 };
 
 }  // namespace orbicube::projected_gradient

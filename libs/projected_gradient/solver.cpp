@@ -18,6 +18,18 @@ void require(bool condition, const char* message) {
   if (!condition) throw base::Error("invalid-argument", message);
 }
 
+const Options& checked(const Options& options) {
+  require(options.method == Method::face || options.method == Method::seed, "unknown method");
+  require(options.line_search == LineSearch::largest_of_last || options.line_search == LineSearch::average,
+          "unknown line search");
+  require(options.memory >= 1 && options.memory <= 1000, "memory must be from 1 to 1000 pairs");
+  require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
+  require(options.average_weight >= 0 && options.average_weight <= 1, "average_weight must be from 0 to 1");
+  require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
+  require(!std::isnan(options.target), "target must be a number");
+  return options;
+}
+
 // Values of f that differ by less may be the same.
 double rounding_of(double value) {
   return 8 * std::numeric_limits<double>::epsilon() * std::abs(value);
@@ -63,7 +75,7 @@ const char* stop_name(Stop stop) {
 
 Solver::Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host)
     : host_(host),
-      options_(options),
+      options_(checked(options)),
       set_(problem, host.memory),
       model_(problem.n, problem.rows(), options.method == Method::face ? options.memory : 0, host.memory),
       face_step_(options.method == Method::face ? problem.n : 0, host.memory),
@@ -77,15 +89,8 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       multipliers_(problem.rows(), 0.0, host.memory),
       last_values_(options.history, -infinity, host.memory) {
   require((start.size() == problem.n || start.empty()) && all_finite(start), "the start must be n finite numbers");
-  require(options.method == Method::face || options.method == Method::seed, "unknown method");
-  require(options.line_search == LineSearch::largest_of_last || options.line_search == LineSearch::average,
-          "unknown line search");
-  require(options.memory >= 1 && options.memory <= 1000, "memory must be from 1 to 1000 pairs");
-  require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
-  require(options.average_weight >= 0 && options.average_weight <= 1, "average_weight must be from 0 to 1");
-  require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
-  require(!std::isnan(options.target), "target must be a number");
   std::copy(start.begin(), start.end(), x_.begin());
+  std::copy(start.begin(), start.end(), best_.begin());
   state_.best_value = state_.measure = state_.best_measure = state_.lowest_measure = infinity;
 }
 
