@@ -13,9 +13,10 @@ using base::Array;
 using Vector3 = Eigen::Vector3d;
 using Index = std::uint32_t;
 using Triangle = std::array<Index, 3>;
-using Tetrahedron =
-    std::array<Index, 4>;  // the first three counter-clockwise seen from the fourth's far side: volume > 0
-using Hexahedron = std::array<Index, 8>;  // MEDIT and VTK order: bottom face counter-clockwise from inside, then top
+// The first three counter-clockwise seen from the fourth's far side: volume > 0.
+using Tetrahedron = std::array<Index, 4>;
+// MEDIT and VTK order: bottom face counter-clockwise from inside, then top.
+using Hexahedron = std::array<Index, 8>;
 
 inline constexpr Index no_index = ~Index{0};
 
