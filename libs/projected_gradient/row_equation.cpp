@@ -78,39 +78,24 @@ double next_breakpoint(const RowEquation& e, double t, double sign) {
 
 constexpr std::size_t sample_size = 1024;
 
-// Breakpoints strictly within (low, high) of up to sample_size unknowns spread evenly.
-struct Sample {
-  std::array<double, 2 * sample_size> points;
-  std::size_t count = 0;
-  std::size_t first = 0, stride = 1;  // the unknowns first, first + stride, ...
-
-  Sample(const RowEquation& e, double low, double high) {
-    const std::size_t n = e.a.size();
-    stride = (n + sample_size - 1) / sample_size;
-    // Each first is a fresh set of unknowns; mostly one set holds some.
-    for (first = 0; first < stride; ++first) {
-      for (std::size_t j = first; j < n; j += stride) {
-        for (const double point : breakpoints(e, j)) {
-          if (point > low && point < high) points[count++] = point;
-        }
-      }
-      if (count > 0) return;
-    }
-    first = 0;
-  }
-  std::span<double> inside() { return {points.data(), count}; }
-};
-
 // Where the residual, known at t, would vanish if all unknowns moved as the sampled ones do; NaN when they cannot tell.
 double sampled_root(const RowEquation& e, double t, double residual, double low, double high) {
-  Sample sample(e, residual < 0 ? t : low, residual < 0 ? high : t);
-  if (sample.count == 0) return std::numeric_limits<double>::quiet_NaN();
-  const std::span<double> points = sample.inside();
+  std::array<double, 2 * sample_size> kept;
+  std::size_t count = 0;
+  const std::size_t n = e.a.size(), stride = (n + sample_size - 1) / sample_size;
+  const double from = residual < 0 ? t : low, to = residual < 0 ? high : t;
+  for (std::size_t j = 0; j < n; j += stride) {
+    for (const double point : breakpoints(e, j)) {
+      if (point > from && point < to) kept[count++] = point;
+    }
+  }
+  if (count == 0) return std::numeric_limits<double>::quiet_NaN();
+  const std::span<double> points(kept.data(), count);
   std::sort(points.begin(), points.end());
-  const double weight = static_cast<double>(sample.stride);
+  const double weight = static_cast<double>(stride);
   const auto predicted = [&](double at) {
     double change = 0;
-    for (std::size_t j = sample.first; j < e.a.size(); j += sample.stride) {
+    for (std::size_t j = 0; j < n; j += stride) {
       const double a = e.a[j];
       change += a * (clip(e.y[j] + at * a, e.lower[j], e.upper[j]) - clip(e.y[j] + t * a, e.lower[j], e.upper[j]));
     }
@@ -136,14 +121,46 @@ double sampled_root(const RowEquation& e, double t, double residual, double low,
   return std::clamp(left - at_left * ((right - left) / (at_right - at_left)), left, right);
 }
 
-// The median of the sampled breakpoints inside (low, high); low when there is none at all.
-double middle_breakpoint(const RowEquation& e, double low, double high) {
-  Sample sample(e, low, high);
-  if (sample.count == 0) return low;
-  const std::span<double> points = sample.inside();
-  const auto middle = points.begin() + static_cast<std::ptrdiff_t>(points.size() / 2);
-  std::nth_element(points.begin(), middle, points.end());
-  return *middle;
+// One pass over the breakpoints inside (low, high). Where they are few, the root itself: the function is followed from
+// low, piece by piece. Else the middle one of those kept, every second, fourth, ... of them all.
+double breakpoint_inside(const RowEquation& e, double low, double low_residual, double low_slope, double high) {
+  struct Breakpoint {
+    double t, slope_change;
+  };
+  std::array<Breakpoint, 2048> kept;
+  std::size_t count = 0, seen = 0, every = 1;
+  for (std::size_t j = 0; j < e.a.size(); ++j) {
+    const std::array<double, 2> points = breakpoints(e, j);
+    for (const bool leaves : {false, true}) {
+      const double t = points[leaves];
+      if (!(t > low && t < high) || seen++ % every != 0) continue;
+      if (count == kept.size()) {
+        for (std::size_t k = 0; k < count / 2; ++k)
+          kept[k] = kept[2 * k];
+        count /= 2;
+        every *= 2;
+        if ((seen - 1) % every != 0) continue;
+      }
+      kept[count++] = {t, leaves ? -e.a[j] * e.a[j] : e.a[j] * e.a[j]};
+    }
+  }
+  const std::span<Breakpoint> points(kept.data(), count);
+  const auto earlier = [](const Breakpoint& x, const Breakpoint& y) { return x.t < y.t; };
+  if (every > 1) {
+    const auto middle = points.begin() + static_cast<std::ptrdiff_t>(count / 2);
+    std::nth_element(points.begin(), middle, points.end(), earlier);
+    return middle->t;
+  }
+  std::sort(points.begin(), points.end(), earlier);
+  double t = low, residual = low_residual, slope = low_slope;
+  for (const Breakpoint& point : points) {
+    const double next = residual + slope * (point.t - t);
+    if (next >= 0) break;
+    residual = next;
+    t = point.t;
+    slope += point.slope_change;
+  }
+  return slope > 0 ? t - residual / slope : t;
 }
 
 }  // namespace
@@ -151,7 +168,7 @@ double middle_breakpoint(const RowEquation& e, double low, double high) {
 RowRoot solve_row_equation(const RowEquation& equation, double start, double accuracy) {
   constexpr std::uint32_t pass_limit = 400;
   double low = -infinity, high = infinity;
-  double low_residual = 0, high_residual = 0;
+  double low_residual = 0, high_residual = 0, low_slope = 0;
   double previous = infinity;
   int slow = 0;  // passes in a row that did not halve the residual
   RowRoot root;
@@ -168,13 +185,14 @@ RowRoot solve_row_equation(const RowEquation& equation, double start, double acc
     const double sign = root.residual < 0 ? 1 : -1;
     (sign > 0 ? low : high) = root.t;
     (sign > 0 ? low_residual : high_residual) = root.residual;
+    if (sign > 0) low_slope = pass.slope_up;
     slow = std::abs(root.residual) > 0.5 * previous ? slow + 1 : 0;
     previous = std::abs(root.residual);
 
     const bool bracketed = std::isfinite(low) && std::isfinite(high);
     const auto usable = [&](double t) { return std::isfinite(t) && t > low && t < high; };
-    // Newton's step; where that gains little, the root of a sample until there is a bracket, then its chord, and now
-    // and then the middle one of the breakpoints that are left.
+    // Newton's step; where that gains little, the root of a sample until there is a bracket, then its chord and, when
+    // that gains little too, what its breakpoints tell.
     const double slope = sign > 0 ? pass.slope_up : pass.slope_down;
     double candidate = slope > 0 ? root.t - root.residual / slope : infinity;
     if (slow > 0 || !usable(candidate)) {
@@ -182,10 +200,9 @@ RowRoot solve_row_equation(const RowEquation& equation, double start, double acc
         candidate = sampled_root(equation, root.t, root.residual, low, high);
       } else {
         candidate = low - low_residual * ((high - low) / (high_residual - low_residual));
-        if (slow % 3 == 2 || !usable(candidate)) {
-          // Without any breakpoint the function is one piece there and the chord exact.
-          const double middle = middle_breakpoint(equation, low, high);
-          if (middle > low) candidate = middle;
+        if ((slow > 0 && slow % 2 == 0) || !usable(candidate)) {
+          candidate = breakpoint_inside(equation, low, low_residual, low_slope, high);
+          ++root.passes;
         }
       }
     }
