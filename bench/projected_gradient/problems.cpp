@@ -222,10 +222,54 @@ Problem weighted_simplex(std::size_t n) {
   return p;
 }
 
+// 0.5 sum w (x - c)^2 + sum of fourth powers of neighbours' differences over the doubly stochastic matrices: 2 side
+// rows, one of them redundant, weights over three decades.
+Problem transport(std::size_t side) {
+  Problem p;
+  const std::size_t n = side * side;
+  p.name = "transport n=" + std::to_string(n) + ", " + std::to_string(2 * side) + " rows";
+  auto weight = std::make_shared<std::vector<double>>(n);
+  auto centre = std::make_shared<std::vector<double>>(n);
+  std::mt19937_64 random(5);
+  std::uniform_real_distribution<double> uniform;
+  for (std::size_t i = 0; i < n; ++i) {
+    (*weight)[i] = std::pow(10.0, 3 * uniform(random));
+    (*centre)[i] = 2 * uniform(random) / static_cast<double>(side);
+  }
+  for (std::size_t i = 0; i < side; ++i) {
+    std::vector<std::pair<std::uint32_t, double>> row, column;
+    for (std::size_t k = 0; k < side; ++k) {
+      row.emplace_back(static_cast<std::uint32_t>(i * side + k), 1);
+      column.emplace_back(static_cast<std::uint32_t>(k * side + i), 1);
+    }
+    add_row(p, row, 1);
+    add_row(p, column, 1);
+  }
+  p.start.assign(n, 0.0);
+  p.lower.assign(n, 0.0);
+  p.upper.assign(n, infinity);
+  p.evaluate = [n, weight, centre](const double* x, double* g) {
+    double f = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double d = x[i] - (*centre)[i];
+      g[i] = (*weight)[i] * d;
+      f += 0.5 * g[i] * d;
+    }
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+      const double d = x[i] - x[i + 1], cube = 1e3 * d * d * d;
+      f += cube * d;
+      g[i] += 4 * cube;
+      g[i + 1] -= 4 * cube;
+    }
+    return f;
+  };
+  return p;
+}
+
 }  // namespace
 
 std::size_t problem_count() {
-  return 10;
+  return 11;
 }
 
 Problem make_problem(std::size_t index) {
@@ -248,8 +292,10 @@ Problem make_problem(std::size_t index) {
       return nonnegative_least_squares(2000);
     case 8:
       return support_vector_machine(1000);
-    default:
+    case 9:
       return weighted_simplex(100000);
+    default:
+      return transport(100);
   }
 }
 

@@ -105,7 +105,7 @@ Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<doub
 // the step, which is again one row equation. The shift keeps rows without free unknowns moving.
 Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<double> x, double step,
                                          const base::Host& host) {
-  constexpr int newton_limit = 200, without_gain_limit = 8;
+  constexpr int newton_limit = 500, without_gain_limit = 8;
   constexpr double longest_search = 1e6;
   constexpr double resolved = 1e-6;  // from here on, what is left may be the rounding of t
   const std::size_t m = rows(), n = size();
@@ -131,9 +131,9 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     if (worst <= row_accuracy) break;
 
     const double residual_size = largest_magnitude(residual_);
-    choose_face(x);
+    mark_free(x);
     const double shift = std::clamp(0.1 * residual_size, 1e-13, 1e-3);
-    factor_->factor(rows_, free_, shift);
+    factor_face(shift);
     std::copy(residual_.begin(), residual_.end(), newton_.begin());
     factor_->solve(newton_);
     const double slope = dot(newton_, residual_);
@@ -145,9 +145,10 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     passes_ += root.passes + 1;
     const bool bounded = root.feasible && std::abs(root.t) < longest_search;
     if (!bounded && certify(newton_)) return Projected::infeasible;
-    // A full step, whose residual tends to the smallest that the bounds allow, unless the search ends earlier or the
-    // function of t is flat for long; by turns, since infeasible rows let it rise for ever.
-    const double length = bounded && (root.t < 1 || (root.t > 10 && iteration % 2 == 0)) ? root.t : 1;
+    // Searches to the end cross the flat pieces of the function of t; full steps between them bring the residual to the
+    // least that the bounds allow, which proves infeasible rows (along those the function rises for ever).
+    const bool to_the_end = bounded && (root.t < 1 || iteration % 3 == 0);
+    const double length = to_the_end ? root.t : 1;
     for (std::size_t i = 0; i < m; ++i)
       multiplier_[i] += length * newton_[i];
   }
@@ -183,21 +184,35 @@ bool FeasibleSet::certify(std::span<const double> multipliers) {
   }
   const double wanted = dot(multipliers, rows_.rhs()) / length;
   const double gap = wanted - largest;
-  if (!(gap > margin * (scale + std::abs(wanted)))) return false;
+  for (std::size_t i = 0; i < rows(); ++i)
+    scale += std::abs(multipliers[i] * rows_.rhs()[i]) / length;
+  if (!(gap > margin * scale)) return false;
   certificate_gap_ = gap;
   for (std::size_t i = 0; i < rows(); ++i)
     certificate_[i] = multipliers[i] / length * rows_.scale(i);
   return true;
 }
 
-void FeasibleSet::choose_face(std::span<const double> x) {
+void FeasibleSet::mark_free(std::span<const double> x) {
   free_count_ = 0;
-  if (custom_) return;
   for (std::size_t j = 0; j < x.size(); ++j) {
-    free_[j] = x[j] > lower_[j] && x[j] < upper_[j];
-    free_count_ += free_[j];
+    const std::uint8_t inside = x[j] > lower_[j] && x[j] < upper_[j];
+    if (inside != free_[j]) factored_shift_ = not_factored;
+    free_[j] = inside;
+    free_count_ += inside;
   }
-  if (rows() > 0) factor_->factor(rows_, free_, 0);
+}
+
+void FeasibleSet::factor_face(double shift) {
+  if (rows() == 0 || factored_shift_ == shift) return;
+  factor_->factor(rows_, free_, shift);
+  factored_shift_ = shift;
+}
+
+void FeasibleSet::choose_face(std::span<const double> x) {
+  if (custom_) return;
+  mark_free(x);
+  factor_face(0);
 }
 
 void FeasibleSet::subtract_rows(std::span<const double> t, std::span<double> v) const {

@@ -81,6 +81,8 @@ class FeasibleSet {
   Projected project_one_row(std::span<const double> y, std::span<double> x, double step);
   Projected project_many_rows(std::span<const double> y, std::span<double> x, double step, const base::Host& host);
   bool certify(std::span<const double> multipliers);
+  void mark_free(std::span<const double> x);
+  void factor_face(double shift);
   void clip_into(std::span<const double> y, std::span<double> x) const;
 
   base::Array<double> lower_, upper_;
@@ -89,6 +91,8 @@ class FeasibleSet {
   std::function<bool(const double*, double*)> custom_;
   base::Array<std::uint8_t> free_;
   std::size_t free_count_ = 0;
+  static constexpr double not_factored = -1;
+  double factored_shift_ = not_factored;  // the shift with which factor_ holds the factor of this face
   base::Array<double> guess_, certificate_, multiplier_, newton_;  // m each
   mutable base::Array<double> residual_;                           // m
   base::Array<double> moved_, direction_;  // n each where there are rows: y + A't, and A' of a direction of t

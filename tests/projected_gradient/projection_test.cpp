@@ -184,30 +184,38 @@ TEST_CASE("Many rows meet the optimality conditions of the projection") {
   }
 }
 
-TEST_CASE("A transport polytope, whose rows are redundant, is met and projecting twice changes nothing") {
-  constexpr std::size_t side = 30;
+TEST_CASE(
+    "Transport polytopes, whose rows are redundant, are met from near and far, and projecting twice changes nothing") {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
-  Constraints c(side * side, 0, infinity);
-  for (std::size_t i = 0; i < side; ++i) {
-    std::vector<std::pair<std::uint32_t, double>> row, column;
-    for (std::size_t k = 0; k < side; ++k) {
-      row.emplace_back(static_cast<std::uint32_t>(i * side + k), 1);
-      column.emplace_back(static_cast<std::uint32_t>(k * side + i), 1);
+  for (const std::size_t side : {2U, 5U, 30U}) {
+    Constraints c(side * side, 0, infinity);
+    for (std::size_t i = 0; i < side; ++i) {
+      std::vector<std::pair<std::uint32_t, double>> row, column;
+      for (std::size_t k = 0; k < side; ++k) {
+        row.emplace_back(static_cast<std::uint32_t>(i * side + k), 1);
+        column.emplace_back(static_cast<std::uint32_t>(k * side + i), 1);
+      }
+      c.add_row(row, 1);
+      c.add_row(column, 1);
     }
-    c.add_row(row, 1);
-    c.add_row(column, 1);
+    for (const double distance : {1e-9, 1e-3, 1.0, 1e3, 1e6}) {
+      CAPTURE(side);
+      CAPTURE(distance);
+      std::vector<double> y(side * side, 1.0 / static_cast<double>(side));
+      for (double& value : y)
+        value += distance * normal(random);
+      const Projection once = project(c, y);
+      REQUIRE(once.outcome == Projected::done);
+      CHECK(c.within_bounds(once.x));
+      CHECK(c.residual(once.x) < 1e-13);
+      CHECK(optimality_error(c, y, once) < 1e-12);
+      const Projection twice = project(c, once.x);
+      REQUIRE(twice.outcome == Projected::done);
+      for (std::size_t j = 0; j < y.size(); ++j)
+        CHECK(std::abs(twice.x[j] - once.x[j]) < 1e-12);
+    }
   }
-  std::vector<double> y(side * side);
-  for (double& value : y)
-    value = normal(random);
-  const Projection once = project(c, y);
-  REQUIRE(once.outcome == Projected::done);
-  CHECK(c.residual(once.x) < 1e-13);
-  CHECK(optimality_error(c, y, once) < 1e-12);
-  const Projection twice = project(c, once.x);
-  for (std::size_t j = 0; j < y.size(); ++j)
-    CHECK(std::abs(twice.x[j] - once.x[j]) < 1e-13);
 }
 
 TEST_CASE("A set of one point is found") {

@@ -15,7 +15,7 @@
  *   while ((request = obc_projected_gradient_step(solver, &x)) > 0 && request != OBC_PROJECTED_GRADIENT_DONE)
  *     if (request == OBC_PROJECTED_GRADIENT_NEED_FG) obc_projected_gradient_tell(solver, f(x), gradient(x), NULL);
  *
- * Memory: about (12 + 2 memory) n numbers for FACE and 9 n for SEED, with A twice and the factor of A A'; all of it is
+ * Memory: about (14 + 2 memory) n numbers for FACE and 9 n for SEED, with rows 2 n more, A twice and the factor of A A'; all of it is
  * allocated by _create and _load. Each iteration takes time proportional to n (memory^2 + entries of A) at most.
  *
  * Thread safety: a solver is used by one thread at a time; distinct solvers at the same time. Results do not depend on
