@@ -46,7 +46,7 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
         direction_[j] = projected_[j] - target[j];
       const double measure = largest_magnitude(direction_) * std::max(1.0, curvature);
       if (round > 0 && measure <= enough * projected_gradient) return Projected::done;
-      model.multiply(direction_, curved_);
+      model.multiply(direction_, curved_, host);
       const double square = dot(direction_, direction_);
       if (square == 0) return Projected::done;
       const double rayleigh = dot(direction_, curved_) / square;
@@ -59,9 +59,9 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
 
     host.report("model", static_cast<std::uint64_t>(round), round_limit);
     set.choose_face(target);
-    if (set.free_count() == 0 || !model.enter_face(set)) continue;
-    model.minimise_in_face(set, model_gradient_, direction_);
-    host.report("face", static_cast<std::uint64_t>(round), round_limit);
+    if (set.free_count() == 0 || !model.enter_face(set, host)) continue;
+    model.minimise_in_face(set, model_gradient_, direction_, host);
+    host.report("model", static_cast<std::uint64_t>(round), round_limit);
     bool inside = true;
     for (std::size_t j = 0; j < n; ++j) {
       moved_[j] = target[j] + direction_[j];
@@ -74,7 +74,7 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
       for (std::size_t j = 0; j < n; ++j)
         direction_[j] = projected_[j] - target[j];
     }
-    model.multiply(direction_, curved_);
+    model.multiply(direction_, curved_, host);
     move(projected_);
   }
   return Projected::done;

@@ -25,6 +25,12 @@ double row_dot(const double* row, std::span<const double> coefficients) {
   return even + odd;
 }
 
+// A pass over the table of a million unknowns takes longer than a host should wait.
+void report_row(const base::Host& host, std::size_t row) {
+  constexpr std::size_t every = 1 << 16;
+  if (row % every == every - 1) host.report("model", row, 0);
+}
+
 // Lower triangle of gram += the rows' outer products, four rows at once so that gram is loaded and stored less often.
 void add_outer_products(const double* a, const double* b, const double* c, const double* d, std::size_t width,
                         double* gram) {
@@ -120,22 +126,24 @@ void LimitedMemory::solve_middle(std::span<const double> factors, std::span<cons
   }
 }
 
-void LimitedMemory::multiply_table(std::span<const double> v) const {
+void LimitedMemory::multiply_table(std::span<const double> v, const base::Host& host) const {
   std::fill(products_.begin(), products_.end(), 0.0);
   for (std::size_t j = 0; j < n_ && count_ > 0; ++j) {
+    report_row(host, j);
     if (v[j] != 0) add_scaled_row(table_.data() + j * 2 * capacity_, v[j], products_);
   }
 }
 
-void LimitedMemory::multiply(std::span<const double> v, std::span<double> out) const {
-  multiply_table(v);
+void LimitedMemory::multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const {
+  multiply_table(v, host);
   solve_middle(middle_, middle_pivots_);
   for (std::size_t j = 0; j < n_; ++j) {
+    report_row(host, j);
     out[j] = sigma_ * v[j] - (count_ > 0 ? row_dot(table_.data() + j * 2 * capacity_, products_) : 0.0);
   }
 }
 
-bool LimitedMemory::enter_face(const FeasibleSet& set) {
+bool LimitedMemory::enter_face(const FeasibleSet& set, const base::Host& host) {
   const std::size_t c = count_, size = 2 * c, width = 2 * capacity_, m = set.rows();
   if (c == 0) return true;
   const std::span<const std::uint8_t> free = set.free();
@@ -145,6 +153,7 @@ bool LimitedMemory::enter_face(const FeasibleSet& set) {
   std::array<const double*, 4> batch;
   std::size_t waiting = 0;
   for (std::size_t j = 0; j < n_; ++j) {
+    report_row(host, j);
     if (!free[j]) continue;
     const double* row = table_.data() + j * width;
     batch[waiting++] = row;
@@ -185,15 +194,16 @@ bool LimitedMemory::enter_face(const FeasibleSet& set) {
   return factor_dense(std::span(face_middle_).first(size * size), face_pivots_, size);
 }
 
-void LimitedMemory::minimise_in_face(const FeasibleSet& set, std::span<const double> gradient,
-                                     std::span<double> d) const {
+void LimitedMemory::minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d,
+                                     const base::Host& host) const {
   std::copy(gradient.begin(), gradient.end(), d.begin());
   set.project_to_face(d);
   // (sigma I - U N^-1 U')^-1 = I / sigma + U (N - U'U / sigma)^-1 U' / sigma^2.
-  multiply_table(d);
+  multiply_table(d, host);
   solve_middle(face_middle_, face_pivots_);
   const std::span<const std::uint8_t> free = set.free();
   for (std::size_t j = 0; j < n_; ++j) {
+    report_row(host, j);
     if (!free[j]) continue;
     const double sum = count_ > 0 ? row_dot(table_.data() + j * 2 * capacity_, products_) : 0.0;
     d[j] = -(d[j] + sum / sigma_) / sigma_;

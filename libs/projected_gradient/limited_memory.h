@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/array.h"
+#include "base/host.h"
 #include "projected_gradient/feasible_set.h"
 
 namespace orbicube::projected_gradient {
@@ -34,12 +35,13 @@ class LimitedMemory {
   bool push(std::span<const double> s, std::span<const double> y, double sigma);
 
   // out = B v.
-  void multiply(std::span<const double> v, std::span<double> out) const;
+  void multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const;
 
   // Readies minimise_in_face for the face that `set` has chosen; false when the model there is not resolvable.
-  bool enter_face(const FeasibleSet& set);
+  bool enter_face(const FeasibleSet& set, const base::Host& host);
   // d = -(P B P)^+ P gradient, with P the projection to the face: the step to the model's minimiser there.
-  void minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d) const;
+  void minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d,
+                        const base::Host& host) const;
 
   // Shows every part of the state to `visit` as spans of numbers, for saving and loading; then rebuild() after loading.
   template <class Self, class Visit>
@@ -59,7 +61,7 @@ class LimitedMemory {
   std::size_t slot_of_age(std::size_t age) const { return (newest_ + capacity_ - age) % capacity_; }
   std::size_t age_of_slot(std::size_t slot) const { return (newest_ + capacity_ - slot) % capacity_; }
   // products_ = [S, Y]'v.
-  void multiply_table(std::span<const double> v) const;
+  void multiply_table(std::span<const double> v, const base::Host& host) const;
   // products_ <- diag(sigma, 1) M^-1 diag(sigma, 1) products_, with M by its factors.
   void solve_middle(std::span<const double> factors, std::span<const std::uint32_t> pivots) const;
 
