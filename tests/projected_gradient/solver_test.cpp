@@ -232,6 +232,72 @@ TEST_CASE("The default needs no more evaluations than recorded") {
   const Run end = run(chain);
   CHECK(end.result.stop == Stop::converged);
   CHECK(end.result.evaluations <= 40);
+
+  // Elastic-plastic torsion on 32 x 32 nodes, c = 5, from zero: 95.
+  constexpr std::size_t side = 32;
+  constexpr double h = 1.0 / (side + 1);
+  Case torsion{Constraints(side * side), std::vector<double>(side * side), {}};
+  for (std::size_t k = 0; k < side * side; ++k) {
+    const std::size_t i = k / side + 1, j = k % side + 1;
+    torsion.constraints.upper[k] = static_cast<double>(std::min({i, j, side + 1 - i, side + 1 - j})) * h;
+    torsion.constraints.lower[k] = -torsion.constraints.upper[k];
+  }
+  torsion.function = [&](std::span<const double> x, std::span<double> g) {
+    double f = 0;
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      const std::size_t i = k / side, j = k % side;
+      const double neighbours = (j > 0 ? x[k - 1] : 0) + (j + 1 < side ? x[k + 1] : 0) + (i > 0 ? x[k - side] : 0) +
+                                (i + 1 < side ? x[k + side] : 0);
+      g[k] = 4 * x[k] - neighbours - 5 * h * h;
+      f += 0.5 * x[k] * (g[k] - 5 * h * h);
+    }
+    return f;
+  };
+  const Run bent = run(torsion);
+  CHECK(bent.result.stop == Stop::converged);
+  CHECK(bent.result.value == doctest::Approx(-0.417523467707).epsilon(1e-11));
+  CHECK(bent.result.evaluations <= 95);
+}
+
+TEST_CASE("The dual of a support vector machine takes few gradients") {
+  // 200 points of two overlapping clouds in the plane, Gaussian kernel, C = 10: one row, a box, nearly singular
+  // Hessian.
+  constexpr std::size_t n = 200;
+  std::mt19937_64 random(11);
+  std::normal_distribution<double> normal;
+  std::vector<double> point(2 * n), label(n), q(n * n);
+  Case dual{Constraints(n, 0, 10), std::vector<double>(n), {}};
+  std::vector<std::pair<std::uint32_t, double>> row;
+  for (std::size_t i = 0; i < n; ++i) {
+    label[i] = i % 2 == 0 ? 1 : -1;
+    for (std::size_t k = 0; k < 2; ++k)
+      point[2 * i + k] = normal(random) + 0.5 * label[i];
+    row.emplace_back(static_cast<std::uint32_t>(i), label[i]);
+  }
+  dual.constraints.add_row(row, 0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < n; ++j) {
+      const double x = point[2 * i] - point[2 * j], y = point[2 * i + 1] - point[2 * j + 1];
+      q[i * n + j] = label[i] * label[j] * std::exp(-(x * x + y * y) / 2);
+    }
+  }
+  dual.function = [&](std::span<const double> x, std::span<double> g) {
+    double f = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      double sum = 0;
+      for (std::size_t j = 0; j < n; ++j)
+        sum += q[i * n + j] * x[j];
+      g[i] = sum - 1;
+      f += x[i] * (0.5 * sum - 1);
+    }
+    return f;
+  };
+  const Run end = run(dual);
+  CHECK(end.result.stop == Stop::converged);
+  CHECK(end.result.evaluations <= 1000);
+  CHECK(stationarity(dual, end.x) <= 1.01e-8);
+  CHECK(dual.constraints.residual(end.x) < 1e-12);
+  MESSAGE(end.result.evaluations << " gradients");
 }
 
 TEST_CASE("Every point that f is asked at is within its bounds to the bit and on the rows to rounding") {
