@@ -155,6 +155,7 @@ void project_a_million(const char* name, double spread_of_a, double spread_of_bo
 
 int main(int count, char** arguments) {
   const double seconds = count > 1 ? std::atof(arguments[1]) : 60;
+  std::printf("Peers: NLopt %s, IPOPT %s.\n\n", has_nlopt() ? "yes" : "not found", has_ipopt() ? "yes" : "not found");
   std::printf("| problem | solver | evaluations | projected gradient | f | residual of A x = b | seconds |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
   for (std::size_t index = 0; index < problem_count(); ++index) {

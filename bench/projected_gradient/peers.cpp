@@ -37,6 +37,10 @@ struct Counted {
 
 #ifdef ORBICUBE_BENCH_NLOPT
 
+bool has_nlopt() {
+  return true;
+}
+
 std::optional<Outcome> run_nlopt(const Problem& problem, std::size_t evaluation_limit, double seconds_limit) {
   if (problem.rows() > 0 && problem.size() > 200) return std::nullopt;  // SLSQP is dense
   const auto start = std::chrono::steady_clock::now();
@@ -93,6 +97,10 @@ std::optional<Outcome> run_nlopt(const Problem& problem, std::size_t evaluation_
 
 #else
 
+bool has_nlopt() {
+  return false;
+}
+
 std::optional<Outcome> run_nlopt(const Problem&, std::size_t, double) {
   return std::nullopt;
 }
@@ -100,6 +108,10 @@ std::optional<Outcome> run_nlopt(const Problem&, std::size_t, double) {
 #endif
 
 #ifdef ORBICUBE_BENCH_IPOPT
+
+bool has_ipopt() {
+  return true;
+}
 
 std::optional<Outcome> run_ipopt(const Problem& problem, std::size_t evaluation_limit, double seconds_limit) {
   const auto start = std::chrono::steady_clock::now();
@@ -176,6 +188,10 @@ std::optional<Outcome> run_ipopt(const Problem& problem, std::size_t evaluation_
 }
 
 #else
+
+bool has_ipopt() {
+  return false;
+}
 
 std::optional<Outcome> run_ipopt(const Problem&, std::size_t, double) {
   return std::nullopt;

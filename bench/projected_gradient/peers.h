@@ -1,5 +1,5 @@
-// The peers of the table, each as a function that runs it on a problem and says what it took. A peer that was not there
-// when this was built answers nothing.
+// The peers of the table, each as a function that runs it on a problem and says what it took: nothing where the peer
+// was not there when this was built, or is not made for the problem.
 #pragma once
 
 #include <optional>
@@ -15,6 +15,10 @@ struct Outcome {
   std::vector<double> x;
   double seconds = 0;
 };
+
+// Whether the peer was there.
+bool has_nlopt();
+bool has_ipopt();
 
 // NLopt's L-BFGS where there are only bounds, else its SLSQP (up to 200 unknowns).
 std::optional<Outcome> run_nlopt(const Problem& problem, std::size_t evaluation_limit, double seconds_limit);
