@@ -2,7 +2,7 @@
 // each problem; then the projection of a million unknowns onto a box and one row. Everything runs in this process
 // through the C interface; compare.py adds SciPy's L-BFGS-B on the same problems.
 //
-// Usage: bench-projected-gradient [seconds that a run may take, default 60]
+// Usage: bench-projected-gradient [seconds that a run may take, default 60] [ours: without peers]
 #include <orbicube/projected_gradient.h>
 
 #include <algorithm>
@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <limits>
 #include <random>
 
@@ -155,6 +156,7 @@ void project_a_million(const char* name, double spread_of_a, double spread_of_bo
 
 int main(int count, char** arguments) {
   const double seconds = count > 1 ? std::atof(arguments[1]) : 60;
+  const bool peers = count < 3 || std::strcmp(arguments[2], "ours") != 0;
   std::printf("Peers: NLopt %s, IPOPT %s.\n\n", has_nlopt() ? "yes" : "not found", has_ipopt() ? "yes" : "not found");
   std::printf("| problem | solver | evaluations | projected gradient | f | residual of A x = b | seconds |\n");
   std::printf("|---|---|---|---|---|---|---|\n");
@@ -163,6 +165,7 @@ int main(int count, char** arguments) {
     print(problem, "default", run_ours(problem, OBC_PROJECTED_GRADIENT_FACE, 0, seconds));
     print(problem, "seed, largest of last", run_ours(problem, OBC_PROJECTED_GRADIENT_SEED, 0, seconds));
     print(problem, "seed, average", run_ours(problem, OBC_PROJECTED_GRADIENT_SEED, 1, seconds));
+    if (!peers) continue;
     print(problem, problem.rows() > 0 ? "NLopt SLSQP" : "NLopt L-BFGS", run_nlopt(problem, evaluation_limit, seconds));
     print(problem, "IPOPT L-BFGS", run_ipopt(problem, evaluation_limit, seconds));
   }

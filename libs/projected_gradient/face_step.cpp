@@ -37,7 +37,8 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
   };
 
   for (int round = 0; round < round_limit; ++round) {
-    // A projected gradient step; along an arc that is too long for the model the Rayleigh quotient shortens it.
+    // A projected gradient step. The Rayleigh quotient along it shortens one that is too long for the model and gives
+    // the length of the next round's, which for a quadratic is the step of Barzilai and Borwein.
     for (int shrink = 0;; ++shrink) {
       for (std::size_t j = 0; j < n; ++j)
         moved_[j] = target[j] - model_gradient_[j] / curvature;
@@ -51,7 +52,11 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
       if (square == 0) return Projected::done;
       const double rayleigh = dot(direction_, curved_) / square;
       const double length = -dot(model_gradient_, direction_) / (rayleigh * square);
-      if (!(rayleigh > 0) || length >= 0.9 || shrink == shrink_limit) break;
+      if (!(rayleigh > 0)) break;
+      if (length >= 0.9 || shrink == shrink_limit) {
+        curvature = rayleigh;
+        break;
+      }
       curvature = std::max(rayleigh, 2 * curvature);
     }
     if (!move(projected_)) return Projected::done;
