@@ -106,8 +106,10 @@ Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<doub
 Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<double> x, double step,
                                          const base::Host& host) {
   constexpr int newton_limit = 500, without_gain_limit = 8;
-  constexpr double longest_search = 1e6;
-  constexpr double resolved = 1e-6;  // from here on, what is left may be the rounding of t
+  constexpr double longest_search = 1e10;
+  constexpr int block = 12;
+  // From here on, what is left may be the rounding of t and y; the free unknowns then meet the rows.
+  const double resolved = std::max(1e-6, 1e-14 * largest_magnitude(y));
   const std::size_t m = rows(), n = size();
   for (std::size_t i = 0; i < m; ++i)
     multiplier_[i] = guess_[i] * step;
@@ -145,9 +147,10 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     passes_ += root.passes + 1;
     const bool bounded = root.feasible && std::abs(root.t) < longest_search;
     if (!bounded && certify(newton_)) return Projected::infeasible;
-    // Searches to the end cross the flat pieces of the function of t; full steps between them bring the residual to the
-    // least that the bounds allow, which proves infeasible rows (along those the function rises for ever).
-    const bool to_the_end = bounded && (root.t < 1 || iteration % 3 == 0);
+    // Searches to the end cross the flat pieces of the function of t; full steps, between them and for whole blocks,
+    // bring the residual to the least that the bounds allow, which proves infeasible rows (along those the function
+    // rises for ever).
+    const bool to_the_end = bounded && (root.t < 1 || (iteration % 3 == 0 && iteration / block % 2 == 0));
     const double length = to_the_end ? root.t : 1;
     for (std::size_t i = 0; i < m; ++i)
       multiplier_[i] += length * newton_[i];
