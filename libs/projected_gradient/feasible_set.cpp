@@ -106,7 +106,7 @@ Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<doub
 Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<double> x, double step,
                                          const base::Host& host) {
   constexpr int newton_limit = 500, without_gain_limit = 8;
-  constexpr double longest_search = 1e10;
+  constexpr double longest_search = 1e4;
   constexpr int block = 12;
   // From here on, what is left may be the rounding of t and y; the free unknowns then meet the rows.
   const double resolved = std::max(1e-6, 1e-14 * largest_magnitude(y));
@@ -145,7 +145,9 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     const RowEquation along{direction_, moved_, lower_, upper_, dot(newton_, rows_.rhs())};
     const RowRoot root = solve_row_equation(along, 1, 0.1 * slope);
     passes_ += root.passes + 1;
-    const bool bounded = root.feasible && std::abs(root.t) < longest_search;
+    // Steps that are far longer than y and t would leave nothing but rounding of x.
+    const double reach = longest_search * (1 + largest_magnitude(y) + largest_magnitude(multiplier_));
+    const bool bounded = root.feasible && std::abs(root.t) * largest_magnitude(newton_) < reach;
     if (!bounded && certify(newton_)) return Projected::infeasible;
     // Searches to the end cross the flat pieces of the function of t; full steps, between them and for whole blocks,
     // bring the residual to the least that the bounds allow, which proves infeasible rows (along those the function
@@ -169,7 +171,7 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
 
 // Farkas: the largest value that lambda'A x takes within the bounds stays below lambda'b. With an infinite bound that
 // value is finite only where (A'lambda)_j is zero, which rounding never gives exactly: parts of 1e-9 count as zero.
-bool FeasibleSet::certify(std::span<const double> multipliers) {
+bool FeasibleSet::proves_infeasible(std::span<const double> multipliers) {
   constexpr double zero = 1e-9, margin = 1e-9;
   const double length = std::sqrt(dot(multipliers, multipliers));
   if (!(length > 0) || !std::isfinite(length)) return false;
@@ -194,6 +196,29 @@ bool FeasibleSet::certify(std::span<const double> multipliers) {
   for (std::size_t i = 0; i < rows(); ++i)
     certificate_[i] = multipliers[i] / length * rows_.scale(i);
   return true;
+}
+
+bool FeasibleSet::certify(std::span<const double> multipliers) {
+  if (proves_infeasible(multipliers)) return true;
+  // What is left of A'lambda against infinite bounds may only be small: take it out, and try again.
+  std::fill(certificate_.begin(), certificate_.end(), 0.0);
+  bool any = false;
+  for (std::size_t j = 0; j < size(); ++j) {
+    const double slope = rows_.column_times(j, multipliers);
+    free_[j] = slope != 0 && !std::isfinite(slope > 0 ? upper_[j] : lower_[j]);
+    if (!free_[j]) continue;
+    any = true;
+    const auto touched = rows_.column_rows(j);
+    for (std::size_t k = 0; k < touched.size(); ++k)
+      certificate_[touched[k]] += slope * rows_.column_values(j)[k];
+  }
+  if (!any) return false;
+  factored_shift_ = not_factored;
+  factor_face(0);
+  factor_->solve(certificate_);
+  for (std::size_t i = 0; i < rows(); ++i)
+    certificate_[i] = multipliers[i] - certificate_[i];
+  return proves_infeasible(certificate_);
 }
 
 void FeasibleSet::mark_free(std::span<const double> x) {

@@ -80,7 +80,8 @@ class FeasibleSet {
  private:
   Projected project_one_row(std::span<const double> y, std::span<double> x, double step);
   Projected project_many_rows(std::span<const double> y, std::span<double> x, double step, const base::Host& host);
-  bool certify(std::span<const double> multipliers);
+  bool certify(std::span<const double> multipliers);  // changes the marked face
+  bool proves_infeasible(std::span<const double> multipliers);
   void mark_free(std::span<const double> x);
   void factor_face(double shift);
   void clip_into(std::span<const double> y, std::span<double> x) const;
