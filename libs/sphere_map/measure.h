@@ -16,17 +16,17 @@ using mesh::Vector3;
 
 // Figures of a map; the surface counts as scaled to the area of the unit sphere, 4 pi.
 struct Measurement {
-  std::size_t flipped = 0;     // triangles with det[p q r] < 0, exactly
-  std::size_t degenerate = 0;  // triangles with det[p q r] = 0, exactly
-  double degree = 0;           // sum of the signed solid angles / 4 pi: 1 for a bijection
-  bool bijective = false;      // no flipped and no degenerate triangle, and degree 1
-  double radius_error = 0;     // largest | |p| - 1 |
-  double energy_angle = 0;     // E_D, eq. 3.3 with E_D(T) read as a density; at least 16 pi
-  double energy_area = 0;      // E_A, eq. 3.4; at least 4 pi
-  double energy = 0;           // angle_weight E_D + area_weight E_A, eq. 3.5
-  double dilatation_largest = 0;    // sigma_max / sigma_min over the triangles with area
-  double dilatation_mean = 0;       // weighted by surface area
-  double area_ratio_smallest = 0;   // solid angle over surface area of a triangle
+  std::size_t flipped = 0;         // triangles with det[p q r] < 0, exactly
+  std::size_t degenerate = 0;      // triangles with det[p q r] = 0, exactly
+  double degree = 0;               // sum of the signed solid angles / 4 pi: 1 for a bijection
+  bool bijective = false;          // no flipped and no degenerate triangle, and degree 1
+  double radius_error = 0;         // largest | |p| - 1 |
+  double energy_angle = 0;         // E_D, eq. 3.3 with E_D(T) read as a density; at least 16 pi
+  double energy_area = 0;          // E_A, eq. 3.4; at least 4 pi
+  double energy = 0;               // angle_weight E_D + area_weight E_A, eq. 3.5
+  double dilatation_largest = 0;   // sigma_max / sigma_min over the triangles with area
+  double dilatation_mean = 0;      // weighted by surface area
+  double area_ratio_smallest = 0;  // solid angle over surface area of a triangle
   double area_ratio_largest = 0;
   double stretch_efficiency = 0;    // L2, 1 / (surface-weighted mean of the squared stretch sphere -> surface)
   double isometric_mean = 0;        // surface-weighted mean of (s1^2 + s2^2 + s1^-2 + s2^-2) / 4; at least 1

@@ -19,14 +19,14 @@ using mesh::Vector3;
 using Store = std::function<Vector3(Index vertex, const Vector3& direction)>;
 
 struct RoundedMap {
-  Array<Vector3> directions;    // what to store, one a vertex: near unit vectors
-  std::size_t moved = 0;        // vertices that had to be moved
-  std::size_t not_positive = 0; // triangles that could not be repaired: 0 when the map is valid as stored
+  Array<Vector3> directions;     // what to store, one a vertex: near unit vectors
+  std::size_t moved = 0;         // vertices that had to be moved
+  std::size_t not_positive = 0;  // triangles that could not be repaired: 0 when the map is valid as stored
 };
 
 // Rounds each direction with `store` and repairs the triangles that rounding turned over or flattened, by moving their
 // vertices to nearby points of the grid. Valid (exactly, after storing) when not_positive is 0.
-RoundedMap round_and_repair(std::span<const Triangle> triangles, std::span<const Vector3> directions, const Store& store,
-                            const base::Host& host);
+RoundedMap round_and_repair(std::span<const Triangle> triangles, std::span<const Vector3> directions,
+                            const Store& store, const base::Host& host);
 
 }  // namespace orbicube::sphere_map
