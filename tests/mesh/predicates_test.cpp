@@ -1,0 +1,102 @@
+// The predicates against rational arithmetic, on inputs that rounding alone would get wrong.
+#include "mesh/predicates.h"
+
+#include <doctest/doctest.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+#include <cmath>
+#include <random>
+
+using namespace orbicube::mesh;
+using Rational = boost::multiprecision::cpp_rational;
+
+namespace {
+
+int exact_sign(const Vector3& p, const Vector3& q, const Vector3& r) {
+  const auto x = [](const Vector3& v, int i) { return Rational(v[i]); };
+  const Rational determinant = x(p, 0) * (x(q, 1) * x(r, 2) - x(q, 2) * x(r, 1)) +
+                               x(p, 1) * (x(q, 2) * x(r, 0) - x(q, 0) * x(r, 2)) +
+                               x(p, 2) * (x(q, 0) * x(r, 1) - x(q, 1) * x(r, 0));
+  return determinant.sign();
+}
+
+int exact_sign(const Vector3& a, const Vector3& b, const Vector3& c, const Vector3& d) {
+  Rational m[3][3];
+  for (int k = 0; k < 3; ++k) {
+    m[0][k] = Rational(b[k]) - Rational(a[k]);
+    m[1][k] = Rational(c[k]) - Rational(a[k]);
+    m[2][k] = Rational(d[k]) - Rational(a[k]);
+  }
+  const Rational determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
+                               m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
+                               m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+  return determinant.sign();
+}
+
+struct RandomPoints {
+  std::mt19937_64 engine{7};
+  double number() { return std::uniform_real_distribution<double>(-1, 1)(engine); }
+  Vector3 point() { return Vector3(number(), number(), number()); }
+};
+
+}  // namespace
+
+TEST_CASE("Orientation from the origin is exact for triples that are nearly in one plane, at any scale") {
+  RandomPoints random;
+  int zeros = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const Vector3 p = random.point();
+    const Vector3 q = random.point();
+    // In the plane of p and q but for rounding, and sometimes exactly.
+    Vector3 r = i % 4 == 0 ? Vector3(p + q) : Vector3(random.number() * p + random.number() * q);
+    if (i % 4 == 0 && i % 8 != 0) r = 2 * p;
+    const double scale = std::ldexp(1.0, (i % 7 - 3) * 150);
+    const int expected = exact_sign(p, q, r);
+    zeros += expected == 0;
+    REQUIRE(orientation_from_origin(p, q, r) == expected);
+    REQUIRE(orientation_from_origin(scale * p, scale * q, scale * r) == exact_sign(scale * p, scale * q, scale * r));
+    REQUIRE(orientation_from_origin(q, r, p) == expected);
+    REQUIRE(orientation_from_origin(q, p, r) == -expected);
+  }
+  CHECK(zeros > 1000);
+}
+
+TEST_CASE("Orientation of four points is exact for points that are nearly in one plane, far from the origin too") {
+  RandomPoints random;
+  for (int i = 0; i < 20000; ++i) {
+    const Vector3 shift = std::ldexp(1.0, i % 40) * random.point();
+    const Vector3 a = shift + random.point();
+    const Vector3 b = shift + random.point();
+    const Vector3 c = shift + random.point();
+    const Vector3 d = a + random.number() * (b - a) + random.number() * (c - a);
+    const int expected = exact_sign(a, b, c, d);
+    REQUIRE(orientation_3d(a, b, c, d) == expected);
+    REQUIRE(orientation_3d(b, a, c, d) == -expected);
+    REQUIRE(orientation_3d(c, a, b, d) == expected);
+  }
+}
+
+TEST_CASE("Orientation in the plane is exact for points that are nearly on one line") {
+  RandomPoints random;
+  for (int i = 0; i < 20000; ++i) {
+    const Eigen::Vector2d a(random.number(), random.number());
+    const Eigen::Vector2d b(random.number(), random.number());
+    const Eigen::Vector2d c = a + 3 * random.number() * (b - a);
+    const Rational determinant = (Rational(b.x()) - Rational(a.x())) * (Rational(c.y()) - Rational(a.y())) -
+                                 (Rational(b.y()) - Rational(a.y())) * (Rational(c.x()) - Rational(a.x()));
+    REQUIRE(orientation_2d(a, b, c) == determinant.sign());
+  }
+}
+
+TEST_CASE("The largest and the smallest doubles neither overflow nor vanish") {
+  const double huge = 1.7e308;
+  const double least = 5e-324;
+  for (const double s : {huge, 1.0, 1e-160, least}) {
+    CHECK(orientation_from_origin(Vector3(s, 0, 0), Vector3(0, s, 0), Vector3(0, 0, s)) == 1);
+    CHECK(orientation_from_origin(Vector3(s, 0, 0), Vector3(0, 0, s), Vector3(0, s, 0)) == -1);
+    CHECK(orientation_from_origin(Vector3(s, 0, 0), Vector3(0, s, 0), Vector3(s, s, 0)) == 0);
+    CHECK(orientation_3d(Vector3(0, 0, 0), Vector3(s, 0, 0), Vector3(0, s, 0), Vector3(0, 0, s)) == 1);
+    CHECK(orientation_2d({-s, 0}, {s, 0}, {0, s}) == 1);
+  }
+  CHECK(orientation_from_origin(Vector3(huge, 0, 0), Vector3(0, least, 0), Vector3(0, 0, least)) == 1);
+}
