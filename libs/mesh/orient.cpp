@@ -1,0 +1,80 @@
+#include "mesh/orient.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/topology.h"
+
+namespace orbicube::mesh {
+
+std::optional<Array<std::uint8_t>> orientation_signs(std::span<const Triangle> triangles, const EdgeTable& edges,
+                                                     std::pmr::memory_resource* memory) {
+  // The neighbour over each half-edge of an edge with two triangles.
+  Array<Index> opposite(3 * triangles.size(), no_index, memory);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto h = edges.half_edges(e);
+    if (h.size() != 2) continue;
+    opposite[h[0]] = h[1];
+    opposite[h[1]] = h[0];
+  }
+  constexpr std::uint8_t unknown = 2;
+  Array<std::uint8_t> turned(triangles.size(), unknown, memory);
+  Array<Index> open(memory);
+  for (Index seed = 0; seed < triangles.size(); ++seed) {
+    if (turned[seed] != unknown) continue;
+    turned[seed] = 0;
+    open.push_back(seed);
+    while (!open.empty()) {
+      const Index t = open.back();
+      open.pop_back();
+      for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+        if (opposite[h] == no_index) continue;
+        const bool same_way = start_of(triangles, h) == start_of(triangles, opposite[h]);
+        const auto needed = static_cast<std::uint8_t>(same_way ? 1 - turned[t] : turned[t]);
+        std::uint8_t& other = turned[triangle_of(opposite[h])];
+        if (other == unknown) {
+          other = needed;
+          open.push_back(triangle_of(opposite[h]));
+        } else if (other != needed) {
+          return std::nullopt;
+        }
+      }
+    }
+  }
+  return turned;
+}
+
+OrientReport orient(std::span<const Vector3> positions, std::span<Triangle> triangles, const base::Host& host) {
+  const EdgeTable edges(positions.size(), triangles, host.memory);
+  auto turned = orientation_signs(triangles, edges, host.memory);
+  if (!turned) throw base::Error("non-orientable", "the surface has one side only, like a Moebius strip");
+
+  // Turn the minority of each part.
+  DisjointSets parts(triangles.size(), host.memory);
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const auto h = edges.half_edges(e);
+    if (h.size() == 2) parts.unite(triangle_of(h[0]), triangle_of(h[1]));
+  }
+  Array<std::int64_t> excess(triangles.size(), 0, host.memory);  // turned minus unturned of each part
+  for (Index t = 0; t < triangles.size(); ++t)
+    excess[parts.find(t)] += (*turned)[t] ? 1 : -1;
+  OrientReport report;
+  for (Index t = 0; t < triangles.size(); ++t) {
+    const bool turn = ((*turned)[t] != 0) != (excess[parts.find(t)] > 0);
+    if (!turn) continue;
+    std::swap(triangles[t][1], triangles[t][2]);
+    ++report.triangles_turned;
+  }
+  const Topology facts = topology(positions, triangles, host);
+  if (facts.closed() && facts.components == 1 && facts.volume < 0) {
+    for (Triangle& t : triangles)
+      std::swap(t[1], t[2]);
+    report.turned_outward = true;
+  }
+  return report;
+}
+
+}  // namespace orbicube::mesh
