@@ -16,7 +16,8 @@ using mesh::Vector3;
 
 // Figures of a map; the surface counts as scaled to the area of the unit sphere, 4 pi.
 struct Measurement {
-  std::size_t flipped = 0;         // triangles with det[p q r] < 0, exactly
+  bool mirrored = false;           // more triangles are negative than positive: the map of a surface that looks inward
+  std::size_t flipped = 0;         // triangles with det[p q r] < 0, exactly (> 0 when mirrored)
   std::size_t degenerate = 0;      // triangles with det[p q r] = 0, exactly
   double degree = 0;               // sum of the signed solid angles / 4 pi: 1 for a bijection
   bool bijective = false;          // no flipped and no degenerate triangle, and degree 1
@@ -35,6 +36,8 @@ struct Measurement {
 
 // Distortion of each triangle, for colouring. One entry a triangle; 1 is none.
 struct FaceDistortion {
+  explicit FaceDistortion(std::pmr::memory_resource* memory) : dilatation(memory), area_ratio(memory) {}
+
   Array<double> dilatation;  // sigma_max / sigma_min, infinite where the surface triangle has no area
   Array<double> area_ratio;  // solid angle / surface area
 };
@@ -45,7 +48,8 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
                     std::span<const Vector3> directions, double angle_weight, double area_weight,
                     const base::Host& host, FaceDistortion* faces = nullptr);
 
-// Number of triangles that are not positive by exact predicates on the very coordinates given (not normalised).
+// Number of triangles that are not positive by exact predicates on the very coordinates given (not normalised), for a
+// map that is not mirrored.
 std::size_t count_not_positive(std::span<const Triangle> triangles, std::span<const Vector3> directions);
 
 }  // namespace orbicube::sphere_map

@@ -15,18 +15,28 @@ using mesh::Index;
 using mesh::Triangle;
 using mesh::Vector3;
 
-// What a direction becomes when vertex `vertex` is stored and loaded again. Must be deterministic.
+// What a direction becomes when vertex `vertex` is stored and loaded again. Must be deterministic and near `direction`.
 using Store = std::function<Vector3(Index vertex, const Vector3& direction)>;
 
 struct RoundedMap {
-  Array<Vector3> directions;     // what to store, one a vertex: near unit vectors
-  std::size_t moved = 0;         // vertices that had to be moved
+  explicit RoundedMap(std::pmr::memory_resource* memory) : directions(memory) {}
+
+  Array<Vector3> directions;     // as stored, one a vertex: near unit vectors
+  std::size_t moved = 0;         // vertices that were moved by more than rounding
   std::size_t not_positive = 0;  // triangles that could not be repaired: 0 when the map is valid as stored
 };
 
-// Rounds each direction with `store` and repairs the triangles that rounding turned over or flattened, by moving their
-// vertices to nearby points of the grid. Valid (exactly, after storing) when not_positive is 0.
+// Stores each direction of a valid map of a closed surface and repairs the triangles that this turned over or
+// flattened, by moving their vertices to points of the grid where the smallest height of their star is largest. A
+// triangle counts as positive when it stays so if each of its vertices moves by `slack` (distance, 0 or more): for
+// readers that round once more or less than `store` does. Cost: O(n), and then in proportion to what has to be
+// repaired.
 RoundedMap round_and_repair(std::span<const Triangle> triangles, std::span<const Vector3> directions,
-                            const Store& store, const base::Host& host);
+                            const Store& store, double slack, const base::Host& host);
+
+// The directions rounded to float32, as doubles, every triangle safely positive (or all negative, for a map that was).
+// Throws Error no-valid-result when the map cannot be held in float32.
+Array<Vector3> round_to_float(std::span<const Triangle> triangles, std::span<const Vector3> directions,
+                              const base::Host& host);
 
 }  // namespace orbicube::sphere_map

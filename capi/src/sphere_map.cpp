@@ -1,0 +1,142 @@
+#include "orbicube/sphere_map.h"
+
+#include <span>
+#include <string>
+#include <utility>
+
+#include "base/version.h"
+#include "capi/src/entry.h"
+#include "sphere_map/measure.h"
+#include "sphere_map/rounding.h"
+#include "sphere_map/sphere_map.h"
+
+using namespace orbicube;
+using sphere_map::Triangle;
+using sphere_map::Vector3;
+
+namespace {
+
+obc_sphere_map_options default_options() {
+  obc_sphere_map_options o{};
+  o.struct_size = sizeof o;
+  o.method = OBC_SPHERE_MAP_BALANCED;
+  o.angle_weight = 0.1;
+  o.area_weight = 1;
+  return o;
+}
+
+// The caller's arrays as the C++ side takes them: doubles and indices have the layout of its vectors and triangles.
+struct Surface {
+  std::span<const Vector3> positions;
+  std::span<const Triangle> triangles;
+
+  explicit Surface(const obc_surface* s) {
+    static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(uint32_t));
+    capi::require(s != nullptr, "surface is NULL");
+    capi::require(s->positions != nullptr || s->vertex_count == 0, "surface->positions is NULL");
+    capi::require(s->triangles != nullptr || s->triangle_count == 0, "surface->triangles is NULL");
+    positions = {reinterpret_cast<const Vector3*>(s->positions), s->vertex_count};
+    triangles = {reinterpret_cast<const Triangle*>(s->triangles), s->triangle_count};
+  }
+
+  std::span<const Vector3> directions(const double* d) const {
+    capi::require(d != nullptr || positions.empty(), "directions is NULL");
+    return {reinterpret_cast<const Vector3*>(d), positions.size()};
+  }
+};
+
+void write_report(const sphere_map::Measurement& m, obc_sphere_map_report* to) {
+  obc_sphere_map_report r{};
+  r.bijective = m.bijective;
+  r.mirrored = m.mirrored;
+  r.flipped = m.flipped;
+  r.degenerate = m.degenerate;
+  r.zero_area_faces = m.zero_area_faces;
+  r.degree = m.degree;
+  r.energy_angle = m.energy_angle;
+  r.energy_area = m.energy_area;
+  r.energy = m.energy;
+  r.dilatation_largest = m.dilatation_largest;
+  r.dilatation_mean = m.dilatation_mean;
+  r.area_ratio_smallest = m.area_ratio_smallest;
+  r.area_ratio_largest = m.area_ratio_largest;
+  r.stretch_efficiency = m.stretch_efficiency;
+  r.isometric_mean = m.isometric_mean;
+  capi::write_versioned(to, r);
+}
+
+}  // namespace
+
+obc_status obc_sphere_map_options_init(obc_sphere_map_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_options());
+}
+
+obc_status obc_sphere_map_report_init(obc_sphere_map_report* report, size_t struct_size) {
+  return capi::init_versioned(report, struct_size, obc_sphere_map_report{});
+}
+
+obc_status obc_sphere_map_compute(const obc_surface* surface, const obc_sphere_map_options* options,
+                                  const obc_host* host, double* directions, obc_sphere_map_report* report,
+                                  obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface s(surface);
+    capi::require(directions != nullptr, "directions is NULL");
+    const obc_sphere_map_options o = capi::copy_versioned(options, default_options());
+    const capi::HostAdapter adapter(host);
+    sphere_map::Options settings;
+    settings.method = static_cast<sphere_map::Method>(o.method);
+    settings.angle_weight = o.angle_weight;
+    settings.area_weight = o.area_weight;
+    settings.seed = o.seed;
+    const auto map = sphere_map::compute(s.positions, s.triangles, settings, adapter.host());
+    if (report != nullptr) {
+      write_report(sphere_map::measure(s.positions, s.triangles, map, o.angle_weight, o.area_weight, adapter.host()),
+                   report);
+    }
+    std::memcpy(directions, map.data(), map.size() * sizeof(Vector3));
+  });
+}
+
+obc_status obc_sphere_map_measure(const obc_surface* surface, const double* directions,
+                                  const obc_sphere_map_options* options, const obc_host* host,
+                                  obc_sphere_map_report* report, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface s(surface);
+    capi::require(report != nullptr, "report is NULL");
+    const obc_sphere_map_options o = capi::copy_versioned(options, default_options());
+    const capi::HostAdapter adapter(host);
+    write_report(sphere_map::measure(s.positions, s.triangles, s.directions(directions), o.angle_weight, o.area_weight,
+                                     adapter.host()),
+                 report);
+  });
+}
+
+obc_status obc_sphere_map_face_distortion(const obc_surface* surface, const double* directions, const obc_host* host,
+                                          double* dilatation, double* area_ratio, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface s(surface);
+    const capi::HostAdapter adapter(host);
+    sphere_map::FaceDistortion faces(adapter.host().memory);
+    sphere_map::measure(s.positions, s.triangles, s.directions(directions), 1, 1, adapter.host(), &faces);
+    if (dilatation != nullptr) std::copy(faces.dilatation.begin(), faces.dilatation.end(), dilatation);
+    if (area_ratio != nullptr) std::copy(faces.area_ratio.begin(), faces.area_ratio.end(), area_ratio);
+  });
+}
+
+obc_status obc_sphere_map_round_to_float(const obc_surface* surface, const double* directions, const obc_host* host,
+                                         float* rounded, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface s(surface);
+    capi::require(rounded != nullptr, "rounded is NULL");
+    const capi::HostAdapter adapter(host);
+    const auto map = sphere_map::round_to_float(s.triangles, s.directions(directions), adapter.host());
+    for (std::size_t v = 0; v < map.size(); ++v) {
+      for (int c = 0; c < 3; ++c)
+        rounded[3 * v + static_cast<std::size_t>(c)] = static_cast<float>(map[v][c]);
+    }
+  });
+}
+
+uint32_t obc_sphere_map_version(void) {
+  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+}

@@ -1,0 +1,16 @@
+// From a tetrahedron on the sphere back to the whole mesh: vertex splits into spherical kernels, with every level
+// optimised before the next.
+#pragma once
+
+#include "base/host.h"
+#include "sphere_map/decimation.h"
+#include "sphere_map/distortion.h"
+
+namespace orbicube::sphere_map {
+
+// Directions of all vertices that have a ring at the end; zero for the others. `decimation` is refined to the whole
+// mesh. Throws Error no-valid-result when a kernel is empty, which only rounding can cause.
+Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights,
+                      const base::Host& host);
+
+}  // namespace orbicube::sphere_map

@@ -1,0 +1,104 @@
+#include "sphere_map/sphere_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/topology.h"
+#include "sphere_map/decimation.h"
+#include "sphere_map/measure.h"
+#include "sphere_map/normalise.h"
+#include "sphere_map/refinement.h"
+
+namespace orbicube::sphere_map {
+namespace {
+
+Weights weights_of(const Options& options) {
+  if (!(options.angle_weight > 0 && std::isfinite(options.angle_weight) && options.area_weight >= 0 &&
+        std::isfinite(options.area_weight))) {
+    throw base::Error("invalid-argument", "angle_weight must be positive and area_weight not negative, both finite");
+  }
+  // The barrier's weights are for weights (0.1, 1), whose energy is at least 17.593; others scale it with the energy.
+  const double pi = std::numbers::pi;
+  const double scale = (16 * pi * options.angle_weight + 4 * pi * options.area_weight) / (16 * pi * 0.1 + 4 * pi * 1.0);
+  Weights w;
+  switch (options.method) {
+    case Method::balanced:
+      w.angle = options.angle_weight;
+      w.area = options.area_weight;
+      w.isometric = 0.05 * scale;
+      w.dilatation_4 = 1e-3 * scale;
+      return w;
+    case Method::angle_area:
+      w.angle = options.angle_weight;
+      w.area = options.area_weight;
+      w.isometric = 0.02 * scale;
+      w.dilatation_2 = 1e-3 * scale;
+      return w;
+    case Method::isometric:
+      w.angle = 1;
+      w.isometric = 1;
+      w.dilatation_2 = 1e-3;
+      return w;
+  }
+  throw base::Error("invalid-argument", "unknown method");
+}
+
+double signed_volume(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
+  double sum = 0;
+  for (const Triangle& t : triangles)
+    sum += positions[t[0]].dot(positions[t[1]].cross(positions[t[2]]));
+  return sum / 6;
+}
+
+// A kernel can become too small for double precision where the surface has triangles without area. Another order of
+// decimation and a stronger barrier get past that.
+Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                                Weights weights, std::uint64_t seed, const base::Host& host) {
+  constexpr int attempts = 4;
+  for (int attempt = 1;; ++attempt) {
+    try {
+      Decimation decimation =
+          decimate(positions, triangles, VertexRings(positions.size(), triangles, host.memory), seed, host);
+      return refine(decimation, positions, weights, host);
+    } catch (const base::Error& e) {
+      if (e.status() != base::Status::no_valid_result || attempt == attempts) throw;
+      host.log(std::string("trying again: ") + e.what());
+    }
+    seed += 0x1000;
+    weights.isometric *= 4;
+    weights.dilatation_2 *= 4;
+    weights.dilatation_4 *= 4;
+  }
+}
+
+}  // namespace
+
+Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
+                       const base::Host& host) {
+  const Weights weights = weights_of(options);
+  mesh::require_closed_genus_zero(mesh::topology(positions, triangles, host));
+  const Array<Vector3> unit = normalised(positions, host.memory);
+
+  // Inward surfaces are mapped as they look from outside.
+  Array<Triangle> outward(triangles.begin(), triangles.end(), host.memory);
+  if (signed_volume(unit, outward) < 0) {
+    for (Triangle& t : outward)
+      std::swap(t[1], t[2]);
+  }
+
+  Array<Vector3> directions = map_with_retries(unit, outward, weights, options.seed, host);
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    if (directions[v] == Vector3::Zero()) {  // in no triangle
+      directions[v] = unit[v].norm() > 0 ? unit[v].normalized() : Vector3::UnitZ();
+    }
+  }
+  if (const std::size_t bad = count_not_positive(outward, directions)) {
+    throw base::Error("no-valid-result", std::to_string(bad) + " triangles are not positive by exact predicates");
+  }
+  return directions;
+}
+
+}  // namespace orbicube::sphere_map
