@@ -1,0 +1,30 @@
+// A page to look at maps: shapes beside their sphere maps, coloured by distortion, with the figures; one HTML file that
+// loads nothing.
+#pragma once
+
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mesh/mesh.h"
+
+namespace orbicube::cli {
+
+// One map to show. The spans are read during the call only.
+struct PageResult {
+  std::string name;                           // what the reader chooses it by, as a file's name
+  std::span<const mesh::Vector3> positions;   // the shape, in any unit
+  std::span<const mesh::Vector3> directions;  // its map, one unit vector a vertex
+  std::span<const mesh::Triangle> triangles;  // of both
+  std::span<const double> dilatation;         // sigma_max / sigma_min of each triangle; infinite where it has no area
+  std::span<const double> area_ratio;         // area on the sphere over area on the shape, which counts as 4 pi
+  std::vector<std::pair<std::string, std::string>> figures;  // rows of the table: name and value, in reading order
+};
+
+// The text of the page, complete: styles, script and data are inside. About 28 bytes a vertex. Names are escaped.
+// Throws Error invalid-argument when there is no result, one has no triangle, sizes differ or an index is out of range.
+// O(n) time for n triangles in all.
+std::string report_page(std::span<const PageResult> results, const std::string& title);
+
+}  // namespace orbicube::cli
