@@ -1,0 +1,31 @@
+#include "gltf/normals.h"
+
+#include <Eigen/Geometry>
+#include <cstddef>
+
+namespace orbicube::gltf {
+
+base::Array<float> smooth_normals(std::span<const float> positions, std::span<const mesh::Triangle> triangles,
+                                  std::pmr::memory_resource* memory) {
+  using mesh::Vector3;
+  const auto position = [&](mesh::Index v) -> Vector3 {
+    return Eigen::Map<const Eigen::Vector3f>(positions.data() + std::size_t{3} * v).cast<double>();
+  };
+  base::Array<Vector3> sums(positions.size() / 3, Vector3::Zero(), memory);
+  for (const mesh::Triangle& t : triangles) {
+    const Vector3 twice_area = (position(t[1]) - position(t[0])).cross(position(t[2]) - position(t[0]));
+    for (const mesh::Index v : t)
+      sums[v] += twice_area;
+  }
+  base::Array<float> normals(positions.size(), memory);
+  for (std::size_t v = 0; v < sums.size(); ++v) {
+    // stableNormalize: the square of the area of a tiny triangle is zero.
+    Vector3 normal = sums[v];
+    normal.stableNormalize();
+    if (!(normal.squaredNorm() > 0.5)) normal = Vector3::UnitZ();
+    Eigen::Map<Eigen::Vector3f>(normals.data() + 3 * v) = normal.cast<float>();
+  }
+  return normals;
+}
+
+}  // namespace orbicube::gltf

@@ -1,0 +1,146 @@
+#include "gltf/uri.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <system_error>
+
+#include "base/error.h"
+
+namespace orbicube::gltf {
+
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool starts_with_ignoring_case(std::string_view text, std::string_view lower_case) {
+  return text.size() >= lower_case.size() &&
+         std::equal(lower_case.begin(), lower_case.end(), text.begin(),
+                    [](char wanted, char c) { return wanted == (is_letter(c) ? static_cast<char>(c | 0x20) : c); });
+}
+
+std::string percent_decoded(std::string_view uri) {
+  std::string result;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    if (uri[i] != '%') {
+      result.push_back(uri[i]);
+      continue;
+    }
+    unsigned char byte = 0;
+    const char* const begin = uri.data() + i + 1;
+    if (uri.size() - i < 3 || std::from_chars(begin, begin + 2, byte, 16).ptr != begin + 2)
+      throw base::Error("parse", "the URI " + in_quotes(uri) + " has a broken percent-encoding");
+    result.push_back(static_cast<char>(byte));
+    i += 2;
+  }
+  return result;
+}
+
+class Descriptor {
+ public:
+  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  ~Descriptor() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+  }
+  int get() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+[[noreturn]] void fail_to_read(const std::string& name) {
+  throw base::Error("io", "cannot read " + in_quotes(name) + ": " + std::generic_category().message(errno));
+}
+
+// Never waits for a writer of a pipe, and reads regular files only.
+base::Array<std::byte> read_regular_file(const std::filesystem::path& path, int flags, const char* kind_if_not_regular,
+                                         const base::Host& host) {
+  const std::string name = path.string();
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | flags));
+  struct stat facts {};
+  if (file.get() < 0 || ::fstat(file.get(), &facts) != 0) fail_to_read(name);
+  if (!S_ISREG(facts.st_mode)) throw base::Error(kind_if_not_regular, in_quotes(name) + " is not a regular file");
+  base::Array<std::byte> bytes(host.memory);
+  bytes.resize(static_cast<std::size_t>(facts.st_size));
+  constexpr std::size_t most_at_once = std::size_t{1} << 22U;
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    host.report("reading file", done, bytes.size());
+    const ::ssize_t got = ::read(file.get(), bytes.data() + done, std::min(most_at_once, bytes.size() - done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_to_read(name);
+    if (got == 0) break;  // the file became shorter
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
+
+}  // namespace
+
+std::string in_quotes(std::string_view text) {
+  constexpr std::size_t longest = 80;
+  std::string result = "\"";
+  for (const char c : text.substr(0, longest))
+    result += c >= ' ' && c < '\x7f' ? c : '?';
+  return result + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::optional<std::string_view> base64_of_data_uri(std::string_view uri) {
+  if (!starts_with_ignoring_case(uri, "data:")) return {};
+  constexpr std::string_view encoding = ";base64";
+  const std::size_t comma = uri.find(',');
+  if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(encoding))
+    throw base::Error("unsupported-uri", "a data URI that is not base64");
+  return uri.substr(comma + 1);
+}
+
+std::string file_of_uri(std::string_view uri) {
+  const auto unsafe = [&](const char* why) {
+    throw base::Error("unsafe-path", "the buffer URI " + in_quotes(uri) + ' ' + why);
+  };
+  if (uri.find_first_of("?#") != std::string_view::npos || uri.empty())
+    throw base::Error("unsupported-uri", "the buffer URI " + in_quotes(uri) + " does not name a file");
+  const std::string name = percent_decoded(uri);
+  // Whatever a colon stands for (a scheme, a drive, a stream), the file is refused; before the first slash only, where
+  // RFC 3986 does not allow one in a relative reference.
+  const std::string first_segment = name.substr(0, name.find('/'));
+  if (first_segment.find(':') != std::string::npos) unsafe("names a scheme or a drive");
+  if (name.front() == '/') unsafe("is an absolute path");
+  if (name.find('\\') != std::string::npos) unsafe("has a backslash");
+  if (std::any_of(name.begin(), name.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20U || c == 0x7F; }))
+    unsafe("has a control character");
+  for (std::size_t begin = 0; begin <= name.size();) {
+    const std::size_t end = std::min(name.find('/', begin), name.size());
+    if (std::string_view(name).substr(begin, end - begin) == "..") unsafe("leads out of the file's own folder");
+    begin = end + 1;
+  }
+  return name;
+}
+
+base::Array<std::byte> read_file_below(const std::filesystem::path& folder, const std::string& name,
+                                       const base::Host& host) {
+  std::error_code problem;
+  const std::filesystem::path root = std::filesystem::canonical(folder.empty() ? "." : folder, problem);
+  const std::filesystem::path file =
+      problem ? std::filesystem::path() : std::filesystem::canonical(root / name, problem);
+  if (problem) throw base::Error("io", "cannot open the buffer " + in_quotes(name) + ": " + problem.message());
+  if (std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first != root.end())
+    throw base::Error("unsafe-path", "the buffer " + in_quotes(name) + " is a link out of the file's own folder");
+  // The path has no links any more, so one that appears now is not followed.
+  return read_regular_file(file, O_NOFOLLOW, "unsafe-path", host);
+}
+
+base::Array<std::byte> read_whole_file(const std::filesystem::path& path, const base::Host& host) {
+  return read_regular_file(path, 0, "io", host);
+}
+
+}  // namespace orbicube::gltf

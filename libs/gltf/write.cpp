@@ -1,0 +1,201 @@
+#include "gltf/write.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "base/error.h"
+#include "gltf/base64.h"
+#include "gltf/binary_buffer.h"
+#include "gltf/document.h"
+#include "gltf/morph.h"
+#include "gltf/normals.h"
+#include "mesh/file.h"
+
+namespace orbicube::gltf {
+
+namespace {
+
+void require(bool condition, const std::string& message) {
+  if (!condition) throw base::Error("invalid-argument", message);
+}
+
+void require_finite(std::span<const float> values, const char* what, const base::Host& host) {
+  constexpr std::size_t values_between_reports = std::size_t{1} << 18U;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i % values_between_reports == 0) host.report("checking", i, values.size());
+    require(std::isfinite(values[i]), std::string(what) + " are not finite");
+  }
+}
+
+void check(const Scene& scene, const base::Host& host) {
+  const std::size_t vertices = scene.positions.size() / 3;
+  require(scene.positions.size() % 3 == 0, "positions do not have three numbers a vertex");
+  require(vertices > 0 && !scene.triangles.empty(), "there are no triangles to write");
+  require(vertices < mesh::no_index, "there are more vertices than 32-bit indices can count");
+  require_finite(scene.positions, "positions", host);
+  const auto check_size = [&](std::size_t size, std::size_t components, const char* what) {
+    require(size == 0 || size == components * vertices, std::string(what) + " have another size than positions");
+  };
+  check_size(scene.normals.size(), 3, "normals");
+  check_size(scene.texture_coordinates.size(), 2, "texture coordinates");
+  check_size(scene.colors.size(), 4, "colours");
+  require_finite(scene.normals, "normals", host);
+  require_finite(scene.texture_coordinates, "texture coordinates", host);
+  for (const MorphTarget& target : scene.morph_targets) {
+    require(target.positions.size() == 3 * vertices, "a morph target has another size than positions");
+    require_finite(target.positions, "positions of a morph target", host);
+  }
+  const auto is_index = [&](mesh::Index v) { return v < vertices; };
+  for (const mesh::Triangle& triangle : scene.triangles)
+    require(std::all_of(triangle.begin(), triangle.end(), is_index), "a triangle has a vertex that does not exist");
+  for (const auto& edge : scene.edges)
+    require(std::all_of(edge.begin(), edge.end(), is_index), "an edge has a vertex that does not exist");
+  require(!scene.morph_normals || scene.smooth_normals || !scene.normals.empty(), "morph normals need normals");
+  require(scene.translation.allFinite() && std::isfinite(scene.scale) && scene.scale > 0,
+          "translation is not finite, or scale is not a positive number");
+  require(std::all_of(scene.base_color.begin(), scene.base_color.end(), [](double c) { return c >= 0 && c <= 1; }),
+          "the base colour is not between 0 and 1");
+  constexpr std::array<unsigned char, 8> png = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1A, '\n'};
+  require(scene.texture.empty() ||
+              (scene.texture.size() > png.size() && std::memcmp(scene.texture.data(), png.data(), png.size()) == 0),
+          "the texture is no PNG file");
+  require(scene.texture.empty() || !scene.texture_coordinates.empty(), "a texture needs texture coordinates");
+}
+
+// What is stored of a morph target for each number: absolute values become deltas.
+base::Array<float> deltas_of(std::span<const float> base, std::span<const float> wanted, const base::Host& host) {
+  base::Array<float> deltas(base.size(), host.memory);
+  constexpr std::size_t values_between_reports = std::size_t{1} << 17U;
+  for (std::size_t i = 0; i < base.size(); ++i) {
+    if (i % values_between_reports == 0) host.report("making morph targets", i, base.size());
+    deltas[i] = delta_for(base[i], wanted[i]);
+  }
+  return deltas;
+}
+
+SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Host& host) {
+  SceneAccessors accessors;
+  const std::size_t vertices = scene.positions.size() / 3;
+  accessors.position = buffer.add_floats(scene.positions, 3, true);
+  std::span<const float> normals = scene.normals;
+  base::Array<float> made(host.memory);
+  if (normals.empty() && scene.smooth_normals) {
+    made = smooth_normals(scene.positions, scene.triangles, host.memory);
+    normals = made;
+  }
+  for (const MorphTarget& target : scene.morph_targets) {
+    TargetAccessors added{};
+    base::Array<float> deltas = deltas_of(scene.positions, target.positions, host);
+    require_finite(deltas, "differences of a morph target", host);
+    added.position = buffer.add_floats(std::move(deltas), 3, true);
+    if (scene.morph_normals) {
+      const base::Array<float> wanted = smooth_normals(target.positions, scene.triangles, host.memory);
+      added.normal = buffer.add_floats(deltas_of(normals, wanted, host), 3, false);
+    }
+    accessors.targets.push_back(added);
+  }
+  if (!made.empty()) {
+    accessors.normal = buffer.add_floats(std::move(made), 3, false);
+  } else if (!normals.empty()) {
+    accessors.normal = buffer.add_floats(normals, 3, false);
+  }
+  if (!scene.texture_coordinates.empty())
+    accessors.texture_coordinate = buffer.add_floats(scene.texture_coordinates, 2, false);
+  if (!scene.colors.empty()) accessors.color = buffer.add_colors(scene.colors);
+  accessors.triangles = buffer.add_indices({scene.triangles.front().data(), 3 * scene.triangles.size()}, vertices);
+  if (!scene.edges.empty())
+    accessors.edges = buffer.add_indices({scene.edges.front().data(), 2 * scene.edges.size()}, vertices);
+  if (!scene.texture.empty()) accessors.texture_view = buffer.add_view(scene.texture, BinaryBuffer::Target::none);
+  return accessors;
+}
+
+std::array<std::byte, 4> little_endian(std::uint64_t value) {
+  std::array<std::byte, 4> bytes;
+  for (std::size_t i = 0; i < 4; ++i)
+    bytes[i] = static_cast<std::byte>(value >> (8 * i) & 0xFFU);
+  return bytes;
+}
+
+// GLB: header, JSON chunk filled up with spaces, BIN chunk filled up with zeros.
+template <class Sink>
+void emit_glb(std::string text, const BinaryBuffer& buffer, const Sink& sink) {
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  constexpr std::uint64_t magic = 0x46546C67U, version = 2, json_chunk = 0x4E4F534AU, binary_chunk = 0x004E4942U;
+  constexpr std::uint64_t header = 12, chunk_header = 8;
+  const std::uint64_t total = header + chunk_header + text.size() + chunk_header + buffer.size();
+  if (total > std::numeric_limits<std::uint32_t>::max())
+    throw base::Error("unsupported", "a GLB file of 4 GiB or more");
+  for (const std::uint64_t word : {magic, version, total, std::uint64_t{text.size()}, json_chunk})
+    sink(little_endian(word));
+  sink(std::as_bytes(std::span(text)));
+  for (const std::uint64_t word : {buffer.size(), binary_chunk})
+    sink(little_endian(word));
+  buffer.emit(sink);
+}
+
+// .gltf: the buffer as base64 in the text.
+template <class Sink>
+void emit_gltf(std::string_view text, const BinaryBuffer& buffer, const Sink& sink) {
+  constexpr std::string_view end = "\"}]}";
+  const std::string_view before = text.substr(0, text.size() - end.size());
+  sink(std::as_bytes(std::span(before)));
+  // Three bytes are four characters: pieces are collected until they are whole.
+  constexpr std::size_t whole = std::size_t{3} << 14U;
+  std::array<std::byte, whole> collected;
+  std::string encoded(base64_size(whole), '\0');
+  std::size_t fill = 0;
+  const auto flush = [&] {
+    encode_base64(std::span(collected).first(fill), encoded.data());
+    sink(std::as_bytes(std::span(encoded).first(base64_size(fill))));
+    fill = 0;
+  };
+  buffer.emit([&](std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+      const std::size_t taken = std::min(bytes.size(), whole - fill);
+      std::copy_n(bytes.begin(), taken, collected.begin() + static_cast<std::ptrdiff_t>(fill));
+      bytes = bytes.subspan(taken);
+      fill += taken;
+      if (fill == whole) flush();
+    }
+  });
+  flush();
+  sink(std::as_bytes(std::span(end)));
+}
+
+template <class Sink>
+void emit(const Scene& scene, Form form, const base::Host& host, const Sink& sink) {
+  BinaryBuffer buffer(host);
+  const SceneAccessors accessors = add_all(buffer, scene, host);
+  if (form == Form::glb) {
+    emit_glb(document_text(scene, accessors, buffer, {}), buffer, sink);
+  } else {
+    emit_gltf(document_text(scene, accessors, buffer, "data:application/octet-stream;base64,"), buffer, sink);
+  }
+}
+
+}  // namespace
+
+void write(const std::filesystem::path& path, const Scene& scene, const base::Host& host) {
+  check(scene, host);
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+  mesh::OutputFile file(path);
+  emit(scene, ending == ".gltf" ? Form::gltf : Form::glb, host,
+       [&](std::span<const std::byte> bytes) { file.write(bytes); });
+  file.commit();
+}
+
+base::Array<std::byte> to_bytes(const Scene& scene, Form form, const base::Host& host) {
+  check(scene, host);
+  base::Array<std::byte> result(host.memory);
+  emit(scene, form, host,
+       [&](std::span<const std::byte> bytes) { result.insert(result.end(), bytes.begin(), bytes.end()); });
+  return result;
+}
+
+}  // namespace orbicube::gltf
