@@ -1,0 +1,23 @@
+// Whether the tetrahedra and hexahedra of a mesh are those of a solid: positive, distinct, and meeting in whole faces.
+#pragma once
+
+#include "base/host.h"
+#include "mesh/mesh.h"
+
+namespace orbicube::mesh {
+
+// Throws Error unless the cells fill a solid, with the number of such places and the first of them:
+// - "index-range": a vertex that does not exist;
+// - "degenerate-cell": a repeated vertex, a tetrahedron of volume 0, a hexahedron with a corner whose three edges lie
+//   in a plane;
+// - "inverted-cell": a tetrahedron of negative volume, a hexahedron with a corner turned inside out (its Jacobian
+//   there is negative). Signs are exact;
+// - "duplicate-cell": two cells of the same vertices;
+// - "non-manifold-face": a face of three cells or more;
+// - "non-manifold-edge": an edge of the solid's boundary with more than two boundary faces. Not asked of meshes with
+//   both kinds of cells, whose faces need not match.
+// Also "cancelled". A mesh without cells is fine. O(n log n) time, O(n) for bounded valence; 80 bytes a tetrahedron and
+// 150 a hexahedron while it runs.
+void require_valid_cells(const Mesh& mesh, const base::Host& host);
+
+}  // namespace orbicube::mesh
