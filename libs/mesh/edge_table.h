@@ -2,9 +2,9 @@
 // how triangles hang together starts from.
 #pragma once
 
-#include <memory_resource>
 #include <span>
 
+#include "base/host.h"
 #include "mesh/mesh.h"
 
 namespace orbicube::mesh {
@@ -31,8 +31,9 @@ inline bool has_repeated_corner(const Triangle& t) {
 // O(n) time for bounded valence and O(n log n) for any, 28 bytes a triangle kept and as much again while it is made.
 class EdgeTable {
  public:
-  // Triangle indices must be below vertex_count, and there must be fewer than 2^32 / 3 triangles.
-  EdgeTable(std::size_t vertex_count, std::span<const Triangle> triangles, std::pmr::memory_resource* memory);
+  // Triangle indices must be below vertex_count. Throws Error "unsupported" for 2^32 / 3 triangles or more,
+  // "cancelled".
+  EdgeTable(std::size_t vertex_count, std::span<const Triangle> triangles, const base::Host& host);
 
   std::size_t size() const { return edge_begin_.size() - 1; }
   // Of one edge, in ascending order. Edges are in ascending order of their lower vertex, then of their higher one.

@@ -28,6 +28,11 @@ int sign(double x) {
 // both are covered by `tiny` many times over. After an overflow `magnitude` is no number below infinity, and nothing is
 // certain.
 int certain_sign(const Vector3& p, const Vector3& e, const Vector3& f) {
+  // Factors that are 0 are exactly so, since differences of doubles are 0 only when they are equal: points in one plane
+  // along two axes need no more than this.
+  for (int k = 0; k < 3; ++k) {
+    if (p[k] == 0 && e[k] == 0 && f[k] == 0) return 0;
+  }
   const double yz = e.y() * f.z(), zy = e.z() * f.y();
   const double zx = e.z() * f.x(), xz = e.x() * f.z();
   const double xy = e.x() * f.y(), yx = e.y() * f.x();
@@ -107,6 +112,8 @@ int orientation_2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eig
   // Two differences, a product and a subtraction: a relative error of each term below 4.1 u.
   const Eigen::Vector2d e = b - a;
   const Eigen::Vector2d f = c - a;
+  // Differences of doubles are 0 only when they are equal: points on one line along an axis.
+  if ((e.x() == 0 && f.x() == 0) || (e.y() == 0 && f.y() == 0)) return 0;
   const double left = e.x() * f.y();
   const double right = e.y() * f.x();
   const double magnitude = std::abs(left) + std::abs(right);

@@ -1,15 +1,15 @@
 #include "mesh/topology.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <string>
 
 #include "base/error.h"
 #include "mesh/disjoint_sets.h"
 #include "mesh/edge_table.h"
+#include "mesh/measures.h"
 #include "mesh/orient.h"
 #include "mesh/predicates.h"
+#include "mesh/weld.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -24,28 +24,35 @@ class Examination {
     check_arguments();
     result_.vertices = positions_.size();
     result_.triangles = triangles_.size();
-    faces();
-    host_.report("topology", 1, 5);
-    const EdgeTable edges(positions_.size(), triangles_, host_.memory);
-    host_.report("topology", 2, 5);
-    edges_and_boundary(edges);
-    host_.report("topology", 3, 5);
-    fans(edges);
+    duplicate_and_degenerate_faces();
+    {
+      const EdgeTable edges(positions_.size(), triangles_, host_);
+      edges_and_boundary(edges);
+      fans(edges);
+      if (result_.inconsistent_edges > 0) result_.orientable = orientation_signs(triangles_, edges, host_).has_value();
+    }
     vertices_and_components();
-    host_.report("topology", 4, 5);
-    if (result_.inconsistent_edges > 0)
-      result_.orientable = orientation_signs(triangles_, edges, host_.memory).has_value();
-    measures();
-    const Topology& r = result_;
-    result_.euler_characteristic =
+    zero_area_faces();
+    const Measures sizes = measures(positions_, triangles_, host_);
+    Topology& r = result_;
+    r.low = sizes.low;
+    r.high = sizes.high;
+    r.area = sizes.area;
+    r.volume = sizes.volume;
+    r.euler_characteristic =
         static_cast<std::int64_t>(r.vertices - r.unreferenced_vertices + r.triangles - r.degenerate_faces) -
         static_cast<std::int64_t>(r.edges);
-    if (r.closed() && r.manifold() && r.orientable && r.components == 1) result_.genus = 1 - r.euler_characteristic / 2;
-    host_.report("topology", 5, 5);
+    if (r.closed() && r.manifold() && r.orientable && r.components == 1) r.genus = 1 - r.euler_characteristic / 2;
+    host_.report("topology", 1, 1);
     return result_;
   }
 
  private:
+  // Called with the number of each item of a long loop.
+  void report(const char* what, std::size_t item, std::size_t total) const {
+    if (item % 65536 == 0) host_.report(what, item, total);
+  }
+
   void check_arguments() const {
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       for (const Index v : triangles_[t]) {
@@ -62,8 +69,8 @@ class Examination {
     }
   }
 
-  // Degenerate and duplicate faces: sorted corners, grouped by the lowest.
-  void faces() {
+  // Corners in ascending order, grouped by the lowest.
+  void duplicate_and_degenerate_faces() {
     struct Corners {
       Index middle, high, face;
       bool operator<(const Corners& o) const {
@@ -72,6 +79,7 @@ class Examination {
     };
     Array<Index> begin(positions_.size() + 1, 0, host_.memory);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      report("comparing faces", t, triangles_.size());
       if (has_repeated_corner(triangles_[t])) {
         if (result_.degenerate_faces++ == 0) result_.first_degenerate_face = static_cast<Index>(t);
         continue;
@@ -83,12 +91,14 @@ class Examination {
     Array<Corners> sorted(begin[positions_.size()], host_.memory);
     Array<Index> fill(begin.begin(), begin.end(), host_.memory);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      report("comparing faces", t, triangles_.size());
       if (has_repeated_corner(triangles_[t])) continue;
       Triangle c = triangles_[t];
       std::sort(c.begin(), c.end());
       sorted[fill[c[0]]++] = {c[1], c[2], static_cast<Index>(t)};
     }
     for (std::size_t v = 0; v < positions_.size(); ++v) {
+      report("comparing faces", v, positions_.size());
       std::sort(sorted.begin() + begin[v], sorted.begin() + begin[v + 1]);
       for (Index i = begin[v] + 1; i < begin[v + 1]; ++i) {
         if (sorted[i].middle != sorted[i - 1].middle || sorted[i].high != sorted[i - 1].high) continue;
@@ -103,6 +113,7 @@ class Examination {
     result_.edges = edges.size();
     DisjointSets loops(positions_.size(), host_.memory);
     for (std::size_t e = 0; e < edges.size(); ++e) {
+      report("edges and boundary", e, edges.size());
       const auto h = edges.half_edges(e);
       if (h.size() == 1) {
         if (result_.boundary_edges++ == 0) result_.first_boundary_edge = edge_of(h[0]);
@@ -128,6 +139,7 @@ class Examination {
   void fans(const EdgeTable& edges) {
     DisjointSets corners(3 * triangles_.size(), host_.memory);
     for (std::size_t e = 0; e < edges.size(); ++e) {
+      report("faces around vertices", e, edges.size());
       const auto h = edges.half_edges(e);
       for (std::size_t i = 1; i < h.size(); ++i) {
         const bool same_way = start_of(triangles_, h[0]) == start_of(triangles_, h[i]);
@@ -139,6 +151,7 @@ class Examination {
     }
     Array<std::uint8_t> fans_at(positions_.size(), 0, host_.memory);
     for (Index c = 0; c < 3 * triangles_.size(); ++c) {
+      report("faces around vertices", c, 3 * triangles_.size());
       if (has_repeated_corner(triangles_[c / 3]) || corners.find(c) != c) continue;
       std::uint8_t& count = fans_at[start_of(triangles_, c)];
       count = static_cast<std::uint8_t>(std::min(count + 1, 2));
@@ -151,45 +164,37 @@ class Examination {
   void vertices_and_components() {
     DisjointSets sets(positions_.size(), host_.memory);
     Array<std::uint8_t> used(positions_.size(), 0, host_.memory);
-    for (const Triangle& t : triangles_) {
-      sets.unite(t[0], t[1]);
-      sets.unite(t[0], t[2]);
-      for (const Index v : t)
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      report("components", t, triangles_.size());
+      sets.unite(triangles_[t][0], triangles_[t][1]);
+      sets.unite(triangles_[t][0], triangles_[t][2]);
+      for (const Index v : triangles_[t])
         used[v] = 1;
     }
-    bool first = true;
+    const Array<Index> at_same_position = first_at_same_position(positions_, host_);
+    // Of those at one position, the first that is used; filled in ascending order.
+    Array<Index> first_used(positions_.size(), no_index, host_.memory);
     for (Index v = 0; v < positions_.size(); ++v) {
       if (!used[v]) {
         ++result_.unreferenced_vertices;
         continue;
       }
-      result_.components += sets.find(v) == v;
-      result_.low = first ? positions_[v] : result_.low.cwiseMin(positions_[v]);
-      result_.high = first ? positions_[v] : result_.high.cwiseMax(positions_[v]);
-      first = false;
+      if (sets.find(v) == v && result_.components++ == 1) result_.first_vertex_apart = v;
+      Index& earlier = first_used[at_same_position[v]];
+      if (earlier == no_index) {
+        earlier = v;
+      } else if (result_.coincident_vertices++ == 0) {
+        result_.first_coincident_vertices = {earlier, v};
+      }
     }
   }
 
-  // Relative to the bounding box, so that far and huge surfaces lose nothing.
-  void measures() {
-    const Vector3 centre = 0.5 * result_.low + 0.5 * result_.high;
-    const double half = (0.5 * result_.high - 0.5 * result_.low).maxCoeff();
-    const auto unit = [&](Index v) -> Vector3 {
-      return half > 0 ? Vector3((positions_[v] - centre) / half) : Vector3(Vector3::Zero());
-    };
-    double twice_area = 0;
-    double six_volumes = 0;
-    for (const Triangle& t : triangles_) {
-      const Vector3 p = unit(t[0]);
-      const Vector3 q = unit(t[1]);
-      const Vector3 r = unit(t[2]);
-      const Vector3 normal = (q - p).cross(r - p);
-      twice_area += normal.norm();
-      six_volumes += p.dot(q.cross(r));
-      if (!has_repeated_corner(t)) result_.zero_area_faces += normal.norm() < 1e-6 && collinear(t);
+  void zero_area_faces() {
+    for (std::size_t t = 0; t < triangles_.size(); ++t) {
+      report("faces without area", t, triangles_.size());
+      if (has_repeated_corner(triangles_[t]) || !collinear(triangles_[t])) continue;
+      if (result_.zero_area_faces++ == 0) result_.first_zero_area_face = static_cast<Index>(t);
     }
-    result_.area = 0.5 * twice_area * half * half;
-    result_.volume = six_volumes / 6 * half * half * half;
   }
 
   bool collinear(const Triangle& t) const {
@@ -247,7 +252,10 @@ void require_closed_genus_zero(const Topology& t) {
                                       " parts that share no edge; first vertex " +
                                       std::to_string(t.first_non_manifold_vertex));
   }
-  if (t.components > 1) refuse("not-connected", "the surface has " + std::to_string(t.components) + " parts");
+  if (t.components > 1) {
+    refuse("not-connected", "the surface has " + std::to_string(t.components) + " parts; vertex " +
+                                std::to_string(t.first_vertex_apart) + " is not connected with the first one");
+  }
   if (!t.orientable) refuse("non-orientable", "the surface has one side only, like a Moebius strip");
   if (t.inconsistent_edges > 0) {
     refuse("inconsistent-orientation", count(t.inconsistent_edges, "edge lies", "edges lie") +

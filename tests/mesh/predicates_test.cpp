@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 #include <random>
@@ -99,4 +101,50 @@ TEST_CASE("The largest and the smallest doubles neither overflow nor vanish") {
     CHECK(orientation_2d({-s, 0}, {s, 0}, {0, s}) == 1);
   }
   CHECK(orientation_from_origin(Vector3(huge, 0, 0), Vector3(0, least, 0), Vector3(0, 0, least)) == 1);
+}
+
+TEST_CASE("Every permutation of the points has the sign of its parity, for points on a coarse grid too") {
+  std::mt19937_64 engine(17);
+  const auto number = [&] { return static_cast<double>(engine() % 3) * 0.1; };
+  const auto point = [&] { return Vector3(number(), number(), number()); };
+  const auto parity = [](const auto& order) {
+    int sign = 1;
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j)
+        sign = order[j] > order[i] ? -sign : sign;
+    }
+    return sign;
+  };
+  for (int trial = 0; trial < 500; ++trial) {
+    const std::array<Vector3, 4> x = {point(), point(), point(), point()};
+    const int of_four = exact_sign(x[0], x[1], x[2], x[3]);
+    std::array<std::size_t, 4> order{0, 1, 2, 3};
+    do {
+      REQUIRE(orientation_3d(x[order[0]], x[order[1]], x[order[2]], x[order[3]]) == parity(order) * of_four);
+    } while (std::next_permutation(order.begin(), order.end()));
+    const int of_three = exact_sign(x[0], x[1], x[2]);
+    const auto flat = [&](std::size_t i) -> Eigen::Vector2d { return x[i].head<2>(); };
+    const int in_plane = orientation_2d(flat(0), flat(1), flat(2));
+    std::array<std::size_t, 3> three{0, 1, 2};
+    do {
+      REQUIRE(orientation_from_origin(x[three[0]], x[three[1]], x[three[2]]) == parity(three) * of_three);
+      REQUIRE(orientation_2d(flat(three[0]), flat(three[1]), flat(three[2])) == parity(three) * in_plane);
+    } while (std::next_permutation(three.begin(), three.end()));
+  }
+}
+
+TEST_CASE("Points whose products underflow or whose coordinates differ by hundreds of decades are decided exactly") {
+  std::mt19937_64 engine(23);
+  const auto number = [&] {
+    const double mantissa = std::uniform_real_distribution<double>(-1, 1)(engine);
+    return std::ldexp(mantissa, static_cast<int>(engine() % 2000) - 1060);
+  };
+  const auto point = [&] { return Vector3(number(), number(), number()); };
+  for (int trial = 0; trial < 2000; ++trial) {
+    const Vector3 p = point(), q = point();
+    const Vector3 r = trial % 2 == 0 ? Vector3(p * 0.5) : point();
+    REQUIRE(orientation_from_origin(p, q, r) == exact_sign(p, q, r));
+    const Vector3 s = trial % 4 == 0 ? Vector3(q * 0.25) : point();
+    REQUIRE(orientation_3d(p, q, r, s) == exact_sign(p, q, r, s));
+  }
 }

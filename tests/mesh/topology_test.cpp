@@ -3,8 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <random>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -119,6 +122,7 @@ TEST_CASE("Holes are counted with their lengths") {
 TEST_CASE("Parts that share nothing, a vertex or an edge") {
   const Surface apart = both(tetrahedron(), octahedron(), Vector3(9, 0, 0));
   CHECK(topology_of(apart).components == 2);
+  CHECK(topology_of(apart).first_vertex_apart == 4);
   CHECK(refusal(apart) == "not-connected");
 
   Surface bowtie = both(tetrahedron(), tetrahedron(), Vector3(9, 0, 0));
@@ -153,6 +157,15 @@ TEST_CASE("Faces that are repeated, degenerate or flat") {
   s = tetrahedron();
   s.positions[3] = 0.25 * s.positions[1];  // on the edge from vertex 0 to vertex 1, exactly
   CHECK(topology_of(s).zero_area_faces == 1);
+  CHECK(topology_of(s).first_zero_area_face == 1);
+  CHECK(topology_of(s).coincident_vertices == 0);
+  CHECK(refusal(s) == "");
+  s.positions.push_back(s.positions[0]);  // in no triangle
+  CHECK(topology_of(s).coincident_vertices == 0);
+  s.positions[3] = s.positions[1];
+  CHECK(topology_of(s).coincident_vertices == 1);
+  CHECK(topology_of(s).first_coincident_vertices == std::array<Index, 2>{1, 3});
+  CHECK(topology_of(s).zero_area_faces == 2);
   s.positions.assign(4, Vector3(1, 2, 3));
   CHECK(refusal(s) == "degenerate-geometry");
   s.triangles.clear();
@@ -180,6 +193,136 @@ TEST_CASE("Turned triangles are seen, counted and turned back, whichever they ar
   }
 }
 
+TEST_CASE("A surface with a cavity keeps its inner wall, and is turned as a whole when it looks inward") {
+  Surface inner = octahedron();
+  for (Triangle& t : inner.triangles)
+    std::swap(t[0], t[1]);
+  Surface outer = octahedron();
+  for (Vector3& p : outer.positions)
+    p *= 3;
+  const Surface hollow = both(outer, inner, Vector3::Zero());
+  Surface s = hollow;
+  OrientReport report = orient(s.positions, s.triangles, base::Host());
+  CHECK(report.triangles_turned == 0);
+  CHECK_FALSE(report.turned_outward);
+  for (Triangle& t : s.triangles)
+    std::swap(t[0], t[1]);
+  report = orient(s.positions, s.triangles, base::Host());
+  CHECK(report.turned_outward);
+  CHECK(topology_of(s).volume == doctest::Approx(4.0 / 3 * (27 - 1)));
+
+  Surface open = inner;
+  open.triangles.pop_back();
+  CHECK_FALSE(orient(open.positions, open.triangles, base::Host()).turned_outward);
+  Surface one_sided = torus(5, 5, true);
+  CHECK_THROWS_AS(orient(one_sided.positions, one_sided.triangles, base::Host()), base::Error);
+}
+
+TEST_CASE("Any set of triangles on few vertices has the figures that their definitions give") {
+  std::mt19937 random(11);
+  for (int trial = 0; trial < 3000; ++trial) {
+    Surface s;
+    const Index n = 4 + static_cast<Index>(random() % 4);
+    for (Index v = 0; v < n; ++v)
+      s.positions.emplace_back(v, v * v, v * v * v);
+    const std::size_t faces = 1 + random() % 9;
+    for (std::size_t t = 0; t < faces; ++t) {
+      const auto any = [&] { return static_cast<Index>(random() % n); };
+      s.triangles.push_back({any(), any(), any()});
+    }
+    const Topology found = topology_of(s);
+
+    std::vector<Triangle> proper;
+    std::map<std::set<Index>, std::vector<std::size_t>> faces_of_edge;  // numbers in `proper`
+    std::map<std::set<Index>, std::size_t> copies;
+    for (const Triangle& t : s.triangles) {
+      const std::set<Index> corners(t.begin(), t.end());
+      if (corners.size() < 3) continue;
+      ++copies[corners];
+      for (std::size_t k = 0; k < 3; ++k)
+        faces_of_edge[{t[k], t[(k + 1) % 3]}].push_back(proper.size());
+      proper.push_back(t);
+    }
+    REQUIRE(found.degenerate_faces == s.triangles.size() - proper.size());
+    REQUIRE(found.duplicate_faces == proper.size() - copies.size());
+    REQUIRE(found.edges == faces_of_edge.size());
+
+    const auto passes = [](const Triangle& t, Index from, Index to) {
+      return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) || (t[2] == from && t[0] == to);
+    };
+    // Whether the two faces of an edge go along it in the same direction, with the given ones turned round.
+    const auto disagree = [&](const std::set<Index>& edge, const std::vector<std::size_t>& f, std::size_t turned) {
+      const Index a = *edge.begin(), b = *edge.rbegin();
+      const bool first = passes(proper[f[0]], a, b) != ((turned >> f[0] & 1U) != 0);
+      return first == (passes(proper[f[1]], a, b) != ((turned >> f[1] & 1U) != 0));
+    };
+    std::size_t boundary = 0, crowded = 0, inconsistent = 0;
+    std::map<Index, std::set<Index>> boundary_of;
+    for (const auto& [edge, f] : faces_of_edge) {
+      boundary += f.size() == 1;
+      crowded += f.size() > 2;
+      inconsistent += f.size() == 2 && disagree(edge, f, 0);
+      if (f.size() != 1) continue;
+      boundary_of[*edge.begin()].insert(*edge.rbegin());
+      boundary_of[*edge.rbegin()].insert(*edge.begin());
+    }
+    REQUIRE(found.boundary_edges == boundary);
+    REQUIRE(found.non_manifold_edges == crowded);
+    REQUIRE(found.inconsistent_edges == inconsistent);
+
+    bool orientable = false;
+    for (std::size_t turned = 0; turned < std::size_t{1} << proper.size() && !orientable; ++turned) {
+      orientable = std::none_of(faces_of_edge.begin(), faces_of_edge.end(), [&](const auto& e) {
+        return e.second.size() == 2 && disagree(e.first, e.second, turned);
+      });
+    }
+    REQUIRE(found.orientable == orientable);
+
+    // Number of connected parts of a graph given by its neighbours.
+    const auto parts = [](const auto& neighbours) {
+      std::size_t count = 0;
+      std::set<Index> seen;
+      for (const auto& [start, unused] : neighbours) {
+        if (!seen.insert(start).second) continue;
+        ++count;
+        std::vector<Index> open{start};
+        while (!open.empty()) {
+          const Index at = open.back();
+          open.pop_back();
+          for (const Index other : neighbours.at(at)) {
+            if (seen.insert(other).second) open.push_back(other);
+          }
+        }
+      }
+      return count;
+    };
+    REQUIRE(found.boundary_loops == parts(boundary_of));
+    std::size_t pinched = 0;
+    for (Index v = 0; v < n; ++v) {
+      std::map<Index, std::set<Index>> fan;  // faces at v, neighbours over edges at v
+      for (std::size_t f = 0; f < proper.size(); ++f) {
+        if (std::count(proper[f].begin(), proper[f].end(), v) > 0) fan[static_cast<Index>(f)];
+      }
+      for (const auto& [edge, f] : faces_of_edge) {
+        if (edge.count(v) == 0) continue;
+        for (const std::size_t a : f) {
+          for (const std::size_t b : f)
+            fan[static_cast<Index>(a)].insert(static_cast<Index>(b));
+        }
+      }
+      pinched += parts(fan) > 1;
+    }
+    REQUIRE(found.non_manifold_vertices == pinched);
+    std::map<Index, std::set<Index>> whole;
+    for (const Triangle& t : s.triangles) {
+      for (const Index v : t)
+        whole[v].insert(t.begin(), t.end());
+    }
+    REQUIRE(found.components == parts(whole));
+    REQUIRE(found.unreferenced_vertices == n - whole.size());
+  }
+}
+
 TEST_CASE("Figures do not depend on the order of vertices, nor on where a surface is and how large") {
   std::mt19937 random(5);
   const Surface original = torus(12, 9, false);
@@ -200,6 +343,22 @@ TEST_CASE("Figures do not depend on the order of vertices, nor on where a surfac
   CHECK(found.genus == expected.genus);
   CHECK(found.area == doctest::Approx(16 * expected.area).epsilon(1e-8));
   CHECK(found.volume == doctest::Approx(64 * expected.volume).epsilon(1e-8));
+}
+
+TEST_CASE("Huge and tiny surfaces are measured as far as doubles reach") {
+  for (const double scale : {1e-100, 1e100, 0x1p-500, 0x1p1000}) {
+    Surface s = octahedron();
+    for (Vector3& p : s.positions)
+      p *= scale;
+    const Topology t = topology_of(s);
+    // A few roundings of each of the eight triangles; infinite is equal to infinite.
+    const auto near = [](double a, double b) { return a == b || std::abs(a - b) <= 1e-14 * b; };
+    CHECK(near(t.area, 4 * std::sqrt(3.0) * scale * scale));
+    CHECK(near(t.volume, 4.0 / 3 * scale * scale * scale));
+    CHECK(t.zero_area_faces == 0);
+    std::swap(s.triangles[0][0], s.triangles[0][1]);
+    CHECK(orient(s.positions, s.triangles, base::Host()).triangles_turned == 1);
+  }
 }
 
 TEST_CASE("Indices out of range and positions that are not finite are refused") {

@@ -1,0 +1,21 @@
+// Bounding box, area and volume, computed relative to the box, so that surfaces that are far from the origin, huge or
+// tiny lose nothing.
+#pragma once
+
+#include <span>
+
+#include "base/host.h"
+#include "mesh/mesh.h"
+
+namespace orbicube::mesh {
+
+struct Measures {
+  Vector3 low = Vector3::Zero(), high = Vector3::Zero();  // bounding box of the triangles
+  double area = 0;
+  double volume = 0;  // enclosed by a closed oriented surface; negative when it looks inward
+};
+
+// O(n). Area and volume beyond the range of double are infinite. Positions must be finite.
+Measures measures(std::span<const Vector3> positions, std::span<const Triangle> triangles, const base::Host& host);
+
+}  // namespace orbicube::mesh
