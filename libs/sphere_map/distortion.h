@@ -15,6 +15,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "mesh/mesh.h"
 
@@ -38,14 +39,17 @@ struct Energy {
   Weights weights;
   double area_scale = 1;    // surface area times this is 4 pi in all
   double uniform_area = 1;  // 4 pi / triangle count
+  double least_area = 0;    // for triangle_shape
 };
 
-// Cotangents of a surface triangle's angles and its area. Degenerate triangles count as very thin ones.
+// Cotangents of a surface triangle's angles and its area.
 struct TriangleShape {
   double cot_p, cot_q, cot_r, area;
 };
 
-inline TriangleShape triangle_shape(const Vector3& p, const Vector3& q, const Vector3& r) {
+// Degenerate triangles count as very thin ones. With `least_area`, each triangle is blended with an equilateral one of
+// that area, so that where surfaces have no area there is something to map.
+inline TriangleShape triangle_shape(const Vector3& p, const Vector3& q, const Vector3& r, double least_area = 0) {
   const Vector3 pq = q - p;
   const Vector3 pr = r - p;
   const Vector3 qr = r - q;
@@ -53,7 +57,15 @@ inline TriangleShape triangle_shape(const Vector3& p, const Vector3& q, const Ve
   const double floor = 1e-7 * squares + std::numeric_limits<double>::min();
   const double twice_area = std::max(pq.cross(pr).norm(), floor);
   const double inverse = 1 / twice_area;
-  return {pq.dot(pr) * inverse, -pq.dot(qr) * inverse, pr.dot(qr) * inverse, 0.5 * twice_area};
+  TriangleShape shape{pq.dot(pr) * inverse, -pq.dot(qr) * inverse, pr.dot(qr) * inverse, 0.5 * twice_area};
+  if (least_area > 0) {
+    shape.area += least_area;
+    const double part = least_area / shape.area;
+    for (double* cotangent : {&shape.cot_p, &shape.cot_q, &shape.cot_r}) {
+      *cotangent += part * (1 / std::numbers::sqrt3 - *cotangent);
+    }
+  }
+  return shape;
 }
 
 // What the energy needs of a spherical triangle. Edges are named by the opposite vertex.

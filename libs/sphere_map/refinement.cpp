@@ -34,7 +34,8 @@ RelaxationLimits limits_of(std::size_t count, std::size_t total) {
 
 class Refiner {
  public:
-  Refiner(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights, const base::Host& host)
+  Refiner(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights, double least_area,
+          const base::Host& host)
       : decimation_(decimation),
         rings_(decimation.rings),
         positions_(positions),
@@ -47,6 +48,7 @@ class Refiner {
         step_scratch_(host.memory),
         kernel_scratch_(host.memory) {
     energy_.weights = weights;
+    energy_.least_area = least_area;
   }
 
   Array<Vector3> run() {
@@ -112,7 +114,7 @@ class Refiner {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Index q = ring[i];
       const Index r = ring[i + 1 < ring.size() ? i + 1 : 0];
-      star_.push_back({q, r, triangle_shape(positions_[v], positions_[q], positions_[r])});
+      star_.push_back({q, r, triangle_shape(positions_[v], positions_[q], positions_[r], energy_.least_area)});
     }
     improve_vertex(energy_, v, star_, directions_, step_scratch_);
   }
@@ -134,8 +136,8 @@ class Refiner {
 }  // namespace
 
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights,
-                      const base::Host& host) {
-  return Refiner(decimation, positions, weights, host).run();
+                      double least_area, const base::Host& host) {
+  return Refiner(decimation, positions, weights, least_area, host).run();
 }
 
 }  // namespace orbicube::sphere_map

@@ -10,7 +10,8 @@ namespace orbicube::sphere_map {
 
 // Directions of all vertices that have a ring at the end; zero for the others. `decimation` is refined to the whole
 // mesh. Throws Error no-valid-result when a kernel is empty, which only rounding can cause.
+// `least_area` is for triangle_shape (distortion.h).
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights,
-                      const base::Host& host);
+                      double least_area, const base::Host& host);
 
 }  // namespace orbicube::sphere_map

@@ -16,7 +16,7 @@ void Level::build(const VertexRings& rings, std::span<const Vector3> positions, 
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Index q = ring[i];
       const Index r = ring[i + 1 < ring.size() ? i + 1 : 0];
-      stars.push_back({q, r, triangle_shape(positions[v], positions[q], positions[r])});
+      stars.push_back({q, r, triangle_shape(positions[v], positions[q], positions[r], energy.least_area)});
       area += stars.back().shape.area / 3;
     }
   }

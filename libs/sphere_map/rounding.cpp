@@ -146,6 +146,16 @@ class Repairer {
 
 }  // namespace
 
+// GCC 12 drops the rounding of two coordinates at once: it takes double -> float -> double of a vector for nothing. The
+// volatile variable keeps them apart.
+Vector3 rounded_to_float(const Vector3& d) {
+  const auto round = [](double x) {
+    const volatile float rounded = static_cast<float>(x);
+    return static_cast<double>(rounded);
+  };
+  return {round(d.x()), round(d.y()), round(d.z())};
+}
+
 RoundedMap round_and_repair(std::span<const Triangle> triangles, std::span<const Vector3> directions,
                             const Store& store, double slack, const base::Host& host) {
   RoundedMap result(host.memory);
@@ -181,7 +191,7 @@ Array<Vector3> round_to_float(std::span<const Triangle> triangles, std::span<con
     for (Triangle& t : positive)
       std::swap(t[1], t[2]);
   }
-  const Store to_float = [](Index, const Vector3& d) -> Vector3 { return d.cast<float>().cast<double>(); };
+  const Store to_float = [](Index, const Vector3& d) { return rounded_to_float(d); };
   RoundedMap map = round_and_repair(positive, directions, to_float, 0, host);
   if (map.not_positive > 0) {
     throw base::Error("no-valid-result",

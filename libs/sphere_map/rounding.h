@@ -18,6 +18,9 @@ using mesh::Vector3;
 // What a direction becomes when vertex `vertex` is stored and loaded again. Must be deterministic and near `direction`.
 using Store = std::function<Vector3(Index vertex, const Vector3& direction)>;
 
+// Each coordinate rounded to the nearest float32.
+Vector3 rounded_to_float(const Vector3& direction);
+
 struct RoundedMap {
   explicit RoundedMap(std::pmr::memory_resource* memory) : directions(memory) {}
 

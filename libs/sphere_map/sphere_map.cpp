@@ -1,6 +1,8 @@
 #include "sphere_map/sphere_map.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -38,33 +40,37 @@ Weights weights_of(const Options& options) {
       w.dilatation_2 = 1e-3 * scale;
       return w;
     case Method::isometric:
+      // D is 2 AT (s1^2 + s2^2) and D AT^2 / M is AT (s1^-2 + s2^-2) / 2 for singular values s1, s2.
       w.angle = 1;
-      w.isometric = 1;
+      w.isometric = 4;
       w.dilatation_2 = 1e-3;
       return w;
   }
   throw base::Error("invalid-argument", "unknown method");
 }
 
-double signed_volume(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
-  double sum = 0;
-  for (const Triangle& t : triangles)
-    sum += positions[t[0]].dot(positions[t[1]].cross(positions[t[2]]));
-  return sum / 6;
+double total_area(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
+  double twice = 0;
+  for (const Triangle& t : triangles) {
+    twice += (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm();
+  }
+  return 0.5 * twice;
 }
 
 // A kernel can become too small for double precision where the surface has triangles without area. Another order of
-// decimation and a stronger barrier get past that.
+// decimation and a stronger barrier get past that, or else triangles that count as having some area, in the end all
+// alike: maps of that kind exist for every surface (Tutte 1963).
 Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                                Weights weights, std::uint64_t seed, const base::Host& host) {
-  constexpr int attempts = 4;
-  for (int attempt = 1;; ++attempt) {
+                                double surface_area, Weights weights, std::uint64_t seed, const base::Host& host) {
+  const double mean_area = surface_area / static_cast<double>(triangles.size());
+  const std::array least_areas = {0.0, 0.0, 1e-2, 1.0, 1e3};  // times the mean area
+  for (std::size_t attempt = 0;; ++attempt) {
     try {
       Decimation decimation =
           decimate(positions, triangles, VertexRings(positions.size(), triangles, host.memory), seed, host);
-      return refine(decimation, positions, weights, host);
+      return refine(decimation, positions, weights, least_areas[attempt] * mean_area, host);
     } catch (const base::Error& e) {
-      if (e.status() != base::Status::no_valid_result || attempt == attempts) throw;
+      if (e.status() != base::Status::no_valid_result || attempt + 1 == least_areas.size()) throw;
       host.log(std::string("trying again: ") + e.what());
     }
     seed += 0x1000;
@@ -79,17 +85,18 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
                        const base::Host& host) {
   const Weights weights = weights_of(options);
-  mesh::require_closed_genus_zero(mesh::topology(positions, triangles, host));
+  const mesh::Topology facts = mesh::topology(positions, triangles, host);
+  mesh::require_closed_genus_zero(facts);
   const Array<Vector3> unit = normalised(positions, host.memory);
 
   // Inward surfaces are mapped as they look from outside.
   Array<Triangle> outward(triangles.begin(), triangles.end(), host.memory);
-  if (signed_volume(unit, outward) < 0) {
+  if (facts.volume < 0) {
     for (Triangle& t : outward)
       std::swap(t[1], t[2]);
   }
 
-  Array<Vector3> directions = map_with_retries(unit, outward, weights, options.seed, host);
+  Array<Vector3> directions = map_with_retries(unit, outward, total_area(unit, outward), weights, options.seed, host);
   for (std::size_t v = 0; v < directions.size(); ++v) {
     if (directions[v] == Vector3::Zero()) {  // in no triangle
       directions[v] = unit[v].norm() > 0 ? unit[v].normalized() : Vector3::UnitZ();

@@ -44,7 +44,7 @@ class VertexRings {
   // Whether the two are joined by an edge. Takes as long as the shorter of their rings.
   bool adjacent(Index a, Index b) const;
 
-  // Removes collapse.removed. Its ring must be in `ring`, starting with collapse.kept.
+  // Removes collapse.removed, which keeps its own ring. It must be in `ring`, starting with collapse.kept.
   void collapse(const Collapse& collapse, std::span<const Index> ring);
 
   // Undoes collapse(): the latest one that has not been undone yet.

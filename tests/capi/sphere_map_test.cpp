@@ -1,0 +1,188 @@
+// The C functions of sphere_map: what they promise about arguments, memory, cancelling and threads. What the maps are
+// worth is tested in tests/sphere_map/.
+#include "orbicube/sphere_map.h"
+
+#include <doctest/doctest.h>
+
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "failing_allocations.h"
+
+using namespace orbicube;
+
+namespace {
+
+struct Shape {
+  std::vector<double> positions;
+  std::vector<std::uint32_t> triangles;
+
+  obc_surface surface() const {
+    return {positions.data(), positions.size() / 3, triangles.data(), triangles.size() / 3};
+  }
+};
+
+// An octahedron, each triangle split in four `levels` times, stretched along z with a bump.
+Shape stretched_octahedron(int levels) {
+  Shape shape{{1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
+              {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}};
+  for (int level = 0; level < levels; ++level) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
+    const auto middle = [&](std::uint32_t a, std::uint32_t b) {
+      const auto [entry, is_new] =
+          middles.try_emplace(std::minmax(a, b), static_cast<std::uint32_t>(shape.positions.size() / 3));
+      if (is_new) {
+        for (std::size_t k = 0; k < 3; ++k) {
+          shape.positions.push_back((shape.positions[3 * a + k] + shape.positions[3 * b + k]) / 2);
+        }
+      }
+      return entry->second;
+    };
+    std::vector<std::uint32_t> finer;
+    for (std::size_t t = 0; t < shape.triangles.size(); t += 3) {
+      const std::uint32_t a = shape.triangles[t];
+      const std::uint32_t b = shape.triangles[t + 1];
+      const std::uint32_t c = shape.triangles[t + 2];
+      const std::uint32_t ab = middle(a, b);
+      const std::uint32_t bc = middle(b, c);
+      const std::uint32_t ca = middle(c, a);
+      finer.insert(finer.end(), {a, ab, ca, ab, b, bc, ca, bc, c, ab, bc, ca});
+    }
+    shape.triangles = finer;
+  }
+  for (std::size_t i = 0; i < shape.positions.size(); i += 3) {
+    double* p = &shape.positions[i];
+    p[2] = 2 * p[2] + 0.5 * std::exp(-10 * ((p[0] - 0.5) * (p[0] - 0.5) + p[1] * p[1]));
+  }
+  return shape;
+}
+
+obc_status compute(const Shape& shape, const obc_host* host, double* directions, obc_error* error = nullptr) {
+  const obc_surface surface = shape.surface();
+  return obc_sphere_map_compute(&surface, nullptr, host, directions, nullptr, error);
+}
+
+}  // namespace
+
+TEST_CASE("A map computed through C is a bijection and its report agrees with measuring it again") {
+  const Shape shape = stretched_octahedron(3);
+  const obc_surface surface = shape.surface();
+  std::vector<double> directions(shape.positions.size());
+  obc_sphere_map_report report;
+  obc_sphere_map_report measured;
+  obc_error error;
+  REQUIRE(obc_sphere_map_report_init(&report, sizeof report) == OBC_OK);
+  REQUIRE(obc_sphere_map_report_init(&measured, sizeof measured) == OBC_OK);
+  REQUIRE(obc_sphere_map_compute(&surface, nullptr, nullptr, directions.data(), &report, &error) == OBC_OK);
+  CHECK(error.status == OBC_OK);
+  CHECK(report.bijective == 1);
+  CHECK(report.flipped == 0);
+  for (std::size_t i = 0; i < directions.size(); i += 3) {
+    CHECK(std::hypot(directions[i], directions[i + 1], directions[i + 2]) == doctest::Approx(1).epsilon(1e-15));
+  }
+  REQUIRE(obc_sphere_map_measure(&surface, directions.data(), nullptr, nullptr, &measured, &error) == OBC_OK);
+  CHECK(measured.bijective == 1);
+  CHECK(measured.energy == doctest::Approx(report.energy).epsilon(1e-12));
+
+  std::vector<float> rounded(directions.size());
+  REQUIRE(obc_sphere_map_round_to_float(&surface, directions.data(), nullptr, rounded.data(), &error) == OBC_OK);
+  const std::vector<double> again(rounded.begin(), rounded.end());
+  REQUIRE(obc_sphere_map_measure(&surface, again.data(), nullptr, nullptr, &measured, &error) == OBC_OK);
+  CHECK(measured.bijective == 1);
+}
+
+TEST_CASE("Wrong arguments are answered, not followed") {
+  const Shape shape = stretched_octahedron(1);
+  std::vector<double> directions(shape.positions.size());
+  obc_error error;
+  obc_surface surface = shape.surface();
+  CHECK(obc_sphere_map_compute(nullptr, nullptr, nullptr, directions.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_sphere_map_compute(&surface, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  surface.positions = nullptr;
+  CHECK(obc_sphere_map_compute(&surface, nullptr, nullptr, directions.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(error.status == OBC_INVALID_ARGUMENT);
+  CHECK(std::strlen(error.message) > 0);
+
+  Shape wrong = shape;
+  wrong.triangles[4] = static_cast<std::uint32_t>(shape.positions.size());
+  CHECK(compute(wrong, nullptr, directions.data()) == OBC_INVALID_ARGUMENT);
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    wrong = shape;
+    wrong.positions[7] = bad;
+    CHECK(compute(wrong, nullptr, directions.data()) == OBC_INVALID_ARGUMENT);
+  }
+  wrong = shape;
+  wrong.triangles.resize(wrong.triangles.size() - 3);
+  CHECK(compute(wrong, nullptr, directions.data()) == OBC_NOT_CLOSED);
+
+  obc_sphere_map_options options;
+  CHECK(obc_sphere_map_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
+  REQUIRE(obc_sphere_map_options_init(&options, sizeof options) == OBC_OK);
+  options.method = 1000;
+  surface = shape.surface();
+  CHECK(obc_sphere_map_compute(&surface, &options, nullptr, directions.data(), nullptr, &error) ==
+        OBC_INVALID_ARGUMENT);
+}
+
+TEST_CASE("Each allocation of a map fails in turn and nothing is leaked") {
+  const Shape shape = stretched_octahedron(1);
+  const obc_surface surface = shape.surface();
+  std::vector<double> directions(shape.positions.size());
+  std::vector<float> rounded(directions.size());
+  std::vector<double> per_face(surface.triangle_count);
+  const test::Outcome computing =
+      test::fail_each_allocation([&](const obc_host& host) { return compute(shape, &host, directions.data()); });
+  CHECK(computing.problem == "");
+  CHECK(computing.runs > 5);
+  CHECK(test::fail_each_allocation([&](const obc_host& host) {
+          obc_sphere_map_report report;
+          obc_sphere_map_report_init(&report, sizeof report);
+          return obc_sphere_map_measure(&surface, directions.data(), nullptr, &host, &report, nullptr);
+        }).problem == "");
+  CHECK(test::fail_each_allocation([&](const obc_host& host) {
+          return obc_sphere_map_round_to_float(&surface, directions.data(), &host, rounded.data(), nullptr);
+        }).problem == "");
+  CHECK(test::fail_each_allocation([&](const obc_host& host) {
+          return obc_sphere_map_face_distortion(&surface, directions.data(), &host, per_face.data(), nullptr, nullptr);
+        }).problem == "");
+}
+
+TEST_CASE("A map is cancelled at each of its reports") {
+  const Shape shape = stretched_octahedron(4);
+  std::vector<double> directions(shape.positions.size());
+  const test::Outcome outcome =
+      test::cancel_everywhere([&](const obc_host& host) { return compute(shape, &host, directions.data()); }, 8);
+  CHECK(outcome.problem == "");
+  CHECK(outcome.runs > 2);
+}
+
+TEST_CASE("Maps are the same bits on any number of threads and beside other maps") {
+  const Shape shape = stretched_octahedron(3);
+  obc_host host;
+  obc_host_init(&host, sizeof host);
+  host.thread_count = 1;
+  std::vector<double> alone(shape.positions.size());
+  REQUIRE(compute(shape, &host, alone.data()) == OBC_OK);
+
+  std::atomic<int> equal{0};
+  std::vector<std::thread> threads;
+  for (std::uint32_t count = 1; count <= 4; ++count) {
+    threads.emplace_back([&, count] {
+      obc_host own = host;
+      own.thread_count = count;
+      std::vector<double> directions(shape.positions.size());
+      const bool done = compute(shape, &own, directions.data()) == OBC_OK;
+      if (done && std::memcmp(directions.data(), alone.data(), alone.size() * sizeof(double)) == 0) ++equal;
+    });
+  }
+  for (std::thread& thread : threads)
+    thread.join();
+  CHECK(equal == 4);
+}
