@@ -1,0 +1,128 @@
+// Reads the results as packed_mesh.cpp wrote them.
+
+function bytesOf(base64) {
+  const binary = atob(base64);
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+// The walk over the triangles, see walk() in packed_mesh.cpp.
+function trianglesOf(codes, triangleCount) {
+  const triangles = new Uint32Array(3 * triangleCount);
+  const from = new Uint32Array(3 * triangleCount);  // the queue of edges, from start to end
+  const to = new Uint32Array(3 * triangleCount);
+  let read = 0, vertices = 0, written = 0, first = 0, last = 0;
+  const number = () => {
+    let value = 0;
+    for (let shift = 0; ; shift += 7) {
+      const byte = codes[read++];
+      value |= (byte & 127) << shift;
+      if (byte < 128) return value;
+    }
+  };
+  const corner = code => (code === 1 ? vertices++ : vertices - (code - 1));
+  const push = (start, end) => {
+    from[last] = start;
+    to[last++] = end;
+  };
+  const add = (a, b, c) => {
+    triangles[written++] = a;
+    triangles[written++] = b;
+    triangles[written++] = c;
+  };
+  while (written < triangles.length) {
+    if (first === last) {
+      const a = corner(number()), b = corner(number()), c = corner(number());
+      add(a, b, c);
+      push(a, b);
+      push(b, c);
+      push(c, a);
+    }
+    while (first < last && written < triangles.length) {
+      const start = from[first], end = to[first++];
+      const code = number();
+      if (code === 0) continue;
+      const third = corner(code);
+      add(end, start, third);
+      push(start, third);
+      push(third, end);
+    }
+  }
+  return triangles;
+}
+
+// Four floats a vertex, as a texture takes them. The shape's bounding sphere is a little larger than the
+// unit sphere, which no shape fills so well.
+function positionsOf(result) {
+  const bytes = bytesOf(result.positions);
+  const raw = new Float64Array(3 * result.vertices);
+  for (let i = 0; i < raw.length; ++i) raw[i] = bytes[2 * i] | bytes[2 * i + 1] << 8;
+  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
+  for (let i = 0; i < raw.length; ++i) {
+    low[i % 3] = Math.min(low[i % 3], raw[i]);
+    high[i % 3] = Math.max(high[i % 3], raw[i]);
+  }
+  const centre = low.map((value, k) => (value + high[k]) / 2);
+  let radius = 0;
+  for (let i = 0; i < raw.length; i += 3) {
+    radius = Math.max(radius, Math.hypot(raw[i] - centre[0], raw[i + 1] - centre[1], raw[i + 2] - centre[2]));
+  }
+  const positions = new Float32Array(4 * result.vertices);
+  for (let i = 0; i < raw.length; ++i) {
+    positions[4 * Math.floor(i / 3) + i % 3] = 1.15 * (raw[i] - centre[i % 3]) / (radius || 1);
+  }
+  return positions;
+}
+
+function directionsOf(result) {
+  const bytes = bytesOf(result.directions);
+  const directions = new Float32Array(4 * result.vertices);
+  const coordinate = at => 2 * (bytes[at] | bytes[at + 1] << 8 | bytes[at + 2] << 16) / 0xffffff - 1;
+  for (let v = 0; v < result.vertices; ++v) {
+    let x = coordinate(6 * v), y = coordinate(6 * v + 3);
+    const z = 1 - Math.abs(x) - Math.abs(y);
+    if (z < 0) {
+      const folded = (1 - Math.abs(y)) * (x < 0 ? -1 : 1);
+      y = (1 - Math.abs(x)) * (y < 0 ? -1 : 1);
+      x = folded;
+    }
+    const length = Math.hypot(x, y, z);
+    directions.set([x / length, y / length, z / length], 4 * v);
+  }
+  return directions;
+}
+
+// Normals of the vertices, the mean over their triangles weighted by area.
+function normalsOf(positions, triangles) {
+  const normals = new Float32Array(positions.length);
+  for (let i = 0; i < triangles.length; i += 3) {
+    const a = 4 * triangles[i], b = 4 * triangles[i + 1], c = 4 * triangles[i + 2];
+    const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a], vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    for (const v of [a, b, c]) {
+      normals[v] += uy * vz - uz * vy;
+      normals[v + 1] += uz * vx - ux * vz;
+      normals[v + 2] += ux * vy - uy * vx;
+    }
+  }
+  for (let v = 0; v < normals.length; v += 4) {
+    const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]) || 1;
+    for (let k = 0; k < 3; ++k) normals[v + k] /= length;
+  }
+  return normals;
+}
+
+function meshOf(result) {
+  const triangles = trianglesOf(bytesOf(result.connections), result.triangles);
+  const positions = positionsOf(result);
+  const dilatation = bytesOf(result.dilatation), area = bytesOf(result.areaRatio);
+  const levels = new Uint8Array(2 * result.triangles);
+  for (let t = 0; t < result.triangles; ++t) {
+    levels[2 * t] = dilatation[t];
+    levels[2 * t + 1] = area[t];
+  }
+  return {triangles, positions, directions: directionsOf(result), normals: normalsOf(positions, triangles), levels};
+}

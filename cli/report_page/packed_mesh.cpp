@@ -1,0 +1,242 @@
+#include "report_page/packed_mesh.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "base/error.h"
+#include "base/host.h"
+#include "mesh/edge_table.h"
+
+namespace orbicube::cli {
+namespace {
+
+using mesh::Index;
+using mesh::Triangle;
+using mesh::Vector3;
+
+void check(const PageResult& result) {
+  const auto fail = [&](const std::string& what) {
+    throw base::Error("invalid-argument", "result " + result.name + ": " + what);
+  };
+  if (result.triangles.empty()) fail("no triangle");
+  if (result.directions.size() != result.positions.size()) fail("not as many directions as positions");
+  if (result.dilatation.size() != result.triangles.size() || result.area_ratio.size() != result.triangles.size()) {
+    fail("not as many distortions as triangles");
+  }
+  for (const Triangle& triangle : result.triangles) {
+    for (const Index corner : triangle) {
+      if (corner >= result.positions.size()) fail("triangle index " + std::to_string(corner) + " out of range");
+    }
+  }
+}
+
+std::string base64(std::span<const std::uint8_t> bytes) {
+  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      group = group << 8U | (k < count ? bytes[i + k] : 0U);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
+  }
+  return text;
+}
+
+void append_number(std::vector<std::uint8_t>& bytes, double value, int byte_count) {
+  const auto number = static_cast<std::uint32_t>(value);
+  for (int k = 0; k < byte_count; ++k)
+    bytes.push_back(static_cast<std::uint8_t>(number >> (8 * k) & 255U));
+}
+
+void append_varying(std::vector<std::uint8_t>& bytes, std::uint32_t number) {
+  for (; number >= 128; number >>= 7U)
+    bytes.push_back(static_cast<std::uint8_t>(number | 128U));
+  bytes.push_back(static_cast<std::uint8_t>(number));
+}
+
+// For each half-edge the one that runs back along the same edge, where exactly one other does.
+std::vector<Index> twins(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  std::vector<Index> twin(3 * triangles.size(), mesh::no_index);
+  const mesh::EdgeTable edges(vertex_count, triangles, base::Host());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const std::span<const Index> sides = edges.half_edges(edge);
+    if (sides.size() != 2 || mesh::start_of(triangles, sides[0]) == mesh::start_of(triangles, sides[1])) continue;
+    twin[sides[0]] = sides[1];
+    twin[sides[1]] = sides[0];
+  }
+  return twin;
+}
+
+struct Walk {
+  std::vector<Index> vertices;   // in the order in which they are met
+  std::vector<Index> triangles;  // likewise
+  std::vector<std::uint8_t> codes;
+};
+
+// Walks over the triangles across their edges, breadth first, and writes down what a reader cannot foresee. Each part
+// of the surface starts with a triangle: its three corners; its edges wait in a queue. Then for the next waiting edge:
+// 0 when no new triangle lies across it, or else the new triangle's third corner; its other two edges join the queue.
+// A corner is 1 when it was not met before and takes the next number; otherwise 2 plus how many vertices were met
+// since.
+Walk walk(std::size_t vertex_count, std::span<const Triangle> triangles) {
+  Walk result;
+  const std::vector<Index> twin = twins(vertex_count, triangles);
+  std::vector<Index> number(vertex_count, mesh::no_index);
+  std::vector<bool> visited(triangles.size(), false);
+  std::deque<Index> waiting;
+  const auto write_corner = [&](Index vertex) {
+    if (number[vertex] == mesh::no_index) {
+      number[vertex] = static_cast<Index>(result.vertices.size());
+      result.vertices.push_back(vertex);
+      append_varying(result.codes, 1);
+    } else {
+      append_varying(result.codes, static_cast<Index>(result.vertices.size()) - number[vertex] + 1);
+    }
+  };
+  const auto visit = [&](Index triangle) {
+    visited[triangle] = true;
+    result.triangles.push_back(triangle);
+  };
+  for (Index seed = 0; seed < triangles.size(); ++seed) {
+    if (visited[seed]) continue;
+    visit(seed);
+    for (Index k = 0; k < 3; ++k) {
+      write_corner(triangles[seed][k]);
+      waiting.push_back(3 * seed + k);
+    }
+    while (!waiting.empty()) {
+      const Index across = twin[waiting.front()];
+      waiting.pop_front();
+      if (across == mesh::no_index || visited[mesh::triangle_of(across)]) {
+        append_varying(result.codes, 0);
+        continue;
+      }
+      visit(mesh::triangle_of(across));
+      const Index second = mesh::next_in_triangle(across);
+      const Index third = mesh::next_in_triangle(second);
+      write_corner(mesh::start_of(triangles, third));
+      waiting.push_back(second);
+      waiting.push_back(third);
+    }
+  }
+  return result;
+}
+
+double area_of(const PageResult& result, const Triangle& t) {
+  const auto& p = result.positions;
+  return 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
+}
+
+// The rotation that brings the directions nearest to the vertices seen from the shape's centroid, in the mean over the
+// shape's area (Kabsch 1976).
+Eigen::Matrix3d facing_rotation(const PageResult& result) {
+  std::vector<double> weight(result.positions.size(), 0);
+  Vector3 centroid = Vector3::Zero();
+  double area = 0;
+  for (const Triangle& t : result.triangles) {
+    const double a = area_of(result, t);
+    for (const Index corner : t) {
+      weight[corner] += a / 3;
+      centroid += a / 3 * result.positions[corner];
+    }
+    area += a;
+  }
+  if (!(area > 0) || !std::isfinite(area)) return Eigen::Matrix3d::Identity();
+  centroid /= area;
+  Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
+  for (std::size_t v = 0; v < weight.size(); ++v) {
+    correlation += weight[v] / area * (result.positions[v] - centroid) * result.directions[v].transpose();
+  }
+  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Vector3 handed = Vector3::Ones();
+  handed.z() = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
+  return svd.matrixU() * handed.asDiagonal() * svd.matrixV().transpose();
+}
+
+void append_direction(std::vector<std::uint8_t>& bytes, const Vector3& direction) {
+  constexpr double largest = (1 << 24) - 1;
+  const Vector3 p = direction / direction.lpNorm<1>();
+  double u = p.x();
+  double v = p.y();
+  if (p.z() < 0) {
+    u = std::copysign(1 - std::abs(p.y()), p.x());
+    v = std::copysign(1 - std::abs(p.x()), p.y());
+  }
+  for (const double coordinate : {u, v}) {
+    append_number(bytes, std::round(std::clamp(0.5 * (coordinate + 1), 0.0, 1.0) * largest), 3);
+  }
+}
+
+std::uint8_t dilatation_level(double dilatation) {
+  if (!(dilatation >= 0) || std::isinf(dilatation)) return no_dilatation_level;
+  const double level = dilatation_levels_per_octave * std::log2(std::max(dilatation, 1.0));
+  return static_cast<std::uint8_t>(std::lround(std::min(level, no_dilatation_level - 1.0)));
+}
+
+std::uint8_t area_level(double ratio) {
+  if (!(ratio > 0) || std::isinf(ratio)) return no_area_level;
+  const double level = area_level_of_one + area_levels_per_octave * std::log2(ratio);
+  return static_cast<std::uint8_t>(std::lround(std::clamp(level, no_area_level + 1.0, 255.0)));
+}
+
+}  // namespace
+
+PackedMesh pack(const PageResult& result) {
+  check(result);
+  const Walk order = walk(result.positions.size(), result.triangles);
+  PackedMesh packed;
+  packed.vertices = order.vertices.size();
+  packed.triangles = order.triangles.size();
+  packed.connections = base64(order.codes);
+
+  packed.low = result.positions[order.vertices.front()];
+  Vector3 high = packed.low;
+  for (const Index v : order.vertices) {
+    packed.low = packed.low.cwiseMin(result.positions[v]);
+    high = high.cwiseMax(result.positions[v]);
+  }
+  constexpr double largest = (1 << 16) - 1;
+  packed.step = (high - packed.low).maxCoeff() / largest;
+  if (!(packed.step > 0)) packed.step = 1;
+  const Eigen::Matrix3d facing = facing_rotation(result);
+  std::vector<std::uint8_t> positions;
+  std::vector<std::uint8_t> directions;
+  for (const Index v : order.vertices) {
+    const Vector3 steps = (result.positions[v] - packed.low) / packed.step;
+    for (const double coordinate : steps)
+      append_number(positions, std::round(std::min(coordinate, largest)), 2);
+    append_direction(directions, facing * result.directions[v]);
+  }
+  packed.positions = base64(positions);
+  packed.directions = base64(directions);
+
+  std::vector<std::uint8_t> dilatation;
+  std::vector<std::uint8_t> area_ratio;
+  double total = 0;
+  for (const Index t : order.triangles) {
+    dilatation.push_back(dilatation_level(result.dilatation[t]));
+    area_ratio.push_back(area_level(result.area_ratio[t]));
+    const double area = area_of(result, result.triangles[t]);
+    packed.dilatation_share[dilatation.back()] += area;
+    packed.area_ratio_share[area_ratio.back()] += area;
+    total += area;
+  }
+  if (total > 0) {
+    for (double& share : packed.dilatation_share)
+      share /= total;
+    for (double& share : packed.area_ratio_share)
+      share /= total;
+  }
+  packed.dilatation = base64(dilatation);
+  packed.area_ratio = base64(area_ratio);
+  return packed;
+}
+
+}  // namespace orbicube::cli
