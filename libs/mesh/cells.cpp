@@ -114,7 +114,7 @@ struct Defect {
     if (count++ == 0) first = describe();
   }
   void refuse(const char* kind, const char* what) const {
-    if (count > 0) throw base::Error(kind, std::to_string(count) + " " + what + "; first " + first);
+    if (count > 0) throw base::Error(kind, std::string(what) + ": " + std::to_string(count) + "; first " + first);
   }
 };
 
