@@ -12,6 +12,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json json_of(const Levels& levels) {
+  return {{"zero", levels.zero}, {"span", levels.span}, {"octaves", levels.octaves}, {"none", levels.none}};
+}
+
 Json json_of(const PageResult& result) {
   PackedMesh mesh = pack(result);
   Json figures = Json::array();
@@ -72,12 +76,7 @@ std::string script_text(const Json& json) {
 
 std::string report_page(std::span<const PageResult> results, const std::string& title) {
   if (results.empty()) throw base::Error("invalid-argument", "no result for the page");
-  Json data = {{"levels",
-                {{"dilatationPerOctave", dilatation_levels_per_octave},
-                 {"noDilatation", no_dilatation_level},
-                 {"areaPerOctave", area_levels_per_octave},
-                 {"areaOfOne", area_level_of_one},
-                 {"noArea", no_area_level}}},
+  Json data = {{"levels", {{"dilatation", json_of(dilatation_levels)}, {"area", json_of(area_levels)}}},
                {"results", Json::array()}};
   for (const PageResult& result : results)
     data["results"].push_back(json_of(result));

@@ -18,7 +18,7 @@ function binned(quantity, result, range, count) {
   const place = octaves => Math.min(count, Math.max(0, (octaves - low) / (high - low) * count));
   for (let level = 0; level < 256; ++level) {
     if (level === quantity.noLevel || share[level] === 0) continue;
-    const [start, end] = quantity.levelEdges(level).map(place);
+    const [start, end] = [level - 0.5, level + 0.5].map(edge => place(quantity.octaves(edge)));
     if (end - start < 1e-9) {
       bins[Math.min(count - 1, Math.floor(start))] += share[level];
       continue;

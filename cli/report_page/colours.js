@@ -28,31 +28,32 @@ function colourMap(stops) {
 
 const cssColour = ([red, green, blue]) => `rgb(${red},${green},${blue})`;
 
-// A quantity: its values by level, where they stand on a colour scale of a given range, and its colours.
-// Values of scale: a range r stands for 1 to r (dilatation) or 1/r to r (area ratio), logarithmic.
+// The two quantities: a result's shares of area by level, the part of a colour scale's range that they use (a range r
+// stands for 1 to r or 1/r to r, in octaves), colours, and what values the levels stand for (packed_mesh.h).
 function quantitiesOf(levels) {
-  const dilatation = {
-    title: "Dilatation",
-    share: result => result.dilatationShare,
-    noLevel: levels.noDilatation,
-    octaves: level => level / levels.dilatationPerOctave,
-    bounds: range => [0, Math.log2(range)],
-    levelEdges: level => [Math.max(0, level - 0.5), level + 0.5].map(edge => edge / levels.dilatationPerOctave),
-    colours: colourMap([[0.95, 0.025, 110], [0.87, 0.11, 92], [0.74, 0.16, 55], [0.58, 0.19, 20], [0.42, 0.16, 345],
-                        [0.27, 0.1, 300]]),
+  const quantity = (coding, more) => {
+    const octaves = level => {
+      const part = (level - coding.zero) / coding.span;
+      return coding.octaves * part * Math.abs(part);
+    };
+    return {coding, octaves, noLevel: coding.none, ...more};
   };
-  const octavesOfArea = level => (level - levels.areaOfOne) / levels.areaPerOctave;
-  const area = {
-    title: "Area ratio",
-    share: result => result.areaRatioShare,
-    noLevel: levels.noArea,
-    octaves: octavesOfArea,
-    bounds: range => [-Math.log2(range), Math.log2(range)],
-    levelEdges: level => [octavesOfArea(level - 0.5), octavesOfArea(level + 0.5)],
-    colours: colourMap([[0.33, 0.13, 265], [0.55, 0.13, 250], [0.77, 0.085, 230], [0.955, 0.008, 100],
-                        [0.8, 0.11, 70], [0.6, 0.16, 40], [0.36, 0.13, 25]]),
+  return {
+    dilatation: quantity(levels.dilatation, {
+      title: "Dilatation",
+      share: result => result.dilatationShare,
+      bounds: range => [0, Math.log2(range)],
+      colours: colourMap([[0.95, 0.025, 110], [0.87, 0.11, 92], [0.74, 0.16, 55], [0.58, 0.19, 20], [0.42, 0.16, 345],
+                          [0.27, 0.1, 300]]),
+    }),
+    area: quantity(levels.area, {
+      title: "Area ratio",
+      share: result => result.areaRatioShare,
+      bounds: range => [-Math.log2(range), Math.log2(range)],
+      colours: colourMap([[0.33, 0.13, 265], [0.55, 0.13, 250], [0.77, 0.085, 230], [0.955, 0.008, 100],
+                          [0.8, 0.11, 70], [0.6, 0.16, 40], [0.36, 0.13, 25]]),
+    }),
   };
-  return {dilatation, area};
 }
 
 const scaleRanges = [1.25, 1.5, 2, 3, 4, 6, 8, 12, 16, 32, 64, 128];

@@ -174,16 +174,11 @@ void append_direction(std::vector<std::uint8_t>& bytes, const Vector3& direction
   }
 }
 
-std::uint8_t dilatation_level(double dilatation) {
-  if (!(dilatation >= 0) || std::isinf(dilatation)) return no_dilatation_level;
-  const double level = dilatation_levels_per_octave * std::log2(std::max(dilatation, 1.0));
-  return static_cast<std::uint8_t>(std::lround(std::min(level, no_dilatation_level - 1.0)));
-}
-
-std::uint8_t area_level(double ratio) {
-  if (!(ratio > 0) || std::isinf(ratio)) return no_area_level;
-  const double level = area_level_of_one + area_levels_per_octave * std::log2(ratio);
-  return static_cast<std::uint8_t>(std::lround(std::clamp(level, no_area_level + 1.0, 255.0)));
+std::uint8_t level_of(const Levels& levels, double value) {
+  if (!(value > 0) || std::isinf(value)) return levels.none;
+  const double octaves = std::log2(value) / levels.octaves;
+  const double level = levels.zero + levels.span * std::copysign(std::sqrt(std::abs(octaves)), octaves);
+  return static_cast<std::uint8_t>(std::lround(std::clamp<double>(level, levels.least, levels.most)));
 }
 
 }  // namespace
@@ -221,8 +216,8 @@ PackedMesh pack(const PageResult& result) {
   std::vector<std::uint8_t> area_ratio;
   double total = 0;
   for (const Index t : order.triangles) {
-    dilatation.push_back(dilatation_level(result.dilatation[t]));
-    area_ratio.push_back(area_level(result.area_ratio[t]));
+    dilatation.push_back(level_of(dilatation_levels, result.dilatation[t]));
+    area_ratio.push_back(level_of(area_levels, result.area_ratio[t]));
     const double area = area_of(result, result.triangles[t]);
     packed.dilatation_share[dilatation.back()] += area;
     packed.area_ratio_share[area_ratio.back()] += area;

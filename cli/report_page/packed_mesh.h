@@ -3,18 +3,25 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 
 #include "report_page.h"
 
 namespace orbicube::cli {
 
-// Levels of a triangle's distortion: one byte each, logarithmic, so that every colour scale can be made from them.
-inline constexpr double dilatation_levels_per_octave = 32;  // level 0 is dilatation 1
-inline constexpr double area_levels_per_octave = 10;        // level 128 is area ratio 1
-inline constexpr std::size_t area_level_of_one = 128;
-inline constexpr std::size_t no_dilatation_level = 255;  // of triangles without area on the shape
-inline constexpr std::size_t no_area_level = 0;
+// How a triangle's distortion becomes a level, one byte, from which every colour scale can be made. With
+// s = (level - zero) / span from -1 to 1, the level stands for the value 2^(octaves s |s|): finest near 1.
+struct Levels {
+  double zero;         // the level of value 1
+  double span;         // levels from there to the end
+  double octaves;      // of the last level
+  std::uint8_t least;  // the levels in use
+  std::uint8_t most;
+  std::uint8_t none;  // the level of triangles without a value
+};
+inline constexpr Levels dilatation_levels{0, 254, 8, 0, 254, 255};
+inline constexpr Levels area_levels{128, 127, 12, 1, 255, 0};
 
 struct PackedMesh {
   std::size_t vertices = 0;   // those of a triangle; the others are left out

@@ -10,8 +10,8 @@
   const firstTurn = () => preset.get("turn")?.split(",").map(Number) ?? [0.122, 0.257, 0.033, 0.958];
   const chosenRange = {dilatation: 0, area: 0};  // 0: automatic
   const state = {turn: firstTurn(), zoom: Number(preset.get("zoom")) || 1, shifts: [[0, 0], [0, 0]],
-                 morph: Number(preset.get("morph")) || 0, mode: "dilatation", scale: [0, 0, 0],
-                 edges: preset.has("edges")};
+                 morph: Number(preset.get("morph")) || 0, mode: "dilatation",
+                 coding: null, bounds: [0, 1], edges: preset.has("edges")};
   let chosen = 0, viewer = null, waiting = false, pointed = null;
 
   const rangeOf = mode => chosenRange[mode] || automaticRange(quantities[mode], results[chosen]);
@@ -73,8 +73,8 @@
     }
     if (quantity) {
       const range = rangeOf(state.mode), [low, high] = quantity.bounds(range);
-      const slope = quantity.octaves(1) - quantity.octaves(0);
-      state.scale = [(quantity.octaves(0) - low) / (high - low), slope / (high - low), quantity.noLevel];
+      state.coding = quantity.coding;
+      state.bounds = [low, high];
       const sign = low < 0 ? value => `1/${value} to ${value}` : value => `1 to ${value}`;
       byId("scale").replaceChildren(
           element("option", {value: 0}, `automatic (${sign(automaticRange(quantity, results[chosen]))})`),

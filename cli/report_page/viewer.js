@@ -42,7 +42,9 @@ flat in uvec2 level;
 in vec3 place, normal, direction, weights;
 uniform sampler2D colours;
 uniform int mode;
-uniform vec4 scale;  // colour = x + level y; the level that is none; 1 to draw edges
+uniform vec4 coding;  // of values as levels: zero, span, octaves, none (packed_mesh.h)
+uniform vec2 bounds;  // of the colour scale, in octaves
+uniform bool edges;
 out vec4 colour;
 
 // Eight by eight fields on each face of the cube round the sphere, tinted by face. The cosines are even, so that fields
@@ -69,7 +71,9 @@ void main() {
   vec3 base = vec3(0.80, 0.81, 0.83);
   if (mode < 2) {
     float value = float(mode == 0 ? level.x : level.y);
-    base = value == scale.z ? vec3(0.5) : texture(colours, vec2(clamp(scale.x + scale.y * value, 0.0, 1.0), 0.5)).rgb;
+    float part = (value - coding.x) / coding.y;
+    float at = (coding.z * part * abs(part) - bounds.x) / (bounds.y - bounds.x);
+    base = value == coding.w ? vec3(0.5) : texture(colours, vec2(clamp(at, 0.0, 1.0), 0.5)).rgb;
   } else if (mode == 2) {
     base = checker(normalize(direction));
   }
@@ -79,7 +83,7 @@ void main() {
   float rim = pow(1.0 - max(0.0, dot(n, towards)), 3.0);
   vec3 lit = base * (0.64 + 0.30 * key + 0.14 * fill) * (1.0 - 0.22 * rim);
   lit += 0.07 * pow(max(0.0, dot(n, normalize(normalize(vec3(-0.4, 0.65, 0.65)) + towards))), 40.0);
-  if (scale.w > 0.0) {
+  if (edges) {
     vec3 across = fwidth(weights);
     vec3 lines = 1.0 - smoothstep(0.3 * across, 1.1 * across, weights);
     float fade = 1.0 - smoothstep(0.05, 0.55, max(across.x, max(across.y, across.z)));
@@ -214,7 +218,7 @@ class Viewer {
     gl.uniform1f(place("morph"), index === 1 ? 1 : state.morph);
   }
 
-  // state: turn, zoom, shifts (two), morph, mode, scale (offset, factor, level that is none), edges.
+  // state: turn, zoom, shifts (two), morph, mode, coding and bounds of the quantity shown, edges.
   draw(state) {
     const gl = this.gl, canvas = this.canvas, ratio = Math.min(window.devicePixelRatio || 1, 2);
     const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
@@ -226,8 +230,11 @@ class Viewer {
       gl.enable(gl.SCISSOR_TEST);
       gl.scissor(view.x * ratio, height - (view.y + view.height) * ratio, view.width * ratio, view.height * ratio);
       this.useScene(this.colourProgram, state, index, this.lens(view, state.zoom), state.shifts[index]);
-      gl.uniform1i(gl.getUniformLocation(this.colourProgram, "mode"), modes.indexOf(state.mode));
-      gl.uniform4f(gl.getUniformLocation(this.colourProgram, "scale"), ...state.scale, state.edges ? 1 : 0);
+      const place = name => gl.getUniformLocation(this.colourProgram, name), {zero, span, octaves, none} = state.coding;
+      gl.uniform1i(place("mode"), modes.indexOf(state.mode));
+      gl.uniform4f(place("coding"), zero, span, octaves, none);
+      gl.uniform2fv(place("bounds"), state.bounds);
+      gl.uniform1i(place("edges"), state.edges ? 1 : 0);
       gl.drawArrays(gl.TRIANGLES, 0, this.mesh.triangles.length);
       gl.disable(gl.SCISSOR_TEST);
     });
