@@ -16,7 +16,7 @@ BoundingVolumeTree::BoundingVolumeTree(std::span<const Box> boxes, const base::H
 
 void BoundingVolumeTree::build(std::span<const Box> boxes, std::size_t begin, std::size_t end, const base::Host& host) {
   const std::size_t node = nodes_.size();
-  if (node % 4096 == 0) host.report("building a search tree", begin, boxes.size());
+  if (end - begin > 4096 || node % 4096 == 0) host.report("building a search tree", begin, boxes.size());
   Box all, centres;
   const auto centre = [&](Index item) -> Vector3 { return 0.5 * boxes[item].low + 0.5 * boxes[item].high; };
   for (std::size_t i = begin; i < end; ++i) {

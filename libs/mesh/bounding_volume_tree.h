@@ -32,7 +32,7 @@ struct Box {
   }
 };
 
-// Median splits along the longest side of the box of the centres: O(n log n) to build, about 40 bytes an item.
+// Median splits along the longest side of the box of the centres: O(n log n) to build, up to 60 bytes an item.
 class BoundingVolumeTree {
  public:
   // Item i has boxes[i]; the boxes are copied into the tree. Throws Error "unsupported" for 2^32 items, "cancelled".

@@ -9,6 +9,7 @@
 #include "mesh/measures.h"
 #include "mesh/orient.h"
 #include "mesh/predicates.h"
+#include "mesh/surface_check.h"
 #include "mesh/weld.h"
 
 namespace orbicube::mesh {
@@ -21,7 +22,7 @@ class Examination {
       : positions_(positions), triangles_(triangles), host_(host) {}
 
   Topology run() {
-    check_arguments();
+    require_valid_surface(positions_, triangles_, host_);
     result_.vertices = positions_.size();
     result_.triangles = triangles_.size();
     duplicate_and_degenerate_faces();
@@ -51,22 +52,6 @@ class Examination {
   // Called with the number of each item of a long loop.
   void report(const char* what, std::size_t item, std::size_t total) const {
     if (item % 65536 == 0) host_.report(what, item, total);
-  }
-
-  void check_arguments() const {
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      for (const Index v : triangles_[t]) {
-        if (v >= positions_.size()) {
-          throw base::Error("invalid-argument", "triangle " + std::to_string(t) + " has vertex " + std::to_string(v) +
-                                                    " of " + std::to_string(positions_.size()));
-        }
-      }
-    }
-    for (std::size_t v = 0; v < positions_.size(); ++v) {
-      if (!positions_[v].allFinite()) {
-        throw base::Error("invalid-argument", "the position of vertex " + std::to_string(v) + " is not finite");
-      }
-    }
   }
 
   // Corners in ascending order, grouped by the lowest.

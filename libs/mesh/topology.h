@@ -14,6 +14,7 @@
 namespace orbicube::mesh {
 
 using Edge = std::array<Index, 2>;
+inline constexpr Edge no_edge{no_index, no_index};
 
 struct Topology {
   std::size_t vertices = 0;
@@ -26,25 +27,25 @@ struct Topology {
   std::size_t boundary_edges = 0;         // with one triangle
   std::size_t boundary_loops = 0;         // connected parts of the boundary
   std::size_t longest_boundary_loop = 0;  // in edges
-  Edge first_boundary_edge{};
+  Edge first_boundary_edge = no_edge;
 
   std::size_t non_manifold_edges = 0;  // with three triangles or more
-  Edge first_non_manifold_edge{};
+  Edge first_non_manifold_edge = no_edge;
   std::size_t non_manifold_vertices = 0;  // whose triangles form more than one fan
   Index first_non_manifold_vertex = no_index;
 
   std::size_t inconsistent_edges = 0;  // that both of their triangles pass in the same direction
-  Edge first_inconsistent_edge{};
+  Edge first_inconsistent_edge = no_edge;
   bool orientable = true;  // turning triangles round can make all edges consistent
 
   std::size_t degenerate_faces = 0;  // with a repeated corner; they have no edges
   Index first_degenerate_face = no_index;
   std::size_t duplicate_faces = 0;  // with the corners of an earlier face, in any order
-  std::array<Index, 2> first_duplicate_faces{};
+  std::array<Index, 2> first_duplicate_faces{no_index, no_index};
   std::size_t zero_area_faces = 0;  // with three different corners that lie exactly on one line
   Index first_zero_area_face = no_index;
   std::size_t coincident_vertices = 0;  // at the very position of an earlier vertex
-  std::array<Index, 2> first_coincident_vertices{};
+  std::array<Index, 2> first_coincident_vertices{no_index, no_index};
 
   std::int64_t euler_characteristic = 0;  // vertices - edges + triangles
   std::optional<std::int64_t> genus;      // of a closed, connected, orientable manifold
