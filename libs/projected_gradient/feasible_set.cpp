@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "projected_gradient/hash.h"
+#include "base/hash.h"
 #include "projected_gradient/row_equation.h"
 #include "projected_gradient/vector_math.h"
 
@@ -279,7 +279,7 @@ void FeasibleSet::meet_rows(std::span<double> x) const {
 }
 
 std::uint64_t FeasibleSet::fingerprint() const {
-  Hash hash;
+  base::Hash hash;
   const auto add = [&](auto array) { hash.add(std::as_bytes(array)); };
   add(std::span(lower_));
   add(std::span(upper_));

@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "base/error.h"
-#include "projected_gradient/hash.h"
+#include "base/hash.h"
 #include "projected_gradient/solver.h"
 
 namespace orbicube::projected_gradient {
@@ -30,7 +30,7 @@ Header read_header(std::span<const std::byte> blob) {
 }
 
 std::uint64_t hash_of(std::span<const std::byte> bytes) {
-  Hash hash;
+  base::Hash hash;
   hash.add(bytes);
   return hash.value();
 }

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <span>
 
-namespace orbicube::projected_gradient {
+namespace orbicube::base {
 
 class Hash {
  public:
@@ -30,4 +30,4 @@ class Hash {
   std::uint64_t value_ = 0xcbf29ce484222325U;
 };
 
-}  // namespace orbicube::projected_gradient
+}  // namespace orbicube::base
