@@ -23,6 +23,7 @@ Json json_of(const PageResult& result) {
     figures.push_back({name, value});
   return {{"name", result.name},
           {"figures", std::move(figures)},
+          {"zUp", result.z_up},
           {"vertices", mesh.vertices},
           {"triangles", mesh.triangles},
           {"low", {mesh.low.x(), mesh.low.y(), mesh.low.z()}},

@@ -20,6 +20,7 @@ struct PageResult {
   std::span<const double> dilatation;         // sigma_max / sigma_min of each triangle; infinite where it has no area
   std::span<const double> area_ratio;         // area on the sphere over area on the shape, which counts as 4 pi
   std::vector<std::pair<std::string, std::string>> figures;  // rows of the table: name and value, in reading order
+  bool z_up = false;                                         // which way is up in the first view: z rather than y
 };
 
 // The text of the page, complete: styles, script and data are inside. About 28 bytes a vertex. Names are escaped.

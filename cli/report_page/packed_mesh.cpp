@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "base/host.h"
+#include "gltf/base64.h"
 #include "mesh/edge_table.h"
 
 namespace orbicube::cli {
@@ -34,18 +35,9 @@ void check(const PageResult& result) {
   }
 }
 
-std::string base64(std::span<const std::uint8_t> bytes) {
-  static constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const std::size_t count = std::min<std::size_t>(3, bytes.size() - i);
-    std::uint32_t group = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      group = group << 8U | (k < count ? bytes[i + k] : 0U);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
-  }
+std::string base64(const std::vector<std::uint8_t>& bytes) {
+  std::string text(gltf::base64_size(bytes.size()), '=');
+  gltf::encode_base64(std::as_bytes(std::span(bytes)), text.data());
   return text;
 }
 

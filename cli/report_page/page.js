@@ -7,12 +7,11 @@
   const quantities = quantitiesOf(data.levels);
   const preset = new URLSearchParams(location.hash.slice(1));
   const canvas = byId("canvas"), stage = byId("stage"), meshes = [];
-  const firstTurn = () => preset.get("turn")?.split(",").map(Number) ?? [0.122, 0.257, 0.033, 0.958];
   const chosenRange = {dilatation: 0, area: 0};  // 0: automatic
-  const state = {turn: firstTurn(), zoom: Number(preset.get("zoom")) || 1, shifts: [[0, 0], [0, 0]],
+  const state = {turn: [0, 0, 0, 1], zoom: Number(preset.get("zoom")) || 1, shifts: [[0, 0], [0, 0]],
                  morph: Number(preset.get("morph")) || 0, mode: "dilatation",
                  coding: null, bounds: [0, 1], edges: preset.has("edges")};
-  let chosen = 0, viewer = null, waiting = false, pointed = null;
+  let chosen = 0, zUp = null, viewer = null, waiting = false, pointed = null;
 
   const rangeOf = mode => chosenRange[mode] || automaticRange(quantities[mode], results[chosen]);
 
@@ -94,6 +93,7 @@
                                   large;
     canvas.setAttribute("aria-label", `${result.name}: the shape beside its map to the sphere, in three dimensions`);
     pointed = null;
+    if (zUp !== result.zUp) setUp(result.zUp);
     if (viewer) {
       try {
         viewer.setMesh(meshes[chosen] ??= meshOf(result));
@@ -108,13 +108,21 @@
 
   // Turns both views about an axis of the picture.
   function turnBy(axis, angle) {
-    const half = angle / 2, length = Math.hypot(...axis) || 1, sine = Math.sin(half) / length;
-    const [ax, ay, az, aw] = [axis[0] * sine, axis[1] * sine, axis[2] * sine, Math.cos(half)];
-    const [bx, by, bz, bw] = state.turn;
-    const turned = [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
-                    aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz];
-    const norm = Math.hypot(...turned);
-    state.turn = turned.map(value => value / norm);
+    state.turn = product(rotation(axis, angle), state.turn);
+    redraw();
+  }
+
+  // Seen from above the front corner. With z up, x is taken for forward, as is usual there; with y up, z.
+  function firstTurn() {
+    if (preset.has("turn")) return preset.get("turn").split(",").map(Number);
+    const pitch = rotation([1, 0, 0], 0.26), yaw = rotation([0, 1, 0], zUp ? -0.65 : 0.52);
+    return product(pitch, product(yaw, zUp ? rotation([1, 0, 0], -Math.PI / 2) : [0, 0, 0, 1]));
+  }
+
+  function setUp(z) {
+    zUp = z;
+    byId("up").value = z ? "z" : "y";
+    state.turn = firstTurn();
     redraw();
   }
 
@@ -263,6 +271,7 @@
       chosenRange[state.mode] = Number(event.target.value);
       showQuantity();
     });
+    byId("up").addEventListener("change", event => setUp(event.target.value === "z"));
     byId("reset").addEventListener("click", reset);
     byId("theme").addEventListener("click", () => setTheme(document.documentElement.dataset.theme !== "dark"));
     if (results.length > 1) {

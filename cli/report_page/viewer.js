@@ -111,6 +111,18 @@ function matrixOf([x, y, z, w]) {
   ];
 }
 
+function product([ax, ay, az, aw], [bx, by, bz, bw]) {
+  const q = [aw * bx + ax * bw + ay * bz - az * by, aw * by - ax * bz + ay * bw + az * bx,
+             aw * bz + ax * by - ay * bx + az * bw, aw * bw - ax * bx - ay * by - az * bz];
+  const length = Math.hypot(...q);
+  return q.map(value => value / length);
+}
+
+function rotation(axis, angle) {
+  const sine = Math.sin(angle / 2) / (Math.hypot(...axis) || 1);
+  return [...axis.map(value => value * sine), Math.cos(angle / 2)];
+}
+
 class Viewer {
   // Throws when the browser has no WebGL 2.
   constructor(canvas) {

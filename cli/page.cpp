@@ -1,0 +1,112 @@
+// orbicube page: maps that are there already, measured, to look at in a browser.
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "mesh/file.h"
+#include "page_figures.h"
+#include "report_page.h"
+#include "sphere_map/measure.h"
+#include "sphere_map/sphere_map.h"
+#include "surface_file.h"
+#include "verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+struct PageOptions {
+  std::vector<std::string> files;  // a shape, its map, a shape, its map, ...
+  std::string output;
+  std::string title = "Sphere maps";
+  std::string up = "y";
+};
+
+struct MeasuredMap {
+  explicit MeasuredMap(std::pmr::memory_resource* memory) : faces(memory) {}
+
+  mesh::Mesh shape, map;
+  sphere_map::FaceDistortion faces;
+  PageResult result;
+};
+
+void measure(const std::string& shape_path, const std::string& map_path, const std::string& name, Session& session,
+             MeasuredMap& measured) {
+  measured.shape = read_input(shape_path, false, session).mesh;
+  measured.map = read_input(map_path, false, session).mesh;
+  const mesh::Mesh& shape = measured.shape;
+  if (shape.triangles != measured.map.triangles || shape.positions.size() != measured.map.positions.size()) {
+    throw Failure(Exit::wrong_input, map_path, "invalid-argument",
+                  "it has not the vertices and triangles of " + shape_path + ", in that order");
+  }
+  const sphere_map::Options weights;
+  const sphere_map::Measurement figures = about(map_path, Role::input, [&] {
+    return sphere_map::measure(shape.positions, shape.triangles, measured.map.positions, weights.angle_weight,
+                               weights.area_weight, session.host(), &measured.faces);
+  });
+  for (mesh::Vector3& direction : measured.map.positions)
+    direction.stableNormalize();
+  PageResult& result = measured.result;
+  result.name = name;
+  result.positions = shape.positions;
+  result.directions = measured.map.positions;
+  result.triangles = shape.triangles;
+  result.dilatation = measured.faces.dilatation;
+  result.area_ratio = measured.faces.area_ratio;
+  result.figures =
+      page_figures(figures, shape.positions.size(), shape.triangles.size(), weights.angle_weight, weights.area_weight);
+}
+
+void write_page(const PageOptions& options, Session& session) {
+  session.options() = {
+      {"files", options.files}, {"output", options.output}, {"title", options.title}, {"up", options.up}};
+  if (options.files.size() % 2 != 0) {
+    throw Failure(Exit::wrong_input, options.files.back(), "usage", "a shape without its map: give files in pairs");
+  }
+  std::map<std::string, int> times;  // that a shape is given; its maps are told apart by their own names
+  for (std::size_t i = 0; i < options.files.size(); i += 2)
+    ++times[options.files[i]];
+  std::deque<MeasuredMap> maps;
+  std::vector<PageResult> results;
+  for (std::size_t i = 0; i < options.files.size(); i += 2) {
+    const std::filesystem::path named = times[options.files[i]] > 1 ? options.files[i + 1] : options.files[i];
+    maps.emplace_back(session.host().memory);
+    measure(options.files[i], options.files[i + 1], named.filename().string(), session, maps.back());
+    results.push_back(maps.back().result);
+    results.back().z_up = options.up == "z";
+  }
+  const std::string page = report_page(results, options.title);
+  about(options.output, Role::output, [&] {
+    mesh::OutputFile file(options.output);
+    file.write(page);
+    file.commit();
+  });
+  session.figures() = {{"output", options.output}, {"results", results.size()}, {"bytes", page.size()}};
+  session.say("wrote " + options.output + ": " + std::to_string(results.size()) +
+              (results.size() == 1 ? " map" : " maps") + ", open it in a browser");
+}
+
+}  // namespace
+
+void add_page(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("page", "show shapes beside their sphere maps, in one HTML file");
+  const auto options = std::make_shared<PageOptions>();
+  verb->add_option("FILES", options->files, std::string("shape and map, shape and map, ...: ") + surface_endings)
+      ->required()
+      ->type_name("SHAPE MAP ...");
+  verb->add_option("-o,--output", options->output, "page to write")->required()->type_name("FILE.html");
+  verb->add_option("--title", options->title, "heading of the page (" + options->title + ")")->type_name("TEXT");
+  verb->add_option("--up", options->up, "which way is up in the first view: y or z (y)")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->type_name("AXIS");
+  add_common_options(*verb, common);
+  verb->footer(
+      "A map has the vertices and triangles of its shape, as 'orbicube sphere SHAPE -o MAP.obj' writes it.\n"
+      "The page is complete in itself: it loads nothing and works without a network.");
+  verb->callback([options, &common] {
+    Session session(common, "page", options->files.front());
+    session.run([&] { write_page(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli
