@@ -32,7 +32,8 @@ struct Box {
   }
 };
 
-// Median splits along the longest side of the box of the centres: O(n log n) to build, up to 60 bytes an item.
+// Median splits along the longest side of the box of the centres: O(n log n) to build, up to 60 bytes an item, and 32
+// more while it is built.
 class BoundingVolumeTree {
  public:
   // Item i has boxes[i]; the boxes are copied into the tree. Throws Error "unsupported" for 2^32 items, "cancelled".
@@ -122,7 +123,12 @@ class BoundingVolumeTree {
     }
   }
 
-  void build(std::span<const Box> boxes, std::size_t begin, std::size_t end, const base::Host& host);
+  struct Centre {
+    Vector3 position;
+    Index item;
+  };
+  // Adds the node of the items of `centres`, which go to the places from `begin` on, and the nodes below it.
+  void build(std::span<const Box> boxes, std::span<Centre> centres, std::size_t begin, const base::Host& host);
 
   Array<Node> nodes_;  // each before its children
   Array<Index> items_;
