@@ -11,7 +11,7 @@
   const state = {turn: [0, 0, 0, 1], zoom: Number(preset.get("zoom")) || 1, shifts: [[0, 0], [0, 0]],
                  morph: Number(preset.get("morph")) || 0, mode: "dilatation",
                  coding: null, bounds: [0, 1], edges: preset.has("edges")};
-  let chosen = 0, zUp = null, viewer = null, waiting = false, pointed = null;
+  let chosen = 0, zUp = null, viewer = null, waiting = false, stale = false, mouse = null, pointed = null;
 
   const rangeOf = mode => chosenRange[mode] || automaticRange(quantities[mode], results[chosen]);
 
@@ -21,16 +21,24 @@
     for (const id of ["legend", "shape-name", "sphere-name"]) byId(id).hidden = true;
   }
 
-  function redraw() {
+  // Draws with the browser's next picture, both views only if they have changed.
+  function update() {
     if (waiting || !viewer) return;
     waiting = true;
     requestAnimationFrame(() => {
       waiting = false;
-      drawNow();
+      if (stale) drawNow();
+      else pointAtMouse();
     });
   }
 
+  function redraw() {
+    stale = true;
+    update();
+  }
+
   function drawNow() {
+    stale = false;
     viewer.stacked = stage.clientWidth < 620;
     stage.classList.toggle("stacked", viewer.stacked);
     viewer.draw(state);
@@ -39,6 +47,11 @@
       Object.assign(byId(id).style, {left: `${view.x}px`, top: `${view.y}px`});
     }
     byId("shape-name").textContent = state.morph === 0 ? "Shape" : `Shape to sphere, ${Math.round(100 * state.morph)} %`;
+    pointAtMouse();
+  }
+
+  function pointAtMouse() {
+    pointed = mouse && viewer.pick(state, mouse.x, mouse.y);
     placeMarkers();
   }
 
@@ -92,7 +105,7 @@
     byId("summary").textContent = `${result.name}: ${count(result.vertices)} vertices, ${count(result.triangles)} triangles` +
                                   large;
     canvas.setAttribute("aria-label", `${result.name}: the shape beside its map to the sphere, in three dimensions`);
-    pointed = null;
+    mouse = null;
     if (zUp !== result.zUp) setUp(result.zUp);
     if (viewer) {
       try {
@@ -195,15 +208,14 @@
       canvas.setPointerCapture(event.pointerId);
       canvas.classList.add("turning");
       pointers.set(event.pointerId, placeOf(event));
-      pointed = null;
-      redraw();
+      mouse = null;
+      update();
     });
     canvas.addEventListener("pointermove", event => {
       const now = placeOf(event), before = pointers.get(event.pointerId);
       if (!before) {
-        if (event.pointerType !== "mouse") return;
-        pointed = viewer.pick(state, now.x, now.y);
-        redraw();
+        mouse = event.pointerType === "mouse" ? now : null;
+        update();
         return;
       }
       pointers.set(event.pointerId, now);
@@ -227,8 +239,8 @@
     canvas.addEventListener("pointerup", release);
     canvas.addEventListener("pointercancel", release);
     canvas.addEventListener("pointerleave", () => {
-      pointed = null;
-      redraw();
+      mouse = null;
+      update();
     });
     canvas.addEventListener("contextmenu", event => event.preventDefault());
     canvas.addEventListener("wheel", event => {
