@@ -160,7 +160,7 @@ Mesh mesh_patches(const QuadComplex& complex, PatchSurface& surface, std::span<c
       for (Index i = 0; i < count[4 * q]; ++i) {
         const Quad cell = {numbering.vertex(q, i, j), numbering.vertex(q, i + 1, j), numbering.vertex(q, i + 1, j + 1),
                            numbering.vertex(q, i, j + 1)};
-        const auto diagonal = [&](int from) {
+        const auto diagonal = [&](std::size_t from) {
           return (mesh.positions[cell[from + 2]] - mesh.positions[cell[from]]).squaredNorm();
         };
         if (diagonal(0) <= diagonal(1)) {
