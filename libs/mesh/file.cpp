@@ -13,6 +13,52 @@
 #include "base/error.h"
 
 namespace orbicube::mesh {
+namespace {
+
+class Descriptor {
+ public:
+  explicit Descriptor(int value) : value_(value) {}
+  ~Descriptor() {
+    if (value_ >= 0) ::close(value_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int get() const { return value_; }
+
+ private:
+  int value_;
+};
+
+[[noreturn]] void fail_to_read() {
+  throw base::Error("io", "cannot read: " + std::generic_category().message(errno));
+}
+
+}  // namespace
+
+base::Array<std::byte> read_file(const std::filesystem::path& path, const base::Host& host, Links links) {
+  // Without O_NONBLOCK a pipe that nobody writes to would never open.
+  const int no_links = links == Links::refuse ? O_NOFOLLOW : 0;
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | no_links));
+  if (file.get() < 0 && errno == ELOOP && links == Links::refuse) throw base::Error("unsafe-path", "is a link");
+  struct stat facts {};
+  if (file.get() < 0 || ::fstat(file.get(), &facts) != 0) fail_to_read();
+  if (!S_ISREG(facts.st_mode)) {
+    throw base::Error(links == Links::refuse ? "unsafe-path" : "io", "cannot read: not a regular file");
+  }
+  base::Array<std::byte> bytes(static_cast<std::size_t>(facts.st_size), host.memory);
+  constexpr std::size_t most_at_once = std::size_t{1} << 22U;  // so that a slow disk can be cancelled
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    host.report("reading file", done, bytes.size());
+    const ::ssize_t got = ::read(file.get(), bytes.data() + done, std::min(most_at_once, bytes.size() - done));
+    if (got < 0 && errno == EINTR) continue;
+    if (got < 0) fail_to_read();
+    if (got == 0) break;  // the file became shorter
+    done += static_cast<std::size_t>(got);
+  }
+  bytes.resize(done);
+  return bytes;
+}
 
 OutputFile::OutputFile(const std::filesystem::path& path) {
   std::error_code problem;

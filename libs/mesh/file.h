@@ -1,5 +1,4 @@
-// A file that is written whole or not at all: to a temporary file beside it, which takes its name once every byte is on
-// the disk. An error, a full disk or a kill leaves what was there before.
+// Files: read at once, and written so that an error, a full disk or a kill leaves what was there before.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +6,20 @@
 #include <span>
 #include <string_view>
 
+#include "base/array.h"
+#include "base/host.h"
+
 namespace orbicube::mesh {
 
+enum class Links { follow, refuse };
+
+// All bytes of a file. Throws Error "io", also for what is no file (a folder, a pipe, a device), and "cancelled". With
+// Links::refuse, for names that come from a file, a link or what is no file is "unsafe-path".
+base::Array<std::byte> read_file(const std::filesystem::path& path, const base::Host& host,
+                                 Links links = Links::follow);
+
+// A file that is written whole or not at all: to a temporary file beside it, which takes its name once every byte is on
+// the disk.
 class OutputFile {
  public:
   // Starts the file that is to be at `path` (a link is followed). A path that is there and is no regular file, as a

@@ -1,0 +1,86 @@
+#include "mesh/read.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/cells.h"
+#include "mesh/file.h"
+#include "mesh/readers.h"
+#include "mesh/text_scanner.h"
+#include "mesh/topology.h"
+#include "mesh/weld.h"
+
+namespace orbicube::mesh {
+namespace {
+
+struct FormatRow {
+  Format format;
+  const char* ending;
+  const char* name;
+  Mesh (*read)(std::span<const std::byte>, const base::Host&, ReadReport&);
+};
+
+constexpr std::array formats = {
+    FormatRow{Format::obj, ".obj", "OBJ", read_obj},        FormatRow{Format::off, ".off", "OFF", read_off},
+    FormatRow{Format::ply, ".ply", "PLY", read_ply},        FormatRow{Format::stl, ".stl", "STL", read_stl},
+    FormatRow{Format::medit, ".mesh", "MEDIT", read_medit}, FormatRow{Format::vtk, ".vtk", "VTK", read_vtk},
+};
+
+const FormatRow& row_of(Format format) {
+  return *std::find_if(formats.begin(), formats.end(), [&](const FormatRow& row) { return row.format == format; });
+}
+
+bool is_closed(const Mesh& mesh, const base::Host& host) {
+  return topology(mesh.positions, mesh.triangles, host).closed();
+}
+
+}  // namespace
+
+std::optional<Format> format_of_path(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const FormatRow& row : formats) {
+    if (ending == row.ending) return row.format;
+  }
+  return std::nullopt;
+}
+
+const char* format_name(Format format) {
+  return row_of(format).name;
+}
+
+Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options, const base::Host& host,
+               ReadReport* report) {
+  const auto format = format_of_path(path);
+  if (!format) {
+    throw base::Error("unsupported-format",
+                      "the ending '" + path.extension().string() + "' is none of .obj .off .ply .stl .mesh .vtk");
+  }
+  return read_mesh(*format, read_file(path, host), options, host, report);
+}
+
+Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOptions& options, const base::Host& host,
+               ReadReport* report) {
+  ReadReport own;
+  ReadReport& r = report ? *report : own;
+  r = {};
+  if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
+  Mesh mesh = row_of(format).read(bytes, host, r);
+  if (mesh.triangles.empty() && mesh.tetrahedra.empty() && mesh.hexahedra.empty()) {
+    throw base::Error("empty-mesh", mesh.positions.empty() ? "the file has no vertices and no faces"
+                                                           : "the file has " + std::to_string(mesh.positions.size()) +
+                                                                 " vertices, but no faces");
+  }
+  require_valid_cells(mesh, host);
+  const bool is_surface = mesh.tetrahedra.empty() && mesh.hexahedra.empty();
+  if (format == Format::stl || (options.weld_identical && is_surface && !is_closed(mesh, host))) {
+    r.welded_vertices = weld(mesh, host).vertices;
+  }
+  return mesh;
+}
+
+}  // namespace orbicube::mesh

@@ -1,0 +1,108 @@
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/polygons.h"
+#include "mesh/readers.h"
+#include "mesh/text_scanner.h"
+
+namespace orbicube::mesh {
+namespace {
+
+class ObjReader {
+ public:
+  ObjReader(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report)
+      : scanner_(bytes, '#', host),
+        host_(host),
+        report_(report),
+        mesh_(host.memory),
+        faces_(host.memory),
+        face_(host.memory) {
+    scanner_.continue_lines_with_backslash();
+    mesh_.positions.reserve(bytes.size() / 80);  // a line of 30 bytes for a vertex, 20 for each of its two faces
+    faces_.reserve_triangles(bytes.size() / 40);
+  }
+
+  Mesh run() {
+    for (; !scanner_.at_end_of_file(); scanner_.next_line()) {
+      const std::string_view keyword = scanner_.word();
+      if (keyword == "v") {
+        vertex();
+      } else if (keyword == "f") {
+        face();
+      }
+      scanner_.progress();
+    }
+    if (largest_index_ > static_cast<std::int64_t>(mesh_.positions.size())) {
+      throw base::Error("index-range", "line " + std::to_string(scanner_.line_of(place_of_largest_)) +
+                                           ": vertex index " + std::to_string(largest_index_) + " of " +
+                                           std::to_string(mesh_.positions.size()) + " vertices");
+    }
+    report_.format = "OBJ";
+    report_.polygons = faces_.larger_than_triangles();
+    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
+    return std::move(mesh_);
+  }
+
+ private:
+  void vertex() {
+    Vector3 p;
+    for (double& x : p) {
+      if (scanner_.at_end_of_line()) scanner_.fail("parse", "a vertex with fewer than three coordinates");
+      x = scanner_.coordinate("a coordinate");
+    }
+    if (mesh_.positions.size() == no_index) scanner_.fail("unsupported", "more vertices than 32 bits can count");
+    mesh_.positions.push_back(p);
+  }
+
+  void face() {
+    face_.clear();
+    while (!scanner_.at_end_of_line())
+      face_.push_back(corner());
+    if (face_.size() < 3) {
+      scanner_.fail("parse", "a face with " + std::to_string(face_.size()) + " vertices, where three are the fewest");
+    }
+    faces_.add(face_);
+  }
+
+  // "7", "7/1", "7//3" or "7/1/3"; negative numbers count back from the latest vertex.
+  Index corner() {
+    const std::int64_t given = scanner_.any_index();
+    const std::string_view others = scanner_.word();  // what follows without a blank
+    if (others.find_first_not_of("/-0123456789") != std::string_view::npos || (!others.empty() && others[0] != '/')) {
+      scanner_.fail("parse", "a face corner like 7, 7/1 or 7/1/3 expected, found " +
+                                 in_quotes(std::to_string(given).append(others)));
+    }
+    const auto count = static_cast<std::int64_t>(mesh_.positions.size());
+    if (given == 0) scanner_.fail("index-range", "vertex index 0: OBJ files count from 1");
+    if (given < -count) {
+      scanner_.fail("index-range",
+                    "vertex index " + std::to_string(given) + " after " + std::to_string(count) + " vertices");
+    }
+    if (given > static_cast<std::int64_t>(no_index)) {
+      scanner_.fail("index-range", "vertex index " + std::to_string(given) + " is out of range");
+    }
+    if (given > count && given > largest_index_) {  // of a vertex that may still come
+      largest_index_ = given;
+      place_of_largest_ = scanner_.place();
+    }
+    return static_cast<Index>(given < 0 ? count + given : given - 1);
+  }
+
+  TextScanner scanner_;
+  const base::Host& host_;
+  ReadReport& report_;
+  Mesh mesh_;
+  Polygons faces_;
+  Array<Index> face_;
+  std::int64_t largest_index_ = 0;
+  const char* place_of_largest_ = nullptr;
+};
+
+}  // namespace
+
+Mesh read_obj(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
+  return ObjReader(bytes, host, report).run();
+}
+
+}  // namespace orbicube::mesh

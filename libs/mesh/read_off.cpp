@@ -1,0 +1,81 @@
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/polygons.h"
+#include "mesh/readers.h"
+#include "mesh/text_scanner.h"
+
+namespace orbicube::mesh {
+namespace {
+
+// The header keyword: ST, C and N in this order, each or not, then OFF.
+void read_magic(TextScanner& scanner) {
+  const std::string_view magic = scanner.word_after_space();
+  const std::array known = {"OFF", "COFF", "NOFF", "CNOFF", "STOFF", "STCOFF", "STNOFF", "STCNOFF"};
+  if (std::find(known.begin(), known.end(), magic) != known.end()) return;
+  if (magic.ends_with("4OFF") || magic.ends_with("nOFF")) {
+    throw base::Error("unsupported-format", "line 1: " + std::string(magic) + " files are not of three dimensions");
+  }
+  throw base::Error("bad-magic", "line 1: an OFF file starts with OFF (or COFF, NOFF, STOFF)");
+}
+
+}  // namespace
+
+Mesh read_off(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
+  TextScanner scanner(bytes, '#', host);
+  Mesh mesh(host.memory);
+  if (!scanner.skip_space()) return mesh;
+  read_magic(scanner);
+  if (scanner.starts_with("BINARY")) {
+    throw base::Error("unsupported-format", "line 1: binary OFF files are not read");
+  }
+  const auto count = [&](const char* what) {
+    scanner.skip_space();
+    return scanner.count(what);
+  };
+  const std::uint64_t vertex_count = count("the number of vertices");
+  const std::uint64_t face_count = count("the number of faces");
+  if (!scanner.at_end_of_line()) scanner.count("the number of edges");
+  scanner.require_room(vertex_count, 6, "vertices");
+  scanner.require_room(face_count, 4, "faces");
+
+  mesh.positions.reserve(vertex_count);
+  for (std::uint64_t v = 0; v < vertex_count; ++v) {
+    Vector3 p;
+    for (double& x : p) {
+      scanner.skip_space();
+      x = scanner.coordinate("a coordinate");
+    }
+    mesh.positions.push_back(p);
+    scanner.next_line();  // colours, normals and the like
+    scanner.progress();
+  }
+  Polygons faces(host.memory);
+  faces.reserve_triangles(face_count);
+  Array<Index> face(host.memory);
+  for (std::uint64_t f = 0; f < face_count; ++f) {
+    scanner.skip_space();
+    const std::uint64_t corners = scanner.count("a face's number of corners");
+    if (corners < 3) {
+      scanner.fail("parse", "a face with " + std::to_string(corners) + " vertices, where three are the fewest");
+    }
+    scanner.require_room(corners, 2, "corners of a face");
+    face.clear();
+    for (std::uint64_t i = 0; i < corners; ++i) {
+      if (scanner.at_end_of_line()) scanner.skip_space();
+      face.push_back(scanner.index(0, mesh.positions.size()));
+    }
+    faces.add(face);
+    scanner.next_line();
+    scanner.progress();
+  }
+  report.format = "OFF";
+  report.polygons = faces.larger_than_triangles();
+  faces.to_triangles(mesh.positions, mesh.triangles, host);
+  return mesh;
+}
+
+}  // namespace orbicube::mesh
