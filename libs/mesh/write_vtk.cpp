@@ -1,7 +1,9 @@
-#include <initializer_list>
 #include <limits>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "mesh/binary_writer.h"
@@ -47,12 +49,14 @@ class BinaryOut {
   BinaryWriter out_;
 };
 
-// A line of a word and numbers.
-std::string counted(const char* word, std::initializer_list<std::size_t> numbers) {
-  std::string line = word;
-  for (const std::size_t number : numbers)
-    line.append(" ").append(std::to_string(number));
-  return line;
+// A line of words and numbers.
+template <class... Parts>
+std::string words(const Parts&... parts) {
+  std::ostringstream line;
+  line.imbue(std::locale::classic());
+  const char* separator = "";
+  ((line << std::exchange(separator, " ") << parts), ...);
+  return line.str();
 }
 
 template <class Out>
@@ -62,7 +66,7 @@ void write(Out&& out, const Mesh& mesh, bool binary) {
   out.line(surface ? "surface" : "solid");
   out.line(binary ? "BINARY" : "ASCII");
   out.line(surface ? "DATASET POLYDATA" : "DATASET UNSTRUCTURED_GRID");
-  out.line(counted("POINTS", {mesh.positions.size()}).append(" double"));
+  out.line(words("POINTS", mesh.positions.size(), "double"));
   for (const Vector3& p : mesh.positions) {
     for (const double x : p)
       out.put(x);
@@ -79,13 +83,13 @@ void write(Out&& out, const Mesh& mesh, bool binary) {
   };
   const std::size_t count = mesh.triangles.size() + mesh.tetrahedra.size() + mesh.hexahedra.size();
   const std::size_t size = 4 * mesh.triangles.size() + 5 * mesh.tetrahedra.size() + 9 * mesh.hexahedra.size();
-  out.line(counted(surface ? "POLYGONS" : "CELLS", {count, size}));
+  out.line(words(surface ? "POLYGONS" : "CELLS", count, size));
   put_cells(mesh.triangles);
   put_cells(mesh.tetrahedra);
   put_cells(mesh.hexahedra);
   out.end_section();
   if (!surface) {
-    out.line(counted("CELL_TYPES", {count}));
+    out.line(words("CELL_TYPES", count));
     const auto put_types = [&](std::size_t cells, std::int32_t type) {
       for (std::size_t i = 0; i < cells; ++i) {
         out.put(type);
