@@ -51,7 +51,8 @@ class TextWriter {
   template <class Number>
   TextWriter& number(Number x) {
     char text[longest_number];
-    buffer_.append(text, std::to_chars(text, text + longest_number, x).ptr);
+    const char* end = std::to_chars(text, text + longest_number, x).ptr;
+    buffer_.append(text, static_cast<std::size_t>(end - text));
     return *this;
   }
 
