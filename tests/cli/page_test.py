@@ -96,12 +96,17 @@ def decoded_directions(data):
     return directions / numpy.linalg.norm(directions, axis=1)[:, None]
 
 
+def decoded(result):
+    """The bytes of the packed members."""
+    return {key: numpy.frombuffer(base64.b64decode(result[key]), numpy.uint8)
+            for key in ("positions", "directions", "connections", "dilatation", "areaRatio")}
+
+
 def check_result(result, levels, shape_path, map_path):
     positions, triangles = read_obj(shape_path)
     directions = read_obj(map_path)[0]
     directions /= numpy.linalg.norm(directions, axis=1)[:, None]
-    data = {key: numpy.frombuffer(base64.b64decode(result[key]), numpy.uint8)
-            for key in ("positions", "directions", "connections", "dilatation", "areaRatio")}
+    data = decoded(result)
     check(result["vertices"] == len(positions) and result["triangles"] == len(triangles), "counts")
 
     # Which vertex of the file each of the page is, by its position.
@@ -189,17 +194,55 @@ def browse(browser, folder, address, *options):
     return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
 
 
-def check_in_browser(folder, path, names):
+# Put at the end of a copy of the page: what its script reads from the results.
+READ_BACK = """<script>document.documentElement.dataset.meshes = JSON.stringify(
+    JSON.parse(document.getElementById("results").textContent).results.map(meshOf).map(mesh =>
+        Object.fromEntries(Object.entries(mesh).map(([name, values]) => [name, Array.from(values)]))))</script></body>"""
+
+
+def check_read_back(meshes, results):
+    """The page's script and this one read the same."""
+    check(len(meshes) == len(results), "not every result was read by the page's script")
+    for mesh, result in zip(meshes, results):
+        data = decoded(result)
+        triangles = decoded_triangles(data["connections"], result["triangles"])
+        check(mesh["triangles"] == triangles.ravel().tolist(), "the page's script reads other triangles")
+        shown = numpy.array(mesh["directions"]).reshape(-1, 4)[:, :3]
+        # float32 there, doubles here
+        check(abs(shown - decoded_directions(data["directions"])).max() < 1e-6, "the page's script reads other directions")
+        shown = numpy.array(mesh["positions"]).reshape(-1, 4)[:, :3]
+        steps = data["positions"].view("<u2").reshape(-1, 3).astype(float)
+        steps -= (steps.max(0) + steps.min(0)) / 2
+        steps *= 1.15 / numpy.linalg.norm(steps, axis=1).max()
+        check(abs(shown - steps).max() < 1e-6, "the page's script reads other positions")
+        p, q, r = steps[triangles].transpose(1, 0, 2)
+        normals = numpy.zeros_like(steps)
+        for corner in range(3):
+            numpy.add.at(normals, triangles[:, corner], numpy.cross(q - p, r - p))
+        normals /= numpy.linalg.norm(normals, axis=1)[:, None]
+        off = abs(numpy.array(mesh["normals"]).reshape(-1, 4)[:, :3] - normals).max()
+        check(off < 1e-3, f"the page's normals are off by {off}")  # differences of float32 positions of thin triangles
+        check(mesh["levels"] == numpy.stack([data["dilatation"], data["areaRatio"]], 1).ravel().tolist(), "levels")
+
+
+def check_in_browser(folder, path, results):
+    names = [result["name"] for result in results]
     browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
     if browser is None:
         print("skipped: what a browser makes of the page (there is no chromium)")
         return
-    document, console = browse(browser, folder, f"file://{path}#check", "--use-angle=swiftshader",
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
+    tried = os.path.join(folder, "tried.html")
+    with open(tried, "w", encoding="utf-8") as file:
+        file.write(page.replace("</body>", READ_BACK))
+    document, console = browse(browser, folder, f"file://{tried}#check", "--use-angle=swiftshader",
                                "--enable-unsafe-swiftshader")
     check(not console, f"console: {console}")
     found = re.search(r'data-check="([^"]*)"', document)
     check(found, "the page's script did not come to its end")
     report = json.loads(html.unescape(found.group(1)))
+    check_read_back(json.loads(html.unescape(re.search(r'data-meshes="([^"]*)"', document).group(1))), results)
     check([frame["result"] for frame in report["frames"]] == [name for name in names for _ in range(4)], "results shown")
     for frame in report["frames"]:
         check(frame["error"] == 0, f"WebGL error: {frame}")
@@ -236,8 +279,9 @@ def main():
         check(page.count("</script>") == 2 and "<b>" not in page, "the title got out of its place")
         check(f"<title>{html.escape(title, quote=False)}</title>" in page, "the title is not there")
         data = json.loads(re.search(r'<script type="application/json" id="results">(.*?)</script>', page, re.S).group(1))
-        check([result["name"] for result in data["results"]] == names, "names")
-        for result, name, map_path in zip(data["results"], names, maps):
+        results = data["results"]
+        check([result["name"] for result in results] == names, "names")
+        for result, name, map_path in zip(results, names, maps):
             check_result(result, data["levels"], at(name), map_path)
         check_alone(page)
 
@@ -255,7 +299,7 @@ def main():
         check(refused.returncode == 2 and "invalid-argument" in refused.stderr, f"a wrong map: {refused}")
         check(not os.path.exists(at("wrong.html")), "a page was written for a wrong map")
 
-        check_in_browser(folder, at("report.html"), names)
+        check_in_browser(folder, at("report.html"), results)
     print("ok")
 
 
