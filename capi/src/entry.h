@@ -58,6 +58,17 @@ inline void require(bool condition, const char* message) {
   if (!condition) throw base::Error("invalid-argument", message);
 }
 
+// Runs `body` and puts the path that it works on before the message of an error.
+template <class Body>
+void with_path(const char* path, const Body& body) {
+  require(path != nullptr, "path is NULL");
+  try {
+    body();
+  } catch (const base::Error& e) {
+    throw base::Error(e.kind(), std::string(path) + ": " + e.what());
+  }
+}
+
 // A copy of the caller's versioned struct: members that the caller's header did not have keep the values of `defaults`.
 template <class Struct>
 Struct copy_versioned(const Struct* given, const Struct& defaults) {

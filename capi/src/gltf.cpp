@@ -127,8 +127,9 @@ obc_status obc_gltf_read_options_init(obc_gltf_read_options* options, size_t str
 obc_status obc_gltf_read(const char* path, const obc_gltf_read_options* options, const obc_host* host,
                          obc_gltf_surface** out, obc_error* error) {
   return read_surface(host, out, error, [&](const base::Host& adapted, mesh::ReadReport* report) {
-    capi::require(path != nullptr, "path is NULL");
-    return gltf::read(path, to_read_options(options), adapted, report);
+    mesh::Mesh surface(adapted.memory);
+    capi::with_path(path, [&] { surface = gltf::read(path, to_read_options(options), adapted, report); });
+    return surface;
   });
 }
 
@@ -186,10 +187,10 @@ obc_status obc_gltf_scene_init(obc_gltf_scene* scene, size_t struct_size) {
 
 obc_status obc_gltf_write(const char* path, const obc_gltf_scene* scene, const obc_host* host, obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(path != nullptr, "path is NULL");
     const capi::HostAdapter adapter(host);
     SceneStorage storage(adapter.host().memory);
-    gltf::write(path, to_scene(scene, storage), adapter.host());
+    const gltf::Scene checked = to_scene(scene, storage);
+    capi::with_path(path, [&] { gltf::write(path, checked, adapter.host()); });
   });
 }
 

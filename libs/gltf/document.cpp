@@ -1,148 +1,145 @@
 #include "gltf/document.h"
 
 #include <array>
-#include <nlohmann/json.hpp>
-#include <utility>
+#include <string_view>
 
 #include "base/error.h"
 #include "base/version.h"
+#include "gltf/json.h"
+#include "gltf/json_text.h"
 
 namespace orbicube::gltf {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+constexpr std::uint64_t zero = 0, one = 1;
 
-Json extras_of(const std::string& text) {
-  constexpr int deepest_nesting = 100;
-  const auto check_depth = [](int depth, Json::parse_event_t, const Json&) {
-    if (depth > deepest_nesting) throw base::Error("invalid-argument", "the extras are nested too deeply");
-    return true;
-  };
-  try {
-    Json extras = Json::parse(text, check_depth);
-    if (extras.is_object()) return extras;
-  } catch (const Json::exception&) {
-    // Falls through to the one message for whatever is not an object.
-  }
-  throw base::Error("invalid-argument", "the extras are no JSON object");
-}
-
-Json views_of(const BinaryBuffer& buffer) {
-  Json views = Json::array();
+void write_views(JsonText& json, const BinaryBuffer& buffer) {
+  json.key("bufferViews").begin_array();
   for (const BinaryBuffer::View& view : buffer.views()) {
-    Json one = {{"buffer", 0}, {"byteOffset", view.offset}, {"byteLength", view.length}};
-    if (view.target != BinaryBuffer::Target::none) one["target"] = static_cast<std::uint64_t>(view.target);
-    views.push_back(std::move(one));
+    json.begin_object().member("buffer", zero).member("byteOffset", view.offset).member("byteLength", view.length);
+    if (view.target != BinaryBuffer::Target::none) json.member("target", static_cast<std::uint64_t>(view.target));
+    json.end_object();
   }
-  return views;
+  json.end_array();
 }
 
-Json accessors_of(const BinaryBuffer& buffer) {
-  constexpr std::array types = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
-  Json accessors = Json::array();
+void write_accessors(JsonText& json, const BinaryBuffer& buffer) {
+  constexpr std::array<std::string_view, 5> types = {"", "SCALAR", "VEC2", "VEC3", "VEC4"};
+  json.key("accessors").begin_array();
   for (const BinaryBuffer::Accessor& accessor : buffer.accessors()) {
-    Json one = {{"bufferView", accessor.view},
-                {"componentType", static_cast<std::uint64_t>(accessor.component)},
-                {"count", accessor.count},
-                {"type", types[accessor.components]}};
-    if (accessor.normalized) one["normalized"] = true;
-    if (!accessor.smallest.empty()) {
-      one["min"] = accessor.smallest;
-      one["max"] = accessor.largest;
-    }
-    accessors.push_back(std::move(one));
+    json.begin_object().member("bufferView", accessor.view);
+    json.member("componentType", static_cast<std::uint64_t>(accessor.component));
+    if (accessor.normalized) json.key("normalized").raw("true");
+    json.member("count", accessor.count).member("type", types[accessor.components]);
+    if (!accessor.smallest.empty()) json.member("min", accessor.smallest).member("max", accessor.largest);
+    json.end_object();
   }
-  return accessors;
+  json.end_array();
 }
 
-Json targets_of(const SceneAccessors& accessors, bool with_normals) {
-  Json targets = Json::array();
+void write_targets(JsonText& json, const SceneAccessors& accessors, bool with_normals) {
+  if (accessors.targets.empty()) return;
+  json.key("targets").begin_array();
   for (const TargetAccessors& target : accessors.targets) {
-    Json one = {{"POSITION", target.position}};
-    if (with_normals && target.normal) one["NORMAL"] = *target.normal;
-    targets.push_back(std::move(one));
+    json.begin_object().member("POSITION", target.position);
+    if (with_normals && target.normal) json.member("NORMAL", *target.normal);
+    json.end_object();
   }
-  return targets;
+  json.end_array();
 }
 
-Json mesh_of(const Scene& scene, const SceneAccessors& accessors) {
-  Json attributes = {{"POSITION", accessors.position}};
-  if (accessors.normal) attributes["NORMAL"] = *accessors.normal;
-  if (accessors.texture_coordinate) attributes["TEXCOORD_0"] = *accessors.texture_coordinate;
-  if (accessors.color) attributes["COLOR_0"] = *accessors.color;
-  Json primitives = Json::array();
-  primitives.push_back({{"attributes", std::move(attributes)}, {"indices", accessors.triangles}, {"material", 0}});
+void write_mesh(JsonText& json, const Scene& scene, const SceneAccessors& accessors) {
+  json.key("meshes").begin_array().begin_object().member("name", std::string_view(scene.name));
+  json.key("primitives").begin_array();
+  json.begin_object().key("attributes").begin_object().member("POSITION", accessors.position);
+  if (accessors.normal) json.member("NORMAL", *accessors.normal);
+  if (accessors.texture_coordinate) json.member("TEXCOORD_0", *accessors.texture_coordinate);
+  if (accessors.color) json.member("COLOR_0", *accessors.color);
+  json.end_object().member("indices", accessors.triangles).member("material", zero);
+  write_targets(json, accessors, true);
+  json.end_object();
   if (accessors.edges) {
-    constexpr int lines = 1;
-    primitives.push_back({{"attributes", {{"POSITION", accessors.position}}},
-                          {"indices", *accessors.edges},
-                          {"mode", lines},
-                          {"material", 1}});
-  }
-  Json mesh = {{"name", scene.name}};
-  if (!accessors.targets.empty()) {
+    constexpr std::uint64_t lines = 1;
+    json.begin_object().key("attributes").begin_object().member("POSITION", accessors.position).end_object();
+    json.member("indices", *accessors.edges).member("mode", lines).member("material", one);
     // All primitives of a mesh have the same targets.
-    primitives[0]["targets"] = targets_of(accessors, true);
-    if (accessors.edges) primitives[1]["targets"] = targets_of(accessors, false);
-    mesh["weights"] = std::vector<double>(accessors.targets.size(), 0.0);
-    Json& names = mesh["extras"]["targetNames"];
+    write_targets(json, accessors, false);
+    json.end_object();
+  }
+  json.end_array();
+  if (!accessors.targets.empty()) {
+    json.member("weights", std::vector<double>(accessors.targets.size(), 0.0));
+    json.key("extras").begin_object().key("targetNames").begin_array();
     for (const MorphTarget& target : scene.morph_targets)
-      names.push_back(target.name);
+      json.value(std::string_view(target.name));
+    json.end_array().end_object();
   }
-  mesh["primitives"] = std::move(primitives);
-  return mesh;
+  json.end_object().end_array();
 }
 
-Json material_of(const char* name, const std::array<double, 4>& color, bool textured) {
-  Json surface = {{"baseColorFactor", color}, {"metallicFactor", 0.0}, {"roughnessFactor", 0.7}};
-  if (textured) surface["baseColorTexture"] = {{"index", 0}};
-  Json material = {{"name", name}, {"pbrMetallicRoughness", std::move(surface)}};
-  if (color.back() < 1) material["alphaMode"] = "BLEND";
-  return material;
+void write_material(JsonText& json, std::string_view name, const std::array<double, 4>& color, bool textured) {
+  json.begin_object().member("name", name).key("pbrMetallicRoughness").begin_object();
+  json.member("baseColorFactor", color).member("metallicFactor", 0.0).member("roughnessFactor", 0.7);
+  if (textured) json.key("baseColorTexture").begin_object().member("index", zero).end_object();
+  json.end_object();
+  if (color.back() < 1) json.member("alphaMode", std::string_view("BLEND"));
+  json.end_object();
 }
 
-Json document_of(const Scene& scene, const SceneAccessors& accessors, const BinaryBuffer& buffer) {
-  Json document = {{"asset", {{"version", "2.0"}, {"generator", std::string("Orbicube ") + base::version_text}}},
-                   {"scene", 0}};
-  Json shown = {{"nodes", {0}}};
-  if (!scene.extras.empty()) shown["extras"] = extras_of(scene.extras);
-  document["scenes"].push_back(std::move(shown));
+void write_texture(JsonText& json, std::uint64_t view) {
+  constexpr std::uint64_t linear = 9729, linear_mipmap = 9987, repeat = 10497;
+  json.key("textures").begin_array().begin_object().member("sampler", zero).member("source", zero);
+  json.end_object().end_array().key("samplers").begin_array().begin_object();
+  json.member("magFilter", linear).member("minFilter", linear_mipmap).member("wrapS", repeat);
+  json.member("wrapT", repeat).end_object().end_array();
+  json.key("images").begin_array().begin_object().member("bufferView", view);
+  json.member("mimeType", std::string_view("image/png")).end_object().end_array();
+}
 
-  Json node = {{"name", scene.name}, {"mesh", 0}};
-  if (scene.translation != mesh::Vector3::Zero())
-    node["translation"] = {scene.translation.x(), scene.translation.y(), scene.translation.z()};
-  if (scene.scale != 1) node["scale"] = {scene.scale, scene.scale, scene.scale};
-  document["nodes"].push_back(std::move(node));
-  document["meshes"].push_back(mesh_of(scene, accessors));
+void write_scene_and_node(JsonText& json, const Scene& scene) {
+  json.member("scene", zero);
+  json.key("scenes").begin_array().begin_object().key("nodes").begin_array().value(zero).end_array();
+  if (!scene.extras.empty()) json.key("extras").raw(scene.extras);
+  json.end_object().end_array();
+  json.key("nodes").begin_array().begin_object().member("name", std::string_view(scene.name)).member("mesh", zero);
+  if (scene.translation != mesh::Vector3::Zero()) json.member("translation", std::span(scene.translation.data(), 3));
+  if (scene.scale != 1) json.member("scale", std::array{scene.scale, scene.scale, scene.scale});
+  json.end_object().end_array();
+}
 
-  document["materials"].push_back(material_of("surface", scene.base_color, accessors.texture_view.has_value()));
-  if (accessors.edges) document["materials"].push_back(material_of("edges", {0.02, 0.02, 0.02, 1.0}, false));
-  if (accessors.texture_view) {
-    constexpr int linear = 9729, linear_mipmap = 9987, repeat = 10497;
-    document["textures"].push_back({{"sampler", 0}, {"source", 0}});
-    document["samplers"].push_back(
-        {{"magFilter", linear}, {"minFilter", linear_mipmap}, {"wrapS", repeat}, {"wrapT", repeat}});
-    document["images"].push_back({{"bufferView", *accessors.texture_view}, {"mimeType", "image/png"}});
+// Throws Error "invalid-argument" with `message` unless the text is a JSON object.
+void require_object(std::string_view text, const std::string& message, const base::Host& host) {
+  try {
+    if (JsonDocument(text, host).root().kind() == JsonKind::object) return;
+  } catch (const base::Error& error) {
+    if (error.status() == base::Status::cancelled) throw;
   }
-  document["accessors"] = accessors_of(buffer);
-  document["bufferViews"] = views_of(buffer);
-  return document;
+  throw base::Error("invalid-argument", message);
 }
 
 }  // namespace
 
 std::string document_text(const Scene& scene, const SceneAccessors& accessors, const BinaryBuffer& buffer,
-                          const std::optional<std::string>& uri) {
-  Json document = document_of(scene, accessors, buffer);
-  Json one = {{"byteLength", buffer.size()}};
-  if (uri) one["uri"] = *uri;
-  document["buffers"].push_back(std::move(one));
-  try {
-    return document.dump();
-  } catch (const Json::type_error&) {
-    throw base::Error("invalid-argument", "a name is not UTF-8");
-  }
+                          const std::optional<std::string>& uri, const base::Host& host) {
+  if (!scene.extras.empty()) require_object(scene.extras, "the extras are no JSON object", host);
+  JsonText json;
+  json.begin_object().key("asset").begin_object().member("version", std::string_view("2.0"));
+  json.member("generator", std::string_view(std::string("Orbicube ") + base::version_text)).end_object();
+  write_scene_and_node(json, scene);
+  write_mesh(json, scene, accessors);
+  json.key("materials").begin_array();
+  write_material(json, "surface", scene.base_color, accessors.texture_view.has_value());
+  if (accessors.edges) write_material(json, "edges", {0.02, 0.02, 0.02, 1.0}, false);
+  json.end_array();
+  if (accessors.texture_view) write_texture(json, *accessors.texture_view);
+  write_accessors(json, buffer);
+  write_views(json, buffer);
+  json.key("buffers").begin_array().begin_object().member("byteLength", buffer.size());
+  if (uri) json.member("uri", std::string_view(*uri));
+  json.end_object().end_array().end_object();
+  require_object(json.text(), "a name is not UTF-8", host);
+  return json.text();
 }
 
 }  // namespace orbicube::gltf

@@ -28,6 +28,6 @@ struct SceneAccessors {
 // which nothing but the characters of the uri are missing. Throws Error "invalid-argument" when the extras are no JSON
 // object or a text is not UTF-8.
 std::string document_text(const Scene& scene, const SceneAccessors& accessors, const BinaryBuffer& buffer,
-                          const std::optional<std::string>& uri);
+                          const std::optional<std::string>& uri, const base::Host& host);
 
 }  // namespace orbicube::gltf

@@ -9,7 +9,8 @@
 #include "gltf/asset.h"
 #include "gltf/scene.h"
 #include "gltf/uri.h"
-#include "gltf/weld.h"
+#include "mesh/edge_table.h"
+#include "mesh/weld.h"
 
 namespace orbicube::gltf {
 
@@ -30,6 +31,15 @@ Mode mode_of(JsonValue primitive) {
   return static_cast<Mode>(mode);
 }
 
+// Whether no edge has a single triangle.
+bool is_closed(const mesh::Mesh& surface, const base::Host& host) {
+  const mesh::EdgeTable edges(surface.positions.size(), surface.triangles, host);
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    if (edges.half_edges(edge).size() == 1) return false;
+  }
+  return true;
+}
+
 // Gathers the placed primitives of an asset into one mesh.
 class SurfaceReader {
  public:
@@ -47,7 +57,7 @@ class SurfaceReader {
   }
 
   mesh::Mesh finish(mesh::ReadReport* report) {
-    if (report != nullptr) report->polygons = surface_.triangles.size();
+    if (report != nullptr) *report = {};
     note_if(mirrored_, " triangles of mirrored nodes, turned back");
     note_if(dropped_, " triangles of strips and fans with equal corners, left out");
     note_if(left_out_, " primitives of points or lines, left out");
@@ -80,10 +90,10 @@ class SurfaceReader {
     if (!options_.weld_identical) return;
     const char* why = ": triangles without indices";
     if (!without_indices_) {
-      if (is_closed(surface_.triangles, surface_.positions.size(), asset_.host())) return;
+      if (is_closed(surface_, asset_.host())) return;
       why = ": the surface was not closed";
     }
-    const WeldReport welded = weld(surface_, asset_.host());
+    const mesh::WeldReport welded = mesh::weld(surface_, asset_.host());
     if (report != nullptr) report->welded_vertices = welded.vertices;
     note_if(welded.vertices, (std::string(" vertices joined to others at the same position") + why).c_str());
     note_if(welded.triangles, " triangles with two corners at the same position, left out");
@@ -145,8 +155,7 @@ class SurfaceReader {
     }
     for (Index& corner : corners)
       corner += vertices.first;
-    const bool mirrored = placement.to_world.linear().determinant() < 0;
-    add_triangles(corners, mode, mirrored, indices ? indices : position);
+    add_triangles(corners, mode, placement.mirrored, indices ? indices : position);
   }
 
   static void refuse_compressed(JsonValue primitive, JsonValue accessor) {
@@ -236,7 +245,7 @@ class SurfaceReader {
     for (std::size_t i = 0; i < count; ++i) {
       if (i % items_between_reports == 0) asset_.host().report("reading triangles", i, count);
       Triangle triangle = corners_of(corners, mode, i);
-      if (!separate && (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0])) {
+      if (!separate && mesh::has_repeated_corner(triangle)) {
         ++dropped_;  // strips go on elsewhere through triangles without area
         continue;
       }

@@ -48,11 +48,18 @@ Eigen::Affine3d local_transform(JsonValue node) {
   return result;
 }
 
-void check_transform(const Eigen::Affine3d& transform, JsonValue node) {
+// The sign of the determinant, whose own value may be beyond the range of doubles. Throws when it is zero.
+bool is_mirror(const Eigen::Affine3d& transform, JsonValue node) {
   if (!transform.matrix().allFinite())
     throw base::Error("non-finite", node.path() + ": its transform is beyond the range of numbers");
-  if (transform.linear().determinant() == 0)
-    throw base::Error("degenerate-geometry", node.path() + ": its transform flattens the mesh");
+  Eigen::Matrix3d columns = transform.linear();
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double largest = columns.col(axis).cwiseAbs().maxCoeff();
+    if (largest > 0) columns.col(axis) /= largest;
+  }
+  const double determinant = columns.determinant();
+  if (determinant == 0) throw base::Error("degenerate-geometry", node.path() + ": its transform flattens the mesh");
+  return determinant < 0;
 }
 
 // Walks the graph depth first, children in order, each node once.
@@ -94,10 +101,9 @@ class Walk {
     if (++steps_ % 1024 == 0) asset_.host().report("reading nodes", steps_, asset_.nodes().size());
     const Eigen::Affine3d to_world = parent_to_world * local_transform(node);
     if (const JsonValue mesh = node.member("mesh")) {
-      Placement placement{asset_.meshes().at(mesh, "index-range"), to_world, static_cast<bool>(node.member("skin"))};
-      if (placement.skinned) placement.to_world.setIdentity();
-      check_transform(placement.to_world, node);
-      placements_.push_back(placement);
+      const bool skinned = static_cast<bool>(node.member("skin"));
+      const Eigen::Affine3d used = skinned ? Eigen::Affine3d::Identity() : to_world;
+      placements_.push_back({asset_.meshes().at(mesh, "index-range"), used, is_mirror(used, node), skinned});
     }
     const JsonValue children = node.member("children");
     if (!children) return;
@@ -149,7 +155,7 @@ base::Array<Placement> place_meshes(const Asset& asset) {
   }
   base::Array<Placement> all(asset.host().memory);
   for (std::size_t i = 0; i < asset.meshes().size(); ++i)
-    all.push_back({asset.meshes()[i], Eigen::Affine3d::Identity(), false});
+    all.push_back({asset.meshes()[i], Eigen::Affine3d::Identity(), false, false});
   return all;
 }
 

@@ -12,7 +12,8 @@ namespace orbicube::gltf {
 struct Placement {
   JsonValue mesh;
   Eigen::Affine3d to_world;
-  bool skinned;  // its node's transform does not count: joints would place it
+  bool mirrored;  // by the transform
+  bool skinned;   // its node's transform does not count: joints would place it
 };
 
 // The meshes of the scene that the file names (else its first, else all nodes, else all meshes as they are), in the

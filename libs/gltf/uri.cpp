@@ -56,18 +56,17 @@ class Descriptor {
   int descriptor_;
 };
 
-[[noreturn]] void fail_to_read(const std::string& name) {
-  throw base::Error("io", "cannot read " + in_quotes(name) + ": " + std::generic_category().message(errno));
+[[noreturn]] void fail_to_read() {
+  throw base::Error("io", "cannot read it: " + std::generic_category().message(errno));
 }
 
 // Never waits for a writer of a pipe, and reads regular files only.
 base::Array<std::byte> read_regular_file(const std::filesystem::path& path, int flags, const char* kind_if_not_regular,
                                          const base::Host& host) {
-  const std::string name = path.string();
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | flags));
   struct stat facts {};
-  if (file.get() < 0 || ::fstat(file.get(), &facts) != 0) fail_to_read(name);
-  if (!S_ISREG(facts.st_mode)) throw base::Error(kind_if_not_regular, in_quotes(name) + " is not a regular file");
+  if (file.get() < 0 || ::fstat(file.get(), &facts) != 0) fail_to_read();
+  if (!S_ISREG(facts.st_mode)) throw base::Error(kind_if_not_regular, "it is not a regular file");
   base::Array<std::byte> bytes(host.memory);
   bytes.resize(static_cast<std::size_t>(facts.st_size));
   constexpr std::size_t most_at_once = std::size_t{1} << 22U;
@@ -76,7 +75,7 @@ base::Array<std::byte> read_regular_file(const std::filesystem::path& path, int 
     host.report("reading file", done, bytes.size());
     const ::ssize_t got = ::read(file.get(), bytes.data() + done, std::min(most_at_once, bytes.size() - done));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail_to_read(name);
+    if (got < 0) fail_to_read();
     if (got == 0) break;  // the file became shorter
     done += static_cast<std::size_t>(got);
   }
@@ -136,7 +135,11 @@ base::Array<std::byte> read_file_below(const std::filesystem::path& folder, cons
   if (std::mismatch(root.begin(), root.end(), file.begin(), file.end()).first != root.end())
     throw base::Error("unsafe-path", "the buffer " + in_quotes(name) + " is a link out of the file's own folder");
   // The path has no links any more, so one that appears now is not followed.
-  return read_regular_file(file, O_NOFOLLOW, "unsafe-path", host);
+  try {
+    return read_regular_file(file, O_NOFOLLOW, "unsafe-path", host);
+  } catch (const base::Error& error) {
+    throw base::Error(error.kind(), "the buffer " + in_quotes(name) + ": " + error.what());
+  }
 }
 
 base::Array<std::byte> read_whole_file(const std::filesystem::path& path, const base::Host& host) {

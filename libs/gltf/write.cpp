@@ -171,9 +171,9 @@ void emit(const Scene& scene, Form form, const base::Host& host, const Sink& sin
   BinaryBuffer buffer(host);
   const SceneAccessors accessors = add_all(buffer, scene, host);
   if (form == Form::glb) {
-    emit_glb(document_text(scene, accessors, buffer, {}), buffer, sink);
+    emit_glb(document_text(scene, accessors, buffer, {}, host), buffer, sink);
   } else {
-    emit_gltf(document_text(scene, accessors, buffer, "data:application/octet-stream;base64,"), buffer, sink);
+    emit_gltf(document_text(scene, accessors, buffer, "data:application/octet-stream;base64,", host), buffer, sink);
   }
 }
 
