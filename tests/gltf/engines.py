@@ -10,12 +10,14 @@ is skipped, saying so; answers 77 when everything is.
 """
 
 import argparse
+import glob
 import json
 import os
 import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 HERE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "engines")
 
@@ -69,6 +71,18 @@ def check_three(modules, samples):
     return problems
 
 
+def import_into(project, names, command, environment):
+    """Runs the editor until it has imported the files. Without a display Godot 3.2 does not always end by itself."""
+    editor = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    end = time.monotonic() + 60
+    while editor.poll() is None and time.monotonic() < end:
+        if all(glob.glob(os.path.join(project, ".import", name + "-*.md5")) for name in names):
+            break
+        time.sleep(0.1)
+    editor.kill()
+    editor.wait()
+
+
 def check_godot(godot, samples, folder):
     project = os.path.join(folder, "project")
     shutil.copytree(os.path.join(HERE, "godot"), project)
@@ -77,7 +91,7 @@ def check_godot(godot, samples, folder):
         names.append(f"file{number}{os.path.splitext(sample.path)[1]}")
         shutil.copy(sample.path, os.path.join(project, names[-1]))
     environment = dict(os.environ, HOME=folder, XDG_DATA_HOME=folder, XDG_CONFIG_HOME=folder, XDG_CACHE_HOME=folder)
-    run([godot, "--path", project, "--editor", "--quit"], env=environment)
+    import_into(project, names, [godot, "--path", project, "--editor", "--quit"], environment)
     answer = run([godot, "--path", project, "--script", "describe.gd"] + [f"res://{name}" for name in names],
                  env=environment)
     lines = [json.loads(line[9:]) for line in answer.stdout.splitlines() if line.startswith("IMPORTED ")]

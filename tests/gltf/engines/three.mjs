@@ -7,6 +7,7 @@ import { pathToFileURL } from 'node:url';
 
 // What the loader takes from a browser: it only needs to believe that images can be decoded.
 globalThis.self = globalThis;
+globalThis.ProgressEvent ??= class extends Event {};
 globalThis.createImageBitmap = async (blob) => ({ width: 1, height: 1, bytes: blob.size, close() {} });
 
 const [folder, ...files] = process.argv.slice(2);
