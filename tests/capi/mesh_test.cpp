@@ -169,7 +169,7 @@ TEST_CASE("Cells are checked") {
   CHECK(cells_problem(cube.cells()) == "inverted-cell");
   cube.tetrahedra[5] = cube.tetrahedra[6];
   CHECK(cells_problem(cube.cells()) == "degenerate-cell");
-  obc_mesh_cells hexahedron = Cube().cells();
+  obc_mesh_cells hexahedron = cube.cells();
   hexahedron.tetrahedron_count = 0;
   hexahedron.hexahedra = cube.hexahedra.data();
   hexahedron.hexahedron_count = 1;

@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <initializer_list>
 #include <random>
 #include <vector>
 
@@ -29,7 +30,7 @@ TEST_CASE("The nearest vertex and those within a radius are those found by looki
   Random random;
   for (const bool on_grid : {false, true}) {
     const auto point = [&] { return on_grid ? random.grid_point() : random.point(); };
-    for (const std::size_t count : {0, 1, 3, 5, 700}) {
+    for (const std::size_t count : std::initializer_list<std::size_t>{0, 1, 3, 5, 700}) {
       std::vector<Vector3> positions;
       for (std::size_t i = 0; i < count; ++i)
         positions.push_back(point());
