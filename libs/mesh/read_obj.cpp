@@ -68,7 +68,7 @@ class ObjReader {
   // "7", "7/1", "7//3" or "7/1/3"; negative numbers count back from the latest vertex.
   Index corner() {
     const std::int64_t given = scanner_.any_index();
-    const std::string_view others = scanner_.word();  // what follows without a blank
+    const std::string_view others = scanner_.rest_of_word();
     if (others.find_first_not_of("/-0123456789") != std::string_view::npos || (!others.empty() && others[0] != '/')) {
       scanner_.fail("parse", "a face corner like 7, 7/1 or 7/1/3 expected, found " +
                                  in_quotes(std::to_string(given).append(others)));

@@ -68,6 +68,10 @@ void TextScanner::next_line() {
 
 std::string_view TextScanner::word() {
   if (at_end_of_line()) return {};
+  return rest_of_word();
+}
+
+std::string_view TextScanner::rest_of_word() {
   const char* start = at_;
   while (at_ != end_ && !is_space(*at_))
     ++at_;

@@ -29,6 +29,8 @@ class TextScanner {
   void next_line();       // to the start of the next one, whatever is left of this one
   // The next word of this line, up to a blank or the end; empty at the end of the line.
   std::string_view word();
+  // What goes on without a blank where the last number ended.
+  std::string_view rest_of_word();
 
   // Whether this line goes on, after blanks, with `text`. Moves past the blanks only.
   bool starts_with(std::string_view text) {
