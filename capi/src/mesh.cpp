@@ -1,7 +1,7 @@
 #include "orbicube/mesh.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -16,9 +16,11 @@
 #include "mesh/nearest.h"
 #include "mesh/orient.h"
 #include "mesh/predicates.h"
+#include "mesh/read.h"
 #include "mesh/surface_check.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
+#include "mesh/write.h"
 
 using namespace orbicube;
 using mesh::Index;
@@ -29,6 +31,7 @@ struct obc_mesh {
   explicit obc_mesh(const obc_host* host) : adapter(host), mesh(adapter.host().memory) {}
   capi::HostAdapter adapter;
   mesh::Mesh mesh;
+  mesh::ReadReport report;
 };
 
 struct obc_mesh_search {
@@ -104,6 +107,32 @@ void append(std::span<const Cell> from, std::size_t vertex_count, const char* wh
     }
   }
   to.assign(from.begin(), from.end());
+}
+
+obc_mesh_read_options default_read_options() {
+  obc_mesh_read_options options{};
+  options.struct_size = sizeof options;
+  options.weld_identical = mesh::ReadOptions().weld_identical;
+  return options;
+}
+
+mesh::ReadOptions to_read_options(const obc_mesh_read_options* given) {
+  mesh::ReadOptions options;
+  options.weld_identical = capi::copy_versioned(given, default_read_options()).weld_identical != 0;
+  return options;
+}
+
+obc_mesh_write_options default_write_options() {
+  obc_mesh_write_options options{};
+  options.struct_size = sizeof options;
+  options.binary = mesh::WriteOptions().binary;
+  return options;
+}
+
+mesh::WriteOptions to_write_options(const obc_mesh_write_options* given) {
+  mesh::WriteOptions options;
+  options.binary = capi::copy_versioned(given, default_write_options()).binary != 0;
+  return options;
 }
 
 obc_mesh_topology_report to_report(const mesh::Topology& t) {
@@ -248,6 +277,72 @@ obc_status obc_mesh_check_cells(const obc_mesh* mesh, const obc_host* host, obc_
   return capi::guarded(error, [&] {
     const capi::HostAdapter adapter(host);
     mesh::require_valid_cells(checked(mesh), adapter.host());
+  });
+}
+
+obc_status obc_mesh_read_options_init(obc_mesh_read_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_read_options());
+}
+
+obc_status obc_mesh_read(const char* path, const obc_mesh_read_options* options, const obc_host* host, obc_mesh** out,
+                         obc_error* error) {
+  return make(host, out, error, [&](obc_mesh& made) {
+    const mesh::ReadOptions settings = to_read_options(options);
+    capi::on_file(path, [&] { made.mesh = mesh::read_mesh(path, settings, made.adapter.host(), &made.report); });
+  });
+}
+
+obc_status obc_mesh_read_memory(const void* bytes, size_t size, int32_t format, const obc_mesh_read_options* options,
+                                const obc_host* host, obc_mesh** out, obc_error* error) {
+  return make(host, out, error, [&](obc_mesh& made) {
+    capi::require(format >= OBC_MESH_OBJ && format <= OBC_MESH_VTK, "format is none of OBC_MESH_...");
+    const auto content = view<std::byte>(static_cast<const std::byte*>(bytes), size, "bytes");
+    made.mesh = mesh::read_mesh(static_cast<mesh::Format>(format), content, to_read_options(options),
+                                made.adapter.host(), &made.report);
+  });
+}
+
+const char* obc_mesh_format(const obc_mesh* mesh) {
+  return mesh != nullptr ? mesh->report.format.c_str() : "";
+}
+
+size_t obc_mesh_polygon_count(const obc_mesh* mesh) {
+  return mesh != nullptr ? mesh->report.polygons : 0;
+}
+
+size_t obc_mesh_welded_vertex_count(const obc_mesh* mesh) {
+  return mesh != nullptr ? mesh->report.welded_vertices : 0;
+}
+
+const char* obc_mesh_note(const obc_mesh* mesh, size_t index) {
+  return mesh != nullptr && index < mesh->report.notes.size() ? mesh->report.notes[index].c_str() : nullptr;
+}
+
+obc_status obc_mesh_write_options_init(obc_mesh_write_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_write_options());
+}
+
+obc_status obc_mesh_write(const char* path, const obc_mesh* mesh, const obc_mesh_write_options* options,
+                          const obc_host* host, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const capi::HostAdapter adapter(host);
+    const mesh::Mesh& from = checked(mesh);
+    const mesh::WriteOptions settings = to_write_options(options);
+    capi::on_file(path, [&] { mesh::write_mesh(path, from, settings, adapter.host()); });
+  });
+}
+
+obc_status obc_mesh_write_surface(const char* path, const obc_surface* surface, const obc_mesh_write_options* options,
+                                  const obc_host* host, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface s(surface);
+    const capi::HostAdapter adapter(host);
+    const mesh::WriteOptions settings = to_write_options(options);
+    mesh::require_valid_surface(s.positions, s.triangles, adapter.host());
+    mesh::Mesh copied(adapter.host().memory);
+    copied.positions.assign(s.positions.begin(), s.positions.end());
+    copied.triangles.assign(s.triangles.begin(), s.triangles.end());
+    capi::on_file(path, [&] { mesh::write_mesh(path, copied, settings, adapter.host()); });
   });
 }
 

@@ -1,5 +1,5 @@
-/* Orbicube mesh: triangle surfaces and meshes of tetrahedra and hexahedra; what kind of surface one is, consistent
- * orientation, searches, and exact predicates.
+/* Orbicube mesh: triangle surfaces and meshes of tetrahedra and hexahedra, their files (OBJ, OFF, PLY, STL, MEDIT .mesh,
+ * legacy VTK); what kind of surface one is, consistent orientation, searches, and exact predicates.
  *
  * Arrays are the caller's: positions are x y z a vertex (3 * vertex_count doubles, finite), triangles are three vertices
  * each (3 * triangle_count indices from 0, counter-clockwise seen from outside), tetrahedra four (the fourth on the side that
@@ -82,6 +82,70 @@ OBC_API obc_status obc_mesh_surface(const obc_mesh *mesh, obc_surface *surface, 
  * manifold with the kind (inverted-cell, degenerate-cell, duplicate-cell, non-manifold-face, non-manifold-edge) and the
  * first place; out of memory, cancelled. O(n log n). */
 OBC_API obc_status obc_mesh_check_cells(const obc_mesh *mesh, const obc_host *host, obc_error *error);
+
+/* ---- files ------------------------------------------------------------------------------------------------------------ */
+
+/* Formats, for files in memory. */
+enum {
+  OBC_MESH_OBJ = 0,
+  OBC_MESH_OFF = 1,
+  OBC_MESH_PLY = 2,  /* ASCII and binary of either byte order, triangle strips */
+  OBC_MESH_STL = 3,  /* ASCII and binary */
+  OBC_MESH_MEDIT = 4,
+  OBC_MESH_VTK = 5   /* legacy, ASCII and binary */
+};
+
+/* Fill with _init. */
+typedef struct obc_mesh_read_options {
+  uint32_t struct_size;
+  int32_t weld_identical; /* 1: joins vertices at identical positions when the surface is not closed as it stands. STL, which
+                             has no shared vertices, is always joined. Default 0 */
+} obc_mesh_read_options;
+
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_mesh_read_options_init(obc_mesh_read_options *options, size_t struct_size);
+
+/* Reads the file at `path` (bytes as the system takes them), its format by its ending: .obj .off .ply .stl .mesh .vtk.
+ * Vertices keep their order unless they are joined; faces of more corners are cut into triangles; cells are checked as by
+ * obc_mesh_check_cells. options and host may be NULL; the host's allocator must stay valid until _destroy. Nothing in a file
+ * is trusted; memory is bounded by a multiple of its size. Errors: io, malformed file (the kind says how: truncated, parse,
+ * index-range, non-finite, ...; the message where), the kinds of cells, unsupported, out of memory, cancelled. O(size). */
+OBC_API obc_status obc_mesh_read(const char *path, const obc_mesh_read_options *options, const obc_host *host,
+                                 obc_mesh **out, obc_error *error);
+
+/* The same from `size` bytes of a file of the format OBC_MESH_...; they are not kept. */
+OBC_API obc_status obc_mesh_read_memory(const void *bytes, size_t size, int32_t format,
+                                        const obc_mesh_read_options *options, const obc_host *host, obc_mesh **out,
+                                        obc_error *error);
+
+/* What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
+ * joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
+ * Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read. */
+OBC_API const char *obc_mesh_format(const obc_mesh *mesh);
+OBC_API size_t obc_mesh_polygon_count(const obc_mesh *mesh);
+OBC_API size_t obc_mesh_welded_vertex_count(const obc_mesh *mesh);
+OBC_API const char *obc_mesh_note(const obc_mesh *mesh, size_t index);
+
+/* Fill with _init. */
+typedef struct obc_mesh_write_options {
+  uint32_t struct_size;
+  int32_t binary; /* 1: PLY, STL and VTK in binary; 0: as text. The other formats are text. Default 1 */
+} obc_mesh_write_options;
+
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_mesh_write_options_init(obc_mesh_write_options *options, size_t struct_size);
+
+/* Writes to `path`, the format by its ending: triangles to OBJ, OFF, PLY and STL, cells too to MEDIT and VTK. What is read
+ * again is the same mesh to the bit, but for STL, which has float32. The file appears once it is whole; after an error the
+ * old one is still there. options and host may be NULL. Errors: invalid argument, unsupported (the ending, or cells that the
+ * format cannot hold), io, out of memory, cancelled. O(n). */
+OBC_API obc_status obc_mesh_write(const char *path, const obc_mesh *mesh, const obc_mesh_write_options *options,
+                                  const obc_host *host, obc_error *error);
+
+/* The same for a surface in the caller's arrays. */
+OBC_API obc_status obc_mesh_write_surface(const char *path, const obc_surface *surface,
+                                          const obc_mesh_write_options *options, const obc_host *host,
+                                          obc_error *error);
 
 /* ---- topology -------------------------------------------------------------------------------------------------------- */
 
