@@ -18,7 +18,7 @@
   function say(text) {
     byId("message").textContent = text;
     byId("message").hidden = false;
-    for (const id of ["legend", "shape-name", "sphere-name"]) byId(id).hidden = true;
+    stage.classList.add("empty");
   }
 
   // Draws with the browser's next picture, both views only if they have changed.
