@@ -1,0 +1,189 @@
+// Quality of maps beside Praun and Hoppe's, and time and memory by size.
+//
+//   bench-sphere-map quality FOLDER [balanced|angle-area|isometric]   the models of the table below that FOLDER has
+//   bench-sphere-map scaling [VERTICES...]                            a shape made here, at several resolutions
+//
+// Praun and Hoppe's figures were measured with their program on the same files, CPU seconds on one machine: of the
+// times, only the order of magnitude of the quotient counts.
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/make_shape.h"
+#include "mesh/read.h"
+#include "sphere_map/measure.h"
+#include "sphere_map/rounding.h"
+#include "sphere_map/sphere_map.h"
+
+using namespace orbicube;
+
+namespace {
+
+struct PeerRow {
+  const char* file;
+  double energy, dilatation_largest, stretch_efficiency, seconds;
+};
+
+// Weights (0.1, 1).
+constexpr PeerRow praun_hoppe[] = {
+    {"goathead.obj", 22.75, 18.3, 0.671, 4.65},   {"cow.off", 32.99, 82.9, 0.432, 6.77},
+    {"spot.obj", 21.63, 8.63, 0.717, 4.50},       {"dino.off", 54.94, 82, 0.285, 8.51},
+    {"max-planck.obj", 18.51, 79.7, 0.899, 5.17}, {"homer.obj", 32.19, 69, 0.536, 8.92},
+    {"elephant.obj", 26.66, 20.1, 0.594, 9.70},   {"fandisk.obj", 18.87, 7.15, 0.862, 6.88},
+    {"octopus.off", 102.61, 280, 0.076, 15.04},   {"frog.obj", 18.96, 11.2, 0.840, 8.34},
+    {"b0.obj", 19.51, 5.34, 0.836, 11.04},        {"david.obj", 17.98, 3.39, 0.949, 8.47},
+    {"spider.off", 57.10, 82.8, 0.215, 17.26},    {"bimba.obj", 21.03, 12.8, 0.788, 10.87},
+    {"hand.off", 28.04, 58.4, 0.502, 16.78},      {"moai.obj", 19.14, 5.73, 0.845, 13.30},
+    {"man.off", 51.38, 2.49e4, 0.238, 20.99},     {"bumpy-cube.obj", 18.09, 1.88, 0.929, 13.52},
+    {"gargoyle.ply", 21.69, 45.7, 0.737, 23.05},  {"screwdriver.ply", 30.82, 90.3, 0.516, 24.92},
+    {"bunny.ply", 22.59, 68.7, 0.713, 26.79},     {"armadillo.ply", 31.26, 84, 0.422, 42.29},
+    {"horse.ply", 33.58, 553, 0.396, 42.40},      {"venus.ply", 17.90, 26.1, 0.961, 34.78},
+    {"amo.ply", 20.15, 13.1, 0.813, 69.15},       {"igea.ply", 17.90, 2.9, 0.962, 96.47},
+};
+
+// The most that was allocated at once.
+class CountingMemory final : public std::pmr::memory_resource {
+ public:
+  std::size_t peak() const { return peak_; }
+
+ private:
+  void* do_allocate(std::size_t size, std::size_t alignment) override {
+    now_ += size;
+    peak_ = std::max(peak_, now_);
+    return std::pmr::new_delete_resource()->allocate(size, alignment);
+  }
+  void do_deallocate(void* pointer, std::size_t size, std::size_t alignment) override {
+    now_ -= size;
+    std::pmr::new_delete_resource()->deallocate(pointer, size, alignment);
+  }
+  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
+
+  std::size_t now_ = 0;
+  std::size_t peak_ = 0;
+};
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Run {
+  sphere_map::Measurement figures;
+  double seconds;
+  std::size_t peak_bytes;
+  bool float32_is_valid;
+};
+
+Run run(const mesh::Mesh& surface, sphere_map::Method method) {
+  CountingMemory memory;
+  base::Host host;
+  host.memory = &memory;
+  host.thread_count = 1;
+  sphere_map::Options options;
+  options.method = method;
+  const double start = cpu_seconds();
+  const auto directions = sphere_map::compute(surface.positions, surface.triangles, options, host);
+  Run result{};
+  result.seconds = cpu_seconds() - start;
+  result.peak_bytes = memory.peak();
+  result.figures = sphere_map::measure(surface.positions, surface.triangles, directions, options.angle_weight,
+                                       options.area_weight, base::Host());
+  try {
+    sphere_map::round_to_float(surface.triangles, directions, base::Host());
+    result.float32_is_valid = true;
+  } catch (const base::Error&) {
+    result.float32_is_valid = false;
+  }
+  return result;
+}
+
+int quality(const std::filesystem::path& folder, sphere_map::Method method) {
+  constexpr double least_energy = 17.593;
+  std::printf("%-16s %8s %7s %8s %8s %8s %7s %9s %9s %7s %7s %7s %6s %s\n", "model", "vertices", "valid", "E_D", "E_A",
+              "E", "excess", "K max", "its K", "stretch", "its", "CPU s", "times", "float32");
+  double log_excess = 0, worst_excess = 0, log_stretch = 0, log_speed = 0, least_speed = INFINITY;
+  int models = 0, valid = 0, dilatation_no_worse = 0;
+  for (const PeerRow& peer : praun_hoppe) {
+    if (!std::filesystem::exists(folder / peer.file)) continue;
+    const mesh::Mesh surface = mesh::read_mesh(folder / peer.file, {}, base::Host());
+    const Run r = run(surface, method);
+    const auto& m = r.figures;
+    const double excess = (m.energy - least_energy) / (peer.energy - least_energy);
+    std::printf("%-16s %8zu %7s %8.2f %8.3f %8.3f %7.3f %9.4g %9.4g %7.3f %7.3f %7.2f %6.0f %s\n", peer.file,
+                surface.positions.size(), m.bijective ? "yes" : "NO", m.energy_angle, m.energy_area, m.energy, excess,
+                m.dilatation_largest, peer.dilatation_largest, m.stretch_efficiency, peer.stretch_efficiency, r.seconds,
+                peer.seconds / r.seconds, r.float32_is_valid ? "valid" : "refused");
+    std::fflush(stdout);
+    ++models;
+    valid += m.bijective;
+    dilatation_no_worse += m.dilatation_largest <= peer.dilatation_largest;
+    log_excess += std::log(excess);
+    worst_excess = std::max(worst_excess, excess);
+    log_stretch += std::log(m.stretch_efficiency / peer.stretch_efficiency);
+    log_speed += std::log(peer.seconds / r.seconds);
+    least_speed = std::min(least_speed, peer.seconds / r.seconds);
+  }
+  if (models == 0) {
+    std::fprintf(stderr, "%s has none of the models\n", folder.c_str());
+    return 1;
+  }
+  std::printf(
+      "%d of %d are bijections. Excess over the least energy relative to Praun and Hoppe's: %.3f (geometric mean), "
+      "%.3f (largest).\nLargest dilatation no worse on %d. Stretch efficiency relative to theirs: %.3f (geometric "
+      "mean). "
+      "CPU: %.0f times less (geometric mean), %.0f (least).\n",
+      valid, models, std::exp(log_excess / models), worst_excess, dilatation_no_worse, std::exp(log_stretch / models),
+      std::exp(log_speed / models), least_speed);
+  return valid == models ? 0 : 1;
+}
+
+int scaling(const std::vector<std::size_t>& sizes) {
+  std::printf("%10s %8s %9s %12s %10s\n", "vertices", "valid", "CPU s", "us a vertex", "B a vertex");
+  double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+  for (const std::size_t size : sizes) {
+    mesh::ShapeOptions options;
+    options.triangles = 2 * size;
+    const mesh::Mesh surface = mesh::make_shape("creature", options, base::Host());
+    const Run r = run(surface, sphere_map::Method::balanced);
+    const auto n = static_cast<double>(surface.positions.size());
+    std::printf("%10zu %8s %9.2f %12.2f %10.0f\n", surface.positions.size(), r.figures.bijective ? "yes" : "NO",
+                r.seconds, 1e6 * r.seconds / n, static_cast<double>(r.peak_bytes) / n);
+    std::fflush(stdout);
+    sum_x += std::log(n);
+    sum_y += std::log(r.seconds);
+    sum_xx += std::log(n) * std::log(n);
+    sum_xy += std::log(n) * std::log(r.seconds);
+  }
+  const auto count = static_cast<double>(sizes.size());
+  if (sizes.size() > 1) {
+    std::printf("time grows as n^%.2f\n", (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x));
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::string what = argc > 1 ? argv[1] : "";
+  if (what == "quality" && argc > 2) {
+    const std::string method = argc > 3 ? argv[3] : "balanced";
+    if (method == "balanced") return quality(argv[2], sphere_map::Method::balanced);
+    if (method == "angle-area") return quality(argv[2], sphere_map::Method::angle_area);
+    if (method == "isometric") return quality(argv[2], sphere_map::Method::isometric);
+  }
+  if (what == "scaling") {
+    std::vector<std::size_t> sizes;
+    for (int i = 2; i < argc; ++i)
+      sizes.push_back(std::strtoul(argv[i], nullptr, 10));
+    if (sizes.empty()) sizes = {10'000, 30'000, 100'000, 300'000, 1'000'000};
+    return scaling(sizes);
+  }
+  std::fprintf(stderr, "usage: %s quality FOLDER [METHOD] | scaling [VERTICES...]\n", argv[0]);
+  return 2;
+}
