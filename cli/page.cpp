@@ -107,7 +107,7 @@ void add_page(CLI::App& app, CommonOptions& common) {
   const auto options = std::make_shared<PageOptions>();
   verb->add_option("FILES", options->files, std::string("shape and map, shape and map, ...: ") + surface_endings)
       ->required()
-      ->type_name("SHAPE MAP ...");
+      ->type_name("SHAPE MAP");
   verb->add_option("-o,--output", options->output, "page to write")->required()->type_name("FILE.html");
   verb->add_option("--title", options->title, "heading of the page (" + options->title + ")")->type_name("TEXT");
   verb->add_option("--up", options->up, "which way is up in the first view: y or z (y)")
