@@ -203,7 +203,10 @@ Mesh make_creature(const ShapeOptions& options, const base::Host& host) {
       std::sqrt(static_cast<double>(options.triangles) / 2 / static_cast<double>(creature.control().quads.size()));
   const int levels = std::clamp(static_cast<int>(std::ceil(std::log2(2 * std::max(cells, 1.0)))), 4, 7);
   SubdivisionSurface surface(creature.control(), levels, host);
-  return mesh_patches(creature.control(), surface, surface.side_lengths(), options.triangles, host);
+  Mesh mesh = mesh_patches(creature.control(), surface, surface.side_lengths(), options.triangles, host);
+  for (Vector3& p : mesh.positions)  // it stands on the plane of x and z, as glTF and most viewers have it
+    p = {p[0], p[2], -p[1]};
+  return mesh;
 }
 
 }  // namespace orbicube::mesh

@@ -1,0 +1,239 @@
+// orbicube sphere: a closed surface of genus 0 mapped to the unit sphere, one to one, as it is in the file.
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "checked_file.h"
+#include "mesh/cells.h"
+#include "mesh/file.h"
+#include "mesh/orient.h"
+#include "mesh/topology.h"
+#include "mesh/write.h"
+#include "morph_sphere.h"
+#include "page_figures.h"
+#include "report_page.h"
+#include "sphere_map/measure.h"
+#include "sphere_map/rounding.h"
+#include "sphere_map/sphere_map.h"
+#include "surface_file.h"
+#include "verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+using Directions = base::Array<mesh::Vector3>;
+
+const std::map<std::string, sphere_map::Method> methods = {{"balanced", sphere_map::Method::balanced},
+                                                           {"angle-area", sphere_map::Method::angle_area},
+                                                           {"isometric", sphere_map::Method::isometric}};
+
+struct SphereOptions {
+  std::string input;
+  std::string output;
+  std::string method = "balanced";
+  double angle_weight = sphere_map::Options{}.angle_weight;
+  double area_weight = sphere_map::Options{}.area_weight;
+  std::string page;
+  bool text = false;
+  bool weld = false;
+};
+
+// The surface, turned outward, or the refusal of one that has no map.
+mesh::Mesh read_surface(const SphereOptions& options, Session& session) {
+  InputMesh input = read_input(options.input, options.weld, session);
+  session.figures()["format"] = input.report.format;
+  session.figures()["seconds_read"] = input.seconds;
+  mesh::Mesh& mesh = input.mesh;
+  about(options.input, Role::input, [&] {
+    if (!mesh.tetrahedra.empty() || !mesh.hexahedra.empty()) {
+      mesh::require_valid_cells(mesh, session.host());
+      throw base::Error("unsupported", "a solid of cells; the sphere map takes surfaces");
+    }
+    mesh::Topology facts = mesh::topology(mesh.positions, mesh.triangles, session.host());
+    const bool turn = facts.orientable && (facts.inconsistent_edges > 0 || facts.volume < 0);
+    // The other requirements first: their refusals say more than what turning would meet.
+    facts.inconsistent_edges = facts.orientable ? 0 : facts.inconsistent_edges;
+    mesh::require_closed_genus_zero(facts);
+    if (!turn) return;
+    const mesh::OrientReport turned = mesh::orient(mesh.positions, mesh.triangles, session.host());
+    if (turned.triangles_turned > 0)
+      session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbours");
+    if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
+    session.figures()["triangles_turned"] = turned.triangles_turned;
+    session.figures()["turned_outward"] = turned.turned_outward;
+  });
+  return std::move(mesh);
+}
+
+// Throws unless the file, read again, holds the map and every triangle of it is positive.
+void check_mesh_file(const std::filesystem::path& path, const mesh::Mesh& written, const base::Host& host) {
+  const mesh::Mesh read = mesh::read_mesh(path, {}, host);
+  // STL has no vertices to compare, only triangles.
+  const bool same = mesh::format_of_path(path) == mesh::Format::stl
+                        ? read.triangles.size() == written.triangles.size()
+                        : read.positions == written.positions && read.triangles == written.triangles;
+  if (!same) throw base::Error("no-valid-result", "what was written is not what is read again");
+  const std::size_t bad = sphere_map::count_not_positive(read.triangles, read.positions);
+  if (bad > 0)
+    throw base::Error("no-valid-result", std::to_string(bad) + " triangles of the written map are not positive");
+}
+
+// Writes the map beside its place, checks what is there, and only then puts it in its place. `directions` become those
+// that the file holds.
+void write_checked(const SphereOptions& options, const mesh::Mesh& surface, Directions& directions, Session& session) {
+  const base::Host& host = session.host();
+  const std::filesystem::path output = options.output;
+  CheckedFile file(output);
+  if (is_gltf(output)) {
+    MorphSphere map = round_to_morph_target(surface.positions, surface.triangles, directions, host);
+    write_morph_sphere(file.path(), map, surface.triangles, output.stem().string(), host);
+    check_morph_sphere(file.path(), map, surface.triangles, host);
+    directions = std::move(map.directions);
+    session.figures()["moved_by_rounding"] = map.moved;
+    if (map.scale != 1) session.note("coordinates of the surface are relative to its bounding box, see the node");
+  } else {
+    if (mesh::format_of_path(output) == mesh::Format::stl)
+      directions = sphere_map::round_to_float(surface.triangles, directions, host);
+    mesh::Mesh image(host.memory);
+    image.positions = directions;
+    image.triangles = surface.triangles;
+    mesh::write_mesh(file.path(), image, {.binary = !options.text}, host);
+    check_mesh_file(file.path(), image, host);
+  }
+  file.commit();
+}
+
+Json json_of(const sphere_map::Measurement& m) {
+  return {{"bijective", m.bijective},
+          {"flipped", m.flipped},
+          {"degenerate", m.degenerate},
+          {"degree", m.degree},
+          {"radius_error", m.radius_error},
+          {"energy", m.energy},
+          {"energy_angle", m.energy_angle},
+          {"energy_area", m.energy_area},
+          {"dilatation_max", m.dilatation_largest},
+          {"dilatation_mean", m.dilatation_mean},
+          {"area_ratio_min", m.area_ratio_smallest},
+          {"area_ratio_max", m.area_ratio_largest},
+          {"stretch_efficiency", m.stretch_efficiency},
+          {"isometric_mean", m.isometric_mean},
+          {"zero_area_faces", m.zero_area_faces}};
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+void write_page(const SphereOptions& options, const mesh::Mesh& surface, const Directions& directions,
+                const sphere_map::FaceDistortion& faces, const sphere_map::Measurement& m) {
+  const std::string name = std::filesystem::path(options.input).filename().string();
+  PageResult result;
+  result.name = name;
+  result.positions = surface.positions;
+  result.directions = directions;
+  result.triangles = surface.triangles;
+  result.dilatation = faces.dilatation;
+  result.area_ratio = faces.area_ratio;
+  result.figures =
+      page_figures(m, surface.positions.size(), surface.triangles.size(), options.angle_weight, options.area_weight);
+  about(options.page, Role::output, [&] {
+    mesh::OutputFile file(options.page);
+    file.write(report_page({&result, 1}, "Sphere map of " + name));
+    file.commit();
+  });
+}
+
+void sphere(const SphereOptions& options, Session& session) {
+  require_writable(options.output);
+  session.options() = {{"output", options.output},
+                       {"method", options.method},
+                       {"angle_weight", options.angle_weight},
+                       {"area_weight", options.area_weight},
+                       {"page", options.page},
+                       {"text", options.text},
+                       {"weld", options.weld}};
+  const mesh::Mesh surface = read_surface(options, session);
+  const base::Host& host = session.host();
+
+  const double start = session.seconds();
+  Directions directions = about(options.input, Role::input, [&] {
+    return sphere_map::compute(surface.positions, surface.triangles,
+                               {.method = methods.at(options.method),
+                                .angle_weight = options.angle_weight,
+                                .area_weight = options.area_weight,
+                                .seed = session.seed()},
+                               host);
+  });
+  const double computed = session.seconds() - start;
+  about(options.output, Role::output, [&] { write_checked(options, surface, directions, session); });
+  const double written = session.seconds() - start - computed;
+
+  sphere_map::FaceDistortion faces(host.memory);
+  const sphere_map::Measurement m = sphere_map::measure(surface.positions, surface.triangles, directions,
+                                                        options.angle_weight, options.area_weight, host, &faces);
+  session.figures().update({{"output", options.output},
+                            {"vertices", surface.positions.size()},
+                            {"triangles", surface.triangles.size()},
+                            {"method", options.method},
+                            {"angle_weight", options.angle_weight},
+                            {"area_weight", options.area_weight}});
+  session.figures().update(json_of(m));
+  session.figures().update({{"seconds_compute", computed}, {"seconds_write", written}});
+  if (!options.page.empty()) write_page(options, surface, directions, faces, m);
+
+  session.say(options.input + ": " + std::to_string(surface.triangles.size()) + " triangles mapped to the sphere in " +
+              number(computed) + " s, one to one, checked exactly in " + options.output);
+  session.say("  energy " + number(m.energy) + " (angles " + number(m.energy_angle) + ", areas " +
+              number(m.energy_area) + "), dilatation " + number(m.dilatation_mean) + " on average and " +
+              number(m.dilatation_largest) + " at most, stretch efficiency " + number(m.stretch_efficiency));
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+}  // namespace
+
+void add_sphere(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("sphere", "map a closed surface without handles to the unit sphere, one to one");
+  const auto options = std::make_shared<SphereOptions>();
+  verb->add_option("IN", options->input, std::string("surface to read: ") + surface_endings)->required()->type_name("");
+  verb->add_option("-o,--output", options->output,
+                   "map to write: the same vertices and faces with unit vectors for positions; .glb and .gltf hold the "
+                   "surface with the sphere as a morph target")
+      ->required()
+      ->type_name("OUT");
+  std::vector<std::string> names;
+  for (const auto& [name, method] : methods)
+    names.push_back(name);
+  verb->add_option("--method", options->method,
+                   "balanced: angles and areas with an eye on the worst triangle (the default); angle-area: the sum of "
+                   "the two energies; isometric: symmetric Dirichlet energy")
+      ->check(unnamed(CLI::IsMember(names)))
+      ->type_name("METHOD");
+  verb->add_option("--angle-weight", options->angle_weight, "weight of the angles' energy (0.1)")
+      ->check(unnamed(CLI::PositiveNumber))
+      ->type_name("W");
+  verb->add_option("--area-weight", options->area_weight, "weight of the areas' energy (1)")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("W");
+  verb->add_option("--page", options->page, "write a page that shows shape and map side by side, with the figures")
+      ->type_name("FILE.html");
+  verb->add_flag("--text", options->text, "text rather than binary, where the format has both (PLY, STL, VTK)");
+  verb->add_flag("--weld", options->weld, "join vertices at identical positions if the surface is not closed");
+  add_common_options(*verb, common);
+  verb->footer(
+      "Faces that look inward are turned. The file is read again and checked with exact arithmetic before it takes "
+      "its\n"
+      "name; a map that the format cannot hold is refused (no-valid-result).");
+  verb->callback([options, &common] {
+    Session session(common, "sphere", options->input);
+    session.run([&] { sphere(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,16 @@
+// The verbs of the command. Each adds itself to the command line, and works when it is called there.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "session.h"
+
+namespace orbicube::cli {
+
+void add_info(CLI::App& app, CommonOptions& common);
+void add_convert(CLI::App& app, CommonOptions& common);
+void add_make(CLI::App& app, CommonOptions& common);
+void add_sphere(CLI::App& app, CommonOptions& common);
+void add_page(CLI::App& app, CommonOptions& common);
+
+}  // namespace orbicube::cli
