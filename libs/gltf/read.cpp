@@ -10,6 +10,7 @@
 #include "gltf/scene.h"
 #include "gltf/uri.h"
 #include "mesh/edge_table.h"
+#include "mesh/file.h"
 #include "mesh/weld.h"
 
 namespace orbicube::gltf {
@@ -268,7 +269,7 @@ class SurfaceReader {
 
   // A file may show the same data any number of times, with a few bytes each. Bounds what that can grow into.
   void account(std::uint64_t elements) {
-    constexpr std::uint64_t always_allowed = std::uint64_t{1} << 23U, allowed_per_byte = 8;
+    constexpr std::uint64_t always_allowed = std::uint64_t{1} << 21U, allowed_per_byte = 4;
     const std::uint64_t allowed = always_allowed + allowed_per_byte * asset_.stored_bytes();
     // A count beyond what is stored is refused where its values are read.
     if (elements > allowed) return;
@@ -300,7 +301,7 @@ mesh::Mesh read(std::span<const std::byte> bytes, const std::optional<std::files
 
 mesh::Mesh read(const std::filesystem::path& path, const ReadOptions& options, const base::Host& host,
                 mesh::ReadReport* report) {
-  const base::Array<std::byte> bytes = read_whole_file(path, host);
+  const base::Array<std::byte> bytes = mesh::read_file(path, host);
   return read(bytes, path.parent_path(), options, host, report);
 }
 

@@ -1,15 +1,11 @@
 #include "gltf/uri.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <system_error>
 
 #include "base/error.h"
+#include "mesh/file.h"
 
 namespace orbicube::gltf {
 
@@ -40,47 +36,6 @@ std::string percent_decoded(std::string_view uri) {
     i += 2;
   }
   return result;
-}
-
-class Descriptor {
- public:
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() {
-    if (descriptor_ >= 0) ::close(descriptor_);
-  }
-  int get() const { return descriptor_; }
-
- private:
-  int descriptor_;
-};
-
-[[noreturn]] void fail_to_read() {
-  throw base::Error("io", "cannot read it: " + std::generic_category().message(errno));
-}
-
-// Never waits for a writer of a pipe, and reads regular files only.
-base::Array<std::byte> read_regular_file(const std::filesystem::path& path, int flags, const char* kind_if_not_regular,
-                                         const base::Host& host) {
-  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | flags));
-  struct stat facts {};
-  if (file.get() < 0 || ::fstat(file.get(), &facts) != 0) fail_to_read();
-  if (!S_ISREG(facts.st_mode)) throw base::Error(kind_if_not_regular, "it is not a regular file");
-  base::Array<std::byte> bytes(host.memory);
-  bytes.resize(static_cast<std::size_t>(facts.st_size));
-  constexpr std::size_t most_at_once = std::size_t{1} << 22U;
-  std::size_t done = 0;
-  while (done < bytes.size()) {
-    host.report("reading file", done, bytes.size());
-    const ::ssize_t got = ::read(file.get(), bytes.data() + done, std::min(most_at_once, bytes.size() - done));
-    if (got < 0 && errno == EINTR) continue;
-    if (got < 0) fail_to_read();
-    if (got == 0) break;  // the file became shorter
-    done += static_cast<std::size_t>(got);
-  }
-  bytes.resize(done);
-  return bytes;
 }
 
 }  // namespace
@@ -136,14 +91,10 @@ base::Array<std::byte> read_file_below(const std::filesystem::path& folder, cons
     throw base::Error("unsafe-path", "the buffer " + in_quotes(name) + " is a link out of the file's own folder");
   // The path has no links any more, so one that appears now is not followed.
   try {
-    return read_regular_file(file, O_NOFOLLOW, "unsafe-path", host);
+    return mesh::read_file(file, host, mesh::Links::refuse);
   } catch (const base::Error& error) {
     throw base::Error(error.kind(), "the buffer " + in_quotes(name) + ": " + error.what());
   }
-}
-
-base::Array<std::byte> read_whole_file(const std::filesystem::path& path, const base::Host& host) {
-  return read_regular_file(path, 0, "io", host);
 }
 
 }  // namespace orbicube::gltf

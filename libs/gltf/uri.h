@@ -30,7 +30,4 @@ std::string file_of_uri(std::string_view uri);
 base::Array<std::byte> read_file_below(const std::filesystem::path& folder, const std::string& name,
                                        const base::Host& host);
 
-// All bytes of the file at `path`. Throws Error "io" when it is not a regular file or cannot be read, "cancelled".
-base::Array<std::byte> read_whole_file(const std::filesystem::path& path, const base::Host& host);
-
 }  // namespace orbicube::gltf

@@ -288,5 +288,5 @@ TEST_CASE("Showing the same data again and again is bounded") {
   file.json["scenes"][0]["nodes"] = roots;
   const std::string bytes = file.glb();
   CHECK(kind_of(bytes) == "unsupported");
-  CHECK(memory_of_reading(bytes) < 250000000);
+  CHECK(memory_of_reading(bytes) < 150000000);
 }

@@ -1,0 +1,75 @@
+// The glTF reader on arbitrary bytes (libFuzzer), GLB and text by their content. It may answer with a surface or with
+// an Error of a known kind; a surface must be one that the rest of the tree can trust, and what is written of it must
+// be read again.
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <vector>
+
+#include "base/error.h"
+#include "gltf/read.h"
+#include "gltf/write.h"
+
+using namespace orbicube;
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "%s\n", what);
+  std::abort();
+}
+
+void require_sound(const mesh::Mesh& surface) {
+  require(!surface.triangles.empty(), "a surface without triangles");
+  for (const mesh::Vector3& p : surface.positions)
+    require(p.allFinite(), "a position that is not finite");
+  for (const mesh::Triangle& triangle : surface.triangles) {
+    for (const mesh::Index v : triangle)
+      require(v < surface.positions.size(), "a triangle with a vertex that does not exist");
+  }
+}
+
+// Writes the surface, in floats, and reads it again.
+void require_round_trip(const mesh::Mesh& surface, const base::Host& host) {
+  std::vector<float> positions;
+  for (const mesh::Vector3& p : surface.positions) {
+    for (const double x : p) {
+      if (!(std::abs(x) < 1e38)) return;  // no float
+      positions.push_back(static_cast<float>(x));
+    }
+  }
+  gltf::Scene scene;
+  scene.positions = positions;
+  scene.triangles = surface.triangles;
+  gltf::ReadOptions as_stored;
+  as_stored.weld_identical = false;
+  const mesh::Mesh again = gltf::read(gltf::to_bytes(scene, gltf::Form::glb, host), {}, as_stored, host);
+  require(again.triangles == surface.triangles, "triangles changed on their way through a file");
+  require(again.positions.size() == surface.positions.size(), "vertices were lost on their way through a file");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::span<const std::byte> bytes(reinterpret_cast<const std::byte*>(data), size);
+  const base::Host host;
+  for (const char* morph_target : {"", "sphere"}) {
+    gltf::ReadOptions options;
+    options.weld_identical = *morph_target == '\0';
+    options.morph_target = morph_target;
+    try {
+      mesh::ReadReport report;
+      const mesh::Mesh surface = gltf::read(bytes, {}, options, host, &report);
+      require_sound(surface);
+      require(!report.format.empty(), "a report without a format");
+      require_round_trip(surface, host);
+    } catch (const base::Error& error) {
+      require(error.status() != base::Status::internal, "an error of a kind that is in no table");
+      require(error.what()[0] != '\0', "an error without a message");
+    }
+  }
+  return 0;
+}
