@@ -1,0 +1,435 @@
+// The iteration: a step of the models in the trust region, then the radii, the points and their geometry. Two radii as
+// in Powell 2006 (NEWUOA): steps are within `radius`, and the `resolution` below it falls only when the models are good
+// and give nothing more. Method::seed has the one radius of the dissertation's section 4.4.2, the resolution then is
+// its end.
+#include <algorithm>
+#include <cmath>
+
+#include "trust_region/dense.h"
+#include "trust_region/solver.h"
+
+namespace orbicube::trust_region {
+
+Request Solver::iterate() {
+  while (state_.phase == Phase::iterate) {
+    if (state_.best_value <= options_.target) return finish(Stop::target_reached);
+    if (state_.failures_in_row > 20 + 2 * variables_.free_size()) return finish(Stop::evaluation_failed);
+    if (!prepare_models()) return begin_around(interpolation_.size());
+    switch (state_.next) {
+      case Next::step:
+        try_step();
+        break;
+      case Next::geometry:
+        improve_geometry();
+        break;
+      case Next::reduce:
+        reduce_resolution();
+        break;
+    }
+  }
+  return asked() ? Request::need_values : Request::done;
+}
+
+bool Solver::prepare_models() {
+  if (state_.spoiled != 0 || interpolation_.wants_rebuild(state_.radius)) {
+    if (!interpolation_.rebuild()) return false;
+    state_.spoiled = 0;
+    models_.meet(interpolation_);
+  }
+  models_.refresh(interpolation_);
+  return true;
+}
+
+// The box as seen from the best point + d.
+void Solver::relative_bounds(const double* d) {
+  const double* best = interpolation_.point(interpolation_.best());
+  for (std::size_t i = 0; i < low_.size(); ++i) {
+    const double at = best[i] + (d != nullptr ? d[i] : 0.0);
+    low_[i] = std::min(0.0, variables_.lower()[i] - at);
+    high_[i] = std::max(0.0, variables_.upper()[i] - at);
+  }
+}
+
+// Into d; answers the change of f that the models predict.
+double Solver::choose_step(double* d) {
+  const std::size_t n = variables_.free_size(), best = interpolation_.best();
+  const double* low = variables_.bounded() ? low_.data() : nullptr;
+  const double* high = variables_.bounded() ? high_.data() : nullptr;
+  std::fill_n(d, n, 0.0);
+  models_.expand(d, best, gradient_.data(), hessian_.data());
+  relative_bounds(nullptr);
+  quadratic_step_.minimise(gradient_.data(), hessian_.data(), state_.radius, low, high, d);
+  double value = models_.change(d, best);
+  if (!models_.least_squares()) return value;
+  for (int halving = 0; halving < 10 && !(value < 0); ++halving) {
+    for (std::size_t i = 0; i < n; ++i)
+      d[i] *= 0.5;
+    value = models_.change(d, best);
+  }
+  // The sum of squared quadratics is a quartic: a trust-region iteration of its own, which costs no evaluation.
+  double inner = std::max(0.5 * norm(d, n), 1e-3 * state_.radius);
+  double* trial = candidate_.data();
+  for (int iteration = 0; iteration < 30; ++iteration) {
+    host_.report("trust region", state_.evaluations, options_.max_evaluations, state_.best_value);
+    models_.expand(d, best, gradient_.data(), hessian_.data());
+    relative_bounds(d);
+    quadratic_step_.minimise(gradient_.data(), hessian_.data(), inner, low, high, move_.data());
+    double square = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      trial[i] = d[i] + move_[i];
+      square += trial[i] * trial[i];
+    }
+    const double shrink = square > state_.radius * state_.radius ? state_.radius / std::sqrt(square) : 1;
+    double moved = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      trial[i] *= shrink;
+      moved += (trial[i] - d[i]) * (trial[i] - d[i]);
+    }
+    const double next = models_.change(trial, best);
+    if (next < value) {
+      const double gain = value - next;
+      std::copy_n(trial, n, d);
+      value = next;
+      inner = std::min(2 * inner, 2 * state_.radius);
+      if (gain < 1e-6 * std::abs(value) || moved < 1e-16 * state_.radius * state_.radius) break;
+    } else {
+      inner *= 0.25;
+      if (inner < 1e-4 * state_.radius) break;
+    }
+  }
+  return value;
+}
+
+// By how much of the predicted change f must fall for a step to count as a success.
+double Solver::threshold() const {
+  const std::size_t n = variables_.free_size();
+  return options_.method == Method::two_radii && interpolation_.capacity() == (n + 1) * (n + 2) / 2 ? 0.01 : 0.1;
+}
+
+Request Solver::try_step() {
+  const std::size_t n = variables_.free_size();
+  double* d = step_.data();
+  const double predicted = -choose_step(d), length = norm(d, n);
+  const double* best = interpolation_.point(interpolation_.best());
+  const bool is_short = length < 0.5 * state_.resolution;
+  const double least = std::max(1e-15 * std::abs(state_.best_value), 0.1 * noise());
+  bool worth = predicted > (is_short || noise() > 0 ? least : 0);
+  if (is_short) {
+    // Residual models predict well enough for a short step to be worth an evaluation.
+    worth = worth && models_.least_squares() && length > 0.1 * options_.radius_end && length > 1e-15 * norm(best, n);
+  }
+  if (worth) {
+    bool moves = false;
+    for (std::size_t i = 0; i < n; ++i)
+      candidate_[i] = best[i] + d[i];
+    variables_.clip(candidate_.data());
+    for (std::size_t i = 0; i < n; ++i) {
+      d[i] = candidate_[i] - best[i];
+      moves = moves || d[i] != 0;
+    }
+    if (moves) {
+      state_.short_step = is_short ? 1 : 0;
+      state_.predicted = predicted;
+      state_.design_next = 0;
+      state_.design_end = 1;
+      put_request(0, candidate_.data());
+      return ask(Phase::trial);
+    }
+  }
+  state_.reduce_after = 1;
+  state_.radius *= 0.1;
+  if (state_.radius <= 1.5 * state_.resolution) state_.radius = state_.resolution;
+  state_.next = Next::geometry;
+  return Request::iteration;
+}
+
+Request Solver::take_trial() {
+  const std::size_t n = variables_.free_size(), best = interpolation_.best();
+  const bool failed = !std::isfinite(state_.told_value), seed = options_.method == Method::seed;
+  const double length = norm(step_.data(), n), before = values_[best], slack = noise();
+  const double ratio = failed ? -1 : (before - state_.told_value + slack) / (state_.predicted + slack);
+  const double enough = threshold(), resolution = state_.resolution;
+  state_.phase = Phase::iterate;
+  if (!failed) models_.judge(step_.data(), told_.data(), best);
+  if (state_.short_step != 0) {
+    if (ratio >= enough && !seed) {
+      state_.resolution = std::max(std::clamp(length, options_.radius_end, resolution), 0.1 * resolution);
+      state_.radius = std::max(state_.resolution, std::min(state_.radius, 2 * length));
+    }
+  } else if (seed) {
+    // The dissertation's step 4; where the ratio is low, the points come first (step 5).
+    if (ratio >= 0.7) {
+      state_.radius = std::max(state_.radius, 2 * length);
+    } else if (ratio >= 0.1) {
+      state_.radius = std::max(0.5 * state_.radius, length);
+    }
+  } else {
+    if (ratio < enough) {
+      state_.radius = std::min(0.5 * state_.radius, length);
+    } else {
+      state_.radius = std::max(0.5 * state_.radius, ratio <= 0.7 ? length : 2 * length);
+    }
+    if (state_.radius <= 1.5 * resolution) state_.radius = resolution;
+  }
+  if (!failed) include(interpolation_.size(), state_.told_value);
+  if (state_.phase != Phase::iterate) return Request::need_values;
+  if (ratio >= enough) {
+    state_.next = Next::step;
+    return Request::iteration;
+  }
+  state_.next = Next::geometry;
+  state_.reduce_after = state_.short_step != 0 || (ratio <= 0 && std::max(length, state_.radius) <= resolution) ? 1 : 0;
+  if (seed) {
+    // Shrinks once the points are near enough.
+    state_.reduce_after = 1;
+    state_.predicted = length;
+  }
+  return Request::iteration;
+}
+
+// The told point best + step_ takes the place of point j, or, where j is the number of points, that of whichever can go
+// best, or is added.
+void Solver::include(std::size_t j, double value) {
+  const std::size_t n = variables_.free_size();
+  const bool better = value < values_[interpolation_.best()];
+  bool good = interpolation_.prepare(step_.data());
+  if (!good) {
+    good = interpolation_.rebuild();
+    if (good) {
+      models_.meet(interpolation_);
+      interpolation_.prepare(step_.data());
+    }
+  }
+  bool added = false;
+  if (j == interpolation_.size()) {
+    const double square = dot(step_.data(), step_.data(), n);
+    added =
+        interpolation_.size() < interpolation_.capacity() && good && interpolation_.beta() > 1e-10 * square * square;
+    if (!added) {
+      j = who_leaves(better);
+      if (j == interpolation_.size()) return;
+    }
+  }
+  const std::size_t best = interpolation_.best();
+  models_.predict_remembering(step_.data(), error_.data());
+  for (std::size_t i = 0; i < error_.size(); ++i)
+    error_[i] = told_[i] - models_.row(best)[i] - error_[i];
+  good = good && (added ? interpolation_.append() : interpolation_.replace(j));
+  if (!good) {
+    // The inverse is lost: the point is placed, and everything is made afresh at the next iteration.
+    for (std::size_t i = 0; i < n; ++i)
+      candidate_[i] = interpolation_.point(best)[i] + step_[i];
+    interpolation_.place(j, candidate_.data());
+    state_.spoiled = 1;
+  }
+  models_.store(j, told_.data());
+  values_[j] = value;
+  if (state_.spoiled != 0) {
+    if (better || j == best) interpolation_.set_best(j);
+  } else {
+    if (j == best) models_.shift(step_.data());
+    models_.learn(interpolation_, j, error_.data());
+    if (better && j != best) {
+      interpolation_.set_best(j);
+      models_.shift(step_.data());
+    }
+  }
+  drop_far_points();
+}
+
+// The point whose leaving keeps the set best poised; far ones go more readily (Powell 2006, eq. 6.6). The number of
+// points when none should go.
+std::size_t Solver::who_leaves(bool better) const {
+  const std::size_t n = variables_.free_size(), best = interpolation_.best();
+  const double near = std::max(0.1 * state_.radius, state_.resolution);
+  double highest = 0;
+  std::size_t leaving = interpolation_.size();
+  for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+    if (j == best && !better) continue;
+    double square = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      double away = interpolation_.point(j)[i] - interpolation_.point(best)[i];
+      if (better) away -= step_[i];
+      square += away * away;
+    }
+    const double relative = std::max(1.0, square / (near * near));
+    const double score = std::abs(interpolation_.denominator(j)) * relative * relative * relative;
+    if (score > highest) {
+      highest = score;
+      leaving = j;
+    }
+  }
+  return leaving;
+}
+
+// Where the set may grow to that of full quadratics, points that are too far to say anything are given up.
+void Solver::drop_far_points() {
+  const std::size_t n = variables_.free_size();
+  if (interpolation_.capacity() <= 2 * n + 1) return;
+  const double far = 30 * std::max(state_.radius, state_.resolution);
+  while (interpolation_.size() > n + 1) {
+    std::size_t farthest = 0;
+    double most = 0;
+    for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+      const double away = interpolation_.distance_to_best(j);
+      if (away > most) {
+        most = away;
+        farthest = j;
+      }
+    }
+    if (!(most > far)) return;
+    models_.move(interpolation_.size() - 1, farthest);
+    values_[farthest] = values_[interpolation_.size() - 1];
+    if (!interpolation_.remove(farthest)) state_.spoiled = 1;
+  }
+}
+
+// Asks for a point in the place of the farthest, when that is too far from the best one.
+Request Solver::improve_geometry() {
+  const std::size_t n = variables_.free_size(), best = interpolation_.best();
+  double far = 2 * state_.radius;
+  std::size_t leaving = interpolation_.size();
+  for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+    const double away = interpolation_.distance_to_best(j);
+    if (away > far) {
+      far = away;
+      leaving = j;
+    }
+  }
+  if (leaving == interpolation_.size()) {
+    state_.next = state_.reduce_after != 0 ? Next::reduce : Next::step;
+    return Request::iteration;
+  }
+  if (!interpolation_.sound(leaving)) {
+    // Made afresh; if that has been done, this says that the points are not poised.
+    if (interpolation_.fresh()) return begin_around(interpolation_.size());
+    state_.spoiled = 1;
+    return Request::iteration;
+  }
+  // The largest |l| of the leaving point's Lagrange function, which is zero at the best point.
+  const double radius = std::max(std::min(0.1 * far, 0.5 * state_.radius), state_.resolution);
+  double* gradient = gradient_.data();
+  double* hessian = hessian_.data();
+  interpolation_.lagrange_function(leaving, gradient, hessian);
+  const auto lagrange = [&](const double* s) { return dot(gradient, s, n) + 0.5 * quadratic_form(hessian, n, s); };
+  relative_bounds(nullptr);
+  const double* low = variables_.bounded() ? low_.data() : nullptr;
+  const double* high = variables_.bounded() ? high_.data() : nullptr;
+  quadratic_step_.minimise(gradient, hessian, radius, low, high, step_.data());
+  const double lowest = lagrange(step_.data());
+  for (std::size_t i = 0; i < n; ++i)
+    gradient[i] = -gradient[i];
+  for (std::size_t i = 0; i < n * n; ++i)
+    hessian[i] = -hessian[i];
+  quadratic_step_.minimise(gradient, hessian, radius, low, high, move_.data());
+  const double highest = -lagrange(move_.data());
+  double most = std::max(-lowest, highest);
+  const bool comparable = std::min(-lowest, highest) > 0.7 * most;
+  const bool second =
+      comparable ? models_.change(move_.data(), best) < models_.change(step_.data(), best) : highest > -lowest;
+  if (second) std::copy_n(move_.data(), n, step_.data());
+  if (low != nullptr) {
+    // The active set may have stopped early. Powell 2009, section 3: a step towards another point may do better, or one
+    // along an axis.
+    const auto consider = [&] {
+      const double value = std::abs(lagrange(move_.data()));
+      if (value <= 1.2 * most) return;
+      most = value;
+      std::copy_n(move_.data(), n, step_.data());
+    };
+    for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+      if (j == best) continue;
+      const double part = std::min(1.0, radius / interpolation_.distance_to_best(j));
+      for (std::size_t i = 0; i < n; ++i)
+        move_[i] = part * (interpolation_.point(j)[i] - interpolation_.point(best)[i]);
+      consider();
+    }
+    for (std::size_t k = 0; k < n; ++k) {
+      for (const double length : {std::max(low[k], -radius), std::min(high[k], radius)}) {
+        std::fill(move_.begin(), move_.end(), 0.0);
+        move_[k] = length;
+        consider();
+      }
+    }
+  }
+  state_.leaving = leaving;
+  state_.geometry_tries = 0;
+  const double* center = interpolation_.point(best);
+  for (std::size_t i = 0; i < n; ++i)
+    candidate_[i] = center[i] + step_[i];
+  variables_.clip(candidate_.data());
+  for (std::size_t i = 0; i < n; ++i)
+    step_[i] = candidate_[i] - center[i];
+  if (!(norm(step_.data(), n) > 1e-3 * radius) || !(most > 1e-10)) {
+    state_.next = state_.reduce_after != 0 ? Next::reduce : Next::step;
+    return Request::iteration;
+  }
+  state_.design_next = 0;
+  state_.design_end = 1;
+  put_request(0, candidate_.data());
+  return ask(Phase::geometry);
+}
+
+Request Solver::take_geometry() {
+  const std::size_t n = variables_.free_size();
+  state_.phase = Phase::iterate;
+  state_.next = Next::step;
+  if (std::isfinite(state_.told_value)) {
+    models_.judge(step_.data(), told_.data(), interpolation_.best());
+    include(state_.leaving, state_.told_value);
+    return Request::iteration;
+  }
+  // No value there: without the far point where that can be, else to the other side, else with a smaller radius.
+  if (interpolation_.size() > n + 1) {
+    models_.move(interpolation_.size() - 1, state_.leaving);
+    values_[state_.leaving] = values_[interpolation_.size() - 1];
+    if (!interpolation_.remove(state_.leaving)) state_.spoiled = 1;
+    return Request::iteration;
+  }
+  if (++state_.geometry_tries <= 4) {
+    const double* center = interpolation_.point(interpolation_.best());
+    for (std::size_t i = 0; i < n; ++i)
+      candidate_[i] = center[i] - 0.5 * step_[i];
+    variables_.clip(candidate_.data());
+    for (std::size_t i = 0; i < n; ++i)
+      step_[i] = candidate_[i] - center[i];
+    if (norm(step_.data(), n) > 0) {
+      state_.design_next = 0;
+      state_.design_end = 1;
+      put_request(0, candidate_.data());
+      return ask(Phase::geometry);
+    }
+  }
+  state_.radius = std::max(0.5 * state_.radius, state_.resolution);
+  if (state_.reduce_after != 0) state_.next = Next::reduce;
+  return Request::iteration;
+}
+
+Request Solver::reduce_resolution() {
+  state_.next = Next::step;
+  const double end = options_.radius_end;
+  if (options_.method == Method::seed && state_.radius > end) {
+    state_.radius = std::max(end, 0.5 * std::min(state_.radius, state_.predicted));
+    return Request::iteration;
+  }
+  if (noise() > 0) {
+    // The points around the best one tell nothing more when their values differ by noise: by twice its level between
+    // two points, and the best may have been lucky.
+    std::size_t near = 0, equal = 0;
+    for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+      if (interpolation_.distance_to_best(j) > 2 * std::max(state_.radius, state_.resolution)) continue;
+      ++near;
+      if (values_[j] - state_.best_value <= 3 * noise()) ++equal;
+    }
+    if (near > variables_.free_size() && equal == near) return restart_or_finish(Stop::noise_limit);
+  }
+  if (state_.resolution <= 1.0001 * end) return restart_or_finish(Stop::converged);
+  // Powell 2006, section 7: in the end by few steps of equal ratio.
+  const double ratio = state_.resolution / end;
+  state_.radius = 0.5 * state_.resolution;
+  state_.resolution = ratio <= 16 ? end : ratio <= 250 ? std::sqrt(state_.resolution * end) : 0.1 * state_.resolution;
+  state_.radius = std::max(state_.radius, state_.resolution);
+  return Request::iteration;
+}
+
+}  // namespace orbicube::trust_region

@@ -1,0 +1,251 @@
+// Requests and answers; the method itself is in start.cpp and iteration.cpp.
+#include "trust_region/solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.h"
+#include "trust_region/dense.h"
+
+namespace orbicube::trust_region {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+void require(bool condition, const char* message) {
+  if (!condition) throw base::Error("invalid-argument", message);
+}
+
+const Options& checked(const Options& options) {
+  require(options.method == Method::two_radii || options.method == Method::seed, "unknown method");
+  require(options.start >= Start::automatic && options.start <= Start::cross, "unknown start");
+  require(options.radius_begin >= 0 && std::isfinite(options.radius_begin), "radius_begin must not be negative");
+  require(options.radius_end > 0 && std::isfinite(options.radius_end), "radius_end must be positive");
+  require(options.radius_begin == 0 || options.radius_begin >= options.radius_end,
+          "radius_begin must not be below radius_end");
+  require(!std::isnan(options.target), "target must be a number");
+  require(options.noise_absolute >= 0 && options.noise_relative >= 0 && std::isfinite(options.noise_absolute) &&
+              std::isfinite(options.noise_relative),
+          "noise must not be negative");
+  return options;
+}
+
+// Up to this many unknowns the point set grows to that of full quadratics.
+constexpr std::size_t full_quadratic_limit = 12;
+// Up to this many the models of residuals are kept in both families.
+constexpr std::size_t two_families_limit = 24;
+
+std::size_t capacity_of(const Problem& problem, const Options& options, std::size_t free) {
+  if (free == 0) return 1;
+  const std::size_t full = (free + 1) * (free + 2) / 2;
+  if (options.points != 0) {
+    const std::size_t n = problem.n;
+    require(options.points >= n + 2 && options.points <= (n + 1) * (n + 2) / 2,
+            "points must be from n + 2 to (n + 1)(n + 2) / 2");
+    return std::clamp<std::size_t>(options.points, free + 2, full);
+  }
+  if (options.method == Method::seed) return std::min(full, 2 * free + 1);
+  constexpr std::size_t limit = (full_quadratic_limit + 1) * (full_quadratic_limit + 2) / 2;
+  return std::min(full, std::max(limit, (problem.residuals > 0 ? 2 : 4) * free + 1));
+}
+
+}  // namespace
+
+const char* stop_name(Stop stop) {
+  switch (stop) {
+    case Stop::running:
+      return "running";
+    case Stop::converged:
+      return "converged";
+    case Stop::target_reached:
+      return "target reached";
+    case Stop::evaluation_budget:
+      return "evaluation budget";
+    case Stop::noise_limit:
+      return "noise limit";
+    case Stop::stalled:
+      return "stalled";
+    case Stop::cancelled:
+      return "cancelled";
+    case Stop::evaluation_failed:
+      return "evaluation failed";
+  }
+  return "unknown";
+}
+
+Solver::Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host)
+    : host_(host),
+      options_(checked(options)),
+      variables_(problem, host.memory),
+      interpolation_(variables_.free_size(), capacity_of(problem, options, variables_.free_size()), host.memory),
+      models_(variables_.free_size(), problem.outputs(), problem.residuals > 0, problem.sign,
+              problem.residuals > 0 && variables_.free_size() <= two_families_limit, interpolation_.capacity(),
+              host.memory),
+      quadratic_step_(variables_.free_size(), host.memory),
+      best_(problem.n, 0.0, host.memory),
+      best_outputs_(problem.outputs(), std::numeric_limits<double>::quiet_NaN(), host.memory),
+      values_(interpolation_.capacity(), 0.0, host.memory),
+      start_(variables_.free_size(), 0.0, host.memory),
+      design_((2 * variables_.free_size() + 1) * variables_.free_size(), 0.0, host.memory),
+      axes_(variables_.free_size(), 0, host.memory),
+      requests_((2 * variables_.free_size() + 1) * problem.n, 0.0, host.memory),
+      told_(problem.outputs(), 0.0, host.memory),
+      error_(problem.outputs(), 0.0, host.memory),
+      step_(variables_.free_size(), 0.0, host.memory),
+      gradient_(variables_.free_size(), 0.0, host.memory),
+      hessian_(variables_.free_size() * variables_.free_size(), 0.0, host.memory),
+      move_(variables_.free_size(), 0.0, host.memory),
+      low_(variables_.free_size(), 0.0, host.memory),
+      high_(variables_.free_size(), 0.0, host.memory),
+      candidate_(variables_.free_size(), 0.0, host.memory),
+      basis_(variables_.free_size() * variables_.free_size(), 0.0, host.memory) {
+  require(start.size() == problem.n || start.empty(), "the start must have n entries");
+  double largest = 1;
+  for (std::size_t i = 0; i < start.size(); ++i) {
+    require(std::isfinite(start[i]), "the start must be finite");
+    best_[i] = start[i];
+    largest = std::max(largest, std::abs(start[i] / (problem.scale.empty() ? 1.0 : problem.scale[i])));
+  }
+  if (options_.max_evaluations == 0) options_.max_evaluations = 500 * (problem.n + 1);
+  if (options_.radius_begin == 0) options_.radius_begin = std::max(0.1 * largest, options_.radius_end);
+  variables_.to_free(best_, start_.data());
+  variables_.clip(start_.data());
+  variables_.from_free(start_.data(), best_);
+  state_.best_value = infinity;
+}
+
+void Solver::give(std::span<const double> x, std::span<const double> outputs) {
+  require(state_.phase == Phase::created, "evaluations are given before the first step");
+  require(x.size() == size() && outputs.size() == this->outputs(), "x has n entries, and outputs one a residual");
+  require(variables_.within_bounds(x), "a given point is not within the bounds");
+  const double value = models_.objective(outputs.data());
+  require(std::isfinite(value), "a given value is not finite");
+  if (value < state_.best_value) {
+    state_.best_value = value;
+    std::copy(x.begin(), x.end(), best_.begin());
+    std::copy(outputs.begin(), outputs.end(), best_outputs_.begin());
+  }
+  std::size_t j = interpolation_.size();
+  if (j == interpolation_.capacity()) {
+    // The highest goes.
+    j = static_cast<std::size_t>(std::max_element(values_.begin(), values_.end()) - values_.begin());
+    if (values_[j] <= value) return;
+  } else {
+    interpolation_.resize(j + 1);
+  }
+  variables_.to_free(x, candidate_.data());
+  variables_.clip(candidate_.data());
+  interpolation_.place(j, candidate_.data());
+  models_.store(j, outputs.data());
+  values_[j] = value;
+}
+
+Request Solver::step() {
+  if (asked()) return Request::need_values;
+  try {
+    host_.report("trust region", state_.evaluations, options_.max_evaluations, state_.best_value);
+    return advance();
+  } catch (const base::Error& error) {
+    if (error.status() != base::Status::cancelled) throw;
+    state_.cancelled_by_host = 1;
+    return finish(Stop::cancelled);
+  }
+}
+
+Request Solver::advance() {
+  switch (state_.phase) {
+    case Phase::created:
+      return begin();
+    case Phase::start_told:
+      return next_of_start();
+    case Phase::iterate:
+      return iterate();
+    case Phase::trial_told:
+      ++state_.iterations;
+      take_trial();
+      return state_.phase == Phase::iterate ? Request::iteration : iterate();
+    case Phase::geometry_told:
+      take_geometry();
+      return iterate();
+    default:
+      return Request::done;
+  }
+}
+
+// At the points in design_ from design_next on.
+Request Solver::ask(Phase phase) {
+  if (state_.evaluations >= options_.max_evaluations) return finish(Stop::evaluation_budget);
+  state_.design_end = std::min(state_.design_end, state_.design_next + options_.max_evaluations - state_.evaluations);
+  state_.phase = phase;
+  return Request::need_values;
+}
+
+Request Solver::finish(Stop stop) {
+  state_.phase = Phase::done;
+  state_.stop = stop;
+  return Request::done;
+}
+
+void Solver::put_request(std::size_t row, const double* u) {
+  std::copy_n(u, variables_.free_size(), design_.data() + row * variables_.free_size());
+  variables_.from_free(u, std::span(requests_).subspan(row * size(), size()));
+}
+
+std::span<const double> Solver::pending() const {
+  return std::span(requests_).subspan(state_.design_next * size(), pending_count() * size());
+}
+
+void Solver::tell(std::span<const double> outputs) {
+  require(asked(), "nothing was asked for");
+  require(outputs.size() == this->outputs(), "there must be one number a residual");
+  ++state_.evaluations;
+  std::copy(outputs.begin(), outputs.end(), told_.begin());
+  state_.told_value = models_.objective(told_.data());
+  // A signed sum may be finite by chance where a residual is not.
+  for (const double value : told_) {
+    if (!std::isfinite(value)) state_.told_value = infinity;
+  }
+  if (!std::isfinite(state_.told_value)) {
+    state_.told_value = infinity;
+    ++state_.failed_evaluations;
+    ++state_.failures_in_row;
+  } else {
+    state_.failures_in_row = 0;
+    if (state_.told_value < state_.best_value) {
+      state_.best_value = state_.told_value;
+      std::copy_n(requests_.data() + state_.design_next * size(), size(), best_.begin());
+      std::copy(told_.begin(), told_.end(), best_outputs_.begin());
+    }
+  }
+  if (state_.phase == Phase::start) {
+    take_start();
+  } else {
+    state_.phase = state_.phase == Phase::trial ? Phase::trial_told : Phase::geometry_told;
+  }
+}
+
+void Solver::tell_failure() {
+  std::fill(error_.begin(), error_.end(), std::numeric_limits<double>::quiet_NaN());
+  tell(error_);
+}
+
+double Solver::noise() const {
+  return std::max(options_.noise_absolute, options_.noise_relative * std::abs(state_.best_value));
+}
+
+Result Solver::result() const {
+  Result result;
+  result.stop = state_.stop;
+  if (std::isfinite(state_.best_value)) result.value = state_.best_value;
+  result.radius = state_.radius;
+  result.resolution = state_.resolution;
+  result.evaluations = state_.evaluations;
+  result.failed_evaluations = state_.failed_evaluations;
+  result.iterations = state_.iterations;
+  result.restarts = state_.restarts;
+  result.points = interpolation_.size();
+  result.rebuilds = interpolation_.rebuilds();
+  return result;
+}
+
+}  // namespace orbicube::trust_region

@@ -1,0 +1,152 @@
+// The solver, one evaluation at a time: step() says what is wanted, tell() gives it. Everything is allocated when the
+// solver is made; a run can be saved between any two calls and goes on with the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory_resource>
+#include <span>
+
+#include "base/array.h"
+#include "base/host.h"
+#include "trust_region/interpolation.h"
+#include "trust_region/models.h"
+#include "trust_region/problem.h"
+#include "trust_region/quadratic_step.h"
+#include "trust_region/variables.h"
+
+namespace orbicube::trust_region {
+
+enum class Request : std::int32_t {
+  need_values = 1,  // f, or all residuals, at the points of pending(); answer with tell(), one point after the other
+  iteration = 2,    // best_point() and radii are those of a new iteration; nothing to answer
+  done = 3,         // see result()
+};
+
+class Solver {
+ public:
+  // Copies problem and start (n entries, moved into the bounds; none for a solver that a run is loaded into). Throws
+  // invalid-argument. `host` must outlive the solver.
+  Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host);
+
+  // An evaluation made before the run: x (n entries, within the bounds) and its outputs. Before the first step only;
+  // not counted. The run then begins at the lowest of them. Throws invalid-argument.
+  void give(std::span<const double> x, std::span<const double> outputs);
+
+  Request step();
+  // The points asked for, pending_count() rows of n entries; they may be evaluated at the same time. One, but at the
+  // start of a run with Start::cross.
+  std::size_t pending_count() const { return asked() ? design_count() - state_.design_next : 0; }
+  std::span<const double> pending() const;
+  // f or the residuals at the first of the points asked for. A number that is not finite says that it could not be
+  // evaluated there. Throws invalid-argument when nothing was asked.
+  void tell(std::span<const double> outputs);
+  void tell_failure();
+  // Ends the run as cancelled; what is known stays available.
+  void cancel() { finish(Stop::cancelled); }
+  bool cancelled_by_host() const { return state_.cancelled_by_host != 0; }
+
+  Result result() const;
+  // The lowest point evaluated and its outputs; before the first value, the start.
+  std::span<const double> best_point() const { return best_; }
+  std::span<const double> best_outputs() const { return best_outputs_; }
+  std::size_t size() const { return best_.size(); }
+  std::size_t outputs() const { return best_outputs_.size(); }
+
+  // The run's whole state as save_size() bytes, and back into a solver of the same problem and options (options_of).
+  // load() throws invalid-argument for a blob of another problem and parse for one that is damaged. Blobs are for
+  // machines with the same order of bytes.
+  std::size_t save_size() const;
+  void save(std::span<std::byte> blob) const;
+  void load(std::span<const std::byte> blob);
+  static Options options_of(std::span<const std::byte> blob);
+
+ private:
+  enum class Phase : std::int32_t {
+    created,
+    start,
+    start_told,
+    iterate,
+    trial,
+    trial_told,
+    geometry,
+    geometry_told,
+    done
+  };
+  enum class Next : std::int32_t { step, geometry, reduce };
+
+  // All that a run is besides its arrays; saved as bytes, so it holds no pointer and no padding.
+  struct State {
+    Phase phase = Phase::created;
+    Stop stop = Stop::running;
+    Next next = Next::step;
+    std::int32_t short_step = 0;    // 1 while the trial is shorter than half the resolution
+    std::int32_t reduce_after = 0;  // 1 when the resolution falls once no point is too far
+    std::int32_t spoiled = 0;       // 1 when the inverse must be made afresh
+    std::int32_t cancelled_by_host = 0, padding = 0;
+    std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0, restarts = 0;
+    std::uint64_t failures_in_row = 0;
+    std::uint64_t design_next = 0, design_end = 0, axes_next = 0, axes_end = 0;
+    std::uint64_t leaving = 0;  // the point that the geometry step replaces
+    std::uint64_t geometry_tries = 0, start_tries = 0, poise_failures = 0;
+    double radius = 0, resolution = 0, radius_begin = 0, predicted = 0;
+    double best_value = 0, told_value = 0;
+  };
+
+  bool asked() const {
+    return state_.phase == Phase::start || state_.phase == Phase::trial || state_.phase == Phase::geometry;
+  }
+  std::size_t design_count() const { return state_.design_end; }
+  Request advance();
+  Request ask(Phase phase);
+  Request finish(Stop stop);
+  void put_request(std::size_t row, const double* u);
+  double noise() const;
+
+  // start.cpp
+  Request begin();
+  Request begin_around(std::size_t keep);
+  void plan_axes();
+  Request next_of_start();
+  Request take_start();
+  double axis_step(const double* center, std::size_t axis, double length) const;
+  Request restart_or_finish(Stop stop);
+
+  // iteration.cpp
+  Request iterate();
+  bool prepare_models();
+  double choose_step(double* d);
+  Request try_step();
+  Request take_trial();
+  Request improve_geometry();
+  Request take_geometry();
+  Request reduce_resolution();
+  void include(std::size_t j, double value);
+  std::size_t who_leaves(bool better) const;
+  void drop_far_points();
+  void predict_error();
+  void relative_bounds(const double* d);
+  double threshold() const;
+
+  template <class Self, class Visit>
+  static void visit_state(Self& self, const Visit& visit);
+
+  const base::Host& host_;
+  Options options_;
+  Variables variables_;
+  Interpolation interpolation_;
+  Models models_;
+  QuadraticStep quadratic_step_;
+  State state_;
+  base::Array<double> best_, best_outputs_;  // n of the caller's, outputs
+  base::Array<double> values_;               // f at the interpolation points
+  base::Array<double> start_;                // free unknowns
+  base::Array<double> design_;               // rows of free unknowns asked for
+  base::Array<std::uint32_t> axes_;
+  base::Array<double> requests_;      // the same rows as the caller sees them
+  base::Array<double> told_, error_;  // outputs
+  base::Array<double> step_, gradient_, hessian_, move_, low_, high_, candidate_;
+  base::Array<double> basis_;  // free x free, for plan_axes()
+};
+
+}  // namespace orbicube::trust_region

@@ -1,0 +1,220 @@
+// The first points: evaluations that were given, then steps along the axes that these do not cover. The chain evaluates
+// each from the best point so far; the cross can be evaluated all at once. Also how a run begins again, and how a set
+// of points that has lost its poise is mended.
+#include <algorithm>
+#include <cmath>
+
+#include "trust_region/dense.h"
+#include "trust_region/solver.h"
+
+namespace orbicube::trust_region {
+namespace {
+
+constexpr std::uint64_t tries_of_an_axis = 8;
+
+}  // namespace
+
+Request Solver::begin() {
+  const std::size_t n = variables_.free_size();
+  state_.radius_begin = state_.radius = state_.resolution = options_.radius_begin;
+  if (options_.method == Method::seed) state_.resolution = options_.radius_end;
+  if (interpolation_.size() > 0) return begin_around(interpolation_.size());
+  state_.design_next = 0;
+  state_.design_end = 1;
+  put_request(0, start_.data());
+  const bool cross = options_.start == Start::cross ||
+                     (options_.start == Start::automatic && !models_.least_squares() && variables_.bounded());
+  if (cross) {
+    for (std::size_t k = 0; k < n; ++k) {
+      for (const bool second : {false, true}) {
+        const std::size_t row = 1 + k + (second ? n : 0);
+        if (row >= interpolation_.capacity()) continue;
+        const double first = axis_step(start_.data(), k, state_.radius), center = start_[k];
+        double length = first;
+        if (second) {
+          const auto fits = [&](double step) {
+            return center + step >= variables_.lower()[k] && center + step <= variables_.upper()[k];
+          };
+          length = fits(-first) ? -first : fits(2 * first) ? 2 * first : 0.5 * first;
+        }
+        std::copy(start_.begin(), start_.end(), candidate_.begin());
+        candidate_[k] += length;
+        variables_.clip(candidate_.data());
+        put_request(row, candidate_.data());
+        state_.design_end = std::max<std::uint64_t>(state_.design_end, row + 1);
+      }
+    }
+  }
+  return ask(Phase::start);
+}
+
+// A step of about `length` (of any sign) from the center along an axis that stays within the bounds.
+double Solver::axis_step(const double* center, std::size_t axis, double length) const {
+  const double up = variables_.upper()[axis] - center[axis], down = center[axis] - variables_.lower()[axis];
+  const double wanted = std::abs(length);
+  if (length > 0 ? up >= wanted : down >= wanted) return length;
+  if (length > 0 ? down >= wanted : up >= wanted) return -length;
+  return up >= down ? up : -down;
+}
+
+// The answer to one of the design's points.
+Request Solver::take_start() {
+  const std::size_t n = variables_.free_size(), j = interpolation_.size();
+  const bool good = std::isfinite(state_.told_value);
+  if (good) {
+    interpolation_.place(j, design_.data() + state_.design_next * n);
+    interpolation_.resize(j + 1);
+    models_.store(j, told_.data());
+    values_[j] = state_.told_value;
+    if (j == 0 || values_[j] < values_[interpolation_.best()]) interpolation_.set_best(j);
+  }
+  if (state_.axes_next < state_.axes_end) {
+    // Along an axis of the chain: the next one, or the same again to the other side.
+    state_.start_tries = good ? 0 : state_.start_tries + 1;
+    if (good || state_.start_tries >= tries_of_an_axis) {
+      ++state_.axes_next;
+      state_.start_tries = 0;
+    }
+  }
+  ++state_.design_next;
+  if (state_.design_next == state_.design_end) state_.phase = Phase::start_told;
+  return Request::need_values;
+}
+
+Request Solver::next_of_start() {
+  const std::size_t n = variables_.free_size();
+  if (interpolation_.size() == 0 || state_.failures_in_row > 20 + 2 * n) return finish(Stop::evaluation_failed);
+  if (state_.best_value <= options_.target) return finish(Stop::target_reached);
+  if (n == 0) return finish(Stop::converged);
+  if (state_.axes_next == state_.axes_end) {
+    if (interpolation_.size() >= n + 1 && interpolation_.rebuild()) {
+      models_.forget();
+      models_.meet(interpolation_);
+      state_.phase = Phase::iterate;
+      state_.next = Next::step;
+      state_.spoiled = 0;
+      state_.poise_failures = 0;
+      return iterate();
+    }
+    if (interpolation_.size() >= n + 1 && ++state_.poise_failures > 3) return restart_or_finish(Stop::stalled);
+    plan_axes();
+    if (state_.axes_next == state_.axes_end) return next_of_start();
+  }
+  const double* center = interpolation_.point(interpolation_.best());
+  const std::size_t axis = axes_[state_.axes_next];
+  const double length = state_.radius * std::pow(-0.6, static_cast<double>(state_.start_tries));
+  std::copy_n(center, n, candidate_.data());
+  candidate_[axis] += axis_step(center, axis, length);
+  variables_.clip(candidate_.data());
+  state_.design_next = 0;
+  state_.design_end = 1;
+  put_request(0, candidate_.data());
+  return ask(Phase::start);
+}
+
+// Goes on with the first `keep` points, or with the best alone.
+Request Solver::begin_around(std::size_t keep) {
+  std::size_t best = interpolation_.best();
+  for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+    if (values_[j] < values_[best]) best = j;
+  }
+  interpolation_.set_best(best);
+  if (keep == 1) {
+    interpolation_.place(0, interpolation_.point(best));
+    models_.move(best, 0);
+    values_[0] = values_[best];
+    interpolation_.set_best(0);
+    interpolation_.resize(1);
+  }
+  plan_axes();
+  return next_of_start();
+}
+
+// Keeps points near the best whose directions are independent, nearest first, and lists the axes that complete them.
+void Solver::plan_axes() {
+  const std::size_t n = variables_.free_size(), size = interpolation_.size();
+  std::size_t kept = 0, count = 0;
+  // The best first.
+  const auto exchange = [&](std::size_t a, std::size_t b) {
+    if (a == b) return;
+    std::copy_n(interpolation_.point(a), n, candidate_.data());
+    interpolation_.place(a, interpolation_.point(b));
+    interpolation_.place(b, candidate_.data());
+    std::copy_n(models_.row(a), outputs(), error_.data());
+    models_.move(b, a);
+    models_.store(b, error_.data());
+    std::swap(values_[a], values_[b]);
+  };
+  exchange(0, interpolation_.best());
+  interpolation_.set_best(0);
+  // Adds the direction to the orthonormal basis when enough of it is new; its new part is in move_.
+  const auto extends = [&](double least) {
+    const double length = norm(move_.data(), n);
+    if (!(length > 0) || count == n) return false;
+    for (int twice = 0; twice < 2; ++twice) {
+      for (std::size_t k = 0; k < count; ++k)
+        add_scaled(move_.data(), -dot(basis_.data() + k * n, move_.data(), n), basis_.data() + k * n, n);
+    }
+    const double rest = norm(move_.data(), n);
+    if (!(rest > least * length)) return false;
+    for (std::size_t i = 0; i < n; ++i)
+      basis_[count * n + i] = move_[i] / rest;
+    ++count;
+    return true;
+  };
+  for (kept = 1; kept < size && count < n;) {
+    std::size_t nearest = size;
+    double least = 0;
+    for (std::size_t j = kept; j < size; ++j) {
+      const double away = interpolation_.distance_to_best(j);
+      if (away >= 0 && (nearest == size || away < least)) {
+        nearest = j;
+        least = away;
+      }
+    }
+    if (least > 10 * state_.radius) break;
+    for (std::size_t i = 0; i < n; ++i)
+      move_[i] = interpolation_.point(nearest)[i] - interpolation_.point(0)[i];
+    if (extends(0.1)) {
+      exchange(kept, nearest);
+      ++kept;
+    } else {
+      // Too much like the others: it goes behind and is forgotten.
+      exchange(nearest, size - 1);
+      interpolation_.resize(size - 1);
+      return plan_axes();
+    }
+  }
+  interpolation_.resize(kept);
+  // The axes with the largest part outside of what is covered.
+  state_.axes_next = state_.axes_end = 0;
+  state_.start_tries = 0;
+  while (count < n) {
+    std::size_t axis = 0;
+    double most = -1;
+    for (std::size_t i = 0; i < n; ++i) {
+      double covered = 0;
+      for (std::size_t k = 0; k < count; ++k)
+        covered += basis_[k * n + i] * basis_[k * n + i];
+      if (1 - covered > most) {
+        most = 1 - covered;
+        axis = i;
+      }
+    }
+    std::fill(move_.begin(), move_.end(), 0.0);
+    move_[axis] = 1;
+    if (!extends(0)) break;
+    axes_[state_.axes_end++] = static_cast<std::uint32_t>(axis);
+  }
+}
+
+Request Solver::restart_or_finish(Stop stop) {
+  if (state_.restarts >= options_.restarts) return finish(stop);
+  ++state_.restarts;
+  state_.radius =
+      std::max(10 * options_.radius_end, state_.radius_begin * std::pow(0.1, static_cast<double>(state_.restarts % 4)));
+  if (options_.method != Method::seed) state_.resolution = state_.radius;
+  return begin_around(1);
+}
+
+}  // namespace orbicube::trust_region
