@@ -20,7 +20,7 @@ def main(command):
     with tempfile.TemporaryDirectory() as folder:
         shape, sphere, page = (os.path.join(folder, name) for name in ("creature.obj", "sphere.obj", "page.html"))
         for arguments in (["make", "creature", "-o", shape, "--resolution", "40000"], ["sphere", shape, "-o", sphere],
-                          ["page", shape, sphere, "-o", page, "--up", "z"]):
+                          ["page", shape, sphere, "-o", page]):
             subprocess.run([command, *arguments, "--quiet"], check=True)
         subprocess.run([browser, "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
                         "--enable-unsafe-swiftshader", "--hide-scrollbars", f"--user-data-dir={folder}/profile",
