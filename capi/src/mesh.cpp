@@ -280,6 +280,14 @@ obc_status obc_mesh_check_cells(const obc_mesh* mesh, const obc_host* host, obc_
   });
 }
 
+obc_status obc_mesh_boundary(const obc_mesh* mesh, const obc_host* host, obc_mesh** out, obc_error* error) {
+  return make(host, out, error, [&](obc_mesh& made) {
+    const mesh::Mesh& from = checked(mesh);
+    made.mesh.triangles = mesh::boundary_triangles(from, made.adapter.host());
+    made.mesh.positions = from.positions;
+  });
+}
+
 obc_status obc_mesh_read_options_init(obc_mesh_read_options* options, size_t struct_size) {
   return capi::init_versioned(options, struct_size, default_read_options());
 }

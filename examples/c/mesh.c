@@ -1,4 +1,5 @@
-/* Makes a torus, breaks it, and is told what and where: topology, orientation, the nearest point, exact signs. */
+/* Makes a torus, writes it to a file and reads it again to the bit; breaks it, and is told what and where: topology,
+ * orientation, the nearest point, exact signs. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -20,11 +21,13 @@ static obc_mesh_topology_report examine(const char* what, const obc_surface* sur
 int main(void) {
   const double above[3] = {0, 0, 5};
   const double a[3] = {0.1, 0.1, 0.1}, b[3] = {0.2, 0.2, 0.2}, c[3] = {0, 0, 1};
-  obc_mesh* torus = NULL;
+  const char* path = "mesh-example.ply";
+  const char* cut = "OFF 3 1 0\n0 0 0\n1 0 0\n"; /* a vertex and a face are missing */
+  obc_mesh *torus = NULL, *again = NULL;
   obc_mesh_search* search = NULL;
   obc_mesh_topology_report report;
   obc_mesh_orient_report turned;
-  obc_surface surface;
+  obc_surface surface, read;
   obc_error error;
   uint32_t *triangles, swapped, nearest;
   double distance, volume;
@@ -38,6 +41,23 @@ int main(void) {
   report = examine("torus", &surface);
   right &= report.closed && report.genus == 1 && report.volume > 0;
   volume = report.volume;
+
+  /* To a binary PLY file, and back. */
+  if (obc_mesh_write(path, torus, NULL, NULL, &error) != OBC_OK ||
+      obc_mesh_read(path, NULL, NULL, &again, &error) != OBC_OK || obc_mesh_surface(again, &read, &error) != OBC_OK) {
+    fprintf(stderr, "%s: %s\n", error.kind, error.message);
+    return 1;
+  }
+  printf("%s: %s, %d triangles\n", path, obc_mesh_format(again), (int)read.triangle_count);
+  right &= read.vertex_count == surface.vertex_count && read.triangle_count == surface.triangle_count &&
+           memcmp(read.positions, surface.positions, 3 * surface.vertex_count * sizeof(double)) == 0 &&
+           memcmp(read.triangles, surface.triangles, 3 * surface.triangle_count * sizeof(uint32_t)) == 0;
+  obc_mesh_destroy(again);
+  remove(path);
+
+  /* What is no file, or not what it should be, ends in a kind and a place. */
+  right &= obc_mesh_read_memory(cut, strlen(cut), OBC_MESH_OFF, NULL, NULL, &again, &error) == OBC_MALFORMED_FILE;
+  printf("%s: %s\n", error.kind, error.message);
 
   /* A torus has a handle: sphere maps refuse it, and say why. */
   right &= obc_mesh_check_closed_genus_zero(&surface, NULL, &error) == OBC_WRONG_GENUS;

@@ -119,16 +119,21 @@ struct Defect {
 };
 
 template <class Cell>
-void check_each(std::span<const Vector3> positions, std::span<const Cell> cells, const base::Host& host) {
-  const auto describe = [&](std::size_t i) {
-    return std::string(name(cells[i])) + " " + std::to_string(i) + " with vertices " + text(cells[i]);
-  };
+std::string describe(std::span<const Cell> cells, std::size_t i) {
+  return std::string(name(cells[i])) + " " + std::to_string(i) + " with vertices " + text(cells[i]);
+}
+
+template <class Cell>
+void check_indices(std::size_t vertex_count, std::span<const Cell> cells) {
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    for (const Index v : cells[i]) {
-      if (v >= positions.size())
-        throw base::Error("index-range", describe(i) + ", where there are " + std::to_string(positions.size()));
-    }
+    if (std::ranges::max(cells[i]) >= vertex_count)
+      throw base::Error("index-range", describe(cells, i) + ", where there are " + std::to_string(vertex_count));
   }
+}
+
+template <class Cell>
+void check_each(std::span<const Vector3> positions, std::span<const Cell> cells, const base::Host& host) {
+  check_indices(positions.size(), cells);
   Defect repeated, flat, inverted;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (i % items_between_reports == 0) host.report(phase, i, cells.size());
@@ -136,7 +141,7 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
     const bool repeats = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
     const int sign = repeats ? 0 : orientation(positions, cells[i]);
     if (sign > 0) continue;
-    (repeats ? repeated : sign == 0 ? flat : inverted).add([&] { return describe(i); });
+    (repeats ? repeated : sign == 0 ? flat : inverted).add([&] { return describe(cells, i); });
   }
   repeated.refuse("degenerate-cell", "cells with a repeated vertex");
   inverted.refuse("inverted-cell", "cells that are inside out, or have a corner that is");
@@ -146,7 +151,8 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
       cells.size(), positions.size(), [&](std::size_t i) { return sorted(cells[i]); }, host);
   for_each_group(same, [&](std::size_t first, std::size_t size) {
     for (std::size_t i = 1; i < size; ++i) {
-      duplicate.add([&] { return describe(same[first + i].item) + ", those of " + std::to_string(same[first].item); });
+      duplicate.add(
+          [&] { return describe(cells, same[first + i].item) + ", those of " + std::to_string(same[first].item); });
     }
   });
   duplicate.refuse("duplicate-cell", "cells with the vertices of another");
@@ -206,6 +212,26 @@ void require_valid_cells(const Mesh& mesh, const base::Host& host) {
   const auto quadrilaterals = boundary(hexahedra, vertices, hexahedron_faces, host);
   if (hexahedra.empty()) check_boundary(triangles, vertices, host);
   if (tetrahedra.empty()) check_boundary(quadrilaterals, vertices, host);
+}
+
+Array<Triangle> boundary_triangles(const Mesh& mesh, const base::Host& host) {
+  const std::span<const Tetrahedron> tetrahedra = mesh.tetrahedra;
+  const std::span<const Hexahedron> hexahedra = mesh.hexahedra;
+  const std::size_t vertices = mesh.positions.size();
+  check_indices(vertices, tetrahedra);
+  check_indices(vertices, hexahedra);
+  Array<Triangle> result = boundary(tetrahedra, vertices, tetrahedron_faces, host);
+  const auto length = [&](Index a, Index b) { return (mesh.positions[b] - mesh.positions[a]).stableNorm(); };
+  for (const auto& q : boundary(hexahedra, vertices, hexahedron_faces, host)) {
+    if (length(q[0], q[2]) <= length(q[1], q[3])) {
+      result.push_back({q[0], q[1], q[2]});
+      result.push_back({q[0], q[2], q[3]});
+    } else {
+      result.push_back({q[1], q[2], q[3]});
+      result.push_back({q[1], q[3], q[0]});
+    }
+  }
+  return result;
 }
 
 }  // namespace orbicube::mesh

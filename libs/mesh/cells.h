@@ -20,4 +20,9 @@ namespace orbicube::mesh {
 // 150 a hexahedron while it runs.
 void require_valid_cells(const Mesh& mesh, const base::Host& host);
 
+// The surface of the solid that the cells fill, looking outward: the faces of one cell only, those of hexahedra cut
+// along their shorter diagonal. Vertices keep their numbers. Throws Error "index-range", "non-manifold-face",
+// "cancelled". O(n log n).
+Array<Triangle> boundary_triangles(const Mesh& mesh, const base::Host& host);
+
 }  // namespace orbicube::mesh

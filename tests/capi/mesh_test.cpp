@@ -182,6 +182,21 @@ TEST_CASE("Cells are checked") {
   CHECK(cells_problem(hexahedron) == "inverted-cell");
 }
 
+TEST_CASE("The boundary of cells is a surface of its own") {
+  const Cube cube;
+  const Mesh solid = create(cube.cells());
+  obc_mesh* made = nullptr;
+  REQUIRE(obc_mesh_boundary(solid.get(), nullptr, &made, nullptr) == OBC_OK);
+  const Mesh boundary(made);
+  obc_surface surface;
+  REQUIRE(obc_mesh_surface(made, &surface, nullptr) == OBC_OK);
+  CHECK(surface.triangle_count == 12);
+  CHECK(topology(surface).genus == 0);
+  CHECK(topology(surface).volume == doctest::Approx(1));
+  CHECK(obc_mesh_boundary(nullptr, nullptr, &made, nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(made == nullptr);
+}
+
 TEST_CASE("What is nearest, what is at one place, what intersects") {
   Cube cube;
   const obc_surface surface = cube.surface();
@@ -493,6 +508,9 @@ obc_status use_everything(const obc_host& host) {
   obc_mesh* mesh = nullptr;
   obc_status status = obc_mesh_create(&cells, &host, &mesh, nullptr);
   if (status == OBC_OK) status = obc_mesh_check_cells(mesh, &host, nullptr);
+  obc_mesh* boundary = nullptr;
+  if (status == OBC_OK) status = obc_mesh_boundary(mesh, &host, &boundary, nullptr);
+  obc_mesh_destroy(boundary);
   obc_mesh_destroy(mesh);
   mesh = nullptr;
   if (status == OBC_OK) status = obc_mesh_make("cube", 500, 0, &host, &mesh, nullptr);

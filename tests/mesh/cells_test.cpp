@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/topology.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
@@ -158,4 +159,28 @@ TEST_CASE("A face of three cells and an edge between parts that only touch there
   Mesh hexahedra = cubes(2, true);
   hexahedra.hexahedra = {hexahedra.hexahedra[0], hexahedra.hexahedra[3]};
   CHECK(kind(hexahedra) == "non-manifold-edge");
+}
+
+TEST_CASE("The boundary of a solid is a closed surface that looks outward and encloses its volume") {
+  for (const bool as_hexahedra : {false, true}) {
+    const Mesh mesh = cubes(3, as_hexahedra);
+    const auto triangles = boundary_triangles(mesh, base::Host());
+    const Topology t = topology(mesh.positions, triangles, base::Host());
+    CHECK(t.triangles == 6 * 9 * 2);
+    CHECK(t.unreferenced_vertices == 8);
+    CHECK(t.genus == 0);
+    CHECK(t.inconsistent_edges == 0);
+    CHECK(t.volume == doctest::Approx(27));
+  }
+  // A tunnel through the middle.
+  Mesh tunnel = cubes(3, true);
+  Array<Hexahedron> kept;
+  for (std::size_t i = 0; i < 27; ++i) {
+    if (i % 9 != 4) kept.push_back(tunnel.hexahedra[i]);
+  }
+  tunnel.hexahedra = kept;
+  const Topology t = topology(tunnel.positions, boundary_triangles(tunnel, base::Host()), base::Host());
+  CHECK(t.genus == 1);
+  CHECK(t.volume == doctest::Approx(24));
+  CHECK(boundary_triangles(Mesh(), base::Host()).empty());
 }

@@ -83,6 +83,11 @@ OBC_API obc_status obc_mesh_surface(const obc_mesh *mesh, obc_surface *surface, 
  * first place; out of memory, cancelled. O(n log n). */
 OBC_API obc_status obc_mesh_check_cells(const obc_mesh *mesh, const obc_host *host, obc_error *error);
 
+/* The surface of the solid that the cells fill, looking outward, as a mesh of its own with the same vertices: the faces of one
+ * cell only, those of hexahedra cut in two. Errors: invalid argument, not manifold (a face of three cells), out of memory,
+ * cancelled. O(n log n). */
+OBC_API obc_status obc_mesh_boundary(const obc_mesh *mesh, const obc_host *host, obc_mesh **out, obc_error *error);
+
 /* ---- files ------------------------------------------------------------------------------------------------------------ */
 
 /* Formats, for files in memory. */
