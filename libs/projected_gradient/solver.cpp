@@ -10,6 +10,9 @@
 #include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
+
+using base::Search;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -9,10 +9,10 @@
 
 #include "base/array.h"
 #include "base/host.h"
+#include "base/line_search.h"
 #include "projected_gradient/face_step.h"
 #include "projected_gradient/feasible_set.h"
 #include "projected_gradient/limited_memory.h"
-#include "projected_gradient/line_search.h"
 #include "projected_gradient/problem.h"
 
 namespace orbicube::projected_gradient {
@@ -76,8 +76,8 @@ class Solver {
     double lowest_measure = 0;
     double curvature = 0;                   // lambda of eq. 4.13
     double average = 0, average_count = 0;  // C and Q of Zhang and Hager
-    WolfeSearch wolfe{};
-    BacktrackingSearch backtracking{};
+    base::WolfeSearch wolfe{};
+    base::BacktrackingSearch backtracking{};
   };
 
   bool asked() const { return state_.phase == Phase::asked || state_.phase == Phase::asked_first; }

@@ -1,10 +1,10 @@
-#include "projected_gradient/line_search.h"
+#include "base/line_search.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace orbicube::projected_gradient {
+namespace orbicube::base {
 namespace {
 
 // Where the cubic through two values and slopes is least (Nocedal and Wright 2006, eq. 3.59); NaN if nowhere.
@@ -96,4 +96,4 @@ Search BacktrackingSearch::advance(double start_value, double value) {
   return Search::again;
 }
 
-}  // namespace orbicube::projected_gradient
+}  // namespace orbicube::base

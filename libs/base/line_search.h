@@ -8,7 +8,7 @@
 #include <array>
 #include <cstdint>
 
-namespace orbicube::projected_gradient {
+namespace orbicube::base {
 
 enum class Search : std::int32_t { again = 0, accept = 1, give_up = 2 };
 
@@ -36,4 +36,4 @@ struct BacktrackingSearch {
   Search advance(double start_value, double value);
 };
 
-}  // namespace orbicube::projected_gradient
+}  // namespace orbicube::base

@@ -1,0 +1,54 @@
+// What the all-at-once solver is asked for and what it answers.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+namespace orbicube::sphere_optimizer {
+
+// N = count unit spheres in R^d, d = dimension: the unknowns are N blocks of d numbers.
+struct Shape {
+  std::size_t count, dimension;
+  std::size_t size() const { return count * dimension; }
+};
+
+enum class Method : std::int32_t {
+  limited_memory = 0,    // L-BFGS whose pairs are transported along the great circles
+  barzilai_borwein = 1,  // nonmonotone Barzilai-Borwein steps
+  great_circle = 2,      // the dissertation's Algorithm 2 with its flaws mended
+  seed = 3,              // Algorithm 2 as printed
+};
+
+struct Options {
+  Method method = Method::limited_memory;
+  std::uint32_t memory = 12;         // pairs of limited_memory
+  std::uint32_t history = 10;        // values that barzilai_borwein looks back on
+  double gradient_tolerance = 1e-8;  // on the longest of the blocks' tangent gradients
+  double target = -std::numeric_limits<double>::infinity();
+  std::uint64_t max_evaluations = 100000, max_iterations = 100000;
+};
+
+enum class Stop : std::int32_t {
+  running = 0,
+  converged = 1,
+  target_reached = 2,
+  evaluation_budget = 3,
+  iteration_budget = 4,
+  stalled = 5,
+  cancelled = 6,
+  evaluation_failed = 7,
+};
+
+// Short English name, e.g. "evaluation budget". Never null.
+const char* stop_name(Stop stop);
+
+struct Result {
+  Stop stop = Stop::running;
+  double value = std::numeric_limits<double>::quiet_NaN();  // at the point handed out
+  double gradient_norm =
+      std::numeric_limits<double>::infinity();  // longest tangent gradient of a block, at the iterate
+  std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
+};
+
+}  // namespace orbicube::sphere_optimizer

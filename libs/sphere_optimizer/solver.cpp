@@ -1,0 +1,399 @@
+// The iterations. All methods move every block along the great circle in the direction of its part of a tangent vector.
+//
+// limited_memory: L-BFGS with parallel transport and a Wolfe search along the arcs. barzilai_borwein: Iannazzo and
+// Porcelli 2018, "The Riemannian Barzilai-Borwein method with nonmonotone line search". great_circle: the
+// dissertation's Algorithm 2 along the tangent gradient, the first angle from the last search, halved until the value
+// falls. seed: Algorithm 2 as printed, all blocks turning and halving together.
+#include "sphere_optimizer/solver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "base/sums.h"
+#include "sphere_optimizer/great_circle.h"
+#include "sphere_optimizer/spheres.h"
+
+namespace orbicube::sphere_optimizer {
+
+using base::Search;
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double quarter_circle = 0.5 * std::numbers::pi;
+
+void require(bool condition, const char* message) {
+  if (!condition) throw base::Error("invalid-argument", message);
+}
+
+const Options& checked(const Options& options) {
+  require(options.method >= Method::limited_memory && options.method <= Method::seed, "unknown method");
+  require(options.memory >= 1 && options.memory <= 1000, "memory must be from 1 to 1000 pairs");
+  require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
+  require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
+  require(!std::isnan(options.target), "target must be a number");
+  return options;
+}
+
+const Shape& checked(const Shape& shape) {
+  require(shape.count >= 1, "there must be a sphere");
+  require(shape.dimension >= 2, "spheres must be in two dimensions at least");
+  constexpr std::size_t most = std::size_t{1} << 40;
+  require(shape.count < most / shape.dimension, "there are too many unknowns");
+  return shape;
+}
+
+// Values of f that differ by less may be the same.
+double rounding_of(double value) {
+  return 8 * std::numeric_limits<double>::epsilon() * std::abs(value);
+}
+
+bool all_finite(std::span<const double> v) {
+  // 0 * inf and 0 * nan are nan, so one sum tells.
+  double sum = 0;
+  for (const double value : v)
+    sum += 0.0 * value;
+  return sum == 0;
+}
+
+}  // namespace
+
+const char* stop_name(Stop stop) {
+  switch (stop) {
+    case Stop::running:
+      return "running";
+    case Stop::converged:
+      return "converged";
+    case Stop::target_reached:
+      return "target reached";
+    case Stop::evaluation_budget:
+      return "evaluation budget";
+    case Stop::iteration_budget:
+      return "iteration budget";
+    case Stop::stalled:
+      return "stalled";
+    case Stop::cancelled:
+      return "cancelled";
+    case Stop::evaluation_failed:
+      return "evaluation failed";
+  }
+  return "unknown";
+}
+
+Solver::Solver(const Shape& shape, const Options& options, std::span<const double> start, const base::Host& host)
+    : host_(host),
+      shape_(checked(shape)),
+      options_(checked(options)),
+      memory_(shape, options.method == Method::limited_memory ? options.memory : 0, host.memory),
+      x_(shape.size(), 0.0, host.memory),
+      gradient_(shape.size(), 0.0, host.memory),
+      trial_(shape.size(), 0.0, host.memory),
+      trial_gradient_(shape.size(), 0.0, host.memory),
+      direction_(shape.size(), 0.0, host.memory),
+      velocity_(shape.size(), 0.0, host.memory),
+      best_(shape.size(), 0.0, host.memory),
+      ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
+      trial_ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
+      last_values_(options.method == Method::barzilai_borwein ? options.history : 0, -infinity, host.memory) {
+  state_.best_value = state_.best_measure = state_.measure = state_.lowest_measure = infinity;
+  state_.arc = quarter_circle;
+  if (start.empty()) return;
+  require(start.size() == shape.size() && all_finite(start), "the start must be finite numbers");
+  std::copy(start.begin(), start.end(), x_.begin());
+  with_dimension(shape.dimension, [&](auto d) {
+    for (std::size_t i = 0; i < shape_.count; ++i)
+      require(normalise(d, &x_[i * d]), "a block of the start is zero or far from length 1");
+  });
+  std::copy(x_.begin(), x_.end(), best_.begin());
+}
+
+Request Solver::step() {
+  if (asked()) return Request::need_value_and_gradient;
+  try {
+    host_.report("sphere optimizer", state_.evaluations, options_.max_evaluations, state_.best_value);
+    return advance();
+  } catch (const base::Error& error) {
+    if (error.status() != base::Status::cancelled) throw;
+    state_.cancelled_by_host = 1;
+    return finish(Stop::cancelled);
+  }
+}
+
+Request Solver::advance() {
+  switch (state_.phase) {
+    case Phase::created:
+      std::copy(x_.begin(), x_.end(), trial_.begin());
+      return ask(Phase::asked_first);
+    case Phase::told_first:
+      if (!std::isfinite(state_.trial_value)) return finish(Stop::evaluation_failed);
+      begin_at_trial();
+      return Request::iteration;
+    case Phase::iterate:
+      return begin_iteration();
+    case Phase::told:
+      return take_trial();
+    default:
+      return Request::done;
+  }
+}
+
+Request Solver::ask(Phase phase) {
+  if (state_.evaluations >= options_.max_evaluations) return finish(Stop::evaluation_budget);
+  state_.phase = phase;
+  return Request::need_value_and_gradient;
+}
+
+Request Solver::finish(Stop stop) {
+  state_.phase = Phase::done;
+  state_.stop = stop;
+  return Request::done;
+}
+
+void Solver::tell(double value, std::span<const double> gradient) {
+  require(asked(), "nothing was asked for");
+  require(gradient.size() == shape_.size(), "the gradient must have as many entries as the point");
+  if (!std::isfinite(value) || !all_finite(gradient)) return tell_failure();
+  ++state_.evaluations;
+  state_.trial_value = value;
+  std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
+  if (!trial_ambient_.empty()) std::copy(gradient.begin(), gradient.end(), trial_ambient_.begin());
+  with_dimension(shape_.dimension, [&](auto d) {
+    for (std::size_t i = 0; i < shape_.count; ++i)
+      make_tangent(d, &trial_[i * d], &trial_gradient_[i * d]);
+  });
+  const bool known = std::isfinite(state_.best_measure);
+  if (value < state_.best_value - (known ? rounding_of(state_.best_value) : 0)) {
+    state_.best_value = value;
+    state_.best_measure = infinity;
+    state_.without_gain = 0;
+    std::copy(trial_.begin(), trial_.end(), best_.begin());
+  }
+  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
+}
+
+void Solver::tell_failure() {
+  require(asked(), "nothing was asked for");
+  ++state_.evaluations;
+  ++state_.failed_evaluations;
+  state_.trial_value = std::numeric_limits<double>::quiet_NaN();
+  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
+}
+
+// Length of the longest block.
+double Solver::longest_block(std::span<const double> v) const {
+  double longest = 0;
+  with_dimension(shape_.dimension, [&](auto d) {
+    for (std::size_t i = 0; i < shape_.count; ++i)
+      longest = std::max(longest, block_dot(d, &v[i * d], &v[i * d]));
+  });
+  return std::sqrt(longest);
+}
+
+// Makes the trial the iterate.
+void Solver::begin_at_trial() {
+  x_.swap(trial_);
+  gradient_.swap(trial_gradient_);
+  ambient_.swap(trial_ambient_);
+  state_.value = state_.trial_value;
+  if (!last_values_.empty()) last_values_[state_.iterations % last_values_.size()] = state_.value;
+  state_.measure = longest_block(gradient_);
+  if (state_.measure < state_.best_measure && state_.value <= state_.best_value + rounding_of(state_.best_value)) {
+    std::copy(x_.begin(), x_.end(), best_.begin());
+    state_.best_value = state_.value;
+    state_.best_measure = state_.measure;
+  }
+  ++state_.without_gain;
+  if (state_.measure < state_.lowest_measure) {
+    state_.lowest_measure = state_.measure;
+    state_.without_gain = 0;
+  }
+  state_.phase = Phase::iterate;
+}
+
+Request Solver::begin_iteration() {
+  if (state_.measure <= options_.gradient_tolerance) return finish(Stop::converged);
+  if (state_.best_value <= options_.target) return finish(Stop::target_reached);
+  // Lower values are found for a while after the last that rounding resolves; nonmonotone searches may need more.
+  constexpr std::uint64_t patience = 200;
+  if (state_.without_gain >= patience + 10 * options_.history) return finish(Stop::stalled);
+  if (state_.iterations >= options_.max_iterations) return finish(Stop::iteration_budget);
+  if (!choose_direction()) return finish(Stop::stalled);
+  place_trial(trial_length());
+  return ask(Phase::asked);
+}
+
+// The direction and the start of its search; false when there is none that descends.
+bool Solver::choose_direction() {
+  constexpr double first_angle = 0.1;  // of the block with the longest gradient, while nothing is known
+  constexpr double largest_angle = 1;  // of a direction of limited_memory, before its search
+  if (options_.method == Method::seed) {
+    choose_printed_direction();
+    return state_.backtracking.start_slope < 0;
+  }
+  state_.without_memory = memory_.count() == 0;
+  const auto follow_gradient = [&](double factor) {
+    for (std::size_t j = 0; j < direction_.size(); ++j)
+      direction_[j] = -factor * gradient_[j];
+  };
+  switch (options_.method) {
+    case Method::limited_memory:
+      if (!state_.without_memory) {
+        memory_.descend(gradient_, direction_, host_);
+        if (base::dot(gradient_, direction_) < 0) break;
+        memory_.clear();
+        state_.without_memory = 1;
+      }
+      follow_gradient(first_angle / state_.measure);
+      break;
+    case Method::barzilai_borwein: {
+      const double longest = quarter_circle / state_.measure;
+      follow_gradient(state_.iterations == 0 ? first_angle / state_.measure : std::min(state_.step_length, longest));
+      break;
+    }
+    default:
+      follow_gradient(std::min(quarter_circle, 2 * state_.arc) / state_.measure);
+  }
+  double angle = longest_block(direction_);
+  if (options_.method == Method::limited_memory && angle > largest_angle) {
+    for (double& value : direction_)
+      value *= largest_angle / angle;
+    angle = largest_angle;
+  }
+  const double slope = base::dot(gradient_, direction_);
+  if (!(slope < 0)) return false;
+  if (options_.method == Method::limited_memory) {
+    state_.wolfe.start(state_.value, state_.best_value, slope, quarter_circle / angle);
+  } else {
+    const bool nonmonotone = options_.method == Method::barzilai_borwein;
+    state_.backtracking.start(nonmonotone ? *std::max_element(last_values_.begin(), last_values_.end()) : state_.value,
+                              slope);
+  }
+  return true;
+}
+
+// Algorithm 2 as printed, for every block at once. A block whose violation of the first-order condition is within the
+// tolerance stays.
+void Solver::choose_printed_direction() {
+  with_dimension(shape_.dimension, [&](auto d) {
+    for (std::size_t i = 0; i < shape_.count; ++i) {
+      const double* tangent = &gradient_[i * d];
+      const double violation = std::sqrt(block_dot(d, tangent, tangent));
+      const bool moves = violation > options_.gradient_tolerance;
+      const double angle = moves ? printed_angle(d, &x_[i * d], &ambient_[i * d]) : 0.0;
+      for (std::size_t k = 0; k < d; ++k)
+        direction_[i * d + k] = moves ? -angle / violation * tangent[k] : 0.0;
+    }
+  });
+  state_.backtracking.start(state_.value, base::dot(gradient_, direction_));
+}
+
+double Solver::trial_length() const {
+  return options_.method == Method::limited_memory ? state_.wolfe.length : state_.backtracking.length;
+}
+
+// trial_ and velocity_, the direction carried there.
+void Solver::place_trial(double length) {
+  with_dimension(shape_.dimension, [&](auto d) {
+    for (std::size_t i = 0; i < shape_.count; ++i)
+      move(d, &x_[i * d], &direction_[i * d], length, &trial_[i * d], &velocity_[i * d]);
+  });
+}
+
+// What the condition of Algorithm 2 compares with: the product of the chord from the iterate to the trial and the whole
+// gradient.
+double Solver::chord_slope() const {
+  return base::blocked_sum(x_.size(), [&](std::size_t j) { return (trial_[j] - x_[j]) * ambient_[j]; });
+}
+
+Search Solver::judge_trial() {
+  constexpr double decrease = 1e-4;
+  constexpr std::uint64_t halving_limit = 60;
+  base::BacktrackingSearch& search = state_.backtracking;
+  switch (options_.method) {
+    case Method::limited_memory: {
+      base::WolfeSearch& wolfe = state_.wolfe;
+      const bool finite = std::isfinite(state_.trial_value);
+      const double slope = finite ? base::dot(trial_gradient_, velocity_) : state_.trial_value;
+      // The first step only has to tell the scale of the curvature, for which it need not be long.
+      const bool first = state_.without_memory && wolfe.trials == 0 && slope > wolfe.start_slope;
+      if (first && state_.trial_value <= wolfe.start_value + decrease * wolfe.length * wolfe.start_slope) {
+        return Search::accept;
+      }
+      return wolfe.advance(state_.trial_value, slope);
+    }
+    case Method::barzilai_borwein:
+      return search.advance(state_.value, state_.trial_value);
+    default: {
+      const double slope = options_.method == Method::seed ? chord_slope() : search.length * search.start_slope;
+      if (state_.trial_value <= search.reference + decrease * slope) return Search::accept;
+      search.length *= 0.5;
+      return ++search.trials >= halving_limit ? Search::give_up : Search::again;
+    }
+  }
+}
+
+void Solver::accept_trial() {
+  const double length = trial_length();
+  ++state_.iterations;
+  state_.arc = length * longest_block(direction_);
+  if (options_.method == Method::limited_memory || options_.method == Method::barzilai_borwein) {
+    // velocity_ and gradient_ become step and change of the gradient, both at the trial.
+    with_dimension(shape_.dimension, [&](auto d) {
+      for (std::size_t i = 0; i < shape_.count; ++i) {
+        transport(d, &x_[i * d], &trial_[i * d], &gradient_[i * d]);
+        for (std::size_t k = i * d; k < (i + 1) * d; ++k) {
+          gradient_[k] = trial_gradient_[k] - gradient_[k];
+          velocity_[k] *= length;
+        }
+      }
+    });
+    if (options_.method == Method::limited_memory) {
+      memory_.transport(x_, trial_, host_);
+      memory_.push(velocity_, gradient_);
+    } else {
+      // The long and the short step by turns; where there is no curvature, as far as can be.
+      const double product = base::dot(velocity_, gradient_);
+      const bool take_long = state_.iterations % 2 == 0;
+      state_.step_length =
+          take_long ? base::dot(velocity_, velocity_) / product : product / base::dot(gradient_, gradient_);
+      if (!(product > 0 && state_.step_length > 0)) state_.step_length = infinity;
+    }
+  }
+  begin_at_trial();
+}
+
+Request Solver::take_trial() {
+  switch (judge_trial()) {
+    case Search::accept:
+      accept_trial();
+      return Request::iteration;
+    case Search::again:
+      place_trial(trial_length());
+      return ask(Phase::asked);
+    default:
+      break;
+  }
+  const bool failed = !std::isfinite(state_.trial_value);
+  if (options_.method != Method::limited_memory || state_.without_memory) {
+    return finish(failed ? Stop::evaluation_failed : Stop::stalled);
+  }
+  // The memory may be at fault: once more along the gradient.
+  memory_.clear();
+  return begin_iteration();
+}
+
+Result Solver::result() const {
+  Result result;
+  result.stop = state_.stop;
+  const bool any = state_.evaluations > state_.failed_evaluations;
+  if (any) result.value = state_.stop == Stop::converged ? state_.value : state_.best_value;
+  result.gradient_norm = state_.measure;
+  result.evaluations = state_.evaluations;
+  result.failed_evaluations = state_.failed_evaluations;
+  result.iterations = state_.iterations;
+  return result;
+}
+
+}  // namespace orbicube::sphere_optimizer

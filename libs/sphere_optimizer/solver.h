@@ -1,0 +1,102 @@
+// All spheres at once, one evaluation at a time: step() says what is wanted, tell() gives it. Everything is allocated
+// when the solver is made; a run can be saved between any two calls and goes on with the same bits.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "base/array.h"
+#include "base/host.h"
+#include "base/line_search.h"
+#include "sphere_optimizer/limited_memory.h"
+#include "sphere_optimizer/problem.h"
+
+namespace orbicube::sphere_optimizer {
+
+enum class Request : std::int32_t {
+  need_value_and_gradient = 1,  // of f at point(); answer with tell()
+  iteration = 2,                // point() is a new iterate; nothing to answer
+  done = 3,                     // see result()
+};
+
+class Solver {
+ public:
+  // `start` holds N blocks of d numbers, none of them zero, which are scaled to length 1; it is empty for a solver that
+  // a run is loaded into. Throws invalid-argument. `host` must outlive the solver.
+  Solver(const Shape& shape, const Options& options, std::span<const double> start, const base::Host& host);
+
+  Request step();
+  std::span<const double> point() const { return asked() ? trial_ : x_; }
+  // After need_value_and_gradient only (throws invalid-argument otherwise). `gradient` is the gradient of f in R^d of
+  // each block, or any vector with the same part tangent to the spheres (but Method::seed looks at the whole). A value
+  // or an entry that is not finite says that f could not be evaluated there.
+  void tell(double value, std::span<const double> gradient);
+  void tell_failure();
+  // Ends the run as cancelled; what is known stays available.
+  void cancel() { finish(Stop::cancelled); }
+  bool cancelled_by_host() const { return state_.cancelled_by_host != 0; }
+
+  Result result() const;
+  // The point that result() speaks of: the iterate that met the tolerance, else the lowest point evaluated (among
+  // values that differ by rounding only, the one with the least gradient); before the first evaluation, the start.
+  std::span<const double> best_point() const { return state_.stop == Stop::converged ? x_ : best_; }
+  const Shape& shape() const { return shape_; }
+
+  // The run's whole state as save_size() bytes, and back into a solver of the same shape and options (options_of).
+  // load() throws invalid-argument for a blob of another shape or method and malformed-file kinds for one that is
+  // damaged. Blobs are for machines with the same order of bytes.
+  std::size_t save_size() const;
+  void save(std::span<std::byte> blob) const;
+  void load(std::span<const std::byte> blob);
+  static Options options_of(std::span<const std::byte> blob);
+  static Shape shape_of(std::span<const std::byte> blob);
+
+ private:
+  enum class Phase : std::int32_t { created, asked_first, told_first, iterate, asked, told, done };
+
+  // All that a run is besides its arrays and its memory; saved as bytes, so it holds no pointer and no padding.
+  struct State {
+    Phase phase = Phase::created;
+    Stop stop = Stop::running;
+    std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
+    std::uint64_t cancelled_by_host = 0;
+    std::uint64_t without_memory = 0;  // 1 while the current direction is along the gradient
+    std::uint64_t without_gain = 0;    // iterations since value or gradient were lower than ever before
+    double value = 0, trial_value = 0, best_value = 0, measure = 0, lowest_measure = 0;
+    double best_measure = 0;  // longest gradient at the best point, infinite while it is not known
+    double step_length = 0;   // of barzilai_borwein, times the gradient
+    double arc = 0;           // of great_circle: angle of the block that turned farthest, last time
+    base::WolfeSearch wolfe{};
+    base::BacktrackingSearch backtracking{};
+  };
+
+  bool asked() const { return state_.phase == Phase::asked || state_.phase == Phase::asked_first; }
+  Request advance();
+  Request begin_iteration();
+  Request take_trial();
+  Request ask(Phase phase);
+  Request finish(Stop stop);
+  bool choose_direction();
+  void choose_printed_direction();
+  double longest_block(std::span<const double> v) const;
+  double chord_slope() const;
+  base::Search judge_trial();
+  double trial_length() const;
+  void place_trial(double length);
+  void accept_trial();
+  void begin_at_trial();
+  template <class Self, class Visit>
+  static void visit_state(Self& self, const Visit& visit);
+
+  const base::Host& host_;
+  Shape shape_;
+  Options options_;
+  LimitedMemory memory_;
+  State state_;
+  base::Array<double> x_, gradient_, trial_, trial_gradient_, direction_, velocity_, best_;  // N d each
+  base::Array<double> ambient_, trial_ambient_;  // the gradients as told, for Method::seed
+  base::Array<double> last_values_;              // ring of Options::history values of f, for barzilai_borwein
+};
+
+}  // namespace orbicube::sphere_optimizer
