@@ -28,11 +28,6 @@ int sign(double x) {
 // both are covered by `tiny` many times over. After an overflow `magnitude` is no number below infinity, and nothing is
 // certain.
 int certain_sign(const Vector3& p, const Vector3& e, const Vector3& f) {
-  // Factors that are 0 are exactly so, since differences of doubles are 0 only when they are equal: points in one plane
-  // along two axes need no more than this.
-  for (int k = 0; k < 3; ++k) {
-    if (p[k] == 0 && e[k] == 0 && f[k] == 0) return 0;
-  }
   const double yz = e.y() * f.z(), zy = e.z() * f.y();
   const double zx = e.z() * f.x(), xz = e.x() * f.z();
   const double xy = e.x() * f.y(), yx = e.y() * f.x();
@@ -41,9 +36,15 @@ int certain_sign(const Vector3& p, const Vector3& e, const Vector3& f) {
                            std::abs(p.y()) * (std::abs(zx) + std::abs(xz)) +
                            std::abs(p.z()) * (std::abs(xy) + std::abs(yx));
   const double tiny = 0x1p-1000 * (1 + std::abs(p.x()) + std::abs(p.y()) + std::abs(p.z()));
-  const bool certain = std::abs(determinant) > 12 * unit_roundoff * magnitude + tiny &&
-                       magnitude < std::numeric_limits<double>::infinity();
-  return certain ? sign(determinant) : undecided;
+  if (std::abs(determinant) > 12 * unit_roundoff * magnitude + tiny &&
+      magnitude < std::numeric_limits<double>::infinity())
+    return sign(determinant);
+  // Differences of doubles are 0 only when they are equal, so a row or a column of zeros is exactly one: equal points,
+  // and points in one plane along two axes.
+  for (int k = 0; k < 3; ++k) {
+    if (p[k] == 0 && e[k] == 0 && f[k] == 0) return 0;
+  }
+  return e.isZero(0) || f.isZero(0) ? 0 : undecided;
 }
 
 // The exponent of the last bit of a finite x, or a large number for 0.
@@ -112,8 +113,6 @@ int orientation_2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eig
   // Two differences, a product and a subtraction: a relative error of each term below 4.1 u.
   const Eigen::Vector2d e = b - a;
   const Eigen::Vector2d f = c - a;
-  // Differences of doubles are 0 only when they are equal: points on one line along an axis.
-  if ((e.x() == 0 && f.x() == 0) || (e.y() == 0 && f.y() == 0)) return 0;
   const double left = e.x() * f.y();
   const double right = e.y() * f.x();
   const double magnitude = std::abs(left) + std::abs(right);
@@ -121,6 +120,8 @@ int orientation_2d(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eig
       magnitude < std::numeric_limits<double>::infinity()) {
     return sign(left - right);
   }
+  // As above: points on one line along an axis.
+  if ((e.x() == 0 && f.x() == 0) || (e.y() == 0 && f.y() == 0)) return 0;
   const auto x = integers<2, 3>({&a, &b, &c});
   const Integer exact = (x[1][0] - x[0][0]) * (x[2][1] - x[0][1]) - (x[1][1] - x[0][1]) * (x[2][0] - x[0][0]);
   return exact.sign();
