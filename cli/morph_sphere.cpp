@@ -95,8 +95,6 @@ std::vector<float> folded_octahedron(std::span<const Vector3> directions) {
 MorphSphere round_to_morph_target(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                   std::span<const Vector3> directions, const base::Host& host) {
   MorphSphere map(host.memory);
-  set_base(map, positions);
-  if (round_on_base(map, triangles, directions, host)) return map;
   Vector3 low = positions[triangles[0][0]];
   Vector3 high = low;
   for (const Triangle& t : triangles) {
@@ -105,8 +103,15 @@ MorphSphere round_to_morph_target(std::span<const Vector3> positions, std::span<
       high = high.cwiseMax(positions[v]);
     }
   }
+  const double half_size = (0.5 * high - 0.5 * low).maxCoeff();
+  const double largest = std::max(low.cwiseAbs().maxCoeff(), high.cwiseAbs().maxCoeff());
+  // Beyond these the surface loses more than a millionth of its size, or the sphere more than 1e-4 of its radius.
+  if (largest <= 32 * half_size && largest <= 1024) {
+    set_base(map, positions);
+    if (round_on_base(map, triangles, directions, host)) return map;
+  }
   map.translation = 0.5 * low + 0.5 * high;
-  map.scale = (0.5 * high - 0.5 * low).maxCoeff();
+  map.scale = half_size;
   set_base(map, positions);
   if (round_on_base(map, triangles, directions, host)) return map;
   throw base::Error("no-valid-result",

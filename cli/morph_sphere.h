@@ -22,9 +22,9 @@ struct MorphSphere {
 };
 
 // Rounds the map so that every triangle is positive, exactly, whether base and delta are added in float32 or as
-// doubles. The base is the surface's own coordinates in float32 where that can be done, otherwise they are taken
-// relative to the bounding box, which leaves more digits for the sphere. Throws Error "no-valid-result" when float32
-// cannot hold the map.
+// doubles. The base is the surface's own coordinates in float32 where that loses nothing to speak of, otherwise they
+// are taken relative to the bounding box, which leaves more digits for both. Throws Error "no-valid-result" when
+// float32 cannot hold the map.
 MorphSphere round_to_morph_target(std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
                                   std::span<const mesh::Vector3> directions, const base::Host& host);
 

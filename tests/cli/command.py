@@ -1,0 +1,121 @@
+"""What the tests of the command share: running it, and reading what it wrote without its help."""
+import json
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+from fractions import Fraction
+
+COMMAND = os.path.abspath(sys.argv[1])
+# Address space cannot be limited where the sanitizer reserves terabytes of it.
+with open(COMMAND, "rb") as program:
+    SANITIZED = b"__asan_init" in program.read()
+
+
+def run(*arguments, **keywords):
+    keywords.setdefault("timeout", 240)
+    return subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, **keywords)
+
+
+def kind_of(line, file):
+    """The kind word of a message `orbicube: FILE: KIND: text`, which must have that form."""
+    start = f"orbicube: {file}: "
+    if not line.startswith(start):
+        return f"(no message about {file}: {line!r})"
+    return line[len(start):].split(": ")[0]
+
+
+def read_obj(path):
+    positions, triangles = [], []
+    with open(path, encoding="ascii") as file:
+        for line in file:
+            words = line.split()
+            if words[:1] == ["v"]:
+                positions.append(tuple(float(word) for word in words[1:4]))
+            elif words[:1] == ["f"]:
+                triangles.append(tuple(int(word.split("/")[0]) - 1 for word in words[1:4]))
+    return positions, triangles
+
+
+def as_float32(value):
+    return struct.unpack("<f", struct.pack("<f", value))[0]
+
+
+class Glb:
+    """The one primitive of a GLB file."""
+
+    def __init__(self, path):
+        with open(path, "rb") as file:
+            data = file.read()
+        magic, version, length = struct.unpack_from("<4sII", data, 0)
+        assert (magic, version, length) == (b"glTF", 2, len(data))
+        json_length, json_type = struct.unpack_from("<I4s", data, 12)
+        assert json_type == b"JSON"
+        self.json = json.loads(data[20:20 + json_length])
+        self.chunk = data[20 + json_length + 8:]
+        (mesh,) = self.json["meshes"]
+        (self.primitive,) = mesh["primitives"]
+        self.target_names = mesh["extras"]["targetNames"]
+        self.positions = self.accessor(self.primitive["attributes"]["POSITION"])
+        self.deltas = self.accessor(self.primitive["targets"][0]["POSITION"])
+        self.texture_coordinates = self.accessor(self.primitive["attributes"]["TEXCOORD_0"])
+        corners = [corner for (corner,) in self.accessor(self.primitive["indices"])]
+        self.triangles = [tuple(corners[i:i + 3]) for i in range(0, len(corners), 3)]
+
+    def accessor(self, number):
+        accessor = self.json["accessors"][number]
+        view = self.json["bufferViews"][accessor["bufferView"]]
+        components = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[accessor["type"]]
+        letter = {5126: "f", 5125: "I", 5123: "H"}[accessor["componentType"]]
+        start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
+        flat = struct.unpack_from(f"<{components * accessor['count']}{letter}", self.chunk, start)
+        return [flat[i:i + components] for i in range(0, len(flat), components)]
+
+    def sphere(self, in_float32):
+        """Base + delta, as a renderer adds them or exactly as far as doubles go."""
+        rounding = as_float32 if in_float32 else float
+        return [tuple(rounding(b + d) for b, d in zip(base, delta))
+                for base, delta in zip(self.positions, self.deltas)]
+
+
+def not_positive(positions, triangles):
+    """Number of triangles with det[p q r] <= 0, in rational numbers."""
+    exact = [tuple(map(Fraction, p)) for p in positions]
+    count = 0
+    for p, q, r in ((exact[i] for i in t) for t in triangles):
+        det = (p[0] * (q[1] * r[2] - q[2] * r[1]) - p[1] * (q[0] * r[2] - q[2] * r[0])
+               + p[2] * (q[0] * r[1] - q[1] * r[0]))
+        count += det <= 0
+    return count
+
+
+class InFolder(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = folder.name
+
+    def path(self, name):
+        return os.path.join(self.folder, name)
+
+    def made(self, shape, resolution=600, seed=0, name=None):
+        path = self.path(name or f"{shape}.obj")
+        done = run("make", shape, "-o", path, "--resolution", resolution, "--seed", seed)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return path
+
+    def refused(self, exit_code, kind, file, *arguments, **keywords):
+        done = run(*arguments, **keywords)
+        self.assertEqual(done.returncode, exit_code, done.stderr)
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 1, done.stderr)
+        self.assertEqual(kind_of(lines[0], file), kind)
+        return lines[0]
+
+
+def main():
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]], verbosity=2)

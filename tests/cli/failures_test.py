@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+"""The command when things go wrong: interrupts, kills, full disks, too little memory or time. What was there before stays,
+and nothing is left lying about.
+
+    failures_test.py COMMAND
+"""
+import os
+import pty
+import resource
+import signal
+import subprocess
+import time
+import unittest
+
+from command import COMMAND, SANITIZED, InFolder, kind_of, main, read_obj, run
+
+OLD = b"what was here before\n"
+
+
+class Failures(InFolder):
+    def setUp(self):
+        super().setUp()
+        self.out = self.path("out.obj")
+        with open(self.out, "wb") as file:
+            file.write(OLD)
+
+    def assert_old_file_alone(self, *others):
+        with open(self.out, "rb") as file:
+            self.assertEqual(file.read(), OLD)
+        self.assertEqual(sorted(os.listdir(self.folder)), sorted(["out.obj", *others]))
+
+    def started(self, *arguments):
+        """The command, once it watches for interrupts."""
+        process = subprocess.Popen([COMMAND, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        bit = 1 << (signal.SIGINT - 1)
+        while process.poll() is None:
+            with open(f"/proc/{process.pid}/status", encoding="ascii") as status:
+                caught = [int(line.split()[1], 16) for line in status if line.startswith("SigCgt")]
+            if caught and caught[0] & bit:
+                break
+            time.sleep(0.01)
+        return process
+
+    def test_an_interrupt_stops_cleanly_and_soon(self):
+        shape = self.made("creature", 300_000)
+        for what in (signal.SIGINT, signal.SIGTERM):
+            process = self.started("sphere", shape, "-o", self.out)
+            time.sleep(0.4)
+            sent = time.monotonic()
+            process.send_signal(what)
+            _, errors = process.communicate(timeout=60)
+            # The work is asked every 50 ms; the rest is for a machine with other things to do.
+            self.assertLess(time.monotonic() - sent, 5 if SANITIZED else 2)
+            self.assertEqual(process.returncode, 1)
+            self.assertEqual(kind_of(errors.strip(), shape), "cancelled")
+            self.assert_old_file_alone("creature.obj")
+
+    def test_a_kill_leaves_the_old_file(self):
+        shape = self.made("creature", 60_000)
+        for wait in (0.02, 0.2, 0.6, 1.0, 1.4):
+            process = self.started("sphere", shape, "-o", self.out)
+            time.sleep(wait)
+            process.kill()
+            process.communicate()
+            with open(self.out, "rb") as file:
+                content = file.read()
+            if content == OLD:
+                continue
+            self.assertEqual(read_obj(self.out)[1], read_obj(shape)[1])  # it was done before: then wholly
+            with open(self.out, "wb") as file:
+                file.write(OLD)
+
+    def test_the_time_limit_ends_the_work(self):
+        shape = self.made("creature", 100_000)
+        self.refused(1, "time-limit", shape, "sphere", shape, "-o", self.out, "--time-limit", "0.1")
+        self.assert_old_file_alone("creature.obj")
+
+    def test_a_full_disk_leaves_the_old_file(self):
+        shape = self.made("creature", 8000)
+        disk = self.path("disk")
+        os.mkdir(disk)
+        mounted = subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "tmpfs", disk], capture_output=True,
+                                 check=False)
+        if mounted.returncode != 0:
+            self.skipTest("no right to mount a small disk")
+        try:
+            for ending in (".obj", ".ply", ".glb", ".stl"):
+                out = os.path.join(disk, "out" + ending)
+                with open(out, "wb") as file:
+                    file.write(OLD)
+                self.refused(1, "io", out, "sphere", shape, "-o", out)
+                self.refused(1, "io", out, "convert", shape, out)
+                with open(out, "rb") as file:
+                    self.assertEqual(file.read(), OLD)
+                self.assertEqual(os.listdir(disk), ["out" + ending])
+                os.remove(out)
+        finally:
+            subprocess.run(["umount", disk], check=True)
+
+    def test_a_device_that_is_full_is_an_error_of_output(self):
+        shape = self.made("cube", 5000)
+        full = self.path("full.obj")
+        os.symlink("/dev/full", full)
+        self.refused(1, "io", full, "sphere", shape, "-o", full)
+        with open("/dev/full", "w", encoding="ascii") as output:
+            done = subprocess.run([COMMAND, "info", shape], stdout=output, stderr=subprocess.PIPE, text=True,
+                                  check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(kind_of(done.stderr.strip(), "standard output"), "io")
+        self.assert_old_file_alone("cube.obj", "full.obj")
+
+    def test_a_reader_that_goes_away_is_no_death_by_a_signal(self):
+        shape = self.made("cube", 500)
+        reading, writing = os.pipe()
+        os.close(reading)
+        done = subprocess.run([COMMAND, "info", shape], stdout=writing, stderr=subprocess.PIPE, text=True, check=False)
+        os.close(writing)
+        self.assertEqual(done.returncode, 1)
+
+    def test_the_output_may_be_the_input(self):
+        shape = self.made("blob", 800)
+        self.assertEqual(run("sphere", shape, "-o", shape).returncode, 0)
+        self.assertEqual(run("info", shape).returncode, 0)
+
+    def test_links_are_followed_and_modes_kept(self):
+        shape = self.made("cube", 500)
+        os.chmod(self.out, 0o640)
+        link = self.path("link.obj")
+        os.symlink("out.obj", link)
+        self.assertEqual(run("sphere", shape, "-o", link).returncode, 0)
+        self.assertTrue(os.path.islink(link))
+        self.assertEqual(os.stat(self.out).st_mode & 0o777, 0o640)
+        with open(self.out, "rb") as file:
+            self.assertTrue(file.read().startswith(b"v "))
+
+    @unittest.skipIf(SANITIZED, "the sanitizer needs more address space than any limit")
+    def test_too_little_memory_is_said(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_AS, (200 << 20, 200 << 20))
+
+        for arguments, about in ((("make", "creature", "-o", self.out, "--resolution", 20_000_000), "creature"),):
+            self.refused(1, "out-of-memory", about, *arguments, preexec_fn=limit)
+        self.assert_old_file_alone()
+
+    def test_the_bar_is_drawn_on_a_terminal_only(self):
+        shape = self.made("creature", 60_000)
+        for options, drawn in (((), True), (("--quiet",), False)):
+            terminal, end = pty.openpty()
+            with subprocess.Popen([COMMAND, "sphere", shape, "-o", self.path("map.obj"), *options],
+                                  stdout=subprocess.PIPE, stderr=end) as process:
+                os.close(end)
+                seen = b""
+                try:
+                    while piece := os.read(terminal, 4096):
+                        seen += piece
+                except OSError:  # how the end of the other side shows on Linux
+                    pass
+                process.communicate()
+            os.close(terminal)
+            self.assertEqual(process.returncode, 0)
+            self.assertEqual(b"%" in seen, drawn, seen)
+            if drawn:
+                self.assertTrue(seen.endswith(b"\r\033[K"))  # and taken away again
+        self.assertEqual(run("sphere", shape, "-o", self.path("map.obj")).stderr, "")
+
+
+if __name__ == "__main__":
+    main()

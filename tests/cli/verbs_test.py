@@ -1,0 +1,269 @@
+#!/usr/bin/env python3
+"""The verbs of the command: help, options, results in every format, reports.
+
+    verbs_test.py COMMAND
+"""
+import json
+import math
+import random
+
+from command import Glb, InFolder, as_float32, main, not_positive, read_obj, run
+
+VERBS = ("info", "convert", "make", "sphere", "page")
+# Endings of formats that keep vertices and doubles.
+EXACT = (".obj", ".off", ".ply", ".mesh", ".vtk")
+GENUS = {"creature": 0, "blob": 0, "star": 0, "sphere": 0, "cube": 0, "torus": 1, "three-holes": 3, "bracket": 4}
+
+
+class CommandLine(InFolder):
+    def test_help_names_every_verb_and_each_has_its_own(self):
+        general = run("--help")
+        self.assertEqual((general.returncode, general.stderr), (0, ""))
+        for verb in VERBS:
+            self.assertIn(f"  {verb} ", general.stdout)
+            own = run(verb, "--help")
+            self.assertEqual((own.returncode, own.stderr), (0, ""))
+            for option in ("--quiet", "--threads", "--seed", "--time-limit", "--report"):
+                self.assertIn(option, own.stdout)
+
+    def test_version(self):
+        self.assertRegex(run("--version").stdout, r"^orbicube \d+\.\d+\.\d+$")
+
+    def test_mistakes_on_the_command_line_end_with_2_and_one_clear_line(self):
+        cube = self.made("cube")
+        out = self.path("out.obj")
+        for arguments, word in (
+                ((), "verb"), (("sing",), "sing"), (("info",), "IN"), (("info", cube, "--loud"), "--loud"),
+                (("sphere", cube), "--output"), (("make", "teapot", "-o", out), "teapot"),
+                (("make", "cube", "-o", out, "--resolution", "-5"), "--resolution"),
+                (("make", "cube", "-o", out, "--resolution", "many"), "--resolution"),
+                (("make", "cube", "-o", out, "--seed", "-1"), "--seed"),
+                (("sphere", cube, "-o", out, "--method", "magic"), "magic"),
+                (("sphere", cube, "-o", out, "--angle-weight", "0"), "--angle-weight"),
+                (("sphere", cube, "-o", out, "--threads", "-1"), "--threads"),
+                (("sphere", cube, "-o", out, "--time-limit", "0"), "--time-limit")):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertEqual(done.stdout, "")
+            self.assertRegex(done.stderr, r"\Aorbicube: usage: [^\n]*\n\Z")
+            self.assertIn(word, done.stderr)
+
+    def test_wrong_paths_are_told_before_any_work(self):
+        cube = self.made("cube")
+        missing = self.path("missing.obj")
+        self.refused(2, "io", missing, "info", missing)
+        for ending in (".xyz", ""):
+            out = self.path("out" + ending)
+            self.refused(2, "unsupported-format", out, "sphere", cube, "-o", out)
+            self.refused(2, "unsupported-format", out, "convert", cube, out)
+            self.refused(2, "unsupported-format", out, "make", "cube", "-o", out)
+        nowhere = self.path("nowhere/out.obj")
+        self.refused(2, "io", nowhere, "sphere", cube, "-o", nowhere)
+
+    def test_common_options_stand_before_and_behind_the_verb(self):
+        cube = self.made("cube")
+        for arguments in (("--quiet", "info", cube), ("info", cube, "--quiet"), ("info", "--quiet", cube)):
+            done = run(*arguments)
+            self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+
+
+class Shapes(InFolder):
+    def test_shapes_have_their_genus_and_only_those_of_genus_0_have_a_map(self):
+        choice = random.Random(3)
+        for shape, genus in GENUS.items():
+            path = self.made(shape, choice.randint(500, 1500), choice.randrange(2**63))
+            report = self.path("report.json")
+            self.assertEqual(run("info", path, "--quiet", "--report", report).returncode, 0)
+            with open(report, encoding="utf-8") as file:
+                facts = json.load(file)
+            self.assertEqual((facts["genus"], facts["closed"], facts["manifold"], facts["outward"]),
+                             (genus, True, True, True))
+            self.assertEqual(facts["usable_for"]["sphere"]["usable"], genus == 0)
+            out = self.path("map.obj")
+            if genus > 0:
+                self.refused(2, "wrong-genus", path, "sphere", path, "-o", out)
+                continue
+            done = run("sphere", path, "-o", out)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            directions, triangles = read_obj(out)
+            self.assertEqual(triangles, read_obj(path)[1])
+            self.assertEqual(not_positive(directions, triangles), 0)
+            for d in directions:
+                self.assertLess(abs(math.hypot(*d) - 1), 1e-15)  # a few roundings of a normalised vector
+
+    def test_the_same_options_make_the_same_bytes(self):
+        with open(self.made("creature", 3000, 5, "a.obj"), "rb") as a, \
+                open(self.made("creature", 3000, 5, "b.obj"), "rb") as b, \
+                open(self.made("creature", 3000, 6, "c.obj"), "rb") as c:
+            first = a.read()
+            self.assertEqual(first, b.read())
+            self.assertNotEqual(first, c.read())
+
+
+class SphereMaps(InFolder):
+    def test_every_format_holds_the_same_map(self):
+        shape = self.made("creature", 1500, 2)
+        reference = self.path("reference.obj")
+        self.assertEqual(run("sphere", shape, "-o", reference).returncode, 0)
+        with open(reference, "rb") as file:
+            expected = file.read()
+        for ending in EXACT:
+            for text in ((), ("--text",)):
+                out, back = self.path("map" + ending), self.path("back.obj")
+                self.assertEqual(run("sphere", shape, "-o", out, *text).returncode, 0)
+                self.assertEqual(run("convert", out, back).returncode, 0)
+                with open(back, "rb") as file:
+                    self.assertEqual(file.read(), expected, ending)
+
+    def test_stl_is_valid_in_float32(self):
+        shape = self.made("creature", 1500, 2)
+        out, back = self.path("map.stl"), self.path("back.obj")
+        self.assertEqual(run("sphere", shape, "-o", out).returncode, 0)
+        self.assertEqual(run("convert", out, back).returncode, 0)
+        positions, triangles = read_obj(back)
+        self.assertEqual(len(triangles), len(read_obj(shape)[1]))
+        self.assertEqual(not_positive(positions, triangles), 0)
+
+    def test_glb_holds_the_surface_and_the_sphere_as_a_morph_target(self):
+        for shape, seed in (("creature", 4), ("star", 1), ("cube", 0)):
+            path = self.made(shape, 1500, seed)
+            out = self.path("map.glb")
+            self.assertEqual(run("sphere", path, "-o", out).returncode, 0)
+            positions, triangles = read_obj(path)
+            glb = Glb(out)
+            self.assertEqual(glb.target_names, ["sphere"])
+            self.assertEqual(glb.triangles, triangles)
+            self.assertEqual(glb.positions, [tuple(map(as_float32, p)) for p in positions])
+            for in_float32 in (False, True):
+                sphere = glb.sphere(in_float32)
+                self.assertEqual(not_positive(sphere, triangles), 0)
+                for point in sphere:
+                    self.assertLess(abs(math.hypot(*point) - 1), 1e-6)  # steps of float32 are 6e-8 near 1
+            for (u, v), (x, y, z) in zip(glb.texture_coordinates, glb.sphere(False)):
+                size = abs(x) + abs(y) + abs(z)
+                self.assertAlmostEqual(u, 0.5 + 0.5 * x / size, delta=1e-6)
+                self.assertAlmostEqual(v, 0.5 - 0.5 * y / size, delta=1e-6)
+            self.assertEqual(len(glb.json["images"]), 1)
+
+    def test_a_far_surface_is_written_relative_to_its_bounding_box(self):
+        near = self.made("blob", 800)
+        positions, triangles = read_obj(near)
+        far = self.path("far.obj")
+        with open(far, "w", encoding="ascii") as file:
+            file.writelines("v %r %r %r\n" % (x + 1e6, y, z) for x, y, z in positions)
+            file.writelines("f %d %d %d\n" % (a + 1, b + 1, c + 1) for a, b, c in triangles)
+        out = self.path("far.glb")
+        self.assertEqual(run("sphere", far, "-o", out).returncode, 0)
+        glb = Glb(out)
+        for in_float32 in (False, True):
+            self.assertEqual(not_positive(glb.sphere(in_float32), triangles), 0)
+        (node,) = [n for n in glb.json["nodes"] if "mesh" in n]
+        for base, position in zip(glb.positions, positions):
+            for k in range(3):
+                world = node["translation"][k] + node["scale"][k] * base[k]
+                self.assertAlmostEqual(world, position[k] + (1e6 if k == 0 else 0), delta=1e-6)
+
+    def test_unused_vertices_keep_their_place(self):
+        positions, triangles = read_obj(self.made("cube", 200))
+        path = self.path("loose.obj")
+        with open(path, "w", encoding="ascii") as file:
+            file.write("v 5 6 7\n")
+            file.writelines("v %r %r %r\n" % p for p in positions)
+            file.writelines("f %d %d %d\n" % (a + 2, b + 2, c + 2) for a, b, c in triangles)
+        for name in ("loose-map.obj", "loose-map.glb"):
+            self.assertEqual(run("sphere", path, "-o", self.path(name)).returncode, 0)
+        directions, faces = read_obj(self.path("loose-map.obj"))
+        self.assertEqual(len(directions), len(positions) + 1)
+        self.assertEqual(faces, [(a + 1, b + 1, c + 1) for a, b, c in triangles])
+        self.assertLess(abs(math.hypot(*directions[0]) - 1), 1e-15)
+        self.assertEqual(len(Glb(self.path("loose-map.glb")).positions), len(positions) + 1)
+
+    def test_inward_surfaces_and_single_faces_are_turned_and_it_is_said(self):
+        positions, triangles = read_obj(self.made("blob", 500))
+        for name, flip in (("inward", lambda i: True), ("patchy", lambda i: i % 7 == 0)):
+            path, out, report = self.path(name + ".obj"), self.path("map.obj"), self.path("report.json")
+            with open(path, "w", encoding="ascii") as file:
+                file.writelines("v %r %r %r\n" % p for p in positions)
+                for i, (a, b, c) in enumerate(triangles):
+                    file.write("f %d %d %d\n" % ((a + 1, c + 1, b + 1) if flip(i) else (a + 1, b + 1, c + 1)))
+            done = run("sphere", path, "-o", out, "--report", report)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("turned", done.stdout)
+            directions, faces = read_obj(out)
+            self.assertEqual([tuple(sorted(f)) for f in faces], [tuple(sorted(t)) for t in triangles])
+            self.assertEqual(not_positive(directions, faces), 0)
+            with open(report, encoding="utf-8") as file:
+                self.assertTrue(any("turned" in note for note in json.load(file)["notes"]))
+
+    def test_the_number_of_threads_changes_no_bit(self):
+        shape = self.made("creature", 8000, 1)
+        maps = []
+        for threads in (1, 2, 5):
+            out = self.path(f"map{threads}.obj")
+            self.assertEqual(run("sphere", shape, "-o", out, "--threads", threads).returncode, 0)
+            with open(out, "rb") as file:
+                maps.append(file.read())
+        self.assertEqual(maps[0], maps[1])
+        self.assertEqual(maps[0], maps[2])
+
+    def test_every_method_gives_a_valid_map_and_is_best_at_its_own_energy(self):
+        shape = self.made("creature", 1500, 3)
+        energy = {}
+        for method in ("balanced", "angle-area", "isometric"):
+            report, out = self.path("report.json"), self.path("map.obj")
+            done = run("sphere", shape, "-o", out, "--method", method, "--report", report)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(not_positive(*read_obj(out)), 0)
+            with open(report, encoding="utf-8") as file:
+                energy[method] = json.load(file)
+        self.assertEqual(min(energy, key=lambda m: energy[m]["energy"]), "angle-area")
+        self.assertEqual(min(energy, key=lambda m: energy[m]["isometric_mean"]), "isometric")
+
+
+class Reports(InFolder):
+    def test_the_report_of_a_map_has_its_figures(self):
+        shape, out, report = self.made("blob", 1000), self.path("map.ply"), self.path("report.json")
+        self.assertEqual(run("sphere", shape, "-o", out, "--report", report, "--quiet").returncode, 0)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        positions, triangles = read_obj(shape)
+        for key, value in (("command", "sphere"), ("input", shape), ("output", out), ("exit_code", 0),
+                           ("vertices", len(positions)), ("triangles", len(triangles)), ("method", "balanced"),
+                           ("angle_weight", 0.1), ("area_weight", 1), ("bijective", True), ("flipped", 0),
+                           ("degenerate", 0), ("notes", [])):
+            self.assertEqual(figures[key], value, key)
+        self.assertAlmostEqual(figures["degree"], 1, delta=1e-9)
+        self.assertAlmostEqual(figures["energy"], 0.1 * figures["energy_angle"] + figures["energy_area"], delta=1e-9)
+        self.assertGreaterEqual(figures["dilatation_max"], figures["dilatation_mean"])
+        self.assertGreater(figures["dilatation_mean"], 1)
+        self.assertTrue(0 < figures["stretch_efficiency"] <= 1)
+        self.assertGreaterEqual(figures["seconds"], figures["seconds_compute"])
+        self.assertGreater(figures["peak_memory_bytes"], 1e6)
+        self.assertIn("version", figures)
+        self.assertEqual(figures["options"]["method"], "balanced")
+
+    def test_a_failure_is_reported_too(self):
+        torus, report = self.made("torus"), self.path("report.json")
+        self.refused(2, "wrong-genus", torus, "sphere", torus, "-o", self.path("map.obj"), "--report", report)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertEqual((figures["exit_code"], figures["error"]["kind"], figures["error"]["file"]),
+                         (2, "wrong-genus", torus))
+
+    def test_info_tells_facts_of_a_shape_that_is_no_closed_surface(self):
+        path, report = self.path("two.obj"), self.path("report.json")
+        with open(path, "w", encoding="ascii") as file:
+            file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 9 9 9\nf 1 2 3\nf 1 3 4\n")
+        self.assertEqual(run("info", path, "--report", report).returncode, 0)
+        with open(report, encoding="utf-8") as file:
+            facts = json.load(file)
+        for key, value in (("vertices", 5), ("triangles", 2), ("edges", 5), ("components", 1), ("boundary_edges", 4),
+                           ("boundary_loops", 1), ("closed", False), ("genus", None), ("volume", None), ("area", 1.0),
+                           ("unreferenced_vertices", 1), ("consistently_oriented", True),
+                           ("bounding_box", {"low": [0, 0, 0], "high": [1, 1, 1]})):
+            self.assertEqual(facts[key], value, key)
+        self.assertEqual(facts["usable_for"]["sphere"]["kind"], "not-closed")
+
+
+if __name__ == "__main__":
+    main()
