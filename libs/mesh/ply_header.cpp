@@ -91,11 +91,16 @@ std::size_t PlyElement::least_size() const {
 
 PlyHeader read_ply_header(TextScanner& scanner) {
   if (scanner.word() != "ply") throw base::Error("bad-magic", "line 1: a PLY file starts with ply");
+  const auto rest = scanner.rest();
+  if (std::string_view(reinterpret_cast<const char*>(rest.data()), rest.size()).find("end_header") ==
+      std::string_view::npos) {
+    throw base::Error("truncated", "the header has no end_header");
+  }
   PlyHeader header{};
   bool has_form = false;
   for (;;) {
     scanner.next_line();
-    if (scanner.at_end_of_file()) scanner.fail("truncated", "the file ends before end_header");
+    if (scanner.at_end_of_file()) scanner.fail("truncated", "the file ends before the line end_header");
     const std::string_view keyword = scanner.word();
     if (keyword == "end_header") break;
     if (keyword == "format") {

@@ -2,9 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <string>
 
-#include "base/error.h"
 #include "mesh/predicates.h"
 
 namespace orbicube::mesh {
@@ -15,10 +13,16 @@ using Eigen::Vector2d;
 // One face at a time; its scratch space is kept.
 class PolygonCutter {
  public:
-  PolygonCutter(std::span<const Vector3> positions, std::pmr::memory_resource* memory)
-      : positions_(positions), flat_(memory), left_(memory), sorted_(memory) {}
+  // `faces` are going to be cut, for progress.
+  PolygonCutter(std::span<const Vector3> positions, std::size_t faces, const base::Host& host)
+      : host_(host), positions_(positions), flat_(host.memory), ring_(host.memory), faces_(faces) {}
 
   void cut(std::span<const Index> face, Array<Triangle>& triangles) {
+    if (face_number_++ % 1024 == 0) report();
+    if (face.size() == 3) {
+      triangles.push_back({face[0], face[1], face[2]});
+      return;
+    }
     const Vector3 normal = newell_normal(face);
     if (fan_agrees(face, normal)) {
       for (std::size_t i = 1; i + 1 < face.size(); ++i)
@@ -26,12 +30,6 @@ class PolygonCutter {
     } else {
       clip_ears(face, normal, triangles);
     }
-  }
-
-  bool has_repeated_corner(std::span<const Index> face) {
-    sorted_.assign(face.begin(), face.end());
-    std::sort(sorted_.begin(), sorted_.end());
-    return std::adjacent_find(sorted_.begin(), sorted_.end()) != sorted_.end();
   }
 
  private:
@@ -66,58 +64,98 @@ class PolygonCutter {
     return true;
   }
 
-  // O(k^2) for most faces of k corners.
+  // Only the corners beside an ear that is cut off can become or cease to be ears (Meisters 1975), so that each corner
+  // is tried a few times: O(k^2) for k corners.
   void clip_ears(std::span<const Index> face, const Vector3& normal, Array<Triangle>& triangles) {
-    int axis = 0;
-    normal.cwiseAbs().maxCoeff(&axis);
-    flat_.clear();
-    left_.clear();
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      flat_.push_back(seen_along(face[i], normal, axis));
-      left_.push_back(static_cast<Index>(i));
-    }
-    std::size_t at = 0;
+    make_ring(face, normal);
+    Index at = 0;
     std::size_t refused = 0;
-    while (left_.size() > 3) {
-      const std::size_t count = left_.size();
-      const Index a = left_[(at + count - 1) % count];
-      const Index b = left_[at % count];
-      const Index c = left_[(at + 1) % count];
+    for (std::size_t left = face.size(); left > 3;) {
+      const Corner corner = ring_[at];
       // After a whole round without an ear (a face that crosses itself), any corner will do.
-      if (refused < count && !is_ear(a, b, c)) {
-        ++at;
+      if (!corner.ear && refused < left) {
+        at = corner.next;
         ++refused;
         continue;
       }
-      triangles.push_back({face[a], face[b], face[c]});
-      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(at % count));
-      at = at % count;
+      triangles.push_back({face[corner.previous], face[at], face[corner.next]});
+      ring_[corner.previous].next = corner.next;
+      ring_[corner.next].previous = corner.previous;
+      for (const Index beside : {corner.previous, corner.next})
+        ring_[beside].convex = is_convex(beside);
+      for (const Index beside : {corner.previous, corner.next})
+        ring_[beside].ear = is_ear(beside);
+      at = corner.next;
       refused = 0;
+      if (--left % 16 == 0) report();
     }
-    triangles.push_back({face[left_[0]], face[left_[1]], face[left_[2]]});
+    triangles.push_back({face[ring_[at].previous], face[at], face[ring_[at].next]});
   }
 
-  // Convex, and no other corner inside or on it but where it is a corner of the triangle itself.
-  bool is_ear(Index a, Index b, Index c) const {
-    if (orientation_2d(flat_[a], flat_[b], flat_[c]) <= 0) return false;
-    return std::none_of(left_.begin(), left_.end(), [&](Index i) {
-      if (i == a || i == b || i == c) return false;
-      const Vector2d& p = flat_[i];
-      if (p == flat_[a] || p == flat_[b] || p == flat_[c]) return false;
-      return orientation_2d(flat_[a], flat_[b], p) >= 0 && orientation_2d(flat_[b], flat_[c], p) >= 0 &&
-             orientation_2d(flat_[c], flat_[a], p) >= 0;
-    });
+  void make_ring(std::span<const Index> face, const Vector3& normal) {
+    int axis = 0;
+    normal.cwiseAbs().maxCoeff(&axis);
+    const auto size = static_cast<Index>(face.size());
+    flat_.clear();
+    ring_.clear();
+    for (Index i = 0; i < size; ++i) {
+      flat_.push_back(seen_along(face[i], normal, axis));
+      ring_.push_back({i == 0 ? size - 1 : i - 1, i + 1 == size ? 0 : i + 1, false, false});
+    }
+    for (Index i = 0; i < size; ++i)
+      ring_[i].convex = is_convex(i);
+    for (Index i = 0; i < size; ++i) {
+      ring_[i].ear = is_ear(i);
+      if (i % 16 == 0) report();
+    }
   }
 
+  bool is_convex(Index b) const { return orientation_2d(flat_[ring_[b].previous], flat_[b], flat_[ring_[b].next]) > 0; }
+
+  // Convex, and no other corner inside or on its triangle but where it is a corner of the triangle itself. Convex
+  // corners need not be asked: where any is inside, one that is not convex is.
+  bool is_ear(Index b) const {
+    if (!ring_[b].convex) return false;
+    const Index last = ring_[b].previous;
+    const Vector2d &p = flat_[last], &q = flat_[b], &r = flat_[ring_[b].next];
+    const Vector2d low = p.cwiseMin(q).cwiseMin(r);
+    const Vector2d high = p.cwiseMax(q).cwiseMax(r);
+    for (Index i = ring_[ring_[b].next].next; i != last; i = ring_[i].next) {
+      const Vector2d& x = flat_[i];
+      if (ring_[i].convex || (x.array() < low.array()).any() || (x.array() > high.array()).any()) continue;
+      if (x == p || x == q || x == r) continue;
+      if (orientation_2d(p, q, x) >= 0 && orientation_2d(q, r, x) >= 0 && orientation_2d(r, p, x) >= 0) return false;
+    }
+    return true;
+  }
+
+  void report() const { host_.report("cutting polygons", face_number_, faces_); }
+
+  struct Corner {
+    Index previous, next;
+    bool convex, ear;
+  };
+
+  const base::Host& host_;
   std::span<const Vector3> positions_;
   Array<Vector2d> flat_;
-  Array<Index> left_;
-  Array<Index> sorted_;
+  Array<Corner> ring_;  // of the corners that are left
+  std::size_t faces_;
+  std::size_t face_number_ = 0;
 };
 
 }  // namespace
 
-void Polygons::add(std::span<const Index> corners) {
+std::optional<Index> Polygons::repeated_corner(std::span<const Index> corners) {
+  if (corners.size() == 3) return {};
+  sorted_.assign(corners.begin(), corners.end());
+  std::sort(sorted_.begin(), sorted_.end());
+  const auto repeated = std::adjacent_find(sorted_.begin(), sorted_.end());
+  if (repeated == sorted_.end()) return {};
+  return *repeated;
+}
+
+void Polygons::append(std::span<const Index> corners) {
   if (corners.size() != 3 && sizes_.empty()) sizes_.assign(corners_.size() / 3, 3);
   larger_ += corners.size() > 3;
   const bool with_sizes = corners.size() != 3 || !sizes_.empty();
@@ -130,26 +168,17 @@ void Polygons::to_triangles(std::span<const Vector3> positions, Array<Triangle>&
   if (larger_ == 0) {
     triangles.reserve(triangles.size() + corners_.size() / 3);
     for (std::size_t i = 0; i < corners_.size(); i += 3) {
+      if (i % 196608 == 0) host.report("reading faces", i, corners_.size());
       triangles.push_back({corners_[i], corners_[i + 1], corners_[i + 2]});
     }
     return;
   }
   triangles.reserve(triangles.size() + corners_.size() - 2 * sizes_.size());
-  PolygonCutter cutter(positions, host.memory);
+  PolygonCutter cutter(positions, sizes_.size(), host);
   std::size_t begin = 0;
-  for (std::size_t f = 0; f < sizes_.size(); ++f) {
-    const std::span<const Index> face(corners_.data() + begin, sizes_[f]);
-    begin += sizes_[f];
-    if (f % 1024 == 0) host.report("cutting polygons", f, sizes_.size());
-    if (face.size() == 3) {
-      triangles.push_back({face[0], face[1], face[2]});
-      continue;
-    }
-    if (cutter.has_repeated_corner(face)) {
-      throw base::Error("degenerate-face", "face " + std::to_string(f) + " of " + std::to_string(face.size()) +
-                                               " corners has a vertex twice");
-    }
-    cutter.cut(face, triangles);
+  for (const Index size : sizes_) {
+    cutter.cut({corners_.data() + begin, size}, triangles);
+    begin += size;
   }
 }
 

@@ -68,6 +68,9 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   ReadReport own;
   ReadReport& r = report ? *report : own;
   r = {};
+  // No format holds a vertex in fewer bytes than three, so that indices of 32 bits count the vertices of any file
+  // below.
+  if (bytes.size() / 3 >= no_index) throw base::Error("unsupported", "files of 12 GB or more are not read");
   if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
   Mesh mesh = row_of(format).read(bytes, host, r);
   if (mesh.triangles.empty() && mesh.tetrahedra.empty() && mesh.hexahedra.empty()) {
@@ -78,7 +81,15 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   require_valid_cells(mesh, host);
   const bool is_surface = mesh.tetrahedra.empty() && mesh.hexahedra.empty();
   if (format == Format::stl || (options.weld_identical && is_surface && !is_closed(mesh, host))) {
-    r.welded_vertices = weld(mesh, host).vertices;
+    const WeldReport welded = weld(mesh, host);
+    r.welded_vertices = welded.vertices;
+    if (mesh.triangles.empty()) {
+      throw base::Error("degenerate-geometry",
+                        "each of the " + std::to_string(welded.triangles) + " faces has two corners at one position");
+    }
+    if (welded.triangles > 0) {
+      r.notes.push_back(std::to_string(welded.triangles) + " faces with two corners at one position were left out");
+    }
   }
   return mesh;
 }

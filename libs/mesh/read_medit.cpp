@@ -22,9 +22,9 @@ class MeditReader {
       if (keyword == "Vertices") {
         vertices();
       } else if (keyword == "Triangles") {
-        cells<3>("triangles", [&](const Triangle& t) { faces_.add(t); });
+        cells<3>("triangles", [&](const Triangle& t) { faces_.add(t, scanner_); });
       } else if (keyword == "Quadrilaterals") {
-        cells<4>("quadrilaterals", [&](const std::array<Index, 4>& q) { faces_.add(q); });
+        cells<4>("quadrilaterals", [&](const std::array<Index, 4>& q) { faces_.add(q, scanner_); });
       } else if (keyword == "Tetrahedra") {
         cells<4>("tetrahedra", [&](const Tetrahedron& t) { mesh_.tetrahedra.push_back(t); });
       } else if (keyword == "Hexahedra") {
@@ -79,6 +79,7 @@ class MeditReader {
 
   template <std::size_t corners, class Take>
   void cells(const char* what, const Take& take) {
+    if (mesh_.positions.empty()) scanner_.fail("parse", std::string(what) + " before the section Vertices");
     const std::uint64_t n = count(what, 2 * corners + 2);
     for (std::uint64_t i = 0; i < n; ++i) {
       std::array<Index, corners> cell;

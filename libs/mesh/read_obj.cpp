@@ -59,10 +59,7 @@ class ObjReader {
     face_.clear();
     while (!scanner_.at_end_of_line())
       face_.push_back(corner());
-    if (face_.size() < 3) {
-      scanner_.fail("parse", "a face with " + std::to_string(face_.size()) + " vertices, where three are the fewest");
-    }
-    faces_.add(face_);
+    faces_.add(face_, scanner_);
   }
 
   // "7", "7/1", "7//3" or "7/1/3"; negative numbers count back from the latest vertex.

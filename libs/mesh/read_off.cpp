@@ -59,16 +59,13 @@ Mesh read_off(std::span<const std::byte> bytes, const base::Host& host, ReadRepo
   for (std::uint64_t f = 0; f < face_count; ++f) {
     scanner.skip_space();
     const std::uint64_t corners = scanner.count("a face's number of corners");
-    if (corners < 3) {
-      scanner.fail("parse", "a face with " + std::to_string(corners) + " vertices, where three are the fewest");
-    }
     scanner.require_room(corners, 2, "corners of a face");
     face.clear();
     for (std::uint64_t i = 0; i < corners; ++i) {
       if (scanner.at_end_of_line()) scanner.skip_space();
       face.push_back(scanner.index(0, mesh.positions.size()));
     }
-    faces.add(face);
+    faces.add(face, scanner);
     scanner.next_line();
     scanner.progress();
   }

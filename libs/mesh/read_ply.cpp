@@ -21,9 +21,10 @@ class TextBody {
   }
   void require_list(std::uint64_t count, PlyType) { scanner_.require_room(count, 2, "entries of a list"); }
   double number(PlyType) { return scanner_.skip_space(), scanner_.coordinate("a number"); }
-  std::int64_t integer(PlyType type) {
+  std::int64_t integer(PlyType) { return scanner_.skip_space(), scanner_.integer("an integer"); }
+  std::int64_t index(PlyType type) {
     if (type == PlyType::float32 || type == PlyType::float64) return to_integer(number(type));
-    return scanner_.skip_space(), scanner_.integer("an integer");
+    return scanner_.skip_space(), scanner_.integer("a vertex index", "index-range");
   }
   void skip(PlyType type) { number(type); }
   void next_item() { scanner_.progress(); }
@@ -76,6 +77,7 @@ class BinaryBody {
     if (!(std::abs(x) < 1e18) || std::floor(x) != x) fail("parse", "a vertex index that is no integer");
     return static_cast<std::int64_t>(x);
   }
+  std::int64_t index(PlyType type) { return integer(type); }
   void skip(PlyType type) {
     scanner_.require(size_of(type), "an element");
     scanner_.skip(size_of(type));
@@ -175,7 +177,7 @@ class PlyReader {
         } else if (strips) {
           strip(e.properties[i]);
         } else {
-          face(e.properties[i], f);
+          face(e.properties[i]);
         }
       }
       body_.next_item();
@@ -189,19 +191,15 @@ class PlyReader {
     }
   }
 
-  void face(const PlyProperty& p, std::uint64_t number) {
+  void face(const PlyProperty& p) {
     const std::uint64_t count = list_size(p);
-    if (count < 3) {
-      body_.fail("parse", "face " + std::to_string(number) + " has " + std::to_string(count) +
-                              " vertices, where three are the fewest");
-    }
     list_.clear();
     for (std::uint64_t i = 0; i < count; ++i) {
-      const std::int64_t index = body_.integer(p.type);
+      const std::int64_t index = body_.index(p.type);
       check_index(index);
       list_.push_back(static_cast<Index>(index));
     }
-    faces_.add(list_);
+    faces_.add(list_, body_);
   }
 
   // -1 starts a new strip; every other triangle of a strip is the other way round; those with a corner twice only serve
@@ -210,7 +208,7 @@ class PlyReader {
     const std::uint64_t count = list_size(p);
     list_.clear();
     for (std::uint64_t i = 0; i < count; ++i) {
-      const std::int64_t index = body_.integer(p.type);
+      const std::int64_t index = body_.index(p.type);
       if (index == -1) {
         list_.clear();
         continue;

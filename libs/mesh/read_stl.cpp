@@ -66,11 +66,13 @@ Mesh read_text(std::span<const std::byte> bytes, const base::Host& host) {
       corners = 0;
       add_facet(mesh);
     } else if (keyword == "endsolid") {
+      if (corners != 0) scanner.fail("parse", "endsolid inside a facet");
       ended = true;
     } else if (keyword == "solid") {
       ended = false;
     } else if (!keyword.empty() && keyword != "facet" && keyword != "outer" && keyword != "endloop") {
-      scanner.fail("parse", in_quotes(keyword) + " has no meaning in an STL file");
+      scanner.fail(scanner.at_end_of_file() ? "truncated" : "parse",
+                   in_quotes(keyword) + " has no meaning in an STL file");
     }
     scanner.progress();
   }

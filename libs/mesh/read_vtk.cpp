@@ -185,7 +185,7 @@ class VtkReader {
       points(words);
     } else if (name == "POLYGONS") {
       cell_array(words);
-      for_each_cell([&](std::span<const Index> cell) { add_face(cell); });
+      for_each_cell([&](std::span<const Index> cell) { faces_.add(cell, body_); });
     } else if (name == "TRIANGLE_STRIPS") {
       cell_array(words);
       for_each_cell([&](std::span<const Index> cell) { add_strip(cell); });
@@ -299,12 +299,6 @@ class VtkReader {
     }
   }
 
-  void add_face(std::span<const Index> cell) {
-    if (cell.size() < 3)
-      body_.fail("parse", "a face with " + std::to_string(cell.size()) + " vertices, where three are the fewest");
-    faces_.add(cell);
-  }
-
   void add_strip(std::span<const Index> cell) {
     for (std::size_t i = 2; i < cell.size(); ++i) {
       const bool even = i % 2 == 0;
@@ -343,21 +337,21 @@ class VtkReader {
         return false;
       case 5:
         require_corners(3);
-        add_face(c);
+        faces_.add(c, body_);
         return true;
       case 6:
         add_strip(c);
         return true;
       case 7:
-        add_face(c);
+        faces_.add(c, body_);
         return true;
       case 8:  // pixel: a square by rows
         require_corners(4);
-        faces_.add(std::array{c[0], c[1], c[3], c[2]});
+        faces_.add(std::array{c[0], c[1], c[3], c[2]}, body_);
         return true;
       case 9:
         require_corners(4);
-        add_face(c);
+        faces_.add(c, body_);
         return true;
       case 10:
         require_corners(4);

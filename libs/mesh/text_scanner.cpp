@@ -119,11 +119,12 @@ double TextScanner::coordinate(const char* what) {
   return value;
 }
 
-std::int64_t TextScanner::integer(const char* what) {
+std::int64_t TextScanner::integer(const char* what, const char* too_large) {
   require_more(what);
   const char* start = at_ + (*at_ == '+' && at_ + 1 != end_ && at_[1] != '-');
   std::int64_t value = 0;
   const auto [stop, problem] = std::from_chars(start, end_, value);
+  if (problem == std::errc::result_out_of_range) fail(too_large, std::string(what) + " is out of range: " + found());
   if (problem != std::errc() || (stop != end_ && !is_space(*stop) && *stop != comment_)) {
     fail("parse", std::string(what) + " expected, found " + found());
   }

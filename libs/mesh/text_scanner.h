@@ -47,7 +47,8 @@ class TextScanner {
   // A number at the place reached, in this line (after blanks). Throws "parse", naming `what` was expected and what was
   // found, "truncated" where the file ends there, "non-finite" for what is no finite number.
   double coordinate(const char* what);
-  std::int64_t integer(const char* what);
+  // `too_large` is the kind of error for what 64 bits do not hold.
+  std::int64_t integer(const char* what, const char* too_large = "parse");
   // An integer of 0 or more; "parse" otherwise.
   std::uint64_t count(const char* what);
   // A vertex index between `first` and first + limit - 1, less `first`; "index-range" otherwise.
