@@ -173,8 +173,9 @@ void read_vectors_of(Asset& asset, JsonValue accessor, base::Array<Vector3>& res
   });
 }
 
-void check_finite(JsonValue accessor, const base::Array<Vector3>& vectors) {
+void check_finite(const Asset& asset, JsonValue accessor, const base::Array<Vector3>& vectors) {
   for (std::size_t i = 0; i < vectors.size(); ++i) {
+    if (i % elements_between_reports == 0) asset.host().report("checking positions", i, vectors.size());
     if (!vectors[i].allFinite())
       throw base::Error("non-finite", accessor.path() + ": element " + std::to_string(i) + " is not finite");
   }
@@ -206,8 +207,10 @@ void read_indices_of(Asset& asset, JsonValue accessor, std::size_t limit, base::
       result[element] = value_at<Value>(values, replacement);
     });
   }
-  for (const Index index : result)
-    check_index(accessor, static_cast<Value>(index), limit);
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (i % elements_between_reports == 0) asset.host().report("checking indices", i, result.size());
+    check_index(accessor, static_cast<Value>(result[i]), limit);
+  }
 }
 
 }  // namespace
@@ -242,7 +245,7 @@ base::Array<Vector3> read_vectors(Asset& asset, JsonValue accessor) {
       read_vectors_of<float>(asset, accessor, result);
       break;
   }
-  check_finite(accessor, result);
+  check_finite(asset, accessor, result);
   return result;
 }
 

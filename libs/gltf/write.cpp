@@ -84,7 +84,7 @@ SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Hos
   std::span<const float> normals = scene.normals;
   base::Array<float> made(host.memory);
   if (normals.empty() && scene.smooth_normals) {
-    made = smooth_normals(scene.positions, scene.triangles, host.memory);
+    made = smooth_normals(scene.positions, scene.triangles, host);
     normals = made;
   }
   for (const MorphTarget& target : scene.morph_targets) {
@@ -93,7 +93,7 @@ SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Hos
     require_finite(deltas, "differences of a morph target", host);
     added.position = buffer.add_floats(std::move(deltas), 3, true);
     if (scene.morph_normals) {
-      const base::Array<float> wanted = smooth_normals(target.positions, scene.triangles, host.memory);
+      const base::Array<float> wanted = smooth_normals(target.positions, scene.triangles, host);
       added.normal = buffer.add_floats(deltas_of(normals, wanted, host), 3, false);
     }
     accessors.targets.push_back(added);
