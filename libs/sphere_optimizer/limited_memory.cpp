@@ -1,6 +1,7 @@
 #include "sphere_optimizer/limited_memory.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/sums.h"
 #include "sphere_optimizer/spheres.h"
@@ -15,10 +16,10 @@ LimitedMemory::LimitedMemory(const Shape& shape, std::size_t capacity, std::pmr:
       products_(capacity, 0.0, memory),
       coefficients_(capacity, 0.0, memory) {}
 
-void LimitedMemory::transport(std::span<const double> from, std::span<const double> to, const base::Host& host) {
+void LimitedMemory::transport(std::span<const double> from, std::span<const double> to, const Tick& tick) {
   with_dimension(shape_.dimension, [&](auto d) {
     for (std::size_t age = 0; age < count_; ++age) {
-      host.report("sphere optimizer: memory", age, count_);
+      tick();
       for (base::Array<double>* table : {&steps_, &changes_}) {
         double* v = row(*table, slot_of_age(age)).data();
         for (std::size_t i = 0; i < shape_.count; ++i)
@@ -37,12 +38,12 @@ void LimitedMemory::push(std::span<const double> step, std::span<const double> c
   std::copy(step.begin(), step.end(), row(steps_, slot).begin());
   std::copy(change.begin(), change.end(), row(changes_, slot).begin());
   products_[slot] = product;
-  scale_ = product / change_square;
   newest_ = slot;
   count_ = std::min<std::uint64_t>(count_ + 1, capacity_);
 }
 
-void LimitedMemory::descend(std::span<const double> gradient, std::span<double> direction, const base::Host& host) {
+void LimitedMemory::descend(std::span<const double> gradient, std::span<const double> curvature,
+                            std::span<double> direction, const Tick& tick) {
   const std::size_t n = shape_.size();
   for (std::size_t j = 0; j < n; ++j)
     direction[j] = -gradient[j];
@@ -51,15 +52,26 @@ void LimitedMemory::descend(std::span<const double> gradient, std::span<double> 
       direction[j] += factor * v[j];
   };
   for (std::size_t age = 0; age < count_; ++age) {
-    host.report("sphere optimizer: direction", age, 2 * count_);
+    tick();
     const std::size_t slot = slot_of_age(age);
     coefficients_[slot] = base::dot(row(steps_, slot), direction) / products_[slot];
     add(-coefficients_[slot], row(changes_, slot));
   }
-  for (std::size_t j = 0; j < n; ++j)
-    direction[j] *= scale_;
+  const std::span<const double> change = row(changes_, newest_);
+  const std::size_t d = shape_.dimension;
+  const double square = base::blocked_sum(shape_.count, [&](std::size_t i) {
+    double sum = 0;
+    for (std::size_t k = i * d; k < (i + 1) * d; ++k)
+      sum += change[k] * change[k];
+    return sum / curvature[i];
+  });
+  const double scale = products_[newest_] / square;
+  for (std::size_t i = 0; i < shape_.count; ++i) {
+    for (std::size_t k = i * d; k < (i + 1) * d; ++k)
+      direction[k] *= scale / curvature[i];
+  }
   for (std::size_t age = count_; age-- > 0;) {
-    host.report("sphere optimizer: direction", 2 * count_ - age - 1, 2 * count_);
+    tick();
     const std::size_t slot = slot_of_age(age);
     add(coefficients_[slot] - base::dot(row(changes_, slot), direction) / products_[slot], row(steps_, slot));
   }

@@ -22,7 +22,7 @@ enum class Method : std::int32_t {
 
 struct Options {
   Method method = Method::limited_memory;
-  std::uint32_t memory = 12;         // pairs of limited_memory
+  std::uint32_t memory = 16;         // pairs of limited_memory
   std::uint32_t history = 10;        // values that barzilai_borwein looks back on
   double gradient_tolerance = 1e-8;  // on the longest of the blocks' tangent gradients
   double target = -std::numeric_limits<double>::infinity();

@@ -89,7 +89,7 @@ void relax(const Energy& energy, std::span<double> points, const RelaxationOptio
     return detail::tangent_gradient_norm(energy, block, points) * detail::mean_distance(energy, block, points);
   };
   for (std::size_t i = 0; i < count; ++i) {
-    if (as_printed && i % 256 == 0) host.report("relaxation: priorities", i, count);
+    if (as_printed && i % 16 == 0) host.report("relaxation: priorities", i, count);
     queue.raise(static_cast<std::uint32_t>(i), as_printed ? printed_priority(i) : 1.0);
   }
   double pass_gain = 0;
@@ -103,7 +103,7 @@ void relax(const Energy& energy, std::span<double> points, const RelaxationOptio
       }
       pass_gain = 0;
     }
-    if (result.steps % 256 == 0) host.report("relaxation", result.steps, 0, -result.gain);
+    if (result.steps % 16 == 0) host.report("relaxation", result.steps, 0, -result.gain);
     const std::uint32_t block = queue.pop();
     const BlockStep step =
         improve_block(energy, block, options.gradient_tolerance, as_printed, &points[block * d], space.angle[block]);
@@ -120,7 +120,7 @@ void relax(const Energy& energy, std::span<double> points, const RelaxationOptio
     });
   }
   for (std::size_t i = 0; i < count; ++i) {
-    if (i % 256 == 0) host.report("relaxation: gradient", i, count, -result.gain);
+    if (i % 16 == 0) host.report("relaxation: gradient", i, count, -result.gain);
     const double norm = detail::tangent_gradient_norm(energy, i, points);
     if (!(norm <= result.gradient_norm || std::isnan(result.gradient_norm))) result.gradient_norm = norm;
   }

@@ -45,8 +45,9 @@ template <class Self, class Visit>
 void Solver::visit_state(Self& self, const Visit& visit) {
   static_assert(std::is_trivially_copyable_v<State>);
   visit(std::span(&self.state_, 1));
-  for (auto* array : {&self.x_, &self.gradient_, &self.trial_, &self.trial_gradient_, &self.direction_, &self.velocity_,
-                      &self.best_, &self.ambient_, &self.trial_ambient_, &self.last_values_}) {
+  for (auto* array :
+       {&self.x_, &self.gradient_, &self.trial_, &self.trial_gradient_, &self.direction_, &self.velocity_, &self.best_,
+        &self.radial_, &self.trial_radial_, &self.ambient_, &self.trial_ambient_, &self.last_values_}) {
     visit(std::span(*array));
   }
   LimitedMemory::visit_state(self.memory_, visit);

@@ -94,6 +94,9 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
       direction_(shape.size(), 0.0, host.memory),
       velocity_(shape.size(), 0.0, host.memory),
       best_(shape.size(), 0.0, host.memory),
+      radial_(shape.count, 0.0, host.memory),
+      trial_radial_(shape.count, 0.0, host.memory),
+      curvature_(shape.count, 1.0, host.memory),
       ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
       trial_ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
       last_values_(options.method == Method::barzilai_borwein ? options.history : 0, -infinity, host.memory) {
@@ -112,13 +115,25 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
 Request Solver::step() {
   if (asked()) return Request::need_value_and_gradient;
   try {
-    host_.report("sphere optimizer", state_.evaluations, options_.max_evaluations, state_.best_value);
+    report();
     return advance();
   } catch (const base::Error& error) {
     if (error.status() != base::Status::cancelled) throw;
     state_.cancelled_by_host = 1;
     return finish(Stop::cancelled);
   }
+}
+
+template <class Body>
+void Solver::for_each_block(const Body& body) const {
+  constexpr std::size_t piece = 16384;
+  with_dimension(shape_.dimension, [&](auto d) {
+    for (std::size_t begin = 0; begin < shape_.count; begin += piece) {
+      if (begin > 0) report();
+      for (std::size_t i = begin; i < std::min(begin + piece, shape_.count); ++i)
+        body(d, i);
+    }
+  });
 }
 
 Request Solver::advance() {
@@ -161,7 +176,7 @@ void Solver::tell(double value, std::span<const double> gradient) {
   if (!trial_ambient_.empty()) std::copy(gradient.begin(), gradient.end(), trial_ambient_.begin());
   with_dimension(shape_.dimension, [&](auto d) {
     for (std::size_t i = 0; i < shape_.count; ++i)
-      make_tangent(d, &trial_[i * d], &trial_gradient_[i * d]);
+      trial_radial_[i] = make_tangent(d, &trial_[i * d], &trial_gradient_[i * d]);
   });
   const bool known = std::isfinite(state_.best_measure);
   if (value < state_.best_value - (known ? rounding_of(state_.best_value) : 0)) {
@@ -195,6 +210,7 @@ double Solver::longest_block(std::span<const double> v) const {
 void Solver::begin_at_trial() {
   x_.swap(trial_);
   gradient_.swap(trial_gradient_);
+  radial_.swap(trial_radial_);
   ambient_.swap(trial_ambient_);
   state_.value = state_.trial_value;
   if (!last_values_.empty()) last_values_[state_.iterations % last_values_.size()] = state_.value;
@@ -240,7 +256,8 @@ bool Solver::choose_direction() {
   switch (options_.method) {
     case Method::limited_memory:
       if (!state_.without_memory) {
-        memory_.descend(gradient_, direction_, host_);
+        estimate_curvature();
+        memory_.descend(gradient_, curvature_, direction_, [this] { report(); });
         if (base::dot(gradient_, direction_) < 0) break;
         memory_.clear();
         state_.without_memory = 1;
@@ -273,18 +290,26 @@ bool Solver::choose_direction() {
   return true;
 }
 
+// On the sphere the Hessian of block i is P (H - (G.x) I) P. Of it -G.x is known, the whole of it where f is bilinear
+// in its blocks, as sums over neighbours often are; where it is positive it says which blocks are stiff.
+void Solver::estimate_curvature() {
+  constexpr double range = 10;
+  const double mean = -base::blocked_sum(radial_.size(), [&](std::size_t i) { return radial_[i]; }) /
+                      static_cast<double>(radial_.size());
+  for (std::size_t i = 0; i < radial_.size(); ++i)
+    curvature_[i] = mean > 0 ? std::clamp(-radial_[i] / mean, 1 / range, range) : 1.0;
+}
+
 // Algorithm 2 as printed, for every block at once. A block whose violation of the first-order condition is within the
 // tolerance stays.
 void Solver::choose_printed_direction() {
-  with_dimension(shape_.dimension, [&](auto d) {
-    for (std::size_t i = 0; i < shape_.count; ++i) {
-      const double* tangent = &gradient_[i * d];
-      const double violation = std::sqrt(block_dot(d, tangent, tangent));
-      const bool moves = violation > options_.gradient_tolerance;
-      const double angle = moves ? printed_angle(d, &x_[i * d], &ambient_[i * d]) : 0.0;
-      for (std::size_t k = 0; k < d; ++k)
-        direction_[i * d + k] = moves ? -angle / violation * tangent[k] : 0.0;
-    }
+  for_each_block([&](auto d, std::size_t i) {
+    const double* tangent = &gradient_[i * d];
+    const double violation = std::sqrt(block_dot(d, tangent, tangent));
+    const bool moves = violation > options_.gradient_tolerance;
+    const double angle = moves ? printed_angle(d, &x_[i * d], &ambient_[i * d]) : 0.0;
+    for (std::size_t k = 0; k < d; ++k)
+      direction_[i * d + k] = moves ? -angle / violation * tangent[k] : 0.0;
   });
   state_.backtracking.start(state_.value, base::dot(gradient_, direction_));
 }
@@ -295,9 +320,8 @@ double Solver::trial_length() const {
 
 // trial_ and velocity_, the direction carried there.
 void Solver::place_trial(double length) {
-  with_dimension(shape_.dimension, [&](auto d) {
-    for (std::size_t i = 0; i < shape_.count; ++i)
-      move(d, &x_[i * d], &direction_[i * d], length, &trial_[i * d], &velocity_[i * d]);
+  for_each_block([&](auto d, std::size_t i) {
+    move(d, &x_[i * d], &direction_[i * d], length, &trial_[i * d], &velocity_[i * d]);
   });
 }
 
@@ -340,17 +364,15 @@ void Solver::accept_trial() {
   state_.arc = length * longest_block(direction_);
   if (options_.method == Method::limited_memory || options_.method == Method::barzilai_borwein) {
     // velocity_ and gradient_ become step and change of the gradient, both at the trial.
-    with_dimension(shape_.dimension, [&](auto d) {
-      for (std::size_t i = 0; i < shape_.count; ++i) {
-        transport(d, &x_[i * d], &trial_[i * d], &gradient_[i * d]);
-        for (std::size_t k = i * d; k < (i + 1) * d; ++k) {
-          gradient_[k] = trial_gradient_[k] - gradient_[k];
-          velocity_[k] *= length;
-        }
+    for_each_block([&](auto d, std::size_t i) {
+      transport(d, &x_[i * d], &trial_[i * d], &gradient_[i * d]);
+      for (std::size_t k = i * d; k < (i + 1) * d; ++k) {
+        gradient_[k] = trial_gradient_[k] - gradient_[k];
+        velocity_[k] *= length;
       }
     });
     if (options_.method == Method::limited_memory) {
-      memory_.transport(x_, trial_, host_);
+      memory_.transport(x_, trial_, [this] { report(); });
       memory_.push(velocity_, gradient_);
     } else {
       // The long and the short step by turns; where there is no curvature, as far as can be.

@@ -71,6 +71,13 @@ class Solver {
     base::BacktrackingSearch backtracking{};
   };
 
+  // Tells the host how far the run is; throws when it cancels.
+  void report() const {
+    host_.report("sphere optimizer", state_.evaluations, options_.max_evaluations, state_.best_value);
+  }
+  // body(d, i) for every block i, with reports in between.
+  template <class Body>
+  void for_each_block(const Body& body) const;
   bool asked() const { return state_.phase == Phase::asked || state_.phase == Phase::asked_first; }
   Request advance();
   Request begin_iteration();
@@ -78,6 +85,7 @@ class Solver {
   Request ask(Phase phase);
   Request finish(Stop stop);
   bool choose_direction();
+  void estimate_curvature();
   void choose_printed_direction();
   double longest_block(std::span<const double> v) const;
   double chord_slope() const;
@@ -95,6 +103,8 @@ class Solver {
   LimitedMemory memory_;
   State state_;
   base::Array<double> x_, gradient_, trial_, trial_gradient_, direction_, velocity_, best_;  // N d each
+  base::Array<double> radial_, trial_radial_;    // N each: parts of the gradient along the points
+  base::Array<double> curvature_;                // N: what is known of the Hessian's size, by block
   base::Array<double> ambient_, trial_ambient_;  // the gradients as told, for Method::seed
   base::Array<double> last_values_;              // ring of Options::history values of f, for barzilai_borwein
 };

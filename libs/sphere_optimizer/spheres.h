@@ -62,12 +62,13 @@ bool normalise(Dimension d, double* a) {
   return true;
 }
 
-// v minus its part along the unit vector x.
+// v loses its part along the unit vector x, which is answered.
 template <class Dimension>
-void make_tangent(Dimension d, const double* x, double* v) {
+double make_tangent(Dimension d, const double* x, double* v) {
   const double along = block_dot(d, x, v);
   for (std::size_t k = 0; k < d; ++k)
     v[k] -= along * x[k];
+  return along;
 }
 
 // Follows the great circle from x (unit) along `direction` (tangent) by `length` times the direction's length, in

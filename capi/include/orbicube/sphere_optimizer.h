@@ -17,8 +17,8 @@
  * by a great-circle or Newton step. Better where f is a sum over neighbours, and the start is far away or values must stay
  * within limits; all at once is better where the last digits are wanted.
  *
- * Memory: all of it is allocated by _create, _load and at the start of _relax. (7 + 2 memory) N d numbers for LIMITED_MEMORY,
- * 7 N d for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d for SEED, some 30 bytes a block for _relax. An iteration takes time
+ * Memory: all of it is allocated by _create, _load and at the start of _relax. (7 + 2 memory) N d + 3 N numbers for LIMITED_MEMORY,
+ * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for SEED, 18 bytes a block for _relax. An iteration takes time
  * proportional to N d memory, and asks for 1.0 to 1.1 evaluations as a rule.
  *
  * Thread safety: a solver is used by one thread at a time; distinct solvers at the same time. All work is done on the calling
@@ -74,7 +74,7 @@ enum {
 typedef struct obc_sphere_optimizer_options {
   uint32_t struct_size;
   int32_t method;            /* LIMITED_MEMORY */
-  uint32_t memory;           /* pairs of LIMITED_MEMORY, 1 to 1000: 12 */
+  uint32_t memory;           /* pairs of LIMITED_MEMORY, 1 to 1000: 16 */
   uint32_t history;          /* values that BARZILAI_BORWEIN looks back on, 1 (monotone) to 1000000: 10 */
   double gradient_tolerance; /* on the longest tangent gradient of a block: 1e-8 */
   double target;             /* stop once f <= target: -infinity */
@@ -94,8 +94,9 @@ typedef struct obc_sphere_optimizer_result {
 } obc_sphere_optimizer_result;
 
 /* Value of f at x (count blocks of dimension numbers, one after the other) and its gradient there, in the same order: that in
- * R^d of each block, or any vector with the same part tangent to the spheres (SEED looks at the whole). A value or entry that
- * is not finite counts as FAILED. */
+ * R^d of each block, or any vector with the same part tangent to the spheres: SEED looks at the whole, LIMITED_MEMORY takes
+ * the rest as a hint of how stiff each block is, which saves evaluations. A value or entry that is not finite counts as
+ * FAILED. */
 typedef int32_t (*obc_sphere_optimizer_function)(const double *x, size_t count, size_t dimension, double *value,
                                                  double *gradient, void *user);
 
