@@ -113,7 +113,6 @@ PlyHeader read_ply_header(TextScanner& scanner) {
       if (header.elements.empty()) scanner.fail("parse", "a property before any element");
       header.elements.back().properties.push_back(read_property(scanner));
     } else if (keyword != "comment" && keyword != "obj_info" && !keyword.empty()) {
-      if (scanner.at_end_of_file()) scanner.fail("truncated", "the file ends inside its header");
       scanner.fail("parse", in_quotes(keyword) + " has no meaning in a PLY header");
     }
   }

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -80,8 +83,14 @@ Mesh read_text(std::span<const std::byte> bytes, const base::Host& host) {
   return mesh;
 }
 
-// Binary headers may begin with "solid" too: then the size tells.
+// Binary headers may begin with "solid" too: then the size tells, or a NUL, which no text has.
 bool is_binary(std::span<const std::byte> bytes) {
+  if (bytes.size() >= header_size + 4) {
+    std::array<unsigned char, 4> count{};
+    std::memcpy(count.data(), bytes.data() + header_size, count.size());
+    const std::uint64_t facets = count[0] + 0x100ULL * count[1] + 0x10000ULL * count[2] + 0x1000000ULL * count[3];
+    if (bytes.size() == header_size + 4 + facets * facet_size) return true;
+  }
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   const std::size_t start = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   if (!text.substr(start).starts_with("solid")) return true;
