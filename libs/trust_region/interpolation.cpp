@@ -159,9 +159,49 @@ bool Interpolation::rebuild() {
   return true;
 }
 
-bool Interpolation::wants_rebuild(double step) const {
-  if (updates_ > 4 * (n_ + size_)) return true;
-  return norm(offset(best_), n_) > 10 * step;
+// Powell 2006, eq. 5.10 to 5.12: with s the base's move, the gradient rows get Y Omega, where column j of Y is
+// (s'(s_j - s / 2)) (s_j - s / 2) + |s|^2 s / 4; Omega stays.
+void Interpolation::move_base(double step) {
+  const double* move = offset(best_);
+  if (!(norm(move, n_) > 10 * step)) return;
+  const std::size_t full = n_ + size_;
+  double* shift = work_.data();
+  std::copy_n(move, n_, shift);
+  const double quarter = 0.25 * dot(shift, shift, n_);
+  double* columns = matrix_.data();  // Y by columns
+  for (std::size_t j = 0; j < size_; ++j) {
+    double* column = columns + j * n_;
+    for (std::size_t i = 0; i < n_; ++i)
+      column[i] = offset(j)[i] - 0.5 * shift[i];
+    const double along = dot(shift, column, n_);
+    for (std::size_t i = 0; i < n_; ++i)
+      column[i] = along * column[i] + quarter * shift[i];
+  }
+  // Gradient rows += Y times the rows of the points, then gradient columns += the columns of the points times Y'.
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t j = 0; j < size_; ++j)
+      add_scaled(inverse_row(i), columns[j * n_ + i], inverse_row(n_ + j), full);
+  }
+  for (std::size_t i = 0; i < n_; ++i) {
+    double* row = inverse_row(i);
+    for (std::size_t j = 0; j < size_; ++j)
+      add_scaled(row, row[n_ + j], columns + j * n_, n_);
+  }
+  for (std::size_t i = 0; i < n_; ++i) {
+    for (std::size_t k = 0; k < full; ++k) {
+      if (k >= n_) {
+        inverse_row(k)[i] = inverse_row(i)[k];
+      } else if (k < i) {
+        const double mean = 0.5 * (inverse_row(i)[k] + inverse_row(k)[i]);
+        inverse_row(i)[k] = inverse_row(k)[i] = mean;
+      }
+    }
+  }
+  std::copy_n(point(best_), n_, base_.data());
+  for (std::size_t j = 0; j < size_; ++j) {
+    for (std::size_t i = 0; i < n_; ++i)
+      offsets_[j * n_ + i] = point(j)[i] - base_[i];
+  }
 }
 
 bool Interpolation::prepare(const double* d) {

@@ -35,8 +35,10 @@ class Interpolation {
   void set_best(std::size_t j) { best_ = j; }
   // Makes base the best point and the inverse afresh; false when the points are not poised.
   bool rebuild();
-  // Whether enough has changed since the last rebuild() for rounding to matter at steps of this length.
-  bool wants_rebuild(double step) const;
+  // Whether so much has changed since the last rebuild() that rounding may matter.
+  bool wants_rebuild() const { return updates_ > 4 * (n_ + size_); }
+  // Makes base the best point when it is many steps away: quadratics around a far base lose digits.
+  void move_base(double step);
 
   // The new point best + d: its Lagrange values (see lagrange()) and beta of Powell's formula. False when rounding has
   // spoiled the inverse.

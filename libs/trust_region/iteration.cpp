@@ -31,11 +31,12 @@ Request Solver::iterate() {
 }
 
 bool Solver::prepare_models() {
-  if (state_.spoiled != 0 || interpolation_.wants_rebuild(state_.radius)) {
+  if (state_.spoiled != 0 || interpolation_.wants_rebuild()) {
     if (!interpolation_.rebuild()) return false;
     state_.spoiled = 0;
     models_.meet(interpolation_);
   }
+  interpolation_.move_base(state_.radius);
   models_.refresh(interpolation_);
   return true;
 }

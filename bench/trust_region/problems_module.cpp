@@ -1,0 +1,37 @@
+// The cases behind plain C functions, for compare.py. A handle is made once a case and freed by the caller.
+#include <algorithm>
+
+#include "problems.h"
+
+using orbicube::bench::Problem;
+
+extern "C" {
+std::size_t bench_count() {
+  return orbicube::bench::case_count;
+}
+// transform: as in make_case; -1: with bounds.
+Problem* bench_make(std::size_t index, int transform) {
+  return new Problem(transform < 0 ? orbicube::bench::make_bounded_case(index)
+                                   : orbicube::bench::make_case(index, transform));
+}
+void bench_free(Problem* problem) {
+  delete problem;
+}
+std::size_t bench_size(const Problem* problem) {
+  return problem->n;
+}
+std::size_t bench_residuals(const Problem* problem) {
+  return problem->m;
+}
+double bench_radius(const Problem* problem) {
+  return problem->start_radius();
+}
+void bench_data(const Problem* problem, double* start, double* lower, double* upper) {
+  std::copy(problem->start.begin(), problem->start.end(), start);
+  std::copy(problem->lower.begin(), problem->lower.end(), lower);
+  std::copy(problem->upper.begin(), problem->upper.end(), upper);
+}
+void bench_evaluate(const Problem* problem, const double* x, double* residuals) {
+  problem->residuals(x, residuals);
+}
+}
