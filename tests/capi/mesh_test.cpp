@@ -387,7 +387,9 @@ TEST_CASE("Files in memory: what was changed is told, what is wrong is told with
   CHECK(obc_mesh_read(nullptr, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
   CHECK(made == nullptr);
   CHECK(obc_mesh_write(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_mesh_write_surface(nullptr, &surface, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  const Cube cube;
+  const obc_surface of_cube = cube.surface();
+  CHECK(obc_mesh_write_surface(nullptr, &of_cube, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(std::string(obc_mesh_format(nullptr)) == "");
   CHECK(obc_mesh_note(nullptr, 0) == nullptr);
 }
