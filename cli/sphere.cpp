@@ -81,29 +81,26 @@ void check_mesh_file(const std::filesystem::path& path, const mesh::Mesh& writte
     throw base::Error("no-valid-result", std::to_string(bad) + " triangles of the written map are not positive");
 }
 
-// Writes the map beside its place, checks what is there, and only then puts it in its place. `directions` become those
-// that the file holds.
-void write_checked(const SphereOptions& options, const mesh::Mesh& surface, Directions& directions, Session& session) {
+// Writes the map beside its place and checks what is there. `directions` become those that the file holds.
+void write_checked(const std::filesystem::path& path, const SphereOptions& options, const mesh::Mesh& surface,
+                   Directions& directions, Session& session) {
   const base::Host& host = session.host();
-  const std::filesystem::path output = options.output;
-  CheckedFile file(output);
-  if (is_gltf(output)) {
+  if (is_gltf(path)) {
     MorphSphere map = round_to_morph_target(surface.positions, surface.triangles, directions, host);
-    write_morph_sphere(file.path(), map, surface.triangles, output.stem().string(), host);
-    check_morph_sphere(file.path(), map, surface.triangles, host);
+    write_morph_sphere(path, map, surface.triangles, std::filesystem::path(options.output).stem().string(), host);
+    check_morph_sphere(path, map, surface.triangles, host);
     directions = std::move(map.directions);
     session.figures()["moved_by_rounding"] = map.moved;
     if (map.scale != 1) session.note("coordinates of the surface are relative to its bounding box, see the node");
-  } else {
-    if (mesh::format_of_path(output) == mesh::Format::stl)
-      directions = sphere_map::round_to_float(surface.triangles, directions, host);
-    mesh::Mesh image(host.memory);
-    image.positions = directions;
-    image.triangles = surface.triangles;
-    mesh::write_mesh(file.path(), image, {.binary = !options.text}, host);
-    check_mesh_file(file.path(), image, host);
+    return;
   }
-  file.commit();
+  if (mesh::format_of_path(path) == mesh::Format::stl)
+    directions = sphere_map::round_to_float(surface.triangles, directions, host);
+  mesh::Mesh image(host.memory);
+  image.positions = directions;
+  image.triangles = surface.triangles;
+  mesh::write_mesh(path, image, {.binary = !options.text}, host);
+  check_mesh_file(path, image, host);
 }
 
 Json json_of(const sphere_map::Measurement& m) {
@@ -171,12 +168,18 @@ void sphere(const SphereOptions& options, Session& session) {
                                host);
   });
   const double computed = session.seconds() - start;
-  about(options.output, Role::output, [&] { write_checked(options, surface, directions, session); });
+  sphere_map::FaceDistortion faces(host.memory);
+  sphere_map::Measurement m;
+  about(options.output, Role::output, [&] {
+    CheckedFile file(options.output);
+    write_checked(file.path(), options, surface, directions, session);
+    m = sphere_map::measure(surface.positions, surface.triangles, directions, options.angle_weight, options.area_weight,
+                            host, &faces);
+    if (!m.bijective) throw base::Error("no-valid-result", "the map covers the sphere more than once");
+    file.commit();
+  });
   const double written = session.seconds() - start - computed;
 
-  sphere_map::FaceDistortion faces(host.memory);
-  const sphere_map::Measurement m = sphere_map::measure(surface.positions, surface.triangles, directions,
-                                                        options.angle_weight, options.area_weight, host, &faces);
   session.figures().update({{"output", options.output},
                             {"vertices", surface.positions.size()},
                             {"triangles", surface.triangles.size()},

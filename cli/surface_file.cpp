@@ -18,16 +18,26 @@ void write_gltf(const std::filesystem::path& path, const mesh::Mesh& mesh, const
     throw base::Error("unsupported", "glTF holds no tetrahedra or hexahedra, only surfaces");
   }
   if (mesh.triangles.empty()) throw base::Error("empty-mesh", "there are no triangles to write");
+  mesh::Vector3 low = mesh.positions[0];
+  mesh::Vector3 high = low;
+  for (const mesh::Vector3& p : mesh.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  // Far from the origin, float32 would lose more than a millionth of the size: the node moves it there instead.
+  const bool far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff() > 16 * (high - low).maxCoeff();
+  const mesh::Vector3 origin = far ? mesh::Vector3(0.5 * low + 0.5 * high) : mesh::Vector3(mesh::Vector3::Zero());
   base::Array<float> positions(host.memory);
   positions.reserve(3 * mesh.positions.size());
   for (const mesh::Vector3& p : mesh.positions) {
-    for (const double coordinate : p)
+    for (const double coordinate : mesh::Vector3(p - origin))
       positions.push_back(static_cast<float>(coordinate));
   }
   gltf::Scene scene;
   scene.positions = positions;
   scene.triangles = mesh.triangles;
   scene.smooth_normals = true;
+  scene.translation = origin;
   scene.name = path.stem().string();
   gltf::write(path, scene, host);
 }

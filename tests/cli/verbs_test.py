@@ -162,6 +162,11 @@ class SphereMaps(InFolder):
             for k in range(3):
                 world = node["translation"][k] + node["scale"][k] * base[k]
                 self.assertAlmostEqual(world, position[k] + (1e6 if k == 0 else 0), delta=1e-6)
+        converted, back = self.path("converted.glb"), self.path("back.obj")
+        self.assertEqual(run("convert", far, converted).returncode, 0)
+        self.assertEqual(run("convert", converted, back).returncode, 0)
+        for there, position in zip(read_obj(back)[0], positions):
+            self.assertLess(math.dist(there, (position[0] + 1e6, *position[1:])), 1e-6)
 
     def test_unused_vertices_keep_their_place(self):
         positions, triangles = read_obj(self.made("cube", 200))
