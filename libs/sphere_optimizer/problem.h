@@ -24,6 +24,7 @@ struct Options {
   Method method = Method::limited_memory;
   std::uint32_t memory = 16;         // pairs of limited_memory
   std::uint32_t history = 10;        // values that barzilai_borwein looks back on
+  std::uint32_t reserved = 0;        // saved runs hold no padding
   double gradient_tolerance = 1e-8;  // on the longest of the blocks' tangent gradients
   double target = -std::numeric_limits<double>::infinity();
   std::uint64_t max_evaluations = 100000, max_iterations = 100000;

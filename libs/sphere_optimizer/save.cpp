@@ -61,13 +61,7 @@ std::size_t Solver::save_size() const {
 
 void Solver::save(std::span<std::byte> blob) const {
   if (blob.size() != save_size()) throw base::Error("invalid-argument", "a saved run needs save_size() bytes");
-  Header header;
-  std::memset(static_cast<void*>(&header), 0, sizeof header);  // between members as well: equal runs, equal bytes
-  header.magic = magic;
-  header.size = blob.size();
-  header.count = shape_.count;
-  header.dimension = shape_.dimension;
-  header.options = options_;
+  const Header header{magic, blob.size(), shape_.count, shape_.dimension, options_};
   std::byte* to = blob.data();
   const auto write = [&](auto part) {
     if (!part.empty()) std::memcpy(to, part.data(), part.size_bytes());

@@ -1,0 +1,244 @@
+// Prints tables: evaluations of each method on each problem until every block's tangent gradient is at most 1e-6 (and
+// of the default for 1e-8), beside what peers took; the certificate of the max-cut relaxation; and a million
+// quaternions, all at once and block by block, with the nanoseconds that the library takes a block. compare.py adds
+// Pymanopt's methods.
+//
+// Usage: bench-sphere-optimizer [most evaluations, default 20000]
+#include <orbicube/sphere_optimizer.h>
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+#include "problems.h"
+#include "sphere_optimizer/relaxation.h"
+
+using namespace orbicube::bench;
+
+namespace {
+
+struct Outcome {
+  obc_sphere_optimizer_result result{};
+  std::vector<double> x;
+  double length_error = 0;  // largest |length of a block - 1| where f was asked for, in units of 2^-52
+};
+
+double length_error(const Problem& problem, const double* x) {
+  long double worst = 0;
+  for (std::size_t i = 0; i < problem.count; ++i) {
+    long double square = 0;
+    for (std::size_t k = i * problem.dimension; k < (i + 1) * problem.dimension; ++k)
+      square += static_cast<long double>(x[k]) * x[k];
+    worst = std::max(worst, std::abs(std::sqrt(square) - 1));
+  }
+  return static_cast<double>(worst) * 0x1p52;
+}
+
+Outcome run(const Problem& problem, std::int32_t method, double tolerance, std::uint64_t most) {
+  obc_sphere_optimizer_options options;
+  obc_sphere_optimizer_options_init(&options, sizeof options);
+  options.method = method;
+  options.gradient_tolerance = tolerance;
+  options.max_evaluations = most;
+  Outcome outcome;
+  outcome.x = problem.start;
+  outcome.result.struct_size = sizeof outcome.result;
+  struct Call {
+    const Problem& problem;
+    double worst = 0;
+  } call{problem};
+  const obc_sphere_optimizer_function f = [](const double* x, std::size_t, std::size_t, double* value, double* gradient,
+                                             void* user) -> std::int32_t {
+    Call& to = *static_cast<Call*>(user);
+    to.worst = std::max(to.worst, length_error(to.problem, x));
+    *value = to.problem.evaluate(x, gradient);
+    return OBC_SPHERE_OPTIMIZER_CONTINUE;
+  };
+  obc_error error;
+  if (obc_sphere_optimizer_minimize(problem.count, problem.dimension, &options, f, &call, outcome.x.data(),
+                                    &outcome.result, nullptr, &error) != OBC_OK) {
+    std::fprintf(stderr, "%s: %s\n", error.kind, error.message);
+    std::exit(1);
+  }
+  outcome.length_error = call.worst;
+  return outcome;
+}
+
+std::string evaluations(const Outcome& outcome) {
+  std::string text = std::to_string(outcome.result.evaluations);
+  if (outcome.result.stop != OBC_SPHERE_OPTIMIZER_CONVERGED) {
+    char gradient[32];
+    std::snprintf(gradient, sizeof gradient, " (%.0e)", outcome.result.gradient_norm);
+    text += gradient;
+  }
+  return text;
+}
+
+// How far below the value the optimum may be, relative to it: from the least eigenvalue of W - diag(x_i . (W X)_i).
+double certificate(const Problem& problem, const Outcome& outcome) {
+  const auto n = static_cast<Eigen::Index>(problem.count), d = static_cast<Eigen::Index>(problem.dimension);
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  const Eigen::Map<const Rows> weights(problem.weights.data(), n, n), x(outcome.x.data(), n, d);
+  const Rows pulled = weights * x;
+  Eigen::MatrixXd slack = weights;
+  for (Eigen::Index i = 0; i < n; ++i)
+    slack(i, i) -= x.row(i).dot(pulled.row(i));
+  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(slack, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  return static_cast<double>(n) * std::max(0.0, -least) / std::abs(outcome.result.value);
+}
+
+// Quaternions on a cubic lattice, side^3 of them, with up to six neighbours each: sum of 1 - (x_i . x_j)^2.
+class LatticeEnergy {
+ public:
+  LatticeEnergy(std::size_t side, const std::vector<double>& points) : side_(side), points_(points) {}
+  orbicube::sphere_optimizer::FixedDimension<4> dimension() const { return {}; }
+  double value(std::size_t block, const double* x) const {
+    double sum = 0;
+    for_each_neighbour(block, [&](std::size_t other) {
+      const double along = orbicube::sphere_optimizer::block_dot(dimension(), x, &points_[4 * other]);
+      sum += 1 - along * along;
+    });
+    return sum;
+  }
+  double value_and_gradient(std::size_t block, double* gradient) const {
+    std::fill(gradient, gradient + 4, 0.0);
+    double sum = 0;
+    for_each_neighbour(block, [&](std::size_t other) {
+      const double* y = &points_[4 * other];
+      const double along = orbicube::sphere_optimizer::block_dot(dimension(), &points_[4 * block], y);
+      sum += 1 - along * along;
+      for (std::size_t k = 0; k < 4; ++k)
+        gradient[k] -= 2 * along * y[k];
+    });
+    return sum;
+  }
+  template <class Visit>
+  void for_each_neighbour(std::size_t block, const Visit& visit) const {
+    const std::size_t x = block % side_, y = block / side_ % side_, z = block / side_ / side_;
+    if (x > 0) visit(block - 1);
+    if (x + 1 < side_) visit(block + 1);
+    if (y > 0) visit(block - side_);
+    if (y + 1 < side_) visit(block + side_);
+    if (z > 0) visit(block - side_ * side_);
+    if (z + 1 < side_) visit(block + side_ * side_);
+  }
+
+ private:
+  std::size_t side_;
+  const std::vector<double>& points_;
+};
+
+void a_million_quaternions() {
+  using namespace orbicube::sphere_optimizer;
+  using Clock = std::chrono::steady_clock;
+  const auto since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  constexpr std::size_t side = 100, count = side * side * side;
+  std::vector<double> start(4 * count), gradient(4 * count);
+  for (std::size_t k = 0; k < 4 * count; ++k)
+    start[k] = std::sin(1.7 * static_cast<double>(k % 1000003)) + (k % 4 == 0 ? 1.5 : 0);
+  for (std::size_t i = 0; i < count; ++i)
+    normalise(FixedDimension<4>{}, &start[4 * i]);
+  std::printf(
+      "\n| a million quaternions on a lattice | evaluations a block | energy | library's ns a block and evaluation "
+      "| f's |\n|---|---|---|---|---|\n");
+
+  const LatticeEnergy* energy = nullptr;
+  double in_f = 0;
+  const auto all = [&](const std::vector<double>& x) {
+    const auto begin = Clock::now();
+    const LatticeEnergy lattice(side, x);
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      sum += 0.5 * lattice.value_and_gradient(i, &gradient[4 * i]);
+    }
+    in_f += since(begin);
+    return sum;
+  };
+  for (const std::uint32_t memory : {4U, 16U}) {
+    obc_sphere_optimizer_options options;
+    obc_sphere_optimizer_options_init(&options, sizeof options);
+    options.memory = memory;
+    options.max_evaluations = 40;
+    obc_sphere_optimizer* solver = nullptr;
+    if (obc_sphere_optimizer_create(count, 4, &options, start.data(), nullptr, &solver, nullptr) != OBC_OK) return;
+    in_f = 0;
+    std::vector<double> x(4 * count);
+    const double* point = nullptr;
+    const auto begin = Clock::now();
+    double copying = 0;
+    for (std::int32_t request; (request = obc_sphere_optimizer_step(solver, &point)) != OBC_SPHERE_OPTIMIZER_DONE;) {
+      if (request != OBC_SPHERE_OPTIMIZER_NEED_FG) continue;
+      const auto copy = Clock::now();
+      std::copy(point, point + 4 * count, x.begin());
+      copying += since(copy);
+      const double value = all(x);
+      obc_sphere_optimizer_tell(solver, value, gradient.data(), nullptr);
+    }
+    const double seconds = since(begin);
+    obc_sphere_optimizer_result result{};
+    result.struct_size = sizeof result;
+    obc_sphere_optimizer_get_result(solver, &result, nullptr, nullptr);
+    const double evaluated = static_cast<double>(count) * static_cast<double>(result.evaluations);
+    std::printf("| all at once, %u pairs | %.1f | %.6g | %.0f | %.0f |\n", memory,
+                static_cast<double>(result.evaluations), result.value, 1e9 * (seconds - in_f - copying) / evaluated,
+                1e9 * in_f / evaluated);
+    std::fflush(stdout);
+    obc_sphere_optimizer_destroy(solver);
+  }
+  for (const Method method : {Method::great_circle, Method::seed}) {
+    std::vector<double> points = start;
+    const LatticeEnergy lattice(side, points);
+    energy = &lattice;
+    const orbicube::base::Host host;
+    RelaxationSpace space(count, host.memory);
+    RelaxationOptions options;
+    options.method = method;
+    options.max_passes = 10;
+    RelaxationResult result;
+    const auto begin = Clock::now();
+    relax(*energy, std::span(points), options, space, host, result);
+    const double seconds = since(begin);
+    std::printf("| block by block, 10 passes, %s | %.1f | %.6g | %.0f, with f | |\n",
+                method == Method::seed ? "as printed" : "mended",
+                static_cast<double>(result.evaluations) / static_cast<double>(count), all(points),
+                1e9 * seconds / static_cast<double>(result.evaluations));
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+int main(int argument_count, char** arguments) {
+  const std::uint64_t most = argument_count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 20000;
+  std::printf(
+      "| evaluations | default | to 1e-8 | BARZILAI_BORWEIN | GREAT_CIRCLE | SEED | reference CG | BB | halving | f "
+      "| lengths |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
+  double gap = 0;
+  for (std::size_t index = 0; index < problem_count(); ++index) {
+    const Problem problem = make_problem(index);
+    const Outcome best = run(problem, OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY, 1e-8, most);
+    std::vector<Outcome> outcomes;
+    double worst = best.length_error;
+    for (std::int32_t method = 0; method <= OBC_SPHERE_OPTIMIZER_SEED; ++method) {
+      outcomes.push_back(run(problem, method, 1e-6, most));
+      worst = std::max(worst, outcomes.back().length_error);
+    }
+    const auto reference = [](int value) { return value > 0 ? std::to_string(value) : std::string("-"); };
+    std::printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s | %.12g | %.2f ulp |\n", problem.name.c_str(),
+                evaluations(outcomes[0]).c_str(), evaluations(best).c_str(), evaluations(outcomes[1]).c_str(),
+                evaluations(outcomes[2]).c_str(), evaluations(outcomes[3]).c_str(),
+                reference(problem.reference_conjugate).c_str(), reference(problem.reference_barzilai_borwein).c_str(),
+                reference(problem.reference_halving).c_str(), best.result.value, worst);
+    std::fflush(stdout);
+    if (!problem.weights.empty()) gap = certificate(problem, outcomes[0]);
+  }
+  std::printf("\nMax-cut: no feasible value is lower by more than %.1e of it, proved by an eigenvalue.\n", gap);
+  a_million_quaternions();
+  return gap < 1e-6 ? 0 : 1;
+}
