@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "sphere_map/newton.h"
 #include "sphere_map/relaxation.h"
 #include "sphere_map/spherical_kernel.h"
 
@@ -84,7 +85,14 @@ class Refiner {
   void solve_level(std::size_t total) {
     std::sort(level_.vertices.begin(), level_.vertices.end());
     level_.build(rings_, positions_, energy_);
-    relax(energy_, level_, limits_of(level_.vertices.size(), total), directions_, queue_, place_, step_scratch_, host_);
+    const std::size_t count = level_.vertices.size();
+    relax(energy_, level_, limits_of(count, total), directions_, queue_, place_, step_scratch_, host_);
+    // Below, single vertices reach everything; between, the next level moves them again.
+    if (count == total) {
+      newton(energy_, level_, {4, 200, 1e-3}, place_, directions_, host_);
+    } else if (count >= 300 && count <= 4000) {
+      newton(energy_, level_, {8, 200, 1e-5}, place_, directions_, host_);
+    }
   }
 
   // Inserts a vertex and optimises it and its ring once.

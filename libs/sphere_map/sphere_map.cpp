@@ -30,8 +30,9 @@ Weights weights_of(const Options& options) {
     case Method::balanced:
       w.angle = options.angle_weight;
       w.area = options.area_weight;
-      w.isometric = 0.05 * scale;
-      w.dilatation_4 = 1e-3 * scale;
+      w.isometric = 0.03 * scale;
+      w.dilatation_1 = 0.25 * scale;
+      w.dilatation_4 = 2e-3 * scale;
       return w;
     case Method::angle_area:
       w.angle = options.angle_weight;
@@ -75,6 +76,7 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
     }
     seed += 0x1000;
     weights.isometric *= 4;
+    weights.dilatation_1 *= 4;
     weights.dilatation_2 *= 4;
     weights.dilatation_4 *= 4;
   }
