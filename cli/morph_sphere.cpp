@@ -29,7 +29,7 @@ Array<Vector3> rounded(std::span<const Vector3> sums, std::pmr::memory_resource*
   Array<Vector3> result(memory);
   result.reserve(sums.size());
   for (const Vector3& sum : sums)
-    result.push_back(sum.cast<float>().cast<double>());
+    result.push_back(sphere_map::rounded_to_float(sum));
   return result;
 }
 

@@ -60,7 +60,7 @@ double relax(const Energy& energy, const Level& level, const RelaxationLimits& l
     }
     return result.gain;
   };
-  for (int pass = 0; pass < limits.passes; ++pass) {
+  for (std::size_t pass = 0; pass < limits.passes; ++pass) {
     double gain = 0;
     for (const Index v : level.large)
       gain += visit(v);

@@ -39,7 +39,7 @@ struct Level {
 double level_energy(const Energy& energy, const Level& level, std::span<const Vector3> directions);
 
 struct RelaxationLimits {
-  int passes;            // at most this many steps a vertex in the mean
+  std::size_t passes;    // at most this many steps a vertex in the mean
   double relative_gain;  // ends when a pass gains less than this part of the energy
   double movement;       // a vertex that moved less than this part of its nearest edge does not wake its neighbours
 };

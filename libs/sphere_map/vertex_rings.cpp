@@ -18,7 +18,7 @@ VertexRings::VertexRings(std::size_t vertex_count, std::span<const Triangle> tri
   Array<std::array<Index, 2>> pairs(3 * triangles.size(), memory);
   Array<std::size_t> fill(begin.begin(), begin.end() - 1, memory);
   for (const Triangle& t : triangles) {
-    for (int i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < 3; ++i)
       pairs[fill[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
   }
   pool_.resize(pairs.size());

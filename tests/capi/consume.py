@@ -57,7 +57,7 @@ def compiled_and_run(compiler, source, prefix, name, static, output):
     environment = dict(os.environ, PKG_CONFIG_LIBDIR=os.path.join(prefix, "lib", "pkgconfig"))
     # What the system has (header-only libraries that a .pc file might require) must not be needed by the shared library.
     flags = run(["pkg-config", "--cflags", "--libs"] + (["--static"] if static else []) + [name], env=environment).split()
-    run(compiler + ["-Wall", "-Wextra", "-Werror", source, "-o", output] + flags)
+    run(compiler + ["-Wall", "-Wextra", "-Werror", source, "-o", output] + flags + ["-lm"])
     needed = run(["readelf", "-dW", output])
     if static == ("liborbicube-" in needed):
         sys.exit(f"{output} is linked to the wrong kind of library:\n{needed}")

@@ -132,9 +132,9 @@ TEST_CASE("STL keeps the triangles, binary ones to float32, text exactly") {
       for (std::size_t k = 0; k < 3; ++k) {
         const Vector3& wanted = mesh.positions[mesh.triangles[t][k]];
         const Vector3& got = again.positions[again.triangles[t][k]];
-        for (int i = 0; i < 3; ++i) {
-          const double expected = binary ? static_cast<double>(static_cast<float>(wanted[i])) : wanted[i];
-          REQUIRE(got[i] == expected);
+        for (int axis = 0; axis < 3; ++axis) {
+          const volatile float rounded = static_cast<float>(wanted[axis]);  // GCC 12 drops the rounding of vectors
+          REQUIRE(got[axis] == (binary ? static_cast<double>(rounded) : wanted[axis]));
         }
       }
     }

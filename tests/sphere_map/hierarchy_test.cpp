@@ -120,8 +120,9 @@ TEST_CASE("The centroid of a kernel sees its whole ring, also of a ring that is 
     if (!point) continue;
     ++found;
     CHECK(point->norm() == doctest::Approx(1).epsilon(1e-15));
-    for (int i = 0; i < n; ++i) {
-      CHECK(mesh::orientation_from_origin(*point, directions[ring[i]], directions[ring[(i + 1) % n]]) > 0);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Vector3& next = directions[ring[(i + 1) % ring.size()]];
+      CHECK(mesh::orientation_from_origin(*point, directions[ring[i]], next) > 0);
     }
   }
   CHECK(found > 500);
