@@ -53,28 +53,17 @@ obc_status guarded(obc_error* error, const Body& body) noexcept {
   }
 }
 
-// Runs `body`, which works on the file at `path`, with the path in front of what it throws.
-template <class Body>
-auto on_file(const char* path, const Body& body) {
-  if (path == nullptr) throw base::Error("invalid-argument", "path is NULL");
-  try {
-    return body();
-  } catch (const base::Error& e) {
-    throw base::Error(e.kind(), std::string(path) + ": " + e.what());
-  }
-}
-
 // Throws invalid-argument with `message` unless `condition` holds.
 inline void require(bool condition, const char* message) {
   if (!condition) throw base::Error("invalid-argument", message);
 }
 
-// Runs `body` and puts the path that it works on before the message of an error.
+// Runs `body`, which works on the file at `path`, with the path in front of what it throws.
 template <class Body>
-void with_path(const char* path, const Body& body) {
+auto on_file(const char* path, const Body& body) {
   require(path != nullptr, "path is NULL");
   try {
-    body();
+    return body();
   } catch (const base::Error& e) {
     throw base::Error(e.kind(), std::string(path) + ": " + e.what());
   }

@@ -128,7 +128,7 @@ obc_status obc_gltf_read(const char* path, const obc_gltf_read_options* options,
                          obc_gltf_surface** out, obc_error* error) {
   return read_surface(host, out, error, [&](const base::Host& adapted, mesh::ReadReport* report) {
     mesh::Mesh surface(adapted.memory);
-    capi::with_path(path, [&] { surface = gltf::read(path, to_read_options(options), adapted, report); });
+    capi::on_file(path, [&] { surface = gltf::read(path, to_read_options(options), adapted, report); });
     return surface;
   });
 }
@@ -190,7 +190,7 @@ obc_status obc_gltf_write(const char* path, const obc_gltf_scene* scene, const o
     const capi::HostAdapter adapter(host);
     SceneStorage storage(adapter.host().memory);
     const gltf::Scene checked = to_scene(scene, storage);
-    capi::with_path(path, [&] { gltf::write(path, checked, adapter.host()); });
+    capi::on_file(path, [&] { gltf::write(path, checked, adapter.host()); });
   });
 }
 
