@@ -99,13 +99,11 @@ def run_pounders(case):
 def run_powell(name):
     def run(case):
         import pdfo
-        options = {"radius_init": case.radius, "radius_final": 1e-8, "maxfev": case.budget, "quiet": True,
-                   "eliminate_lin_eq": False}
+        options = {"radius_init": case.radius, "radius_final": 1e-8, "maxfev": case.budget, "quiet": True}
         if name != "uobyqa":
             options["npt"] = 2 * case.n + 1
         bounds = {"bounds": list(zip(case.lower, case.upper))} if name == "bobyqa" else {}
-        getattr(pdfo, name)(case.value, case.start, options={k: v for k, v in options.items()
-                                                             if k != "eliminate_lin_eq"}, **bounds)
+        getattr(pdfo, name)(case.value, case.start, options=options, **bounds)
     return run
 
 

@@ -288,7 +288,8 @@ void Solver::drop_far_points() {
 // Asks for a point in the place of the farthest, when that is too far from the best one.
 Request Solver::improve_geometry() {
   const std::size_t n = variables_.free_size(), best = interpolation_.best();
-  double far = 2 * state_.radius;
+  // A set that grows soon has near points enough.
+  double far = (interpolation_.capacity() > 2 * n + 1 ? 3 : 2) * state_.radius;
   std::size_t leaving = interpolation_.size();
   for (std::size_t j = 0; j < interpolation_.size(); ++j) {
     const double away = interpolation_.distance_to_best(j);
