@@ -86,6 +86,7 @@ class Refiner {
     std::sort(level_.vertices.begin(), level_.vertices.end());
     level_.build(rings_, positions_, energy_);
     const std::size_t count = level_.vertices.size();
+    if (count == total) release_hierarchy();
     relax(energy_, level_, limits_of(count, total), directions_, queue_, place_, step_scratch_, host_);
     // Below, single vertices reach everything; between, the next level moves them again.
     if (count == total) {
@@ -93,6 +94,13 @@ class Refiner {
     } else if (count >= 300 && count <= 4000) {
       newton(energy_, level_, {8, 200, 1e-5}, place_, directions_, host_);
     }
+  }
+
+  // The whole mesh has its stars in level_: what led there makes room for the last steps.
+  void release_hierarchy() {
+    decimation_.collapses = Array<Collapse>(host_.memory);
+    decimation_.ring_pool = Array<Index>(host_.memory);
+    rings_ = VertexRings(0, {}, host_.memory);
   }
 
   // Inserts a vertex and optimises it and its ring once.

@@ -8,9 +8,9 @@
 
 namespace orbicube::sphere_map {
 
-// Directions of all vertices that have a ring at the end; zero for the others. `decimation` is refined to the whole
-// mesh. Throws Error no-valid-result when a kernel is empty, which only rounding can cause.
-// `least_area` is for triangle_shape (distortion.h).
+// Directions of all vertices that have a ring at the end; zero for the others. `decimation` is used up. Throws Error
+// no-valid-result when a kernel is empty, which only rounding can cause. `least_area` is for triangle_shape
+// (distortion.h).
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights,
                       double least_area, const base::Host& host);
 
