@@ -37,7 +37,7 @@ struct Options {
 // Maps the vertices of a closed, connected, consistently oriented surface of genus 0 to unit vectors, one a vertex in
 // the order of `positions`. Vertices in no triangle get the direction from the bounding box's centre. Orientation is
 // kept: det[p q r] > 0 for every triangle, exactly, and so that rounding each coordinate once more cannot change it.
-// O(n log n) time, about 700 bytes a vertex.
+// O(n log n) time, at most 1 KB a vertex.
 // Throws Error: invalid-argument (options, sizes), the kinds of mesh::require_closed_genus_zero, cancelled,
 // no-valid-result when no valid map was found.
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,

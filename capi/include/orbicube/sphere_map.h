@@ -66,7 +66,7 @@ OBC_API obc_status obc_sphere_map_report_init(obc_sphere_map_report *report, siz
  * inward is mapped as seen from outside: its triangles are then clockwise on the sphere. Vertices in no triangle get some
  * unit vector.
  * options, report and host may be NULL. directions: 3 * vertex_count doubles, written on success only.
- * O(n log n) time, about 700 bytes a vertex.
+ * O(n log n) time, at most 1 KB a vertex.
  * Errors: OBC_INVALID_ARGUMENT (NULL, NaN, index out of range, options), OBC_NOT_CLOSED, OBC_NOT_MANIFOLD,
  * OBC_WRONG_GENUS, OBC_DEGENERATE, OBC_NO_VALID_RESULT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
 OBC_API obc_status obc_sphere_map_compute(const obc_surface *surface, const obc_sphere_map_options *options,
