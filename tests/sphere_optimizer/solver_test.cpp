@@ -20,7 +20,9 @@ TEST_CASE("Charges on the sphere reach the known least energies") {
   // Wales and Ulker 2006; from these starts there is no other local minimum in the way.
   const std::pair<std::size_t, double> known[] = {
       {2, 0.5}, {4, 3.674234614}, {12, 49.165253058}, {24, 223.347074052}, {32, 412.261274651}, {50, 1055.182314726}};
-  for (const auto& [count, energy] : known) {
+  for (const auto& row : known) {
+    const std::size_t count = row.first;
+    const double energy = row.second;
     for (const Method method : {Method::limited_memory, Method::barzilai_borwein}) {
       const Problem problem = thomson(count, 1);
       const Run end = run(problem, with(method));

@@ -53,7 +53,7 @@ double worst_lagrange_error(const Interpolation& set) {
 
 TEST_CASE("Lagrange functions are one at their point and zero at the others, for every number of points") {
   std::mt19937_64 random(1);
-  for (const std::size_t n : {1, 2, 3, 5}) {
+  for (const std::size_t n : {1U, 2U, 3U, 5U}) {
     const std::size_t full = (n + 1) * (n + 2) / 2;
     for (std::size_t count = n + 1; count <= full; ++count)
       CHECK(worst_lagrange_error(random_set(n, full, count, random)) < 1e-6);  // some of them are badly poised
@@ -96,7 +96,7 @@ TEST_CASE("Moving the base changes neither Lagrange functions nor denominators")
   std::mt19937_64 random(6);
   const std::size_t n = 4;
   // A random set is badly poised at times: its functions are known to some digits only.
-  for (const std::size_t count : {6, 9, 15}) {
+  for (const std::size_t count : {6U, 9U, 15U}) {
     Interpolation set = random_set(n, 15, count, random);
     set.set_best(3);
     const std::vector<double> d = {0.4, -0.1, 0.2, 0.3}, x(n, 0.3);

@@ -68,7 +68,7 @@ void check_optimal(const Quadratic& q, const std::vector<double>& s, double radi
 
 TEST_CASE("Without bounds a step meets the conditions of More and Sorensen, convex or not") {
   std::mt19937_64 random(1);
-  for (const std::size_t n : {1, 2, 3, 7, 20}) {
+  for (const std::size_t n : {1U, 2U, 3U, 7U, 20U}) {
     for (const double shift : {0.0, 5.0, 30.0, -30.0}) {
       for (const double radius : {1e-6, 0.1, 1.0, 100.0}) {
         const Quadratic q = random_quadratic(n, shift, random);
