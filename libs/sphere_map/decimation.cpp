@@ -194,7 +194,7 @@ void Decimator::refill_heap() {
 }
 
 Decimation Decimator::run() {
-  Decimation result{Array<Collapse>(host_.memory), Array<Index>(host_.memory), {}, VertexRings(0, {}, host_.memory)};
+  Decimation result{Array<Collapse>(host_.memory), Array<Index>(host_.memory), {}, VertexRings(0, {}, host_)};
   if (alive_ < 4) throw base::Error("internal", "decimation of fewer than four vertices");
   const std::size_t start = alive_;
   result.collapses.reserve(start - 4);

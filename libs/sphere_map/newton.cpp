@@ -110,6 +110,7 @@ class Newton {
       return e;
     };
     for (std::size_t i = 0; i < count; ++i) {
+      if (i % 16384 == 0) host_.report("final optimisation", 0, 0);
       for (const StarTriangle& s : level_.star(i)) {
         const Index a = static_cast<Index>(i);
         const Index b = place[s.q];
@@ -287,6 +288,7 @@ class Newton {
       }
       double reached = 0;
       for (std::size_t t = 0; t < triangles_.size() && reached < value; ++t) {
+        if (t % 65536 == 0) host_.report("final optimisation", 0, 0, value);
         const auto& [a, b, c] = triangles_[t].corner;
         if (!safely_positive(trial_[a], trial_[b], trial_[c])) {
           reached = std::numeric_limits<double>::infinity();

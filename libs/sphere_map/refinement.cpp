@@ -84,7 +84,7 @@ class Refiner {
 
   void solve_level(std::size_t total) {
     std::sort(level_.vertices.begin(), level_.vertices.end());
-    level_.build(rings_, positions_, energy_);
+    level_.build(rings_, positions_, energy_, host_);
     const std::size_t count = level_.vertices.size();
     if (count == total) release_hierarchy();
     relax(energy_, level_, limits_of(count, total), directions_, queue_, place_, step_scratch_, host_);
@@ -100,7 +100,7 @@ class Refiner {
   void release_hierarchy() {
     decimation_.collapses = Array<Collapse>(host_.memory);
     decimation_.ring_pool = Array<Index>(host_.memory);
-    rings_ = VertexRings(0, {}, host_.memory);
+    rings_ = VertexRings(0, {}, host_);
   }
 
   // Inserts a vertex and optimises it and its ring once.

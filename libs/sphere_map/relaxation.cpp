@@ -4,12 +4,16 @@
 
 namespace orbicube::sphere_map {
 
-void Level::build(const VertexRings& rings, std::span<const Vector3> positions, Energy& energy) {
+void Level::build(const VertexRings& rings, std::span<const Vector3> positions, Energy& energy,
+                  const base::Host& host) {
   star_begin.clear();
   stars.clear();
   double area = 0;
   large.clear();
+  star_begin.reserve(vertices.size() + 1);
+  stars.reserve(6 * vertices.size() - 12);  // three corners for each of the 2 n - 4 triangles
   for (const Index v : vertices) {
+    if (star_begin.size() % 16384 == 0) host.report("stars", star_begin.size(), vertices.size());
     const auto ring = rings[v];
     if (ring.size() > large_star) large.push_back(v);
     star_begin.push_back(stars.size());

@@ -23,7 +23,7 @@ struct Level {
       : vertices(memory), large(memory), star_begin(memory), stars(memory) {}
 
   // Rebuilds the stars of `vertices`, and the areas of `energy`, from the surface positions.
-  void build(const VertexRings& rings, std::span<const Vector3> positions, Energy& energy);
+  void build(const VertexRings& rings, std::span<const Vector3> positions, Energy& energy, const base::Host& host);
 
   std::span<const StarTriangle> star(std::size_t i) const {
     return {stars.data() + star_begin[i], star_begin[i + 1] - star_begin[i]};

@@ -34,7 +34,7 @@ class Repairer {
         grid_(grid),
         stored_(stored),
         host_(host),
-        rings_(stored.size(), triangles, host.memory),
+        rings_(stored.size(), triangles, host),
         polygon_(host.memory),
         queued_(stored.size(), 0, host.memory),
         moved_(stored.size(), 0, host.memory) {}

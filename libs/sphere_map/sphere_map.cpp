@@ -68,7 +68,7 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
   for (std::size_t attempt = 0;; ++attempt) {
     try {
       Decimation decimation =
-          decimate(positions, triangles, VertexRings(positions.size(), triangles, host.memory), seed, host);
+          decimate(positions, triangles, VertexRings(positions.size(), triangles, host), seed, host);
       return refine(decimation, positions, weights, least_areas[attempt] * mean_area, host);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || attempt + 1 == least_areas.size()) throw;
@@ -104,7 +104,13 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
       directions[v] = unit[v].norm() > 0 ? unit[v].normalized() : Vector3::UnitZ();
     }
   }
-  if (const std::size_t bad = count_not_positive(outward, directions)) {
+  std::size_t bad = 0;
+  constexpr std::size_t piece = 65536;
+  for (std::size_t begin = 0; begin < outward.size(); begin += piece) {
+    host.report("exact check", begin, outward.size());
+    bad += count_not_positive(std::span(outward).subspan(begin, std::min(piece, outward.size() - begin)), directions);
+  }
+  if (bad > 0) {
     throw base::Error("no-valid-result", std::to_string(bad) + " triangles are not positive by exact predicates");
   }
   return directions;

@@ -4,9 +4,12 @@
 
 namespace orbicube::sphere_map {
 
-VertexRings::VertexRings(std::size_t vertex_count, std::span<const Triangle> triangles,
-                         std::pmr::memory_resource* memory)
-    : places_(vertex_count, memory), pool_(memory) {
+VertexRings::VertexRings(std::size_t vertex_count, std::span<const Triangle> triangles, const base::Host& host)
+    : places_(vertex_count, host.memory), pool_(host.memory) {
+  const auto report = [&](std::size_t step) {
+    if (step % 65536 == 0) host.report("rings", step, 0);
+  };
+  std::pmr::memory_resource* const memory = host.memory;
   // For each vertex the pairs (a, b) of its triangles (vertex, a, b), then a walk from each a to its b.
   Array<std::size_t> begin(vertex_count + 1, 0, memory);
   for (const Triangle& t : triangles) {
@@ -17,14 +20,17 @@ VertexRings::VertexRings(std::size_t vertex_count, std::span<const Triangle> tri
     begin[v + 1] += begin[v];
   Array<std::array<Index, 2>> pairs(3 * triangles.size(), memory);
   Array<std::size_t> fill(begin.begin(), begin.end() - 1, memory);
-  for (const Triangle& t : triangles) {
+  for (std::size_t k = 0; k < triangles.size(); ++k) {
+    const Triangle& t = triangles[k];
     for (std::size_t i = 0; i < 3; ++i)
       pairs[fill[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
+    report(k);
   }
   pool_.resize(pairs.size());
   Array<Index> successor(vertex_count, memory);
   for (std::size_t v = 0; v < vertex_count; ++v) {
     places_[v] = {begin[v], static_cast<Index>(begin[v + 1] - begin[v]), static_cast<Index>(begin[v + 1] - begin[v])};
+    report(v);
     if (places_[v].size == 0) continue;
     for (std::size_t i = begin[v]; i < begin[v + 1]; ++i)
       successor[pairs[i][0]] = pairs[i][1];

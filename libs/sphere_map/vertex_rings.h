@@ -9,6 +9,7 @@
 #include <memory_resource>
 #include <span>
 
+#include "base/host.h"
 #include "mesh/mesh.h"
 
 namespace orbicube::sphere_map {
@@ -29,7 +30,7 @@ struct Collapse {
 class VertexRings {
  public:
   // Rings of the triangles of a closed, oriented manifold. Vertices in no triangle have empty rings.
-  VertexRings(std::size_t vertex_count, std::span<const Triangle> triangles, std::pmr::memory_resource* memory);
+  VertexRings(std::size_t vertex_count, std::span<const Triangle> triangles, const base::Host& host);
 
   std::span<const Index> operator[](Index vertex) const {
     const Place& place = places_[vertex];

@@ -42,7 +42,7 @@ std::vector<Triangle> triangles_of(const VertexRings& rings, const std::set<Inde
 
 TEST_CASE("Every mesh of a decimation is a closed manifold of genus 0, and splits undo collapses exactly") {
   const test::Surface s = test::creature(3);
-  const VertexRings start(s.positions.size(), s.triangles, memory);
+  const VertexRings start(s.positions.size(), s.triangles, base::Host());
   Decimation d = decimate(s.positions, s.triangles, start, 0, base::Host());
   REQUIRE(d.collapses.size() == s.positions.size() - 4);
 
@@ -144,7 +144,7 @@ TEST_CASE("The centroid of a regular ring is its centre, of a ring with a clockw
 
 TEST_CASE("A step lowers the energy by what it says, keeps the star positive, and ends where nothing is to be gained") {
   const test::Surface s = test::sphere(2);
-  const VertexRings rings(s.positions.size(), s.triangles, memory);
+  const VertexRings rings(s.positions.size(), s.triangles, base::Host());
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
   Energy energy;

@@ -25,12 +25,12 @@ struct Problem {
         directions(compute(s.positions, s.triangles, {}, base::Host())) {
     energy.weights = {
         .angle = 0.1, .area = 1, .isometric = 0.05, .dilatation_1 = 0.2, .dilatation_2 = 1e-3, .dilatation_4 = 1e-3};
-    const VertexRings rings(s.positions.size(), s.triangles, std::pmr::get_default_resource());
+    const VertexRings rings(s.positions.size(), s.triangles, base::Host());
     for (Index v = 0; v < s.positions.size(); ++v) {
       level.vertices.push_back(v);
       place.push_back(v);
     }
-    level.build(rings, s.positions, energy);
+    level.build(rings, s.positions, energy, base::Host());
   }
 
   double value() const { return level_energy(energy, level, directions); }
