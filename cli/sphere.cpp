@@ -28,7 +28,9 @@ using Directions = base::Array<mesh::Vector3>;
 
 const std::map<std::string, sphere_map::Method> methods = {{"balanced", sphere_map::Method::balanced},
                                                            {"angle-area", sphere_map::Method::angle_area},
-                                                           {"isometric", sphere_map::Method::isometric}};
+                                                           {"stretch", sphere_map::Method::stretch},
+                                                           {"isometric", sphere_map::Method::isometric},
+                                                           {"conformal", sphere_map::Method::conformal}};
 
 struct SphereOptions {
   std::string input;
@@ -213,9 +215,10 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
   std::vector<std::string> names;
   for (const auto& [name, method] : methods)
     names.push_back(name);
-  verb->add_option("--method", options->method,
-                   "balanced: angles and areas with an eye on the worst triangle (the default); angle-area: the sum of "
-                   "the two energies; isometric: symmetric Dirichlet energy")
+  verb->add_option(
+          "--method", options->method,
+          "balanced: angles and areas with an eye on the worst triangle (the default); angle-area: the sum of "
+          "the two energies; stretch: L2 stretch; isometric: symmetric Dirichlet energy; conformal: angles alone")
       ->check(unnamed(CLI::IsMember(names)))
       ->type_name("METHOD");
   verb->add_option("--angle-weight", options->angle_weight, "weight of the angles' energy (0.1)")

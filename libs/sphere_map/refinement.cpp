@@ -35,11 +35,12 @@ RelaxationLimits limits_of(std::size_t count, std::size_t total) {
 
 class Refiner {
  public:
-  Refiner(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights, double least_area,
+  Refiner(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule, double least_area,
           const base::Host& host)
       : decimation_(decimation),
         rings_(decimation.rings),
         positions_(positions),
+        schedule_(schedule),
         host_(host),
         directions_(positions.size(), Vector3::Zero(), host.memory),
         level_(host.memory),
@@ -48,7 +49,7 @@ class Refiner {
         star_(host.memory),
         step_scratch_(host.memory),
         kernel_scratch_(host.memory) {
-    energy_.weights = weights;
+    energy_.weights = schedule.hierarchy();
     energy_.least_area = least_area;
   }
 
@@ -90,7 +91,10 @@ class Refiner {
     relax(energy_, level_, limits_of(count, total), directions_, queue_, place_, step_scratch_, host_);
     // Below, single vertices reach everything; between, the next level moves them again.
     if (count == total) {
-      newton(energy_, level_, {4, 200, 1e-3}, place_, directions_, host_);
+      for (const Stage& stage : schedule_.stages()) {
+        energy_.weights = stage.weights;
+        newton(energy_, level_, stage.limits, place_, directions_, host_);
+      }
     } else if (count >= 300 && count <= 4000) {
       newton(energy_, level_, {8, 200, 1e-5}, place_, directions_, host_);
     }
@@ -138,6 +142,7 @@ class Refiner {
   Decimation& decimation_;
   VertexRings& rings_;
   std::span<const Vector3> positions_;
+  const Schedule& schedule_;
   const base::Host& host_;
   Energy energy_;
   Array<Vector3> directions_;
@@ -151,9 +156,9 @@ class Refiner {
 
 }  // namespace
 
-Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights,
+Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
                       double least_area, const base::Host& host) {
-  return Refiner(decimation, positions, weights, least_area, host).run();
+  return Refiner(decimation, positions, schedule, least_area, host).run();
 }
 
 }  // namespace orbicube::sphere_map

@@ -4,14 +4,14 @@
 
 #include "base/host.h"
 #include "sphere_map/decimation.h"
-#include "sphere_map/distortion.h"
+#include "sphere_map/method.h"
 
 namespace orbicube::sphere_map {
 
 // Directions of all vertices that have a ring at the end; zero for the others. `decimation` is used up. Throws Error
 // no-valid-result when a kernel is empty, which only rounding can cause. `least_area` is for triangle_shape
 // (distortion.h).
-Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Weights& weights,
+Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
                       double least_area, const base::Host& host);
 
 }  // namespace orbicube::sphere_map

@@ -4,51 +4,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "base/error.h"
 #include "mesh/topology.h"
 #include "sphere_map/decimation.h"
 #include "sphere_map/measure.h"
+#include "sphere_map/method.h"
 #include "sphere_map/normalise.h"
 #include "sphere_map/refinement.h"
 
 namespace orbicube::sphere_map {
 namespace {
-
-Weights weights_of(const Options& options) {
-  if (!(options.angle_weight > 0 && std::isfinite(options.angle_weight) && options.area_weight >= 0 &&
-        std::isfinite(options.area_weight))) {
-    throw base::Error("invalid-argument", "angle_weight must be positive and area_weight not negative, both finite");
-  }
-  // The barrier's weights are for weights (0.1, 1), whose energy is at least 17.593; others scale it with the energy.
-  const double pi = std::numbers::pi;
-  const double scale = (16 * pi * options.angle_weight + 4 * pi * options.area_weight) / (16 * pi * 0.1 + 4 * pi * 1.0);
-  Weights w;
-  switch (options.method) {
-    case Method::balanced:
-      w.angle = options.angle_weight;
-      w.area = options.area_weight;
-      w.isometric = 0.03 * scale;
-      w.dilatation_1 = 0.25 * scale;
-      w.dilatation_4 = 2e-3 * scale;
-      return w;
-    case Method::angle_area:
-      w.angle = options.angle_weight;
-      w.area = options.area_weight;
-      w.isometric = 0.02 * scale;
-      w.dilatation_2 = 1e-3 * scale;
-      return w;
-    case Method::isometric:
-      // D is 2 AT (s1^2 + s2^2) and D AT^2 / M is AT (s1^-2 + s2^-2) / 2 for singular values s1, s2.
-      w.angle = 1;
-      w.isometric = 4;
-      w.dilatation_2 = 1e-3;
-      return w;
-  }
-  throw base::Error("invalid-argument", "unknown method");
-}
 
 double total_area(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
   double twice = 0;
@@ -62,23 +29,21 @@ double total_area(std::span<const Vector3> positions, std::span<const Triangle> 
 // decimation and a stronger barrier get past that, or else triangles that count as having some area, in the end all
 // alike: maps of that kind exist for every surface (Tutte 1963).
 Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                                double surface_area, Weights weights, std::uint64_t seed, const base::Host& host) {
+                                double surface_area, const Schedule& schedule, std::uint64_t seed,
+                                const base::Host& host) {
   const double mean_area = surface_area / static_cast<double>(triangles.size());
   const std::array least_areas = {0.0, 0.0, 1e-2, 1.0, 1e3};  // times the mean area
   for (std::size_t attempt = 0;; ++attempt) {
     try {
       Decimation decimation =
           decimate(positions, triangles, VertexRings(positions.size(), triangles, host), seed, host);
-      return refine(decimation, positions, weights, least_areas[attempt] * mean_area, host);
+      return refine(decimation, positions, schedule.with_stronger_barrier(attempt), least_areas[attempt] * mean_area,
+                    host);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || attempt + 1 == least_areas.size()) throw;
       host.log(std::string("trying again: ") + e.what());
     }
     seed += 0x1000;
-    weights.isometric *= 4;
-    weights.dilatation_1 *= 4;
-    weights.dilatation_2 *= 4;
-    weights.dilatation_4 *= 4;
   }
 }
 
@@ -86,7 +51,7 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
 
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
                        const base::Host& host) {
-  const Weights weights = weights_of(options);
+  const Schedule schedule = schedule_of(options);
   const mesh::Topology facts = mesh::topology(positions, triangles, host);
   mesh::require_closed_genus_zero(facts);
   const Array<Vector3> unit = normalised(positions, host.memory);
@@ -98,7 +63,7 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
       std::swap(t[1], t[2]);
   }
 
-  Array<Vector3> directions = map_with_retries(unit, outward, total_area(unit, outward), weights, options.seed, host);
+  Array<Vector3> directions = map_with_retries(unit, outward, total_area(unit, outward), schedule, options.seed, host);
   for (std::size_t v = 0; v < directions.size(); ++v) {
     if (directions[v] == Vector3::Zero()) {  // in no triangle
       directions[v] = unit[v].norm() > 0 ? unit[v].normalized() : Vector3::UnitZ();

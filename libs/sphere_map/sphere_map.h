@@ -23,8 +23,10 @@ using mesh::Vector3;
 
 enum class Method : std::int32_t {
   balanced = 0,    // angle and area distortion with a barrier on the worst triangle: the default
-  angle_area = 1,  // the dissertation's energy E = angle_weight E_D + area_weight E_A, the barrier kept minimal
+  angle_area = 1,  // the dissertation's energy E = angle_weight E_D + area_weight E_A, to a local optimum
   isometric = 2,   // symmetric Dirichlet energy
+  stretch = 3,     // L2 stretch (Sander et al. 2001; Praun and Hoppe 2003)
+  conformal = 4,   // angle distortion alone
 };
 
 struct Options {

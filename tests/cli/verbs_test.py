@@ -214,7 +214,7 @@ class SphereMaps(InFolder):
     def test_every_method_gives_a_valid_map_and_is_best_at_its_own_energy(self):
         shape = self.made("creature", 1500, 3)
         energy = {}
-        for method in ("balanced", "angle-area", "isometric"):
+        for method in ("balanced", "angle-area", "isometric", "stretch", "conformal"):
             report, out = self.path("report.json"), self.path("map.obj")
             done = run("sphere", shape, "-o", out, "--method", method, "--report", report)
             self.assertEqual(done.returncode, 0, done.stderr)
@@ -223,6 +223,8 @@ class SphereMaps(InFolder):
                 energy[method] = json.load(file)
         self.assertEqual(min(energy, key=lambda m: energy[m]["energy"]), "angle-area")
         self.assertEqual(min(energy, key=lambda m: energy[m]["isometric_mean"]), "isometric")
+        self.assertEqual(max(energy, key=lambda m: energy[m]["stretch_efficiency"]), "stretch")
+        self.assertEqual(min(energy, key=lambda m: energy[m]["energy_angle"]), "conformal")
 
 
 class Reports(InFolder):
