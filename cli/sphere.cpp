@@ -26,11 +26,10 @@ namespace {
 
 using Directions = base::Array<mesh::Vector3>;
 
-const std::map<std::string, sphere_map::Method> methods = {{"balanced", sphere_map::Method::balanced},
-                                                           {"angle-area", sphere_map::Method::angle_area},
-                                                           {"stretch", sphere_map::Method::stretch},
-                                                           {"isometric", sphere_map::Method::isometric},
-                                                           {"conformal", sphere_map::Method::conformal}};
+const std::map<std::string, sphere_map::Method> methods = {
+    {"balanced", sphere_map::Method::balanced},   {"angle-area", sphere_map::Method::angle_area},
+    {"stretch", sphere_map::Method::stretch},     {"isometric", sphere_map::Method::isometric},
+    {"conformal", sphere_map::Method::conformal}, {"seed", sphere_map::Method::seed}};
 
 struct SphereOptions {
   std::string input;
@@ -215,10 +214,10 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
   std::vector<std::string> names;
   for (const auto& [name, method] : methods)
     names.push_back(name);
-  verb->add_option(
-          "--method", options->method,
-          "balanced: angles and areas with an eye on the worst triangle (the default); angle-area: the sum of "
-          "the two energies; stretch: L2 stretch; isometric: symmetric Dirichlet energy; conformal: angles alone")
+  verb->add_option("--method", options->method,
+                   "balanced: angles and areas with an eye on the worst triangle (the default); angle-area: the sum of "
+                   "the two energies; stretch: L2 stretch; isometric: symmetric Dirichlet energy; conformal: angles "
+                   "alone; seed: the dissertation's own method")
       ->check(unnamed(CLI::IsMember(names)))
       ->type_name("METHOD");
   verb->add_option("--angle-weight", options->angle_weight, "weight of the angles' energy (0.1)")

@@ -76,6 +76,8 @@ Schedule schedule_of(const Options& options) {
       schedule.add({{.angle = 1, .isometric = 1e-8, .dilatation_1 = 0.1},
                     {.steps = 8, .solver_steps = 200, .relative_gain = 1e-5}});
       return schedule;
+    case Method::seed:
+      return schedule;  // it has a way of its own (seed.h)
   }
   throw base::Error("invalid-argument", "unknown method");
 }

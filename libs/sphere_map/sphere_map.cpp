@@ -13,6 +13,7 @@
 #include "sphere_map/method.h"
 #include "sphere_map/normalise.h"
 #include "sphere_map/refinement.h"
+#include "sphere_map/seed.h"
 
 namespace orbicube::sphere_map {
 namespace {
@@ -63,7 +64,12 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
       std::swap(t[1], t[2]);
   }
 
-  Array<Vector3> directions = map_with_retries(unit, outward, total_area(unit, outward), schedule, options.seed, host);
+  Array<Vector3> directions =
+      options.method == Method::seed
+          ? seed::compute(
+                unit, outward,
+                {.angle_weight = options.angle_weight, .area_weight = options.area_weight, .seed = options.seed}, host)
+          : map_with_retries(unit, outward, total_area(unit, outward), schedule, options.seed, host);
   for (std::size_t v = 0; v < directions.size(); ++v) {
     if (directions[v] == Vector3::Zero()) {  // in no triangle
       directions[v] = unit[v].norm() > 0 ? unit[v].normalized() : Vector3::UnitZ();

@@ -27,6 +27,7 @@ enum class Method : std::int32_t {
   isometric = 2,   // symmetric Dirichlet energy
   stretch = 3,     // L2 stretch (Sander et al. 2001; Praun and Hoppe 2003)
   conformal = 4,   // angle distortion alone
+  seed = 5,        // chapter 3 of the dissertation as printed, mended only where it would fail (seed.h)
 };
 
 struct Options {

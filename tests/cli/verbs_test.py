@@ -214,13 +214,14 @@ class SphereMaps(InFolder):
     def test_every_method_gives_a_valid_map_and_is_best_at_its_own_energy(self):
         shape = self.made("creature", 1500, 3)
         energy = {}
-        for method in ("balanced", "angle-area", "isometric", "stretch", "conformal"):
+        for method in ("balanced", "angle-area", "isometric", "stretch", "conformal", "seed"):
             report, out = self.path("report.json"), self.path("map.obj")
             done = run("sphere", shape, "-o", out, "--method", method, "--report", report)
             self.assertEqual(done.returncode, 0, done.stderr)
             self.assertEqual(not_positive(*read_obj(out)), 0)
             with open(report, encoding="utf-8") as file:
                 energy[method] = json.load(file)
+        del energy["seed"]  # minimises what angle-area does, from another place
         self.assertEqual(min(energy, key=lambda m: energy[m]["energy"]), "angle-area")
         self.assertEqual(min(energy, key=lambda m: energy[m]["isometric_mean"]), "isometric")
         self.assertEqual(max(energy, key=lambda m: energy[m]["stretch_efficiency"]), "stretch")

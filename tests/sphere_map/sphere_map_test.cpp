@@ -52,7 +52,7 @@ std::string refusal(const Surface& s, const Options& options = {}) {
 
 TEST_CASE("Every method maps every shape to a bijection, from a tetrahedron on") {
   for (const Method method :
-       {Method::balanced, Method::angle_area, Method::isometric, Method::stretch, Method::conformal}) {
+       {Method::balanced, Method::angle_area, Method::isometric, Method::stretch, Method::conformal, Method::seed}) {
     Options options;
     options.method = method;
     check_valid(test::tetrahedron(), map_of(test::tetrahedron(), options));

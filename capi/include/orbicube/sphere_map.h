@@ -24,9 +24,10 @@ extern "C" {
 enum {
   OBC_SPHERE_MAP_BALANCED = 0,   /* angle_weight E_D + area_weight E_A and a barrier on the worst triangle */
   OBC_SPHERE_MAP_ANGLE_AREA = 1, /* angle_weight E_D + area_weight E_A alone, to a local optimum */
-  OBC_SPHERE_MAP_ISOMETRIC = 2,  /* the symmetric Dirichlet energy; the weights are not used, as in those below */
+  OBC_SPHERE_MAP_ISOMETRIC = 2,  /* the symmetric Dirichlet energy; the weights are not used, as in the next two */
   OBC_SPHERE_MAP_STRETCH = 3,    /* the L2 stretch of Praun and Hoppe */
-  OBC_SPHERE_MAP_CONFORMAL = 4   /* E_D alone */
+  OBC_SPHERE_MAP_CONFORMAL = 4,  /* E_D alone */
+  OBC_SPHERE_MAP_SEED = 5        /* the dissertation's chapter 3 as printed, mended only where it would fail */
 };
 
 typedef struct obc_sphere_map_options {
