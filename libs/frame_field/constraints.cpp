@@ -1,0 +1,109 @@
+#include "frame_field/constraints.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbicube::frame_field {
+namespace {
+
+using quaternion::multiply;
+using quaternion::normalised;
+
+struct BoundaryFace {
+  double area;
+  Vector normal;
+};
+
+// The faces of a tetrahedron on the boundary, from the greatest area down; those without area are left out.
+std::size_t boundary_faces(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
+                           Index tetrahedron, std::array<BoundaryFace, 4>& faces) {
+  std::size_t count = 0;
+  for (Index k = 0; k < 4; ++k) {
+    const Index face = 4 * tetrahedron + k;
+    if (!connectivity.on_boundary(face)) continue;
+    const mesh::Triangle v = connectivity.vertices(face);
+    Vector3 e = positions[v[1]] - positions[v[0]], f = positions[v[2]] - positions[v[0]];
+    const double size = std::max(e.cwiseAbs().maxCoeff(), f.cwiseAbs().maxCoeff());
+    if (!(size > 0)) continue;
+    e /= size;
+    f /= size;
+    const Vector3 normal = e.cross(f);
+    const double length = normal.norm();
+    if (!(length > 0)) continue;
+    faces[count++] = {length * size * size, {normal[0] / length, normal[1] / length, normal[2] / length}};
+  }
+  std::stable_sort(faces.begin(), faces.begin() + count,
+                   [](const BoundaryFace& a, const BoundaryFace& b) { return a.area > b.area; });
+  return count;
+}
+
+}  // namespace
+
+Quaternion aligned(const Quaternion& frame, const Vector& n) {
+  // The direction in the frame's own axes; its largest component says which axis is next to it.
+  const Vector local = quaternion::rotate(quaternion::conjugate(frame), n);
+  const double x = std::abs(local.x), y = std::abs(local.y), z = std::abs(local.z);
+  Vector axis{0, 0, 0};
+  if (x >= y && x >= z)
+    axis.x = local.x < 0 ? -1 : 1;
+  else if (y >= z)
+    axis.y = local.y < 0 ? -1 : 1;
+  else
+    axis.z = local.z < 0 ? -1 : 1;
+  // The shortest rotation from the axis to the direction: 1 + cos, sin times its axis.
+  const double cosine = axis.x * local.x + axis.y * local.y + axis.z * local.z;
+  const Quaternion turn{1 + cosine, axis.y * local.z - axis.z * local.y, axis.z * local.x - axis.x * local.z,
+                        axis.x * local.y - axis.y * local.x};
+  return normalised(multiply(frame, normalised(turn)));
+}
+
+Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> positions,
+                             const mesh::TetrahedralConnectivity& connectivity, bool align_boundary,
+                             std::span<const GivenFrame> given_frames, std::span<const GivenAxis> given_axes,
+                             const base::Host& host) {
+  Constraints result(host.memory);
+  result.of_node.assign(graph.size(), no_index);
+  Array<Index> frame_of(host.memory), axis_of(host.memory);  // by tetrahedron
+  const auto table = [&](auto given, Array<Index>& of) {
+    if (given.empty()) return;
+    of.assign(graph.size(), no_index);
+    for (Index i = 0; i < given.size(); ++i)
+      of[given[i].tetrahedron] = i;
+  };
+  table(given_frames, frame_of);
+  table(given_axes, axis_of);
+  for (Index i = 0; i < graph.size(); ++i) {
+    if (i % 16384 == 0) host.report("boundary", i, graph.size());
+    const Index t = graph.tetrahedron[i];
+    Constraint constraint{i, false, {1, 0, 0, 0}, {0, 0, 0}};
+    std::array<BoundaryFace, 4> faces;
+    std::size_t count = 0;
+    if (!frame_of.empty() && frame_of[t] != no_index) {
+      constraint.fixed = true;
+      constraint.frame = normalised(given_frames[frame_of[t]].frame);
+    } else if (!axis_of.empty() && axis_of[t] != no_index) {
+      constraint.direction = given_axes[axis_of[t]].direction;
+      constraint.frame = aligned(constraint.frame, constraint.direction);
+    } else {
+      if (align_boundary) count = boundary_faces(positions, connectivity, t, faces);
+      if (count == 0) continue;
+      constraint.direction = faces[0].normal;
+      constraint.frame = aligned(constraint.frame, constraint.direction);
+    }
+    const auto number = static_cast<Index>(result.list.size());
+    result.of_node[i] = number;
+    result.list.push_back(constraint);
+    for (std::size_t k = 1; k < count; ++k)
+      result.alternatives.push_back({number, faces[k].normal});
+  }
+  return result;
+}
+
+void satisfy(const Constraints& constraints, Field& field) {
+  for (const Constraint& c : constraints.list)
+    field[c.node] = c.fixed ? c.frame : aligned(aligned(field[c.node], c.direction), c.direction);
+}
+
+}  // namespace orbicube::frame_field

@@ -1,0 +1,61 @@
+// Which frames are not free: those with a face on the boundary have an axis along its normal, others may be given.
+//
+// A tetrahedron with several boundary faces is aligned with one of them exactly: the one with the greatest area to
+// begin with, and another of them when that makes the field smoother (smoothing.h).
+#pragma once
+
+#include <span>
+
+#include "frame_field/dual_graph.h"
+#include "frame_field/harmonic_frame.h"
+
+namespace orbicube::frame_field {
+
+struct Constraint {
+  Index node;
+  bool fixed;        // the whole frame is given; otherwise one axis is
+  Quaternion frame;  // one that satisfies the constraint
+  Vector direction;  // of the axis, a unit vector
+};
+
+// What the caller asks for besides the boundary, by tetrahedron.
+struct GivenFrame {
+  Index tetrahedron;
+  Quaternion frame;
+};
+struct GivenAxis {
+  Index tetrahedron;
+  Vector direction;  // unit
+};
+
+struct Constraints {
+  explicit Constraints(std::pmr::memory_resource* memory) : list(memory), of_node(memory), alternatives(memory) {}
+  Constraints(const Constraints& other, std::pmr::memory_resource* memory)
+      : list(other.list, memory), of_node(other.of_node, memory), alternatives(other.alternatives, memory) {}
+  Constraints(Constraints&&) = default;
+
+  bool is_free(std::size_t node) const { return of_node[node] == no_index; }
+
+  Array<Constraint> list;  // in ascending order of nodes
+  Array<Index> of_node;    // no_index for a free one
+  // Further normals of tetrahedra with several boundary faces, in ascending order of `constraint`.
+  struct Alternative {
+    Index constraint;
+    Vector direction;
+  };
+  Array<Alternative> alternatives;
+};
+
+// Given frames come before given axes and these before the boundary. O(n). Frames and axes must be units.
+Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> positions,
+                             const mesh::TetrahedralConnectivity& connectivity, bool align_boundary,
+                             std::span<const GivenFrame> given_frames, std::span<const GivenAxis> given_axes,
+                             const base::Host& host);
+
+// `frame` turned as little as possible so that its axis next to `direction` lies along it.
+Quaternion aligned(const Quaternion& frame, const Vector& direction);
+
+// Turns every constrained frame by as little as possible so that it satisfies its constraint to rounding.
+void satisfy(const Constraints& constraints, Field& field);
+
+}  // namespace orbicube::frame_field

@@ -1,0 +1,202 @@
+#include "frame_field/frame_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+#include "base/error.h"
+#include "frame_field/diffusion.h"
+#include "frame_field/energy.h"
+#include "frame_field/features.h"
+#include "frame_field/hierarchy.h"
+#include "frame_field/recombination.h"
+#include "frame_field/seed_method.h"
+#include "frame_field/smoothing.h"
+#include "frame_field/starts.h"
+
+namespace orbicube::frame_field {
+namespace {
+
+// Nodes of the coarsest graph at most.
+constexpr std::size_t smallest_graph = 60;
+// Times of Start::diffusion, in mean squared edges: wide enough for curves to cross a solid, then ever finer.
+constexpr std::initializer_list<double> falling_times = {64, 32, 16, 8, 4, 2, 1};
+// What a round of improvement tries from the best field so far.
+constexpr std::initializer_list<double> long_times = {128, 128, 32, 8, 2}, middle_times = {8, 8, 2, 1},
+                                        short_times = {1, 0.5};
+// Frames that differ by less are no reason to take one rather than the other.
+constexpr double recombination_angle = 0.1;
+// Smoothing of candidates need not be thorough.
+constexpr double rough_gain = 1e-3;
+
+class Search {
+ public:
+  Search(const DualGraph& graph, Constraints& constraints, const Options& options, const base::Host& host)
+      : graph_(graph),
+        constraints_(constraints),
+        options_(options),
+        host_(host),
+        hierarchy_(make_hierarchy(graph, smallest_graph, host)),
+        diffusion_(graph, hierarchy_, constraints, host),
+        best_(host.memory) {}
+
+  Outcome run(const Given& given) {
+    Outcome outcome(host_.memory);
+    outcome.start = options_.start;
+    switch (options_.start) {
+      case Start::automatic:
+        outcome.start = search();
+        break;
+      case Start::identity:
+        best_ = identity_start(graph_, constraints_, host_);
+        break;
+      case Start::propagated:
+        best_ = propagated_start(graph_, constraints_, host_);
+        break;
+      case Start::harmonic:
+        best_ = diffusion_.harmonic_start();
+        break;
+      case Start::diffusion:
+        best_ = diffused(diffusion_.harmonic_start(), falling_times);
+        break;
+      case Start::given:
+        best_ = by_node(graph_, given.start, host_.memory);
+        for (Quaternion& q : best_)
+          q = quaternion::normalised(q);
+        break;
+    }
+    outcome.energy = smoothed(best_, options_.relative_gain, constraints_);
+    outcome.solver_iterations = iterations_ + diffusion_.iterations();
+    outcome.smoothing_steps = steps_;
+    outcome.field.resize(graph_.size());
+    by_tetrahedron(graph_, best_, outcome.field);
+    return outcome;
+  }
+
+ private:
+  // Answers the energy.
+  double smoothed(Field& field, double gain, Constraints& constraints) {
+    const SmoothingResult result = smooth(graph_, hierarchy_, constraints, {.relative_gain = gain}, host_, field);
+    iterations_ += result.solver_iterations;
+    steps_ += result.steps;
+    return result.energy;
+  }
+
+  Field diffused(const Field& from, std::initializer_list<double> times) {
+    Field field(from, host_.memory);
+    for (const double time : times)
+      diffusion_.diffuse(time, field);
+    return field;
+  }
+
+  // Smooths a candidate and takes over what is better in it. True when it is better as a whole.
+  bool offer(Field candidate) {
+    Constraints own(constraints_, host_.memory);
+    double energy = smoothed(candidate, rough_gain, own);
+    const bool better = best_.empty() || energy < best_energy_;
+    if (better) {
+      std::swap(best_, candidate);
+      std::swap(best_energy_, energy);
+    }
+    if (candidate.empty()) return better;
+    if (take_better_regions(graph_, candidate, recombination_angle, host_, best_) > 0) {
+      Constraints again(constraints_, host_.memory);
+      best_energy_ = smoothed(best_, rough_gain, again);
+    }
+    return better;
+  }
+
+  Start search() {
+    Start from = Start::diffusion;
+    Field harmonic = diffusion_.harmonic_start();
+    offer(diffused(harmonic, falling_times));
+    if (offer(std::move(harmonic))) from = Start::harmonic;
+    if (offer(identity_start(graph_, constraints_, host_))) from = Start::identity;
+    if (offer(propagated_start(graph_, constraints_, host_))) from = Start::propagated;
+    for (std::uint32_t round = 0; round < options_.rounds; ++round) {
+      const double before = best_energy_;
+      for (const auto& times : {long_times, middle_times, short_times}) {
+        if (offer(diffused(best_, times))) from = Start::diffusion;
+      }
+      if (before - best_energy_ <= rough_gain * best_energy_) break;
+    }
+    return from;
+  }
+
+  const DualGraph& graph_;
+  Constraints& constraints_;
+  const Options& options_;
+  const base::Host& host_;
+  Array<CoarseGraph> hierarchy_;
+  Diffusion diffusion_;
+  Field best_;
+  double best_energy_ = 0;
+  std::uint32_t iterations_ = 0, steps_ = 0;
+};
+
+bool is_unit(double square) {
+  return std::abs(square - 1) < 1e-6;
+}
+
+void check(std::size_t count, const Options& options, const Given& given) {
+  const auto require = [](bool condition, const char* message) {
+    if (!condition) throw base::Error("invalid-argument", message);
+  };
+  if (count == 0) throw base::Error("empty-mesh", "no tetrahedra");
+  const auto in_range = [](auto value, auto last) { return static_cast<std::int32_t>(value) >= 0 && value <= last; };
+  require(in_range(options.start, Start::given), "no such start");
+  require(in_range(options.method, Method::seed), "no such method");
+  require(in_range(options.weighting, Weighting::geometric), "no such weighting");
+  require(options.feature_angle >= 0 && options.feature_angle < 4, "the feature angle is not in [0, pi]");
+  require(options.relative_gain > 0 && options.relative_gain < 1, "the relative gain is not between 0 and 1");
+  for (const GivenFrame& g : given.frames) {
+    require(g.tetrahedron < count, "a given frame of a tetrahedron that does not exist");
+    require(is_unit(quaternion::dot(g.frame, g.frame)), "a given frame is no unit quaternion");
+  }
+  for (const GivenAxis& g : given.axes) {
+    require(g.tetrahedron < count, "a given axis of a tetrahedron that does not exist");
+    const Vector& d = g.direction;
+    require(is_unit(d.x * d.x + d.y * d.y + d.z * d.z), "a given axis is no unit vector");
+  }
+  if (options.start != Start::given) return;
+  require(given.start.size() == count, "the field to start from has not one frame a tetrahedron");
+  for (const Quaternion& q : given.start)
+    require(is_unit(quaternion::dot(q, q)), "the field to start from has a frame that is no unit quaternion");
+}
+
+}  // namespace
+
+const char* start_name(Start start) {
+  switch (start) {
+    case Start::automatic:
+      return "auto";
+    case Start::identity:
+      return "identity";
+    case Start::propagated:
+      return "propagated";
+    case Start::harmonic:
+      return "harmonic";
+    case Start::diffusion:
+      return "diffusion";
+    case Start::given:
+      return "given";
+  }
+  return "unknown";
+}
+
+Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra, const Options& options,
+                const Given& given, const base::Host& host) {
+  check(tetrahedra.size(), options, given);
+  const mesh::TetrahedralConnectivity connectivity(positions.size(), tetrahedra, host);
+  const DualGraph graph = make_dual_graph(positions, connectivity, options.weighting, host);
+  Array<GivenAxis> axes(given.axes.begin(), given.axes.end(), host.memory);
+  Array<GivenFrame> frames(given.frames.begin(), given.frames.end(), host.memory);
+  if (options.feature_angle > 0) follow_features(positions, connectivity, options.feature_angle, host, frames, axes);
+  Constraints constraints =
+      make_constraints(graph, positions, connectivity, options.align_boundary, frames, axes, host);
+  if (options.method == Method::seed) return seed_method(graph, constraints, host);
+  return Search(graph, constraints, options, host).run(given);
+}
+
+}  // namespace orbicube::frame_field

@@ -1,0 +1,263 @@
+// Computed fields: optima that are known, alignment, invariance, equal bits, constraints, and the seed's method.
+#include "frame_field/frame_field.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstring>
+#include <numbers>
+#include <random>
+
+#include "base/error.h"
+#include "frame_field/boundary_indices.h"
+#include "frame_field/energy.h"
+#include "frame_field/hierarchy.h"
+#include "frame_field/measurement.h"
+#include "frame_field/recombination.h"
+#include "frame_field/singularities.h"
+#include "frame_field/smoothing.h"
+#include "frame_field/starts.h"
+#include "quaternion/frame_distance.h"
+#include "solids.h"
+
+using namespace orbicube;
+using namespace orbicube::frame_field;
+
+namespace {
+
+Measurement measured(const test::Solid& solid, const Field& field) {
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, base::Host());
+  return measure(solid.positions, connectivity, field, base::Host());
+}
+
+Outcome computed(const test::Solid& solid, const Options& options = {}, const Given& given = {},
+                 const base::Host& host = {}) {
+  return compute(solid.positions, solid.tetrahedra, options, given, host);
+}
+
+const std::vector<Start> starts = {Start::automatic, Start::identity, Start::propagated, Start::harmonic,
+                                   Start::diffusion};
+
+bool same_bits(const Field& a, const Field& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Quaternion)) == 0;
+}
+
+std::string refusal(const test::Solid& solid, const Options& options, const Given& given = {}) {
+  try {
+    computed(solid, options, given);
+  } catch (const base::Error& e) {
+    return e.kind();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("A box that stands askew has the constant field, from every start") {
+  std::mt19937_64 random(1);
+  test::Solid solid = test::cubes(5, 4, 6);
+  const Quaternion turn = test::random_rotation(random);
+  for (Vector3& p : solid.positions)
+    p = test::rotated(turn, p);
+  for (const Start start : {Start::automatic, Start::harmonic, Start::diffusion}) {
+    const Outcome outcome = computed(solid, {.start = start});
+    CHECK(outcome.energy < 1e-10);
+    for (const Quaternion& q : outcome.field)
+      CHECK(quaternion::symmetric_distance(q, turn) < 1e-4);
+  }
+}
+
+TEST_CASE("Fields are units, aligned to 1e-6 degrees, within the bound of angles, and measured as reported") {
+  for (const test::Solid& solid : {test::ball(7), test::ring(18, 3), test::shaken(test::cubes(5, 5, 5), 0.15)}) {
+    for (const Start start : starts) {
+      const Outcome outcome = computed(solid, {.start = start});
+      const Measurement m = measured(solid, outcome.field);
+      CHECK(m.norm_error < 1e-14);
+      CHECK(m.one_face_largest < 1e-6);
+      CHECK(m.several_best_largest < 1e-6);
+      CHECK(m.symmetric.largest <= 62.80);
+      CHECK(outcome.energy == doctest::Approx(m.energy).epsilon(1e-9));
+    }
+  }
+}
+
+TEST_CASE("The best of all starts is no worse than any of them") {
+  const test::Solid solid = test::ball(8);
+  const double best = computed(solid).energy;
+  for (const Start start : starts) {
+    // Candidates are smoothed until a step gains a thousandth, and then in the end.
+    CHECK(best <= computed(solid, {.start = start}).energy * 1.01);
+  }
+}
+
+TEST_CASE("A smoothed field is a minimum: turning any frame, within what it may, does not lower the energy") {
+  const test::Solid solid = test::ball(6);
+  const Outcome outcome = computed(solid, {.start = Start::harmonic, .relative_gain = 1e-12});
+  const base::Host host;
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
+  const DualGraph graph = make_dual_graph(solid.positions, connectivity, Weighting::uniform, host);
+  const Constraints constraints = make_constraints(graph, solid.positions, connectivity, true, {}, {}, host);
+  const Field field = by_node(graph, outcome.field, host.memory);
+  const auto around = [&](Index i, const Quaternion& q) {
+    double sum = 0;
+    for (const Index other : graph.others[i])
+      sum += other == i ? 0 : quaternion::symmetric_sine_square(q, field[other]);
+    return sum;
+  };
+  for (Index i = 0; i < graph.size(); ++i) {
+    if (!constraints.is_free(i)) continue;
+    for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
+      const double h = 1e-4;
+      const double slope = (around(i, turned(field[i], axis, h)) - around(i, turned(field[i], axis, -h))) / (2 * h);
+      CHECK(std::abs(slope) < 1e-4);
+    }
+  }
+}
+
+TEST_CASE("Results are the same bits for any number of threads and any order of the mesh") {
+  const test::Solid solid = test::shaken(test::ball(12), 1e-3);  // more than one chunk of nodes
+  base::Host alone, crowd;
+  alone.thread_count = 1;
+  crowd.thread_count = 4;
+  const Outcome one = computed(solid, {}, {}, alone);
+  CHECK(same_bits(computed(solid, {}, {}, crowd).field, one.field));
+  test::Solid other = solid;
+  std::vector<Index> order(solid.tetrahedra.size());
+  for (Index t = 0; t < order.size(); ++t)
+    order[t] = t;
+  std::shuffle(order.begin(), order.end(), std::mt19937(3));
+  for (Index t = 0; t < order.size(); ++t)
+    other.tetrahedra[t] = solid.tetrahedra[order[t]];
+  const Outcome shuffled = computed(other);
+  Field back(one.field.size());
+  for (Index t = 0; t < order.size(); ++t)
+    back[order[t]] = shuffled.field[t];
+  CHECK(same_bits(back, one.field));
+}
+
+TEST_CASE("The energy does not change by more than rounding amplified when the solid is moved") {
+  const test::Solid solid = test::ball(7);
+  std::mt19937_64 random(2);
+  const Quaternion turn = test::random_rotation(random);
+  test::Solid moved = solid;
+  for (Vector3& p : moved.positions)
+    p = test::rotated(turn, p) + Vector3(1, 2, 3);
+  const Options options{.start = Start::harmonic};
+  CHECK(computed(moved, options).energy == doctest::Approx(computed(solid, options).energy).epsilon(0.05));
+}
+
+TEST_CASE("Given frames stay as they are, given axes are kept, and a given start is what is smoothed") {
+  const test::Solid solid = test::cubes(5, 5, 5);
+  std::mt19937_64 random(4);
+  const std::vector<GivenFrame> frames = {{100, test::random_rotation(random)}, {400, test::random_rotation(random)}};
+  const Vector axis = quaternion::rotate(test::random_rotation(random), {0, 0, 1});
+  const std::vector<GivenAxis> axes = {{200, axis}};
+  const Outcome outcome = computed(solid, {}, {.frames = frames, .axes = axes});
+  for (const GivenFrame& g : frames)
+    CHECK(quaternion::symmetric_distance(outcome.field[g.tetrahedron], g.frame) < 1e-12);
+  const Vector local = quaternion::rotate(quaternion::conjugate(outcome.field[200]), axis);
+  CHECK(std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)}) > 1 - 1e-12);
+  CHECK(outcome.energy > 0.1);
+
+  const std::vector<Quaternion> constant(solid.tetrahedra.size(), quaternion::normalised({1, 0.1, 0, 0}));
+  CHECK(computed(solid, {.start = Start::given}, {.frames = {}, .axes = {}, .start = constant}).energy < 1e-10);
+  const Outcome untouched =
+      computed(solid, {.start = Start::given, .align_boundary = false}, {.frames = {}, .axes = {}, .start = constant});
+  CHECK(untouched.energy == 0);
+  CHECK(quaternion::symmetric_distance(untouched.field[0], constant[0]) < 1e-12);
+}
+
+TEST_CASE("With features, frames beside sharp edges follow them") {
+  // A prism over a rhombus: its edges along z turn by 60 and 120 degrees.
+  test::Solid solid = test::cubes(6, 6, 6);
+  for (Vector3& p : solid.positions)
+    p = Vector3(p[0] + 0.5 * p[1], std::sqrt(0.75) * p[1], p[2]);
+  const Outcome outcome = computed(solid, {.feature_angle = 0.5});
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, base::Host());
+  const mesh::EdgeRings rings(connectivity, base::Host());
+  std::size_t checked = 0;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const Vector3 a = solid.positions[rings.vertices(r)[0]], b = solid.positions[rings.vertices(r)[1]];
+    const bool sharp = a.head<2>().norm() < 1e-12 && b.head<2>().norm() < 1e-12;
+    if (!sharp || a[2] < 0.5 || b[2] < 0.5 || a[2] > 5.5 || b[2] > 5.5) continue;
+    for (const Index face : rings.faces(r)) {
+      ++checked;
+      const Vector local = quaternion::rotate(
+          quaternion::conjugate(outcome.field[mesh::TetrahedralConnectivity::tetrahedron_of(face)]), {0, 0, 1});
+      CHECK(std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)}) > 1 - 1e-9);
+    }
+  }
+  CHECK(checked > 4);
+}
+
+TEST_CASE("Recombination takes the better region of two fields and nothing else") {
+  const test::Solid solid = test::cubes(8, 8, 8);
+  const base::Host host;
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
+  const DualGraph graph = make_dual_graph(solid.positions, connectivity, Weighting::uniform, host);
+  std::mt19937_64 random(6);
+  Field a(graph.size(), Quaternion{1, 0, 0, 0}), b = a;
+  const Index far = static_cast<Index>(graph.size() - 20);
+  a[10] = test::random_rotation(random);   // only a is bad here
+  b[far] = test::random_rotation(random);  // and b there
+  const double before = energy(graph, a, host);
+  Field best = a;
+  const double gain = take_better_regions(graph, b, 0.01, host, best);
+  CHECK(energy(graph, best, host) == 0);
+  CHECK(gain == doctest::Approx(before));
+  CHECK(take_better_regions(graph, b, 0.01, host, best) == 0);
+}
+
+TEST_CASE("The seed's method starts from identity, holds the boundary and never ends lower than smoothing does") {
+  const test::Solid solid = test::ball(7);
+  const Outcome seed = computed(solid, {.method = Method::seed});
+  const Measurement m = measured(solid, seed.field);
+  CHECK(m.one_face_largest < 1e-6);
+  CHECK(seed.energy == doctest::Approx(m.energy).epsilon(1e-9));
+  const Outcome ours = computed(solid);
+  CHECK(ours.energy < seed.energy);
+  // Boundary frames are those of identity, turned to the normal.
+  const base::Host host;
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
+  const DualGraph graph = make_dual_graph(solid.positions, connectivity, Weighting::uniform, host);
+  const Constraints constraints = make_constraints(graph, solid.positions, connectivity, true, {}, {}, host);
+  for (const Constraint& c : constraints.list)
+    CHECK(quaternion::symmetric_distance(seed.field[graph.tetrahedron[c.node]], c.frame) < 1e-9);
+}
+
+TEST_CASE("Weights by area and distance make the energy one of the solid, not of the mesh") {
+  // The energy over links is about sum w |d|^2; with area / distance and mean 1 it grows as the number of links times
+  // the mean square of a step, that is as n^(1/3) for a field of fixed shape.
+  const Options options{.start = Start::harmonic, .weighting = Weighting::geometric};
+  const double coarse = computed(test::ring(20, 3), options).energy;
+  const double fine = computed(test::ring(40, 6), options).energy;
+  CHECK(fine / coarse == doctest::Approx(2).epsilon(0.25));
+}
+
+TEST_CASE("Wrong input is refused and work can be cancelled") {
+  const test::Solid solid = test::cubes(3, 3, 3);
+  CHECK(refusal({}, {}) == "empty-mesh");
+  CHECK(refusal(solid, {.start = static_cast<Start>(77)}) == "invalid-argument");
+  CHECK(refusal(solid, {.start = Start::given}) == "invalid-argument");
+  CHECK(refusal(solid, {.feature_angle = -1}) == "invalid-argument");
+  CHECK(refusal(solid, {.relative_gain = 0}) == "invalid-argument");
+  const std::vector<GivenFrame> beyond = {{static_cast<Index>(solid.tetrahedra.size()), {1, 0, 0, 0}}};
+  CHECK(refusal(solid, {}, {.frames = beyond, .axes = {}}) == "invalid-argument");
+  const std::vector<GivenFrame> long_one = {{0, {2, 0, 0, 0}}};
+  CHECK(refusal(solid, {}, {.frames = long_one, .axes = {}}) == "invalid-argument");
+  test::Solid twice = solid;
+  twice.tetrahedra.push_back(twice.tetrahedra[0]);
+  CHECK(refusal(twice, {}) != "");
+  base::Host host;
+  host.on_progress = [](const base::Progress&) { return false; };
+  CHECK_THROWS_AS(computed(solid, {}, {}, host), base::Error);
+}
+
+TEST_CASE("A single tetrahedron has a field") {
+  const test::Solid solid{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {{0, 1, 2, 3}}};
+  for (const Start start : starts) {
+    const Outcome outcome = computed(solid, {.start = start});
+    CHECK(outcome.energy == 0);
+    CHECK(measured(solid, outcome.field).several_best_largest < 1e-6);
+  }
+}

@@ -1,0 +1,110 @@
+// Small solids of tetrahedra for tests: boxes, balls and rings of cubes cut in six.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "mesh/mesh.h"
+#include "mesh/predicates.h"
+#include "quaternion/quaternion.h"
+#include "quaternion/rotation.h"
+
+namespace orbicube::test {
+
+using mesh::Index;
+using mesh::Tetrahedron;
+using mesh::Vector3;
+
+struct Solid {
+  std::vector<Vector3> positions;
+  std::vector<Tetrahedron> tetrahedra;
+
+  // Makes all tetrahedra positive.
+  void orient() {
+    for (Tetrahedron& t : tetrahedra) {
+      if (mesh::orientation_3d(positions[t[0]], positions[t[1]], positions[t[2]], positions[t[3]]) < 0)
+        std::swap(t[2], t[3]);
+    }
+  }
+};
+
+// Cubes counted along three axes, each cut into six tetrahedra about its diagonal, which match across the cubes' faces;
+// with `ring`, the last cube along the first axis is followed by the first.
+inline Solid cubes(Index m, Index n, Index o, bool ring = false) {
+  Solid solid;
+  const Index layers = ring ? m : m + 1;
+  const auto at = [&](Index i, Index j, Index k) { return (i % layers * (n + 1) + j) * (o + 1) + k; };
+  for (Index i = 0; i < layers; ++i) {
+    for (Index j = 0; j <= n; ++j) {
+      for (Index k = 0; k <= o; ++k)
+        solid.positions.emplace_back(i, j, k);
+    }
+  }
+  for (Index cube = 0; cube < m * n * o; ++cube) {
+    const std::array<Index, 3> corner{cube / (n * o), cube / o % n, cube % o};
+    std::array<std::size_t, 3> order{0, 1, 2};
+    do {
+      std::array<Index, 3> p = corner;
+      Tetrahedron t{};
+      t[0] = at(p[0], p[1], p[2]);
+      for (std::size_t k = 0; k < 3; ++k) {
+        ++p[order[k]];
+        t[k + 1] = at(p[0], p[1], p[2]);
+      }
+      solid.tetrahedra.push_back(t);
+    } while (std::next_permutation(order.begin(), order.end()));
+  }
+  if (!ring) solid.orient();
+  return solid;
+}
+
+inline Solid ball(Index n) {
+  Solid solid = cubes(n, n, n);
+  for (Vector3& p : solid.positions) {
+    p = p * (2.0 / n) - Vector3::Ones();
+    const double longest = p.cwiseAbs().maxCoeff();
+    // Less than all the way to the sphere, so that cells along the cube's edges are not flat.
+    if (longest > 0) p *= 0.2 + 0.8 * longest / p.norm();
+  }
+  solid.orient();
+  return solid;
+}
+
+// A bent bar closed to a ring about the z axis, of square cross section.
+inline Solid ring(Index m, Index n) {
+  Solid solid = cubes(m, n, n, true);
+  for (Vector3& p : solid.positions) {
+    const double angle = 2 * std::numbers::pi * p[0] / m, radius = 3 + p[1] / n;
+    p = Vector3(radius * std::cos(angle), radius * std::sin(angle), p[2] / n);
+  }
+  solid.orient();
+  return solid;
+}
+
+// Moves inner and outer vertices a little, so that nothing is regular.
+inline Solid shaken(Solid solid, double amount) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<double> move(-amount, amount);
+  for (Vector3& p : solid.positions) {
+    for (int c = 0; c < 3; ++c)
+      p[c] += move(random);
+  }
+  return solid;
+}
+
+inline quaternion::Quaternion random_rotation(std::mt19937_64& random) {
+  std::normal_distribution<double> normal;
+  const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
+  return quaternion::normalised({w, x, y, z});
+}
+
+inline Vector3 rotated(const quaternion::Quaternion& q, const Vector3& p) {
+  const quaternion::Vector v = quaternion::rotate(q, {p[0], p[1], p[2]});
+  return {v.x, v.y, v.z};
+}
+
+}  // namespace orbicube::test
