@@ -91,6 +91,100 @@ double certificate(const Problem& problem, const Outcome& outcome) {
   return static_cast<double>(n) * std::max(0.0, -least) / std::abs(outcome.result.value);
 }
 
+// A sum over pairs block by block.
+template <class Dimension>
+class PairEnergy {
+ public:
+  PairEnergy(Dimension dimension, const Problem& problem, const std::vector<double>& points)
+      : dimension_(dimension), sum_(problem.pair_sum), points_(points), begin_(problem.count + 1) {
+    for (const auto& [a, b] : sum_.pairs) {
+      ++begin_[a + 1];
+      ++begin_[b + 1];
+    }
+    for (std::size_t i = 0; i < problem.count; ++i)
+      begin_[i + 1] += begin_[i];
+    neighbours_.resize(2 * sum_.pairs.size());
+    std::vector<std::size_t> next(begin_.begin(), begin_.end());
+    for (std::size_t k = 0; k < sum_.pairs.size(); ++k) {
+      const auto& [a, b] = sum_.pairs[k];
+      neighbours_[next[a]++] = {b, k};
+      neighbours_[next[b]++] = {a, k + sum_.pairs.size()};
+    }
+  }
+  Dimension dimension() const { return dimension_; }
+  double value(std::size_t block, const double* x) const { return add_up(block, x, nullptr); }
+  double value_and_gradient(std::size_t block, double* gradient) const {
+    std::fill_n(gradient, std::size_t{dimension_}, 0.0);
+    return add_up(block, &points_[dimension_ * block], gradient);
+  }
+  template <class Visit>
+  void for_each_neighbour(std::size_t block, const Visit& visit) const {
+    for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k)
+      visit(neighbours_[k].block);
+  }
+
+ private:
+  struct Neighbour {
+    std::size_t block, pair;
+  };
+  double add_up(std::size_t block, const double* x, double* gradient) const {
+    double value = 0;
+    for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k)
+      value += sum_.term(neighbours_[k].pair, x, &points_[dimension_ * neighbours_[k].block], gradient);
+    return value;
+  }
+  Dimension dimension_;
+  const PairSum& sum_;
+  const std::vector<double>& points_;
+  std::vector<std::size_t> begin_;
+  std::vector<Neighbour> neighbours_;
+};
+
+// Evaluations a block of one relaxation to 1e-5, of all its parts.
+std::string relaxed(const Problem& problem, const orbicube::sphere_optimizer::RelaxationOptions& options) {
+  using namespace orbicube::sphere_optimizer;
+  std::vector<double> points = problem.start;
+  RelaxationResult result;
+  with_dimension(problem.dimension, [&](auto d) {
+    for (std::size_t i = 0; i < problem.count; ++i)
+      normalise(d, &points[i * d]);
+    result = relax(PairEnergy<decltype(d)>(d, problem, points), points, options, orbicube::base::Host());
+  });
+  std::vector<double> gradient(points.size());
+  char text[96];
+  std::snprintf(text, sizeof text, "%.0f",
+                static_cast<double>(result.evaluations) / static_cast<double>(problem.count));
+  std::string answer = text;
+  if (result.stop != Stop::converged) {
+    std::snprintf(text, sizeof text, " (%.0e)", result.gradient_norm);
+    answer += text;
+  }
+  std::snprintf(text, sizeof text, ", f %.8g", problem.evaluate(points.data(), gradient.data()));
+  return answer + text;
+}
+
+void block_by_block() {
+  using namespace orbicube::sphere_optimizer;
+  std::printf(
+      "\n| block by block to 1e-5, evaluations a block | default | queue alone | without over-relaxation | SEED "
+      "|\n|---|---|---|---|---|\n");
+  for (std::size_t index = 0; index < problem_count(); ++index) {
+    const Problem problem = make_problem(index);
+    if (problem.pair_sum.pairs.empty()) continue;
+    RelaxationOptions options;
+    options.gradient_tolerance = 1e-5;
+    options.max_passes = 5000;
+    std::printf("| %s | %s", problem.name.c_str(), relaxed(problem, options).c_str());
+    options.order = Order::queue;
+    std::printf(" | %s", relaxed(problem, options).c_str());
+    options.over_relaxation = 1;
+    std::printf(" | %s", relaxed(problem, options).c_str());
+    options.method = Method::seed;
+    std::printf(" | %s |\n", relaxed(problem, options).c_str());
+    std::fflush(stdout);
+  }
+}
+
 // Quaternions on a cubic lattice, side^3 of them, with up to six neighbours each: sum of 1 - (x_i . x_j)^2.
 class LatticeEnergy {
  public:
@@ -147,7 +241,6 @@ void a_million_quaternions() {
       "\n| a million quaternions on a lattice | evaluations a block | energy | library's ns a block and evaluation "
       "| f's |\n|---|---|---|---|---|\n");
 
-  const LatticeEnergy* energy = nullptr;
   double in_f = 0;
   const auto all = [&](const std::vector<double>& x) {
     const auto begin = now();
@@ -190,23 +283,33 @@ void a_million_quaternions() {
     std::fflush(stdout);
     obc_sphere_optimizer_destroy(solver);
   }
-  for (const Method method : {Method::great_circle, Method::seed}) {
+  struct Row {
+    const char* name;
+    Method method;
+    Order order;
+    double over_relaxation;
+    std::uint64_t passes;
+  };
+  for (const Row& row : {Row{"default", Method::great_circle, Order::automatic, 0, 6},
+                         Row{"default", Method::great_circle, Order::automatic, 0, 50},
+                         Row{"sweeps, over-relaxation 1.9", Method::great_circle, Order::sweeps, 1.9, 50},
+                         Row{"as printed", Method::seed, Order::queue, 1, 5}}) {
     std::vector<double> points = start;
-    const LatticeEnergy lattice(side, points);
-    energy = &lattice;
+    const LatticeEnergy energy(side, points);
     const orbicube::base::Host host;
-    RelaxationSpace space(count, host.memory);
     RelaxationOptions options;
-    options.method = method;
-    options.max_passes = 5;
-    RelaxationResult result;
+    options.method = row.method;
+    options.order = row.order;
+    options.over_relaxation = row.over_relaxation;
+    options.max_passes = row.passes;
+    Relaxation relaxation({count, 4}, options, host.memory);
     const auto begin = now();
-    relax(*energy, std::span(points), options, space, host, result);
+    relaxation.run(energy, points, host);
     const double seconds = since(begin);
-    std::printf("| block by block, 5 passes, %s | %.1f | %.6g | %.0f, with f | |\n",
-                method == Method::seed ? "as printed" : "mended",
-                static_cast<double>(result.evaluations) / static_cast<double>(count), all(points),
-                1e9 * seconds / static_cast<double>(result.evaluations));
+    const auto evaluations = static_cast<double>(relaxation.result().evaluations);
+    std::printf("| block by block, %s, %d passes | %.1f | %.6g | %.0f, with f | |\n", row.name,
+                static_cast<int>(row.passes), evaluations / static_cast<double>(count), all(points),
+                1e9 * seconds / evaluations);
     std::fflush(stdout);
   }
 }
@@ -232,12 +335,13 @@ int main(int argument_count, char** arguments) {
     std::printf("| %s | %s | %s | %s | %s | %s | %s | %s | %s | %.12g | %.2f ulp |\n", problem.name.c_str(),
                 evaluations(outcomes[0]).c_str(), evaluations(best).c_str(), evaluations(outcomes[1]).c_str(),
                 evaluations(outcomes[2]).c_str(), evaluations(outcomes[3]).c_str(),
-                reference(problem.reference_conjugate).c_str(), reference(problem.reference_barzilai_borwein).c_str(),
-                reference(problem.reference_halving).c_str(), best.result.value, worst);
+                reference(problem.reference.conjugate).c_str(), reference(problem.reference.barzilai_borwein).c_str(),
+                reference(problem.reference.halving).c_str(), best.result.value, worst);
     std::fflush(stdout);
     if (!problem.weights.empty()) gap = certificate(problem, outcomes[0]);
   }
   std::printf("\nMax-cut: no feasible value is lower by more than %.1e of it, proved by an eigenvalue.\n", gap);
+  block_by_block();
   a_million_quaternions();
   return gap < 1e-6 ? 0 : 1;
 }

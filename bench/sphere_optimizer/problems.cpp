@@ -19,34 +19,37 @@ std::vector<double> normal_numbers(std::size_t count, std::uint64_t seed) {
   return numbers;
 }
 
-// N equal charges on the sphere.
-Problem thomson(std::size_t count, int conjugate, int barzilai_borwein, int halving) {
-  const auto evaluate = [count](const double* x, double* g) {
-    double sum = 0;
-    std::fill(g, g + 3 * count, 0.0);
-    for (std::size_t i = 0; i < count; ++i) {
-      for (std::size_t j = i + 1; j < count; ++j) {
-        const double dx = x[3 * i] - x[3 * j], dy = x[3 * i + 1] - x[3 * j + 1], dz = x[3 * i + 2] - x[3 * j + 2];
-        const double inverse = 1 / std::sqrt(dx * dx + dy * dy + dz * dz), cube = inverse * inverse * inverse;
-        sum += inverse;
-        const std::array push{cube * dx, cube * dy, cube * dz};
-        for (std::size_t k = 0; k < 3; ++k) {
-          g[3 * i + k] -= push[k];
-          g[3 * j + k] += push[k];
-        }
-      }
+// f and the gradient of a sum over pairs.
+Problem pair_problem(std::string name, std::size_t count, std::size_t dimension, std::vector<double> start,
+                     const PairSum& sum, Problem::Reference reference) {
+  const auto evaluate = [=](const double* x, double* g) {
+    double value = 0;
+    std::fill(g, g + count * dimension, 0.0);
+    for (std::size_t k = 0; k < sum.pairs.size(); ++k) {
+      const std::size_t a = sum.pairs[k].first * dimension, b = sum.pairs[k].second * dimension;
+      value += sum.term(k, x + a, x + b, g + a);
+      sum.term(k + sum.pairs.size(), x + b, x + a, g + b);
     }
-    return sum;
+    return value;
   };
-  return {"Thomson " + std::to_string(count),
-          count,
-          3,
-          normal_numbers(3 * count, 1),
-          evaluate,
-          conjugate,
-          barzilai_borwein,
-          halving,
-          {}};
+  return {std::move(name), count, dimension, std::move(start), evaluate, sum, reference};
+}
+
+// N equal charges on the sphere.
+Problem thomson(std::size_t count, Problem::Reference reference) {
+  PairSum sum;
+  for (std::uint32_t a = 0; a < count; ++a) {
+    for (std::uint32_t b = a + 1; b < count; ++b)
+      sum.pairs.emplace_back(a, b);
+  }
+  sum.term = [](std::size_t, const double* x, const double* y, double* g) {
+    const std::array away{x[0] - y[0], x[1] - y[1], x[2] - y[2]};
+    const double inverse = 1 / std::sqrt(away[0] * away[0] + away[1] * away[1] + away[2] * away[2]);
+    for (std::size_t k = 0; g != nullptr && k < 3; ++k)
+      g[k] -= inverse * inverse * inverse * away[k];
+    return inverse;
+  };
+  return pair_problem("Thomson " + std::to_string(count), count, 3, normal_numbers(3 * count, 1), sum, reference);
 }
 
 // x'Ax, A symmetric with normal entries.
@@ -68,7 +71,7 @@ Problem random_rayleigh(std::size_t n) {
     }
     return sum;
   };
-  return {"Rayleigh quotient, GOE-" + std::to_string(n), 1, n, normal_numbers(n, 3), evaluate, 353, 161, 20000, {}};
+  return {"Rayleigh quotient, GOE-" + std::to_string(n), 1, n, normal_numbers(n, 3), evaluate, {}, {353, 161, 20000}};
 }
 
 // x'Ax, A the second difference of n points.
@@ -87,53 +90,36 @@ Problem laplacian(std::size_t n) {
           n,
           normal_numbers(n, 4),
           evaluate,
-          2176,
-          2775,
-          20000,
-          {}};
+          {},
+          {2176, 2775, 20000}};
 }
 
 // The relaxation of max-cut with weights of both signs on a torus: sum over i, j of w_ij x_i.x_j.
 Problem maximum_cut(std::size_t side, std::size_t dimension) {
   const std::size_t count = side * side;
-  struct Edge {
-    std::size_t a, b;
-    double weight;
-  };
-  std::vector<Edge> edges;
-  std::vector<double> weights(count * count);
+  PairSum sum;
+  std::vector<double> weight, weights(count * count);
   std::mt19937_64 random(5);
   for (std::size_t i = 0; i < count; ++i) {
     for (const std::size_t j : {i / side * side + (i + 1) % side, (i + side) % count}) {
-      edges.push_back({i, j, random() % 2 ? 1.0 : -1.0});
-      weights[i * count + j] = weights[j * count + i] = edges.back().weight;
+      sum.pairs.emplace_back(i, j);
+      weight.push_back(random() % 2 ? 1.0 : -1.0);
+      weights[i * count + j] = weights[j * count + i] = weight.back();
     }
   }
-  const auto evaluate = [=](const double* x, double* g) {
-    double sum = 0;
-    std::fill(g, g + count * dimension, 0.0);
-    for (const Edge& edge : edges) {
-      const double *a = x + edge.a * dimension, *b = x + edge.b * dimension;
-      double *to_a = g + edge.a * dimension, *to_b = g + edge.b * dimension;
-      double along = 0;
-      for (std::size_t k = 0; k < dimension; ++k) {
-        along += a[k] * b[k];
-        to_a[k] += 2 * edge.weight * b[k];
-        to_b[k] += 2 * edge.weight * a[k];
-      }
-      sum += 2 * edge.weight * along;
+  sum.term = [weight, dimension](std::size_t pair, const double* x, const double* y, double* g) {
+    const double twice = 2 * weight[pair % weight.size()];
+    double along = 0;
+    for (std::size_t k = 0; k < dimension; ++k) {
+      along += x[k] * y[k];
+      if (g != nullptr) g[k] += twice * y[k];
     }
-    return sum;
+    return twice * along;
   };
-  return {"max-cut relaxation, torus " + std::to_string(count),
-          count,
-          dimension,
-          normal_numbers(count * dimension, 6),
-          evaluate,
-          1627,
-          2485,
-          20000,
-          weights};
+  Problem problem = pair_problem("max-cut relaxation, torus " + std::to_string(count), count, dimension,
+                                 normal_numbers(count * dimension, 6), sum, {1627, 2485, 20000});
+  problem.weights = weights;
+  return problem;
 }
 
 using Quaternion = std::array<double, 4>;
@@ -151,75 +137,84 @@ Quaternion conjugate(const double* q) {
 // The start is 0.3 rad or so off the truth, or anywhere.
 Problem synchronisation(bool near) {
   constexpr std::size_t count = 2000;
-  struct Edge {
-    std::size_t a, b;
-    Quaternion measured;
+  const auto unit = [](Quaternion q) {
+    const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3]));
+    for (double& component : q)
+      component /= length;
+    return q;
   };
   std::mt19937_64 random(7);
   std::normal_distribution<double> normal;
   std::vector<double> truth = normal_numbers(4 * count, 8);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double length =
-        std::hypot(std::hypot(truth[4 * i], truth[4 * i + 1]), std::hypot(truth[4 * i + 2], truth[4 * i + 3]));
-    for (std::size_t k = 0; k < 4; ++k)
-      truth[4 * i + k] /= length;
+  for (std::size_t i = 0; i < 4 * count; i += 4) {
+    const Quaternion q = unit({truth[i], truth[i + 1], truth[i + 2], truth[i + 3]});
+    std::copy(q.begin(), q.end(), truth.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  std::vector<Edge> edges;
+  PairSum sum;
+  std::vector<Quaternion> measured;
   std::set<std::pair<std::size_t, std::size_t>> seen;
-  while (edges.size() < 11993) {
+  while (sum.pairs.size() < 11993) {
     const std::size_t a = random() % count, b = random() % count;
     if (a == b || !seen.insert({std::min(a, b), std::max(a, b)}).second) continue;
-    Quaternion between = product(conjugate(&truth[4 * a]).data(), &truth[4 * b]);
+    const Quaternion between = product(conjugate(&truth[4 * a]).data(), &truth[4 * b]);
     const Quaternion noise{1, 0.05 * normal(random), 0.05 * normal(random), 0.05 * normal(random)};
-    between = product(between.data(), noise.data());
-    const double length = std::hypot(std::hypot(between[0], between[1]), std::hypot(between[2], between[3]));
-    for (double& component : between)
-      component /= length;
-    edges.push_back({a, b, between});
+    measured.push_back(unit(product(between.data(), noise.data())));
+    sum.pairs.emplace_back(a, b);
   }
-  const auto evaluate = [edges](const double* x, double* g) {
-    double sum = 0;
-    std::fill(g, g + 4 * count, 0.0);
-    for (const Edge& edge : edges) {
-      const Quaternion there = product(x + 4 * edge.a, edge.measured.data());
-      const Quaternion back = product(x + 4 * edge.b, conjugate(edge.measured.data()).data());
-      double along = 0;
-      for (std::size_t k = 0; k < 4; ++k)
-        along += there[k] * x[4 * edge.b + k];
-      sum += 1 - along * along;
-      for (std::size_t k = 0; k < 4; ++k) {
-        g[4 * edge.b + k] -= 2 * along * there[k];
-        g[4 * edge.a + k] -= 2 * along * back[k];
-      }
-    }
-    return sum;
+  sum.term = [measured](std::size_t pair, const double* x, const double* y, double* g) {
+    const bool forward = pair < measured.size();
+    const Quaternion& m = measured[pair % measured.size()];
+    // q_a m . q_b = q_a . q_b m'
+    const Quaternion image = product(y, (forward ? conjugate(m.data()) : m).data());
+    double along = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      along += image[k] * x[k];
+    for (std::size_t k = 0; g != nullptr && k < 4; ++k)
+      g[k] -= 2 * along * image[k];
+    return 1 - along * along;
   };
   std::vector<double> start = normal_numbers(4 * count, 9);
   for (std::size_t k = 0; near && k < 4 * count; ++k)
     start[k] = truth[k] + 0.3 * start[k];
-  return {near ? "quaternion synchronisation" : "the same from a random start",
-          count,
-          4,
-          start,
-          evaluate,
-          near ? 424 : 0,
-          near ? 34 : 0,
-          near ? 189 : 0,
-          {}};
+  return pair_problem(near ? "quaternion synchronisation" : "the same from a random start", count, 4, start, sum,
+                      near ? Problem::Reference{424, 34, 189} : Problem::Reference{});
+}
+
+// Quaternions on a cubic lattice, side^3 of them, with up to six neighbours each: sum of 1 - (x_i . x_j)^2.
+Problem lattice(std::size_t side) {
+  const std::size_t count = side * side * side;
+  PairSum sum;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % side + 1 < side) sum.pairs.emplace_back(i, i + 1);
+    if (i / side % side + 1 < side) sum.pairs.emplace_back(i, i + side);
+    if (i / side / side + 1 < side) sum.pairs.emplace_back(i, i + side * side);
+  }
+  sum.term = [](std::size_t, const double* x, const double* y, double* g) {
+    double along = 0;
+    for (std::size_t k = 0; k < 4; ++k)
+      along += x[k] * y[k];
+    for (std::size_t k = 0; g != nullptr && k < 4; ++k)
+      g[k] -= 2 * along * y[k];
+    return 1 - along * along;
+  };
+  std::vector<double> start = normal_numbers(4 * count, 10);
+  for (std::size_t i = 0; i < 4 * count; i += 4)
+    start[i] += 1.5;
+  return pair_problem("quaternions on a lattice of " + std::to_string(side) + "^3", count, 4, start, sum, {});
 }
 
 }  // namespace
 
 std::size_t problem_count() {
-  return 7;
+  return 8;
 }
 
 Problem make_problem(std::size_t index) {
   switch (index) {
     case 0:
-      return thomson(50, 440, 271, 2858);
+      return thomson(50, {440, 271, 2858});
     case 1:
-      return thomson(72, 498, 232, 4344);
+      return thomson(72, {498, 232, 4344});
     case 2:
       return random_rayleigh(500);
     case 3:
@@ -228,8 +223,10 @@ Problem make_problem(std::size_t index) {
       return maximum_cut(20, 30);
     case 5:
       return synchronisation(true);
-    default:
+    case 6:
       return synchronisation(false);
+    default:
+      return lattice(20);
   }
 }
 

@@ -3,22 +3,34 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace orbicube::bench {
 
+// A sum over pairs of blocks: term(pair, x, y, gradient) is the part of one pair with its first block at x and its
+// second at y, or the other way round for pair + pairs.size(), with the gradient by x added where it is not null.
+struct PairSum {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  std::function<double(std::size_t pair, const double* x, const double* y, double* gradient)> term;
+};
+
 struct Problem {
   std::string name;
-  std::size_t count, dimension;
+  std::size_t count = 0, dimension = 0;
   std::vector<double> start;
   std::function<double(const double* x, double* gradient)> evaluate;
+  PairSum pair_sum;  // f again, block by block; no pairs where it is no such sum
   // Evaluations that Riemannian conjugate gradients, Riemannian Barzilai-Borwein steps and halving of great circles
   // took on a problem of this kind (other random data), when the table was planned; 20000 is where they were stopped.
-  int reference_conjugate, reference_barzilai_borwein, reference_halving;
+  struct Reference {
+    int conjugate = 0, barzilai_borwein = 0, halving = 0;
+  } reference;
   // For the relaxation of max-cut: its matrix, count x count, by rows; else empty.
-  std::vector<double> weights;
+  std::vector<double> weights = {};
 };
 
 std::size_t problem_count();

@@ -14,5 +14,5 @@ const char* obc_status_name(obc_status status) {
 }
 
 uint32_t obc_base_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

@@ -53,10 +53,7 @@ obc_status guarded(obc_error* error, const Body& body) noexcept {
   }
 }
 
-// Throws invalid-argument with `message` unless `condition` holds.
-inline void require(bool condition, const char* message) {
-  if (!condition) throw base::Error("invalid-argument", message);
-}
+using base::require;
 
 // Runs `body`, which works on the file at `path`, with the path in front of what it throws.
 template <class Body>

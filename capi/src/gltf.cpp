@@ -215,5 +215,5 @@ float obc_gltf_reconstructed(float base, float delta) {
 }
 
 uint32_t obc_gltf_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

@@ -483,5 +483,5 @@ int32_t obc_mesh_orientation_from_origin(const double* p, const double* q, const
 }
 
 uint32_t obc_mesh_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

@@ -6,8 +6,7 @@
 #include <new>
 #include <span>
 
-#include "base/version.h"
-#include "capi/src/entry.h"
+#include "capi/src/solver_entry.h"
 #include "projected_gradient/solver.h"
 
 using namespace orbicube;
@@ -23,35 +22,32 @@ struct obc_projected_gradient {
 
 namespace {
 
+static_assert(OBC_PROJECTED_GRADIENT_CONTINUE == capi::answer_continue &&
+              OBC_PROJECTED_GRADIENT_STOP == capi::answer_stop && OBC_PROJECTED_GRADIENT_FAILED == capi::answer_failed);
+
+// The members that both have, either way round.
+template <class To, class From>
+To converted(To to, const From& from) {
+  capi::assign(to.method, from.method);
+  capi::assign(to.line_search, from.line_search);
+  capi::assign(to.memory, from.memory);
+  capi::assign(to.history, from.history);
+  capi::assign(to.average_weight, from.average_weight);
+  capi::assign(to.gradient_tolerance, from.gradient_tolerance);
+  capi::assign(to.target, from.target);
+  capi::assign(to.max_evaluations, from.max_evaluations);
+  capi::assign(to.max_iterations, from.max_iterations);
+  return to;
+}
+
 obc_projected_gradient_options default_options() {
-  const pg::Options from;
   obc_projected_gradient_options options{};
   options.struct_size = sizeof options;
-  options.method = static_cast<int32_t>(from.method);
-  options.line_search = static_cast<int32_t>(from.line_search);
-  options.memory = from.memory;
-  options.history = from.history;
-  options.average_weight = from.average_weight;
-  options.gradient_tolerance = from.gradient_tolerance;
-  options.target = from.target;
-  options.max_evaluations = from.max_evaluations;
-  options.max_iterations = from.max_iterations;
-  return options;
+  return converted(options, pg::Options{});
 }
 
 pg::Options to_options(const obc_projected_gradient_options* given) {
-  const obc_projected_gradient_options from = capi::copy_versioned(given, default_options());
-  pg::Options options;
-  options.method = static_cast<pg::Method>(from.method);
-  options.line_search = static_cast<pg::LineSearch>(from.line_search);
-  options.memory = from.memory;
-  options.history = from.history;
-  options.average_weight = from.average_weight;
-  options.gradient_tolerance = from.gradient_tolerance;
-  options.target = from.target;
-  options.max_evaluations = from.max_evaluations;
-  options.max_iterations = from.max_iterations;
-  return options;
+  return converted(pg::Options{}, capi::copy_versioned(given, default_options()));
 }
 
 pg::Problem to_problem(const obc_projected_gradient_problem* given) {
@@ -104,11 +100,6 @@ void copy_result(const pg::Solver& solver, obc_projected_gradient_result* result
   if (x != nullptr) std::copy(best.begin(), best.end(), x);
 }
 
-const obc_projected_gradient& checked(const obc_projected_gradient* solver) {
-  capi::require(solver != nullptr, "solver is NULL");
-  return *solver;
-}
-
 }  // namespace
 
 obc_status obc_projected_gradient_problem_init(obc_projected_gradient_problem* problem, size_t struct_size) {
@@ -131,36 +122,25 @@ obc_status obc_projected_gradient_create(const obc_projected_gradient_problem* p
 }
 
 int32_t obc_projected_gradient_step(obc_projected_gradient* solver, const double** x) {
-  if (solver == nullptr) return OBC_INVALID_ARGUMENT;
-  pg::Request request{};
-  const obc_status status = capi::guarded(nullptr, [&] { request = solver->solver.step(); });
-  if (status != OBC_OK) return status;
-  if (x != nullptr) *x = solver->solver.point().data();
-  return static_cast<int32_t>(request);
+  return capi::step(solver, [&](const auto& asking) {
+    if (x != nullptr) *x = asking.point().data();
+  });
 }
 
 obc_status obc_projected_gradient_tell(obc_projected_gradient* solver, double value, const double* gradient,
                                        obc_error* error) {
-  return capi::guarded(error, [&] {
-    checked(solver);
-    if (gradient != nullptr) {
-      solver->solver.tell(value, {gradient, solver->solver.size()});
-    } else {
-      capi::require(!std::isfinite(value), "gradient is NULL");
-      solver->solver.tell_failure();
-    }
-  });
+  return capi::tell_gradient(solver, value, gradient, error);
 }
 
 obc_status obc_projected_gradient_get_result(const obc_projected_gradient* solver,
                                              obc_projected_gradient_result* result, double* x, obc_error* error) {
-  return capi::guarded(error, [&] { copy_result(checked(solver).solver, result, x); });
+  return capi::guarded(error, [&] { copy_result(capi::checked(solver).solver, result, x); });
 }
 
 obc_status obc_projected_gradient_multipliers(const obc_projected_gradient* solver, double* multipliers,
                                               obc_error* error) {
   return capi::guarded(error, [&] {
-    const pg::Solver& from = checked(solver).solver;
+    const pg::Solver& from = capi::checked(solver).solver;
     capi::require(from.rows() == 0 || multipliers != nullptr, "multipliers is NULL");
     from.copy_multipliers({multipliers, from.rows()});
   });
@@ -169,7 +149,7 @@ obc_status obc_projected_gradient_multipliers(const obc_projected_gradient* solv
 obc_status obc_projected_gradient_certificate(const obc_projected_gradient* solver, double* certificate,
                                               obc_error* error) {
   return capi::guarded(error, [&] {
-    const pg::Solver& from = checked(solver).solver;
+    const pg::Solver& from = capi::checked(solver).solver;
     capi::require(from.result().stop == pg::Stop::infeasible, "the constraints were not found infeasible");
     capi::require(certificate != nullptr, "certificate is NULL");
     std::copy(from.certificate().begin(), from.certificate().end(), certificate);
@@ -177,29 +157,19 @@ obc_status obc_projected_gradient_certificate(const obc_projected_gradient* solv
 }
 
 size_t obc_projected_gradient_save_size(const obc_projected_gradient* solver) {
-  return solver != nullptr ? solver->solver.save_size() : 0;
+  return capi::save_size(solver);
 }
 
 obc_status obc_projected_gradient_save(const obc_projected_gradient* solver, void* blob, size_t capacity,
                                        obc_error* error) {
-  return capi::guarded(error, [&] {
-    const pg::Solver& from = checked(solver).solver;
-    capi::require(blob != nullptr && capacity >= from.save_size(), "blob is NULL or too small");
-    from.save({static_cast<std::byte*>(blob), from.save_size()});
-  });
+  return capi::save(solver, blob, capacity, error);
 }
 
 obc_status obc_projected_gradient_load(const obc_projected_gradient_problem* problem, const void* blob, size_t size,
                                        const obc_host* host, obc_projected_gradient** out, obc_error* error) {
-  return capi::guarded(error, [&] {
-    capi::require(out != nullptr && blob != nullptr, "blob or out is NULL");
-    *out = nullptr;
-    const std::span<const std::byte> bytes(static_cast<const std::byte*>(blob), size);
-    const pg::Options options = pg::Solver::options_of(bytes);
-    auto loaded =
-        std::make_unique<obc_projected_gradient>(host, to_problem(problem), options, std::span<const double>());
-    loaded->solver.load(bytes);
-    *out = loaded.release();
+  return capi::load(blob, size, out, error, [&](std::span<const std::byte> bytes) {
+    return std::make_unique<obc_projected_gradient>(host, to_problem(problem), pg::Solver::options_of(bytes),
+                                                    std::span<const double>());
   });
 }
 
@@ -217,21 +187,11 @@ obc_status obc_projected_gradient_minimize(const obc_projected_gradient_problem*
     const pg::Problem translated = to_problem(problem);
     const std::size_t n = translated.n;
     obc_projected_gradient run(host, translated, to_options(options), {x, n});
-    base::Array<double> gradient(n, 0.0, run.adapter.host().memory);
-    for (pg::Request request; (request = run.solver.step()) != pg::Request::done;) {
-      if (request != pg::Request::need_value_and_gradient) continue;
-      double value = std::numeric_limits<double>::quiet_NaN();
-      const int32_t answer = f(run.solver.point().data(), n, &value, gradient.data(), user);
-      if (answer == OBC_PROJECTED_GRADIENT_FAILED) {
-        run.solver.tell_failure();
-      } else if (answer == OBC_PROJECTED_GRADIENT_CONTINUE) {
-        run.solver.tell(value, gradient);
-      } else {
-        run.solver.cancel();
-      }
-    }
+    capi::drive_gradient(run.solver, run.adapter.host().memory, [&](const double* at, double* value, double* gradient) {
+      return f(at, n, value, gradient, user);
+    });
     copy_result(run.solver, result, x);
-    if (run.solver.cancelled_by_host()) throw base::Error("cancelled", "stopped by the host");
+    capi::throw_if_cancelled(run.solver.cancelled_by_host());
   });
 }
 
@@ -269,5 +229,5 @@ const char* obc_projected_gradient_stop_name(int32_t stop) {
 }
 
 uint32_t obc_projected_gradient_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

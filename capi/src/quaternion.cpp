@@ -210,5 +210,5 @@ void obc_quaternion_cube_nearest_array(const double* r, size_t count, uint8_t* o
 }
 
 uint32_t obc_quaternion_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

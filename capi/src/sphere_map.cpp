@@ -138,5 +138,5 @@ obc_status obc_sphere_map_round_to_float(const obc_surface* surface, const doubl
 }
 
 uint32_t obc_sphere_map_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

@@ -5,8 +5,8 @@
 #include <memory>
 #include <span>
 
-#include "base/version.h"
-#include "capi/src/entry.h"
+#include "base/hash.h"
+#include "capi/src/solver_entry.h"
 #include "sphere_optimizer/relaxation.h"
 #include "sphere_optimizer/solver.h"
 
@@ -23,31 +23,30 @@ struct obc_sphere_optimizer {
 
 namespace {
 
+static_assert(OBC_SPHERE_OPTIMIZER_CONTINUE == capi::answer_continue &&
+              OBC_SPHERE_OPTIMIZER_STOP == capi::answer_stop && OBC_SPHERE_OPTIMIZER_FAILED == capi::answer_failed);
+
+// The members that both have, either way round.
+template <class To, class From>
+To converted(To to, const From& from) {
+  capi::assign(to.method, from.method);
+  capi::assign(to.memory, from.memory);
+  capi::assign(to.history, from.history);
+  capi::assign(to.gradient_tolerance, from.gradient_tolerance);
+  capi::assign(to.target, from.target);
+  capi::assign(to.max_evaluations, from.max_evaluations);
+  capi::assign(to.max_iterations, from.max_iterations);
+  return to;
+}
+
 obc_sphere_optimizer_options default_options() {
-  const so::Options from;
   obc_sphere_optimizer_options options{};
   options.struct_size = sizeof options;
-  options.method = static_cast<int32_t>(from.method);
-  options.memory = from.memory;
-  options.history = from.history;
-  options.gradient_tolerance = from.gradient_tolerance;
-  options.target = from.target;
-  options.max_evaluations = from.max_evaluations;
-  options.max_iterations = from.max_iterations;
-  return options;
+  return converted(options, so::Options{});
 }
 
 so::Options to_options(const obc_sphere_optimizer_options* given) {
-  const obc_sphere_optimizer_options from = capi::copy_versioned(given, default_options());
-  so::Options options;
-  options.method = static_cast<so::Method>(from.method);
-  options.memory = from.memory;
-  options.history = from.history;
-  options.gradient_tolerance = from.gradient_tolerance;
-  options.target = from.target;
-  options.max_evaluations = from.max_evaluations;
-  options.max_iterations = from.max_iterations;
-  return options;
+  return converted(so::Options{}, capi::copy_versioned(given, default_options()));
 }
 
 void copy_result(const so::Solver& solver, obc_sphere_optimizer_result* result, double* x) {
@@ -66,11 +65,6 @@ void copy_result(const so::Solver& solver, obc_sphere_optimizer_result* result, 
   if (x != nullptr) std::copy(best.begin(), best.end(), x);
 }
 
-const obc_sphere_optimizer& checked(const obc_sphere_optimizer* solver) {
-  capi::require(solver != nullptr, "solver is NULL");
-  return *solver;
-}
-
 // The number of unknowns, which the solver checks again; here so that x0 can be looked at.
 so::Shape to_shape(size_t count, size_t dimension) {
   capi::require(count >= 1 && dimension >= 2 && count <= std::numeric_limits<size_t>::max() / dimension,
@@ -78,15 +72,26 @@ so::Shape to_shape(size_t count, size_t dimension) {
   return {count, dimension};
 }
 
+template <class To, class From>
+To converted_relaxation(To to, const From& from) {
+  capi::assign(to.method, from.method);
+  capi::assign(to.second_order, from.second_order);
+  capi::assign(to.order, from.order);
+  capi::assign(to.gradient_tolerance, from.gradient_tolerance);
+  capi::assign(to.relative_gain, from.relative_gain);
+  capi::assign(to.over_relaxation, from.over_relaxation);
+  capi::assign(to.max_passes, from.max_passes);
+  return to;
+}
+
 obc_sphere_optimizer_relaxation_options default_relaxation_options() {
-  const so::RelaxationOptions from;
   obc_sphere_optimizer_relaxation_options options{};
   options.struct_size = sizeof options;
-  options.method = static_cast<int32_t>(from.method);
-  options.gradient_tolerance = from.gradient_tolerance;
-  options.relative_gain = from.relative_gain;
-  options.max_passes = from.max_passes;
-  return options;
+  return converted_relaxation(options, so::RelaxationOptions{});
+}
+
+so::RelaxationOptions to_options(const obc_sphere_optimizer_relaxation_options* given) {
+  return converted_relaxation(so::RelaxationOptions{}, capi::copy_versioned(given, default_relaxation_options()));
 }
 
 obc_sphere_optimizer_blocks checked_blocks(const obc_sphere_optimizer_blocks* given) {
@@ -109,13 +114,23 @@ obc_sphere_optimizer_blocks checked_blocks(const obc_sphere_optimizer_blocks* gi
   return blocks;
 }
 
+// Who is whose neighbour, in the caller's arrays or in copies of them.
+struct Neighbours {
+  std::span<const std::size_t> start;
+  std::span<const std::uint32_t> list;
+};
+
+Neighbours neighbours_of(const obc_sphere_optimizer_blocks& blocks) {
+  return {{blocks.neighbour_start, blocks.count + 1}, {blocks.neighbour, blocks.neighbour_start[blocks.count]}};
+}
+
 // An energy whose parts a callback gives; the answer to stop it becomes an Error "cancelled".
 template <class Dimension>
 class CallbackEnergy {
  public:
-  CallbackEnergy(Dimension dimension, const obc_sphere_optimizer_blocks& blocks, obc_sphere_optimizer_block_function f,
-                 void* user, const double* points)
-      : dimension_(dimension), blocks_(blocks), f_(f), user_(user), points_(points) {}
+  CallbackEnergy(Dimension dimension, const Neighbours& neighbours, obc_sphere_optimizer_block_function f, void* user,
+                 const double* points)
+      : dimension_(dimension), neighbours_(neighbours), f_(f), user_(user), points_(points) {}
 
   Dimension dimension() const { return dimension_; }
   double value(std::size_t block, const double* place) const { return call(block, place, nullptr, nullptr); }
@@ -124,8 +139,8 @@ class CallbackEnergy {
   }
   template <class Visit>
   void for_each_neighbour(std::size_t block, const Visit& visit) const {
-    for (std::size_t k = blocks_.neighbour_start[block]; k < blocks_.neighbour_start[block + 1]; ++k)
-      visit(blocks_.neighbour[k]);
+    for (std::size_t k = neighbours_.start[block]; k < neighbours_.start[block + 1]; ++k)
+      visit(neighbours_.list[k]);
   }
   bool stopped() const { return stopped_; }
 
@@ -140,7 +155,7 @@ class CallbackEnergy {
   }
 
   Dimension dimension_;
-  const obc_sphere_optimizer_blocks& blocks_;
+  Neighbours neighbours_;
   obc_sphere_optimizer_block_function f_;
   void* user_;
   const double* points_;
@@ -156,7 +171,101 @@ class SecondOrderCallbackEnergy : public CallbackEnergy<Dimension> {
   }
 };
 
+void normalise_blocks(const so::Shape& shape, double* x) {
+  so::with_dimension(shape.dimension, [&](auto d) {
+    for (std::size_t i = 0; i < shape.count; ++i)
+      capi::require(so::normalise(d, x + i * d), "a block of the start is zero or not finite");
+  });
+}
+
+// Goes on with a relaxation of the points at x. Answers how it stands; a host that cancelled is an Error.
+so::Stop run_relaxation(so::Relaxation& relaxation, const Neighbours& neighbours, obc_sphere_optimizer_block_function f,
+                        void* user, double* x, std::uint64_t steps, const base::Host& host) {
+  return so::with_dimension(relaxation.shape().dimension, [&](auto d) {
+    const auto run = [&](const auto& energy) {
+      try {
+        relaxation.run(energy, {x, relaxation.shape().size()}, host, steps);
+        return relaxation.result().stop;
+      } catch (const base::Error& error) {
+        if (error.status() == base::Status::cancelled && energy.stopped()) return so::Stop::cancelled;
+        throw;
+      }
+    };
+    if (relaxation.options().second_order != 0) {
+      return run(SecondOrderCallbackEnergy<decltype(d)>(d, neighbours, f, user, x));
+    }
+    return run(CallbackEnergy<decltype(d)>(d, neighbours, f, user, x));
+  });
+}
+
+void copy_result(const so::RelaxationResult& from, so::Stop stop, obc_sphere_optimizer_relaxation_result* result) {
+  if (result == nullptr) return;
+  obc_sphere_optimizer_relaxation_result to{};
+  to.stop = static_cast<int32_t>(stop);
+  to.gain = from.gain;
+  to.gradient_norm = from.gradient_norm;
+  to.steps = from.steps;
+  to.evaluations = from.evaluations;
+  to.failed_steps = from.failed_steps;
+  to.over_relaxation = from.over_relaxation;
+  capi::write_versioned(result, to);
+}
+
+// Tells one set of neighbours from another.
+std::uint64_t fingerprint(const Neighbours& neighbours) {
+  base::Hash hash;
+  hash.add(std::as_bytes(neighbours.start));
+  hash.add(std::as_bytes(neighbours.list));
+  return hash.value();
+}
+
+// A relaxation with its points and neighbours, as capi::save and capi::load take it.
+class OwnRelaxation {
+ public:
+  OwnRelaxation(const obc_sphere_optimizer_blocks& blocks, const so::RelaxationOptions& options, const base::Host& host)
+      : host_(host),
+        start_(neighbours_of(blocks).start.begin(), neighbours_of(blocks).start.end(), host.memory),
+        list_(neighbours_of(blocks).list.begin(), neighbours_of(blocks).list.end(), host.memory),
+        points_(blocks.count * blocks.dimension, 0.0, host.memory),
+        relaxation_({blocks.count, blocks.dimension}, options, host.memory, fingerprint(neighbours_of(blocks))) {}
+
+  void start_at(const double* x) {
+    std::copy_n(x, points_.size(), points_.begin());
+    normalise_blocks(relaxation_.shape(), points_.data());
+  }
+  void run(obc_sphere_optimizer_block_function f, void* user, std::uint64_t steps) {
+    stop_ = so::Stop::cancelled;  // unless it is known better
+    stop_ = run_relaxation(relaxation_, {start_, list_}, f, user, points_.data(), steps, host_);
+  }
+  const so::RelaxationResult& result() const { return relaxation_.result(); }
+  so::Stop stop() const { return stop_; }
+  std::span<const double> points() const { return points_; }
+
+  std::size_t save_size() const { return relaxation_.save_size(); }
+  void save(std::span<std::byte> blob) const { relaxation_.save(points_, blob); }
+  void load(std::span<const std::byte> blob) {
+    relaxation_.load(blob, points_);
+    stop_ = relaxation_.result().stop;
+  }
+
+ private:
+  const base::Host& host_;
+  base::Array<std::size_t> start_;
+  base::Array<std::uint32_t> list_;
+  base::Array<double> points_;
+  so::Relaxation relaxation_;
+  so::Stop stop_ = so::Stop::running;
+};
+
 }  // namespace
+
+struct obc_sphere_optimizer_relaxation {
+  obc_sphere_optimizer_relaxation(const obc_host* host, const obc_sphere_optimizer_blocks& blocks,
+                                  const so::RelaxationOptions& options)
+      : adapter(host), solver(blocks, options, adapter.host()) {}
+  capi::HostAdapter adapter;
+  OwnRelaxation solver;
+};
 
 obc_status obc_sphere_optimizer_options_init(obc_sphere_optimizer_options* options, size_t struct_size) {
   return capi::init_versioned(options, struct_size, default_options());
@@ -174,55 +283,35 @@ obc_status obc_sphere_optimizer_create(size_t count, size_t dimension, const obc
 }
 
 int32_t obc_sphere_optimizer_step(obc_sphere_optimizer* solver, const double** x) {
-  if (solver == nullptr) return OBC_INVALID_ARGUMENT;
-  so::Request request{};
-  const obc_status status = capi::guarded(nullptr, [&] { request = solver->solver.step(); });
-  if (status != OBC_OK) return status;
-  if (x != nullptr) *x = solver->solver.point().data();
-  return static_cast<int32_t>(request);
+  return capi::step(solver, [&](const auto& asking) {
+    if (x != nullptr) *x = asking.point().data();
+  });
 }
 
 obc_status obc_sphere_optimizer_tell(obc_sphere_optimizer* solver, double value, const double* gradient,
                                      obc_error* error) {
-  return capi::guarded(error, [&] {
-    checked(solver);
-    if (gradient != nullptr) {
-      solver->solver.tell(value, {gradient, solver->solver.shape().size()});
-    } else {
-      capi::require(!std::isfinite(value), "gradient is NULL");
-      solver->solver.tell_failure();
-    }
-  });
+  return capi::tell_gradient(solver, value, gradient, error);
 }
 
 obc_status obc_sphere_optimizer_get_result(const obc_sphere_optimizer* solver, obc_sphere_optimizer_result* result,
                                            double* x, obc_error* error) {
-  return capi::guarded(error, [&] { copy_result(checked(solver).solver, result, x); });
+  return capi::guarded(error, [&] { copy_result(capi::checked(solver).solver, result, x); });
 }
 
 size_t obc_sphere_optimizer_save_size(const obc_sphere_optimizer* solver) {
-  return solver != nullptr ? solver->solver.save_size() : 0;
+  return capi::save_size(solver);
 }
 
 obc_status obc_sphere_optimizer_save(const obc_sphere_optimizer* solver, void* blob, size_t capacity,
                                      obc_error* error) {
-  return capi::guarded(error, [&] {
-    const so::Solver& from = checked(solver).solver;
-    capi::require(blob != nullptr && capacity >= from.save_size(), "blob is NULL or too small");
-    from.save({static_cast<std::byte*>(blob), from.save_size()});
-  });
+  return capi::save(solver, blob, capacity, error);
 }
 
 obc_status obc_sphere_optimizer_load(const void* blob, size_t size, const obc_host* host, obc_sphere_optimizer** out,
                                      obc_error* error) {
-  return capi::guarded(error, [&] {
-    capi::require(out != nullptr && blob != nullptr, "blob or out is NULL");
-    *out = nullptr;
-    const std::span<const std::byte> bytes(static_cast<const std::byte*>(blob), size);
-    auto loaded = std::make_unique<obc_sphere_optimizer>(host, so::Solver::shape_of(bytes),
-                                                         so::Solver::options_of(bytes), std::span<const double>());
-    loaded->solver.load(bytes);
-    *out = loaded.release();
+  return capi::load(blob, size, out, error, [&](std::span<const std::byte> bytes) {
+    return std::make_unique<obc_sphere_optimizer>(host, so::Solver::shape_of(bytes), so::Solver::options_of(bytes),
+                                                  std::span<const double>());
   });
 }
 
@@ -237,21 +326,11 @@ obc_status obc_sphere_optimizer_minimize(size_t count, size_t dimension, const o
     capi::require(f != nullptr && x != nullptr, "f or x is NULL");
     const so::Shape shape = to_shape(count, dimension);
     obc_sphere_optimizer run(host, shape, to_options(options), {x, shape.size()});
-    base::Array<double> gradient(shape.size(), 0.0, run.adapter.host().memory);
-    for (so::Request request; (request = run.solver.step()) != so::Request::done;) {
-      if (request != so::Request::need_value_and_gradient) continue;
-      double value = std::numeric_limits<double>::quiet_NaN();
-      const int32_t answer = f(run.solver.point().data(), count, dimension, &value, gradient.data(), user);
-      if (answer == OBC_SPHERE_OPTIMIZER_FAILED) {
-        run.solver.tell_failure();
-      } else if (answer == OBC_SPHERE_OPTIMIZER_CONTINUE) {
-        run.solver.tell(value, gradient);
-      } else {
-        run.solver.cancel();
-      }
-    }
+    capi::drive_gradient(run.solver, run.adapter.host().memory, [&](const double* at, double* value, double* gradient) {
+      return f(at, count, dimension, value, gradient, user);
+    });
     copy_result(run.solver, result, x);
-    if (run.solver.cancelled_by_host()) throw base::Error("cancelled", "stopped by the host");
+    capi::throw_if_cancelled(run.solver.cancelled_by_host());
   });
 }
 
@@ -272,48 +351,72 @@ obc_status obc_sphere_optimizer_relax(const obc_sphere_optimizer_blocks* blocks,
   return capi::guarded(error, [&] {
     capi::require(f != nullptr && x != nullptr, "f or x is NULL");
     const obc_sphere_optimizer_blocks given = checked_blocks(blocks);
-    const obc_sphere_optimizer_relaxation_options from = capi::copy_versioned(options, default_relaxation_options());
-    capi::require(from.method == OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE || from.method == OBC_SPHERE_OPTIMIZER_SEED,
-                  "method must be GREAT_CIRCLE or SEED");
-    capi::require(from.gradient_tolerance >= 0 && from.relative_gain >= 0,
-                  "gradient_tolerance and relative_gain must not be negative");
-    const so::RelaxationOptions to{static_cast<so::Method>(from.method), from.gradient_tolerance, from.relative_gain,
-                                   from.max_passes};
     const capi::HostAdapter adapter(host);
-    so::RelaxationSpace space(given.count, adapter.host().memory);
-    const std::span<double> points(x, given.count * given.dimension);
-    so::RelaxationResult done;
-    bool cancelled_by_host = false;
-    so::with_dimension(given.dimension, [&](auto d) {
-      for (std::size_t i = 0; i < given.count; ++i)
-        capi::require(so::normalise(d, &points[i * d]), "a block of the start is zero or not finite");
-      const auto run = [&](const auto& energy) {
-        try {
-          so::relax(energy, points, to, space, adapter.host(), done);
-        } catch (const base::Error& stopped) {
-          if (stopped.status() != base::Status::cancelled) throw;
-          done.stop = so::Stop::cancelled;
-          cancelled_by_host = !energy.stopped();
-        }
-      };
-      if (from.second_order != 0) {
-        run(SecondOrderCallbackEnergy<decltype(d)>(d, given, f, user, x));
-      } else {
-        run(CallbackEnergy<decltype(d)>(d, given, f, user, x));
-      }
-    });
-    if (result != nullptr) {
-      obc_sphere_optimizer_relaxation_result report{};
-      report.stop = static_cast<int32_t>(done.stop);
-      report.gain = done.gain;
-      report.gradient_norm = done.gradient_norm;
-      report.steps = done.steps;
-      report.evaluations = done.evaluations;
-      report.failed_steps = done.failed_steps;
-      capi::write_versioned(result, report);
+    so::Relaxation relaxation({given.count, given.dimension}, to_options(options), adapter.host().memory);
+    normalise_blocks(relaxation.shape(), x);
+    so::Stop stop = so::Stop::cancelled;
+    const auto report = [&] { copy_result(relaxation.result(), stop, result); };
+    try {
+      stop = run_relaxation(relaxation, neighbours_of(given), f, user, x, UINT64_MAX, adapter.host());
+    } catch (const base::Error&) {
+      report();
+      throw;
     }
-    if (cancelled_by_host) throw base::Error("cancelled", "stopped by the host");
+    report();
   });
+}
+
+obc_status obc_sphere_optimizer_relaxation_create(const obc_sphere_optimizer_blocks* blocks,
+                                                  const obc_sphere_optimizer_relaxation_options* options,
+                                                  const double* x0, const obc_host* host,
+                                                  obc_sphere_optimizer_relaxation** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr && x0 != nullptr, "x0 or out is NULL");
+    *out = nullptr;
+    auto made = std::make_unique<obc_sphere_optimizer_relaxation>(host, checked_blocks(blocks), to_options(options));
+    made->solver.start_at(x0);
+    *out = made.release();
+  });
+}
+
+obc_status obc_sphere_optimizer_relaxation_run(obc_sphere_optimizer_relaxation* relaxation,
+                                               obc_sphere_optimizer_block_function f, void* user, uint64_t steps,
+                                               obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(f != nullptr, "f is NULL");
+    capi::checked(relaxation).solver.run(f, user, steps);
+  });
+}
+
+obc_status obc_sphere_optimizer_relaxation_get_result(const obc_sphere_optimizer_relaxation* relaxation,
+                                                      obc_sphere_optimizer_relaxation_result* result, double* x,
+                                                      obc_error* error) {
+  return capi::guarded(error, [&] {
+    const OwnRelaxation& from = capi::checked(relaxation).solver;
+    copy_result(from.result(), from.stop(), result);
+    if (x != nullptr) std::copy(from.points().begin(), from.points().end(), x);
+  });
+}
+
+size_t obc_sphere_optimizer_relaxation_save_size(const obc_sphere_optimizer_relaxation* relaxation) {
+  return capi::save_size(relaxation);
+}
+
+obc_status obc_sphere_optimizer_relaxation_save(const obc_sphere_optimizer_relaxation* relaxation, void* blob,
+                                                size_t capacity, obc_error* error) {
+  return capi::save(relaxation, blob, capacity, error);
+}
+
+obc_status obc_sphere_optimizer_relaxation_load(const obc_sphere_optimizer_blocks* blocks, const void* blob,
+                                                size_t size, const obc_host* host,
+                                                obc_sphere_optimizer_relaxation** out, obc_error* error) {
+  return capi::load(blob, size, out, error, [&](std::span<const std::byte>) {
+    return std::make_unique<obc_sphere_optimizer_relaxation>(host, checked_blocks(blocks), so::RelaxationOptions{});
+  });
+}
+
+void obc_sphere_optimizer_relaxation_destroy(obc_sphere_optimizer_relaxation* relaxation) {
+  delete relaxation;
 }
 
 const char* obc_sphere_optimizer_stop_name(int32_t stop) {
@@ -321,5 +424,5 @@ const char* obc_sphere_optimizer_stop_name(int32_t stop) {
 }
 
 uint32_t obc_sphere_optimizer_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

@@ -4,8 +4,7 @@
 #include <memory>
 #include <span>
 
-#include "base/version.h"
-#include "capi/src/entry.h"
+#include "capi/src/solver_entry.h"
 #include "trust_region/solver.h"
 
 using namespace orbicube;
@@ -21,37 +20,33 @@ struct obc_trust_region {
 
 namespace {
 
+static_assert(OBC_TRUST_REGION_CONTINUE == capi::answer_continue && OBC_TRUST_REGION_STOP == capi::answer_stop &&
+              OBC_TRUST_REGION_FAILED == capi::answer_failed);
+
+// The members that both have, either way round.
+template <class To, class From>
+To converted(To to, const From& from) {
+  capi::assign(to.method, from.method);
+  capi::assign(to.start, from.start);
+  capi::assign(to.points, from.points);
+  capi::assign(to.radius_begin, from.radius_begin);
+  capi::assign(to.radius_end, from.radius_end);
+  capi::assign(to.target, from.target);
+  capi::assign(to.noise_absolute, from.noise_absolute);
+  capi::assign(to.noise_relative, from.noise_relative);
+  capi::assign(to.restarts, from.restarts);
+  capi::assign(to.max_evaluations, from.max_evaluations);
+  return to;
+}
+
 obc_trust_region_options default_options() {
-  const tr::Options from;
   obc_trust_region_options options{};
   options.struct_size = sizeof options;
-  options.method = static_cast<int32_t>(from.method);
-  options.start = static_cast<int32_t>(from.start);
-  options.points = from.points;
-  options.radius_begin = from.radius_begin;
-  options.radius_end = from.radius_end;
-  options.target = from.target;
-  options.noise_absolute = from.noise_absolute;
-  options.noise_relative = from.noise_relative;
-  options.restarts = from.restarts;
-  options.max_evaluations = from.max_evaluations;
-  return options;
+  return converted(options, tr::Options{});
 }
 
 tr::Options to_options(const obc_trust_region_options* given) {
-  const obc_trust_region_options from = capi::copy_versioned(given, default_options());
-  tr::Options options;
-  options.method = static_cast<tr::Method>(from.method);
-  options.start = static_cast<tr::Start>(from.start);
-  options.points = from.points;
-  options.radius_begin = from.radius_begin;
-  options.radius_end = from.radius_end;
-  options.target = from.target;
-  options.noise_absolute = from.noise_absolute;
-  options.noise_relative = from.noise_relative;
-  options.restarts = from.restarts;
-  options.max_evaluations = from.max_evaluations;
-  return options;
+  return converted(tr::Options{}, capi::copy_versioned(given, default_options()));
 }
 
 tr::Problem to_problem(const obc_trust_region_problem* given) {
@@ -90,11 +85,6 @@ void copy_result(const tr::Solver& solver, obc_trust_region_result* result, doub
   if (outputs != nullptr) std::copy(solver.best_outputs().begin(), solver.best_outputs().end(), outputs);
 }
 
-const obc_trust_region& checked(const obc_trust_region* solver) {
-  capi::require(solver != nullptr, "solver is NULL");
-  return *solver;
-}
-
 }  // namespace
 
 obc_status obc_trust_region_problem_init(obc_trust_region_problem* problem, size_t struct_size) {
@@ -118,7 +108,7 @@ obc_status obc_trust_region_create(const obc_trust_region_problem* problem, cons
 obc_status obc_trust_region_give(obc_trust_region* solver, const double* points, const double* outputs, size_t count,
                                  obc_error* error) {
   return capi::guarded(error, [&] {
-    checked(solver);
+    capi::checked(solver);
     capi::require(count == 0 || (points != nullptr && outputs != nullptr), "points or outputs is NULL");
     tr::Solver& to = solver->solver;
     for (size_t i = 0; i < count; ++i)
@@ -127,18 +117,15 @@ obc_status obc_trust_region_give(obc_trust_region* solver, const double* points,
 }
 
 int32_t obc_trust_region_step(obc_trust_region* solver, const double** points, size_t* count) {
-  if (solver == nullptr) return OBC_INVALID_ARGUMENT;
-  tr::Request request{};
-  const obc_status status = capi::guarded(nullptr, [&] { request = solver->solver.step(); });
-  if (status != OBC_OK) return status;
-  if (points != nullptr) *points = solver->solver.pending().data();
-  if (count != nullptr) *count = solver->solver.pending_count();
-  return static_cast<int32_t>(request);
+  return capi::step(solver, [&](const auto& asking) {
+    if (points != nullptr) *points = asking.pending().data();
+    if (count != nullptr) *count = asking.pending_count();
+  });
 }
 
 obc_status obc_trust_region_tell(obc_trust_region* solver, const double* outputs, obc_error* error) {
   return capi::guarded(error, [&] {
-    checked(solver);
+    capi::checked(solver);
     if (outputs != nullptr) {
       solver->solver.tell({outputs, solver->solver.outputs()});
     } else {
@@ -149,31 +136,22 @@ obc_status obc_trust_region_tell(obc_trust_region* solver, const double* outputs
 
 obc_status obc_trust_region_get_result(const obc_trust_region* solver, obc_trust_region_result* result, double* x,
                                        double* outputs, obc_error* error) {
-  return capi::guarded(error, [&] { copy_result(checked(solver).solver, result, x, outputs); });
+  return capi::guarded(error, [&] { copy_result(capi::checked(solver).solver, result, x, outputs); });
 }
 
 size_t obc_trust_region_save_size(const obc_trust_region* solver) {
-  return solver != nullptr ? solver->solver.save_size() : 0;
+  return capi::save_size(solver);
 }
 
 obc_status obc_trust_region_save(const obc_trust_region* solver, void* blob, size_t capacity, obc_error* error) {
-  return capi::guarded(error, [&] {
-    const tr::Solver& from = checked(solver).solver;
-    capi::require(blob != nullptr && capacity >= from.save_size(), "blob is NULL or too small");
-    from.save({static_cast<std::byte*>(blob), from.save_size()});
-  });
+  return capi::save(solver, blob, capacity, error);
 }
 
 obc_status obc_trust_region_load(const obc_trust_region_problem* problem, const void* blob, size_t size,
                                  const obc_host* host, obc_trust_region** out, obc_error* error) {
-  return capi::guarded(error, [&] {
-    capi::require(out != nullptr && blob != nullptr, "blob or out is NULL");
-    *out = nullptr;
-    const std::span<const std::byte> bytes(static_cast<const std::byte*>(blob), size);
-    const tr::Options options = tr::Solver::options_of(bytes);
-    auto loaded = std::make_unique<obc_trust_region>(host, to_problem(problem), options, std::span<const double>());
-    loaded->solver.load(bytes);
-    *out = loaded.release();
+  return capi::load(blob, size, out, error, [&](std::span<const std::byte> bytes) {
+    return std::make_unique<obc_trust_region>(host, to_problem(problem), tr::Solver::options_of(bytes),
+                                              std::span<const double>());
   });
 }
 
@@ -190,20 +168,15 @@ obc_status obc_trust_region_minimize(const obc_trust_region_problem* problem, co
     const std::size_t n = translated.n;
     obc_trust_region run(host, translated, to_options(options), {x, n});
     base::Array<double> outputs(translated.outputs(), 0.0, run.adapter.host().memory);
-    for (tr::Request request; (request = run.solver.step()) != tr::Request::done;) {
-      if (request != tr::Request::need_values) continue;
-      std::fill(outputs.begin(), outputs.end(), std::numeric_limits<double>::quiet_NaN());
-      const int32_t answer = f(run.solver.pending().data(), n, outputs.data(), user);
-      if (answer == OBC_TRUST_REGION_FAILED) {
-        run.solver.tell_failure();
-      } else if (answer == OBC_TRUST_REGION_CONTINUE) {
-        run.solver.tell(outputs);
-      } else {
-        run.solver.cancel();
-      }
-    }
+    capi::drive(
+        run.solver,
+        [&](const tr::Solver& asking) {
+          std::fill(outputs.begin(), outputs.end(), std::numeric_limits<double>::quiet_NaN());
+          return f(asking.pending().data(), n, outputs.data(), user);
+        },
+        [&](tr::Solver& asking) { asking.tell(outputs); });
     copy_result(run.solver, result, x, nullptr);
-    if (run.solver.cancelled_by_host()) throw base::Error("cancelled", "stopped by the host");
+    capi::throw_if_cancelled(run.solver.cancelled_by_host());
   });
 }
 
@@ -212,5 +185,5 @@ const char* obc_trust_region_stop_name(int32_t stop) {
 }
 
 uint32_t obc_trust_region_version(void) {
-  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+  return base::version_number;
 }

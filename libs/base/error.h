@@ -46,4 +46,9 @@ class Error : public std::runtime_error {
   const char* kind_;
 };
 
+// Throws invalid-argument with `message` unless `condition` holds.
+inline void require(bool condition, const char* message) {
+  if (!condition) throw Error("invalid-argument", message);
+}
+
 }  // namespace orbicube::base

@@ -44,6 +44,14 @@ double blocked_sum(std::size_t count, const Term& term) {
   return total.value();
 }
 
+// 0 * inf and 0 * nan are nan, so one sum tells.
+inline bool all_finite(std::span<const double> v) {
+  double sum = 0;
+  for (const double value : v)
+    sum += 0.0 * value;
+  return sum == 0;
+}
+
 inline double dot(std::span<const double> a, std::span<const double> b) {
   return blocked_sum(a.size(), [&](std::size_t i) { return a[i] * b[i]; });
 }

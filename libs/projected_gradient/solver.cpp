@@ -11,15 +11,12 @@
 
 namespace orbicube::projected_gradient {
 
+using base::require;
 using base::Search;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void require(bool condition, const char* message) {
-  if (!condition) throw base::Error("invalid-argument", message);
-}
 
 const Options& checked(const Options& options) {
   require(options.method == Method::face || options.method == Method::seed, "unknown method");
@@ -31,11 +28,6 @@ const Options& checked(const Options& options) {
   require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
   require(!std::isnan(options.target), "target must be a number");
   return options;
-}
-
-// Values of f that differ by less may be the same.
-double rounding_of(double value) {
-  return 8 * std::numeric_limits<double>::epsilon() * std::abs(value);
 }
 
 // How far x + t d stays within the bounds.
@@ -94,19 +86,10 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
   require((start.size() == problem.n || start.empty()) && all_finite(start), "the start must be n finite numbers");
   std::copy(start.begin(), start.end(), x_.begin());
   std::copy(start.begin(), start.end(), best_.begin());
-  state_.best_value = state_.measure = state_.best_measure = state_.lowest_measure = infinity;
 }
 
 Request Solver::step() {
-  if (asked()) return Request::need_value_and_gradient;
-  try {
-    host_.report("projected gradient", state_.evaluations, options_.max_evaluations, state_.best_value);
-    return advance();
-  } catch (const base::Error& error) {
-    if (error.status() != base::Status::cancelled) throw;
-    state_.cancelled_by_host = 1;
-    return finish(Stop::cancelled);
-  }
+  return state_.step(host_, "projected gradient", options_.max_evaluations, [this] { return advance(); });
 }
 
 Request Solver::advance() {
@@ -114,9 +97,9 @@ Request Solver::advance() {
     case Phase::created:
       if (!project(x_, trial_, 0)) return Request::done;
       std::copy(trial_.begin(), trial_.end(), best_.begin());
-      return ask(Phase::asked_first);
+      return state_.ask(Phase::asked_first, options_.max_evaluations);
     case Phase::told_first:
-      if (!std::isfinite(state_.trial_value)) return finish(Stop::evaluation_failed);
+      if (!std::isfinite(state_.trial_value)) return state_.finish(Stop::evaluation_failed);
       state_.curvature = std::max(largest_magnitude(trial_gradient_), 1e-10);
       model_.set_sigma(state_.curvature);
       std::copy(trial_.begin(), trial_.end(), x_.begin());
@@ -131,47 +114,18 @@ Request Solver::advance() {
   }
 }
 
-Request Solver::ask(Phase phase) {
-  if (state_.evaluations >= options_.max_evaluations) return finish(Stop::evaluation_budget);
-  state_.phase = phase;
-  return Request::need_value_and_gradient;
-}
-
-Request Solver::finish(Stop stop) {
-  state_.phase = Phase::done;
-  state_.stop = stop;
-  return Request::done;
-}
-
 void Solver::tell(double value, std::span<const double> gradient) {
-  require(asked(), "nothing was asked for");
+  require(state_.asked(), "nothing was asked for");
   require(gradient.size() == x_.size(), "the gradient must have n entries");
   if (!std::isfinite(value) || !all_finite(gradient)) return tell_failure();
-  ++state_.evaluations;
-  state_.trial_value = value;
   std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
   set_.subtract_rows(multipliers_, trial_gradient_);
-  const bool known = std::isfinite(state_.best_measure);
-  if (value < state_.best_value - (known ? rounding_of(state_.best_value) : 0)) {
-    state_.best_value = value;
-    state_.best_measure = infinity;
-    state_.without_gain = 0;
-    std::copy(trial_.begin(), trial_.end(), best_.begin());
-  }
-  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
-}
-
-void Solver::tell_failure() {
-  require(asked(), "nothing was asked for");
-  ++state_.evaluations;
-  ++state_.failed_evaluations;
-  state_.trial_value = std::numeric_limits<double>::quiet_NaN();
-  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
+  if (state_.tell(value)) std::copy(trial_.begin(), trial_.end(), best_.begin());
 }
 
 bool Solver::settle_projection(Projected outcome) {
   if (outcome == Projected::done) return true;
-  finish(outcome == Projected::infeasible ? Stop::infeasible : Stop::projection_failed);
+  state_.finish(outcome == Projected::infeasible ? Stop::infeasible : Stop::projection_failed);
   return false;
 }
 
@@ -197,19 +151,10 @@ void Solver::accept_trial() {
     trial_[j] = x_[j] - gradient_[j];
   state_.phase = Phase::iterate;
   if (!project(trial_, target_, 1)) return;
-  state_.measure = 0;
+  double measure = 0;
   for (std::size_t j = 0; j < x_.size(); ++j)
-    state_.measure = std::max(state_.measure, std::abs(target_[j] - x_[j]));
-  if (state_.measure < state_.best_measure && state_.value <= state_.best_value + rounding_of(state_.best_value)) {
-    std::copy(x_.begin(), x_.end(), best_.begin());
-    state_.best_value = state_.value;
-    state_.best_measure = state_.measure;
-  }
-  ++state_.without_gain;
-  if (state_.measure < state_.lowest_measure) {
-    state_.lowest_measure = state_.measure;
-    state_.without_gain = 0;
-  }
+    measure = std::max(measure, std::abs(target_[j] - x_[j]));
+  if (state_.settle(measure)) std::copy(x_.begin(), x_.end(), best_.begin());
   // The rows' multipliers of this projection go into the gradient: it then tends to zero on the free unknowns, and
   // slopes along feasible directions do not drown in the rounding of g'd.
   const std::span<double> change = set_.guess();
@@ -220,17 +165,13 @@ void Solver::accept_trial() {
 }
 
 Request Solver::begin_iteration() {
-  if (state_.measure <= options_.gradient_tolerance) return finish(Stop::converged);
-  if (state_.best_value <= options_.target) return finish(Stop::target_reached);
-  // Lower values are found for a while after the last that rounding resolves; nonmonotone searches may need more.
-  constexpr std::uint64_t patience = 200;
-  if (state_.without_gain >= patience + 10 * options_.history) return finish(Stop::stalled);
-  if (state_.iterations >= options_.max_iterations) return finish(Stop::iteration_budget);
+  const Stop reason = state_.reason_to_end(options_);
+  if (reason != Stop::running) return state_.finish(reason);
   const bool seed = options_.method == Method::seed;
   const bool found = seed ? choose_seed_direction() : choose_direction();
   if (state_.phase == Phase::done) return Request::done;
-  if (!found) return finish(Stop::stalled);
-  return ask(Phase::asked);
+  if (!found) return state_.finish(Stop::stalled);
+  return state_.ask(Phase::asked, options_.max_evaluations);
 }
 
 // d = P(x - g / lambda) - x, and the first trial at its end.
@@ -318,10 +259,10 @@ Request Solver::take_trial() {
       set_.choose_face(trial_);
       set_.meet_rows(trial_);
     }
-    return ask(Phase::asked);
+    return state_.ask(Phase::asked, options_.max_evaluations);
   }
   const bool failed = !std::isfinite(state_.trial_value);
-  if (seed || state_.without_memory) return finish(failed ? Stop::evaluation_failed : Stop::stalled);
+  if (seed || state_.without_memory) return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
   // The model may be at fault: once more along the projected gradient.
   model_.clear();
   model_.set_sigma(std::max(largest_magnitude(gradient_), 1e-10));
@@ -330,16 +271,11 @@ Request Solver::take_trial() {
 
 Result Solver::result() const {
   Result result;
-  result.stop = state_.stop;
-  const bool any = state_.evaluations > state_.failed_evaluations;
-  if (any) result.value = state_.stop == Stop::converged ? state_.value : state_.best_value;
+  state_.describe(result);
   result.projected_gradient = state_.measure;
   if (state_.phase != Phase::created && state_.stop != Stop::infeasible) {
     result.equality_residual = set_.relative_residual(best_point());
   }
-  result.evaluations = state_.evaluations;
-  result.failed_evaluations = state_.failed_evaluations;
-  result.iterations = state_.iterations;
   result.projection_passes = set_.passes();
   result.certificate_gap = set_.certificate_gap();
   return result;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/array.h"
+#include "base/gradient_run.h"
 #include "base/host.h"
 #include "base/line_search.h"
 #include "projected_gradient/face_step.h"
@@ -17,11 +18,7 @@
 
 namespace orbicube::projected_gradient {
 
-enum class Request : std::int32_t {
-  need_value_and_gradient = 1,  // of f at point(); answer with tell()
-  iteration = 2,                // point() is a new iterate; nothing to answer
-  done = 3,                     // see result()
-};
+using base::Request;
 
 class Solver {
  public:
@@ -31,13 +28,13 @@ class Solver {
   Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host);
 
   Request step();
-  std::span<const double> point() const { return asked() ? trial_ : x_; }
+  std::span<const double> point() const { return state_.asked() ? trial_ : x_; }
   // After need_value_and_gradient only (throws invalid-argument otherwise). A value or an entry that is not finite says
   // that f could not be evaluated there.
   void tell(double value, std::span<const double> gradient);
-  void tell_failure();
+  void tell_failure() { state_.tell_failure(); }
   // Ends the run as cancelled; what is known stays available.
-  void cancel() { finish(Stop::cancelled); }
+  void cancel() { state_.finish(Stop::cancelled); }
   bool cancelled_by_host() const { return state_.cancelled_by_host != 0; }
 
   Result result() const;
@@ -61,31 +58,21 @@ class Solver {
   static Options options_of(std::span<const std::byte> blob);
 
  private:
-  enum class Phase : std::int32_t { created, asked_first, told_first, iterate, asked, told, done };
+  using Phase = base::RunPhase;
 
-  // All that a run is besides its arrays and its model; saved as bytes, so it holds no pointer and no padding.
-  struct State {
-    Phase phase = Phase::created;
-    Stop stop = Stop::running;
-    std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
-    std::uint64_t cancelled_by_host = 0;
-    std::uint64_t without_memory = 0;  // 1 while the current direction was made with an empty model
-    std::uint64_t without_gain = 0;    // iterations since value or projected gradient were lower than ever before
-    double value = 0, trial_value = 0, best_value = 0, measure = 0;
-    double best_measure = 0;  // projected gradient at the best point, infinite while it is not known
-    double lowest_measure = 0;
+  // All that a run is besides its arrays and its model; saved as bytes, so it holds no pointer and no padding. Its
+  // measure is |P(x - g) - x|inf.
+  struct State : base::GradientRun<Stop> {
+    std::uint64_t without_memory = 0;       // 1 while the current direction was made with an empty model
     double curvature = 0;                   // lambda of eq. 4.13
     double average = 0, average_count = 0;  // C and Q of Zhang and Hager
     base::WolfeSearch wolfe{};
     base::BacktrackingSearch backtracking{};
   };
 
-  bool asked() const { return state_.phase == Phase::asked || state_.phase == Phase::asked_first; }
   Request advance();
   Request begin_iteration();
   Request take_trial();
-  Request ask(Phase phase);
-  Request finish(Stop stop);
   bool choose_direction();
   bool choose_seed_direction();
   void accept_trial();

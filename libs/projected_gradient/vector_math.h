@@ -9,6 +9,7 @@
 
 namespace orbicube::projected_gradient {
 
+using base::all_finite;
 using base::blocked_sum;
 using base::CompensatedSum;
 using base::dot;
@@ -18,14 +19,6 @@ inline double largest_magnitude(std::span<const double> a) {
   for (const double value : a)
     largest = std::max(largest, std::abs(value));
   return largest;
-}
-
-inline bool all_finite(std::span<const double> a) {
-  // 0 * inf and 0 * nan are nan, so one sum tells.
-  double sum = 0;
-  for (const double value : a)
-    sum += 0.0 * value;
-  return sum == 0;
 }
 
 inline double clip(double value, double lower, double upper) {

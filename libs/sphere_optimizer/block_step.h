@@ -14,8 +14,9 @@
 // Values and gradients that are not finite are taken for places where the block cannot be.
 //
 // The step is the dissertation's Algorithm 2 with its flaws mended: it goes along the tangent gradient (or Newton's
-// direction, whose Hessian is that of the sphere, P (H - (g.x) I) P, made positive by a shift), starts at an angle of
-// the scale of the last step and shortens by the parabola through the values. Method::seed is Algorithm 2 as printed.
+// direction, whose Hessian is that of the sphere, P (H - (g.x) I) P, made positive by a shift), as far as the curvature
+// that the block met last time asks, and shortens by the parabola through the values. Method::seed is Algorithm 2 as
+// printed.
 #pragma once
 
 #include <algorithm>
@@ -162,16 +163,22 @@ bool newton_direction(Dimension d, const double* x, const double* whole, const d
 
 }  // namespace detail
 
-// Moves `block` from x (d numbers of the caller's, which the energy sees) to a better place if there is one.
-// `last_angle` is the block's own memory of how far it went, pi / 2 at first. A block whose tangent gradient is at most
-// `tolerance` long stays.
+// How a block's step is made.
+struct StepRule {
+  double gradient_tolerance = 0;  // a block whose tangent gradient is at most this long stays
+  double over_relaxation = 1;  // how many times as far as the energy's curvature along the arc asks, from 1 to below 2
+  bool as_printed = false;     // Algorithm 2 as printed
+};
+
+// Moves `block` from x (d numbers of the caller's, which the energy sees) to a better place if there is one. `reach` is
+// the block's own memory from step to step: the inverse of the curvature that it met along its arc, 0 at first.
 template <class Energy>
-BlockStep improve_block(const Energy& energy, std::size_t block, double tolerance, bool as_printed, double* x,
-                        double& last_angle) {
+BlockStep improve_block(const Energy& energy, std::size_t block, const StepRule& rule, double* x, double& reach) {
   const auto d = energy.dimension();
   using Dimension = detail::DimensionOf<Energy>;
   constexpr double decrease = 1e-4, quarter_circle = 0.5 * std::numbers::pi;
-  constexpr int halving_limit = 40;
+  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  constexpr int trial_limit = 40;
   BlockVector<Dimension> whole{}, gradient, direction{}, candidate, velocity;
   BlockStep step;
   double value;
@@ -182,7 +189,7 @@ BlockStep improve_block(const Energy& energy, std::size_t block, double toleranc
     value = energy.value_gradient_and_hessian(block, whole.data(), hessian.data());
     gradient = whole;
     make_tangent(d, x, gradient.data());
-    newton = !as_printed && std::isfinite(value) && detail::block_finite(d, whole.data()) &&
+    newton = !rule.as_printed && std::isfinite(value) && detail::block_finite(d, whole.data()) &&
              detail::newton_direction(d, x, whole.data(), gradient.data(), hessian.data(), direction.data());
   } else {
     value = energy.value_and_gradient(block, whole.data());
@@ -192,57 +199,88 @@ BlockStep improve_block(const Energy& energy, std::size_t block, double toleranc
   step.failed = !std::isfinite(value) || !detail::block_finite(d, whole.data());
   if (step.failed) return step;
   step.gradient_norm = std::sqrt(block_dot(d, gradient.data(), gradient.data()));
-  if (step.gradient_norm <= tolerance) return step;
+  if (step.gradient_norm <= rule.gradient_tolerance) return step;
 
-  const auto take = [&](double new_value, double angle) {
-    std::copy_n(candidate.begin(), std::size_t{d}, x);
-    step.gain = value - new_value;
-    step.angle = last_angle = angle;
-    return step;
-  };
   const auto allowed = [&] {
     if constexpr (detail::HasValid<Energy>) return energy.valid(block, candidate.data());
     return true;
   };
+  double best_value = value, best_angle = 0;
+  BlockVector<Dimension> best;
+  std::copy_n(x, std::size_t{d}, best.begin());
+  const auto try_at = [&](double angle) {
+    move(d, x, direction.data(), angle, candidate.data(), velocity.data());
+    if (!allowed()) return std::numeric_limits<double>::quiet_NaN();
+    ++step.evaluations;
+    const double new_value = energy.value(block, candidate.data());
+    if (!std::isfinite(new_value)) return std::numeric_limits<double>::quiet_NaN();
+    if (new_value < best_value) {
+      best_value = new_value;
+      best_angle = angle;
+      best = candidate;
+    }
+    return new_value;
+  };
+  const auto take_best = [&] {
+    std::copy_n(best.begin(), std::size_t{d}, x);
+    step.gain = value - best_value;
+    step.angle = best_angle;
+    return step;
+  };
+
+  double wanted_angle = 0;  // where the curvature along `direction` is known
   if constexpr (detail::HasMinimiser<Energy>) {
-    if (!as_printed && energy.minimiser(block, candidate.data()) && normalise(d, candidate.data()) && allowed()) {
-      ++step.evaluations;
-      const double new_value = energy.value(block, candidate.data());
+    if (!rule.as_printed && energy.minimiser(block, candidate.data()) && normalise(d, candidate.data())) {
       const double cosine = block_dot(d, x, candidate.data());
-      if (new_value < value) return take(new_value, std::acos(std::clamp(cosine, -1.0, 1.0)));
+      direction = candidate;
+      make_tangent(d, x, direction.data());
+      wanted_angle = std::atan2(std::sqrt(block_dot(d, direction.data(), direction.data())), cosine);
     }
   }
-
-  double speed = newton ? std::sqrt(block_dot(d, direction.data(), direction.data())) : 0;
-  double angle = std::min(speed, quarter_circle);
-  if (!(speed > 0 && block_dot(d, gradient.data(), direction.data()) < 0)) {
+  double length = std::sqrt(block_dot(d, direction.data(), direction.data()));
+  if (newton && wanted_angle == 0) wanted_angle = std::min(length, quarter_circle);
+  if (!(length > 0 && block_dot(d, gradient.data(), direction.data()) < 0)) {
     direction = gradient;
-    speed = -step.gradient_norm;
-    angle = std::min(2 * last_angle, quarter_circle);
+    length = -step.gradient_norm;
+    wanted_angle = reach * step.gradient_norm;
   }
   for (std::size_t k = 0; k < d; ++k)
-    direction[k] /= speed;
-  if (as_printed) angle = printed_angle(d, x, whole.data());
-  if constexpr (detail::HasLongestAngle<Energy>) angle = std::min(angle, energy.longest_angle(block, direction.data()));
+    direction[k] /= length;
+  double longest = std::max(quarter_circle, wanted_angle);
+  if constexpr (detail::HasLongestAngle<Energy>)
+    longest = std::min(longest, energy.longest_angle(block, direction.data()));
   const double slope = block_dot(d, gradient.data(), direction.data());
-  for (int trial = 0; trial < halving_limit; ++trial) {
-    move(d, x, direction.data(), angle, candidate.data(), velocity.data());
-    double new_value = std::numeric_limits<double>::quiet_NaN();
-    if (allowed()) {
-      ++step.evaluations;
-      new_value = energy.value(block, candidate.data());
-    }
-    double wanted = angle * slope;
-    if (as_printed) {
-      wanted = 0;
+
+  if (rule.as_printed) {
+    double angle = std::min(printed_angle(d, x, whole.data()), longest);
+    for (int trial = 0; trial < trial_limit; ++trial, angle *= 0.5) {
+      const double new_value = try_at(angle);
+      double chord = 0;
       for (std::size_t k = 0; k < d; ++k)
-        wanted += (candidate[k] - x[k]) * whole[k];
+        chord += (candidate[k] - x[k]) * whole[k];
+      if (new_value <= value + decrease * chord && new_value < value) return take_best();
     }
-    if (new_value <= value + decrease * wanted && new_value < value) return take(new_value, angle);
-    const double guess = -0.5 * angle * angle * slope / (new_value - value - angle * slope);
-    angle = as_printed || !std::isfinite(guess) ? 0.5 * angle : std::clamp(guess, 0.1 * angle, 0.5 * angle);
+    return step;
   }
-  return step;
+
+  double angle = wanted_angle > 0 ? std::min(rule.over_relaxation * wanted_angle, longest) : 0.25 * longest;
+  for (int trial = 0; trial < trial_limit; ++trial) {
+    const double new_value = try_at(angle);
+    // The parabola through the value and slope here and the value there.
+    const double bend = 2 * (new_value - value - angle * slope) / (angle * angle);
+    const double vertex = bend > 0 ? std::min(-slope / bend, longest) : longest;
+    if (new_value <= value + decrease * angle * slope) {
+      if (std::abs(new_value - value) > rounding * std::abs(value)) {
+        // Where nothing was known, the first trial may be far from where the parabola is least.
+        const bool near = angle > 0.5 * vertex && angle < 2 * vertex;
+        if (wanted_angle == 0 && !near) try_at(std::min(rule.over_relaxation * vertex, longest));
+        reach = vertex / step.gradient_norm;
+      }
+      return take_best();
+    }
+    angle = std::clamp(vertex, 0.1 * angle, 0.5 * angle);
+  }
+  return take_best();
 }
 
 }  // namespace orbicube::sphere_optimizer

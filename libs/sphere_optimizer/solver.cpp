@@ -17,16 +17,13 @@
 
 namespace orbicube::sphere_optimizer {
 
+using base::require;
 using base::Search;
 
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double quarter_circle = 0.5 * std::numbers::pi;
-
-void require(bool condition, const char* message) {
-  if (!condition) throw base::Error("invalid-argument", message);
-}
 
 const Options& checked(const Options& options) {
   require(options.method >= Method::limited_memory && options.method <= Method::seed, "unknown method");
@@ -43,19 +40,6 @@ const Shape& checked(const Shape& shape) {
   constexpr std::size_t most = std::size_t{1} << 40;
   require(shape.count < most / shape.dimension, "there are too many unknowns");
   return shape;
-}
-
-// Values of f that differ by less may be the same.
-double rounding_of(double value) {
-  return 8 * std::numeric_limits<double>::epsilon() * std::abs(value);
-}
-
-bool all_finite(std::span<const double> v) {
-  // 0 * inf and 0 * nan are nan, so one sum tells.
-  double sum = 0;
-  for (const double value : v)
-    sum += 0.0 * value;
-  return sum == 0;
 }
 
 }  // namespace
@@ -100,10 +84,8 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
       ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
       trial_ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
       last_values_(options.method == Method::barzilai_borwein ? options.history : 0, -infinity, host.memory) {
-  state_.best_value = state_.best_measure = state_.measure = state_.lowest_measure = infinity;
-  state_.arc = quarter_circle;
   if (start.empty()) return;
-  require(start.size() == shape.size() && all_finite(start), "the start must be finite numbers");
+  require(start.size() == shape.size() && base::all_finite(start), "the start must be finite numbers");
   std::copy(start.begin(), start.end(), x_.begin());
   with_dimension(shape.dimension, [&](auto d) {
     for (std::size_t i = 0; i < shape_.count; ++i)
@@ -113,15 +95,7 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
 }
 
 Request Solver::step() {
-  if (asked()) return Request::need_value_and_gradient;
-  try {
-    report();
-    return advance();
-  } catch (const base::Error& error) {
-    if (error.status() != base::Status::cancelled) throw;
-    state_.cancelled_by_host = 1;
-    return finish(Stop::cancelled);
-  }
+  return state_.step(host_, phase_name, options_.max_evaluations, [this] { return advance(); });
 }
 
 template <class Body>
@@ -140,9 +114,9 @@ Request Solver::advance() {
   switch (state_.phase) {
     case Phase::created:
       std::copy(x_.begin(), x_.end(), trial_.begin());
-      return ask(Phase::asked_first);
+      return state_.ask(Phase::asked_first, options_.max_evaluations);
     case Phase::told_first:
-      if (!std::isfinite(state_.trial_value)) return finish(Stop::evaluation_failed);
+      if (!std::isfinite(state_.trial_value)) return state_.finish(Stop::evaluation_failed);
       begin_at_trial();
       return Request::iteration;
     case Phase::iterate:
@@ -154,46 +128,17 @@ Request Solver::advance() {
   }
 }
 
-Request Solver::ask(Phase phase) {
-  if (state_.evaluations >= options_.max_evaluations) return finish(Stop::evaluation_budget);
-  state_.phase = phase;
-  return Request::need_value_and_gradient;
-}
-
-Request Solver::finish(Stop stop) {
-  state_.phase = Phase::done;
-  state_.stop = stop;
-  return Request::done;
-}
-
 void Solver::tell(double value, std::span<const double> gradient) {
-  require(asked(), "nothing was asked for");
+  require(state_.asked(), "nothing was asked for");
   require(gradient.size() == shape_.size(), "the gradient must have as many entries as the point");
-  if (!std::isfinite(value) || !all_finite(gradient)) return tell_failure();
-  ++state_.evaluations;
-  state_.trial_value = value;
-  std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
+  if (!std::isfinite(value) || !base::all_finite(gradient)) return tell_failure();
+  if (gradient.data() != trial_gradient_.data()) std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
   if (!trial_ambient_.empty()) std::copy(gradient.begin(), gradient.end(), trial_ambient_.begin());
   with_dimension(shape_.dimension, [&](auto d) {
     for (std::size_t i = 0; i < shape_.count; ++i)
       trial_radial_[i] = make_tangent(d, &trial_[i * d], &trial_gradient_[i * d]);
   });
-  const bool known = std::isfinite(state_.best_measure);
-  if (value < state_.best_value - (known ? rounding_of(state_.best_value) : 0)) {
-    state_.best_value = value;
-    state_.best_measure = infinity;
-    state_.without_gain = 0;
-    std::copy(trial_.begin(), trial_.end(), best_.begin());
-  }
-  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
-}
-
-void Solver::tell_failure() {
-  require(asked(), "nothing was asked for");
-  ++state_.evaluations;
-  ++state_.failed_evaluations;
-  state_.trial_value = std::numeric_limits<double>::quiet_NaN();
-  state_.phase = state_.phase == Phase::asked_first ? Phase::told_first : Phase::told;
+  if (state_.tell(value)) std::copy(trial_.begin(), trial_.end(), best_.begin());
 }
 
 // Length of the longest block.
@@ -214,30 +159,16 @@ void Solver::begin_at_trial() {
   ambient_.swap(trial_ambient_);
   state_.value = state_.trial_value;
   if (!last_values_.empty()) last_values_[state_.iterations % last_values_.size()] = state_.value;
-  state_.measure = longest_block(gradient_);
-  if (state_.measure < state_.best_measure && state_.value <= state_.best_value + rounding_of(state_.best_value)) {
-    std::copy(x_.begin(), x_.end(), best_.begin());
-    state_.best_value = state_.value;
-    state_.best_measure = state_.measure;
-  }
-  ++state_.without_gain;
-  if (state_.measure < state_.lowest_measure) {
-    state_.lowest_measure = state_.measure;
-    state_.without_gain = 0;
-  }
+  if (state_.settle(longest_block(gradient_))) std::copy(x_.begin(), x_.end(), best_.begin());
   state_.phase = Phase::iterate;
 }
 
 Request Solver::begin_iteration() {
-  if (state_.measure <= options_.gradient_tolerance) return finish(Stop::converged);
-  if (state_.best_value <= options_.target) return finish(Stop::target_reached);
-  // Lower values are found for a while after the last that rounding resolves; nonmonotone searches may need more.
-  constexpr std::uint64_t patience = 200;
-  if (state_.without_gain >= patience + 10 * options_.history) return finish(Stop::stalled);
-  if (state_.iterations >= options_.max_iterations) return finish(Stop::iteration_budget);
-  if (!choose_direction()) return finish(Stop::stalled);
+  const Stop reason = state_.reason_to_end(options_);
+  if (reason != Stop::running) return state_.finish(reason);
+  if (!choose_direction()) return state_.finish(Stop::stalled);
   place_trial(trial_length());
-  return ask(Phase::asked);
+  return state_.ask(Phase::asked, options_.max_evaluations);
 }
 
 // The direction and the start of its search; false when there is none that descends.
@@ -393,13 +324,13 @@ Request Solver::take_trial() {
       return Request::iteration;
     case Search::again:
       place_trial(trial_length());
-      return ask(Phase::asked);
+      return state_.ask(Phase::asked, options_.max_evaluations);
     default:
       break;
   }
   const bool failed = !std::isfinite(state_.trial_value);
   if (options_.method != Method::limited_memory || state_.without_memory) {
-    return finish(failed ? Stop::evaluation_failed : Stop::stalled);
+    return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
   }
   // The memory may be at fault: once more along the gradient.
   memory_.clear();
@@ -408,13 +339,8 @@ Request Solver::take_trial() {
 
 Result Solver::result() const {
   Result result;
-  result.stop = state_.stop;
-  const bool any = state_.evaluations > state_.failed_evaluations;
-  if (any) result.value = state_.stop == Stop::converged ? state_.value : state_.best_value;
+  state_.describe(result);
   result.gradient_norm = state_.measure;
-  result.evaluations = state_.evaluations;
-  result.failed_evaluations = state_.failed_evaluations;
-  result.iterations = state_.iterations;
   return result;
 }
 

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <numbers>
 #include <span>
 
 #include "base/array.h"
+#include "base/gradient_run.h"
 #include "base/host.h"
 #include "base/line_search.h"
 #include "sphere_optimizer/limited_memory.h"
@@ -14,11 +16,7 @@
 
 namespace orbicube::sphere_optimizer {
 
-enum class Request : std::int32_t {
-  need_value_and_gradient = 1,  // of f at point(); answer with tell()
-  iteration = 2,                // point() is a new iterate; nothing to answer
-  done = 3,                     // see result()
-};
+using base::Request;
 
 class Solver {
  public:
@@ -27,14 +25,17 @@ class Solver {
   Solver(const Shape& shape, const Options& options, std::span<const double> start, const base::Host& host);
 
   Request step();
-  std::span<const double> point() const { return asked() ? trial_ : x_; }
+  std::span<const double> point() const { return state_.asked() ? trial_ : x_; }
   // After need_value_and_gradient only (throws invalid-argument otherwise). `gradient` is the gradient of f in R^d of
   // each block, or any vector with the same part tangent to the spheres (but Method::seed looks at the whole). A value
   // or an entry that is not finite says that f could not be evaluated there.
   void tell(double value, std::span<const double> gradient);
-  void tell_failure();
+  void tell_failure() { state_.tell_failure(); }
+  // While a request waits, memory of the solver's that the gradient may be written to before it is told, which saves
+  // the copy.
+  std::span<double> gradient_room() { return trial_gradient_; }
   // Ends the run as cancelled; what is known stays available.
-  void cancel() { finish(Stop::cancelled); }
+  void cancel() { state_.finish(Stop::cancelled); }
   bool cancelled_by_host() const { return state_.cancelled_by_host != 0; }
 
   Result result() const;
@@ -53,37 +54,28 @@ class Solver {
   static Shape shape_of(std::span<const std::byte> blob);
 
  private:
-  enum class Phase : std::int32_t { created, asked_first, told_first, iterate, asked, told, done };
+  using Phase = base::RunPhase;
 
-  // All that a run is besides its arrays and its memory; saved as bytes, so it holds no pointer and no padding.
-  struct State {
-    Phase phase = Phase::created;
-    Stop stop = Stop::running;
-    std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
-    std::uint64_t cancelled_by_host = 0;
-    std::uint64_t without_memory = 0;  // 1 while the current direction is along the gradient
-    std::uint64_t without_gain = 0;    // iterations since value or gradient were lower than ever before
-    double value = 0, trial_value = 0, best_value = 0, measure = 0, lowest_measure = 0;
-    double best_measure = 0;  // longest gradient at the best point, infinite while it is not known
-    double step_length = 0;   // of barzilai_borwein, times the gradient
-    double arc = 0;           // of great_circle: angle of the block that turned farthest, last time
+  // All that a run is besides its arrays and its memory; saved as bytes, so it holds no pointer and no padding. Its
+  // measure is the longest tangent gradient of a block.
+  struct State : base::GradientRun<Stop> {
+    std::uint64_t without_memory = 0;     // 1 while the current direction is along the gradient
+    double step_length = 0;               // of barzilai_borwein, times the gradient
+    double arc = 0.5 * std::numbers::pi;  // of great_circle: angle of the block that turned farthest, last time
     base::WolfeSearch wolfe{};
     base::BacktrackingSearch backtracking{};
   };
 
+  static constexpr const char* phase_name = "sphere optimizer";
+
   // Tells the host how far the run is; throws when it cancels.
-  void report() const {
-    host_.report("sphere optimizer", state_.evaluations, options_.max_evaluations, state_.best_value);
-  }
+  void report() const { host_.report(phase_name, state_.evaluations, options_.max_evaluations, state_.best_value); }
   // body(d, i) for every block i, with reports in between.
   template <class Body>
   void for_each_block(const Body& body) const;
-  bool asked() const { return state_.phase == Phase::asked || state_.phase == Phase::asked_first; }
   Request advance();
   Request begin_iteration();
   Request take_trial();
-  Request ask(Phase phase);
-  Request finish(Stop stop);
   bool choose_direction();
   void estimate_curvature();
   void choose_printed_direction();

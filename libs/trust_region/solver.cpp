@@ -8,13 +8,12 @@
 #include "trust_region/dense.h"
 
 namespace orbicube::trust_region {
+
+using base::require;
+
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-void require(bool condition, const char* message) {
-  if (!condition) throw base::Error("invalid-argument", message);
-}
 
 const Options& checked(const Options& options) {
   require(options.method == Method::two_radii || options.method == Method::seed, "unknown method");

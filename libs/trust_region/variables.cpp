@@ -8,13 +8,7 @@
 #include "base/hash.h"
 
 namespace orbicube::trust_region {
-namespace {
-
-void require(bool condition, const char* message) {
-  if (!condition) throw base::Error("invalid-argument", message);
-}
-
-}  // namespace
+using base::require;
 
 Variables::Variables(const Problem& problem, std::pmr::memory_resource* memory)
     : full_lower_(memory),

@@ -7,118 +7,20 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "charges.h"
 #include "failing_allocations.h"
+#include "solver_checks.h"
 
 using namespace orbicube;
+using namespace orbicube::test;
 
 namespace {
-
-constexpr std::size_t charges = 9, unknowns = 3 * charges;
-using Points = std::array<double, unknowns>;
-
-// Charges of different sizes on the sphere.
-double size_of(std::size_t i) {
-  return 1 + 0.1 * static_cast<double>(i);
-}
-
-double evaluate(const double* x, double* gradient) {
-  double f = 0;
-  std::fill(gradient, gradient + unknowns, 0.0);
-  for (std::size_t i = 0; i < charges; ++i) {
-    for (std::size_t j = i + 1; j < charges; ++j) {
-      double square = 0;
-      for (std::size_t k = 0; k < 3; ++k)
-        square += (x[3 * i + k] - x[3 * j + k]) * (x[3 * i + k] - x[3 * j + k]);
-      const double term = size_of(i) * size_of(j) / std::sqrt(square);
-      f += term;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double push = term / square * (x[3 * i + k] - x[3 * j + k]);
-        gradient[3 * i + k] -= push;
-        gradient[3 * j + k] += push;
-      }
-    }
-  }
-  return f;
-}
-
-Points start() {
-  Points x;
-  for (std::size_t k = 0; k < unknowns; ++k)
-    x[k] = std::sin(1.0 + 2.5 * static_cast<double>(k * k));
-  return x;
-}
-
-std::int32_t callback(const double* x, std::size_t count, std::size_t dimension, double* value, double* gradient,
-                      void* user) {
-  if (count != charges || dimension != 3) return OBC_SPHERE_OPTIMIZER_STOP;
-  if (user != nullptr) ++*static_cast<int*>(user);
-  *value = evaluate(x, gradient);
-  return OBC_SPHERE_OPTIMIZER_CONTINUE;
-}
-
-// Everybody is everybody's neighbour.
-struct Blocks {
-  std::array<std::size_t, charges + 1> start{};
-  std::array<std::uint32_t, charges*(charges - 1)> neighbour{};
-  obc_sphere_optimizer_blocks blocks{};
-
-  Blocks() {
-    std::size_t to = 0;
-    for (std::uint32_t i = 0; i < charges; ++i) {
-      for (std::uint32_t j = 0; j < charges; ++j) {
-        if (i != j) neighbour[to++] = j;
-      }
-      start[i + 1] = to;
-    }
-    obc_sphere_optimizer_blocks_init(&blocks, sizeof blocks);
-    blocks.dimension = 3;
-    blocks.count = charges;
-    blocks.neighbour_start = start.data();
-    blocks.neighbour = neighbour.data();
-  }
-  Blocks(const Blocks&) = delete;
-};
-
-std::int32_t block_callback(std::size_t block, const double* place, const double* points, double* value,
-                            double* gradient, double* hessian, void* user) {
-  if (user != nullptr) ++*static_cast<int*>(user);
-  double f = 0;
-  if (gradient != nullptr) std::fill(gradient, gradient + 3, 0.0);
-  if (hessian != nullptr) std::fill(hessian, hessian + 9, 0.0);
-  for (std::size_t j = 0; j < charges; ++j) {
-    if (j == block) continue;
-    double away[3], square = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      away[k] = place[k] - points[3 * j + k];
-      square += away[k] * away[k];
-    }
-    const double term = size_of(block) * size_of(j) / std::sqrt(square);
-    f += term;
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (gradient != nullptr) gradient[k] -= term / square * away[k];
-      for (std::size_t l = 0; hessian != nullptr && l < 3; ++l)
-        hessian[3 * k + l] += term / square * (3 * away[k] * away[l] / square - (k == l ? 1.0 : 0.0));
-    }
-  }
-  *value = f;
-  return OBC_SPHERE_OPTIMIZER_CONTINUE;
-}
-
-template <class Result>
-Result empty() {
-  Result result{};
-  result.struct_size = sizeof result;
-  return result;
-}
 
 struct Destroy {
   void operator()(obc_sphere_optimizer* solver) const { obc_sphere_optimizer_destroy(solver); }
@@ -442,31 +344,19 @@ TEST_CASE("Arguments that cannot be are refused") {
 }
 
 TEST_CASE("Every stop has a name of its own") {
-  std::vector<std::string> names;
-  for (std::int32_t stop = 0; stop <= OBC_SPHERE_OPTIMIZER_EVALUATION_FAILED; ++stop)
-    names.emplace_back(obc_sphere_optimizer_stop_name(stop));
-  std::sort(names.begin(), names.end());
-  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
-  CHECK(std::string(obc_sphere_optimizer_stop_name(99)) == "unknown");
+  CHECK(test::names_differ(obc_sphere_optimizer_stop_name, OBC_SPHERE_OPTIMIZER_EVALUATION_FAILED));
   CHECK(obc_sphere_optimizer_version() >= 100);
 }
 
-// The second half of the next test runs in another process: this program again, with only this test and two file names.
-TEST_CASE("A run goes on from a file" * doctest::skip(std::getenv("ORBICUBE_TEST_BLOB") == nullptr)) {
-  std::FILE* file = std::fopen(std::getenv("ORBICUBE_TEST_BLOB"), "rb");
-  REQUIRE(file != nullptr);
-  std::vector<unsigned char> blob(1 << 20);
-  blob.resize(std::fread(blob.data(), 1, blob.size(), file));
-  std::fclose(file);
+// The second half of the next test.
+TEST_CASE("A run goes on from a file" * doctest::skip(!test::in_second_process())) {
+  const test::Bytes blob = test::blob_of_first_process();
   obc_sphere_optimizer* solver = nullptr;
   REQUIRE(obc_sphere_optimizer_load(blob.data(), blob.size(), nullptr, &solver, nullptr) == OBC_OK);
   const Handle handle(solver);
   drive(solver);
   const Points x = best(solver);
-  file = std::fopen(std::getenv("ORBICUBE_TEST_END"), "wb");
-  REQUIRE(file != nullptr);
-  CHECK(std::fwrite(x.data(), sizeof(double), unknowns, file) == unknowns);
-  std::fclose(file);
+  test::answer_first_process(x.data(), sizeof x);
 }
 
 TEST_CASE("Saved at each evaluation, a run goes on in a new process with the same bits") {
@@ -475,33 +365,16 @@ TEST_CASE("Saved at each evaluation, a run goes on in a new process with the sam
   auto result = empty<obc_sphere_optimizer_result>();
   REQUIRE(obc_sphere_optimizer_get_result(whole.get(), &result, nullptr, nullptr) == OBC_OK);
   const Points expected = best(whole.get());
-  const std::string stem = (std::filesystem::temp_directory_path() /
-                            ("orbicube-spheres-" + std::to_string(reinterpret_cast<std::uintptr_t>(&result))))
-                               .string();
-  const std::string blob_name = stem + ".blob", end_name = stem + ".end";
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command = "ORBICUBE_TEST_BLOB='" + blob_name + "' ORBICUBE_TEST_END='" + end_name + "' '" +
-                              program + "' --test-case='A run goes on from a file' > /dev/null";
   REQUIRE(result.evaluations > 20);
   for (int evaluation = 0; evaluation < static_cast<int>(result.evaluations); ++evaluation) {
     const Handle solver = create();
     drive(solver.get(), evaluation);
-    std::vector<unsigned char> blob(obc_sphere_optimizer_save_size(solver.get()));
+    test::Bytes blob(obc_sphere_optimizer_save_size(solver.get()));
     obc_error error;
     REQUIRE(obc_sphere_optimizer_save(solver.get(), blob.data(), blob.size() - 1, &error) == OBC_INVALID_ARGUMENT);
     REQUIRE(obc_sphere_optimizer_save(solver.get(), blob.data(), blob.size(), &error) == OBC_OK);
-    std::FILE* file = std::fopen(blob_name.c_str(), "wb");
-    REQUIRE(file != nullptr);
-    REQUIRE(std::fwrite(blob.data(), 1, blob.size(), file) == blob.size());
-    std::fclose(file);
-    REQUIRE(std::system(command.c_str()) == 0);
-    Points x{};
-    file = std::fopen(end_name.c_str(), "rb");
-    REQUIRE(file != nullptr);
-    CHECK(std::fread(x.data(), sizeof(double), unknowns, file) == unknowns);
-    std::fclose(file);
-    CHECK(std::memcmp(x.data(), expected.data(), sizeof x) == 0);
+    const test::Bytes end = test::in_new_process("A run goes on from a file", blob);
+    REQUIRE(end.size() == sizeof expected);
+    CHECK(std::memcmp(end.data(), expected.data(), sizeof expected) == 0);
   }
-  std::filesystem::remove(blob_name);
-  std::filesystem::remove(end_name);
 }

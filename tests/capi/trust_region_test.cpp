@@ -6,16 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "failing_allocations.h"
+#include "solver_checks.h"
 
 using namespace orbicube;
 
@@ -303,32 +301,20 @@ TEST_CASE("Arguments that cannot be are refused") {
 }
 
 TEST_CASE("Every stop has a name of its own") {
-  std::vector<std::string> names;
-  for (std::int32_t stop = 0; stop <= OBC_TRUST_REGION_EVALUATION_FAILED; ++stop)
-    names.emplace_back(obc_trust_region_stop_name(stop));
-  std::sort(names.begin(), names.end());
-  CHECK(std::adjacent_find(names.begin(), names.end()) == names.end());
-  CHECK(std::string(obc_trust_region_stop_name(99)) == "unknown");
+  CHECK(test::names_differ(obc_trust_region_stop_name, OBC_TRUST_REGION_EVALUATION_FAILED));
   CHECK(obc_trust_region_version() >= 100);
 }
 
-// The second half of the next test runs in another process: this program again, with only this test and two file names.
-TEST_CASE("A run goes on from a file" * doctest::skip(std::getenv("ORBICUBE_TEST_BLOB") == nullptr)) {
-  std::FILE* file = std::fopen(std::getenv("ORBICUBE_TEST_BLOB"), "rb");
-  REQUIRE(file != nullptr);
-  std::vector<unsigned char> blob(1 << 20);
-  blob.resize(std::fread(blob.data(), 1, blob.size(), file));
-  std::fclose(file);
+// The second half of the next test.
+TEST_CASE("A run goes on from a file" * doctest::skip(!test::in_second_process())) {
   const Fixture fixture(true);
+  const test::Bytes blob = test::blob_of_first_process();
   obc_trust_region* solver = nullptr;
   REQUIRE(obc_trust_region_load(&fixture.problem, blob.data(), blob.size(), nullptr, &solver, nullptr) == OBC_OK);
   const Handle handle(solver);
   drive(fixture, solver);
   const std::array<double, unknowns> x = best(solver);
-  file = std::fopen(std::getenv("ORBICUBE_TEST_END"), "wb");
-  REQUIRE(file != nullptr);
-  CHECK(std::fwrite(x.data(), sizeof(double), unknowns, file) == unknowns);
-  std::fclose(file);
+  test::answer_first_process(x.data(), sizeof x);
 }
 
 TEST_CASE("Saved at each evaluation, a run goes on in a new process with the same bits") {
@@ -338,33 +324,16 @@ TEST_CASE("Saved at each evaluation, a run goes on in a new process with the sam
   obc_trust_region_result result = empty_result();
   REQUIRE(obc_trust_region_get_result(whole.get(), &result, nullptr, nullptr, nullptr) == OBC_OK);
   const std::array<double, unknowns> expected = best(whole.get());
-  const std::filesystem::path folder = std::filesystem::temp_directory_path();
-  const std::string stem =
-      (folder / ("orbicube-resume-" + std::to_string(reinterpret_cast<std::uintptr_t>(&result)))).string();
-  const std::string blob_name = stem + ".blob", end_name = stem + ".end";
-  const std::string program = std::filesystem::read_symlink("/proc/self/exe").string();
-  const std::string command = "ORBICUBE_TEST_BLOB='" + blob_name + "' ORBICUBE_TEST_END='" + end_name + "' '" +
-                              program + "' --test-case='A run goes on from a file' > /dev/null";
   REQUIRE(result.evaluations > 10);
   for (int evaluation = 0; evaluation < static_cast<int>(result.evaluations); ++evaluation) {
     const Handle solver = create(fixture);
     drive(fixture, solver.get(), evaluation);
-    std::vector<unsigned char> blob(obc_trust_region_save_size(solver.get()));
+    test::Bytes blob(obc_trust_region_save_size(solver.get()));
     obc_error error;
     REQUIRE(obc_trust_region_save(solver.get(), blob.data(), blob.size() - 1, &error) == OBC_INVALID_ARGUMENT);
     REQUIRE(obc_trust_region_save(solver.get(), blob.data(), blob.size(), &error) == OBC_OK);
-    std::FILE* file = std::fopen(blob_name.c_str(), "wb");
-    REQUIRE(file != nullptr);
-    REQUIRE(std::fwrite(blob.data(), 1, blob.size(), file) == blob.size());
-    std::fclose(file);
-    REQUIRE(std::system(command.c_str()) == 0);
-    std::array<double, unknowns> x{};
-    file = std::fopen(end_name.c_str(), "rb");
-    REQUIRE(file != nullptr);
-    CHECK(std::fread(x.data(), sizeof(double), unknowns, file) == unknowns);
-    std::fclose(file);
-    CHECK(std::memcmp(x.data(), expected.data(), sizeof x) == 0);
+    const test::Bytes end = test::in_new_process("A run goes on from a file", blob);
+    REQUIRE(end.size() == sizeof expected);
+    CHECK(std::memcmp(end.data(), expected.data(), sizeof expected) == 0);
   }
-  std::filesystem::remove(blob_name);
-  std::filesystem::remove(end_name);
 }

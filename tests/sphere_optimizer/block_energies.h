@@ -140,4 +140,15 @@ inline std::vector<double> unit_blocks(std::size_t count, std::size_t d, std::ui
   return points;
 }
 
+// The same near one place: on a ring, blocks that start anywhere may also end wound up.
+inline std::vector<double> blocks_near_one(std::size_t count, std::size_t d, std::uint64_t seed) {
+  std::vector<double> points = normal_numbers(count * d, seed);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < d; ++k)
+      points[i * d + k] = 0.6 / std::sqrt(static_cast<double>(d)) * points[i * d + k] + (k == 1 ? 1 : 0);
+    REQUIRE(sphere_optimizer::normalise(d, &points[i * d]));
+  }
+  return points;
+}
+
 }  // namespace orbicube::test

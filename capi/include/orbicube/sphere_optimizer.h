@@ -13,9 +13,10 @@
  *   while ((request = obc_sphere_optimizer_step(solver, &x)) > 0 && request != OBC_SPHERE_OPTIMIZER_DONE)
  *     if (request == OBC_SPHERE_OPTIMIZER_NEED_FG) obc_sphere_optimizer_tell(solver, f(x), gradient(x), NULL);
  *
- * Block by block, with the part of f that contains one block (obc_sphere_optimizer_relax): those first that promise most, each
- * by a great-circle or Newton step. Better where f is a sum over neighbours, and the start is far away or values must stay
- * within limits; all at once is better where the last digits are wanted.
+ * Block by block, with the part of f that contains one block (obc_sphere_optimizer_relax, or _relaxation_run to do it in
+ * parts): those first that promise most, then, when gains fall slowly, in sweeps with over-relaxed steps (Young 1954). Each
+ * step is along a great circle or Newton's. Where f is a sum over neighbours and values must stay within limits, or f has no
+ * gradient as a whole; all at once is better where the last digits are wanted.
  *
  * Memory: all of it is allocated by _create, _load and at the start of _relax. (7 + 2 memory) N d + 3 N numbers for LIMITED_MEMORY,
  * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for SEED, 18 bytes a block for _relax. An iteration takes time
@@ -157,26 +158,39 @@ typedef struct obc_sphere_optimizer_blocks {
   const uint32_t *neighbour;     /* the blocks whose part of f contains this one, for each block */
 } obc_sphere_optimizer_blocks;
 
+/* In which order blocks are taken. */
+enum {
+  OBC_SPHERE_OPTIMIZER_AUTOMATIC = 0, /* QUEUE, then SWEEPS when gains fall slowly */
+  OBC_SPHERE_OPTIMIZER_QUEUE = 1,     /* the block first whose or whose neighbours' last step gained most */
+  OBC_SPHERE_OPTIMIZER_SWEEPS = 2     /* 0, 1, 2, ... again and again */
+};
+
 /* Fill with _relaxation_options_init. */
 typedef struct obc_sphere_optimizer_relaxation_options {
   uint32_t struct_size;
   int32_t method;            /* GREAT_CIRCLE, or SEED: Algorithm 2 as printed, in the order of eq. 3.6 */
   int32_t second_order;      /* 1: Newton's steps, f gives Hessians: 0 */
-  uint32_t reserved;
+  int32_t order;             /* AUTOMATIC */
   double gradient_tolerance; /* a block with a shorter tangent gradient stays: 1e-6 */
   double relative_gain;      /* end when a pass gains at most this part of all that was gained: 0 */
+  double over_relaxation;    /* how many times as far each step goes as its own energy asks, from 1 to below 2; 0: chosen from
+                                the rate at which gains fall: 0 */
   uint64_t max_passes;       /* of as many steps as there are blocks: 10000 */
 } obc_sphere_optimizer_relaxation_options;
+
+/* A relaxation that is done in parts. */
+typedef struct obc_sphere_optimizer_relaxation obc_sphere_optimizer_relaxation;
 
 /* What a relaxation did; set struct_size before asking for it. */
 typedef struct obc_sphere_optimizer_relaxation_result {
   uint32_t struct_size;
-  int32_t stop;         /* CONVERGED, ITERATION_BUDGET, STALLED, CANCELLED, EVALUATION_FAILED (where a block is) */
+  int32_t stop;         /* CONVERGED, ITERATION_BUDGET, STALLED, CANCELLED, EVALUATION_FAILED (where a block is); RUNNING */
   double gain;          /* by how much f fell */
-  double gradient_norm; /* longest tangent gradient of a block at the end */
+  double gradient_norm; /* longest tangent gradient of a block, known at the end */
   uint64_t steps;
   uint64_t evaluations; /* of parts of f */
   uint64_t failed_steps;
+  double over_relaxation; /* of the latest step */
 } obc_sphere_optimizer_relaxation_result;
 
 /* The part of f that contains `block`, if that block was at `place` (dimension numbers) and all others where `points` (all
@@ -192,14 +206,45 @@ OBC_API obc_status obc_sphere_optimizer_relaxation_options_init(obc_sphere_optim
                                                                 size_t struct_size);
 
 /* Lowers f block by block: x (count * dimension numbers) holds the start, scaled to length 1, and gets the end. options, host
- * and result may be NULL. The queue gives the block first whose or whose neighbours' last step gained most. Answers OBC_OK
- * however it ended (result->stop), but OBC_CANCELLED when the host cancelled it; x and result are filled then as well. To
- * stop and go on later, keep x. Errors: invalid argument (also a neighbour out of range), out of memory. */
+ * and result may be NULL. Answers OBC_OK however it ended (result->stop), but OBC_CANCELLED when the host cancelled it; x and
+ * result are filled then as well. Errors: invalid argument (also a neighbour out of range), out of memory. */
 OBC_API obc_status obc_sphere_optimizer_relax(const obc_sphere_optimizer_blocks *blocks,
                                               const obc_sphere_optimizer_relaxation_options *options,
                                               obc_sphere_optimizer_block_function f, void *user, double *x,
                                               obc_sphere_optimizer_relaxation_result *result, const obc_host *host,
                                               obc_error *error);
+
+/* The same in parts: _create copies blocks and x0 (scaled to length 1); what the host points at must stay valid until
+ * _destroy. */
+OBC_API obc_status obc_sphere_optimizer_relaxation_create(const obc_sphere_optimizer_blocks *blocks,
+                                                          const obc_sphere_optimizer_relaxation_options *options,
+                                                          const double *x0, const obc_host *host,
+                                                          obc_sphere_optimizer_relaxation **out, obc_error *error);
+
+/* At most `steps` more steps of one block each, without an allocation; at the end of the relaxation its gradients are
+ * measured. Answers OBC_OK however it ended; stop is RUNNING when steps are left to do, CANCELLED when f answered STOP.
+ * OBC_CANCELLED: the host cancelled. However it was broken off, the step under way is as if it had not begun, and the next
+ * _run goes on with the same bits as without the break. */
+OBC_API obc_status obc_sphere_optimizer_relaxation_run(obc_sphere_optimizer_relaxation *relaxation,
+                                                       obc_sphere_optimizer_block_function f, void *user,
+                                                       uint64_t steps, obc_error *error);
+
+/* What is known now: result (or NULL) and x (count * dimension numbers, or NULL). */
+OBC_API obc_status obc_sphere_optimizer_relaxation_get_result(const obc_sphere_optimizer_relaxation *relaxation,
+                                                              obc_sphere_optimizer_relaxation_result *result,
+                                                              double *x, obc_error *error);
+
+/* The relaxation as bytes between two calls, like a run of the all-at-once solver. load takes the blocks of the saved one
+ * again (invalid argument if they are others), with the options of the saved one. */
+OBC_API size_t obc_sphere_optimizer_relaxation_save_size(const obc_sphere_optimizer_relaxation *relaxation);
+OBC_API obc_status obc_sphere_optimizer_relaxation_save(const obc_sphere_optimizer_relaxation *relaxation, void *blob,
+                                                        size_t capacity, obc_error *error);
+OBC_API obc_status obc_sphere_optimizer_relaxation_load(const obc_sphere_optimizer_blocks *blocks, const void *blob,
+                                                        size_t size, const obc_host *host,
+                                                        obc_sphere_optimizer_relaxation **out, obc_error *error);
+
+/* Releases a relaxation; NULL is fine. */
+OBC_API void obc_sphere_optimizer_relaxation_destroy(obc_sphere_optimizer_relaxation *relaxation);
 
 /* English name of a stop, such as "evaluation budget". Never NULL; a static string. */
 OBC_API const char *obc_sphere_optimizer_stop_name(int32_t stop);

@@ -1,0 +1,130 @@
+// What every solver that asks its caller for value and gradient, one point at a time, keeps of its run: where it
+// stands, its counts, which value and which stationarity were the lowest, and when to end. The method itself is the
+// solver's.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "base/error.h"
+#include "base/host.h"
+
+namespace orbicube::base {
+
+enum class Request : std::int32_t {
+  need_value_and_gradient = 1,  // of f at point(); answer with tell()
+  iteration = 2,                // point() is a new iterate; nothing to answer
+  done = 3,                     // see result()
+};
+
+enum class RunPhase : std::int32_t { created, asked_first, told_first, iterate, asked, told, done };
+
+// Plain data without padding, saved as bytes. `Stop` is the library's, with running, converged, target_reached,
+// evaluation_budget, iteration_budget, stalled and cancelled among its values.
+template <class Stop>
+struct GradientRun {
+  RunPhase phase = RunPhase::created;
+  Stop stop = Stop::running;
+  std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
+  std::uint64_t cancelled_by_host = 0;
+  std::uint64_t without_gain = 0;  // iterations since value or stationarity were lower than ever before
+  double value = 0, trial_value = 0;
+  double best_value = std::numeric_limits<double>::infinity();
+  double measure = std::numeric_limits<double>::infinity();       // of stationarity, at the iterate
+  double best_measure = std::numeric_limits<double>::infinity();  // at the best point, infinite while it is not known
+  double lowest_measure = std::numeric_limits<double>::infinity();
+
+  // Values of f that differ by less may be the same.
+  static double rounding_of(double value) { return 8 * std::numeric_limits<double>::epsilon() * std::abs(value); }
+
+  bool asked() const { return phase == RunPhase::asked || phase == RunPhase::asked_first; }
+
+  // One step of the solver: advance() answers the request. Reports first; a host that cancels, there or inside, ends
+  // the run.
+  template <class Advance>
+  Request step(const Host& host, const char* name, std::uint64_t max_evaluations, const Advance& advance) {
+    if (asked()) return Request::need_value_and_gradient;
+    try {
+      host.report(name, evaluations, max_evaluations, best_value);
+      return advance();
+    } catch (const Error& error) {
+      if (error.status() != Status::cancelled) throw;
+      cancelled_by_host = 1;
+      return finish(Stop::cancelled);
+    }
+  }
+
+  Request ask(RunPhase next, std::uint64_t max_evaluations) {
+    if (evaluations >= max_evaluations) return finish(Stop::evaluation_budget);
+    phase = next;
+    return Request::need_value_and_gradient;
+  }
+
+  Request finish(Stop reason) {
+    phase = RunPhase::done;
+    stop = reason;
+    return Request::done;
+  }
+
+  // The answer to a request: a finite value. True when it is the lowest so far, by more than rounding.
+  bool tell(double told) {
+    ++evaluations;
+    trial_value = told;
+    phase = phase == RunPhase::asked_first ? RunPhase::told_first : RunPhase::told;
+    const bool known = std::isfinite(best_measure);
+    if (!(told < best_value - (known ? rounding_of(best_value) : 0))) return false;
+    best_value = told;
+    best_measure = std::numeric_limits<double>::infinity();
+    without_gain = 0;
+    return true;
+  }
+
+  // f could not be evaluated.
+  void tell_failure() {
+    require(asked(), "nothing was asked for");
+    ++evaluations;
+    ++failed_evaluations;
+    trial_value = std::numeric_limits<double>::quiet_NaN();
+    phase = phase == RunPhase::asked_first ? RunPhase::told_first : RunPhase::told;
+  }
+
+  // The iterate's stationarity. True when the iterate is the best point: no higher by more than rounding, and nearer to
+  // stationary.
+  bool settle(double new_measure) {
+    measure = new_measure;
+    ++without_gain;
+    if (measure < lowest_measure) {
+      lowest_measure = measure;
+      without_gain = 0;
+    }
+    if (!(measure < best_measure && value <= best_value + rounding_of(best_value))) return false;
+    best_value = value;
+    best_measure = measure;
+    return true;
+  }
+
+  // Why the run is to end before another iteration, or running.
+  template <class Options>
+  Stop reason_to_end(const Options& options) const {
+    if (measure <= options.gradient_tolerance) return Stop::converged;
+    if (best_value <= options.target) return Stop::target_reached;
+    // Lower values are found for a while after the last that rounding resolves; nonmonotone searches may need more.
+    constexpr std::uint64_t patience = 200;
+    if (without_gain >= patience + 10 * options.history) return Stop::stalled;
+    if (iterations >= options.max_iterations) return Stop::iteration_budget;
+    return Stop::running;
+  }
+
+  // The parts of a library's result that all have.
+  template <class Result>
+  void describe(Result& result) const {
+    result.stop = stop;
+    if (evaluations > failed_evaluations) result.value = stop == Stop::converged ? value : best_value;
+    result.evaluations = evaluations;
+    result.failed_evaluations = failed_evaluations;
+    result.iterations = iterations;
+  }
+};
+
+}  // namespace orbicube::base
