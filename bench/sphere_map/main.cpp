@@ -1,6 +1,6 @@
 // Quality of maps beside Praun and Hoppe's, and time and memory by size.
 //
-//   bench-sphere-map quality FOLDER [balanced|angle-area|isometric]   the models of the table below that FOLDER has
+//   bench-sphere-map quality FOLDER [METHOD]   the models of the table below that FOLDER has
 //   bench-sphere-map scaling [VERTICES...]                            a shape made here, at several resolutions
 //
 // Praun and Hoppe's figures were measured with their program on the same files, CPU seconds on one machine: of the
@@ -8,12 +8,13 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "measured_run.h"
 #include "mesh/make_shape.h"
 #include "mesh/read.h"
 #include "sphere_map/measure.h"
@@ -23,6 +24,11 @@
 using namespace orbicube;
 
 namespace {
+
+const std::map<std::string, sphere_map::Method> methods = {
+    {"balanced", sphere_map::Method::balanced},   {"angle-area", sphere_map::Method::angle_area},
+    {"isometric", sphere_map::Method::isometric}, {"stretch", sphere_map::Method::stretch},
+    {"conformal", sphere_map::Method::conformal}, {"seed", sphere_map::Method::seed}};
 
 struct PeerRow {
   const char* file;
@@ -46,59 +52,23 @@ constexpr PeerRow praun_hoppe[] = {
     {"amo.ply", 20.15, 13.1, 0.813, 69.15},       {"igea.ply", 17.90, 2.9, 0.962, 96.47},
 };
 
-// The most that was allocated at once.
-class CountingMemory final : public std::pmr::memory_resource {
- public:
-  std::size_t peak() const { return peak_; }
-
- private:
-  void* do_allocate(std::size_t size, std::size_t alignment) override {
-    now_ += size;
-    peak_ = std::max(peak_, now_);
-    return std::pmr::new_delete_resource()->allocate(size, alignment);
-  }
-  void do_deallocate(void* pointer, std::size_t size, std::size_t alignment) override {
-    now_ -= size;
-    std::pmr::new_delete_resource()->deallocate(pointer, size, alignment);
-  }
-  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
-
-  std::size_t now_ = 0;
-  std::size_t peak_ = 0;
-};
-
-double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
 struct Run {
-  sphere_map::Measurement figures;
-  double seconds;
-  std::size_t peak_bytes;
+  bench::MeasuredRun map;
   bool float32_is_valid;
 };
 
 Run run(const mesh::Mesh& surface, sphere_map::Method method) {
-  CountingMemory memory;
-  base::Host host;
-  host.memory = &memory;
-  host.thread_count = 1;
   sphere_map::Options options;
   options.method = method;
-  const double start = cpu_seconds();
-  const auto directions = sphere_map::compute(surface.positions, surface.triangles, options, host);
-  Run result{};
-  result.seconds = cpu_seconds() - start;
-  result.peak_bytes = memory.peak();
-  result.figures = sphere_map::measure(surface.positions, surface.triangles, directions, options.angle_weight,
-                                       options.area_weight, base::Host());
+  Run result{bench::measured_run(surface,
+                                 [&](const base::Host& host) {
+                                   return sphere_map::compute(surface.positions, surface.triangles, options, host);
+                                 }),
+             false};
   try {
-    sphere_map::round_to_float(surface.triangles, directions, base::Host());
+    sphere_map::round_to_float(surface.triangles, result.map.directions, base::Host());
     result.float32_is_valid = true;
   } catch (const base::Error&) {
-    result.float32_is_valid = false;
   }
   return result;
 }
@@ -113,12 +83,12 @@ int quality(const std::filesystem::path& folder, sphere_map::Method method) {
     if (!std::filesystem::exists(folder / peer.file)) continue;
     const mesh::Mesh surface = mesh::read_mesh(folder / peer.file, {}, base::Host());
     const Run r = run(surface, method);
-    const auto& m = r.figures;
+    const auto& m = r.map.figures;
     const double excess = (m.energy - least_energy) / (peer.energy - least_energy);
     std::printf("%-16s %8zu %7s %8.2f %8.3f %8.3f %7.3f %9.4g %9.4g %7.3f %7.3f %7.2f %6.0f %s\n", peer.file,
                 surface.positions.size(), m.bijective ? "yes" : "NO", m.energy_angle, m.energy_area, m.energy, excess,
-                m.dilatation_largest, peer.dilatation_largest, m.stretch_efficiency, peer.stretch_efficiency, r.seconds,
-                peer.seconds / r.seconds, r.float32_is_valid ? "valid" : "refused");
+                m.dilatation_largest, peer.dilatation_largest, m.stretch_efficiency, peer.stretch_efficiency,
+                r.map.seconds, peer.seconds / r.map.seconds, r.float32_is_valid ? "valid" : "refused");
     std::fflush(stdout);
     ++models;
     valid += m.bijective;
@@ -126,8 +96,8 @@ int quality(const std::filesystem::path& folder, sphere_map::Method method) {
     log_excess += std::log(excess);
     worst_excess = std::max(worst_excess, excess);
     log_stretch += std::log(m.stretch_efficiency / peer.stretch_efficiency);
-    log_speed += std::log(peer.seconds / r.seconds);
-    least_speed = std::min(least_speed, peer.seconds / r.seconds);
+    log_speed += std::log(peer.seconds / r.map.seconds);
+    least_speed = std::min(least_speed, peer.seconds / r.map.seconds);
   }
   if (models == 0) {
     std::fprintf(stderr, "%s has none of the models\n", folder.c_str());
@@ -143,28 +113,45 @@ int quality(const std::filesystem::path& folder, sphere_map::Method method) {
   return valid == models ? 0 : 1;
 }
 
+// The exponent b of y = a x^b by least squares of the logarithms.
+class FittedPower {
+ public:
+  void add(double x, double y) {
+    const double u = std::log(x), v = std::log(y);
+    count_ += 1;
+    u_ += u;
+    v_ += v;
+    uu_ += u * u;
+    uv_ += u * v;
+  }
+  double exponent() const { return (count_ * uv_ - u_ * v_) / (count_ * uu_ - u_ * u_); }
+
+ private:
+  double count_ = 0, u_ = 0, v_ = 0, uu_ = 0, uv_ = 0;
+};
+
 int scaling(const std::vector<std::size_t>& sizes) {
-  std::printf("%10s %8s %9s %12s %10s\n", "vertices", "valid", "CPU s", "us a vertex", "B a vertex");
-  double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+  std::printf("%10s %8s %9s %12s %9s %11s\n", "vertices", "valid", "CPU s", "us a vertex", "peak MB", "B a vertex");
+  FittedPower time, memory;
+  bool all_valid = true;
   for (const std::size_t size : sizes) {
     mesh::ShapeOptions options;
     options.triangles = 2 * size;
     const mesh::Mesh surface = mesh::make_shape("creature", options, base::Host());
-    const Run r = run(surface, sphere_map::Method::balanced);
+    const bench::MeasuredRun r = run(surface, sphere_map::Method::balanced).map;
     const auto n = static_cast<double>(surface.positions.size());
-    std::printf("%10zu %8s %9.2f %12.2f %10.0f\n", surface.positions.size(), r.figures.bijective ? "yes" : "NO",
-                r.seconds, 1e6 * r.seconds / n, static_cast<double>(r.peak_bytes) / n);
+    const auto bytes = static_cast<double>(r.peak_bytes);
+    std::printf("%10zu %8s %9.2f %12.2f %9.1f %11.0f\n", surface.positions.size(), r.figures.bijective ? "yes" : "NO",
+                r.seconds, 1e6 * r.seconds / n, 1e-6 * bytes, bytes / n);
     std::fflush(stdout);
-    sum_x += std::log(n);
-    sum_y += std::log(r.seconds);
-    sum_xx += std::log(n) * std::log(n);
-    sum_xy += std::log(n) * std::log(r.seconds);
+    all_valid = all_valid && r.figures.bijective;
+    time.add(n, r.seconds);
+    memory.add(n, bytes);
   }
-  const auto count = static_cast<double>(sizes.size());
   if (sizes.size() > 1) {
-    std::printf("time grows as n^%.2f\n", (count * sum_xy - sum_x * sum_y) / (count * sum_xx - sum_x * sum_x));
+    std::printf("time grows as n^%.2f, memory as n^%.2f\n", time.exponent(), memory.exponent());
   }
-  return 0;
+  return all_valid ? 0 : 1;
 }
 
 }  // namespace
@@ -172,16 +159,14 @@ int scaling(const std::vector<std::size_t>& sizes) {
 int main(int argc, char** argv) {
   const std::string what = argc > 1 ? argv[1] : "";
   if (what == "quality" && argc > 2) {
-    const std::string method = argc > 3 ? argv[3] : "balanced";
-    if (method == "balanced") return quality(argv[2], sphere_map::Method::balanced);
-    if (method == "angle-area") return quality(argv[2], sphere_map::Method::angle_area);
-    if (method == "isometric") return quality(argv[2], sphere_map::Method::isometric);
+    const auto method = methods.find(argc > 3 ? argv[3] : "balanced");
+    if (method != methods.end()) return quality(argv[2], method->second);
   }
   if (what == "scaling") {
     std::vector<std::size_t> sizes;
     for (int i = 2; i < argc; ++i)
       sizes.push_back(std::strtoul(argv[i], nullptr, 10));
-    if (sizes.empty()) sizes = {10'000, 30'000, 100'000, 300'000, 1'000'000};
+    if (sizes.empty()) sizes = {10'000, 30'000, 100'000, 300'000, 1'000'000, 2'000'000};
     return scaling(sizes);
   }
   std::fprintf(stderr, "usage: %s quality FOLDER [METHOD] | scaling [VERTICES...]\n", argv[0]);

@@ -1,0 +1,127 @@
+// Figures for the dissertation's Tables 3.1 to 3.4 and Figure 3.2, one record a line, for tables.py.
+//
+//   bench-sphere-map-tables FOLDER     with the models cow.off, frog.obj, bunny.ply, ..., those that FOLDER has
+//
+// Tab-separated:
+//   map NAME METHOD vertices flipped E_D E_A E largest-dilatation stretch-efficiency CPU-seconds bytes-at-the-peak
+//   trace NAME iterations vertices E     of method seed
+#include <cinttypes>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "measured_run.h"
+#include "mesh/edge_table.h"
+#include "mesh/orient.h"
+#include "mesh/read.h"
+#include "sphere_map/normalise.h"
+#include "sphere_map/seed.h"
+#include "sphere_map/sphere_map.h"
+
+using namespace orbicube;
+
+namespace {
+
+struct Model {
+  const char* name;
+  const char* file;
+  int subdivisions;  // each triangle in four, so many times: the shape stays, the vertices become four times as many
+};
+
+constexpr Model models[] = {{"cow", "cow.off", 1},           {"frog", "frog.obj", 1},
+                            {"bunny", "bunny.ply", 0},       {"horse", "horse.ply", 0},
+                            {"david", "david.obj", 1},       {"venus", "venus.ply", 0},
+                            {"gargoyle", "gargoyle.ply", 1}, {"armadillo", "armadillo.ply", 1}};
+
+mesh::Mesh subdivided(const mesh::Mesh& coarse) {
+  const base::Host host;
+  const mesh::EdgeTable edges(coarse.positions.size(), coarse.triangles, host);
+  mesh::Mesh fine(host.memory);
+  fine.positions = coarse.positions;
+  std::vector<mesh::Index> middle_of(3 * coarse.triangles.size());
+  for (std::size_t edge = 0; edge < edges.size(); ++edge) {
+    const auto sides = edges.half_edges(edge);
+    const auto middle = static_cast<mesh::Index>(fine.positions.size());
+    for (const mesh::Index side : sides)
+      middle_of[side] = middle;
+    const mesh::Vector3& from = coarse.positions[mesh::start_of(coarse.triangles, sides[0])];
+    const mesh::Vector3& to = coarse.positions[mesh::end_of(coarse.triangles, sides[0])];
+    fine.positions.push_back(0.5 * (from + to));
+  }
+  for (std::size_t i = 0; i < coarse.triangles.size(); ++i) {
+    const auto [a, b, c] = coarse.triangles[i];
+    const mesh::Index ab = middle_of[3 * i];
+    const mesh::Index bc = middle_of[3 * i + 1];
+    const mesh::Index ca = middle_of[3 * i + 2];
+    for (const mesh::Triangle& t : {mesh::Triangle{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+      fine.triangles.push_back(t);
+  }
+  return fine;
+}
+
+void print(const Model& model, const char* method, const bench::MeasuredRun& run) {
+  const sphere_map::Measurement& m = run.figures;
+  std::printf("map\t%s\t%s\t%zu\t%zu\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.4f\t%zu\n", model.name, method,
+              run.directions.size(), m.flipped + m.degenerate, m.energy_angle, m.energy_area, m.energy,
+              m.dilatation_largest, m.stretch_efficiency, run.seconds, run.peak_bytes);
+  std::fflush(stdout);
+}
+
+// In place of sphere_map::compute, for the trace; the model is known to be fit for a map.
+bench::MeasuredRun traced_seed(const Model& model, const mesh::Mesh& surface) {
+  const base::Host plain;
+  const auto unit = sphere_map::normalised(surface.positions, plain.memory);
+  std::vector<sphere_map::seed::TracePoint> points;
+  sphere_map::seed::SeedOptions options;
+  options.trace = [&](const sphere_map::seed::TracePoint& point) {
+    if (!points.empty() && point.iterations <= points.back().iterations) points.clear();  // it began again
+    points.push_back(point);
+  };
+  bench::MeasuredRun run = bench::measured_run(surface, [&](const base::Host& host) {
+    return sphere_map::seed::compute(unit, surface.triangles, options, host);
+  });
+  std::uint64_t next = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const bool whole = points[i].vertices == surface.positions.size();
+    if (!whole && points[i].iterations < next) continue;
+    next = points[i].iterations + points[i].iterations / 50;  // enough for a curve
+    std::printf("trace\t%s\t%" PRIu64 "\t%zu\t%.9g\n", model.name, points[i].iterations, points[i].vertices,
+                points[i].energy);
+  }
+  return run;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::fprintf(stderr, "usage: %s FOLDER\n", argv[0]);
+    return 2;
+  }
+  const std::filesystem::path folder = argv[1];
+  int found = 0;
+  for (const Model& model : models) {
+    if (!std::filesystem::exists(folder / model.file)) continue;
+    ++found;
+    mesh::Mesh surface = mesh::read_mesh(folder / model.file, {}, base::Host());
+    for (int i = 0; i < model.subdivisions; ++i)
+      surface = subdivided(surface);
+    mesh::orient(surface.positions, surface.triangles, base::Host());
+    print(model, "seed", traced_seed(model, surface));
+    const auto with = [&](const char* name, sphere_map::Method method) {
+      sphere_map::Options options;
+      options.method = method;
+      print(model, name, bench::measured_run(surface, [&](const base::Host& host) {
+              return sphere_map::compute(surface.positions, surface.triangles, options, host);
+            }));
+    };
+    with("balanced", sphere_map::Method::balanced);
+    with("angle-area", sphere_map::Method::angle_area);
+  }
+  if (found == 0) {
+    std::fprintf(stderr, "%s has none of the models\n", folder.c_str());
+    return 1;
+  }
+  return 0;
+}
