@@ -16,9 +16,15 @@ inline double dot(const double* a, const double* b, std::size_t count) {
     for (std::size_t k = 0; k < lanes; ++k)
       sum[k] += a[i + k] * b[i + k];
   }
-  for (std::size_t k = 0; i < count; ++i, ++k)
-    sum[k] += a[i] * b[i];
-  return ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7]));
+  if (i + 4 <= count) {
+    for (std::size_t k = 0; k < 4; ++k)
+      sum[k] += a[i + k] * b[i + k];
+    i += 4;
+  }
+  double rest = 0;
+  for (; i < count; ++i)
+    rest += a[i] * b[i];
+  return ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7])) + rest;
 }
 
 inline double norm(const double* a, std::size_t count) {
@@ -28,6 +34,12 @@ inline double norm(const double* a, std::size_t count) {
 inline void add_scaled(double* __restrict to, double factor, const double* __restrict from, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     to[i] += factor * from[i];
+}
+
+inline void add_two_scaled(double* __restrict to, double first, const double* __restrict a, double second,
+                           const double* __restrict b, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i)
+    to[i] += first * a[i] + second * b[i];
 }
 
 // y = A x, A with `rows` rows of `columns` entries that start `stride` apart.

@@ -248,9 +248,7 @@ bool Interpolation::replace(std::size_t j) {
   away[row] += 1;
   for (std::size_t i = 0; i < full; ++i) {
     const double first = (a * away[i] + tau * column[i]) / sigma, second = (tau * away[i] - beta_ * column[i]) / sigma;
-    double* to = inverse_row(i);
-    for (std::size_t k = 0; k < full; ++k)
-      to[k] += first * away[k] + second * column[k];
+    add_two_scaled(inverse_row(i), first, away, second, column, full);
   }
   std::copy_n(new_point_.data(), n_, points_.data() + j * n_);
   std::copy_n(new_offset_.data(), n_, offsets_.data() + j * n_);
@@ -342,6 +340,24 @@ void Interpolation::interpolant(const double* values, double* gradient, double* 
   for (std::size_t k = 0; k < size_; ++k)
     add_square_lower(hessian, n_, work[n_ + k], offset(k));
   mirror_lower(hessian, n_);
+}
+
+double Interpolation::coefficient(std::size_t j, const double* values) const {
+  // Rows of the points sum to zero over the points, so that no constant matters.
+  return dot(inverse_row(n_ + j) + n_, values, size_);
+}
+
+void Interpolation::transform(const double* c, const double* best) {
+  const double* center = point(best_);
+  for (std::size_t j = 0; j < size_; ++j) {
+    if (j == best_) continue;
+    for (std::size_t i = 0; i < n_; ++i)
+      new_offset_[i] = point(j)[i] - center[i];
+    double* to = points_.data() + j * n_;
+    multiply(c, n_, n_, n_, new_offset_.data(), to);
+    add_scaled(to, 1, best, n_);
+  }
+  place(best_, best);
 }
 
 }  // namespace orbicube::trust_region

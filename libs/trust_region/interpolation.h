@@ -37,6 +37,9 @@ class Interpolation {
   bool rebuild();
   // Whether so much has changed since the last rebuild() that rounding may matter.
   bool wants_rebuild() const { return updates_ > 4 * (n_ + size_); }
+  // x - best becomes C (x - best) for all points, C n x n by rows; the best point becomes `best`. rebuild() must
+  // follow.
+  void transform(const double* c, const double* best);
   // Makes base the best point when it is many steps away: quadratics around a far base lose digits.
   void move_base(double step);
 
@@ -68,6 +71,9 @@ class Interpolation {
   // The same of sum_j b_j l_j, the interpolant of `values` (size() entries) without memory. b of the best point counts
   // as the constant.
   void interpolant(const double* values, double* gradient, double* hessian, double* work) const;
+
+  // The coefficient of point j's (s_j'x)^2 / 2 in that interpolant.
+  double coefficient(std::size_t j, const double* values) const;
 
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit) {

@@ -9,6 +9,17 @@
 #include "trust_region/solver.h"
 
 namespace orbicube::trust_region {
+namespace {
+
+// The part of the predicted change by which f must fall for a step to count as a success.
+constexpr double enough = 0.05;
+// Powell's resolutions fall by ten at a time; by less, where short steps lower them as well.
+constexpr double decay = 0.2;
+// Radii beyond which a point asks to be replaced: with 2n + 1 points (as Powell), and where more give the model some
+// hold without it. Radii beyond which it is given up, where the set may grow again.
+constexpr double far_of_few = 2, far_of_many = 5, too_far = 30;
+
+}  // namespace
 
 Request Solver::iterate() {
   while (state_.phase == Phase::iterate) {
@@ -31,14 +42,46 @@ Request Solver::iterate() {
 }
 
 bool Solver::prepare_models() {
-  if (state_.spoiled != 0 || interpolation_.wants_rebuild()) {
-    if (!interpolation_.rebuild()) return false;
+  const bool turned = state_.spoiled == 0 && wants_metric() && adapt_metric();
+  if (turned || state_.spoiled != 0 || interpolation_.wants_rebuild()) {
+    if (!mend()) return false;
     state_.spoiled = 0;
     models_.meet(interpolation_);
   }
   interpolation_.move_base(state_.radius);
-  models_.refresh(interpolation_);
   return true;
+}
+
+// The inverse made afresh; as long as the points are not poised, the farthest is given up.
+bool Solver::mend() {
+  state_.spoiled = 1;
+  while (!interpolation_.rebuild()) {
+    if (interpolation_.size() <= variables_.free_size() + 1) return false;
+    forget_point(farthest_point(nullptr));
+  }
+  return true;
+}
+
+std::size_t Solver::farthest_point(double* distance) const {
+  std::size_t farthest = 0;
+  double most = 0;
+  for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+    const double away = interpolation_.distance_to_best(j);
+    if (away > most) {
+      most = away;
+      farthest = j;
+    }
+  }
+  if (distance != nullptr) *distance = most;
+  return farthest;
+}
+
+void Solver::forget_point(std::size_t j) {
+  if (state_.spoiled == 0) models_.leave(interpolation_, j);
+  const std::size_t last = interpolation_.size() - 1;
+  models_.move(last, j);
+  values_[j] = values_[last];
+  if (!interpolation_.remove(j)) state_.spoiled = 1;
 }
 
 // The box as seen from the best point + d.
@@ -101,12 +144,6 @@ double Solver::choose_step(double* d) {
   return value;
 }
 
-// By how much of the predicted change f must fall for a step to count as a success.
-double Solver::threshold() const {
-  const std::size_t n = variables_.free_size();
-  return options_.method == Method::two_radii && interpolation_.capacity() == (n + 1) * (n + 2) / 2 ? 0.01 : 0.1;
-}
-
 Request Solver::try_step() {
   const std::size_t n = variables_.free_size();
   double* d = step_.data();
@@ -116,8 +153,8 @@ Request Solver::try_step() {
   const double least = std::max(1e-15 * std::abs(state_.best_value), 0.1 * noise());
   bool worth = predicted > (is_short || noise() > 0 ? least : 0);
   if (is_short) {
-    // Residual models predict well enough for a short step to be worth an evaluation.
-    worth = worth && models_.least_squares() && length > 0.1 * options_.radius_end && length > 1e-15 * norm(best, n);
+    // Good models make a short step worth an evaluation: it tells whether the resolution can fall with it.
+    worth = worth && length > 0.1 * options_.radius_end && length > 1e-15 * norm(best, n);
   }
   if (worth) {
     bool moves = false;
@@ -149,7 +186,8 @@ Request Solver::take_trial() {
   const bool failed = !std::isfinite(state_.told_value), seed = options_.method == Method::seed;
   const double length = norm(step_.data(), n), before = values_[best], slack = noise();
   const double ratio = failed ? -1 : (before - state_.told_value + slack) / (state_.predicted + slack);
-  const double enough = threshold(), resolution = state_.resolution;
+  const double resolution = state_.resolution;
+  if (ratio < enough) ++state_.poor_steps;
   state_.phase = Phase::iterate;
   if (!failed) models_.judge(step_.data(), told_.data(), best);
   if (state_.short_step != 0) {
@@ -212,9 +250,8 @@ void Solver::include(std::size_t j, double value) {
     }
   }
   const std::size_t best = interpolation_.best();
-  models_.predict_remembering(step_.data(), error_.data());
-  for (std::size_t i = 0; i < error_.size(); ++i)
-    error_[i] = told_[i] - models_.row(best)[i] - error_[i];
+  if (good && !added) models_.leave(interpolation_, j);
+  models_.expect(step_.data(), told_.data(), best);
   good = good && (added ? interpolation_.append() : interpolation_.replace(j));
   if (!good) {
     // The inverse is lost: the point is placed, and everything is made afresh at the next iteration.
@@ -229,7 +266,7 @@ void Solver::include(std::size_t j, double value) {
     if (better || j == best) interpolation_.set_best(j);
   } else {
     if (j == best) models_.shift(step_.data());
-    models_.learn(interpolation_, j, error_.data());
+    models_.learn(interpolation_, j);
     if (better && j != best) {
       interpolation_.set_best(j);
       models_.shift(step_.data());
@@ -267,21 +304,11 @@ std::size_t Solver::who_leaves(bool better) const {
 void Solver::drop_far_points() {
   const std::size_t n = variables_.free_size();
   if (interpolation_.capacity() <= 2 * n + 1) return;
-  const double far = 30 * std::max(state_.radius, state_.resolution);
   while (interpolation_.size() > n + 1) {
-    std::size_t farthest = 0;
     double most = 0;
-    for (std::size_t j = 0; j < interpolation_.size(); ++j) {
-      const double away = interpolation_.distance_to_best(j);
-      if (away > most) {
-        most = away;
-        farthest = j;
-      }
-    }
-    if (!(most > far)) return;
-    models_.move(interpolation_.size() - 1, farthest);
-    values_[farthest] = values_[interpolation_.size() - 1];
-    if (!interpolation_.remove(farthest)) state_.spoiled = 1;
+    const std::size_t farthest = farthest_point(&most);
+    if (!(most > too_far * std::max(state_.radius, state_.resolution))) return;
+    forget_point(farthest);
   }
 }
 
@@ -289,7 +316,7 @@ void Solver::drop_far_points() {
 Request Solver::improve_geometry() {
   const std::size_t n = variables_.free_size(), best = interpolation_.best();
   // A set that grows soon has near points enough.
-  double far = (interpolation_.capacity() > 2 * n + 1 ? 3 : 2) * state_.radius;
+  double far = (interpolation_.capacity() > 2 * n + 1 ? far_of_many : far_of_few) * state_.radius;
   std::size_t leaving = interpolation_.size();
   for (std::size_t j = 0; j < interpolation_.size(); ++j) {
     const double away = interpolation_.distance_to_best(j);
@@ -383,9 +410,7 @@ Request Solver::take_geometry() {
   }
   // No value there: without the far point where that can be, else to the other side, else with a smaller radius.
   if (interpolation_.size() > n + 1) {
-    models_.move(interpolation_.size() - 1, state_.leaving);
-    values_[state_.leaving] = values_[interpolation_.size() - 1];
-    if (!interpolation_.remove(state_.leaving)) state_.spoiled = 1;
+    forget_point(state_.leaving);
     return Request::iteration;
   }
   if (++state_.geometry_tries <= 4) {
@@ -429,7 +454,7 @@ Request Solver::reduce_resolution() {
   // Powell 2006, section 7: in the end by few steps of equal ratio.
   const double ratio = state_.resolution / end;
   state_.radius = 0.5 * state_.resolution;
-  state_.resolution = ratio <= 16 ? end : ratio <= 250 ? std::sqrt(state_.resolution * end) : 0.1 * state_.resolution;
+  state_.resolution = ratio <= 16 ? end : ratio <= 250 ? std::sqrt(state_.resolution * end) : decay * state_.resolution;
   state_.radius = std::max(state_.radius, state_.resolution);
   return Request::iteration;
 }

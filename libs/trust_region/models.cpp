@@ -25,7 +25,9 @@ Models::Models(std::size_t n, std::size_t outputs, bool least_squares, std::span
       work_(2 * (n + capacity), 0.0, memory),
       values_(capacity, 0.0, memory),
       change_(outputs, 0.0, memory),
-      slopes_(outputs * n, 0.0, memory) {
+      slopes_(outputs * n, 0.0, memory),
+      surprise_(outputs, 0.0, memory),
+      surprise_afresh_(two_families ? outputs : 0, 0.0, memory) {
   std::copy(sign.begin(), sign.end(), sign_.begin());
 }
 
@@ -62,17 +64,11 @@ void Models::meet(const Interpolation& interpolation) {
     interpolation.interpolant(values_.data(), gradient, lagrange_hessian_.data(), work_.data());
     add_scaled(hessian, 1, lagrange_hessian_.data(), n_ * n_);
   }
+  make_afresh(interpolation);
 }
 
-void Models::learn(const Interpolation& interpolation, std::size_t j, const double* error) {
-  interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data());
-  for (std::size_t i = 0; i < outputs_; ++i) {
-    add_scaled(remembering_.gradient.data() + i * n_, error[i], lagrange_gradient_.data(), n_);
-    add_scaled(remembering_.hessian.data() + i * n_ * n_, error[i], lagrange_hessian_.data(), n_ * n_);
-  }
-}
-
-void Models::refresh(const Interpolation& interpolation) {
+void Models::make_afresh(const Interpolation& interpolation) {
+  stale_ = 0;
   if (!two_families_) return;
   for (std::size_t i = 0; i < outputs_; ++i) {
     for (std::size_t j = 0; j < interpolation.size(); ++j)
@@ -82,10 +78,82 @@ void Models::refresh(const Interpolation& interpolation) {
   }
 }
 
-void Models::shift(const double* d) {
+// The interpolant of least norm on the other points: what point j's square contributes goes, without a change of the
+// values at the others, when lambda_j / alpha_j of its Lagrange function is taken off.
+void Models::leave(const Interpolation& interpolation, std::size_t j) {
+  if (!two_families_ || stale_ != 0) return;
+  const double alpha = interpolation.alpha(j), away = interpolation.distance_to_best(j);
+  // Where the Lagrange function is almost linear the quotient has no digits.
+  if (!(alpha * away * away * away * away > 1e-6)) {
+    stale_ = 1;
+    return;
+  }
+  interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data());
   for (std::size_t i = 0; i < outputs_; ++i) {
-    for (std::size_t k = 0; k < n_; ++k)
-      remembering_.gradient[i * n_ + k] += dot(remembering_.hessian.data() + (i * n_ + k) * n_, d, n_);
+    for (std::size_t k = 0; k < interpolation.size(); ++k)
+      values_[k] = row(k)[i];
+    const double factor = -interpolation.coefficient(j, values_.data()) / alpha;
+    add_scaled(afresh_.gradient.data() + i * n_, factor, lagrange_gradient_.data(), n_);
+    add_scaled(afresh_.hessian.data() + i * n_ * n_, factor, lagrange_hessian_.data(), n_ * n_);
+  }
+}
+
+void Models::expect(const double* d, const double* outputs, std::size_t best) {
+  predict(remembering_, d, surprise_.data());
+  if (two_families_) predict(afresh_, d, surprise_afresh_.data());
+  for (std::size_t i = 0; i < outputs_; ++i) {
+    const double change = outputs[i] - row(best)[i];
+    surprise_[i] = change - surprise_[i];
+    if (two_families_) surprise_afresh_[i] = change - surprise_afresh_[i];
+  }
+}
+
+void Models::learn(const Interpolation& interpolation, std::size_t j) {
+  interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data());
+  const auto add = [&](Family& family, const base::Array<double>& surprise) {
+    for (std::size_t i = 0; i < outputs_; ++i) {
+      add_scaled(family.gradient.data() + i * n_, surprise[i], lagrange_gradient_.data(), n_);
+      add_scaled(family.hessian.data() + i * n_ * n_, surprise[i], lagrange_hessian_.data(), n_ * n_);
+    }
+  };
+  add(remembering_, surprise_);
+  if (!two_families_) return;
+  if (stale_ != 0) {
+    make_afresh(interpolation);
+  } else {
+    add(afresh_, surprise_afresh_);
+  }
+}
+
+void Models::shift(const double* d) {
+  for (Family* family : {&remembering_, &afresh_}) {
+    for (std::size_t i = 0; i < family->gradient.size(); ++i)
+      family->gradient[i] += dot(family->hessian.data() + i * n_, d, n_);
+  }
+}
+
+// g becomes C^-T g, H becomes C^-T H C^-1.
+void Models::transform(const double* inverse) {
+  double* half = lagrange_hessian_.data();
+  for (Family* family : {&remembering_, &afresh_}) {
+    for (std::size_t i = 0; i * n_ < family->gradient.size(); ++i) {
+      double* gradient = family->gradient.data() + i * n_;
+      double* hessian = family->hessian.data() + i * n_ * n_;
+      std::copy_n(gradient, n_, lagrange_gradient_.data());
+      std::fill_n(gradient, n_, 0.0);
+      std::fill_n(half, n_ * n_, 0.0);
+      for (std::size_t k = 0; k < n_; ++k) {
+        add_scaled(gradient, lagrange_gradient_[k], inverse + k * n_, n_);
+        for (std::size_t a = 0; a < n_; ++a)
+          add_scaled(half + k * n_, hessian[k * n_ + a], inverse + a * n_, n_);
+      }
+      std::fill_n(hessian, n_ * n_, 0.0);
+      for (std::size_t k = 0; k < n_; ++k) {
+        for (std::size_t a = 0; a < n_; ++a)
+          add_scaled(hessian + a * n_, inverse[k * n_ + a], half + k * n_, a + 1);
+      }
+      mirror_lower(hessian, n_);
+    }
   }
 }
 
@@ -111,7 +179,7 @@ void Models::predict(const Family& family, const double* d, double* change) cons
 }
 
 double Models::change(const double* d, std::size_t best) {
-  predict(d, change_.data());
+  predict(family(), d, change_.data());
   if (!least_squares_) return change_[0];
   double sum = 0;
   for (std::size_t i = 0; i < outputs_; ++i)

@@ -1,9 +1,10 @@
 // The quadratic models of the outputs (f itself, or each residual) around the best point, and of the objective that
-// they make. Two families are kept: one that changes by the least Frobenius norm at each evaluation (Powell 2004) and,
-// for residuals, one of least Frobenius norm made afresh; the family that has predicted better is used.
+// they make. One family changes by the least Frobenius norm at each evaluation (Powell 2004). A second, where it is
+// kept, has the least Frobenius norm itself, without memory; the family that has predicted better is used.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory_resource>
 #include <span>
 
@@ -29,34 +30,35 @@ class Models {
 
   // No Hessian, no memory of predictions.
   void forget();
-  // After a rebuild of the interpolation: the remembering family gets the least change that meets all points.
+  // After a rebuild of the interpolation: the remembering family gets the least change that meets all points, the other
+  // is made afresh.
   void meet(const Interpolation& interpolation);
-  // After a prepared point was included as point j with outputs `row(j)`: what was predicted is given.
-  void learn(const Interpolation& interpolation, std::size_t j, const double* error);
-  // Makes the family without memory, where there are two.
-  void refresh(const Interpolation& interpolation);
+  // Before point j goes, whether or not another takes its place: the family without memory gives up its part in it.
+  void leave(const Interpolation& interpolation, std::size_t j);
+  // Before a prepared point best + d with these outputs is included: what the families do not predict.
+  void expect(const double* d, const double* outputs, std::size_t best);
+  // After it was included as point j.
+  void learn(const Interpolation& interpolation, std::size_t j);
+  // Whether the family without memory must be made afresh, because rounding would have spoiled it.
+  bool stale() const { return stale_ != 0; }
   // The best point moves by d to point `best`.
   void shift(const double* d);
+  // The unknowns u become C u, `inverse` is C^-1 (n x n by rows).
+  void transform(const double* inverse);
   // Compares the predictions of both families at best + d with what was told there.
   void judge(const double* d, const double* outputs, std::size_t best);
 
-  // Change of the outputs from the best point to best + d.
-  void predict(const double* d, double* change) const { predict(family(), d, change); }
-  void predict_remembering(const double* d, double* change) const { predict(remembering_, d, change); }
   // Change of the objective.
   double change(const double* d, std::size_t best);
   // Gradient (n) and Hessian (n x n) of the objective's model at best + d; for residuals those of the quartic
   // sum sign (r + change)^2.
   void expand(const double* d, std::size_t best, double* gradient, double* hessian);
-  // The step within the ball and the box by the Gauss-Newton-like start and further steps on the quartic belongs to the
-  // solver; this says whether that is worth while.
-  bool quartic() const { return least_squares_; }
-
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit) {
     for (auto* array : {&self.outputs_at_, &self.remembering_.gradient, &self.remembering_.hessian,
                         &self.afresh_.gradient, &self.afresh_.hessian, &self.errors_})
       visit(std::span(*array));
+    visit(std::span(&self.stale_, 1));
   }
 
  private:
@@ -64,6 +66,7 @@ class Models {
     base::Array<double> gradient, hessian;  // outputs x n, outputs x n x n
   };
   void predict(const Family& family, const double* d, double* change) const;
+  void make_afresh(const Interpolation& interpolation);
   const Family& family() const { return two_families_ && errors_[1] < errors_[0] ? afresh_ : remembering_; }
 
   std::size_t n_, outputs_;
@@ -72,7 +75,9 @@ class Models {
   base::Array<double> outputs_at_;  // capacity x outputs
   Family remembering_, afresh_;
   base::Array<double> errors_;  // of the predictions of both families, decaying
+  std::uint64_t stale_ = 0;
   base::Array<double> lagrange_gradient_, lagrange_hessian_, work_, values_, change_, slopes_;
+  base::Array<double> surprise_, surprise_afresh_;  // outputs each, from expect() to learn()
 };
 
 }  // namespace orbicube::trust_region

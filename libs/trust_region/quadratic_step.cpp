@@ -7,14 +7,18 @@
 #include "trust_region/dense.h"
 
 namespace orbicube::trust_region {
+namespace {
+
+// Relative, of |s| = radius, and of the model's reduction in the hard case.
+constexpr double accuracy_of_length = 1e-9, accuracy_of_value = 1e-14;
+
+}  // namespace
 
 QuadraticStep::QuadraticStep(std::size_t n, std::pmr::memory_resource* memory)
     : n_(n),
-      reduced_(n * n, 0.0, memory),
-      diagonal_(n, 0.0, memory),
-      below_(n, 0.0, memory),
-      factor_(n, 0.0, memory),
-      pivots_(n, 0.0, memory),
+      tridiagonal_(n, memory),
+      inverse_pivot_(n, 0.0, memory),
+      lower_(n, 0.0, memory),
       rotated_(n, 0.0, memory),
       trial_(n, 0.0, memory),
       derivative_(n, 0.0, memory),
@@ -27,7 +31,7 @@ void QuadraticStep::minimise(const double* gradient, const double* matrix, doubl
                              const double* upper, double* s) {
   std::fill_n(s, n_, 0.0);
   if (lower == nullptr) {
-    std::copy_n(matrix, n_ * n_, reduced_.data());
+    std::copy_n(matrix, n_ * n_, tridiagonal_.matrix());
     minimise_in_ball(n_, gradient, radius, s);
     return;
   }
@@ -53,7 +57,7 @@ void QuadraticStep::minimise(const double* gradient, const double* matrix, doubl
       }
       free_gradient_[a] = slope;
       for (std::size_t b = 0; b < count; ++b)
-        reduced_[a * count + b] = row[free_[b]];
+        tridiagonal_.matrix()[a * count + b] = row[free_[b]];
     }
     minimise_in_ball(count, free_gradient_.data(), std::sqrt(left), free_step_.data());
     // Along the way there, up to the first bound.
@@ -80,167 +84,124 @@ void QuadraticStep::minimise(const double* gradient, const double* matrix, doubl
     s[i] = s[i] < lower[i] ? lower[i] : s[i] > upper[i] ? upper[i] : s[i];
 }
 
-// Householder's reduction of reduced_ (size x size): reflector k in row k beyond the diagonal, its 2 / v'v in factor_.
-void QuadraticStep::to_tridiagonal(std::size_t size) {
-  double* p = trial_.data();
-  for (std::size_t k = 0; k + 2 < size; ++k) {
-    double* v = reduced_.data() + k * size + k + 1;
-    const std::size_t rest = size - k - 1;
-    diagonal_[k] = reduced_[k * size + k];
-    const double tail = dot(v + 1, v + 1, rest - 1), length = std::sqrt(tail + v[0] * v[0]);
-    factor_[k] = 0;
-    below_[k] = v[0];
-    if (!(tail > 0)) continue;
-    below_[k] = v[0] > 0 ? -length : length;
-    v[0] -= below_[k];
-    factor_[k] = 2 / (tail + v[0] * v[0]);
-    double* sub = reduced_.data() + (k + 1) * size + k + 1;
-    multiply(sub, size, rest, rest, v, p);
-    const double half = 0.5 * factor_[k] * factor_[k] * dot(v, p, rest);
-    for (std::size_t i = 0; i < rest; ++i)
-      p[i] = factor_[k] * p[i] - half * v[i];
-    for (std::size_t i = 0; i < rest; ++i) {
-      double* row = sub + i * size;
-      const double a = v[i], b = p[i];
-      for (std::size_t j = 0; j < rest; ++j)
-        row[j] -= a * p[j] + b * v[j];
-    }
-  }
-  if (size >= 2) {
-    diagonal_[size - 2] = reduced_[(size - 2) * size + size - 2];
-    below_[size - 2] = reduced_[(size - 2) * size + size - 1];
-    factor_[size - 2] = 0;
-  }
-  diagonal_[size - 1] = reduced_[size * size - 1];
-}
-
-// (T + shift I) x = right by LDL'; false unless the matrix is positive definite.
-bool QuadraticStep::solve(std::size_t size, double shift, const double* right, double* x) {
-  double pivot = diagonal_[0] + shift;
+// Pivots of T + shift I = LDL'; false unless it is positive definite.
+bool QuadraticStep::factorise(std::size_t size, double shift) {
+  const double* diagonal = tridiagonal_.diagonal();
+  const double* below = tridiagonal_.below();
+  double pivot = diagonal[0] + shift;
   for (std::size_t i = 0;; ++i) {
     if (!(pivot > 0)) return false;
-    pivots_[i] = pivot;
-    x[i] = right[i] - (i > 0 ? below_[i - 1] / pivots_[i - 1] * x[i - 1] : 0.0);
-    if (i + 1 == size) break;
-    pivot = diagonal_[i + 1] + shift - below_[i] * (below_[i] / pivot);
+    inverse_pivot_[i] = 1 / pivot;
+    if (i + 1 == size) return true;
+    lower_[i] = below[i] * inverse_pivot_[i];
+    pivot = diagonal[i + 1] + shift - below[i] * lower_[i];
   }
-  for (std::size_t i = size; i-- > 0;)
-    x[i] = x[i] / pivots_[i] - (i + 1 < size ? below_[i] / pivots_[i] * x[i + 1] : 0.0);
-  return true;
 }
 
-// From below, to rounding: bisection between Gershgorin's bound and the least diagonal entry.
-double QuadraticStep::lowest_eigenvalue(std::size_t size) const {
-  double low = std::numeric_limits<double>::infinity(), high = low, scale = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    const double reach = (i > 0 ? std::abs(below_[i - 1]) : 0.0) + (i + 1 < size ? std::abs(below_[i]) : 0.0);
-    low = std::min(low, diagonal_[i] - reach);
-    high = std::min(high, diagonal_[i]);
-    scale = std::max(scale, std::abs(diagonal_[i]) + reach);
-  }
-  while (high - low > 1e-14 * scale) {
-    const double middle = 0.5 * (low + high);
-    if (middle <= low || middle >= high) break;
-    double pivot = diagonal_[0] - middle;
-    bool above = pivot > 0;
-    for (std::size_t i = 1; above && i < size; ++i) {
-      pivot = diagonal_[i] - middle - below_[i - 1] * (below_[i - 1] / pivot);
-      above = pivot > 0;
-    }
-    (above ? low : high) = middle;
-  }
-  return low;
+// L x = right, then D L' x = that.
+void QuadraticStep::solve(std::size_t size, const double* right, double* x) const {
+  x[0] = right[0];
+  for (std::size_t i = 1; i < size; ++i)
+    x[i] = right[i] - lower_[i - 1] * x[i - 1];
+  x[size - 1] *= inverse_pivot_[size - 1];
+  for (std::size_t i = size - 1; i-- > 0;)
+    x[i] = x[i] * inverse_pivot_[i] - lower_[i] * x[i + 1];
 }
 
-// s + t z with z the eigenvector of the lowest eigenvalue and |s + t z| = radius, t the smaller of two.
-void QuadraticStep::add_lowest_direction(std::size_t size, double shift, double radius, double* s) {
-  double* z = derivative_.data();
+// A unit vector near the lowest eigenvalue's, by inverse iteration with the factors at hand; answers z'(T + shift I) z.
+double QuadraticStep::lowest_direction(std::size_t size, double* z) {
   for (std::size_t i = 0; i < size; ++i)
-    z[i] = 1 / static_cast<double>(i + 2);
+    z[i] = i % 2 == 0 ? 1 : -0.5;
+  double curvature = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 3; ++round) {
-    if (!solve(size, shift, z, trial_.data())) return;
+    solve(size, z, trial_.data());
     const double length = norm(trial_.data(), size);
-    if (!(length > 0) || !std::isfinite(length)) return;
+    if (!(length > 0) || !std::isfinite(length)) return std::numeric_limits<double>::infinity();
+    // With y = (T + shift I)^-1 z, y'(T + shift I) y = y'z.
+    curvature = dot(trial_.data(), z, size) / (length * length);
     for (std::size_t i = 0; i < size; ++i)
       z[i] = trial_[i] / length;
   }
-  const double along = dot(s, z, size), missing = radius * radius - dot(s, s, size);
-  if (!(missing > 0)) return;
-  const double root = std::sqrt(along * along + missing);
-  add_scaled(s, missing / (along + (along < 0 ? -root : root)), z, size);
+  return curvature;
 }
 
-// Of the matrix in reduced_, which is lost.
+// Of the matrix in tridiagonal_, which is lost. More and Sorensen 1983, section 3: Newton's iteration for the shift at
+// which |s(shift)| = radius on 1 / |s| - 1 / radius, which is nearly linear, within a bracket; where s stays short
+// although T + shift I is nearly singular (the hard case), the lowest eigenvector is added.
 void QuadraticStep::minimise_in_ball(std::size_t size, const double* gradient, double radius, double* s) {
   std::fill_n(s, size, 0.0);
   const double slope = norm(gradient, size);
   double magnitude = slope;
   for (std::size_t i = 0; i < size * size; ++i)
-    magnitude += std::abs(reduced_[i]);
+    magnitude += std::abs(tridiagonal_.matrix()[i]);
   if (!(magnitude < 1e150) || !(radius > 0)) return;  // squares are still finite
-  to_tridiagonal(size);
+  tridiagonal_.reduce(size);
+  const double* diagonal = tridiagonal_.diagonal();
+  const double* below = tridiagonal_.below();
   double* right = rotated_.data();
   for (std::size_t i = 0; i < size; ++i)
     right[i] = -gradient[i];
-  for (std::size_t k = 0; k + 2 < size; ++k) {
-    const double* v = reduced_.data() + k * size + k + 1;
-    if (factor_[k] != 0) add_scaled(right + k + 1, -factor_[k] * dot(v, right + k + 1, size - k - 1), v, size - k - 1);
-  }
+  tridiagonal_.to_reduced(right);
 
-  double scale = 0;
-  for (std::size_t i = 0; i < size; ++i)
-    scale = std::max({scale, std::abs(diagonal_[i]), i + 1 < size ? std::abs(below_[i]) : 0.0});
-  double low = 0, shift = 0;
-  bool definite = solve(size, 0, right, s);
-  for (std::size_t i = 0; definite && i < size; ++i)
-    definite = pivots_[i] > 1e-14 * scale;
-  if (!definite) {
-    // The least shift at which the matrix is safely positive definite.
-    low = std::max(0.0, -lowest_eigenvalue(size));
-    double margin = std::max(1e-13 * scale, 1e-300);
-    for (shift = low + margin; !solve(size, shift, right, s); shift = low + margin) {
-      if (!(shift < 1e200)) {
-        std::fill_n(s, size, 0.0);
-        return;
-      }
-      margin *= 4;
-    }
+  // Gershgorin's bounds of the eigenvalues, and from them of the shift.
+  double bottom = std::numeric_limits<double>::infinity(), top = -bottom, least = bottom;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double reach = (i > 0 ? std::abs(below[i - 1]) : 0.0) + (i + 1 < size ? std::abs(below[i]) : 0.0);
+    bottom = std::min(bottom, diagonal[i] - reach);
+    top = std::max(top, diagonal[i] + reach);
+    least = std::min(least, diagonal[i]);
   }
-  double length = norm(s, size);
-  if (length < radius) {
-    if (!definite) add_lowest_direction(size, shift, radius, s);
-  } else {
-    // |s(shift)| = radius: Newton's iteration on 1 / |s| - 1 / radius, which is nearly linear, within a bracket.
-    double high = slope / radius + low + scale * 1e-12;
-    low = shift;
-    for (int iteration = 0; iteration < 60 && std::abs(length - radius) > 1e-9 * radius; ++iteration) {
-      (length > radius ? low : high) = shift;
-      double next = 0.5 * (low + high);
-      if (solve(size, shift, s, derivative_.data())) {
-        const double change = dot(s, s, size) / dot(s, derivative_.data(), size) * (length - radius) / radius;
-        if (shift + change > low && shift + change < high) next = shift + change;
-      }
-      if (next <= low || next >= high) break;
-      shift = next;
-      if (!solve(size, shift, right, s)) {
-        low = shift;
-        length = std::numeric_limits<double>::infinity();
-        continue;
-      }
-      length = norm(s, size);
+  const double scale = std::max(std::abs(bottom), std::abs(top));
+  double low = std::max({0.0, -least, slope / radius - top});
+  double high = std::max(slope / radius - bottom, 0.0) + 1e-12 * scale + 1e-300;
+  double shift = low;
+  double* z = derivative_.data();
+  for (int iteration = 0; iteration < 100; ++iteration) {
+    if (!factorise(size, shift)) {
+      low = std::max(low, shift);
+      shift = std::max(std::sqrt(low * high), low + 0.01 * (high - low));
+      if (shift <= low || shift > high) shift = low + std::max(1e-14 * scale, 1e-300) * (iteration + 1);
+      high = std::max(high, shift);
+      continue;
     }
-    if (!std::isfinite(length)) solve(size, high, right, s);
-    length = norm(s, size);
+    solve(size, right, s);
+    const double length = norm(s, size);
+    if (length <= radius && shift == 0) break;
+    if (std::abs(length - radius) <= accuracy_of_length * radius) break;
     if (length > radius) {
-      for (std::size_t i = 0; i < size; ++i)
-        s[i] *= radius / length;
+      low = shift;
+    } else {
+      high = shift;
+      // s + t z on the sphere; how much worse than the best it can be is known (section 3.2 there).
+      const double curvature = lowest_direction(size, z);
+      const double along = dot(s, z, size), missing = radius * radius - length * length;
+      const double root = std::sqrt(along * along + missing), t = missing / (along + (along < 0 ? -root : root));
+      const double value = shift * radius * radius + dot(s, right, size);  // twice the reduction of the model by s
+      if (t * t * curvature <= accuracy_of_value * value || high - low <= 1e-14 * scale) {
+        add_scaled(s, t, z, size);
+        break;
+      }
+    }
+    solve(size, s, z);
+    const double next = shift + dot(s, s, size) / dot(s, z, size) * (length - radius) / radius;
+    if (next > low && next < high) {
+      shift = next;
+    } else {
+      const double middle = std::max(std::sqrt(low * high), low + 0.01 * (high - low));
+      if (!(middle > low && middle < high)) break;
+      shift = middle;
     }
   }
-  for (std::size_t k = size; k-- > 0;) {
-    if (k + 2 >= size || factor_[k] == 0) continue;
-    const double* v = reduced_.data() + k * size + k + 1;
-    add_scaled(s + k + 1, -factor_[k] * dot(v, s + k + 1, size - k - 1), v, size - k - 1);
+  const double length = norm(s, size);
+  if (!std::isfinite(length)) {
+    std::fill_n(s, size, 0.0);
+    return;
   }
+  if (length > radius) {
+    for (std::size_t i = 0; i < size; ++i)
+      s[i] *= radius / length;
+  }
+  tridiagonal_.from_reduced(s);
 }
 
 }  // namespace orbicube::trust_region

@@ -8,6 +8,7 @@
 #include <memory_resource>
 
 #include "base/array.h"
+#include "trust_region/tridiagonal.h"
 
 namespace orbicube::trust_region {
 
@@ -21,15 +22,13 @@ class QuadraticStep {
 
  private:
   void minimise_in_ball(std::size_t size, const double* gradient, double radius, double* s);
-  void to_tridiagonal(std::size_t size);
-  bool solve(std::size_t size, double shift, const double* right, double* x);
-  double lowest_eigenvalue(std::size_t size) const;
-  void add_lowest_direction(std::size_t size, double shift, double radius, double* s);
+  bool factorise(std::size_t size, double shift);
+  void solve(std::size_t size, const double* right, double* x) const;
+  double lowest_direction(std::size_t size, double* z);
 
   std::size_t n_;
-  base::Array<double> reduced_;  // n x n: the free part of B, then the reflectors of its tridiagonal form
-  base::Array<double> diagonal_, below_, factor_;     // of the tridiagonal matrix; beta of the reflectors
-  base::Array<double> pivots_;                        // of its LDL'
+  Tridiagonal tridiagonal_;                           // of the free part of B
+  base::Array<double> inverse_pivot_, lower_;         // its factors LDL'
   base::Array<double> rotated_, trial_, derivative_;  // n each
   base::Array<double> free_gradient_, free_step_;
   base::Array<std::uint32_t> free_;

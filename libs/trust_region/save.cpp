@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t fingerprint;  // of the problem
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCTRGN1", "trust_region");
+constexpr base::SavedRun<Description> saved_run("OBCTRGN2", "trust_region");
 
 }  // namespace
 
@@ -20,6 +20,7 @@ void Solver::visit_state(Self& self, const Visit& visit) {
                       &self.told_, &self.step_})
     visit(std::span(*array));
   visit(std::span(self.axes_));
+  Variables::visit_state(self.variables_, visit);
   Interpolation::visit_state(self.interpolation_, visit);
   Models::visit_state(self.models_, visit);
 }

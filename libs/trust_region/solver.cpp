@@ -29,9 +29,7 @@ const Options& checked(const Options& options) {
   return options;
 }
 
-// Up to this many unknowns the point set grows to that of full quadratics.
-constexpr std::size_t full_quadratic_limit = 12;
-// Up to this many the models of residuals are kept in both families.
+// Up to this many unknowns the models of residuals are kept in both families.
 constexpr std::size_t two_families_limit = 24;
 
 std::size_t capacity_of(const Problem& problem, const Options& options, std::size_t free) {
@@ -44,8 +42,15 @@ std::size_t capacity_of(const Problem& problem, const Options& options, std::siz
     return std::clamp<std::size_t>(options.points, free + 2, full);
   }
   if (options.method == Method::seed) return std::min(full, 2 * free + 1);
-  constexpr std::size_t limit = (full_quadratic_limit + 1) * (full_quadratic_limit + 2) / 2;
-  return std::min(full, std::max(limit, (problem.residuals > 0 ? 2 : 4) * free + 1));
+  // Sets grow to those of full quadratics while these are small.
+  return std::min(
+      full, problem.residuals > 0 ? std::max<std::size_t>(91, 2 * free + 1) : std::max<std::size_t>(45, 6 * free + 1));
+}
+
+// A scalar f with 2n + 1 points and no bounds does better with the memory alone, in the metric that it finds.
+bool two_families(const Problem& problem, const Variables& variables, std::size_t capacity) {
+  const std::size_t n = variables.free_size();
+  return problem.residuals > 0 ? n <= two_families_limit : variables.bounded() || capacity > 2 * n + 1;
 }
 
 }  // namespace
@@ -78,8 +83,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       variables_(problem, host.memory),
       interpolation_(variables_.free_size(), capacity_of(problem, options, variables_.free_size()), host.memory),
       models_(variables_.free_size(), problem.outputs(), problem.residuals > 0, problem.sign,
-              problem.residuals > 0 && variables_.free_size() <= two_families_limit, interpolation_.capacity(),
-              host.memory),
+              two_families(problem, variables_, interpolation_.capacity()), interpolation_.capacity(), host.memory),
       quadratic_step_(variables_.free_size(), host.memory),
       best_(problem.n, 0.0, host.memory),
       best_outputs_(problem.outputs(), std::numeric_limits<double>::quiet_NaN(), host.memory),
@@ -97,7 +101,8 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       low_(variables_.free_size(), 0.0, host.memory),
       high_(variables_.free_size(), 0.0, host.memory),
       candidate_(variables_.free_size(), 0.0, host.memory),
-      basis_(variables_.free_size() * variables_.free_size(), 0.0, host.memory) {
+      basis_(variables_.free_size() * variables_.free_size(), 0.0, host.memory),
+      eigen_(variables_.free_size(), host.memory) {
   require(start.size() == problem.n || start.empty(), "the start must have n entries");
   double largest = 1;
   for (std::size_t i = 0; i < start.size(); ++i) {

@@ -13,6 +13,7 @@
 #include "trust_region/models.h"
 #include "trust_region/problem.h"
 #include "trust_region/quadratic_step.h"
+#include "trust_region/tridiagonal.h"
 #include "trust_region/variables.h"
 
 namespace orbicube::trust_region {
@@ -87,7 +88,8 @@ class Solver {
     std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0, restarts = 0;
     std::uint64_t failures_in_row = 0;
     std::uint64_t design_next = 0, design_end = 0, axes_next = 0, axes_end = 0;
-    std::uint64_t leaving = 0;  // the point that the geometry step replaces
+    std::uint64_t metric_at = 0, poor_steps = 0;  // evaluations at the last change of coordinates; steps since
+    std::uint64_t leaving = 0;                    // the point that the geometry step replaces
     std::uint64_t geometry_tries = 0, start_tries = 0, poise_failures = 0;
     double radius = 0, resolution = 0, radius_begin = 0, predicted = 0;
     double best_value = 0, told_value = 0;
@@ -115,6 +117,9 @@ class Solver {
   // iteration.cpp
   Request iterate();
   bool prepare_models();
+  bool mend();
+  void forget_point(std::size_t j);
+  std::size_t farthest_point(double* distance) const;
   double choose_step(double* d);
   Request try_step();
   Request take_trial();
@@ -124,9 +129,11 @@ class Solver {
   void include(std::size_t j, double value);
   std::size_t who_leaves(bool better) const;
   void drop_far_points();
-  void predict_error();
   void relative_bounds(const double* d);
-  double threshold() const;
+
+  // metric.cpp
+  bool wants_metric() const;
+  bool adapt_metric();
 
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit);
@@ -146,7 +153,8 @@ class Solver {
   base::Array<double> requests_;      // the same rows as the caller sees them
   base::Array<double> told_, error_;  // outputs
   base::Array<double> step_, gradient_, hessian_, move_, low_, high_, candidate_;
-  base::Array<double> basis_;  // free x free, for plan_axes()
+  base::Array<double> basis_;  // free x free, for plan_axes() and adapt_metric()
+  Tridiagonal eigen_;
 };
 
 }  // namespace orbicube::trust_region

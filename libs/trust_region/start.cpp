@@ -88,7 +88,7 @@ Request Solver::next_of_start() {
   if (n == 0) return finish(Stop::converged);
   if (state_.axes_next == state_.axes_end) {
     if (interpolation_.size() >= n + 1 && interpolation_.rebuild()) {
-      models_.forget();
+      if (state_.iterations == 0) models_.forget();
       models_.meet(interpolation_);
       state_.phase = Phase::iterate;
       state_.next = Next::step;

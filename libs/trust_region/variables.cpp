@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "trust_region/dense.h"
 
 namespace orbicube::trust_region {
 using base::require;
@@ -17,7 +18,9 @@ Variables::Variables(const Problem& problem, std::pmr::memory_resource* memory)
       free_(memory),
       lower_(memory),
       upper_(memory),
-      scale_(memory) {
+      scale_(memory),
+      turn_(memory),
+      turn_work_(memory) {
   const std::size_t n = problem.n;
   const auto fits = [n](std::span<const double> a) { return a.empty() || a.size() == n; };
   require(n >= 1 && n <= 100000 && problem.residuals <= 100000000, "n must be from 1 to 100000");
@@ -49,6 +52,12 @@ Variables::Variables(const Problem& problem, std::pmr::memory_resource* memory)
     upper_[k] = full_upper_[free_[k]] / scale_[k];
     bounded_ = bounded_ || std::isfinite(lower_[k]) || std::isfinite(upper_[k]);
   }
+  if (!bounded_) {
+    turn_.assign(free_.size() * free_.size(), 0.0);
+    turn_work_.assign(free_.size() * free_.size(), 0.0);
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      turn_[k * free_.size() + k] = 1;
+  }
   base::Hash hash;
   const std::uint64_t sizes[] = {n, problem.residuals};
   hash.add(std::as_bytes(std::span(sizes)));
@@ -63,12 +72,41 @@ void Variables::to_free(std::span<const double> x, double* u) const {
     u[k] = x[free_[k]] / scale_[k];
 }
 
-void Variables::from_free(const double* u, std::span<double> x) const {
+void Variables::from_free(const double* u, std::span<double> x) {
   std::copy(full_lower_.begin(), full_lower_.end(), x.begin());  // the fixed ones
+  if (turned_ != 0) {
+    multiply(turn_.data(), free_.size(), free_.size(), free_.size(), u, turn_work_.data());
+    for (std::size_t k = 0; k < free_.size(); ++k)
+      x[free_[k]] = turn_work_[k] * scale_[k];
+    return;
+  }
   for (std::size_t k = 0; k < free_.size(); ++k) {
     const double low = full_lower_[free_[k]], high = full_upper_[free_[k]], value = u[k] * scale_[k];
     x[free_[k]] = u[k] <= lower_[k] || value < low ? low : u[k] >= upper_[k] || value > high ? high : value;
   }
+}
+
+void Variables::transform(const double* inverse) {
+  const std::size_t n = free_.size();
+  std::copy(turn_.begin(), turn_.end(), turn_work_.begin());
+  std::fill(turn_.begin(), turn_.end(), 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < n; ++k)
+      add_scaled(turn_.data() + i * n, turn_work_[i * n + k], inverse + k * n, n);
+  }
+  turned_ = 1;
+}
+
+double Variables::normalise(Tridiagonal& solver, double* work) {
+  // The root of the largest eigenvalue of T T'.
+  const std::size_t n = free_.size();
+  for (std::size_t i = 0; i < n; ++i)
+    multiply(turn_.data(), n, n, n, turn_.data() + i * n, solver.matrix() + i * n);
+  if (!solver.eigen(n, work, nullptr)) return 1;
+  const double stretch = std::sqrt(*std::max_element(work, work + n));
+  for (double& entry : turn_)
+    entry /= stretch;
+  return stretch;
 }
 
 void Variables::clip(double* u) const {

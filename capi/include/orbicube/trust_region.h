@@ -91,8 +91,8 @@ typedef struct obc_trust_region_options {
   uint32_t struct_size;
   int32_t method;           /* TWO_RADII */
   int32_t start;            /* AUTOMATIC */
-  uint64_t points;          /* interpolated at most, n + 2 to (n+1)(n+2)/2: 0, which is the larger of 4n + 1 (with residuals
-                               2n + 1) and 91, or all that a full quadratic has where that is less; SEED 2n + 1 */
+  uint64_t points;          /* interpolated at most, n + 2 to (n+1)(n+2)/2: 0, which is the larger of 6n + 1 and 45, with
+                               residuals of 2n + 1 and 91, or all that a full quadratic has where that is less; SEED 2n + 1 */
   double radius_begin;      /* of steps at the start: 0, a tenth of max(1, |x0 / scale|inf) */
   double radius_end;        /* of the resolution at the end, about the accuracy wanted of x / scale: 1e-8 */
   double target;            /* stop once f <= target: -infinity */
@@ -107,7 +107,7 @@ typedef struct obc_trust_region_result {
   uint32_t struct_size;
   int32_t stop;        /* OBC_TRUST_REGION_RUNNING, ... */
   double value;        /* f at the best point; NaN before the first value */
-  double radius;       /* of steps, now */
+  double radius;       /* of steps, now; without bounds along the longest axis of a trust region that is an ellipsoid */
   double resolution;
   uint64_t evaluations;
   uint64_t failed_evaluations;
