@@ -44,6 +44,7 @@ int run(int argc, char** argv) {
   orbicube::cli::add_convert(app, common);
   orbicube::cli::add_make(app, common);
   orbicube::cli::add_sphere(app, common);
+  orbicube::cli::add_frames(app, common);
   orbicube::cli::add_page(app, common);
   try {
     app.parse(argc, argv);

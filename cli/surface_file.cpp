@@ -73,6 +73,10 @@ void require_writable(const std::filesystem::path& path) {
     throw Failure(Exit::wrong_input, path.string(), "unsupported-format",
                   std::string("the ending must be one of ") + surface_endings);
   }
+  require_folder(path);
+}
+
+void require_folder(const std::filesystem::path& path) {
   const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
   std::error_code problem;
   if (!std::filesystem::is_directory(folder, problem)) {

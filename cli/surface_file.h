@@ -28,6 +28,9 @@ InputMesh read_input(const std::filesystem::path& path, bool weld, Session& sess
 // there: before long work, not after it.
 void require_writable(const std::filesystem::path& path);
 
+// The second of these alone, for files of other kinds.
+void require_folder(const std::filesystem::path& path);
+
 // Writes the mesh, whole or not at all; glTF in float32.
 void write_output(const std::filesystem::path& path, const mesh::Mesh& mesh, bool binary, const base::Host& host);
 

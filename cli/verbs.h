@@ -11,6 +11,7 @@ void add_info(CLI::App& app, CommonOptions& common);
 void add_convert(CLI::App& app, CommonOptions& common);
 void add_make(CLI::App& app, CommonOptions& common);
 void add_sphere(CLI::App& app, CommonOptions& common);
+void add_frames(CLI::App& app, CommonOptions& common);
 void add_page(CLI::App& app, CommonOptions& common);
 
 }  // namespace orbicube::cli

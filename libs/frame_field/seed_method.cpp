@@ -85,17 +85,16 @@ Outcome seed_method(const DualGraph& graph, const Constraints& constraints, cons
   static_assert(sizeof(Quaternion) == 4 * sizeof(double));
   auto* points = reinterpret_cast<double*>(field.data());
   const FrozenEnergy frozen(graph, constraints, matchings, points);
-  sphere_optimizer::RelaxationSpace space(n, host.memory);
-  sphere_optimizer::RelaxationResult result;
-  sphere_optimizer::relax(frozen, {points, 4 * n},
-                          {.method = sphere_optimizer::Method::seed,
-                           .gradient_tolerance = printed_tolerance,
-                           .relative_gain = printed_gain},
-                          space, host, result);
+  sphere_optimizer::Relaxation relaxation({n, 4},
+                                          {.method = sphere_optimizer::Method::seed,
+                                           .gradient_tolerance = printed_tolerance,
+                                           .relative_gain = printed_gain},
+                                          host.memory);
+  relaxation.run(frozen, {points, 4 * n}, host);
   Outcome outcome(host.memory);
   outcome.start = Start::identity;
   outcome.energy = energy(graph, field, host);
-  outcome.smoothing_steps = static_cast<std::uint32_t>(result.steps / n);
+  outcome.smoothing_steps = static_cast<std::uint32_t>(relaxation.result().steps / n);
   outcome.field.resize(n);
   by_tetrahedron(graph, field, outcome.field);
   return outcome;

@@ -1,0 +1,279 @@
+// orbicube frames: a smooth frame field on a mesh of tetrahedra, aligned with its boundary.
+#include "frame_field/frame_field.h"
+
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "checked_file.h"
+#include "frame_field/boundary_indices.h"
+#include "frame_field/frames_file.h"
+#include "frame_field/measurement.h"
+#include "frame_field/singularities.h"
+#include "mesh/cells.h"
+#include "surface_file.h"
+#include "verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+using frame_field::Start;
+
+const std::map<std::string, Start> starts = {{"auto", Start::automatic},
+                                             {"identity", Start::identity},
+                                             {"propagated", Start::propagated},
+                                             {"harmonic", Start::harmonic},
+                                             {"diffusion", Start::diffusion}};
+const std::map<std::string, frame_field::Weighting> weightings = {{"uniform", frame_field::Weighting::uniform},
+                                                                  {"geometric", frame_field::Weighting::geometric}};
+const std::map<std::string, frame_field::Method> methods = {{"smooth", frame_field::Method::smooth},
+                                                            {"seed", frame_field::Method::seed}};
+
+struct FramesOptions {
+  std::string input;
+  std::string output;
+  std::string start = "auto";
+  std::string from;
+  std::string boundary;
+  std::string method = "smooth";
+  std::string weights = "uniform";
+  double features = 0;  // degrees
+  std::uint32_t rounds = frame_field::Options{}.rounds;
+  bool free_boundary = false;
+  std::string vtk;
+};
+
+Json json_of(const frame_field::AngleStatistics& a) {
+  return {{"mean", a.mean}, {"sd", a.deviation}, {"median", a.median}, {"p99", a.p99}, {"max", a.largest}};
+}
+
+Json json_of(const frame_field::Measurement& m) {
+  Json histogram = Json::array();
+  for (const std::size_t n : m.histogram)
+    histogram.push_back(n);
+  return {{"E", m.energy},
+          {"angle_deg", json_of(m.symmetric)},
+          {"angle_without_symmetry_deg", json_of(m.plain)},
+          {"faces_above_30deg", m.above_30},
+          {"histogram", histogram},
+          {"interior_faces", m.inner_faces},
+          {"boundary_faces", m.boundary_faces},
+          {"norm_error", m.norm_error},
+          {"misalignment_deg",
+           {{"one_face_tets", m.one_face_tetrahedra},
+            {"one_face_max", m.one_face_largest},
+            {"one_face_mean", m.one_face_mean},
+            {"several_face_tets", m.several_face_tetrahedra},
+            {"several_best_face_max", m.several_best_largest},
+            {"several_worst_face_max", m.several_worst_largest}}}};
+}
+
+Json json_of(const frame_field::SingularGraph& g) {
+  const auto of = [&](quaternion::CubeClass kind) { return g.by_class[static_cast<std::size_t>(kind)]; };
+  std::size_t closed = 0;
+  for (const std::uint8_t c : g.curve_closed)
+    closed += c;
+  return {{"interior_edges", g.inner_edges},
+          {"singular_edges",
+           {{"total", g.edges.size()},
+            {"90", of(quaternion::CubeClass::face_quarter)},
+            {"180", of(quaternion::CubeClass::face_half)},
+            {"120", of(quaternion::CubeClass::corner_third)},
+            {"other", of(quaternion::CubeClass::edge_half)}}},
+          {"singular_length", g.singular_length},
+          {"singular_length_fraction", g.inner_length > 0 ? g.singular_length / g.inner_length : 0},
+          {"curves", g.curves()},
+          {"loops", closed},
+          {"nodes", g.nodes.size()},
+          {"boundary_ends", g.boundary_ends},
+          {"dead_ends", g.dead_ends.size()}};
+}
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g", value);
+  return text;
+}
+
+mesh::Mesh read_solid(const FramesOptions& options, Session& session) {
+  InputMesh input = read_input(options.input, false, session);
+  session.figures()["format"] = input.report.format;
+  session.figures()["seconds_read"] = input.seconds;
+  about(options.input, Role::input, [&] {
+    if (input.mesh.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra; frames live on a mesh of them");
+    mesh::require_valid_cells(input.mesh, session.host());
+    if (!input.mesh.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
+  });
+  return std::move(input.mesh);
+}
+
+// Frames of tetrahedra with a boundary face, from a file of all frames.
+base::Array<frame_field::GivenFrame> boundary_frames(const mesh::TetrahedralConnectivity& connectivity,
+                                                     const frame_field::Field& field, const base::Host& host) {
+  base::Array<frame_field::GivenFrame> result(host.memory);
+  for (mesh::Index t = 0; t < field.size(); ++t) {
+    bool outer = false;
+    for (mesh::Index k = 0; k < 4; ++k)
+      outer = outer || connectivity.on_boundary(4 * t + k);
+    if (outer) result.push_back({t, field[t]});
+  }
+  return result;
+}
+
+frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& solid,
+                             const mesh::TetrahedralConnectivity& connectivity, const base::Host& host) {
+  const auto read = [&](const std::string& path) {
+    return about(path, Role::input, [&] { return frame_field::read_frames(path, solid.tetrahedra.size(), host); });
+  };
+  frame_field::Field start(host.memory);
+  base::Array<frame_field::GivenFrame> held(host.memory);
+  if (!options.from.empty()) start = read(options.from);
+  if (!options.boundary.empty()) held = boundary_frames(connectivity, read(options.boundary), host);
+  frame_field::Options settings;
+  settings.start = options.from.empty() ? starts.at(options.start) : Start::given;
+  settings.method = methods.at(options.method);
+  settings.weighting = weightings.at(options.weights);
+  settings.align_boundary = !options.free_boundary;
+  settings.feature_angle = options.features * std::numbers::pi / 180;
+  settings.rounds = options.rounds;
+  return about(options.input, Role::input, [&] {
+    return frame_field::compute(solid.positions, solid.tetrahedra, settings,
+                                {.frames = held, .axes = {}, .start = start}, host);
+  });
+}
+
+void write(const FramesOptions& options, const mesh::Mesh& solid, const frame_field::Field& field,
+           const base::Host& host) {
+  about(options.output, Role::output, [&] {
+    CheckedFile file(options.output);
+    frame_field::write_frames(file.path(), field, host);
+    const frame_field::Field read = frame_field::read_frames(file.path(), field.size(), host);
+    for (std::size_t t = 0; t < field.size(); ++t) {
+      // Reading makes lengths 1 again, which may move the last bit.
+      if (!(std::abs(quaternion::dot(read[t], field[t]) - 1) < 1e-15 * 8))
+        throw base::Error("no-valid-result", "what was written is not what is read again");
+    }
+    file.commit();
+  });
+  if (options.vtk.empty()) return;
+  about(options.vtk, Role::output,
+        [&] { frame_field::write_vtk(options.vtk, solid.positions, solid.tetrahedra, field, host); });
+}
+
+void frames(const FramesOptions& options, Session& session) {
+  session.options() = {{"output", options.output},
+                       {"start", options.start},
+                       {"from", options.from},
+                       {"boundary", options.boundary},
+                       {"method", options.method},
+                       {"weights", options.weights},
+                       {"features", options.features},
+                       {"rounds", options.rounds},
+                       {"free_boundary", options.free_boundary},
+                       {"vtk", options.vtk}};
+  require_folder(options.output);
+  if (!options.vtk.empty()) require_folder(options.vtk);
+  const mesh::Mesh solid = read_solid(options, session);
+  const base::Host& host = session.host();
+  const auto connectivity = about(options.input, Role::input, [&] {
+    return mesh::TetrahedralConnectivity(solid.positions.size(), solid.tetrahedra, host);
+  });
+
+  const double begin = session.seconds();
+  const frame_field::Outcome outcome = compute(options, solid, connectivity, host);
+  const double computed = session.seconds() - begin;
+  const frame_field::Measurement m = frame_field::measure(solid.positions, connectivity, outcome.field, host);
+  const auto matchings = frame_field::matchings(connectivity, outcome.field, host);
+  const frame_field::SingularGraph graph =
+      frame_field::singular_graph(solid.positions, connectivity, outcome.field, matchings, host);
+  const auto indices = frame_field::boundary_indices(solid.positions, connectivity, outcome.field, host);
+  const double measured = session.seconds() - begin - computed;
+
+  Json& figures = session.figures();
+  figures.update({{"output", options.output},
+                  {"vertices", solid.positions.size()},
+                  {"tets", solid.tetrahedra.size()},
+                  {"start", frame_field::start_name(outcome.start)}});
+  figures.update(json_of(m));
+  figures.update(json_of(graph));
+  figures.update({{"boundary_index_sum", 0.25 * static_cast<double>(indices.sum_of_quarters)},
+                  {"boundary_singular_vertices", indices.singular_vertices},
+                  {"euler_characteristic", indices.euler_characteristic},
+                  {"smoothing_steps", outcome.smoothing_steps},
+                  {"solver_iterations", outcome.solver_iterations},
+                  {"seconds_compute", computed},
+                  {"seconds_measure", measured}});
+  about(options.output, Role::output, [&] {
+    if (!graph.dead_ends.empty())
+      throw base::Error("no-valid-result", std::to_string(graph.dead_ends.size()) + " singular curves end inside");
+  });
+  write(options, solid, outcome.field, host);
+  figures["seconds_write"] = session.seconds() - begin - computed - measured;
+
+  session.say(options.input + ": " + std::to_string(solid.tetrahedra.size()) + " frames in " + number(computed) +
+              " s, from the start " + frame_field::start_name(outcome.start));
+  session.say("  energy " + number(m.energy) + ", angles " + number(m.symmetric.mean) + " degrees on average, " +
+              number(m.symmetric.p99) + " at 99 %, " + number(m.symmetric.largest) + " at most; " +
+              number(std::max(m.one_face_largest, m.several_best_largest)) + " degrees off the normals at most");
+  session.say("  " + std::to_string(graph.edges.size()) + " singular edges on " + std::to_string(graph.curves()) +
+              " curves with " + std::to_string(graph.nodes.size()) + " nodes");
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+template <class Value>
+CLI::Validator one_of(const std::map<std::string, Value>& names) {
+  std::vector<std::string> list;
+  for (const auto& entry : names)
+    list.push_back(entry.first);
+  return unnamed(CLI::IsMember(list));
+}
+
+}  // namespace
+
+void add_frames(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("frames", "make a smooth frame field on a mesh of tetrahedra");
+  const auto options = std::make_shared<FramesOptions>();
+  verb->add_option("TETS", options->input, "tetrahedra to read: .mesh .vtk")->required()->type_name("");
+  verb->add_option("-o,--output", options->output, "frames to write, a line w x y z a tetrahedron")
+      ->required()
+      ->type_name("OUT.frames");
+  verb->add_option("--start", options->start,
+                   "auto: the best of all (the default); identity: the axes of space; propagated: the nearest boundary "
+                   "frame; harmonic: harmonics of degree 4; diffusion: these, diffused and projected")
+      ->check(one_of(starts))
+      ->type_name("START");
+  verb->add_option("--from", options->from, "smooth the field in this file instead")->type_name("FILE.frames");
+  verb->add_option("--boundary", options->boundary, "hold the frames of tetrahedra on the boundary as in this file")
+      ->type_name("FILE.frames");
+  verb->add_option("--method", options->method,
+                   "smooth (the default), or seed: the dissertation's procedure with frozen matchings")
+      ->check(one_of(methods))
+      ->type_name("METHOD");
+  verb->add_option("--weights", options->weights,
+                   "of inner faces: uniform (the default), or geometric: area over distance of the centres")
+      ->check(one_of(weightings))
+      ->type_name("WEIGHTS");
+  verb->add_option("--features", options->features,
+                   "an axis follows edges of the boundary that turn by more than so many degrees (0: none)")
+      ->check(unnamed(CLI::Range(0.0, 180.0)))
+      ->type_name("DEGREES");
+  verb->add_option("--rounds", options->rounds, "rounds of improvement after the starts of auto (2)")
+      ->check(unnamed(CLI::Range(0, 1000)))
+      ->type_name("N");
+  verb->add_flag("--free-boundary", options->free_boundary, "do not align frames with the boundary");
+  verb->add_option("--vtk", options->vtk, "write the tetrahedra with the axes as vectors too")->type_name("FILE.vtk");
+  add_common_options(*verb, common);
+  verb->footer(
+      "A frame is a unit quaternion that rotates the axes of space to its own (active, Hamilton's product). At the\n"
+      "boundary one axis lies along the normal; tetrahedra with several boundary faces are aligned with one of them.");
+  verb->callback([options, &common] {
+    Session session(common, "frames", options->input);
+    session.run([&] { frames(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli
