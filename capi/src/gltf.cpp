@@ -104,6 +104,7 @@ gltf::Scene to_scene(const obc_gltf_scene* given, SceneStorage& storage) {
   }
   scene.morph_targets = storage.targets;
   scene.morph_normals = from.morph_normals != 0;
+  scene.morph_seconds = from.morph_seconds;
   scene.translation = mesh::Vector3(from.translation);
   scene.scale = from.scale;
   std::copy(std::begin(from.base_color), std::end(from.base_color), scene.base_color.begin());

@@ -6,11 +6,13 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
+#include "capi/src/sphere_map_surface.h"
 #include "sphere_map/measure.h"
 #include "sphere_map/rounding.h"
 #include "sphere_map/sphere_map.h"
 
 using namespace orbicube;
+using capi::Surface;
 using sphere_map::Triangle;
 using sphere_map::Vector3;
 
@@ -24,26 +26,6 @@ obc_sphere_map_options default_options() {
   o.area_weight = 1;
   return o;
 }
-
-// The caller's arrays as the C++ side takes them: doubles and indices have the layout of its vectors and triangles.
-struct Surface {
-  std::span<const Vector3> positions;
-  std::span<const Triangle> triangles;
-
-  explicit Surface(const obc_surface* s) {
-    static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(uint32_t));
-    capi::require(s != nullptr, "surface is NULL");
-    capi::require(s->positions != nullptr || s->vertex_count == 0, "surface->positions is NULL");
-    capi::require(s->triangles != nullptr || s->triangle_count == 0, "surface->triangles is NULL");
-    positions = {reinterpret_cast<const Vector3*>(s->positions), s->vertex_count};
-    triangles = {reinterpret_cast<const Triangle*>(s->triangles), s->triangle_count};
-  }
-
-  std::span<const Vector3> directions(const double* d) const {
-    capi::require(d != nullptr || positions.empty(), "directions is NULL");
-    return {reinterpret_cast<const Vector3*>(d), positions.size()};
-  }
-};
 
 void write_report(const sphere_map::Measurement& m, obc_sphere_map_report* to) {
   obc_sphere_map_report r{};

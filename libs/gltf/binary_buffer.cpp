@@ -17,8 +17,9 @@ std::uint64_t BinaryBuffer::add_accessor(Accessor accessor) {
   return accessors_.size() - 1;
 }
 
-std::uint64_t BinaryBuffer::add_floats(std::span<const float> values, std::size_t components, bool with_bounds) {
-  const std::uint64_t view = add_view(std::as_bytes(values), Target::vertices);
+std::uint64_t BinaryBuffer::add_floats(std::span<const float> values, std::size_t components, bool with_bounds,
+                                       Target target) {
+  const std::uint64_t view = add_view(std::as_bytes(values), target);
   Accessor accessor{view, Component::float_32, false, values.size() / components, components, {}, {}};
   if (with_bounds) {
     accessor.smallest.assign(components, std::numeric_limits<double>::infinity());
@@ -32,9 +33,10 @@ std::uint64_t BinaryBuffer::add_floats(std::span<const float> values, std::size_
   return add_accessor(std::move(accessor));
 }
 
-std::uint64_t BinaryBuffer::add_floats(base::Array<float>&& values, std::size_t components, bool with_bounds) {
+std::uint64_t BinaryBuffer::add_floats(base::Array<float>&& values, std::size_t components, bool with_bounds,
+                                       Target target) {
   floats_.push_back(std::move(values));
-  return add_floats(std::span<const float>(floats_.back()), components, with_bounds);
+  return add_floats(std::span<const float>(floats_.back()), components, with_bounds, target);
 }
 
 std::uint64_t BinaryBuffer::add_colors(std::span<const std::uint8_t> values) {

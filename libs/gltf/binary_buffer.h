@@ -41,8 +41,10 @@ class BinaryBuffer {
   // Each adds a view that starts at a multiple of four bytes, and an accessor; answers the accessor's number.
   // Values that are given as spans are not copied and must live until the buffer is written.
   // Floats with `components` an element; with the bounds of each component when they are positions.
-  std::uint64_t add_floats(std::span<const float> values, std::size_t components, bool with_bounds);
-  std::uint64_t add_floats(base::Array<float>&& values, std::size_t components, bool with_bounds);
+  std::uint64_t add_floats(std::span<const float> values, std::size_t components, bool with_bounds,
+                           Target target = Target::vertices);
+  std::uint64_t add_floats(base::Array<float>&& values, std::size_t components, bool with_bounds,
+                           Target target = Target::vertices);
   // Colours: four bytes an element, normalised.
   std::uint64_t add_colors(std::span<const std::uint8_t> values);
   // Indices into `vertex_count` vertices, in 16 bits where those suffice.

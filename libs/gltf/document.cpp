@@ -78,6 +78,16 @@ void write_mesh(JsonText& json, const Scene& scene, const SceneAccessors& access
   json.end_object().end_array();
 }
 
+void write_animation(JsonText& json, const SceneAccessors& accessors) {
+  json.key("animations").begin_array().begin_object().member("name", std::string_view("morph"));
+  json.key("channels").begin_array().begin_object().member("sampler", zero);
+  json.key("target").begin_object().member("node", zero).member("path", std::string_view("weights")).end_object();
+  json.end_object().end_array();
+  json.key("samplers").begin_array().begin_object().member("input", *accessors.animation_times);
+  json.member("interpolation", std::string_view("LINEAR")).member("output", *accessors.animation_weights);
+  json.end_object().end_array().end_object().end_array();
+}
+
 void write_material(JsonText& json, std::string_view name, const std::array<double, 4>& color, bool textured) {
   json.begin_object().member("name", name).key("pbrMetallicRoughness").begin_object();
   json.member("baseColorFactor", color).member("metallicFactor", 0.0).member("roughnessFactor", 0.7);
@@ -128,6 +138,7 @@ std::string document_text(const Scene& scene, const SceneAccessors& accessors, c
   json.member("generator", std::string_view(std::string("Orbicube ") + base::version_text)).end_object();
   write_scene_and_node(json, scene);
   write_mesh(json, scene, accessors);
+  if (accessors.animation_times) write_animation(json, accessors);
   json.key("materials").begin_array();
   write_material(json, "surface", scene.base_color, accessors.texture_view.has_value());
   if (accessors.edges) write_material(json, "edges", {0.02, 0.02, 0.02, 1.0}, false);

@@ -20,7 +20,8 @@ struct TargetAccessors {
 // Numbers of accessors, and of the texture's view, in the buffer.
 struct SceneAccessors {
   std::uint64_t position = 0, triangles = 0;
-  std::optional<std::uint64_t> normal, texture_coordinate, color, edges, texture_view;
+  std::optional<std::uint64_t> normal, texture_coordinate, color, edges, texture_view, animation_times,
+      animation_weights;
   std::vector<TargetAccessors> targets;
 };
 

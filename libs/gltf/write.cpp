@@ -55,6 +55,9 @@ void check(const Scene& scene, const base::Host& host) {
   for (const auto& edge : scene.edges)
     require(std::all_of(edge.begin(), edge.end(), is_index), "an edge has a vertex that does not exist");
   require(!scene.morph_normals || scene.smooth_normals || !scene.normals.empty(), "morph normals need normals");
+  require(std::isfinite(scene.morph_seconds) && scene.morph_seconds >= 0,
+          "the seconds of the animation are no duration");
+  require(scene.morph_seconds == 0 || !scene.morph_targets.empty(), "an animation needs morph targets");
   require(scene.translation.allFinite() && std::isfinite(scene.scale) && scene.scale > 0,
           "translation is not finite, or scale is not a positive number");
   require(std::all_of(scene.base_color.begin(), scene.base_color.end(), [](double c) { return c >= 0 && c <= 1; }),
@@ -75,6 +78,19 @@ base::Array<float> deltas_of(std::span<const float> base, std::span<const float>
     deltas[i] = delta_for(base[i], wanted[i]);
   }
   return deltas;
+}
+
+// The times and weights of the animation: the surface, each target alone, the surface.
+void add_animation(BinaryBuffer& buffer, const Scene& scene, SceneAccessors& accessors, const base::Host& host) {
+  const std::size_t targets = scene.morph_targets.size();
+  base::Array<float> times(host.memory);
+  base::Array<float> weights((targets + 2) * targets, 0.0F, host.memory);
+  for (std::size_t key = 0; key < targets + 2; ++key)
+    times.push_back(static_cast<float>(scene.morph_seconds * static_cast<double>(key)));
+  for (std::size_t target = 0; target < targets; ++target)
+    weights[(target + 1) * targets + target] = 1;
+  accessors.animation_times = buffer.add_floats(std::move(times), 1, true, BinaryBuffer::Target::none);
+  accessors.animation_weights = buffer.add_floats(std::move(weights), 1, false, BinaryBuffer::Target::none);
 }
 
 SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Host& host) {
@@ -109,6 +125,7 @@ SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Hos
   accessors.triangles = buffer.add_indices({scene.triangles.front().data(), 3 * scene.triangles.size()}, vertices);
   if (!scene.edges.empty())
     accessors.edges = buffer.add_indices({scene.edges.front().data(), 2 * scene.edges.size()}, vertices);
+  if (scene.morph_seconds > 0) add_animation(buffer, scene, accessors, host);
   if (!scene.texture.empty()) accessors.texture_view = buffer.add_view(scene.texture, BinaryBuffer::Target::none);
   return accessors;
 }

@@ -32,6 +32,8 @@ struct Scene {
   std::span<const std::uint8_t> colors;        // four a vertex: linear red, green, blue, opacity; may be left out
   std::span<const MorphTarget> morph_targets;  // may be left out
   bool morph_normals = false;                  // smooth normals for morph targets too; needs normals
+  double morph_seconds = 0;  // above 0: an animation from the surface to each target in turn and back to it, so many
+                             // seconds from one to the next; needs targets
   std::span<const std::array<mesh::Index, 2>> edges;  // drawn as dark lines; may be left out
   mesh::Vector3 translation = mesh::Vector3::Zero();  // of the node: world = translation + scale * position
   double scale = 1;                                   // of the node; positive

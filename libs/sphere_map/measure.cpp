@@ -17,11 +17,6 @@ namespace {
 
 constexpr double four_pi = 4 * std::numbers::pi;
 
-// Signed solid angle of the spherical triangle p, q, r (Van Oosterom and Strackee 1983).
-double solid_angle(const Vector3& p, const Vector3& q, const Vector3& r) {
-  return 2 * std::atan2(p.dot((q - p).cross(r - p)), 1 + p.dot(q) + q.dot(r) + r.dot(p));
-}
-
 // Singular values of the affine map from surface triangle to flat spherical triangle, larger first.
 struct SingularValues {
   double large, small;
@@ -68,6 +63,10 @@ void check_arguments(std::span<const Vector3> positions, std::span<const Triangl
 }
 
 }  // namespace
+
+double solid_angle(const Vector3& p, const Vector3& q, const Vector3& r) {
+  return 2 * std::atan2(p.dot((q - p).cross(r - p)), 1 + p.dot(q) + q.dot(r) + r.dot(p));
+}
 
 std::size_t count_not_positive(std::span<const Triangle> triangles, std::span<const Vector3> directions) {
   return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), [&](const Triangle& t) {

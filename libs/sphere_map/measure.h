@@ -52,4 +52,7 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
 // map that is not mirrored.
 std::size_t count_not_positive(std::span<const Triangle> triangles, std::span<const Vector3> directions);
 
+// Signed solid angle of the spherical triangle of three unit vectors (Van Oosterom and Strackee 1983).
+double solid_angle(const Vector3& p, const Vector3& q, const Vector3& r);
+
 }  // namespace orbicube::sphere_map

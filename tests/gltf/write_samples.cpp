@@ -67,6 +67,7 @@ int main(int count, char** arguments) {
       scene.texture_coordinates = shape.texture_coordinates;
       scene.colors = shape.colors;
       scene.morph_targets = targets;
+      scene.morph_seconds = 1.5;
       scene.edges = shape.edges;
       scene.texture = png;
       scene.translation = {1, 2, 3};

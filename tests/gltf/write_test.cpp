@@ -134,6 +134,7 @@ TEST_CASE("Everything that a scene holds is where the specification wants it") {
   scene.texture_coordinates = torus.texture_coordinates;
   scene.colors = torus.colors;
   scene.morph_targets = targets;
+  scene.morph_seconds = 2;
   scene.edges = torus.edges;
   scene.texture = png;
   scene.translation = {1, -2, 0.1};
@@ -173,6 +174,17 @@ TEST_CASE("Everything that a scene holds is where the specification wants it") {
   const Json& image_view = json["bufferViews"][json["images"][0]["bufferView"].get<std::size_t>()];
   CHECK(std::memcmp(parts.buffer.data() + image_view["byteOffset"].get<std::size_t>(), png.data(), png.size()) == 0);
   CHECK_FALSE(image_view.contains("target"));
+
+  // The animation goes to each target in turn and back.
+  const Json& animation = json["animations"][0];
+  CHECK(animation["channels"][0]["target"] == Json({{"node", 0}, {"path", "weights"}}));
+  const Json& sampler = animation["samplers"][0];
+  CHECK(parts.values<float>(sampler["input"].get<std::size_t>()) == std::vector<float>{0, 2, 4, 6});
+  CHECK(parts.values<float>(sampler["output"].get<std::size_t>()) == std::vector<float>{0, 0, 1, 0, 0, 1, 0, 0});
+  const Json& times = json["accessors"][sampler["input"].get<std::size_t>()];
+  CHECK(times["min"] == Json::array({0.0}));
+  CHECK(times["max"] == Json::array({6.0}));
+  CHECK_FALSE(json["bufferViews"][times["bufferView"].get<std::size_t>()].contains("target"));
 
   // Every accessor of positions, of morph targets too, has its exact bounds; views begin at multiples of four.
   for (const std::size_t accessor : {accessor_of("POSITION"), surface["targets"][0]["POSITION"].get<std::size_t>()}) {
@@ -261,7 +273,7 @@ TEST_CASE("A scene that no valid file could hold is refused") {
   const std::vector<std::array<mesh::Index, 2>> edge_beyond = {{0, 240}};
   const std::vector<gltf::MorphTarget> short_target = {{"short", short_values}}, bad_name = {{"\xFF", torus.positions}};
   const std::array<std::byte, 20> no_png{};
-  std::vector<Scene> refused(17, torus.scene());
+  std::vector<Scene> refused(19, torus.scene());
   refused[0].positions = short_values;
   refused[1].positions = not_finite;
   refused[2].triangles = {};
@@ -280,6 +292,8 @@ TEST_CASE("A scene that no valid file could hold is refused") {
   refused[14].morph_normals = true;
   refused[15].extras = "[1]";
   refused[16].extras = "{" + std::string(100000, '[');
+  refused[17].morph_seconds = 1;  // of what?
+  refused[18].morph_seconds = -1;
   for (std::size_t i = 0; i < refused.size(); ++i) {
     CAPTURE(i);
     CHECK(kind_of_writing(refused[i]) == "invalid-argument");

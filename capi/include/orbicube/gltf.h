@@ -97,6 +97,8 @@ typedef struct obc_gltf_scene {
   int32_t morph_normals;            /* 1: morph targets have normals as well; needs normals. Default 0 */
   const char *name;                 /* UTF-8, of node and mesh. Default "surface" */
   const char *extras;               /* a JSON object that the scene carries, or NULL */
+  double morph_seconds;             /* above 0: an animation from the surface to each morph target in turn and back to it,
+                                       so many seconds from one to the next. Default 0: none */
 } obc_gltf_scene;
 
 /* The defaults, which the members' comments give, and an empty surface. */

@@ -97,6 +97,145 @@ OBC_API obc_status obc_sphere_map_face_distortion(const obc_surface *surface, co
 OBC_API obc_status obc_sphere_map_round_to_float(const obc_surface *surface, const double *directions,
                                                  const obc_host *host, float *rounded, obc_error *error);
 
+/* ---- The inverse: which triangle a direction lies in ----------------------------------------------------------------
+ * The locator is a walk from triangle to triangle by exact determinants (Devillers, Pion and Teillaud 2002) that starts
+ * near the direction; see docs/sphere_map_uses.md. A locator keeps copies of what it is made from. Any number of threads may
+ * use one locator at once. Directions that are asked about are finite, not zero, and need not be of length 1: 3 * count
+ * doubles. */
+typedef struct obc_sphere_map_locator obc_sphere_map_locator;
+
+/* From a map that is a bijection (every triangle positive by exact arithmetic, or every triangle negative), with directions
+ * of length 0.5 to 2. Only triangles and counts of the surface are used; its positions may be NULL. host may be NULL; its
+ * allocator is kept until obc_sphere_map_locator_destroy. O(n) time, about 100 bytes a vertex.
+ * Errors: OBC_INVALID_ARGUMENT (also for what is no bijection), OBC_NOT_CLOSED, OBC_NOT_MANIFOLD, OBC_DEGENERATE,
+ * OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_locator_create(const obc_surface *surface, const double *directions,
+                                                 const obc_host *host, obc_sphere_map_locator **out, obc_error *error);
+
+/* NULL is fine. */
+OBC_API void obc_sphere_map_locator_destroy(obc_sphere_map_locator *locator);
+
+/* For each direction the triangle that it lies in, exactly; on an edge or a vertex, the lowest of the triangles there. weights:
+ * where the ray along the direction meets the flat triangle of the map, as shares of its three corners, not negative, with
+ * the sum 1; exactly 0 where the direction lies on the opposite edge. triangles: count indices, or NULL; weights: 3 * count
+ * doubles, or NULL. On the threads of the host (or NULL). On failure what is written is of no use.
+ * Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_locate(const obc_sphere_map_locator *locator, const double *directions, size_t count,
+                                         const obc_host *host, uint32_t *triangles, double *weights, obc_error *error);
+
+/* Positions, normals, colours or other values of the vertices, interpolated where each direction lies. values: components *
+ * vertex_count doubles; sampled: components * count. With unit 1 each result is scaled to length 1 (for normals), with 0
+ * not. The direction of a vertex gives the vertex's own values.
+ * Errors: as obc_sphere_map_locate. */
+OBC_API obc_status obc_sphere_map_sample(const obc_sphere_map_locator *locator, const double *directions, size_t count,
+                                         const double *values, size_t components, int32_t unit, const obc_host *host,
+                                         double *sampled, obc_error *error);
+
+/* Unit normals of the vertices, 3 * vertex_count doubles: the triangles' normals weighted by their angles (Thuermer and
+ * Wuethrich 1998). O(n).
+ * Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_vertex_normals(const obc_surface *surface, const obc_host *host, double *normals,
+                                                 obc_error *error);
+
+/* ---- Remeshing and geometry images ---------------------------------------------------------------------------------- */
+
+/* Regular triangulations of the sphere, and what their resolution says. */
+enum {
+  OBC_SPHERE_MAP_ICOSPHERE = 0, /* how often triangles are cut in four, 0 to 10; 10 * 4^n + 2 vertices */
+  OBC_SPHERE_MAP_CUBE = 1,      /* quads along an edge of the cube, 1 to 4096; 6 n^2 + 2 vertices */
+  OBC_SPHERE_MAP_LATITUDE = 2,  /* bands from pole to pole, 2 to 8192; 2 n (n - 1) + 2 vertices */
+  OBC_SPHERE_MAP_OCTAHEDRON = 3 /* quads along a side of the square, even, 2 to 8192; n^2 + 2 vertices */
+};
+
+/* The triangulation alone, positions being unit vectors. *out is released with obc_mesh_destroy; host's allocator is kept until
+ * then. O(size). Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_grid(int32_t grid, size_t resolution, const obc_host *host, obc_mesh **out,
+                                       obc_error *error);
+
+/* The surface resampled on a triangulation: positions (3 * vertex_count doubles) at its directions. Else as
+ * obc_sphere_map_grid. */
+OBC_API obc_status obc_sphere_map_remesh(const obc_sphere_map_locator *locator, const double *positions, int32_t grid,
+                                         size_t resolution, const obc_host *host, obc_mesh **out, obc_error *error);
+
+/* Distances from points of one surface (vertices and centroids) to the nearest point of the other, and back. */
+typedef struct obc_sphere_map_distance {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double first_mean, first_root_mean_square, first_largest;    /* from the first surface */
+  double second_mean, second_root_mean_square, second_largest; /* from the second one */
+} obc_sphere_map_distance;
+
+/* Fills a result with zeros and its size. */
+OBC_API obc_status obc_sphere_map_distance_init(obc_sphere_map_distance *distance, size_t struct_size);
+
+/* On the threads of the host. O(n log n). Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_surface_distance(const obc_surface *first, const obc_surface *second,
+                                                   const obc_host *host, obc_sphere_map_distance *distance,
+                                                   obc_error *error);
+
+/* Geometry images (Gu, Gortler and Hoppe 2002; Praun and Hoppe 2003): the surface as pixels x y z, 3 * width * height doubles,
+ * row by row from the top. OBC_SPHERE_MAP_OCTAHEDRON is a square of (resolution + 1)^2 pixels, OBC_SPHERE_MAP_CUBE six tiles
+ * of as many, 3 by 2: +x -x +y, below -y +z -z. Pixels that the cut tears apart are the same. resolution: at most 4096. */
+OBC_API obc_status obc_sphere_map_image_size(int32_t layout, size_t resolution, size_t *width, size_t *height,
+                                             obc_error *error);
+
+/* positions: 3 * vertex_count doubles (or other vectors of the vertices). pixels: written on success only.
+ * Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_image(const obc_sphere_map_locator *locator, const double *positions, int32_t layout,
+                                        size_t resolution, const obc_host *host, double *pixels, obc_error *error);
+
+/* The closed surface back. seam_gap, or NULL: the greatest distance between pixels that are one vertex, which becomes their
+ * mean. Errors: OBC_INVALID_ARGUMENT (also a pixel that is not finite), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_image_surface(const double *pixels, int32_t layout, size_t resolution,
+                                                const obc_host *host, obc_mesh **out, double *seam_gap,
+                                                obc_error *error);
+
+/* Files by the ending: .pfm (float32) or .png (16 bits a channel between the corners of the bounding box, which a text chunk
+ * holds). Written whole or not at all. Errors: OBC_INVALID_ARGUMENT, OBC_UNSUPPORTED, OBC_IO, OBC_CANCELLED,
+ * OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_image_write(const char *path, const double *pixels, int32_t layout, size_t resolution,
+                                              const obc_host *host, obc_error *error);
+
+/* Says what is in a file; with pixels not NULL, of `capacity` doubles, reads it too. PNG files without the chunk fill the cube
+ * from 0 to 1. Errors: as for writing, and OBC_MALFORMED_FILE. */
+OBC_API obc_status obc_sphere_map_image_read(const char *path, const obc_host *host, int32_t *layout, size_t *resolution,
+                                             double *pixels, size_t capacity, obc_error *error);
+
+/* ---- Correspondence of two shapes through their spheres ---------------------------------------------------------------- */
+
+/* The rotation, row by row, that takes `from` nearest to `to` (least squares; Kabsch 1976): 3 * count doubles each, scaled
+ * to length 1. What the pairs leave open is turned as little as can be. Errors: OBC_INVALID_ARGUMENT. */
+OBC_API obc_status obc_sphere_map_best_rotation(const double *from, const double *to, size_t count, double rotation[9],
+                                                obc_error *error);
+
+/* A smooth bijection of the sphere that carries landmarks onto landmarks: the flow of least energy (Joshi and Miller 2000;
+ * Glaunes, Vaillant and Miller 2004) on the vertices of an icosphere, every triangle positive by exact arithmetic. Any number
+ * of threads may use one warp at once. */
+typedef struct obc_sphere_map_warp obc_sphere_map_warp;
+
+/* from[i] goes to to[i]: 3 * count doubles each, of any length, no two of them nearer than 0.01. host's allocator is kept.
+ * Errors: OBC_INVALID_ARGUMENT, OBC_NO_VALID_RESULT (the ways of two landmarks meet), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_warp_create(const double *from, const double *to, size_t count, const obc_host *host,
+                                              obc_sphere_map_warp **out, obc_error *error);
+
+/* NULL is fine. */
+OBC_API void obc_sphere_map_warp_destroy(obc_sphere_map_warp *warp);
+
+/* Where each direction goes (backward 0) or comes from (backward 1): 3 * count doubles; moved may be directions itself.
+ * Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_sphere_map_warp_apply(const obc_sphere_map_warp *warp, const double *directions, size_t count,
+                                             int32_t backward, const obc_host *host, double *moved, obc_error *error);
+
+/* One triangulation of the sphere with the vertices of two maps: the second's are inserted into the triangles of the first,
+ * whose edges stay; vertices at the same direction become one. Only triangles and counts of the surfaces are used. The first
+ * vertices of *out (positions: unit vectors) are those of the first map, in its order; second_vertex, second's vertex_count
+ * indices or NULL, says where those of the second are (UINT32_MAX: in no triangle). Every triangle is positive.
+ * Errors: as obc_sphere_map_locator_create, for the first map. */
+OBC_API obc_status obc_sphere_map_overlay(const obc_surface *first, const double *first_directions,
+                                          const obc_surface *second, const double *second_directions,
+                                          const obc_host *host, obc_mesh **out, uint32_t *second_vertex,
+                                          obc_error *error);
+
 /* Version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_sphere_map_version(void);
 

@@ -1,0 +1,33 @@
+// A shape on a triangulation of the common sphere: where each of its vertices is on the shape.
+#pragma once
+
+#include <span>
+
+#include "base/host.h"
+#include "sphere_map/alignment.h"
+#include "sphere_map/locator.h"
+
+namespace orbicube::sphere_map {
+
+struct CarriedShape {
+  explicit CarriedShape(std::pmr::memory_resource* memory) : positions(memory), directions(memory) {}
+
+  Array<Vector3> positions;     // of the shape, one a vertex of the triangulation
+  Array<Vector3> directions;    // on the shape's own sphere
+  std::size_t turned_over = 0;  // triangles that are not positive there, exactly: 0 where the warp is resolved
+};
+
+// `own_vertex` says which vertices of the triangulation are vertices of the shape, whose positions are then taken as
+// they are: one a vertex, no_index for the others, or nothing. On the threads of the host.
+// Throws Error "invalid-argument" on sizes and for directions that are zero or not finite, "cancelled".
+CarriedShape carry_over(const Locator& map, std::span<const Vector3> positions, const Alignment& alignment,
+                        std::span<const Vector3> common, std::span<const Triangle> common_triangles,
+                        std::span<const Index> own_vertex, const base::Host& host);
+
+// The directions of a shape's map on the common sphere, where its triangles are positive, exactly: those that a warp
+// has turned over, since it is bent within them, are mended by moving their vertices a little (rounding.h).
+// Throws Error "no-valid-result" when that does not succeed, "cancelled".
+Array<Vector3> place(std::span<const Triangle> triangles, std::span<const Vector3> directions,
+                     const Alignment& alignment, const base::Host& host);
+
+}  // namespace orbicube::sphere_map

@@ -1,0 +1,255 @@
+#include "sphere_map/overlay.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/connectivity.h"
+#include "mesh/predicates.h"
+#include "sphere_map/locator.h"
+#include "sphere_map/triangle_walk.h"
+
+namespace orbicube::sphere_map {
+namespace {
+
+// A triangulation of the sphere that grows. Half-edge 3 t + k goes from corner k of triangle t to the next.
+class Triangulation {
+ public:
+  Triangulation(const PlacedMap& map, const mesh::Connectivity& connectivity, const base::Host& host)
+      : directions_(map.directions.begin(), map.directions.end(), host.memory),
+        triangles_(map.triangles.begin(), map.triangles.end(), host.memory),
+        opposite_(host.memory),
+        fixed_(3 * map.triangles.size(), 1, host.memory),
+        pending_(host.memory) {
+    opposite_.reserve(3 * triangles_.size());
+    for (Index h = 0; h < 3 * triangles_.size(); ++h)
+      opposite_.push_back(connectivity.opposite(h));
+  }
+
+  // The vertex at the direction, a new one if there is none. `near` is a triangle to start the search from.
+  Index insert(const Vector3& direction, Index near) {
+    const auto side = [&](Index h) {
+      return mesh::orientation_from_origin(directions_[start(h)], directions_[end(h)], direction);
+    };
+    const std::size_t longest = 1000 + 8 * static_cast<std::size_t>(std::sqrt(static_cast<double>(triangles_.size())));
+    auto found = walk_to(near, longest, side, [&](Index h) { return opposite_[h]; });
+    if (!found) found = scan_for(triangles_.size(), side);
+    if (!found) throw base::Error("internal", "a direction is in no triangle of a bijection");
+    if (const unsigned corner = found->corner(); corner < 3) return triangles_[found->triangle][corner];
+    const auto vertex = static_cast<Index>(directions_.size());
+    directions_.push_back(direction);
+    if (found->on_edges == 0) {
+      split_triangle(found->triangle, vertex);
+    } else {
+      split_edge(3 * found->triangle + static_cast<Index>(std::countr_zero(found->on_edges)), vertex);
+    }
+    make_delaunay();
+    return vertex;
+  }
+
+  // Flips the edge of a half-edge if it is free and the two triangles are convex together. Its half-edges are then
+  // those between the corners that were opposite of it.
+  bool flip(Index h) {
+    if (fixed_[h] != 0) return false;
+    const Index g = opposite_[h];
+    const Index a = start(h), b = end(h), c = apex(h), d = apex(g);
+    const Vector3 &A = directions_[a], &B = directions_[b], &C = directions_[c], &D = directions_[d];
+    if (mesh::orientation_from_origin(A, D, C) <= 0 || mesh::orientation_from_origin(D, B, C) <= 0) return false;
+    const Index t = h / 3, s = g / 3;
+    const Outer bc = outer(next(h)), ca = outer(previous(h)), ad = outer(next(g)), db = outer(previous(g));
+    set(t, {a, d, c});
+    set(s, {d, b, c});
+    attach(3 * t, ad);
+    join(3 * t + 1, 3 * s + 2);
+    attach(3 * t + 2, ca);
+    attach(3 * s, db);
+    attach(3 * s + 1, bc);
+    return true;
+  }
+
+  std::size_t half_edge_count() const { return opposite_.size(); }
+  bool is_fixed(Index h) const { return fixed_[h] != 0; }
+  Index opposite(Index h) const { return opposite_[h]; }
+  Index start(Index h) const { return triangles_[h / 3][h % 3]; }
+  Index end(Index h) const { return triangles_[h / 3][(h % 3 + 1) % 3]; }
+  Index apex(Index h) const { return triangles_[h / 3][(h % 3 + 2) % 3]; }
+
+  void take(Overlay& result) {
+    result.directions = std::move(directions_);
+    result.triangles = std::move(triangles_);
+  }
+
+ private:
+  // What is on the other side of an edge that stays while its triangle is replaced.
+  struct Outer {
+    Index opposite;
+    std::uint8_t fixed;
+  };
+
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  Outer outer(Index h) const { return {opposite_[h], fixed_[h]}; }
+  void set(Index t, const Triangle& corners) { triangles_[t] = corners; }
+  Index add() {
+    triangles_.push_back({0, 0, 0});
+    opposite_.insert(opposite_.end(), 3, mesh::no_index);
+    fixed_.insert(fixed_.end(), 3, 0);
+    return static_cast<Index>(triangles_.size() - 1);
+  }
+  void attach(Index h, const Outer& other) {
+    opposite_[h] = other.opposite;
+    opposite_[other.opposite] = h;
+    fixed_[h] = other.fixed;
+  }
+  void join(Index h, Index g, std::uint8_t fixed = 0) {
+    opposite_[h] = g;
+    opposite_[g] = h;
+    fixed_[h] = fixed_[g] = fixed;
+  }
+
+  void split_triangle(Index t, Index v) {
+    const auto [a, b, c] = triangles_[t];
+    const Outer ab = outer(3 * t), bc = outer(3 * t + 1), ca = outer(3 * t + 2);
+    const Index s = add(), r = add();
+    set(t, {a, b, v});
+    set(s, {b, c, v});
+    set(r, {c, a, v});
+    attach(3 * t, ab);
+    attach(3 * s, bc);
+    attach(3 * r, ca);
+    join(3 * t + 1, 3 * s + 2);
+    join(3 * s + 1, 3 * r + 2);
+    join(3 * r + 1, 3 * t + 2);
+    pending_ = {3 * t, 3 * s, 3 * r};
+  }
+
+  // The vertex lies on the edge of h, from a to b, between the corners c and d.
+  void split_edge(Index h, Index v) {
+    const Index g = opposite_[h];
+    const Index a = start(h), b = end(h), c = apex(h), d = apex(g);
+    const Outer bc = outer(next(h)), ca = outer(previous(h)), ad = outer(next(g)), db = outer(previous(g));
+    const std::uint8_t fixed = fixed_[h];
+    const Index t = h / 3, s = g / 3, p = add(), q = add();
+    set(t, {v, c, a});
+    set(p, {v, b, c});
+    set(s, {v, d, b});
+    set(q, {v, a, d});
+    attach(3 * t + 1, ca);
+    attach(3 * p + 1, bc);
+    attach(3 * s + 1, db);
+    attach(3 * q + 1, ad);
+    join(3 * t, 3 * p + 2);
+    join(3 * s, 3 * q + 2, 0);
+    join(3 * p, 3 * s + 2, fixed);
+    join(3 * q, 3 * t + 2, fixed);
+    pending_ = {3 * t + 1, 3 * p + 1, 3 * s + 1, 3 * q + 1};
+  }
+
+  // Flips free edges with a vertex beyond them above the plane of the triangle. Each flip adds to the volume below, so
+  // that there is an end to it.
+  void make_delaunay() {
+    while (!pending_.empty()) {
+      const Index h = pending_.back();
+      pending_.pop_back();
+      if (fixed_[h] != 0) continue;
+      const Index g = opposite_[h];
+      if (mesh::orientation_3d(directions_[start(h)], directions_[end(h)], directions_[apex(h)],
+                               directions_[apex(g)]) <= 0 ||
+          !flip(h))
+        continue;
+      const Index t = h / 3, s = g / 3;
+      for (const Index outside : {3 * t, 3 * t + 2, 3 * s, 3 * s + 1})
+        pending_.push_back(outside);
+    }
+  }
+
+  Array<Vector3> directions_;
+  Array<Triangle> triangles_;
+  Array<Index> opposite_;
+  Array<std::uint8_t> fixed_;
+  Array<Index> pending_;
+};
+
+// Edges as sorted pairs of vertices.
+class EdgeSet {
+ public:
+  explicit EdgeSet(std::pmr::memory_resource* memory) : edges_(memory) {}
+  void add(Index a, Index b) { edges_.push_back(key(a, b)); }
+  void finish() {
+    std::sort(edges_.begin(), edges_.end());
+    edges_.erase(std::unique(edges_.begin(), edges_.end()), edges_.end());
+  }
+  bool has(Index a, Index b) const { return std::binary_search(edges_.begin(), edges_.end(), key(a, b)); }
+  std::size_t size() const { return edges_.size(); }
+
+ private:
+  static std::uint64_t key(Index a, Index b) { return std::uint64_t{std::min(a, b)} << 32U | std::max(a, b); }
+  Array<std::uint64_t> edges_;
+};
+
+EdgeSet edges_of(std::span<const PlacedMap> others, const Array<Array<Index>>& vertex_of, const base::Host& host) {
+  EdgeSet edges(host.memory);
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    for (const Triangle& t : others[i].triangles) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Index a = vertex_of[i][t[k]], b = vertex_of[i][t[(k + 1) % 3]];
+        if (a != b) edges.add(a, b);
+      }
+    }
+  }
+  edges.finish();
+  return edges;
+}
+
+// Each flip gains an edge of the others and loses none, so that there is an end to it.
+void flip_towards(Triangulation& triangulation, const EdgeSet& edges, const base::Host& host) {
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (Index h = 0; h < triangulation.half_edge_count(); ++h) {
+      if (h % 16384 == 0) host.report("edges of the other maps", h, triangulation.half_edge_count());
+      if (triangulation.is_fixed(h) || edges.has(triangulation.start(h), triangulation.end(h)) ||
+          !edges.has(triangulation.apex(h), triangulation.apex(triangulation.opposite(h))))
+        continue;
+      changed |= triangulation.flip(h);
+    }
+  }
+}
+
+}  // namespace
+
+Overlay overlay(const PlacedMap& first, std::span<const PlacedMap> others, const base::Host& host) {
+  Overlay result(host.memory);
+  const Locator locator(first.triangles, first.directions, host);
+  if (!locator.positive()) throw base::Error("invalid-argument", "the first map is mirrored");
+  Triangulation triangulation(first, mesh::Connectivity(first.directions.size(), first.triangles, host), host);
+  for (const PlacedMap& map : others) {
+    Array<Index>& places = result.vertex_of.emplace_back(Array<Index>(host.memory));
+    places.assign(map.directions.size(), mesh::no_index);
+    // Triangle by triangle: neighbours come soon after each other.
+    for (std::size_t t = 0; t < map.triangles.size(); ++t) {
+      if (t % 1024 == 0) host.report("inserting vertices", t, map.triangles.size());
+      for (const Index v : map.triangles[t]) {
+        if (v >= places.size())
+          throw base::Error("invalid-argument", "triangle " + std::to_string(t) + " has a vertex that does not exist");
+        if (places[v] != mesh::no_index) continue;
+        require_direction(map.directions[v], "the direction of vertex", v);
+        places[v] = triangulation.insert(map.directions[v], locator.locate(map.directions[v]).triangle);
+      }
+    }
+  }
+  const EdgeSet edges = edges_of(others, result.vertex_of, host);
+  flip_towards(triangulation, edges, host);
+  result.edges_of_others = edges.size();
+  for (Index h = 0; h < triangulation.half_edge_count(); ++h) {
+    const Index a = triangulation.start(h), b = triangulation.end(h);
+    result.edges_present += a < b && edges.has(a, b);
+  }
+  triangulation.take(result);
+  return result;
+}
+
+}  // namespace orbicube::sphere_map
