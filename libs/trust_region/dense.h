@@ -63,6 +63,30 @@ inline void add_square_lower(double* a, std::size_t size, double factor, const d
     add_scaled(a + i * size, factor * x[i], x, i + 1);
 }
 
+// The lower triangle of A (size x size) = sum_k factor_k x_k x_k', rows x_k of `count` one after the other. Four at a
+// time, so that A is read and written less often.
+inline void sum_of_squares_lower(double* __restrict a, std::size_t size, const double* __restrict factor,
+                                 const double* __restrict x, std::size_t count) {
+  for (std::size_t i = 0; i < size * size; ++i)
+    a[i] = 0;
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    const double* first = x + k * size;
+    const double* second = first + size;
+    const double* third = second + size;
+    const double* fourth = third + size;
+    for (std::size_t i = 0; i < size; ++i) {
+      const double f = factor[k] * first[i], g = factor[k + 1] * second[i], h = factor[k + 2] * third[i],
+                   l = factor[k + 3] * fourth[i];
+      double* row = a + i * size;
+      for (std::size_t j = 0; j <= i; ++j)
+        row[j] += (f * first[j] + g * second[j]) + (h * third[j] + l * fourth[j]);
+    }
+  }
+  for (; k < count; ++k)
+    add_square_lower(a, size, factor[k], x + k * size);
+}
+
 inline void mirror_lower(double* a, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     for (std::size_t j = 0; j < i; ++j)

@@ -321,9 +321,7 @@ void Interpolation::lagrange_function(std::size_t j, double* gradient, double* h
   const double* row = inverse_row(n_ + j);
   std::copy_n(row, n_, gradient);
   move_gradient(row + n_, gradient);
-  std::fill_n(hessian, n_ * n_, 0.0);
-  for (std::size_t k = 0; k < size_; ++k)
-    add_square_lower(hessian, n_, row[n_ + k], offset(k));
+  sum_of_squares_lower(hessian, n_, row + n_, offsets_.data(), size_);
   mirror_lower(hessian, n_);
 }
 
@@ -336,9 +334,7 @@ void Interpolation::interpolant(const double* values, double* gradient, double* 
     work[i] = dot(inverse_row(i) + n_, shifted, size_);
   std::copy_n(work, n_, gradient);
   move_gradient(work + n_, gradient);
-  std::fill_n(hessian, n_ * n_, 0.0);
-  for (std::size_t k = 0; k < size_; ++k)
-    add_square_lower(hessian, n_, work[n_ + k], offset(k));
+  sum_of_squares_lower(hessian, n_, work + n_, offsets_.data(), size_);
   mirror_lower(hessian, n_);
 }
 

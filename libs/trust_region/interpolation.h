@@ -36,7 +36,7 @@ class Interpolation {
   // Makes base the best point and the inverse afresh; false when the points are not poised.
   bool rebuild();
   // Whether so much has changed since the last rebuild() that rounding may matter.
-  bool wants_rebuild() const { return updates_ > 4 * (n_ + size_); }
+  bool wants_rebuild() const { return updates_ > 12 * (n_ + size_); }
   // x - best becomes C (x - best) for all points, C n x n by rows; the best point becomes `best`. rebuild() must
   // follow.
   void transform(const double* c, const double* best);

@@ -13,11 +13,12 @@ namespace {
 
 // The part of the predicted change by which f must fall for a step to count as a success.
 constexpr double enough = 0.05;
-// Powell's resolutions fall by ten at a time; by less, where short steps lower them as well.
-constexpr double decay = 0.2;
-// Radii beyond which a point asks to be replaced: with 2n + 1 points (as Powell), and where more give the model some
-// hold without it. Radii beyond which it is given up, where the set may grow again.
-constexpr double far_of_few = 2, far_of_many = 5, too_far = 30;
+// Resolutions fall to this part of themselves, where Powell has a tenth; more slowly for a scalar f whose set of points
+// grows, since it takes these evaluations to know the Hessian.
+constexpr double decay = 0.15, decay_growing = 0.2;
+// Radii beyond which a point asks to be replaced: with 2n + 1 points as Powell, and where there are more for a model to
+// hold on to. Radii beyond which a point is given up, where the set may grow again.
+constexpr double far_of_few = 2, far_of_many = 4, far_of_residuals = 5, too_far = 30;
 
 }  // namespace
 
@@ -211,7 +212,8 @@ Request Solver::take_trial() {
     if (state_.radius <= 1.5 * resolution) state_.radius = resolution;
   }
   if (!failed) include(interpolation_.size(), state_.told_value);
-  if (state_.phase != Phase::iterate) return Request::need_values;
+  if (std::abs(before - state_.told_value) <= 2 * slack && at_noise_level())
+    return restart_or_finish(Stop::noise_limit);
   if (ratio >= enough) {
     state_.next = Next::step;
     return Request::iteration;
@@ -303,7 +305,7 @@ std::size_t Solver::who_leaves(bool better) const {
 // Where the set may grow to that of full quadratics, points that are too far to say anything are given up.
 void Solver::drop_far_points() {
   const std::size_t n = variables_.free_size();
-  if (interpolation_.capacity() <= 2 * n + 1) return;
+  if (!growing()) return;
   while (interpolation_.size() > n + 1) {
     double most = 0;
     const std::size_t farthest = farthest_point(&most);
@@ -316,7 +318,7 @@ void Solver::drop_far_points() {
 Request Solver::improve_geometry() {
   const std::size_t n = variables_.free_size(), best = interpolation_.best();
   // A set that grows soon has near points enough.
-  double far = (interpolation_.capacity() > 2 * n + 1 ? far_of_many : far_of_few) * state_.radius;
+  double far = (!growing() ? far_of_few : models_.least_squares() ? far_of_residuals : far_of_many) * state_.radius;
   std::size_t leaving = interpolation_.size();
   for (std::size_t j = 0; j < interpolation_.size(); ++j) {
     const double away = interpolation_.distance_to_best(j);
@@ -432,6 +434,19 @@ Request Solver::take_geometry() {
   return Request::iteration;
 }
 
+// The points around the best one tell nothing more when their values differ by noise: by twice its level between two
+// points, and the best may have been lucky.
+bool Solver::at_noise_level() const {
+  if (!(noise() > 0)) return false;
+  std::size_t near = 0;
+  for (std::size_t j = 0; j < interpolation_.size(); ++j) {
+    if (interpolation_.distance_to_best(j) > 2 * std::max(state_.radius, state_.resolution)) continue;
+    ++near;
+    if (values_[j] - state_.best_value > 3 * noise()) return false;
+  }
+  return near > variables_.free_size();
+}
+
 Request Solver::reduce_resolution() {
   state_.next = Next::step;
   const double end = options_.radius_end;
@@ -439,22 +454,12 @@ Request Solver::reduce_resolution() {
     state_.radius = std::max(end, 0.5 * std::min(state_.radius, state_.predicted));
     return Request::iteration;
   }
-  if (noise() > 0) {
-    // The points around the best one tell nothing more when their values differ by noise: by twice its level between
-    // two points, and the best may have been lucky.
-    std::size_t near = 0, equal = 0;
-    for (std::size_t j = 0; j < interpolation_.size(); ++j) {
-      if (interpolation_.distance_to_best(j) > 2 * std::max(state_.radius, state_.resolution)) continue;
-      ++near;
-      if (values_[j] - state_.best_value <= 3 * noise()) ++equal;
-    }
-    if (near > variables_.free_size() && equal == near) return restart_or_finish(Stop::noise_limit);
-  }
+  if (at_noise_level()) return restart_or_finish(Stop::noise_limit);
   if (state_.resolution <= 1.0001 * end) return restart_or_finish(Stop::converged);
   // Powell 2006, section 7: in the end by few steps of equal ratio.
-  const double ratio = state_.resolution / end;
+  const double ratio = state_.resolution / end, fall = growing() && !models_.least_squares() ? decay_growing : decay;
   state_.radius = 0.5 * state_.resolution;
-  state_.resolution = ratio <= 16 ? end : ratio <= 250 ? std::sqrt(state_.resolution * end) : decay * state_.resolution;
+  state_.resolution = ratio <= 16 ? end : ratio <= 250 ? std::sqrt(state_.resolution * end) : fall * state_.resolution;
   state_.radius = std::max(state_.radius, state_.resolution);
   return Request::iteration;
 }

@@ -104,6 +104,9 @@ class Solver {
   Request finish(Stop stop);
   void put_request(std::size_t row, const double* u);
   double noise() const;
+  bool at_noise_level() const;
+  // Whether there may be more than Powell's 2n + 1 points.
+  bool growing() const { return interpolation_.capacity() > 2 * variables_.free_size() + 1; }
 
   // start.cpp
   Request begin();
