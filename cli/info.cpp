@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "cell_figures.h"
 #include "mesh/cells.h"
 #include "mesh/topology.h"
 #include "surface_file.h"
@@ -140,6 +141,46 @@ void tell_surface(const mesh::Topology& t, const Use& sphere, Session& session) 
   table.row("sphere map", text_of(sphere));
 }
 
+// The surface of the solid that the cells fill.
+void tell_boundary(const mesh::Mesh& mesh, Session& session) {
+  const auto boundary = mesh::boundary_triangles(mesh, session.host());
+  const mesh::Topology t = mesh::topology(mesh.positions, boundary, session.host());
+  session.figures()["boundary"] = {{"triangles", t.triangles},
+                                   {"vertices", t.vertices - t.unreferenced_vertices},
+                                   {"components", t.components},
+                                   {"manifold", t.manifold()},
+                                   {"euler_characteristic", t.euler_characteristic},
+                                   {"genus", t.genus ? Json(*t.genus) : Json()},
+                                   {"area", t.area},
+                                   {"volume", t.volume},
+                                   {"bounding_box", {{"low", json_point(t.low)}, {"high", json_point(t.high)}}}};
+  const Table table(session);
+  table.row("boundary", count(t.triangles, "triangle", "triangles") + ", " +
+                            count(t.components, "component", "components") +
+                            (t.genus ? ", genus " + std::to_string(*t.genus) : ""));
+  table.row("area", number(t.area));
+  table.row("volume", number(t.volume));
+  table.row("bounding box", point(t.low) + " to " + point(t.high));
+}
+
+void tell_cells(const mesh::Mesh& mesh, Session& session) {
+  const Table table(session);
+  table.row("tetrahedra", std::to_string(mesh.tetrahedra.size()));
+  table.row("hexahedra", std::to_string(mesh.hexahedra.size()));
+  const Use cells = use_of([&] { mesh::require_valid_cells(mesh, session.host()); });
+  const Use sphere = {false, "unsupported", "a solid of cells; the sphere map takes surfaces"};
+  session.figures().update({{"valid_cells", json_of(cells)}, {"usable_for", {{"sphere", json_of(sphere)}}}});
+  table.row("valid cells", text_of(cells));
+  if (cells.possible) tell_boundary(mesh, session);
+  if (!mesh.tetrahedra.empty()) {
+    const auto quality = mesh::tetrahedron_quality(mesh.positions, mesh.tetrahedra, session.host());
+    session.figures()["cells"] = quality_json(quality);
+    table.row("dihedral angles", angles_text(quality));
+    table.row("radius ratio", radii_text(quality));
+  }
+  table.row("sphere map", text_of(sphere));
+}
+
 void info(const InfoOptions& options, Session& session) {
   session.options() = {{"weld", options.weld}};
   const InputMesh input = read_input(options.input, options.weld, session);
@@ -161,13 +202,7 @@ void info(const InfoOptions& options, Session& session) {
       tell_surface(facts, sphere_use(facts), session);
       return;
     }
-    table.row("tetrahedra", std::to_string(mesh.tetrahedra.size()));
-    table.row("hexahedra", std::to_string(mesh.hexahedra.size()));
-    const Use cells = use_of([&] { mesh::require_valid_cells(mesh, session.host()); });
-    const Use sphere = {false, "unsupported", "a solid of cells; the sphere map takes surfaces"};
-    session.figures().update({{"valid_cells", json_of(cells)}, {"usable_for", {{"sphere", json_of(sphere)}}}});
-    table.row("valid cells", text_of(cells));
-    table.row("sphere map", text_of(sphere));
+    tell_cells(mesh, session);
   });
   session.figures()["seconds_read"] = input.seconds;
   for (const std::string& note : session.notes())

@@ -46,6 +46,9 @@ int run(int argc, char** argv) {
   orbicube::cli::add_sphere(app, common);
   orbicube::cli::add_frames(app, common);
   orbicube::cli::add_page(app, common);
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+  orbicube::cli::add_tetrahedralize(app, common);
+#endif
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // help or version

@@ -13,5 +13,6 @@ void add_make(CLI::App& app, CommonOptions& common);
 void add_sphere(CLI::App& app, CommonOptions& common);
 void add_frames(CLI::App& app, CommonOptions& common);
 void add_page(CLI::App& app, CommonOptions& common);
+void add_tetrahedralize(CLI::App& app, CommonOptions& common);  // in builds with TetGen
 
 }  // namespace orbicube::cli

@@ -18,6 +18,7 @@
 #include "mesh/predicates.h"
 #include "mesh/read.h"
 #include "mesh/surface_check.h"
+#include "mesh/tetrahedron_quality.h"
 #include "mesh/topology.h"
 #include "mesh/weld.h"
 #include "mesh/write.h"
@@ -173,6 +174,31 @@ obc_mesh_topology_report to_report(const mesh::Topology& t) {
   return r;
 }
 
+obc_mesh_tetrahedron_quality_report to_report(const mesh::TetrahedronQuality& q) {
+  obc_mesh_tetrahedron_quality_report r{};
+  r.struct_size = sizeof r;
+  r.worst = q.worst;
+  r.tetrahedra = q.tetrahedra;
+  r.positive = q.positive;
+  r.flat = q.flat;
+  r.inverted = q.inverted;
+  r.volume = q.volume;
+  r.smallest_volume = q.smallest_volume;
+  r.largest_volume = q.largest_volume;
+  r.smallest_dihedral = q.smallest_dihedral;
+  r.largest_dihedral = q.largest_dihedral;
+  r.mean_smallest_dihedral = q.mean_smallest_dihedral;
+  r.smallest_radius_ratio = q.smallest_radius_ratio;
+  r.mean_radius_ratio = q.mean_radius_ratio;
+  r.largest_radius_edge = q.largest_radius_edge;
+  r.mean_radius_edge = q.mean_radius_edge;
+  r.shortest_edge = q.shortest_edge;
+  r.longest_edge = q.longest_edge;
+  std::ranges::copy(q.dihedral_histogram, r.dihedral_histogram);
+  std::ranges::copy(q.radius_ratio_histogram, r.radius_ratio_histogram);
+  return r;
+}
+
 // Finite points to look for.
 std::span<const Vector3> queries(const double* points, std::size_t count) {
   const auto result = view<Vector3>(points, count, "points");
@@ -285,6 +311,21 @@ obc_status obc_mesh_boundary(const obc_mesh* mesh, const obc_host* host, obc_mes
     const mesh::Mesh& from = checked(mesh);
     made.mesh.triangles = mesh::boundary_triangles(from, made.adapter.host());
     made.mesh.positions = from.positions;
+  });
+}
+
+obc_status obc_mesh_tetrahedron_quality_report_init(obc_mesh_tetrahedron_quality_report* report, size_t struct_size) {
+  return capi::init_versioned(report, struct_size, to_report(mesh::TetrahedronQuality{}));
+}
+
+obc_status obc_mesh_tetrahedron_quality(const obc_mesh* mesh, const obc_host* host,
+                                        obc_mesh_tetrahedron_quality_report* report, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const mesh::Mesh& from = checked(mesh);
+    capi::require(report != nullptr, "report is NULL");
+    const capi::HostAdapter adapter(host);
+    capi::write_versioned(report,
+                          to_report(mesh::tetrahedron_quality(from.positions, from.tetrahedra, adapter.host())));
   });
 }
 

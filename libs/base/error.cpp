@@ -39,6 +39,7 @@ constexpr std::array kinds = {
     std::pair{"not-connected", Status::not_manifold},
     std::pair{"duplicate-face", Status::not_manifold},
     std::pair{"duplicate-cell", Status::not_manifold},
+    std::pair{"self-intersection", Status::not_manifold},
     std::pair{"no-cells", Status::invalid_argument},
     std::pair{"wrong-genus", Status::wrong_genus},
     std::pair{"degenerate-face", Status::degenerate},

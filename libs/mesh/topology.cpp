@@ -204,14 +204,17 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
+[[noreturn]] void refuse(const char* kind, const std::string& what) {
+  throw base::Error(kind, what);
+}
+
 }  // namespace
 
 Topology topology(std::span<const Vector3> positions, std::span<const Triangle> triangles, const base::Host& host) {
   return Examination(positions, triangles, host).run();
 }
 
-void require_closed_genus_zero(const Topology& t) {
-  const auto refuse = [](const char* kind, const std::string& what) { throw base::Error(kind, what); };
+void require_closed_manifold(const Topology& t) {
   if (t.triangles == 0) refuse("empty-mesh", "there are no triangles");
   if (t.low == t.high) refuse("degenerate-geometry", "all vertices are at the same point");
   if (t.degenerate_faces > 0) {
@@ -237,6 +240,10 @@ void require_closed_genus_zero(const Topology& t) {
                                       " parts that share no edge; first vertex " +
                                       std::to_string(t.first_non_manifold_vertex));
   }
+}
+
+void require_closed_genus_zero(const Topology& t) {
+  require_closed_manifold(t);
   if (t.components > 1) {
     refuse("not-connected", "the surface has " + std::to_string(t.components) + " parts; vertex " +
                                 std::to_string(t.first_vertex_apart) + " is not connected with the first one");

@@ -64,10 +64,13 @@ struct Topology {
 // for an index that is out of range or a position that is not finite, "cancelled".
 Topology topology(std::span<const Vector3> positions, std::span<const Triangle> triangles, const base::Host& host);
 
-// Throws Error unless the surface is closed, connected, manifold, consistently oriented and of genus 0: "empty-mesh",
+// Throws Error unless the surface is closed and manifold, of any number of components: "empty-mesh",
 // "degenerate-geometry" (all vertices at one point), "degenerate-face", "duplicate-face", "non-manifold-edge",
-// "not-closed", "non-manifold-vertex", "not-connected", "non-orientable", "inconsistent-orientation" or "wrong-genus",
-// the first that applies.
+// "not-closed" or "non-manifold-vertex", the first that applies.
+void require_closed_manifold(const Topology& topology);
+
+// The same and connected, consistently oriented and of genus 0: also "not-connected", "non-orientable",
+// "inconsistent-orientation" or "wrong-genus".
 void require_closed_genus_zero(const Topology& topology);
 
 }  // namespace orbicube::mesh

@@ -1,5 +1,7 @@
 #include "failing_allocations.h"
 
+#include <sys/mman.h>
+
 #include <atomic>
 #include <cstdint>
 #include <cstdlib>
@@ -10,21 +12,34 @@ namespace {
 
 constexpr std::size_t never = std::numeric_limits<std::size_t>::max();
 
-std::atomic<std::size_t> live_blocks{0};  // allocated and not yet released, by operator new or by a host's allocator
+std::atomic<std::size_t> live_blocks{0};  // allocated and not yet released, by operator new or a host's allocator
 std::atomic<std::size_t> allocations{0};  // ... since the program started
-std::atomic<std::size_t> until_failure{never};  // allocations that still succeed
-std::atomic<bool> failed{false};                // the failure happened
-std::atomic<bool> could_throw{true};            // ... in an allocation that may throw
-std::atomic<bool> wrong_release{false};         // a block was released with another size or alignment
+std::atomic<bool> wrong_release{false};   // a block was released with another size or alignment
+
+// Shared with child processes, whose allocations are counted, and fail, like those of this one.
+struct Shared {
+  std::atomic<std::size_t> until_failure{never};  // allocations that still succeed
+  std::atomic<bool> failed{false};                // the failure happened
+  std::atomic<bool> could_throw{true};            // ... in an allocation that may throw
+};
+
+Shared& shared() {
+  static Shared* const at = [] {
+    void* memory = mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) std::abort();
+    return new (memory) Shared;
+  }();
+  return *at;
+}
 
 // Whether the allocation that is being made is the one to fail.
 bool fails_now(bool throwing) {
-  std::size_t left = until_failure.load();
-  while (left != never && !until_failure.compare_exchange_weak(left, left == 0 ? never : left - 1)) {
+  std::size_t left = shared().until_failure.load();
+  while (left != never && !shared().until_failure.compare_exchange_weak(left, left == 0 ? never : left - 1)) {
   }
   if (left != 0) return false;
-  could_throw = throwing;
-  failed = true;
+  shared().could_throw = throwing;
+  shared().failed = true;
   return true;
 }
 
@@ -66,7 +81,7 @@ void* host_allocate(std::size_t size, std::size_t alignment, void*) {
   if (size > never - space) return nullptr;
   void* block = allocate(size + space, space, false);
   if (block == nullptr) {
-    could_throw = true;  // unlike with nothrow, the library is to answer "out of memory"
+    shared().could_throw = true;  // unlike with nothrow, the library is to answer "out of memory"
     return nullptr;
   }
   char* pointer = static_cast<char*>(block) + space;
@@ -126,12 +141,12 @@ Outcome fail_each_allocation(const Call& call) {
   wrong_release = false;
   for (bool disturbed = true; disturbed && outcome.problem.empty(); ++outcome.runs) {
     const std::size_t before = live_blocks.load();
-    failed = false;
-    until_failure = outcome.runs;
+    shared().failed = false;
+    shared().until_failure = outcome.runs;
     const obc_status status = call(host);
-    until_failure = never;
-    disturbed = failed;
-    const bool unnoticed = disturbed && !could_throw && status == OBC_OK;
+    shared().until_failure = never;
+    disturbed = shared().failed;
+    const bool unnoticed = disturbed && !shared().could_throw && status == OBC_OK;
     outcome.problem =
         problem_of_run(outcome.runs, status, disturbed && !unnoticed ? OBC_OUT_OF_MEMORY : OBC_OK, before);
   }

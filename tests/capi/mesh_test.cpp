@@ -182,6 +182,37 @@ TEST_CASE("Cells are checked") {
   CHECK(cells_problem(hexahedron) == "inverted-cell");
 }
 
+TEST_CASE("The shapes of tetrahedra are measured") {
+  // The corner of a cube, and its mirror image.
+  const std::array<double, 12> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+  const std::array<std::uint32_t, 8> tetrahedra = {0, 1, 2, 3, 1, 0, 2, 3};
+  obc_mesh_cells cells;
+  obc_mesh_cells_init(&cells, sizeof cells);
+  cells.positions = positions.data();
+  cells.vertex_count = 4;
+  cells.tetrahedra = tetrahedra.data();
+  cells.tetrahedron_count = 2;
+  obc_mesh* made = nullptr;
+  REQUIRE(obc_mesh_create(&cells, nullptr, &made, nullptr) == OBC_OK);
+  const Mesh mesh(made);
+  obc_mesh_tetrahedron_quality_report report;
+  obc_error error;
+  REQUIRE(obc_mesh_tetrahedron_quality_report_init(&report, sizeof report) == OBC_OK);
+  REQUIRE(obc_mesh_tetrahedron_quality(made, nullptr, &report, &error) == OBC_OK);
+  CHECK(report.tetrahedra == 2);
+  CHECK(report.positive == 1);
+  CHECK(report.inverted == 1);
+  CHECK(report.worst == 1);
+  CHECK(report.volume == 0);
+  CHECK(report.largest_volume == doctest::Approx(1.0 / 6));
+  CHECK(report.largest_dihedral == doctest::Approx(90));
+  CHECK(report.longest_edge == doctest::Approx(std::sqrt(2.0)));
+  CHECK(report.dihedral_histogram[5] == 6);                                 // 54.7 degrees, three times each
+  CHECK(report.dihedral_histogram[8] + report.dihedral_histogram[9] == 6);  // 90 degrees, but for rounding
+  CHECK(obc_mesh_tetrahedron_quality(nullptr, nullptr, &report, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_tetrahedron_quality(made, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+}
+
 TEST_CASE("The boundary of cells is a surface of its own") {
   const Cube cube;
   const Mesh solid = create(cube.cells());

@@ -88,6 +88,25 @@ OBC_API obc_status obc_mesh_check_cells(const obc_mesh *mesh, const obc_host *ho
  * cancelled. O(n log n). */
 OBC_API obc_status obc_mesh_boundary(const obc_mesh *mesh, const obc_host *host, obc_mesh **out, obc_error *error);
 
+/* How well shaped tetrahedra are. Ratios of inverted ones are negative, of flat ones 0; angles are in degrees. */
+typedef struct obc_mesh_tetrahedron_quality_report {
+  uint32_t struct_size, worst;                    /* the first one of the smallest radius ratio; 2^32 - 1: there are none */
+  uint64_t tetrahedra, positive, flat, inverted;  /* all, and those by their exact signs */
+  double volume, smallest_volume, largest_volume; /* of all together and of one; those of inverted ones negative */
+  double smallest_dihedral, largest_dihedral, mean_smallest_dihedral; /* at the edges; the mean of each one's smallest */
+  double smallest_radius_ratio, mean_radius_ratio;  /* 3 * inradius / circumradius: 1 for a regular tetrahedron */
+  double largest_radius_edge, mean_radius_edge;     /* circumradius / shortest edge; infinite, and left out, for flat ones */
+  double shortest_edge, longest_edge;
+  uint64_t dihedral_histogram[18], radius_ratio_histogram[20]; /* six angles each, by 10 degrees; ratios by 0.05 */
+} obc_mesh_tetrahedron_quality_report;
+
+/* An empty report that knows its size. */
+OBC_API obc_status obc_mesh_tetrahedron_quality_report_init(obc_mesh_tetrahedron_quality_report *report, size_t struct_size);
+
+/* Measures the tetrahedra of a mesh, whatever they are. Errors: invalid argument, cancelled. O(n). */
+OBC_API obc_status obc_mesh_tetrahedron_quality(const obc_mesh *mesh, const obc_host *host,
+                                                obc_mesh_tetrahedron_quality_report *report, obc_error *error);
+
 /* ---- files ------------------------------------------------------------------------------------------------------------ */
 
 /* Formats, for files in memory. */
@@ -259,10 +278,8 @@ OBC_API obc_status obc_mesh_search_surface(const obc_mesh_search *search, const 
 
 /* ---- exact predicates ------------------------------------------------------------------------------------------------ */
 
-/* Signs of determinants, exact for all finite doubles: a floating-point filter with a proven bound, then integers of any
- * length. They answer -1, 0 or 1; 2 for NULL, for a coordinate that is not finite, and when memory for the integers cannot
- * be had. Points are 2 or 3 doubles. */
-
+/* Signs of determinants, exact for all finite doubles: a filter with a proven bound, then integers of any length. They answer -1,
+ * 0 or 1; 2 for NULL, a coordinate that is not finite, and when there is no memory for the integers. Points are 2 or 3 doubles. */
 /* Sign of (b - a) x (c - a): 1 when the triangle a, b, c of the plane is counter-clockwise. */
 OBC_API int32_t obc_mesh_orientation_2d(const double *a, const double *b, const double *c);
 

@@ -1,0 +1,140 @@
+#include "orbicube/tetrahedra.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <span>
+
+#include "base/version.h"
+#include "capi/src/entry.h"
+#include "tetrahedra/input_check.h"
+#include "tetrahedra/tetrahedra.h"
+
+using namespace orbicube;
+using mesh::Triangle;
+using mesh::Vector3;
+
+struct obc_tetrahedra {
+  explicit obc_tetrahedra(const obc_host* host) : adapter(host), solid(adapter.host().memory) {}
+  capi::HostAdapter adapter;
+  tetrahedra::Solid solid;
+};
+
+namespace {
+
+obc_tetrahedra_options default_options() {
+  const tetrahedra::Options defaults;
+  obc_tetrahedra_options o{};
+  o.struct_size = sizeof o;
+  o.keep_surface = defaults.keep_surface;
+  o.quality = defaults.quality;
+  o.max_volume = defaults.max_volume;
+  o.edge_length = defaults.edge_length;
+  return o;
+}
+
+// The caller's arrays as the C++ side takes them: doubles and indices have the layout of its vectors and triangles.
+struct Surface {
+  std::span<const Vector3> positions;
+  std::span<const Triangle> triangles;
+
+  explicit Surface(const obc_surface* from) {
+    static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(uint32_t));
+    capi::require(from != nullptr, "surface is NULL");
+    capi::require(from->positions != nullptr || from->vertex_count == 0, "surface->positions is NULL");
+    capi::require(from->triangles != nullptr || from->triangle_count == 0, "surface->triangles is NULL");
+    capi::require(std::max(from->vertex_count, from->triangle_count) <= PTRDIFF_MAX / sizeof(Vector3),
+                  "surface: too many vertices or triangles");
+    positions = {reinterpret_cast<const Vector3*>(from->positions), from->vertex_count};
+    triangles = {reinterpret_cast<const Triangle*>(from->triangles), from->triangle_count};
+  }
+};
+
+template <class Element, class Number>
+void copy(std::span<const Element> from, Number* to) {
+  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size_bytes());
+}
+
+template <class Element, class Number>
+void copy(const base::Array<Element>& from, Number* to) {
+  copy(std::span<const Element>(from), to);
+}
+
+}  // namespace
+
+obc_status obc_tetrahedra_options_init(obc_tetrahedra_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_options());
+}
+
+obc_status obc_tetrahedra_fill(const obc_surface* surface, const obc_tetrahedra_options* options, const obc_host* host,
+                               obc_tetrahedra** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    const Surface s(surface);
+    const obc_tetrahedra_options o = capi::copy_versioned(options, default_options());
+    auto made = std::make_unique<obc_tetrahedra>(host);
+    made->solid = tetrahedra::fill(s.positions, s.triangles,
+                                   {.quality = o.quality,
+                                    .max_volume = o.max_volume,
+                                    .edge_length = o.edge_length,
+                                    .keep_surface = o.keep_surface != 0},
+                                   made->adapter.host());
+    *out = made.release();
+  });
+}
+
+void obc_tetrahedra_destroy(obc_tetrahedra* solid) {
+  delete solid;
+}
+
+size_t obc_tetrahedra_vertex_count(const obc_tetrahedra* solid) {
+  return solid != nullptr ? solid->solid.positions.size() : 0;
+}
+
+size_t obc_tetrahedra_count(const obc_tetrahedra* solid) {
+  return solid != nullptr ? solid->solid.tetrahedra.size() : 0;
+}
+
+size_t obc_tetrahedra_boundary_count(const obc_tetrahedra* solid) {
+  return solid != nullptr ? solid->solid.boundary.size() : 0;
+}
+
+size_t obc_tetrahedra_part_count(const obc_tetrahedra* solid) {
+  return solid != nullptr ? solid->solid.parts : 0;
+}
+
+size_t obc_tetrahedra_cavity_count(const obc_tetrahedra* solid) {
+  return solid != nullptr ? solid->solid.cavities : 0;
+}
+
+obc_status obc_tetrahedra_copy(const obc_tetrahedra* solid, double* positions, uint32_t* tetrahedra, uint32_t* boundary,
+                               uint32_t* boundary_source, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(solid != nullptr, "solid is NULL");
+    copy(solid->solid.positions, positions);
+    copy(solid->solid.tetrahedra, tetrahedra);
+    copy(solid->solid.boundary, boundary);
+    copy(solid->solid.boundary_source, boundary_source);
+  });
+}
+
+obc_status obc_tetrahedra_check_surface(const obc_surface* surface, const obc_host* host, uint32_t* pairs,
+                                        size_t capacity, size_t* count, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(count != nullptr, "count is NULL");
+    *count = 0;
+    const Surface s(surface);
+    capi::require(pairs != nullptr || capacity == 0, "pairs is NULL");
+    const capi::HostAdapter adapter(host);
+    const auto found = tetrahedra::self_intersections(s.positions, s.triangles, adapter.host());
+    copy(std::span(found).first(std::min(capacity, found.size())), pairs);
+    *count = found.size();
+    tetrahedra::require_none(found);
+  });
+}
+
+uint32_t obc_tetrahedra_version(void) {
+  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+}

@@ -1,0 +1,81 @@
+#include "tetrahedra/tetrahedra.h"
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <string>
+
+#include "base/error.h"
+#include "tetrahedra/assemble.h"
+#include "tetrahedra/input_check.h"
+#include "tetrahedra/scaled_surface.h"
+#include "tetrahedra/tetgen_call.h"
+
+namespace orbicube::tetrahedra {
+namespace {
+
+void require_valid(const Options& o) {
+  const auto require = [](bool condition, const char* what) {
+    if (!condition) throw base::Error("invalid-argument", what);
+  };
+  require(o.quality == 0 || (o.quality >= 1 && std::isfinite(o.quality)), "quality must be 0 or at least 1");
+  require(o.max_volume >= 0 && std::isfinite(o.max_volume), "max_volume must be 0 or positive");
+  require(o.edge_length >= 0 && std::isfinite(o.edge_length), "edge_length must be 0 or positive");
+}
+
+std::string text(const TetgenOutcome& outcome) {
+  using Kind = TetgenOutcome::Kind;
+  if (outcome.kind == Kind::out_of_memory) {
+    return outcome.number == SIGKILL ? "the process that TetGen ran in was killed, as happens for lack of memory"
+                                     : "TetGen ran out of memory";
+  }
+  if (outcome.kind == Kind::crashed) return "TetGen crashed with signal " + std::to_string(outcome.number);
+  switch (outcome.number) {
+    case 3:
+      return "TetGen could not keep faces apart that come too close to each other";
+    case 4:
+      return "TetGen met an edge or a gap that is too small for it";
+    case 5:
+      return "TetGen met two faces that are too close to each other for it";
+    default:
+      return "TetGen gave up with its error " + std::to_string(outcome.number);
+  }
+}
+
+// Of a regular tetrahedron with such edges, or what was asked for if that is less; in the coordinates of TetGen.
+double largest_volume(const Options& options, const ScaledSurface& surface) {
+  const double edge = surface.scaled_length(options.edge_length);
+  const double of_edge = edge * edge * edge / (6 * std::sqrt(2.0));
+  const double asked = surface.scaled_volume(options.max_volume);
+  return of_edge > 0 && asked > 0 ? std::min(of_edge, asked) : std::max(of_edge, asked);
+}
+
+// TetGen's mesh, with its tolerance lowered for as long as it takes features for flaws.
+TetgenMesh run_tetgen(const ScaledSurface& surface, TetgenOptions options, const base::Host& host) {
+  TetgenOutcome outcome;
+  for (const double tolerance : {1e-8, 1e-12, 1e-16}) {
+    options.tolerance = tolerance;
+    TetgenMesh made(host.memory);
+    outcome = call_tetgen(surface.positions(), surface.triangles(), options, host, made);
+    if (outcome.kind == TetgenOutcome::Kind::done) return made;
+    host.log(text(outcome) + " (tolerance " + std::to_string(std::lround(-std::log10(tolerance))) + " digits)");
+    if (outcome.kind == TetgenOutcome::Kind::out_of_memory) throw base::Error("out-of-memory", text(outcome));
+  }
+  throw base::Error("no-valid-result", text(outcome));
+}
+
+}  // namespace
+
+Solid fill(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
+           const base::Host& host) {
+  require_valid(options);
+  require_fillable(positions, triangles, host);
+  const ScaledSurface surface(positions, triangles, host.memory);
+  const TetgenOptions wanted{.radius_edge_ratio = options.quality,
+                             .max_volume = largest_volume(options, surface),
+                             .keep_surface = options.keep_surface};
+  const TetgenMesh made = run_tetgen(surface, wanted, host);
+  return assemble(positions, triangles, surface, made, options.keep_surface, host);
+}
+
+}  // namespace orbicube::tetrahedra
