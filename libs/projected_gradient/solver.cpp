@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
@@ -43,29 +44,8 @@ double longest_step(std::span<const double> x, std::span<const double> d, std::s
 }  // namespace
 
 const char* stop_name(Stop stop) {
-  switch (stop) {
-    case Stop::running:
-      return "running";
-    case Stop::converged:
-      return "converged";
-    case Stop::target_reached:
-      return "target reached";
-    case Stop::evaluation_budget:
-      return "evaluation budget";
-    case Stop::iteration_budget:
-      return "iteration budget";
-    case Stop::stalled:
-      return "stalled";
-    case Stop::infeasible:
-      return "infeasible";
-    case Stop::cancelled:
-      return "cancelled";
-    case Stop::evaluation_failed:
-      return "evaluation failed";
-    case Stop::projection_failed:
-      return "projection failed";
-  }
-  return "unknown";
+  return base::name_of(stop, {"running", "converged", "target reached", "evaluation budget", "iteration budget",
+                              "stalled", "infeasible", "cancelled", "evaluation failed", "projection failed"});
 }
 
 Solver::Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host)

@@ -75,10 +75,17 @@ void Relaxation::choose_over_relaxation() {
   const double rate = std::pow(state_.pass_gain / state_.window_gain, 0.5 / static_cast<double>(passes));
   if (!(rate > slow && rate < 1)) return;
   if (options_.over_relaxation == 0) {
-    const double factor = state_.result.over_relaxation, sum = rate + factor - 1;
-    const double square = std::min(sum * sum / (rate * factor * factor), 1.0);
-    const double best = 2 / (1 + std::sqrt(1 - square));
-    state_.result.over_relaxation = std::clamp(best - 0.25 * (2 - best), factor, std::max(factor, largest));
+    double& factor = state_.result.over_relaxation;
+    if (rate < 1.02 * (factor - 1)) {
+      // Rates below w - 1 cannot be, those about it say that w is the best or too large: it was chosen on the way from
+      // the start, where gains fall more slowly than near the optimum.
+      factor = 1 + 0.75 * (factor - 1);
+    } else {
+      const double sum = rate + factor - 1;
+      const double square = std::min(sum * sum / (rate * factor * factor), 1.0);
+      const double best = 2 / (1 + std::sqrt(1 - square));
+      factor = std::clamp(best - 0.25 * (2 - best), factor, std::max(factor, largest));
+    }
   }
   if (options_.order == Order::automatic && state_.sweeping == 0) {
     state_.sweeping = 1;

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "base/sums.h"
 #include "sphere_optimizer/great_circle.h"
 #include "sphere_optimizer/spheres.h"
@@ -45,25 +46,8 @@ const Shape& checked(const Shape& shape) {
 }  // namespace
 
 const char* stop_name(Stop stop) {
-  switch (stop) {
-    case Stop::running:
-      return "running";
-    case Stop::converged:
-      return "converged";
-    case Stop::target_reached:
-      return "target reached";
-    case Stop::evaluation_budget:
-      return "evaluation budget";
-    case Stop::iteration_budget:
-      return "iteration budget";
-    case Stop::stalled:
-      return "stalled";
-    case Stop::cancelled:
-      return "cancelled";
-    case Stop::evaluation_failed:
-      return "evaluation failed";
-  }
-  return "unknown";
+  return base::name_of(stop, {"running", "converged", "target reached", "evaluation budget", "iteration budget",
+                              "stalled", "cancelled", "evaluation failed"});
 }
 
 Solver::Solver(const Shape& shape, const Options& options, std::span<const double> start, const base::Host& host)

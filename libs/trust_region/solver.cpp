@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/names.h"
 #include "trust_region/dense.h"
 
 namespace orbicube::trust_region {
@@ -56,25 +57,8 @@ bool two_families(const Problem& problem, const Variables& variables, std::size_
 }  // namespace
 
 const char* stop_name(Stop stop) {
-  switch (stop) {
-    case Stop::running:
-      return "running";
-    case Stop::converged:
-      return "converged";
-    case Stop::target_reached:
-      return "target reached";
-    case Stop::evaluation_budget:
-      return "evaluation budget";
-    case Stop::noise_limit:
-      return "noise limit";
-    case Stop::stalled:
-      return "stalled";
-    case Stop::cancelled:
-      return "cancelled";
-    case Stop::evaluation_failed:
-      return "evaluation failed";
-  }
-  return "unknown";
+  return base::name_of(stop, {"running", "converged", "target reached", "evaluation budget", "noise limit", "stalled",
+                              "cancelled", "evaluation failed"});
 }
 
 Solver::Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host)

@@ -2,9 +2,6 @@
 // cancelling.
 #include <doctest/doctest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "base/error.h"
 #include "runs.h"
 
@@ -31,35 +28,17 @@ TEST_CASE("A projection that fails ends the run, saying so") {
 TEST_CASE("Saved at each evaluation and loaded into a new solver, a run goes on with the same bits") {
   for (const Options& options : every_method) {
     for (const Case& problem : {hock_schittkowski(1.5), hock_schittkowski_53(), random_quadratic(9, 25, 1, 100)}) {
-      const Run whole = run(problem, options);
       const base::Host host;
       Solver solver(problem.constraints.problem(), options, problem.start, host);
       std::vector<double> gradient(solver.size());
-      std::size_t evaluation = 0;
-      std::vector<std::byte> blob;
-      for (Request request; (request = solver.step()) != Request::done;) {
-        for (const bool told : {false, true}) {  // while a request waits, and after it was answered
-          if (request != Request::need_value_and_gradient) continue;
-          if (told) solver.tell(problem.function(solver.point(), gradient), gradient);
-          blob.resize(solver.save_size());
-          solver.save(blob);
-          Solver loaded(problem.constraints.problem(), Solver::options_of(blob), {}, host);
-          loaded.load(blob);
-          std::vector<std::vector<double>> asked;
-          drive(loaded, problem.function, &asked);
-          // The points asked for are the rest of the whole run's, and so is the end.
-          const std::size_t first = evaluation + (told ? 1 : 0);
-          REQUIRE(asked.size() == whole.asked.size() - first);
-          bool same = true;
-          for (std::size_t k = 0; k < asked.size(); ++k)
-            same = same && same_bits(asked[k], whole.asked[first + k]);
-          CHECK(same);
-          CHECK(same_bits({loaded.best_point().begin(), loaded.best_point().end()}, whole.x));
-          CHECK(loaded.result().evaluations == whole.result.evaluations);
-          CHECK(loaded.result().stop == whole.result.stop);
-        }
-        if (request == Request::need_value_and_gradient) ++evaluation;
-      }
+      check_resuming(
+          solver, run(problem, options),
+          [&](Solver& asking) { asking.tell(problem.function(asking.point(), gradient), gradient); },
+          [&](std::span<const std::byte> blob) {
+            Solver loaded(problem.constraints.problem(), Solver::options_of(blob), {}, host);
+            loaded.load(blob);
+            return drive(loaded, problem.function);
+          });
     }
   }
 }
@@ -70,24 +49,14 @@ TEST_CASE("A damaged or foreign blob is refused") {
   Solver solver(problem.constraints.problem(), {}, problem.start, host);
   std::vector<std::byte> blob(solver.save_size());
   solver.save(blob);
-  const auto refuses = [&](const std::vector<std::byte>& bytes, const Constraints& constraints) {
-    const auto load = [&] {
-      Solver loaded(constraints.problem(), Solver::options_of(bytes), {}, host);
-      loaded.load(bytes);
-    };
-    CHECK_THROWS_AS(load(), base::Error);
+  const auto load = [&](const std::vector<std::byte>& bytes, const Constraints& constraints) {
+    Solver loaded(constraints.problem(), Solver::options_of(bytes), {}, host);
+    loaded.load(bytes);
   };
-  for (std::size_t i = 0; i < blob.size(); i += 7) {
-    std::vector<std::byte> damaged = blob;
-    damaged[i] ^= std::byte{0x10};
-    refuses(damaged, problem.constraints);
-  }
-  for (const std::size_t size : {std::size_t{0}, std::size_t{10}, blob.size() - 1}) {
-    refuses({blob.begin(), blob.begin() + static_cast<std::ptrdiff_t>(size)}, problem.constraints);
-  }
+  check_damaged_blobs(blob, [&](const auto& bytes) { load(bytes, problem.constraints); });
   Constraints other = problem.constraints;
   other.rhs[0] = 0.1;
-  refuses(blob, other);
+  CHECK_THROWS_AS(load(blob, other), base::Error);
 }
 
 TEST_CASE("A value that is not finite at any one evaluation does not keep the run from its end") {
@@ -195,17 +164,7 @@ TEST_CASE("Contradicting constraints end a run at its first step with a certific
 
 TEST_CASE("Sixty-four runs at once on threads end in the bits of one alone") {
   const Case problem = random_quadratic(21, 60, 4, 1e4);
-  const Run alone = run(problem);
-  std::vector<Run> runs(64);
-  {
-    std::vector<std::jthread> threads;
-    for (Run& slot : runs)
-      threads.emplace_back([&] { slot = run(problem); });
-  }
-  for (const Run& other : runs) {
-    CHECK(same_bits(other.x, alone.x));
-    CHECK(other.result.evaluations == alone.result.evaluations);
-  }
+  check_runs_at_once([&] { return run(problem); });
 }
 
 TEST_CASE("A host that cancels gets the best point so far") {
@@ -215,23 +174,11 @@ TEST_CASE("A host that cancels gets the best point so far") {
   host.on_progress = [&](const base::Progress&) { return !stop; };
   Solver solver(problem.constraints.problem(), {}, problem.start, host);
   std::vector<double> gradient(60);
-  double best = infinity;
-  for (int evaluation = 0; evaluation < 10;) {
-    if (solver.step() != Request::need_value_and_gradient) continue;
-    ++evaluation;
-    const double f = problem.function(solver.point(), gradient);
-    best = std::min(best, f);
-    solver.tell(f, gradient);
-  }
-  stop = true;
-  // Reports are passed on every 20 ms at most.
-  for (int step = 0; step < 1000 && solver.step() != Request::done; ++step) {
-    if (solver.step() == Request::need_value_and_gradient) solver.tell(best + 1, gradient);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  CHECK(solver.result().stop == Stop::cancelled);
-  CHECK(solver.result().value == best);
-  CHECK(solver.step() == Request::done);
+  check_cancelling(solver, stop, [&](Solver& asking, double more) {
+    const double f = problem.function(asking.point(), gradient);
+    asking.tell(f + more, gradient);
+    return f;
+  });
 }
 
 TEST_CASE("What is not asked for cannot be told") {

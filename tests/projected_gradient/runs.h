@@ -4,7 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cstring>
 #include <functional>
 #include <random>
 #include <span>
@@ -12,6 +11,7 @@
 
 #include "projected_gradient/solver.h"
 #include "rows.h"
+#include "tests/solver_runs.h"
 
 namespace orbicube::test {
 
@@ -37,28 +37,28 @@ struct Run {
   std::vector<std::vector<double>> asked;  // every point at which f was asked for
 };
 
-// Answers requests until the end; gives up where a run would not end.
-inline void drive(Solver& solver, const Function& function, std::vector<std::vector<double>>* asked = nullptr) {
+// Answers requests until the end, and answers what was asked from here on; gives up where a run would not end.
+inline Run drive(Solver& solver, const Function& function) {
+  Run run;
   std::vector<double> gradient(solver.size());
   for (std::uint64_t steps = 0;; ++steps) {
     REQUIRE(steps < 1000000);
     const Request request = solver.step();
-    if (request == Request::done) return;
+    if (request == Request::done) break;
     if (request == Request::iteration) continue;
-    if (asked != nullptr) asked->emplace_back(solver.point().begin(), solver.point().end());
+    run.asked.emplace_back(solver.point().begin(), solver.point().end());
     const double value = function(solver.point(), gradient);
     solver.tell(value, gradient);
   }
+  run.result = solver.result();
+  run.x.assign(solver.best_point().begin(), solver.best_point().end());
+  return run;
 }
 
 inline Run run(const Case& problem, const Options& options = {}) {
   const base::Host host;
   Solver solver(problem.constraints.problem(), options, problem.start, host);
-  Run result;
-  drive(solver, problem.function, &result.asked);
-  result.result = solver.result();
-  result.x.assign(solver.best_point().begin(), solver.best_point().end());
-  return result;
+  return drive(solver, problem.function);
 }
 
 inline double rosenbrock(std::span<const double> x, std::span<double> g) {
@@ -158,10 +158,6 @@ inline double stationarity(const Case& problem, const std::vector<double>& x) {
   for (std::size_t j = 0; j < x.size(); ++j)
     worst = std::max(worst, std::abs(projected.x[j] - x[j]));
   return worst;
-}
-
-inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 inline Options with(Method method, LineSearch line_search = LineSearch::largest_of_last) {

@@ -4,13 +4,13 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <random>
 #include <span>
 #include <vector>
 
 #include "sphere_optimizer/solver.h"
+#include "tests/solver_runs.h"
 
 namespace orbicube::test {
 
@@ -121,27 +121,27 @@ struct Run {
   std::vector<std::vector<double>> asked;  // every point at which f was asked for
 };
 
-// Answers requests until the end; gives up where a run would not end.
-inline void drive(Solver& solver, const Function& function, std::vector<std::vector<double>>* asked = nullptr) {
+// Answers requests until the end, and answers what was asked from here on; gives up where a run would not end.
+inline Run drive(Solver& solver, const Function& function) {
+  Run run;
   std::vector<double> gradient(solver.shape().size());
   for (std::uint64_t steps = 0;; ++steps) {
     REQUIRE(steps < 1000000);
     const Request request = solver.step();
-    if (request == Request::done) return;
+    if (request == Request::done) break;
     if (request == Request::iteration) continue;
-    if (asked != nullptr) asked->emplace_back(solver.point().begin(), solver.point().end());
+    run.asked.emplace_back(solver.point().begin(), solver.point().end());
     solver.tell(function(solver.point(), gradient), gradient);
   }
+  run.result = solver.result();
+  run.x.assign(solver.best_point().begin(), solver.best_point().end());
+  return run;
 }
 
 inline Run run(const Problem& problem, const Options& options = {}) {
   const base::Host host;
   Solver solver(problem.shape, options, problem.start, host);
-  Run result;
-  drive(solver, problem.function, &result.asked);
-  result.result = solver.result();
-  result.x.assign(solver.best_point().begin(), solver.best_point().end());
-  return result;
+  return drive(solver, problem.function);
 }
 
 inline Options with(Method method, double gradient_tolerance = 1e-8) {
@@ -149,10 +149,6 @@ inline Options with(Method method, double gradient_tolerance = 1e-8) {
   options.method = method;
   options.gradient_tolerance = gradient_tolerance;
   return options;
-}
-
-inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
 // Largest distance of a block's length from 1, in units of the last place of 1, in extended precision.

@@ -2,9 +2,6 @@
 // cancelling.
 #include <doctest/doctest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "base/error.h"
 #include "problems.h"
 
@@ -24,36 +21,17 @@ TEST_CASE("Saved at each evaluation and loaded into a new solver, a run goes on 
       Options options = with(method, 1e-5);
       options.memory = 5;
       options.max_evaluations = 60;
-      const Run whole = run(problem, options);
       const base::Host host;
       Solver solver(problem.shape, options, problem.start, host);
       std::vector<double> gradient(problem.shape.size());
-      std::vector<std::byte> blob;
-      std::size_t evaluation = 0;
-      bool same = true;
-      for (Request request; (request = solver.step()) != Request::done;) {
-        if (request != Request::need_value_and_gradient) continue;
-        for (const bool told : {false, true}) {  // while a request waits, and after it was answered
-          if (told) solver.tell(problem.function(solver.point(), gradient), gradient);
-          blob.resize(solver.save_size());
-          solver.save(blob);
-          Solver loaded(Solver::shape_of(blob), Solver::options_of(blob), {}, host);
-          loaded.load(blob);
-          std::vector<std::vector<double>> asked;
-          drive(loaded, problem.function, &asked);
-          // The points asked for are the rest of the whole run's, and so is the end.
-          const std::size_t first = evaluation + (told ? 1 : 0);
-          REQUIRE(asked.size() == whole.asked.size() - first);
-          for (std::size_t k = 0; k < asked.size(); ++k)
-            same = same && same_bits(asked[k], whole.asked[first + k]);
-          same = same && same_bits({loaded.best_point().begin(), loaded.best_point().end()}, whole.x);
-          same = same && loaded.result().evaluations == whole.result.evaluations;
-          same = same && loaded.result().stop == whole.result.stop;
-        }
-        ++evaluation;
-      }
-      CHECK(same);
-      CHECK(evaluation == whole.asked.size());
+      check_resuming(
+          solver, run(problem, options),
+          [&](Solver& asking) { asking.tell(problem.function(asking.point(), gradient), gradient); },
+          [&](std::span<const std::byte> blob) {
+            Solver loaded(Solver::shape_of(blob), Solver::options_of(blob), {}, host);
+            loaded.load(blob);
+            return drive(loaded, problem.function);
+          });
     }
   }
 }
@@ -64,24 +42,14 @@ TEST_CASE("A damaged or foreign blob is refused") {
   Solver solver(problem.shape, {}, problem.start, host);
   std::vector<std::byte> blob(solver.save_size());
   solver.save(blob);
-  const auto refuses = [&](const std::vector<std::byte>& bytes, const Shape& shape, const Options& options) {
-    const auto load = [&] {
-      Solver loaded(shape, options, {}, host);
-      loaded.load(bytes);
-    };
-    CHECK_THROWS_AS(load(), base::Error);
+  const auto load = [&](const std::vector<std::byte>& bytes, const Shape& shape, const Options& options) {
+    Solver loaded(shape, options, {}, host);
+    loaded.load(bytes);
   };
-  for (std::size_t i = 0; i < blob.size(); i += 5) {
-    std::vector<std::byte> damaged = blob;
-    damaged[i] ^= std::byte{0x10};
-    refuses(damaged, problem.shape, {});
-    CHECK_THROWS_AS(Solver::shape_of(damaged), base::Error);
-  }
-  for (const std::size_t size : {std::size_t{0}, std::size_t{10}, std::size_t{100}, blob.size() - 1}) {
-    refuses({blob.begin(), blob.begin() + static_cast<std::ptrdiff_t>(size)}, problem.shape, {});
-  }
-  refuses(blob, {4, 3}, {});
-  refuses(blob, {3, 3}, with(Method::barzilai_borwein));
+  check_damaged_blobs(blob, [&](const auto& bytes) { load(bytes, problem.shape, {}); });
+  check_damaged_blobs(blob, [&](const auto& bytes) { Solver::shape_of(bytes); });
+  CHECK_THROWS_AS(load(blob, {4, 3}, {}), base::Error);
+  CHECK_THROWS_AS(load(blob, {3, 3}, with(Method::barzilai_borwein)), base::Error);
 }
 
 TEST_CASE("A value that is not finite at any one evaluation does not keep the run from its end") {
@@ -193,17 +161,7 @@ TEST_CASE("A start that is stationary already ends at once, and one with a gradi
 
 TEST_CASE("Sixty-four runs at once on threads end in the bits of one alone") {
   const Problem problem = thomson(24, 6);
-  const Run alone = run(problem);
-  std::vector<Run> runs(64);
-  {
-    std::vector<std::jthread> threads;
-    for (Run& slot : runs)
-      threads.emplace_back([&] { slot = run(problem); });
-  }
-  for (const Run& other : runs) {
-    CHECK(same_bits(other.x, alone.x));
-    CHECK(other.result.evaluations == alone.result.evaluations);
-  }
+  check_runs_at_once([&] { return run(problem); });
 }
 
 TEST_CASE("A host that cancels gets the best point so far") {
@@ -213,23 +171,11 @@ TEST_CASE("A host that cancels gets the best point so far") {
   host.on_progress = [&](const base::Progress&) { return !stop; };
   Solver solver(problem.shape, {}, problem.start, host);
   std::vector<double> gradient(90);
-  double best = infinity;
-  for (int evaluation = 0; evaluation < 10;) {
-    if (solver.step() != Request::need_value_and_gradient) continue;
-    ++evaluation;
-    const double f = problem.function(solver.point(), gradient);
-    best = std::min(best, f);
-    solver.tell(f, gradient);
-  }
-  stop = true;
-  // Reports are passed on every 20 ms at most.
-  for (int step = 0; step < 1000 && solver.step() != Request::done; ++step) {
-    if (solver.step() == Request::need_value_and_gradient) solver.tell(best + 1, gradient);
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  CHECK(solver.result().stop == Stop::cancelled);
-  CHECK(solver.result().value == best);
-  CHECK(solver.step() == Request::done);
+  check_cancelling(solver, stop, [&](Solver& asking, double more) {
+    const double f = problem.function(asking.point(), gradient);
+    asking.tell(f + more, gradient);
+    return f;
+  });
 }
 
 TEST_CASE("What is not asked for cannot be told") {

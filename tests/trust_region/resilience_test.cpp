@@ -2,9 +2,6 @@
 // cancelling.
 #include <doctest/doctest.h>
 
-#include <chrono>
-#include <thread>
-
 #include "base/error.h"
 #include "runs.h"
 
@@ -13,33 +10,15 @@ using namespace orbicube::test;
 
 TEST_CASE("Saved at each evaluation and loaded into a new solver, a run goes on with the same bits") {
   for (const Case& c : every_case()) {
-    const Run whole = run(c);
     const base::Host host;
     Solver solver(c.problem(), {}, c.start, host);
-    std::size_t evaluation = 0;
-    std::vector<std::byte> blob;
-    for (Request request; (request = solver.step()) != Request::done;) {
-      if (request != Request::need_values) continue;
-      for (const bool told : {false, true}) {  // while a request waits, and after it was answered
-        if (told) solver.tell(c.function(solver.pending().first(solver.size())));
-        blob.resize(solver.save_size());
-        solver.save(blob);
-        Solver loaded(c.problem(), Solver::options_of(blob), {}, host);
-        loaded.load(blob);
-        std::vector<std::vector<double>> asked;
-        drive(loaded, c.function, &asked);
-        const std::size_t first = evaluation + (told ? 1 : 0);
-        REQUIRE(asked.size() == whole.asked.size() - first);
-        bool same = true;
-        for (std::size_t k = 0; k < asked.size(); ++k)
-          same = same && same_bits(asked[k], whole.asked[first + k]);
-        CHECK(same);
-        CHECK(same_bits({loaded.best_point().begin(), loaded.best_point().end()}, whole.x));
-        CHECK(loaded.result().evaluations == whole.result.evaluations);
-        CHECK(loaded.result().stop == whole.result.stop);
-      }
-      ++evaluation;
-    }
+    check_resuming(
+        solver, run(c), [&](Solver& asking) { asking.tell(c.function(asking.pending().first(asking.size()))); },
+        [&](std::span<const std::byte> blob) {
+          Solver loaded(c.problem(), Solver::options_of(blob), {}, host);
+          loaded.load(blob);
+          return drive(loaded, c.function);
+        });
   }
 }
 
@@ -49,24 +28,15 @@ TEST_CASE("A damaged or foreign blob is refused") {
   Solver solver(c.problem(), {}, c.start, host);
   std::vector<std::byte> blob(solver.save_size());
   solver.save(blob);
-  const auto refuses = [&](const std::vector<std::byte>& bytes, const Case& of) {
-    const auto load = [&] {
-      Solver loaded(of.problem(), Solver::options_of(bytes), {}, host);
-      loaded.load(bytes);
-    };
-    CHECK_THROWS_AS(load(), base::Error);
+  const auto load = [&](const std::vector<std::byte>& bytes, const Case& of) {
+    Solver loaded(of.problem(), Solver::options_of(bytes), {}, host);
+    loaded.load(bytes);
   };
-  for (std::size_t i = 0; i < blob.size(); i += 7) {
-    std::vector<std::byte> damaged = blob;
-    damaged[i] ^= std::byte{0x10};
-    refuses(damaged, c);
-  }
-  for (const std::size_t size : {std::size_t{0}, std::size_t{10}, blob.size() - 1})
-    refuses({blob.begin(), blob.begin() + static_cast<std::ptrdiff_t>(size)}, c);
+  check_damaged_blobs(blob, [&](const auto& bytes) { load(bytes, c); });
   Case other = c;
   other.lower = {-5, -5};
-  refuses(blob, other);
-  refuses(blob, as_scalar(c));
+  CHECK_THROWS_AS(load(blob, other), base::Error);
+  CHECK_THROWS_AS(load(blob, as_scalar(c)), base::Error);
 }
 
 TEST_CASE("A value that is not finite at any one evaluation does not keep the run from its end") {
@@ -183,19 +153,8 @@ TEST_CASE("A constant function, huge values and a tolerance below rounding all c
 }
 
 TEST_CASE("Sixty-four runs at once on threads end in the bits of one alone") {
-  for (const Case& c : {wood(), as_scalar(wood())}) {
-    const Run alone = run(c);
-    std::vector<Run> runs(64);
-    {
-      std::vector<std::jthread> threads;
-      for (Run& slot : runs)
-        threads.emplace_back([&] { slot = run(c); });
-    }
-    for (const Run& other : runs) {
-      CHECK(same_bits(other.x, alone.x));
-      CHECK(other.result.evaluations == alone.result.evaluations);
-    }
-  }
+  for (const Case& c : {wood(), as_scalar(wood())})
+    check_runs_at_once([&] { return run(c); });
 }
 
 TEST_CASE("A host that cancels gets the best point so far") {
@@ -204,24 +163,11 @@ TEST_CASE("A host that cancels gets the best point so far") {
   bool stop = false;
   host.on_progress = [&](const base::Progress&) { return !stop; };
   Solver solver(c.problem(), {}, c.start, host);
-  double best = infinity;
-  for (int evaluation = 0; evaluation < 10;) {
-    if (solver.step() != Request::need_values) continue;
-    ++evaluation;
-    const std::vector<double> f = c.function(solver.pending());
-    best = std::min(best, f[0]);
-    solver.tell(f);
-  }
-  stop = true;
-  // Reports are passed on every 20 ms at most.
-  for (int step = 0; step < 1000 && solver.step() != Request::done; ++step) {
-    if (solver.step() == Request::need_values) solver.tell(std::vector<double>{best + 1});
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  CHECK(solver.result().stop == Stop::cancelled);
-  CHECK(solver.cancelled_by_host());
-  CHECK(solver.result().value == best);
-  CHECK(solver.step() == Request::done);
+  check_cancelling(solver, stop, [&](Solver& asking, double more) {
+    const double f = c.function(asking.pending())[0];
+    asking.tell(std::vector<double>{f + more});
+    return f;
+  });
 }
 
 TEST_CASE("What is not asked for cannot be told") {

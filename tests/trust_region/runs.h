@@ -4,12 +4,12 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <span>
 #include <vector>
 
+#include "tests/solver_runs.h"
 #include "trust_region/solver.h"
 
 namespace orbicube::test {
@@ -153,32 +153,28 @@ struct Run {
   std::vector<std::vector<double>> asked;  // every point at which f was asked for
 };
 
-// Answers requests until the end; gives up where a run would not end.
-inline void drive(Solver& solver, const Function& function, std::vector<std::vector<double>>* asked = nullptr) {
+// Answers requests until the end, and answers what was asked from here on; gives up where a run would not end.
+inline Run drive(Solver& solver, const Function& function) {
+  Run run;
   for (std::uint64_t steps = 0;; ++steps) {
     REQUIRE(steps < 1000000);
     const Request request = solver.step();
-    if (request == Request::done) return;
+    if (request == Request::done) break;
     if (request == Request::iteration) continue;
     REQUIRE(solver.pending_count() >= 1);
     const std::span<const double> x = solver.pending().first(solver.size());
-    if (asked != nullptr) asked->emplace_back(x.begin(), x.end());
+    run.asked.emplace_back(x.begin(), x.end());
     solver.tell(function(x));
   }
+  run.result = solver.result();
+  run.x.assign(solver.best_point().begin(), solver.best_point().end());
+  return run;
 }
 
 inline Run run(const Case& c, const Options& options = {}) {
   const base::Host host;
   Solver solver(c.problem(), options, c.start, host);
-  Run result;
-  drive(solver, c.function, &result.asked);
-  result.result = solver.result();
-  result.x.assign(solver.best_point().begin(), solver.best_point().end());
-  return result;
-}
-
-inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+  return drive(solver, c.function);
 }
 
 inline bool within_bounds(const Case& c, const std::vector<double>& x) {
