@@ -2,41 +2,13 @@
 
 #include <algorithm>
 #include <atomic>
-#include <exception>
-#include <mutex>
 #include <system_error>
 #include <thread>
 #include <vector>
 
+#include "base/first_exception.h"
+
 namespace orbicube::base {
-namespace {
-
-// Remembers the first exception of any piece.
-class FirstException {
- public:
-  template <class Call>
-  void guard(const Call& call) noexcept {
-    try {
-      call();
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!exception_) exception_ = std::current_exception();
-      failed_.store(true, std::memory_order_relaxed);
-    }
-  }
-  bool failed() const { return failed_.load(std::memory_order_relaxed); }
-  void rethrow() const {
-    if (exception_) std::rethrow_exception(exception_);
-  }
-
- private:
-  std::mutex mutex_;
-  std::exception_ptr exception_;
-  std::atomic<bool> failed_{false};
-};
-
-}  // namespace
-
 void parallel_for(const Executor& executor, unsigned thread_count, std::size_t count,
                   const std::function<void(std::size_t)>& body) {
   FirstException first;

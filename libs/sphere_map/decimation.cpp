@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory_resource>
 #include <queue>
 #include <utility>
 
 #include "base/error.h"
+#include "sphere_map/level.h"
 
 namespace orbicube::sphere_map {
 namespace {
@@ -47,8 +49,8 @@ double random_of(std::uint64_t vertex, std::uint64_t seed) {
 
 class Decimator {
  public:
-  Decimator(std::span<const Vector3> positions, std::span<const Triangle> triangles, VertexRings rings,
-            std::uint64_t seed, const base::Host& host);
+  Decimator(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
+            const base::Team& team);
 
   Decimation run();
 
@@ -58,9 +60,13 @@ class Decimator {
   // How many of the cheapest feasible neighbours are looked at closely.
   static constexpr int close_looks = 4;
 
+  using Candidates = Array<std::pair<double, std::size_t>>;  // of one vertex: quadric error and position in its ring
+
+  void sum_quadrics(const base::Team& team);
+  void choose_first_targets(const base::Team& team);
   bool link_condition(Index vertex, std::size_t position) const;
   double penalty(Index vertex, std::size_t position) const;
-  void choose_target(Index vertex, bool patient);
+  void choose_target(Index vertex, bool patient, Candidates& candidates);
   void refresh(Index vertex, bool patient);
   void push(Index vertex) { heap_.push({cost_[vertex], vertex}); }
   void refill_heap();
@@ -76,12 +82,13 @@ class Decimator {
   Array<std::uint8_t> stale_;  // neighbourhood changed since the cost was computed
   Array<std::uint8_t> dead_;
   using Entry = std::pair<double, Index>;
-  std::priority_queue<Entry, Array<Entry>, std::greater<>> heap_;
-  Array<std::pair<double, std::size_t>> candidates_;  // of one vertex: quadric error and position in its ring
+  using Heap = std::priority_queue<Entry, Array<Entry>, std::greater<>>;
+  Heap heap_;
+  Candidates candidates_;
 };
 
-Decimator::Decimator(std::span<const Vector3> positions, std::span<const Triangle> triangles, VertexRings rings,
-                     std::uint64_t seed, const base::Host& host)
+Decimator::Decimator(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
+                     const base::Team& team)
     : positions_(positions),
       host_(host),
       seed_(seed),
@@ -93,18 +100,50 @@ Decimator::Decimator(std::span<const Vector3> positions, std::span<const Triangl
       dead_(positions.size(), 0, host.memory),
       heap_(std::greater<>(), Array<Entry>(host.memory)),
       candidates_(host.memory) {
-  for (const Triangle& t : triangles) {
-    const Vector3 normal = (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
-    const double length = normal.norm();
-    if (!(length > 0)) continue;
-    const Vector3 n = normal / length;
-    for (const Index v : t)
-      quadric_[v].add_plane(n, -n.dot(positions[t[0]]), 0.5 * length);
-  }
   for (Index v = 0; v < positions.size(); ++v) {
     dead_[v] = rings_.valence(v) == 0;
     alive_ += !dead_[v];
   }
+  sum_quadrics(team);
+  choose_first_targets(team);
+}
+
+void Decimator::sum_quadrics(const base::Team& team) {
+  host_.report("decimation", 0, alive_);
+  team.run_pieces(positions_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (auto v = static_cast<Index>(begin); v < end; ++v) {
+      const auto ring = rings_[v];
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vector3& p = positions_[v];
+        const Vector3 normal = (positions_[ring[i]] - p).cross(positions_[ring[i + 1 < ring.size() ? i + 1 : 0]] - p);
+        const double length = normal.norm();
+        if (length > 0) quadric_[v].add_plane(normal / length, -normal.dot(p) / length, 0.5 * length);
+      }
+    }
+  });
+}
+
+void Decimator::choose_first_targets(const base::Team& team) {
+  constexpr std::size_t batch = 65536;  // some tens of milliseconds of work between reports
+  for (std::size_t first = 0; first < positions_.size(); first += batch) {
+    host_.report("decimation", 0, alive_);
+    team.run_pieces(std::min(batch, positions_.size() - first), vertices_a_piece,
+                    [&](std::size_t begin, std::size_t end) {
+                      std::array<std::byte, 2 * patient_valence * sizeof(Candidates::value_type)> room;
+                      std::pmr::monotonic_buffer_resource memory(room.data(), room.size());
+                      Candidates candidates(&memory);
+                      candidates.reserve(patient_valence);
+                      for (std::size_t v = first + begin; v < first + end; ++v) {
+                        if (!dead_[v]) choose_target(static_cast<Index>(v), true, candidates);
+                      }
+                    });
+  }
+  Array<Entry> entries(host_.memory);
+  entries.reserve(alive_);
+  for (Index v = 0; v < dead_.size(); ++v) {
+    if (target_[v] != no_index) entries.push_back({cost_[v], v});
+  }
+  heap_ = Heap(std::greater<>(), std::move(entries));
 }
 
 // Merging `vertex` into the neighbour at `position` keeps a manifold exactly when the two have no common neighbour but
@@ -151,22 +190,22 @@ double Decimator::penalty(Index vertex, std::size_t position) const {
   }
   const double error = quadric_[vertex].at(to) + quadric_[target].at(to);
   // The second term decides where the surface is flat and every error is zero: short edges and small stars go first.
-  return (std::max(error, 0.0) + 1e-6 * (to - from).squaredNorm() * area) * factor * (1 + 0.1 / (worst_quality + 1e-3));
+  return (std::max(error, 0.0) + 1e-6 * (to - from).squaredNorm() * area) * factor * (1 + 0.1 / (worst_quality + 1e-6));
 }
 
-void Decimator::choose_target(Index vertex, bool patient) {
+void Decimator::choose_target(Index vertex, bool patient, Candidates& candidates) {
   target_[vertex] = no_index;
   cost_[vertex] = std::numeric_limits<double>::infinity();
   const auto ring = rings_[vertex];
   if (patient && ring.size() > patient_valence) return;
-  candidates_.clear();
+  candidates.clear();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vector3& to = positions_[ring[i]];
-    candidates_.emplace_back(quadric_[vertex].at(to) + quadric_[ring[i]].at(to), i);
+    candidates.emplace_back(quadric_[vertex].at(to) + quadric_[ring[i]].at(to), i);
   }
-  std::sort(candidates_.begin(), candidates_.end());
+  std::sort(candidates.begin(), candidates.end());
   int looks = 0;
-  for (const auto& [error, position] : candidates_) {
+  for (const auto& [error, position] : candidates) {
     if (error >= cost_[vertex] || (looks >= close_looks && target_[vertex] != no_index)) break;
     if (!link_condition(vertex, position)) continue;
     ++looks;
@@ -181,7 +220,7 @@ void Decimator::choose_target(Index vertex, bool patient) {
 
 void Decimator::refresh(Index vertex, bool patient) {
   stale_[vertex] = 0;
-  choose_target(vertex, patient);
+  choose_target(vertex, patient, candidates_);
   if (target_[vertex] != no_index) push(vertex);
 }
 
@@ -199,10 +238,6 @@ Decimation Decimator::run() {
   const std::size_t start = alive_;
   result.collapses.reserve(start - 4);
   result.ring_pool.reserve(6 * start);
-  for (Index v = 0; v < dead_.size(); ++v) {
-    if (!dead_[v]) refresh(v, true);
-    if (v % 4096 == 0) host_.report("decimation", 0, start - 4);
-  }
   while (alive_ > 4) {
     if (heap_.empty()) refill_heap();
     const auto [cost, vertex] = heap_.top();
@@ -247,9 +282,9 @@ Decimation Decimator::run() {
 
 }  // namespace
 
-Decimation decimate(std::span<const Vector3> positions, std::span<const Triangle> triangles, VertexRings rings,
-                    std::uint64_t seed, const base::Host& host) {
-  return Decimator(positions, triangles, std::move(rings), seed, host).run();
+Decimation decimate(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
+                    const base::Team& team) {
+  return Decimator(positions, std::move(rings), seed, host, team).run();
 }
 
 }  // namespace orbicube::sphere_map

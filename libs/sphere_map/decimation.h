@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "base/host.h"
+#include "base/team.h"
 #include "sphere_map/vertex_rings.h"
 
 namespace orbicube::sphere_map {
@@ -25,7 +25,7 @@ struct Decimation {
 
 // Decimates `rings`. `positions` should be of unit size. `seed` varies the order of equally good steps.
 // O(n log n) for bounded valence. Throws Error internal if no step is possible, which a closed manifold excludes.
-Decimation decimate(std::span<const mesh::Vector3> positions, std::span<const Triangle> triangles, VertexRings rings,
-                    std::uint64_t seed, const base::Host& host);
+Decimation decimate(std::span<const mesh::Vector3> positions, VertexRings rings, std::uint64_t seed,
+                    const base::Host& host, const base::Team& team);
 
 }  // namespace orbicube::sphere_map

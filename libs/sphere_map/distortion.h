@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -178,12 +179,15 @@ inline bool safely_positive(const Vector3& p, const Vector3& q, const Vector3& r
   return p.dot(e.cross(f)) > (4e-15 + 2 * slack) * (e.norm() + f.norm());
 }
 
-// Two unit vectors that complete p to an orthonormal, right-handed basis.
+// Two unit vectors that complete the unit vector p to an orthonormal, right-handed basis (Duff et al. 2017).
 struct TangentBasis {
   Vector3 first, second;
   explicit TangentBasis(const Vector3& p) {
-    first = p.cross(std::abs(p.x()) < 0.6 ? Vector3::UnitX() : Vector3::UnitY()).normalized();
-    second = p.cross(first);
+    const double sign = std::copysign(1.0, p.z());
+    const double a = -1 / (sign + p.z());
+    const double b = p.x() * p.y() * a;
+    first = Vector3(1 + sign * p.x() * p.x() * a, sign * b, -sign * p.x());
+    second = Vector3(b, sign + p.y() * p.y() * a, -p.y());
   }
 };
 

@@ -46,7 +46,7 @@ Schedule schedule_of(const Options& options) {
   Schedule schedule;
   switch (options.method) {
     case Method::balanced:
-      schedule.add({angle_and_area(options, {.isometric = 0.02, .dilatation_1 = 0.3, .dilatation_4 = 1.5e-3}),
+      schedule.add({angle_and_area(options, {.isometric = 0.02, .dilatation_1 = 0.3, .dilatation_4 = 2e-3}),
                     {.steps = 4, .solver_steps = 200, .relative_gain = 1e-3}});
       return schedule;
     case Method::angle_area:

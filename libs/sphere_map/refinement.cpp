@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <string>
 #include <utility>
 
-#include "base/error.h"
 #include "sphere_map/newton.h"
 #include "sphere_map/relaxation.h"
-#include "sphere_map/spherical_kernel.h"
+#include "sphere_map/sweeps.h"
+#include "sphere_map/vertex_splits.h"
 
 namespace orbicube::sphere_map {
 namespace {
@@ -24,31 +23,45 @@ std::size_t next_level(std::size_t count, std::size_t total) {
   return static_cast<double>(next) > static_cast<double>(total) / 1.25 ? total : next;
 }
 
-// What a coarse level leaves unsolved is inherited by all that follow, so up to this size a level is solved in full.
-constexpr std::size_t fully_solved = 1000;
+// What a coarse level leaves unsolved is inherited by all that follow, so these are solved in full: the smallest by
+// single vertices, which reach everything there, the others by Newton's method.
+constexpr std::size_t small_level = 300;
+constexpr std::size_t newton_from = 100, newton_to = 4000;
+constexpr RelaxationLimits small_limits = {.passes = 20, .relative_gain = 1e-4, .movement = 1e-4};
+constexpr RelaxationLimits sweep_limits = {.passes = 3, .relative_gain = 1e-3, .movement = 3e-3};
+constexpr RelaxationLimits outlier_limits = {.passes = 5000, .relative_gain = 1e-8, .movement = 1e-3};
+constexpr NewtonLimits newton_limits = {.steps = 8, .solver_steps = 200, .relative_gain = 1e-5};
 
-RelaxationLimits limits_of(std::size_t count, std::size_t total) {
-  if (count == total) return {30, 2e-4, 1e-3};
-  if (count <= fully_solved) return {200, 1e-5, 1e-4};
-  return {12, 1e-3, 3e-3};
+// Between levels, so many splits are prepared one by one and then carried out side by side.
+std::size_t batch_size(std::size_t count) {
+  return std::clamp<std::size_t>(count / 8, 1, 4096);
+}
+
+Array<StepScratch> scratch_of_slots(std::pmr::memory_resource* memory) {
+  Array<StepScratch> scratch(memory);
+  scratch.reserve(Waves::slots);
+  for (std::size_t slot = 0; slot < Waves::slots; ++slot)
+    scratch.emplace_back(memory).heights.reserve(large_star);
+  return scratch;
 }
 
 class Refiner {
  public:
   Refiner(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule, double least_area,
-          const base::Host& host)
+          const base::Host& host, const base::Team& team)
       : decimation_(decimation),
         rings_(decimation.rings),
         positions_(positions),
         schedule_(schedule),
         host_(host),
+        team_(team),
         directions_(positions.size(), Vector3::Zero(), host.memory),
         level_(host.memory),
-        queue_(positions.size(), host.memory),
         place_(positions.size(), host.memory),
-        star_(host.memory),
-        step_scratch_(host.memory),
-        kernel_scratch_(host.memory) {
+        queue_(positions.size(), host.memory),
+        waves_(positions.size(), host, team_),
+        scratch_(scratch_of_slots(host.memory)),
+        splits_(positions, directions_, waves_, scratch_, host) {
     energy_.weights = schedule.hierarchy();
     energy_.least_area = least_area;
   }
@@ -58,15 +71,15 @@ class Refiner {
     level_.vertices.reserve(total);
     place_tetrahedron();
     solve_level(total);
-    std::size_t next = next_level(4, total);
-    for (std::size_t i = decimation_.collapses.size(); i-- > 0;) {
-      split(decimation_.collapses[i]);
+    std::size_t next = std::min(next_level(4, total), total);
+    while (level_.vertices.size() < total) {
+      split(std::min(next - level_.vertices.size(), batch_size(level_.vertices.size())));
       const std::size_t count = level_.vertices.size();
-      if (count >= next || count == total) {
+      host_.report("refinement", count, total);
+      if (count == next) {
         solve_level(total);
-        next = next_level(count, total);
+        next = std::min(next_level(count, total), total);
       }
-      if (count % 256 == 0) host_.report("refinement", count, total);
     }
     return std::move(directions_);
   }
@@ -85,18 +98,24 @@ class Refiner {
 
   void solve_level(std::size_t total) {
     std::sort(level_.vertices.begin(), level_.vertices.end());
-    level_.build(rings_, positions_, energy_, host_);
+    level_.build(rings_, positions_, energy_, host_, team_);
     const std::size_t count = level_.vertices.size();
-    if (count == total) release_hierarchy();
-    relax(energy_, level_, limits_of(count, total), directions_, queue_, place_, step_scratch_, host_);
-    // Below, single vertices reach everything; between, the next level moves them again.
+    for (std::size_t i = 0; i < count; ++i)
+      place_[level_.vertices[i]] = static_cast<Index>(i);
+    if (count <= small_level) {
+      relax(energy_, level_, place_, level_.vertices, small_limits, directions_, queue_, scratch_[0], host_, team_);
+    } else {
+      const auto outliers = sweep(energy_, level_, place_, sweep_limits, directions_, scratch_, host_, team_);
+      relax(energy_, level_, place_, outliers, outlier_limits, directions_, queue_, scratch_[0], host_, team_);
+    }
     if (count == total) {
+      release_hierarchy();
       for (const Stage& stage : schedule_.stages()) {
         energy_.weights = stage.weights;
-        newton(energy_, level_, stage.limits, place_, directions_, host_);
+        newton(energy_, level_, stage.limits, place_, directions_, host_, team_);
       }
-    } else if (count >= 300 && count <= 4000) {
-      newton(energy_, level_, {8, 200, 1e-5}, place_, directions_, host_);
+    } else if (count >= newton_from && count <= newton_to) {
+      newton(energy_, level_, newton_limits, place_, directions_, host_, team_);
     }
   }
 
@@ -105,60 +124,46 @@ class Refiner {
     decimation_.collapses = Array<Collapse>(host_.memory);
     decimation_.ring_pool = Array<Index>(host_.memory);
     rings_ = VertexRings(0, {}, host_);
+    queue_ = BucketQueue(0, host_.memory);
+    waves_.release();
   }
 
-  // Inserts a vertex and optimises it and its ring once.
-  void split(const Collapse& collapse) {
-    rings_.split(collapse, decimation_.ring(collapse));
-    const Index v = collapse.removed;
-    const auto point = kernel_centroid(rings_[v], collapse.kept, directions_, kernel_scratch_);
-    if (!point) {
-      throw base::Error("no-valid-result",
-                        "the spherical kernel of vertex " + std::to_string(v) + " is too small for double precision");
+  // Inserts the next `count` vertices, and optimises each and its ring once.
+  void split(std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      const Collapse& collapse = decimation_.collapses[total_splits() - 1 - done_++];
+      rings_.split(collapse, decimation_.ring(collapse));
+      level_.vertices.push_back(collapse.removed);
+      energy_.uniform_area = 4 * std::numbers::pi / static_cast<double>(2 * level_.vertices.size() - 4);
+      splits_.add(rings_, collapse, energy_);
     }
-    directions_[v] = *point;
-    level_.vertices.push_back(v);
-    energy_.uniform_area = 4 * std::numbers::pi / static_cast<double>(2 * level_.vertices.size() - 4);
-    improve(v);
-    improve(v);
-    for (std::size_t i = 0; i < rings_.valence(v); ++i) {
-      const Index neighbour = rings_[v][i];
-      if (rings_.valence(neighbour) <= large_star) improve(neighbour);
-    }
-    improve(v);
+    splits_.run();
   }
 
-  void improve(Index v) {
-    const auto ring = rings_[v];
-    star_.clear();
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Index q = ring[i];
-      const Index r = ring[i + 1 < ring.size() ? i + 1 : 0];
-      star_.push_back({q, r, triangle_shape(positions_[v], positions_[q], positions_[r], energy_.least_area)});
-    }
-    improve_vertex(energy_, v, star_, directions_, step_scratch_);
-  }
+  std::size_t total_splits() const { return decimation_.collapses.size(); }
 
   Decimation& decimation_;
   VertexRings& rings_;
   std::span<const Vector3> positions_;
   const Schedule& schedule_;
   const base::Host& host_;
+  const base::Team& team_;
   Energy energy_;
   Array<Vector3> directions_;
   Level level_;
+  Array<Index> place_;  // of each vertex of the level in it
   BucketQueue queue_;
-  Array<Index> place_;
-  Array<StarTriangle> star_;
-  StepScratch step_scratch_;
-  KernelPolygon kernel_scratch_;
+  Waves waves_;
+  Array<StepScratch> scratch_;  // one a slot of the waves
+  VertexSplits splits_;
+  std::size_t done_ = 0;  // splits
 };
 
 }  // namespace
 
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
-                      double least_area, const base::Host& host) {
-  return Refiner(decimation, positions, schedule, least_area, host).run();
+                      double least_area, const base::Host& host, const base::Team& team) {
+  return Refiner(decimation, positions, schedule, least_area, host, team).run();
 }
 
 }  // namespace orbicube::sphere_map

@@ -2,7 +2,7 @@
 // optimised before the next.
 #pragma once
 
-#include "base/host.h"
+#include "base/team.h"
 #include "sphere_map/decimation.h"
 #include "sphere_map/method.h"
 
@@ -12,6 +12,6 @@ namespace orbicube::sphere_map {
 // no-valid-result when a kernel is empty, which only rounding can cause. `least_area` is for triangle_shape
 // (distortion.h).
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
-                      double least_area, const base::Host& host);
+                      double least_area, const base::Host& host, const base::Team& team);
 
 }  // namespace orbicube::sphere_map

@@ -226,8 +226,8 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
     const PrintedEnergy energy{options.angle_weight, options.area_weight, 4 * std::numbers::pi / area,
                                attempts[i].most_dilatation};
     try {
-      Decimation decimation = decimate(positions, triangles, VertexRings(positions.size(), triangles, host),
-                                       options.seed + 0x1000 * i, host);
+      Decimation decimation = decimate(positions, VertexRings(positions.size(), triangles, host),
+                                       options.seed + 0x1000 * i, host, base::Team(host));
       return Hierarchy(decimation, positions, energy, least_area, options, host).run();
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || i + 1 == attempts.size()) throw;

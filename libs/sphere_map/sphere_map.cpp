@@ -34,12 +34,12 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
                                 const base::Host& host) {
   const double mean_area = surface_area / static_cast<double>(triangles.size());
   const std::array least_areas = {0.0, 0.0, 1e-2, 1.0, 1e3};  // times the mean area
+  const base::Team team(host);
   for (std::size_t attempt = 0;; ++attempt) {
     try {
-      Decimation decimation =
-          decimate(positions, triangles, VertexRings(positions.size(), triangles, host), seed, host);
+      Decimation decimation = decimate(positions, VertexRings(positions.size(), triangles, host), seed, host, team);
       return refine(decimation, positions, schedule.with_stronger_barrier(attempt), least_areas[attempt] * mean_area,
-                    host);
+                    host, team);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || attempt + 1 == least_areas.size()) throw;
       host.log(std::string("trying again: ") + e.what());

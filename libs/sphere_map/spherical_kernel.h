@@ -18,6 +18,12 @@ class KernelPolygon {
  public:
   explicit KernelPolygon(std::pmr::memory_resource* memory) : corners_(memory), clipped_(memory) {}
 
+  // Room for the kernels of rings of up to so many vertices.
+  void reserve(std::size_t ring_size) {
+    corners_.reserve(ring_size + 4);
+    clipped_.reserve(ring_size + 4);
+  }
+
   // Cuts the kernel of `ring` out of the tangent plane at `origin` by the great circles of the ring's edges, which are
   // lines there. `through` is a vertex of the ring that lies at the origin, or no_index. Answers false when nothing is
   // left.

@@ -81,7 +81,7 @@ Vector2d newton_direction(const StarModel& m) {
   const double difference = 0.5 * (m.h00 - m.h11);
   const double spread = std::hypot(difference, m.h01);
   const double floor =
-      std::max(1e-3 * std::max(std::abs(mean + spread), std::abs(mean - spread)), std::numeric_limits<double>::min());
+      std::max(1e-8 * std::max(std::abs(mean + spread), std::abs(mean - spread)), std::numeric_limits<double>::min());
   const double large = std::max(std::abs(mean + spread), floor);
   const double small = std::max(std::abs(mean - spread), floor);
   Vector2d axis(1, 0);  // of the eigenvalue mean + spread
@@ -116,7 +116,7 @@ StepResult improve_vertex(const Energy& energy, Index vertex, std::span<const St
   const StarModel model = model_of(energy, star, p, directions, basis, scratch);
   const Vector2d direction = newton_direction(model);
   const double slope = model.gradient.dot(direction);
-  if (!(-slope > negligible_gain * model.value)) return {};
+  if (!(-slope > negligible_gain * model.value)) return {model.value};
 
   double length = 1;
   for (const auto& h : scratch.heights) {
@@ -133,9 +133,9 @@ StepResult improve_vertex(const Energy& energy, Index vertex, std::span<const St
     });
     if (!inside) continue;
     directions[vertex] = candidate;
-    return {model.value - value, length * direction.norm() / std::sqrt(model.nearest_square)};
+    return {model.value, model.value - value, length * direction.norm() / std::sqrt(model.nearest_square)};
   }
-  return {};
+  return {model.value};
 }
 
 }  // namespace orbicube::sphere_map

@@ -22,7 +22,8 @@ struct StarTriangle {
 };
 
 struct StepResult {
-  double gain = 0;      // by how much the energy of the star fell; 0 when the vertex stays
+  double energy = 0;    // of the star before the step
+  double gain = 0;      // by how much it fell; 0 when the vertex stays
   double movement = 0;  // length of the step over the distance to the nearest ring vertex
 };
 

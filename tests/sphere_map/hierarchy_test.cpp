@@ -42,8 +42,9 @@ std::vector<Triangle> triangles_of(const VertexRings& rings, const std::set<Inde
 
 TEST_CASE("Every mesh of a decimation is a closed manifold of genus 0, and splits undo collapses exactly") {
   const test::Surface s = test::creature(3);
-  const VertexRings start(s.positions.size(), s.triangles, base::Host());
-  Decimation d = decimate(s.positions, s.triangles, start, 0, base::Host());
+  const base::Host host;
+  const VertexRings start(s.positions.size(), s.triangles, host);
+  Decimation d = decimate(s.positions, start, 0, host, base::Team(host));
   REQUIRE(d.collapses.size() == s.positions.size() - 4);
 
   VertexRings rings = start;

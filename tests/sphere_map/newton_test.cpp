@@ -30,11 +30,14 @@ struct Problem {
       level.vertices.push_back(v);
       place.push_back(v);
     }
-    level.build(rings, s.positions, energy, base::Host());
+    level.build(rings, s.positions, energy, base::Host(), base::Team(base::Host()));
   }
 
-  double value() const { return level_energy(energy, level, directions); }
-  double improve(int steps) { return newton(energy, level, {steps, 2000, 1e-15}, place, directions, base::Host()); }
+  double value() const { return level_energy(energy, level, directions, host, base::Team(host)); }
+  double improve(int steps) {
+    return newton(energy, level, {steps, 2000, 1e-15}, place, directions, host, base::Team(host));
+  }
+  base::Host host;
 
   void shake(double size) {
     std::mt19937_64 random(3);
