@@ -130,17 +130,23 @@ double QuadraticStep::lowest_direction(std::size_t size, double* z) {
 // although T + shift I is nearly singular (the hard case), the lowest eigenvector is added.
 void QuadraticStep::minimise_in_ball(std::size_t size, const double* gradient, double radius, double* s) {
   std::fill_n(s, size, 0.0);
-  const double slope = norm(gradient, size);
-  double magnitude = slope;
+  double magnitude = 0;
+  for (std::size_t i = 0; i < size; ++i)
+    magnitude += std::abs(gradient[i]);
   for (std::size_t i = 0; i < size * size; ++i)
     magnitude += std::abs(tridiagonal_.matrix()[i]);
-  if (!(magnitude < 1e150) || !(radius > 0)) return;  // squares are still finite
+  if (!(magnitude < 1e250) || !(magnitude > 0) || !(radius > 0)) return;
+  // Products of squares must neither vanish nor overflow.
+  const double unit = magnitude < 1e-60 || magnitude > 1e60 ? 1 / magnitude : 1;
+  for (std::size_t i = 0; unit != 1 && i < size * size; ++i)
+    tridiagonal_.matrix()[i] *= unit;
   tridiagonal_.reduce(size);
   const double* diagonal = tridiagonal_.diagonal();
   const double* below = tridiagonal_.below();
   double* right = rotated_.data();
   for (std::size_t i = 0; i < size; ++i)
-    right[i] = -gradient[i];
+    right[i] = -gradient[i] * unit;
+  const double slope = norm(right, size);
   tridiagonal_.to_reduced(right);
 
   // Gershgorin's bounds of the eigenvalues, and from them of the shift.

@@ -19,6 +19,11 @@ Tridiagonal::Tridiagonal(std::size_t capacity, std::pmr::memory_resource* memory
 void Tridiagonal::reduce(std::size_t size) {
   size_ = size;
   double* p = work_.data();
+  double largest = 0;
+  for (std::size_t i = 0; i < size * size; ++i)
+    largest = std::max(largest, std::abs(matrix_[i]));
+  // What is left of a matrix of low rank is rounding of rounding, whose squares would underflow.
+  const double negligible = std::max(1e-40 * largest * largest, 1e-290);
   for (std::size_t k = 0; k + 2 < size; ++k) {
     double* v = matrix_.data() + k * size + k + 1;
     const std::size_t rest = size - k - 1;
@@ -26,13 +31,13 @@ void Tridiagonal::reduce(std::size_t size) {
     const double tail = dot(v + 1, v + 1, rest - 1), length = std::sqrt(tail + v[0] * v[0]);
     factor_[k] = 0;
     below_[k] = v[0];
-    if (!(tail > 0)) continue;
+    if (!(tail > negligible)) continue;
     below_[k] = v[0] > 0 ? -length : length;
     v[0] -= below_[k];
     factor_[k] = 2 / (tail + v[0] * v[0]);
     double* sub = matrix_.data() + (k + 1) * size + k + 1;
     multiply(sub, size, rest, rest, v, p);
-    const double half = 0.5 * factor_[k] * factor_[k] * dot(v, p, rest);
+    const double half = 0.5 * factor_[k] * (factor_[k] * dot(v, p, rest));
     for (std::size_t i = 0; i < rest; ++i)
       p[i] = factor_[k] * p[i] - half * v[i];
     for (std::size_t i = 0; i < rest; ++i)

@@ -133,6 +133,38 @@ TEST_CASE("With bounds a step is within them exactly and goes down at least as f
   }
 }
 
+TEST_CASE("Matrices of low rank, of any magnitude, are reduced without underflow") {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  for (const double magnitude : {1.0, 1e-150, 1e100}) {
+    for (const std::size_t rank : {1U, 2U}) {
+      CAPTURE(magnitude);
+      CAPTURE(rank);
+      const std::size_t n = 60;
+      Quadratic q{n, std::vector<double>(n), std::vector<double>(n * n)};
+      for (std::size_t r = 0; r < rank; ++r) {
+        std::vector<double> v(n);
+        for (double& value : v)
+          value = normal(random);
+        for (std::size_t i = 0; i < n; ++i) {
+          for (std::size_t k = 0; k < n; ++k)
+            q.matrix[i * n + k] += (r == 0 ? magnitude : -magnitude) * v[i] * v[k];
+        }
+      }
+      for (double& value : q.gradient)
+        value = magnitude * normal(random);
+      QuadraticStep step(n, std::pmr::get_default_resource());
+      std::vector<double> s(n);
+      step.minimise(q.gradient.data(), q.matrix.data(), 0.1, nullptr, nullptr, s.data());
+      for (double& value : q.gradient)
+        value /= magnitude;
+      for (double& value : q.matrix)
+        value /= magnitude;
+      check_optimal(q, s, 0.1, 1e-8);
+    }
+  }
+}
+
 TEST_CASE("Numbers that are not finite give no step") {
   QuadraticStep step(2, std::pmr::get_default_resource());
   std::vector<double> s(2, 5.0);
