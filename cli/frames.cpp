@@ -8,12 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "angle_plot.h"
 #include "checked_file.h"
 #include "frame_field/boundary_indices.h"
 #include "frame_field/frames_file.h"
 #include "frame_field/measurement.h"
+#include "frame_field/meshability.h"
 #include "frame_field/singularities.h"
 #include "mesh/cells.h"
+#include "mesh/file.h"
 #include "surface_file.h"
 #include "verbs.h"
 
@@ -44,6 +47,7 @@ struct FramesOptions {
   std::uint32_t rounds = frame_field::Options{}.rounds;
   bool free_boundary = false;
   std::string vtk;
+  std::string plot;
 };
 
 Json json_of(const frame_field::AngleStatistics& a) {
@@ -164,18 +168,15 @@ void write(const FramesOptions& options, const mesh::Mesh& solid, const frame_fi
 }
 
 void frames(const FramesOptions& options, Session& session) {
-  session.options() = {{"output", options.output},
-                       {"start", options.start},
-                       {"from", options.from},
-                       {"boundary", options.boundary},
-                       {"method", options.method},
-                       {"weights", options.weights},
-                       {"features", options.features},
-                       {"rounds", options.rounds},
-                       {"free_boundary", options.free_boundary},
-                       {"vtk", options.vtk}};
+  session.options() = {
+      {"output", options.output},     {"start", options.start},   {"from", options.from},
+      {"boundary", options.boundary}, {"method", options.method}, {"weights", options.weights},
+      {"features", options.features}, {"rounds", options.rounds}, {"free_boundary", options.free_boundary},
+      {"vtk", options.vtk},           {"plot", options.plot}};
   require_folder(options.output);
-  if (!options.vtk.empty()) require_folder(options.vtk);
+  for (const std::string& path : {options.vtk, options.plot}) {
+    if (!path.empty()) require_folder(path);
+  }
   const mesh::Mesh solid = read_solid(options, session);
   const base::Host& host = session.host();
   const auto connectivity = about(options.input, Role::input, [&] {
@@ -190,6 +191,8 @@ void frames(const FramesOptions& options, Session& session) {
   const frame_field::SingularGraph graph =
       frame_field::singular_graph(solid.positions, connectivity, outcome.field, matchings, host);
   const auto indices = frame_field::boundary_indices(solid.positions, connectivity, outcome.field, host);
+  const frame_field::Meshability local =
+      frame_field::meshability(graph, connectivity.boundary_vertices(host.memory), host.memory);
   const double measured = session.seconds() - begin - computed;
 
   Json& figures = session.figures();
@@ -202,6 +205,10 @@ void frames(const FramesOptions& options, Session& session) {
   figures.update({{"boundary_index_sum", 0.25 * static_cast<double>(indices.sum_of_quarters)},
                   {"boundary_singular_vertices", indices.singular_vertices},
                   {"euler_characteristic", indices.euler_characteristic},
+                  {"locally_meshable", local.locally_meshable()},
+                  {"improper_edges", local.edges.size()},
+                  {"turning_points", local.turning_points},
+                  {"improper_nodes", local.improper_nodes},
                   {"smoothing_steps", outcome.smoothing_steps},
                   {"solver_iterations", outcome.solver_iterations},
                   {"seconds_compute", computed},
@@ -211,6 +218,13 @@ void frames(const FramesOptions& options, Session& session) {
       throw base::Error("no-valid-result", std::to_string(graph.dead_ends.size()) + " singular curves end inside");
   });
   write(options, solid, outcome.field, host);
+  if (!options.plot.empty()) {
+    about(options.plot, Role::output, [&] {
+      mesh::OutputFile file(options.plot);
+      file.write(std::span<const std::byte>(angle_plot(m.histogram, host.memory)));
+      file.commit();
+    });
+  }
   figures["seconds_write"] = session.seconds() - begin - computed - measured;
 
   session.say(options.input + ": " + std::to_string(solid.tetrahedra.size()) + " frames in " + number(computed) +
@@ -219,7 +233,10 @@ void frames(const FramesOptions& options, Session& session) {
               number(m.symmetric.p99) + " at 99 %, " + number(m.symmetric.largest) + " at most; " +
               number(std::max(m.one_face_largest, m.several_best_largest)) + " degrees off the normals at most");
   session.say("  " + std::to_string(graph.edges.size()) + " singular edges on " + std::to_string(graph.curves()) +
-              " curves with " + std::to_string(graph.nodes.size()) + " nodes");
+              " curves with " + std::to_string(graph.nodes.size()) + " nodes; " +
+              (local.locally_meshable() ? "locally meshable"
+                                        : std::to_string(local.edges.size()) + " edges and " +
+                                              std::to_string(local.vertices.size()) + " vertices are not meshable"));
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }
@@ -266,6 +283,7 @@ void add_frames(CLI::App& app, CommonOptions& common) {
       ->type_name("N");
   verb->add_flag("--free-boundary", options->free_boundary, "do not align frames with the boundary");
   verb->add_option("--vtk", options->vtk, "write the tetrahedra with the axes as vectors too")->type_name("FILE.vtk");
+  verb->add_option("--plot", options->plot, "draw the angles between neighbours and their sum")->type_name("FILE.png");
   add_common_options(*verb, common);
   verb->footer(
       "A frame is a unit quaternion that rotates the axes of space to its own (active, Hamilton's product). At the\n"

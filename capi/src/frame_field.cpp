@@ -11,6 +11,7 @@
 #include "frame_field/boundary_indices.h"
 #include "frame_field/frame_field.h"
 #include "frame_field/measurement.h"
+#include "frame_field/meshability.h"
 #include "frame_field/singularities.h"
 
 using namespace orbicube;
@@ -118,6 +119,11 @@ void write_report(const Solid& solid, std::span<const Quaternion> field, const f
   r.edge_length = graph.inner_length;
   r.boundary_index_quarters = indices.sum_of_quarters;
   r.euler_characteristic = indices.euler_characteristic;
+  const auto mesh = frame_field::meshability(graph, connectivity.boundary_vertices(host.memory), host.memory);
+  r.locally_meshable = mesh.locally_meshable() ? 1 : 0;
+  r.improper_edges = mesh.edges.size();
+  r.turning_points = mesh.turning_points;
+  r.improper_nodes = mesh.improper_nodes;
   if (outcome != nullptr) {
     r.start = static_cast<int32_t>(outcome->start);
     r.smoothing_steps = outcome->smoothing_steps;

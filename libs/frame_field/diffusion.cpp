@@ -70,7 +70,7 @@ void Diffusion::project(bool from_field, Field& field) const {
         const double angle = std::atan2(dot(a, circle.second), dot(a, circle.first)) / 4;
         field[i] = constraint.fixed ? constraint.frame : turned(constraint.frame, constraint.direction, angle);
       } else {
-        field[i] = from_field ? climb_to_frame(a, field[i]) : nearest_frame(a);
+        field[i] = from_field ? nearest_frame(a, field[i]) : nearest_frame(a);
       }
     }
   });
@@ -97,7 +97,7 @@ void Diffusion::diffuse(double time, Field& field) {
       solver_
           .solve({.tau = static_cast<float>(time), .mass = mass_, .tolerance = 1e-2, .phase = "diffusion"}, right_, x_)
           .iterations;
-  project(false, field);
+  project(true, field);
 }
 
 }  // namespace orbicube::frame_field

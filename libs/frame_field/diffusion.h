@@ -31,6 +31,7 @@ class Diffusion {
 
  private:
   using Solver = GraphSolver<9>;
+  // With from_field, the frames that are there are guesses.
   void project(bool from_field, Field& field) const;
 
   const DualGraph& graph_;

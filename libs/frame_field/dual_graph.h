@@ -50,17 +50,22 @@ DualGraph make_dual_graph(std::span<const Vector3> positions, const mesh::Tetrah
 Field by_node(const DualGraph& graph, std::span<const Quaternion> by_tetrahedron, std::pmr::memory_resource* memory);
 void by_tetrahedron(const DualGraph& graph, const Field& by_node, std::span<Quaternion> result);
 
-// body(begin, end, chunk) for pieces of [0, count), on the host's threads. The pieces do not depend on their number.
+// body(begin, end, chunk) for pieces of [0, count), on the host's threads where there is work enough for them: from
+// `least` nodes. The pieces do not depend on the number of threads.
 inline constexpr std::size_t chunk_size = 4096;
+inline constexpr std::size_t least_for_threads = 32768;  // of a microsecond of work each
+inline constexpr std::size_t least_of_little = 131072;   // of some nanoseconds
 inline std::size_t chunk_count(std::size_t count) {
   return (count + chunk_size - 1) / chunk_size;
 }
 template <class Body>
-void for_each_chunk(const base::Host& host, std::size_t count, const Body& body) {
+void for_each_chunk(const base::Host& host, std::size_t count, const Body& body,
+                    std::size_t least = least_for_threads) {
   const std::size_t chunks = chunk_count(count);
   const auto piece = [&](std::size_t c) { body(c * chunk_size, std::min(count, (c + 1) * chunk_size), c); };
-  if (chunks == 1) {
-    piece(0);
+  if (count < least) {
+    for (std::size_t c = 0; c < chunks; ++c)
+      piece(c);
     return;
   }
   host.parallel_for(chunks, std::cref(piece));  // a function object that need not be copied to the heap

@@ -111,10 +111,22 @@ float GraphSolver<components>::diagonal(const Equation& e, std::size_t node) con
   return sum > 0 ? sum : 1;
 }
 
-// y = (mass + tau L) x, projected.
+namespace {
+
+// The sum over components, in double.
+template <class Value>
+double inner(const Value& a, const Value& b) {
+  std::array<double, 4> lane{};
+  for (std::size_t k = 0; k < a.at.size(); ++k)
+    lane[k % 4] += static_cast<double>(a.at[k]) * static_cast<double>(b.at[k]);
+  return (lane[0] + lane[1]) + (lane[2] + lane[3]);
+}
+
+}  // namespace
+
 template <std::size_t components>
-void GraphSolver<components>::apply(const Equation& e, std::span<const Value> x, std::span<Value> y) {
-  for_each_chunk(host_, graph_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+double GraphSolver<components>::apply(const Equation& e, std::span<const Value> x, std::span<Value> y) {
+  sweep([&](std::size_t begin, std::size_t end, std::size_t chunk) {
     for (std::size_t i = begin; i < end; ++i) {
       const auto& other = graph_.others[i];
       const auto& w = graph_.weights[i];
@@ -125,7 +137,12 @@ void GraphSolver<components>::apply(const Equation& e, std::span<const Value> x,
         y[i].at[k] = own * x[i].at[k] - ((wa * a.at[k] + wb * b.at[k]) + (wc * c.at[k] + wd * d.at[k]));
     }
     project(y, begin, end);
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      sum += inner(x[i], y[i]);
+    partial_[chunk] = sum;
   });
+  return sum_chunks();
 }
 
 template <std::size_t components>
@@ -153,7 +170,7 @@ template <std::size_t components>
 void GraphSolver<components>::coarse_residual(const Equation& e, std::size_t l) {
   Level& level = levels_[l];
   const CoarseGraph& graph = hierarchy_[l];
-  for_each_chunk(host_, graph.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+  const auto body = [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       const Value own = level.x[i];
       Value sum;
@@ -177,7 +194,8 @@ void GraphSolver<components>::coarse_residual(const Equation& e, std::size_t l) 
       }
       level.residual[i] = result;
     }
-  });
+  };
+  for_each_chunk(host_, graph.size(), body, least_of_little);
 }
 
 // x += damping residual / diagonal.
@@ -233,100 +251,88 @@ void GraphSolver<components>::cycle(const Equation& e, std::size_t l) {
   }
 }
 
-// z = about A^-1 r.
 template <std::size_t components>
-void GraphSolver<components>::precondition(const Equation& e, std::span<const Value> r, std::span<Value> z) {
-  const bool multigrid = multigrid_ && !levels_.empty();
-  const float factor = multigrid ? damping : 1;
-  for_each_chunk(host_, graph_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const float scale = factor / diagonal(e, i);
+double GraphSolver<components>::precondition(const Equation& e, std::span<const Value> r, std::span<Value> z) {
+  if (multigrid_) {
+    apply(e, z, image_);
+    Level& coarse = levels_.front();
+    const Array<Index>& group = hierarchy_.front().group;
+    std::ranges::fill(coarse.right, Value{});
+    for (std::size_t i = 0; i < group.size(); ++i) {
       for (std::size_t k = 0; k < stride; ++k)
-        z[i].at[k] = scale * r[i].at[k];
+        coarse.right[group[i]].at[k] += r[i].at[k] - image_[i].at[k];
     }
-  });
-  if (!multigrid) return;
-  apply(e, z, image_);
-  Level& coarse = levels_.front();
-  const Array<Index>& group = hierarchy_.front().group;
-  std::ranges::fill(coarse.right, Value{});
-  for (std::size_t i = 0; i < group.size(); ++i) {
-    for (std::size_t k = 0; k < stride; ++k)
-      coarse.right[group[i]].at[k] += r[i].at[k] - image_[i].at[k];
+    cycle(e, 0);
+    sweep([&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i)
+        image_[i] = coarse.x[group[i]];
+      project(image_, begin, end);
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t k = 0; k < stride; ++k)
+          z[i].at[k] += over_correction * image_[i].at[k];
+      }
+    });
+    apply(e, z, image_);
   }
-  cycle(e, 0);
-  for_each_chunk(host_, graph_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i)
-      image_[i] = coarse.x[group[i]];
-    project(image_, begin, end);
+  sweep([&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    double sum = 0;
     for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t k = 0; k < stride; ++k)
-        z[i].at[k] += over_correction * image_[i].at[k];
+      if (multigrid_) {
+        const float scale = damping / diagonal(e, i);
+        for (std::size_t k = 0; k < stride; ++k)
+          z[i].at[k] += scale * (r[i].at[k] - image_[i].at[k]);
+      }
+      sum += inner(r[i], z[i]);
     }
+    partial_[chunk] = sum;
   });
-  apply(e, z, image_);
-  for_each_chunk(host_, graph_.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      const float scale = damping / diagonal(e, i);
-      for (std::size_t k = 0; k < stride; ++k)
-        z[i].at[k] += scale * (r[i].at[k] - image_[i].at[k]);
-    }
-  });
+  return sum_chunks();
 }
 
 template <std::size_t components>
 typename GraphSolver<components>::Outcome GraphSolver<components>::solve(const Equation& e,
                                                                          std::span<const Value> right,
                                                                          std::span<Value> x) {
-  const std::size_t n = graph_.size();
-  const auto inner = [&](std::span<const Value> a, std::span<const Value> b) {
-    for_each_chunk(host_, n, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-      std::array<double, stride> sum{};
-      for (std::size_t i = begin; i < end; ++i) {
-        for (std::size_t k = 0; k < stride; ++k)
-          sum[k] += static_cast<double>(a[i].at[k]) * static_cast<double>(b[i].at[k]);
-      }
-      double total = 0;
-      for (const double s : sum)
-        total += s;
-      partial_[chunk] = total;
-    });
-    return sum_chunks();
-  };
-  multigrid_ = e.mass.empty() || e.tau * 4 > multigrid_from * *std::ranges::max_element(e.mass);
+  multigrid_ = !levels_.empty() && (e.mass.empty() || e.tau * 4 > multigrid_from * *std::ranges::max_element(e.mass));
   if (multigrid_) restrict_mass(e);
+  // Of the preconditioner: a damped step when a coarse correction follows.
+  const float first_step = multigrid_ ? damping : 1;
 
   apply(e, x, image_);
-  for_each_chunk(host_, n, [&](std::size_t begin, std::size_t end, std::size_t) {
+  sweep([&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {
       for (std::size_t k = 0; k < stride; ++k)
         residual_[i].at[k] = (right.empty() ? 0.0F : right[i].at[k]) - image_[i].at[k];
     }
     project(residual_, begin, end);
+    for (std::size_t i = begin; i < end; ++i) {
+      const float scale = first_step / diagonal(e, i);
+      for (std::size_t k = 0; k < stride; ++k)
+        correction_[i].at[k] = scale * residual_[i].at[k];
+    }
   });
-  precondition(e, residual_, correction_);
+  double product = precondition(e, residual_, correction_);
   search_ = correction_;
-  double product = inner(residual_, correction_);
   const double first = product;
   Outcome outcome;
   while (outcome.iterations < e.max_iterations && product > e.tolerance * e.tolerance * first && product > 0) {
     host_.report(e.phase, outcome.iterations, 0);
-    apply(e, search_, image_);
-    const double curvature = inner(search_, image_);
+    const double curvature = apply(e, search_, image_);
     if (!(curvature > 0)) break;
     const auto step = static_cast<float>(product / curvature);
-    for_each_chunk(host_, n, [&](std::size_t begin, std::size_t end, std::size_t) {
+    sweep([&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; ++i) {
+        const float scale = first_step / diagonal(e, i);
         for (std::size_t k = 0; k < stride; ++k) {
           x[i].at[k] += step * search_[i].at[k];
           residual_[i].at[k] -= step * image_[i].at[k];
+          correction_[i].at[k] = scale * residual_[i].at[k];
         }
       }
     });
-    precondition(e, residual_, correction_);
-    const double next = inner(residual_, correction_);
+    const double next = precondition(e, residual_, correction_);
     const auto keep = static_cast<float>(next / product);
-    for_each_chunk(host_, n, [&](std::size_t begin, std::size_t end, std::size_t) {
+    sweep([&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = begin; i < end; ++i) {
         for (std::size_t k = 0; k < stride; ++k)
           search_[i].at[k] = correction_[i].at[k] + keep * search_[i].at[k];

@@ -67,8 +67,15 @@ class GraphSolver {
   };
 
   void project(std::span<Value> v, std::size_t begin, std::size_t end) const;
-  void apply(const Equation& e, std::span<const Value> x, std::span<Value> y);
-  void precondition(const Equation& e, std::span<const Value> r, std::span<Value> z);
+  // body(begin, end, chunk), on threads where the graph is large.
+  template <class Body>
+  void sweep(const Body& body) const {
+    for_each_chunk(host_, graph_.size(), body, least_of_little);
+  }
+  // y = (mass + tau L) x, projected; answers x . y.
+  double apply(const Equation& e, std::span<const Value> x, std::span<Value> y);
+  // z = about A^-1 r, where z holds the first Jacobi step already; answers r . z.
+  double precondition(const Equation& e, std::span<const Value> r, std::span<Value> z);
   void cycle(const Equation& e, std::size_t level);
   void coarse_residual(const Equation& e, std::size_t level);
   void coarse_smooth(const Equation& e, std::size_t level);

@@ -178,29 +178,39 @@ Quaternion climb_to_frame(const Harmonic& a, const Quaternion& start) {
   return q;
 }
 
-Quaternion nearest_frame(const Harmonic& a) {
+Quaternion nearest_frame(const Harmonic& a, const Quaternion& guess) {
+  // A maximum has a start at most some 17 degrees away, where the value is lower by at most a third; and frames whose
+  // coefficients are as near as this to those of a maximum lie about the same one
+  // (tests/frame_field/harmonic_frame_test.cpp tries both).
+  constexpr double part_at_start = 0.65, part_nearby = 0.6;
   const Starts& table = starts();
-  std::array<double, Starts::count> product;
-  double highest = -HUGE_VAL;
+  Quaternion best = climb_to_frame(a, guess);
+  Harmonic harmonic = harmonic_of(best);
+  double value = dot(a, harmonic);
   for (std::size_t k = 0; k < Starts::count; ++k) {
-    product[k] = dot(a, table.harmonic[k]);
-    highest = std::max(highest, product[k]);
-  }
-  Quaternion best{1, 0, 0, 0};
-  double best_value = -HUGE_VAL;
-  // No maximum is higher above the best start near it than by a part of |a|
-  // (tests/frame_field/harmonic_frame_test.cpp).
-  const double margin = 0.1 * std::sqrt(dot(a, a));
-  for (std::size_t k = 0; k < Starts::count; ++k) {
-    if (product[k] < highest - margin) continue;
+    if (dot(a, table.harmonic[k]) < part_at_start * value || dot(harmonic, table.harmonic[k]) > part_nearby) continue;
     const Quaternion frame = climb_to_frame(a, table.frame[k]);
-    const double value = dot(a, harmonic_of(frame));
-    if (value > best_value) {
-      best_value = value;
-      best = frame;
-    }
+    const Harmonic there = harmonic_of(frame);
+    const double height = dot(a, there);
+    if (height <= value) continue;
+    value = height;
+    best = frame;
+    harmonic = there;
   }
   return best;
+}
+
+Quaternion nearest_frame(const Harmonic& a) {
+  const Starts& table = starts();
+  std::size_t best = 0;
+  double highest = -HUGE_VAL;
+  for (std::size_t k = 0; k < Starts::count; ++k) {
+    const double product = dot(a, table.harmonic[k]);
+    if (product <= highest) continue;
+    highest = product;
+    best = k;
+  }
+  return nearest_frame(a, table.frame[best]);
 }
 
 AxisCircle axis_circle(const Quaternion& base_frame, const Vector& direction) {

@@ -39,8 +39,10 @@ inline double dot(const Harmonic& a, const Harmonic& b) {
 // frame to a when the start is near it.
 Quaternion climb_to_frame(const Harmonic& a, const Quaternion& start);
 
-// The nearest frame to any a but zero: climbs from the best of a fixed set of starts that lies everywhere within a few
-// degrees, and from those that are nearly as good.
+// The nearest frame to any a but zero: climbs from a guess, and from those of a fixed set of starts, which lies
+// everywhere within a few degrees, that are away from where that led and might lead higher.
+Quaternion nearest_frame(const Harmonic& a, const Quaternion& guess);
+// The same, with the best of the starts for a guess.
 Quaternion nearest_frame(const Harmonic& a);
 
 // Frames with an axis along a unit direction n make a circle in the nine numbers: centre + cos(4 t) first +

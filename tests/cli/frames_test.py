@@ -8,6 +8,8 @@ import json
 import math
 import os
 import random
+import struct
+import zlib
 
 from command import InFolder, main, run
 
@@ -121,6 +123,34 @@ class Frames(InFolder):
                 self.assertAlmostEqual(a, b, delta=1e-12)
         self.assertIn(f"POINTS {len(positions)} double", lines)
 
+    def test_the_picture_has_a_bar_where_there_are_angles(self):
+        path, _, _ = self.solid(3)
+        out, picture = self.path("solid.frames"), self.path("solid.png")
+        facts = self.figures(path, "-o", out, "--plot", picture)
+        with open(picture, "rb") as file:
+            data = file.read()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        chunks, at = {}, 8
+        while at < len(data):
+            length, kind = struct.unpack_from(">I4s", data, at)
+            body = data[at + 8:at + 8 + length]
+            self.assertEqual(struct.unpack_from(">I", data, at + 8 + length)[0], zlib.crc32(kind + body))
+            chunks[kind] = body
+            at += length + 12
+        width, height, bits = struct.unpack_from(">IIB", chunks[b"IHDR"])
+        pixels = zlib.decompress(chunks[b"IDAT"])
+        self.assertEqual((bits, len(pixels)), (8, height * (width + 1)))
+        bars = [0] * 64
+        for y in range(height):
+            row = pixels[y * (width + 1) + 1:(y + 1) * (width + 1)]
+            for degree in range(64):
+                bars[degree] += row[round(60 + (degree + 0.5) / 64 * 820)] == 3
+        for degree, count in enumerate(facts["histogram"]):
+            # The curve may hide a bar that is low, and hides some dots of the others.
+            share = 460 * math.sqrt(count / facts["interior_faces"])
+            self.assertLessEqual(bars[degree], share + 30)
+            self.assertGreaterEqual(bars[degree], min(share, 490) - 40)
+
     def test_each_start_and_method_ends_in_a_valid_field_and_auto_in_the_best(self):
         path, _, _ = self.solid()
         out = self.path("solid.frames")
@@ -145,8 +175,9 @@ class Frames(InFolder):
         facts = self.figures(path, "-o", out, "--boundary", own)
         self.assertGreater(facts["E"], 0.01)
         held = 0
-        for line, q in zip([line for line in open(own, encoding="ascii") if line.strip() and line[0] != "#"],
-                           read_frames(out)):
+        with open(own, encoding="ascii") as file:
+            lines = [line for line in file if line.strip() and line[0] != "#"]
+        for line, q in zip(lines, read_frames(out)):
             wanted = [0.5 * float(word) for word in line.split()]
             held += abs(abs(sum(a * b for a, b in zip(wanted, q))) - 1) < 1e-12
         self.assertGreater(held, 100)

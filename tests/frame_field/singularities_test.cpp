@@ -12,6 +12,7 @@
 #include "frame_field/boundary_indices.h"
 #include "frame_field/constraints.h"
 #include "frame_field/measurement.h"
+#include "frame_field/meshability.h"
 #include "solids.h"
 
 using namespace orbicube;
@@ -193,4 +194,48 @@ TEST_CASE("Plain angles know no symmetry, symmetric ones do") {
   CHECK(a.figures.symmetric.largest < 1e-12);
   CHECK(a.figures.plain.largest == doctest::Approx(90));
   CHECK(a.figures.energy < 1e-24);
+}
+
+TEST_CASE("Vertices of hexahedra are those whose edges are the corners of a triangulated sphere") {
+  // With degrees 3, 4 and 5 at n3, n4 and n5 corners, Euler's formula asks for 3 n3 + 2 n4 + n5 = 12.
+  std::size_t accepted = 0;
+  for (std::size_t three = 0; three <= 12; ++three) {
+    for (std::size_t five = 0; five <= 12; ++five) {
+      if (!is_vertex_of_hexahedra(three, five)) continue;
+      ++accepted;
+      CHECK(3 * three + five <= 12);
+      CHECK((12 - 3 * three - five) % 2 == 0);
+    }
+  }
+  CHECK(accepted == 11);
+  CHECK(!is_vertex_of_hexahedra(1, 1));  // a turning point
+  CHECK(!is_vertex_of_hexahedra(3, 1));
+}
+
+TEST_CASE("A straight curve is locally meshable, a half turn is not, and a random field is not at all") {
+  const test::Solid solid = bar();
+  for (const int quarters : {0, 1, -1, 2}) {
+    const Analysis a(solid, field_about_z(solid, quarters));
+    const Meshability m = meshability(a.graph, a.connectivity.boundary_vertices(a.host.memory), a.host.memory);
+    CHECK(m.locally_meshable() == (quarters != 2));
+    CHECK(m.edges.size() == (quarters == 2 ? 5 : 0));
+    CHECK(m.vertices.empty());
+  }
+  // A quarter forward below the middle and a quarter back above it: the curve turns there.
+  std::vector<Quaternion> field;
+  for (const Tetrahedron& t : solid.tetrahedra) {
+    const Vector3 p = centre(solid, t);
+    field.push_back(turned({1, 0, 0, 0}, {0, 0, 1}, (p[2] < 3 ? 1 : -1) * std::atan2(p[1], p[0]) / 4));
+  }
+  const Analysis turning(solid, field);
+  const Meshability m =
+      meshability(turning.graph, turning.connectivity.boundary_vertices(turning.host.memory), turning.host.memory);
+  CHECK(!m.locally_meshable());
+  CHECK(!m.vertices.empty());
+
+  const Analysis wild(solid, random_field(solid.tetrahedra.size(), 3));
+  const Meshability w =
+      meshability(wild.graph, wild.connectivity.boundary_vertices(wild.host.memory), wild.host.memory);
+  CHECK(w.edges.size() + w.vertices.size() > 100);
+  CHECK(w.turning_points + w.improper_nodes == w.vertices.size());
 }

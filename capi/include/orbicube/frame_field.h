@@ -98,6 +98,9 @@ typedef struct obc_frame_field_report {
   int64_t boundary_index_quarters;     /* four times the sum of the boundary cross field's indices */
   int64_t euler_characteristic;        /* of the boundary: equal to a quarter of that */
   uint64_t smoothing_steps, solver_iterations;
+  /* Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
+   * quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has. */
+  uint64_t locally_meshable, improper_edges, turning_points, improper_nodes;
 } obc_frame_field_report;
 
 /* Fill options, constraints and reports with the defaults, no constraints, and zeros. */

@@ -1,0 +1,17 @@
+// The angles between neighbouring frames as a picture: bars of a degree each and the curve of their sum, as in the
+// dissertation's Figure 6.3.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "base/array.h"
+
+namespace orbicube::cli {
+
+// A PNG file. `histogram` counts the faces of each degree from 0 on; bars are as high as the square root of their
+// share, so that the few large angles are seen; the curve shows the share of faces below each angle, from 0 to 100 per
+// cent.
+base::Array<std::byte> angle_plot(std::span<const std::size_t> histogram, std::pmr::memory_resource* memory);
+
+}  // namespace orbicube::cli
