@@ -185,17 +185,23 @@ Quaternion nearest_frame(const Harmonic& a, const Quaternion& guess) {
   constexpr double part_at_start = 0.65, part_nearby = 0.6;
   const Starts& table = starts();
   Quaternion best = climb_to_frame(a, guess);
-  Harmonic harmonic = harmonic_of(best);
-  double value = dot(a, harmonic);
+  // The maxima that were found; a few more than most vectors have.
+  std::array<Harmonic, 12> maxima;
+  maxima[0] = harmonic_of(best);
+  std::size_t found = 1;
+  double value = dot(a, maxima[0]);
   for (std::size_t k = 0; k < Starts::count; ++k) {
-    if (dot(a, table.harmonic[k]) < part_at_start * value || dot(harmonic, table.harmonic[k]) > part_nearby) continue;
+    const Harmonic& start = table.harmonic[k];
+    if (dot(a, start) < part_at_start * value) continue;
+    const auto near = [&](const Harmonic& m) { return dot(m, start) > part_nearby; };
+    if (std::any_of(maxima.begin(), maxima.begin() + found, near)) continue;
     const Quaternion frame = climb_to_frame(a, table.frame[k]);
     const Harmonic there = harmonic_of(frame);
+    if (found < maxima.size()) maxima[found++] = there;
     const double height = dot(a, there);
     if (height <= value) continue;
     value = height;
     best = frame;
-    harmonic = there;
   }
   return best;
 }

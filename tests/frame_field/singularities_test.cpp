@@ -221,17 +221,16 @@ TEST_CASE("A straight curve is locally meshable, a half turn is not, and a rando
     CHECK(m.edges.size() == (quarters == 2 ? 5 : 0));
     CHECK(m.vertices.empty());
   }
-  // A quarter forward below the middle and a quarter back above it: the curve turns there.
-  std::vector<Quaternion> field;
-  for (const Tetrahedron& t : solid.tetrahedra) {
-    const Vector3 p = centre(solid, t);
-    field.push_back(turned({1, 0, 0, 0}, {0, 0, 1}, (p[2] < 3 ? 1 : -1) * std::atan2(p[1], p[0]) / 4));
-  }
-  const Analysis turning(solid, field);
-  const Meshability m =
-      meshability(turning.graph, turning.connectivity.boundary_vertices(turning.host.memory), turning.host.memory);
+  // A curve of threes that becomes one of fives at the vertex 1.
+  SingularGraph turning(std::pmr::get_default_resource());
+  turning.edges.push_back({{0, 1}, 0, 4, 1, 1.0});
+  turning.edges.push_back({{1, 2}, 0, 5, -1, 1.0});
+  const std::vector<std::uint8_t> outer = {1, 0, 1};
+  const Meshability m = meshability(turning, outer, std::pmr::get_default_resource());
   CHECK(!m.locally_meshable());
-  CHECK(!m.vertices.empty());
+  CHECK(m.edges.empty());
+  CHECK(m.turning_points == 1);
+  CHECK((m.vertices.size() == 1 && m.vertices[0] == 1));
 
   const Analysis wild(solid, random_field(solid.tetrahedra.size(), 3));
   const Meshability w =
