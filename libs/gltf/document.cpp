@@ -88,12 +88,14 @@ void write_animation(JsonText& json, const SceneAccessors& accessors) {
   json.end_object().end_array().end_object().end_array();
 }
 
-void write_material(JsonText& json, std::string_view name, const std::array<double, 4>& color, bool textured) {
+void write_material(JsonText& json, std::string_view name, const std::array<double, 4>& color, bool textured,
+                    bool both_sides = false) {
   json.begin_object().member("name", name).key("pbrMetallicRoughness").begin_object();
   json.member("baseColorFactor", color).member("metallicFactor", 0.0).member("roughnessFactor", 0.7);
   if (textured) json.key("baseColorTexture").begin_object().member("index", zero).end_object();
   json.end_object();
   if (color.back() < 1) json.member("alphaMode", std::string_view("BLEND"));
+  if (both_sides) json.key("doubleSided").raw("true");
   json.end_object();
 }
 
@@ -118,6 +120,19 @@ void write_scene_and_node(JsonText& json, const Scene& scene) {
   json.end_object().end_array();
 }
 
+void begin(JsonText& json) {
+  json.begin_object().key("asset").begin_object().member("version", std::string_view("2.0"));
+  json.member("generator", std::string_view(std::string("Orbicube ") + base::version_text)).end_object();
+}
+
+void end(JsonText& json, const BinaryBuffer& buffer, const std::optional<std::string>& uri) {
+  write_accessors(json, buffer);
+  write_views(json, buffer);
+  json.key("buffers").begin_array().begin_object().member("byteLength", buffer.size());
+  if (uri) json.member("uri", std::string_view(*uri));
+  json.end_object().end_array().end_object();
+}
+
 // Throws Error "invalid-argument" with `message` unless the text is a JSON object.
 void require_object(std::string_view text, const std::string& message, const base::Host& host) {
   try {
@@ -134,8 +149,7 @@ std::string document_text(const Scene& scene, const SceneAccessors& accessors, c
                           const std::optional<std::string>& uri, const base::Host& host) {
   if (!scene.extras.empty()) require_object(scene.extras, "the extras are no JSON object", host);
   JsonText json;
-  json.begin_object().key("asset").begin_object().member("version", std::string_view("2.0"));
-  json.member("generator", std::string_view(std::string("Orbicube ") + base::version_text)).end_object();
+  begin(json);
   write_scene_and_node(json, scene);
   write_mesh(json, scene, accessors);
   if (accessors.animation_times) write_animation(json, accessors);
@@ -144,11 +158,36 @@ std::string document_text(const Scene& scene, const SceneAccessors& accessors, c
   if (accessors.edges) write_material(json, "edges", {0.02, 0.02, 0.02, 1.0}, false);
   json.end_array();
   if (accessors.texture_view) write_texture(json, *accessors.texture_view);
-  write_accessors(json, buffer);
-  write_views(json, buffer);
-  json.key("buffers").begin_array().begin_object().member("byteLength", buffer.size());
-  if (uri) json.member("uri", std::string_view(*uri));
-  json.end_object().end_array().end_object();
+  end(json, buffer, uri);
+  require_object(json.text(), "a name is not UTF-8", host);
+  return json.text();
+}
+
+std::string document_text(std::span<const Part> parts, std::span<const PartAccessors> accessors,
+                          const BinaryBuffer& buffer, const std::optional<std::string>& uri, const base::Host& host) {
+  JsonText json;
+  begin(json);
+  json.member("scene", zero).key("scenes").begin_array().begin_object().key("nodes").begin_array();
+  for (std::uint64_t i = 0; i < parts.size(); ++i)
+    json.value(i);
+  json.end_array().end_object().end_array();
+  json.key("nodes").begin_array();
+  for (std::uint64_t i = 0; i < parts.size(); ++i)
+    json.begin_object().member("name", std::string_view(parts[i].name)).member("mesh", i).end_object();
+  json.end_array().key("meshes").begin_array();
+  for (std::uint64_t i = 0; i < parts.size(); ++i) {
+    json.begin_object().member("name", std::string_view(parts[i].name)).key("primitives").begin_array();
+    json.begin_object().key("attributes").begin_object().member("POSITION", accessors[i].position);
+    json.member("NORMAL", accessors[i].normal);
+    if (accessors[i].color) json.member("COLOR_0", *accessors[i].color);
+    json.end_object().member("indices", accessors[i].triangles).member("material", i);
+    json.end_object().end_array().end_object();
+  }
+  json.end_array().key("materials").begin_array();
+  for (const Part& part : parts)
+    write_material(json, part.name, part.color, false, true);
+  json.end_array();
+  end(json, buffer, uri);
   require_object(json.text(), "a name is not UTF-8", host);
   return json.text();
 }

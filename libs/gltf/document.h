@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gltf/binary_buffer.h"
+#include "gltf/parts.h"
 #include "gltf/write.h"
 
 namespace orbicube::gltf {
@@ -30,5 +31,15 @@ struct SceneAccessors {
 // object or a text is not UTF-8.
 std::string document_text(const Scene& scene, const SceneAccessors& accessors, const BinaryBuffer& buffer,
                           const std::optional<std::string>& uri, const base::Host& host);
+
+// Numbers of accessors of a part.
+struct PartAccessors {
+  std::uint64_t position, normal, triangles;
+  std::optional<std::uint64_t> color;
+};
+
+// The same for parts, a node, a mesh and a material each.
+std::string document_text(std::span<const Part> parts, std::span<const PartAccessors> accessors,
+                          const BinaryBuffer& buffer, const std::optional<std::string>& uri, const base::Host& host);
 
 }  // namespace orbicube::gltf

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <optional>
-#include <string_view>
 
 #include "base/error.h"
-#include "gltf/base64.h"
 #include "gltf/binary_buffer.h"
+#include "gltf/container_writer.h"
 #include "gltf/document.h"
 #include "gltf/morph.h"
 #include "gltf/normals.h"
@@ -130,80 +128,28 @@ SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Hos
   return accessors;
 }
 
-std::array<std::byte, 4> little_endian(std::uint64_t value) {
-  std::array<std::byte, 4> bytes;
-  for (std::size_t i = 0; i < 4; ++i)
-    bytes[i] = static_cast<std::byte>(value >> (8 * i) & 0xFFU);
-  return bytes;
-}
-
-// GLB: header, JSON chunk filled up with spaces, BIN chunk filled up with zeros.
-template <class Sink>
-void emit_glb(std::string text, const BinaryBuffer& buffer, const Sink& sink) {
-  text.resize((text.size() + 3) / 4 * 4, ' ');
-  constexpr std::uint64_t magic = 0x46546C67U, version = 2, json_chunk = 0x4E4F534AU, binary_chunk = 0x004E4942U;
-  constexpr std::uint64_t header = 12, chunk_header = 8;
-  const std::uint64_t total = header + chunk_header + text.size() + chunk_header + buffer.size();
-  if (total > std::numeric_limits<std::uint32_t>::max())
-    throw base::Error("unsupported", "a GLB file of 4 GiB or more");
-  for (const std::uint64_t word : {magic, version, total, std::uint64_t{text.size()}, json_chunk})
-    sink(little_endian(word));
-  sink(std::as_bytes(std::span(text)));
-  for (const std::uint64_t word : {buffer.size(), binary_chunk})
-    sink(little_endian(word));
-  buffer.emit(sink);
-}
-
-// .gltf: the buffer as base64 in the text.
-template <class Sink>
-void emit_gltf(std::string_view text, const BinaryBuffer& buffer, const Sink& sink) {
-  constexpr std::string_view end = "\"}]}";
-  const std::string_view before = text.substr(0, text.size() - end.size());
-  sink(std::as_bytes(std::span(before)));
-  // Three bytes are four characters: pieces are collected until they are whole.
-  constexpr std::size_t whole = std::size_t{3} << 14U;
-  std::array<std::byte, whole> collected;
-  std::string encoded(base64_size(whole), '\0');
-  std::size_t fill = 0;
-  const auto flush = [&] {
-    encode_base64(std::span(collected).first(fill), encoded.data());
-    sink(std::as_bytes(std::span(encoded).first(base64_size(fill))));
-    fill = 0;
-  };
-  buffer.emit([&](std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-      const std::size_t taken = std::min(bytes.size(), whole - fill);
-      std::copy_n(bytes.begin(), taken, collected.begin() + static_cast<std::ptrdiff_t>(fill));
-      bytes = bytes.subspan(taken);
-      fill += taken;
-      if (fill == whole) flush();
-    }
-  });
-  flush();
-  sink(std::as_bytes(std::span(end)));
-}
-
 template <class Sink>
 void emit(const Scene& scene, Form form, const base::Host& host, const Sink& sink) {
   BinaryBuffer buffer(host);
   const SceneAccessors accessors = add_all(buffer, scene, host);
-  if (form == Form::glb) {
-    emit_glb(document_text(scene, accessors, buffer, {}, host), buffer, sink);
-  } else {
-    emit_gltf(document_text(scene, accessors, buffer, "data:application/octet-stream;base64,", host), buffer, sink);
-  }
+  emit_container(
+      form, buffer,
+      [&](const std::optional<std::string>& uri) { return document_text(scene, accessors, buffer, uri, host); }, sink);
 }
 
 }  // namespace
 
-void write(const std::filesystem::path& path, const Scene& scene, const base::Host& host) {
-  check(scene, host);
+Form form_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
+  return ending == ".gltf" ? Form::gltf : Form::glb;
+}
+
+void write(const std::filesystem::path& path, const Scene& scene, const base::Host& host) {
+  check(scene, host);
   mesh::OutputFile file(path);
-  emit(scene, ending == ".gltf" ? Form::gltf : Form::glb, host,
-       [&](std::span<const std::byte> bytes) { file.write(bytes); });
+  emit(scene, form_of(path), host, [&](std::span<const std::byte> bytes) { file.write(bytes); });
   file.commit();
 }
 

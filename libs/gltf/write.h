@@ -46,6 +46,9 @@ struct Scene {
 
 enum class Form { glb, gltf };
 
+// What a file of that name is: .gltf when it ends so and GLB otherwise.
+Form form_of(const std::filesystem::path& path);
+
 // Writes to `path`, .gltf when it ends so and GLB otherwise, whole or not at all (mesh/file.h).
 // Throws Error: "invalid-argument" when sizes, indices or texts do not fit or numbers are not finite; "unsupported" for
 // a GLB of 4 GiB or more; "io"; "cancelled". O(n) time, memory for what is derived (deltas, normals, 16-bit indices).

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gltf/checker.h"
+#include "gltf/parts.h"
 #include "gltf/write.h"
 
 using namespace orbicube;
@@ -79,5 +80,17 @@ int main(int count, char** arguments) {
     std::printf("%s %zu %zu %zu %s\n", sample.name, shape.positions.size() / 3, shape.triangles.size(),
                 scene.edges.size(), sample.plain ? "" : "thin,same");
   }
+  // A transparent surface with another inside. Readers describe the first.
+  const Shape shape(24);
+  std::vector<mesh::Vector3> outer, inner;
+  for (const auto& [from, to] : {std::pair{&shape.positions, &outer}, std::pair{&shape.thinner, &inner}}) {
+    for (std::size_t i = 0; i < from->size(); i += 3)
+      to->push_back({(*from)[i], (*from)[i + 1], (*from)[i + 2]});
+  }
+  std::vector<gltf::Part> parts(2);
+  parts[0] = {.name = "surface", .positions = outer, .triangles = shape.triangles, .color = {0.8, 0.8, 0.8, 0.2}};
+  parts[1] = {.name = "core", .positions = inner, .triangles = shape.triangles, .colors = shape.colors, .flat = true};
+  gltf::write_parts(folder / "parts.glb", parts, base::Host());
+  std::printf("parts.glb %zu %zu 0 \n", outer.size(), shape.triangles.size());
   return 0;
 }
