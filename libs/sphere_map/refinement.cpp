@@ -29,6 +29,7 @@ constexpr std::size_t small_level = 300;
 constexpr std::size_t newton_from = 100, newton_to = 4000;
 constexpr RelaxationLimits small_limits = {.passes = 20, .relative_gain = 1e-4, .movement = 1e-4};
 constexpr RelaxationLimits sweep_limits = {.passes = 3, .relative_gain = 1e-3, .movement = 3e-3};
+constexpr RelaxationLimits last_sweep_limits = {.passes = 12, .relative_gain = 1e-5, .movement = 1e-2};
 constexpr RelaxationLimits outlier_limits = {.passes = 5000, .relative_gain = 1e-8, .movement = 1e-3};
 constexpr NewtonLimits newton_limits = {.steps = 8, .solver_steps = 200, .relative_gain = 1e-5};
 
@@ -105,7 +106,8 @@ class Refiner {
     if (count <= small_level) {
       relax(energy_, level_, place_, level_.vertices, small_limits, directions_, queue_, scratch_[0], host_, team_);
     } else {
-      const auto outliers = sweep(energy_, level_, place_, sweep_limits, directions_, scratch_, host_, team_);
+      const RelaxationLimits& limits = count == total ? last_sweep_limits : sweep_limits;
+      const auto outliers = sweep(energy_, level_, place_, limits, directions_, scratch_, host_, team_);
       relax(energy_, level_, place_, outliers, outlier_limits, directions_, queue_, scratch_[0], host_, team_);
     }
     if (count == total) {
