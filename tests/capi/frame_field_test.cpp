@@ -238,7 +238,7 @@ TEST_CASE("A field is cancelled at each of its reports") {
 }
 
 TEST_CASE("Fields are the same bits on any number of threads and beside other fields") {
-  const Solid solid = bent_box(9);  // more nodes than one piece of work has
+  const Solid solid = bent_box(9);
   obc_host host;
   obc_host_init(&host, sizeof host);
   host.thread_count = 1;

@@ -114,13 +114,19 @@ TEST_CASE("A smoothed field is a minimum: turning any frame, within what it may,
   }
 }
 
-TEST_CASE("Results are the same bits for any number of threads and any order of the mesh") {
-  const test::Solid solid = test::shaken(test::ball(12), 1e-3);  // more than one chunk of nodes
+TEST_CASE("Results are the same bits for any number of threads") {
+  const test::Solid solid = test::ball(28);
+  REQUIRE(solid.tetrahedra.size() > least_of_little);  // so that every pass uses them
   base::Host alone, crowd;
   alone.thread_count = 1;
-  crowd.thread_count = 4;
-  const Outcome one = computed(solid, {}, {}, alone);
-  CHECK(same_bits(computed(solid, {}, {}, crowd).field, one.field));
+  crowd.thread_count = 3;
+  const Options options{.start = Start::harmonic, .relative_gain = 0.1};
+  CHECK(same_bits(computed(solid, options, {}, crowd).field, computed(solid, options, {}, alone).field));
+}
+
+TEST_CASE("Results are the same bits for any order of the mesh") {
+  const test::Solid solid = test::shaken(test::ball(10), 1e-3);
+  const Outcome one = computed(solid);
   test::Solid other = solid;
   std::vector<Index> order(solid.tetrahedra.size());
   for (Index t = 0; t < order.size(); ++t)
