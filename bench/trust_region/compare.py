@@ -1,5 +1,6 @@
 """The peers of PyPI on the 53 cases: DFO-LS and POUNDERS (ibcdfo) with the residuals; Powell's UOBYQA, NEWUOA and BOBYQA
-(pdfo) and SciPy's Nelder-Mead without. Needs numpy and any of those; says which are missing.
+(pdfo) and SciPy's Nelder-Mead without. Needs numpy (below 2 for pdfo) and any of those (POUNDERS also minq5 of POptUS/MINQ on the path);
+says which are missing.
 
 Usage: compare.py PATH/TO/libtrust-region-problems.so BENCH [plain|bounded|TRANSFORMS] [--reference]
 
@@ -127,6 +128,8 @@ def record(library, run, index, transform):
             run(case)
         except ImportError:
             raise
+        except SystemExit as error:  # POUNDERS ends the process where MINQ is missing
+            raise ImportError(error) from error
         except BaseException as error:  # a peer's crash counts as its end; Budget may come back wrapped
             if isinstance(error, KeyboardInterrupt):
                 raise

@@ -126,13 +126,15 @@ class Solver {
   double choose_step(double* d);
   Request try_step();
   Request take_trial();
-  Request improve_geometry();
-  Request take_geometry();
   Request reduce_resolution();
   void include(std::size_t j, double value);
   std::size_t who_leaves(bool better) const;
   void drop_far_points();
   void relative_bounds(const double* d);
+
+  // geometry.cpp
+  Request improve_geometry();
+  Request take_geometry();
 
   // metric.cpp
   bool wants_metric() const;

@@ -37,7 +37,7 @@ void Tridiagonal::reduce(std::size_t size) {
     factor_[k] = 2 / (tail + v[0] * v[0]);
     double* sub = matrix_.data() + (k + 1) * size + k + 1;
     multiply(sub, size, rest, rest, v, p);
-    const double half = 0.5 * factor_[k] * (factor_[k] * dot(v, p, rest));
+    const double half = 0.5 * factor_[k] * factor_[k] * dot(v, p, rest);
     for (std::size_t i = 0; i < rest; ++i)
       p[i] = factor_[k] * p[i] - half * v[i];
     for (std::size_t i = 0; i < rest; ++i)
