@@ -21,6 +21,12 @@ Json json_of(const PageResult& result) {
   Json figures = Json::array();
   for (const auto& [name, value] : result.figures)
     figures.push_back({name, value});
+  Json harmonics;
+  if (!result.coefficients.empty()) {
+    harmonics = {{"degree", result.degree},
+                 {"facing", std::vector<double>(mesh.facing.data(), mesh.facing.data() + mesh.facing.size())},
+                 {"coefficients", std::move(mesh.coefficients)}};
+  }
   return {{"name", result.name},
           {"figures", std::move(figures)},
           {"zUp", result.z_up},
@@ -34,7 +40,8 @@ Json json_of(const PageResult& result) {
           {"dilatation", std::move(mesh.dilatation)},
           {"areaRatio", std::move(mesh.area_ratio)},
           {"dilatationShare", mesh.dilatation_share},
-          {"areaRatioShare", mesh.area_ratio_share}};
+          {"areaRatioShare", mesh.area_ratio_share},
+          {"harmonics", std::move(harmonics)}};
 }
 
 // As text of an HTML element.

@@ -2,6 +2,7 @@
 // loads nothing.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <utility>
@@ -20,12 +21,17 @@ struct PageResult {
   std::span<const double> dilatation;         // sigma_max / sigma_min of each triangle; infinite where it has no area
   std::span<const double> area_ratio;         // area on the sphere over area on the shape, which counts as 4 pi
   std::vector<std::pair<std::string, std::string>> figures;  // rows of the table: name and value, in reading order
-  bool z_up = false;                                         // which way is up in the first view: z rather than y
+  // With a shape's spherical harmonics a slider shows it as they give it to each degree: (degree + 1)^2 coefficients of
+  // x, y and z each, in the order and the basis of libs/harmonics (coefficients.h), at the directions above. May be
+  // empty.
+  std::uint32_t degree = 0;
+  std::span<const double> coefficients;
+  bool z_up = false;  // which way is up in the first view: z rather than y
 };
 
-// The text of the page, complete: styles, script and data are inside. About 28 bytes a vertex. Names are escaped.
-// Throws Error invalid-argument when there is no result, one has no triangle, sizes differ or an index is out of range.
-// O(n) time for n triangles in all.
+// The text of the page, complete: styles, script and data are inside. About 28 bytes a vertex and 16 a coefficient of
+// all three coordinates. Names are escaped. Throws Error invalid-argument when there is no result, one has no triangle,
+// sizes differ or an index is out of range. O(n) time for n triangles in all.
 std::string report_page(std::span<const PageResult> results, const std::string& title);
 
 }  // namespace orbicube::cli

@@ -3,6 +3,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "mesh/cells.h"
 #include "mesh/file.h"
 #include "mesh/orient.h"
+#include "mesh/predicates.h"
 #include "mesh/topology.h"
 #include "mesh/write.h"
 #include "morph_sphere.h"
@@ -40,6 +42,7 @@ struct SphereOptions {
   std::string page;
   bool text = false;
   bool weld = false;
+  bool keep_partial = false;
 };
 
 // The surface, turned outward, or the refusal of one that has no map.
@@ -84,8 +87,7 @@ void check_mesh_file(const std::filesystem::path& path, const mesh::Mesh& writte
 
 // Writes the map beside its place and checks what is there. `directions` become those that the file holds.
 void write_checked(const std::filesystem::path& path, const SphereOptions& options, const mesh::Mesh& surface,
-                   Directions& directions, Session& session) {
-  const base::Host& host = session.host();
+                   Directions& directions, Session& session, const base::Host& host) {
   if (is_gltf(path)) {
     MorphSphere map = round_to_morph_target(surface.positions, surface.triangles, directions, host);
     write_morph_sphere(path, map, surface.triangles, std::filesystem::path(options.output).stem().string(), host);
@@ -102,6 +104,67 @@ void write_checked(const std::filesystem::path& path, const SphereOptions& optio
   image.triangles = surface.triangles;
   mesh::write_mesh(path, image, {.binary = !options.text}, host);
   check_mesh_file(path, image, host);
+}
+
+// Writes what there is of a map that could not be finished; answers what of it is valid.
+std::string write_partial(const SphereOptions& options, const mesh::Mesh& surface, sphere_map::Partial& partial,
+                          Session& session) {
+  if (partial.directions.empty()) return "there is nothing to keep yet";
+  const base::Host host;  // the session's has had enough
+  std::size_t positive = 0;
+  std::size_t turned_over = 0;
+  for (const mesh::Triangle& t : surface.triangles) {
+    const auto& [p, q, r] = std::tie(partial.directions[t[0]], partial.directions[t[1]], partial.directions[t[2]]);
+    const int sign = mesh::orientation_from_origin(p, q, r);
+    positive += sign > 0;
+    turned_over += sign < 0;
+  }
+  const bool whole = positive == surface.triangles.size();
+  const std::string counted = std::to_string(positive) + " of " + std::to_string(surface.triangles.size());
+  if (!whole && (is_gltf(options.output) || mesh::format_of_path(options.output) == mesh::Format::stl)) {
+    return "the partial map (" + counted + " triangles positive) is not kept: this format only holds whole maps";
+  }
+  try {
+    CheckedFile file(options.output);
+    if (whole) {
+      write_checked(file.path(), options, surface, partial.directions, session, host);
+    } else {
+      mesh::Mesh image(host.memory);
+      image.positions = partial.directions;
+      image.triangles = surface.triangles;
+      mesh::write_mesh(file.path(), image, {.binary = !options.text}, host);
+    }
+    file.commit();
+  } catch (const base::Error& error) {
+    return std::string("the partial map is not kept: ") + error.what();
+  }
+  session.figures()["partial"] = {{"output", options.output},
+                                  {"vertices_placed", partial.placed},
+                                  {"triangles_positive", positive},
+                                  {"triangles_turned_over", turned_over},
+                                  {"triangles", surface.triangles.size()}};
+  if (whole) return "kept in " + options.output + ": a map that is one to one, but not optimised to the end";
+  return "kept in " + options.output + ": a partial map, " + std::to_string(partial.placed) + " of " +
+         std::to_string(surface.positions.size()) + " vertices placed, " + counted + " triangles positive, " +
+         std::to_string(turned_over) + " turned over, the others without area";
+}
+
+// The map, or its failure with a word on what was kept.
+Directions compute(const SphereOptions& options, const mesh::Mesh& surface, Session& session) {
+  sphere_map::Partial partial(session.host().memory);
+  try {
+    return sphere_map::compute(surface.positions, surface.triangles,
+                               {.method = methods.at(options.method),
+                                .angle_weight = options.angle_weight,
+                                .area_weight = options.area_weight,
+                                .seed = session.seed()},
+                               session.host(), options.keep_partial ? &partial : nullptr);
+  } catch (const base::Error& error) {
+    const bool unfinished =
+        error.status() == base::Status::no_valid_result || error.status() == base::Status::cancelled;
+    if (!options.keep_partial || !unfinished) throw;
+    throw base::Error(error.kind(), error.what() + ("; " + write_partial(options, surface, partial, session)));
+  }
 }
 
 Json json_of(const sphere_map::Measurement& m) {
@@ -155,25 +218,19 @@ void sphere(const SphereOptions& options, Session& session) {
                        {"area_weight", options.area_weight},
                        {"page", options.page},
                        {"text", options.text},
-                       {"weld", options.weld}};
+                       {"weld", options.weld},
+                       {"keep_partial", options.keep_partial}};
   const mesh::Mesh surface = read_surface(options, session);
   const base::Host& host = session.host();
 
   const double start = session.seconds();
-  Directions directions = about(options.input, Role::input, [&] {
-    return sphere_map::compute(surface.positions, surface.triangles,
-                               {.method = methods.at(options.method),
-                                .angle_weight = options.angle_weight,
-                                .area_weight = options.area_weight,
-                                .seed = session.seed()},
-                               host);
-  });
+  Directions directions = about(options.input, Role::input, [&] { return compute(options, surface, session); });
   const double computed = session.seconds() - start;
   sphere_map::FaceDistortion faces(host.memory);
   sphere_map::Measurement m;
   about(options.output, Role::output, [&] {
     CheckedFile file(options.output);
-    write_checked(file.path(), options, surface, directions, session);
+    write_checked(file.path(), options, surface, directions, session, host);
     m = sphere_map::measure(surface.positions, surface.triangles, directions, options.angle_weight, options.area_weight,
                             host, &faces);
     if (!m.bijective) throw base::Error("no-valid-result", "the map covers the sphere more than once");
@@ -230,6 +287,9 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE.html");
   verb->add_flag("--text", options->text, "text rather than binary, where the format has both (PLY, STL, VTK)");
   verb->add_flag("--weld", options->weld, "join vertices at identical positions if the surface is not closed");
+  verb->add_flag("--keep-partial", options->keep_partial,
+                 "when no valid map is found, or the time limit or Ctrl-C ends the work, write what there is all the "
+                 "same; the message says what of it is valid, and the exit code stays 1");
   add_common_options(*verb, common);
   verb->footer(
       "Faces that look inward are turned. The file is read again and checked with exact arithmetic before it takes "

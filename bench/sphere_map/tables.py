@@ -1,14 +1,14 @@
 #!/usr/bin/env python3
-"""Makes the dissertation's Tables 3.1 to 3.4 and Figure 3.2 again, with the methods `seed`, `balanced` and `angle-area`
+"""Makes the dissertation's Tables 3.1 to 3.5 and Figure 3.2 again, with the methods `seed`, `balanced` and `angle-area`
 beside the printed figures, and the table of time and memory by size: docs/sphere_map_tables.md and its pictures.
 
     bench/sphere_map/tables.py BUILD MODELS [--again PART]
 
-BUILD    a build folder set up with -Dbench=true, in which bench-sphere-map and bench-sphere-map-tables are built
+BUILD    a build folder set up with -Dbench=true, in which the programs bench-sphere-map... are built
 MODELS   a folder with cow.off, frog.obj, bunny.ply, horse.ply, david.obj, venus.ply, gargoyle.ply and armadillo.ply
-PART     `maps` or `scaling` (or both, with --again twice): measured again though BUILD holds its figures of a former run
+PART     `maps`, `harmonics` or `scaling` (--again may be given several times): measured again though BUILD holds its figures of a former run
 
-Needs chromium for the pictures and nothing else. `maps` takes two minutes, `scaling` five. Times are of CPU, one thread:
+Needs chromium for the pictures and nothing else. `maps` and `harmonics` take two minutes, `scaling` five. Times are of CPU, one thread:
 for the final figures the machine should do nothing else.
 """
 import argparse
@@ -38,6 +38,16 @@ DISTORTION = {
 TIMES = (("Cow", "cow", "11K", 21), ("Frog", "frog", "25K", 48), ("Bunny", "bunny", "34K", 58),
          ("Horse", "horse", "48K", 89), ("David", "david", "50K", 111), ("Venus", "venus", "50K", 70),
          ("Gargoyle", "gargoyle", "100K", 193), ("Armadillo", "armadillo", "106K", 250), ("Buddha", None, "400K", 526))
+
+# As printed: bands, then harmonic [3], curvilinear [1], the dissertation's own.
+RECONSTRUCTION = (
+    ("Bunny", "bunny", ((6, 0.1190, 0.1028, 0.0891), (16, 0.0709, 0.0730, 0.0424), (32, 0.0643, 0.0669, 0.0247))),
+    ("Venus", "venus", ((6, 0.0299, 0.0455, 0.0279), (16, 0.0117, 0.0160, 0.0113), (32, 0.0088, 0.0102, 0.0083))),
+    ("Cow", "cow", ((6, 0.3480, 0.2424, 0.1474), (16, 0.2317, 0.1547, 0.0813), (32, 0.1470, 0.1161, 0.0591))),
+    ("Horse", "horse", ((6, 0.3236, 0.2698, 0.1653), (16, 0.2440, 0.1792, 0.0740), (32, 0.1976, 0.1401, 0.0563))),
+    ("Armadillo", "armadillo",
+     ((6, 0.3151, 0.1962, 0.1260), (16, 0.2127, 0.1106, 0.0309), (32, 0.1725, 0.0900, 0.0222))),
+)
 
 STANDS_FOR = """\
 | dissertation | here | the same model? |
@@ -114,6 +124,23 @@ def time_table(maps):
     return "\n".join(lines) + "\n"
 
 
+def reconstruction_table(text):
+    errors, vertices = {}, {}
+    for line in text.splitlines():
+        name, method, count, bands, error, *_ = line.split("\t")
+        errors[name, method, int(bands)] = float(error)
+        vertices[name] = int(count)
+    lines = ["| model | vertices here | bands | harmonic [3] | curvilinear [1] | dissertation | our `seed` | our `balanced` | "
+             "our `stretch` |", "|---|---|---|---|---|---|---|---|---|"]
+    for title, model, rows in RECONSTRUCTION:
+        for i, (bands, *printed) in enumerate(rows):
+            cells = [title if i == 0 else "", str(vertices[model]) if i == 0 else "", str(bands)]
+            cells += [f"{value:.4f}" for value in printed]
+            cells += [f"{errors[model, method, bands]:.4f}" for method in ("seed", "balanced", "stretch")]
+            lines.append("| " + " | ".join(cells) + " |")
+    return "\n".join(lines) + "\n"
+
+
 def energy_picture(traces, path):
     names = [name for name in ("bunny", "cow", "horse", "venus", "gargoyle", "armadillo") if name in traces]
     whole = [(name, [(i, energy / count) for i, count, energy in traces[name]]) for name in names]
@@ -145,11 +172,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build")
     parser.add_argument("models")
-    parser.add_argument("--again", action="append", default=[], choices=("maps", "scaling"))
+    parser.add_argument("--again", action="append", default=[], choices=("maps", "harmonics", "scaling"))
     options = parser.parse_args()
     program = os.path.join(options.build, "bench", "sphere_map", "bench-sphere-map")
     maps, traces = read_maps(measured(options.build, "maps.tsv", [program + "-tables", options.models],
                                       "maps" in options.again))
+    harmonics = measured(options.build, "harmonics.tsv", [program + "-reconstruction", options.models],
+                         "harmonics" in options.again)
     scaling = measured(options.build, "scaling.txt", [program, "scaling"], "scaling" in options.again)
     energy_picture(traces, os.path.join(ROOT, "docs", "images", "sphere_map_energy.png"))
     bunny = maps["bunny", "seed"]
@@ -185,6 +214,13 @@ An iteration is one search of Algorithm 2. On the left the energy per vertex of 
 dissertation draws; on the right E itself, from 150 vertices on. Most of the work is done while the mesh is coarse: one or two
 rounds over all vertices at the end change E in its fifth digit.
 
+## Table 3.5: reconstruction from spherical harmonics
+
+e(M, M^) of section 3.3.2 from vertices to vertices, the surface scaled to area 4 pi; 6 bands are 6 x 6 coefficients of each
+coordinate. The models as they are, none split; the fit is by least squares weighted by area (the dissertation's integrals as
+sums over vertices would diverge at 32 bands), which accounts for most of the difference on one and the same map.
+
+{reconstruction_table(harmonics)}
 ## Time and memory by size
 
 The default method on the shape that `orbicube make creature` makes, one thread (`bench-sphere-map scaling`):

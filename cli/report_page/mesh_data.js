@@ -52,7 +52,9 @@ function trianglesOf(codes, triangleCount) {
   return triangles;
 }
 
-// Four floats a vertex, as a texture takes them. The shape's bounding sphere is a little larger than the
+const shapeRadius = 1.15;  // of the shape's bounding sphere in the page
+
+// Four floats a vertex, as a texture takes them, and the frame: position = scale * (steps - centre). The shape's bounding sphere is a little larger than the
 // unit sphere, which no shape fills so well.
 function positionsOf(result) {
   const bytes = bytesOf(result.positions);
@@ -68,11 +70,11 @@ function positionsOf(result) {
   for (let i = 0; i < raw.length; i += 3) {
     radius = Math.max(radius, Math.hypot(raw[i] - centre[0], raw[i + 1] - centre[1], raw[i + 2] - centre[2]));
   }
-  const positions = new Float32Array(4 * result.vertices);
+  const positions = new Float32Array(4 * result.vertices), scale = shapeRadius / (radius || 1);
   for (let i = 0; i < raw.length; ++i) {
-    positions[4 * Math.floor(i / 3) + i % 3] = 1.15 * (raw[i] - centre[i % 3]) / (radius || 1);
+    positions[4 * Math.floor(i / 3) + i % 3] = scale * (raw[i] - centre[i % 3]);
   }
-  return positions;
+  return {positions, frame: {centre, scale}};
 }
 
 function directionsOf(result) {
@@ -117,12 +119,12 @@ function normalsOf(positions, triangles) {
 
 function meshOf(result) {
   const triangles = trianglesOf(bytesOf(result.connections), result.triangles);
-  const positions = positionsOf(result);
+  const {positions, frame} = positionsOf(result);
   const dilatation = bytesOf(result.dilatation), area = bytesOf(result.areaRatio);
   const levels = new Uint8Array(2 * result.triangles);
   for (let t = 0; t < result.triangles; ++t) {
     levels[2 * t] = dilatation[t];
     levels[2 * t + 1] = area[t];
   }
-  return {triangles, positions, directions: directionsOf(result), normals: normalsOf(positions, triangles), levels};
+  return {triangles, positions, frame, directions: directionsOf(result), normals: normalsOf(positions, triangles), levels};
 }

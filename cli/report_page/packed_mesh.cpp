@@ -2,9 +2,11 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <deque>
+#include <numbers>
 #include <vector>
 
 #include "base/error.h"
@@ -27,6 +29,10 @@ void check(const PageResult& result) {
   if (result.directions.size() != result.positions.size()) fail("not as many directions as positions");
   if (result.dilatation.size() != result.triangles.size() || result.area_ratio.size() != result.triangles.size()) {
     fail("not as many distortions as triangles");
+  }
+  const std::size_t basis = (std::size_t{result.degree} + 1) * (std::size_t{result.degree} + 1);
+  if (!result.coefficients.empty() && result.coefficients.size() != 3 * basis) {
+    fail("not as many coefficients as its degree has");
   }
   for (const Triangle& triangle : result.triangles) {
     for (const Index corner : triangle) {
@@ -166,6 +172,18 @@ void append_direction(std::vector<std::uint8_t>& bytes, const Vector3& direction
   }
 }
 
+// Of the sums in steps from `low`, as the positions are stored.
+std::string packed_coefficients(const PageResult& result, const Vector3& low, double step) {
+  std::vector<std::uint8_t> bytes;
+  const double first = std::sqrt(0.25 / std::numbers::pi);  // Y_00
+  for (std::size_t i = 0; i < result.coefficients.size(); ++i) {
+    const double offset = i < 3 ? low[static_cast<Eigen::Index>(i)] / first : 0;
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>((result.coefficients[i] - offset) / step));
+    append_number(bytes, bits, 4);
+  }
+  return base64(bytes);
+}
+
 std::uint8_t level_of(const Levels& levels, double value) {
   if (!(value > 0) || std::isinf(value)) return levels.none;
   const double octaves = std::log2(value) / levels.octaves;
@@ -192,14 +210,15 @@ PackedMesh pack(const PageResult& result) {
   constexpr double largest = (1 << 16) - 1;
   packed.step = (high - packed.low).maxCoeff() / largest;
   if (!(packed.step > 0)) packed.step = 1;
-  const Eigen::Matrix3d facing = facing_rotation(result);
+  packed.facing = facing_rotation(result);
+  packed.coefficients = packed_coefficients(result, packed.low, packed.step);
   std::vector<std::uint8_t> positions;
   std::vector<std::uint8_t> directions;
   for (const Index v : order.vertices) {
     const Vector3 steps = (result.positions[v] - packed.low) / packed.step;
     for (const double coordinate : steps)
       append_number(positions, std::round(std::min(coordinate, largest)), 2);
-    append_direction(directions, facing * result.directions[v]);
+    append_direction(directions, packed.facing * result.directions[v]);
   }
   packed.positions = base64(positions);
   packed.directions = base64(directions);

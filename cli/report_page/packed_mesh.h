@@ -33,6 +33,8 @@ struct PackedMesh {
   std::string connections;  // numbers of 7 bits a byte, see walk() in packed_mesh.cpp
   std::string dilatation;   // one level a triangle
   std::string area_ratio;
+  std::string coefficients;  // of the harmonics, float32: of the sums in steps from `low`, at the unturned directions
+  Eigen::Matrix3d facing;    // what turned the directions
   std::array<double, 256> dilatation_share{};  // part of the shape's area at each level
   std::array<double, 256> area_ratio_share{};
 };

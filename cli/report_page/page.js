@@ -1,5 +1,6 @@
 // The page: controls, mouse, touch and keys. The address may preset a view, as
-// #result=1&colour=checker&morph=0.5&edges&theme=dark&turn=X,Y,Z,W&zoom=2&picture (only the views) &check (for tests).
+// #result=1&colour=checker&morph=0.5&degree=8&edges&theme=dark&turn=X,Y,Z,W&zoom=2&picture (only the views) &check (for
+// tests).
 
 (() => {
   const byId = id => document.getElementById(id);
@@ -11,7 +12,8 @@
   const state = {turn: [0, 0, 0, 1], zoom: Number(preset.get("zoom")) || 1, shifts: [[0, 0], [0, 0]],
                  morph: Number(preset.get("morph")) || 0, mode: "dilatation",
                  coding: null, bounds: [0, 1], edges: preset.has("edges")};
-  let chosen = 0, zUp = null, viewer = null, waiting = false, stale = false, mouse = null, pointed = null;
+  const reconstructions = [];  // of the results that have harmonics, once looked at
+  let chosen = 0, degree = 0, zUp = null, viewer = null, waiting = false, stale = false, mouse = null, pointed = null;
 
   const rangeOf = mode => chosenRange[mode] || automaticRange(quantities[mode], results[chosen]);
 
@@ -46,7 +48,8 @@
     for (const [id, view] of [["shape-name", shape], ["sphere-name", sphere]]) {
       Object.assign(byId(id).style, {left: `${view.x}px`, top: `${view.y}px`});
     }
-    byId("shape-name").textContent = state.morph === 0 ? "Shape" : `Shape to sphere, ${Math.round(100 * state.morph)} %`;
+    const shapeName = degree > 0 ? `Harmonics to degree ${degree}` : "Shape";
+    byId("shape-name").textContent = shapeName + (state.morph === 0 ? "" : ` to sphere, ${Math.round(100 * state.morph)} %`);
     pointAtMouse();
   }
 
@@ -115,8 +118,25 @@
         say(`This result cannot be shown: ${error.message}. Its figures are below.`);
       }
     }
+    byId("degree-field").hidden = !viewer || !result.harmonics;
+    if (result.harmonics) byId("degree").max = result.harmonics.degree + 1;
+    setDegree(viewer && result.harmonics ? Math.min(degree, result.harmonics.degree) : 0);
     drawTable(results, chosen);
     showQuantity();
+  }
+
+  // The shape as its harmonics to this degree give it; 0: the shape itself.
+  function setDegree(value) {
+    const mesh = meshes[chosen], highest = results[chosen].harmonics?.degree;
+    if (viewer && (degree > 0 || value > 0)) {
+      reconstructions[chosen] ??= value > 0 ? new Reconstruction(results[chosen], mesh) : null;
+      viewer.setShape(value > 0 ? reconstructions[chosen].at(value) : mesh.positions);
+    }
+    degree = value;
+    byId("degree").value = value || highest + 1;
+    byId("degree-text").textContent =
+        value > 0 ? `${value}, off by ${percent(reconstructions[chosen].distance(value))}` : "the shape itself";
+    redraw();
   }
 
   // Turns both views about an axis of the picture.
@@ -274,6 +294,10 @@
       play(false);
       setMorph(Number(event.target.value));
     });
+    byId("degree").addEventListener("input", event => {
+      const value = Number(event.target.value);
+      setDegree(value > results[chosen].harmonics.degree ? 0 : value);
+    });
     byId("play").addEventListener("click", () => play(!player.running));
     byId("edges").addEventListener("change", event => {
       state.edges = event.target.checked;
@@ -299,7 +323,7 @@
 
   // For tests: every result in every colouring, and whether what is pointed at is found in the other view.
   function check() {
-    const report = {frames: [], pointed: 0};
+    const report = {frames: [], pointed: 0, reconstructions: []};
     results.forEach((result, index) => {
       choose(index);
       for (const mode of modes) {
@@ -307,6 +331,13 @@
         drawNow();
         report.frames.push({result: result.name, mode, shape: viewer.statistics(0), sphere: viewer.statistics(1),
                             error: viewer.gl.getError()});
+      }
+      if (result.harmonics) {
+        setDegree(result.harmonics.degree);
+        drawNow();
+        const distances = Array.from({length: degree}, (_, i) => reconstructions[index].distance(i + 1));
+        report.reconstructions.push({result: result.name, distances, shape: viewer.statistics(0)});
+        setDegree(0);
       }
       const view = viewer.views()[1];
       const found = viewer.pick(state, view.x + 0.55 * view.width, view.y + 0.45 * view.height);
@@ -327,6 +358,7 @@
     say("The views need WebGL 2, which this browser does not offer or has switched off. The figures are below.");
   }
   chosen = Number(preset.get("result")) || 0;
+  degree = Number(preset.get("degree")) || 0;
   listenToControls();
   choose(chosen);
   if (modes.includes(preset.get("colour"))) setMode(preset.get("colour"));

@@ -189,6 +189,15 @@ class Viewer {
     }
   }
 
+  // Another shape in place of the mesh's own, with the same triangles.
+  setShape(positions) {
+    const normals = normalsOf(positions, this.mesh.triangles);
+    this.mesh = {...this.mesh, positions, normals};
+    for (const name of ["positions", "normals"]) {
+      this.setTexture(name, this.mesh[name], positions.length / 4, this.gl.RGBA32F, this.gl.RGBA, this.gl.FLOAT);
+    }
+  }
+
   setColours(colours) {
     const gl = this.gl;
     this.textures.colours ??= gl.createTexture();

@@ -5,7 +5,9 @@
 #include <numbers>
 #include <utility>
 
+#include "base/error.h"
 #include "sphere_map/newton.h"
+#include "sphere_map/partial.h"
 #include "sphere_map/relaxation.h"
 #include "sphere_map/sweeps.h"
 #include "sphere_map/vertex_splits.h"
@@ -67,7 +69,18 @@ class Refiner {
     energy_.least_area = least_area;
   }
 
-  Array<Vector3> run() {
+  Array<Vector3> run(Partial* partial) {
+    try {
+      refine_and_solve();
+    } catch (const base::Error&) {
+      keep_partial(decimation_.collapses, directions_, partial);
+      throw;
+    }
+    return std::move(directions_);
+  }
+
+ private:
+  void refine_and_solve() {
     const std::size_t total = 4 + decimation_.collapses.size();
     level_.vertices.reserve(total);
     place_tetrahedron();
@@ -82,10 +95,8 @@ class Refiner {
         next = std::min(next_level(count, total), total);
       }
     }
-    return std::move(directions_);
   }
 
- private:
   void place_tetrahedron() {
     const double a = 1 / std::sqrt(3.0);
     const auto [top, first, second, third] = decimation_.tetrahedron;
@@ -164,8 +175,8 @@ class Refiner {
 }  // namespace
 
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
-                      double least_area, const base::Host& host, const base::Team& team) {
-  return Refiner(decimation, positions, schedule, least_area, host, team).run();
+                      double least_area, const base::Host& host, const base::Team& team, Partial* partial) {
+  return Refiner(decimation, positions, schedule, least_area, host, team).run(partial);
 }
 
 }  // namespace orbicube::sphere_map

@@ -10,8 +10,8 @@ namespace orbicube::sphere_map {
 
 // Directions of all vertices that have a ring at the end; zero for the others. `decimation` is used up. Throws Error
 // no-valid-result when a kernel is empty, which only rounding can cause. `least_area` is for triangle_shape
-// (distortion.h).
+// (distortion.h), `partial` as for compute().
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
-                      double least_area, const base::Host& host, const base::Team& team);
+                      double least_area, const base::Host& host, const base::Team& team, Partial* partial);
 
 }  // namespace orbicube::sphere_map

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "sphere_map/decimation.h"
+#include "sphere_map/partial.h"
 #include "sphere_map/seed_step.h"
 #include "sphere_map/spherical_kernel.h"
 
@@ -55,8 +56,19 @@ class Hierarchy {
         star_(host.memory),
         kernel_scratch_(host.memory) {}
 
+  Array<Vector3> run(Partial* partial) {
+    try {
+      refine();
+    } catch (const base::Error&) {
+      keep_partial(decimation_.collapses, directions_, partial);
+      throw;
+    }
+    return std::move(directions_);
+  }
+
+ private:
   // Algorithm 1.
-  Array<Vector3> run() {
+  void refine() {
     const std::size_t total = 4 + decimation_.collapses.size();
     place_tetrahedron();
     for (std::size_t k = 4; k < total; ++k) {
@@ -74,10 +86,8 @@ class Hierarchy {
       if (v % 1024 == 0) host_.report("priorities", v, directions_.size());
     }
     optimise(final_limits(total), "optimisation", 0, 0);
-    return std::move(directions_);
   }
 
- private:
   using Entry = std::pair<double, Index>;
 
   void place_tetrahedron() {
@@ -204,7 +214,7 @@ class Hierarchy {
 }  // namespace
 
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                       const SeedOptions& options, const base::Host& host) {
+                       const SeedOptions& options, const base::Host& host, Partial* partial) {
   if (!(options.angle_weight > 0 && std::isfinite(options.angle_weight) && options.area_weight >= 0 &&
         std::isfinite(options.area_weight) && options.eta > 0)) {
     throw base::Error("invalid-argument",
@@ -228,7 +238,7 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
     try {
       Decimation decimation = decimate(positions, VertexRings(positions.size(), triangles, host),
                                        options.seed + 0x1000 * i, host, base::Team(host));
-      return Hierarchy(decimation, positions, energy, least_area, options, host).run();
+      return Hierarchy(decimation, positions, energy, least_area, options, host).run(partial);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || i + 1 == attempts.size()) throw;
       host.log(std::string("trying again: ") + e.what());

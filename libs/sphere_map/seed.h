@@ -13,14 +13,9 @@
 #include <span>
 
 #include "base/host.h"
-#include "mesh/mesh.h"
+#include "sphere_map/sphere_map.h"
 
 namespace orbicube::sphere_map::seed {
-
-using base::Array;
-using mesh::Index;
-using mesh::Triangle;
-using mesh::Vector3;
 
 // Where the optimisation is, for Figure 3.2.
 struct TracePoint {
@@ -41,7 +36,8 @@ struct SeedOptions {
 // Directions of the vertices of a closed, connected surface of genus 0 that looks outward, near unit size and the
 // origin (normalise.h); zero for vertices in no triangle. sphere_map::compute checks and prepares surfaces so. O(n log
 // n) time. Throws Error: invalid-argument (options), cancelled, no-valid-result when no valid map was found.
+// `partial` as in sphere_map.h.
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                       const SeedOptions& options, const base::Host& host);
+                       const SeedOptions& options, const base::Host& host, Partial* partial = nullptr);
 
 }  // namespace orbicube::sphere_map::seed

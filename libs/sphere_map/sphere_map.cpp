@@ -12,6 +12,7 @@
 #include "sphere_map/measure.h"
 #include "sphere_map/method.h"
 #include "sphere_map/normalise.h"
+#include "sphere_map/partial.h"
 #include "sphere_map/refinement.h"
 #include "sphere_map/seed.h"
 
@@ -31,7 +32,7 @@ double total_area(std::span<const Vector3> positions, std::span<const Triangle> 
 // alike: maps of that kind exist for every surface (Tutte 1963).
 Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                 double surface_area, const Schedule& schedule, std::uint64_t seed,
-                                const base::Host& host) {
+                                const base::Host& host, Partial* partial) {
   const double mean_area = surface_area / static_cast<double>(triangles.size());
   const std::array least_areas = {0.0, 0.0, 1e-2, 1.0, 1e3};  // times the mean area
   const base::Team team(host);
@@ -39,7 +40,7 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
     try {
       Decimation decimation = decimate(positions, VertexRings(positions.size(), triangles, host), seed, host, team);
       return refine(decimation, positions, schedule.with_stronger_barrier(attempt), least_areas[attempt] * mean_area,
-                    host, team);
+                    host, team, partial);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || attempt + 1 == least_areas.size()) throw;
       host.log(std::string("trying again: ") + e.what());
@@ -48,10 +49,30 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
   }
 }
 
+// Vertices in no triangle, which have no direction yet.
+void place_unused(std::span<const Vector3> positions, std::span<Vector3> directions) {
+  for (std::size_t v = 0; v < directions.size(); ++v) {
+    if (directions[v] == Vector3::Zero())
+      directions[v] = positions[v].norm() > 0 ? positions[v].normalized() : Vector3::UnitZ();
+  }
+}
+
+void check_exactly(std::span<const Triangle> triangles, std::span<const Vector3> directions, const base::Host& host) {
+  std::size_t bad = 0;
+  constexpr std::size_t piece = 65536;
+  for (std::size_t begin = 0; begin < triangles.size(); begin += piece) {
+    host.report("exact check", begin, triangles.size());
+    bad += count_not_positive(triangles.subspan(begin, std::min(piece, triangles.size() - begin)), directions);
+  }
+  if (bad > 0) {
+    throw base::Error("no-valid-result", std::to_string(bad) + " triangles are not positive by exact predicates");
+  }
+}
+
 }  // namespace
 
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
-                       const base::Host& host) {
+                       const base::Host& host, Partial* partial) {
   const Schedule schedule = schedule_of(options);
   const mesh::Topology facts = mesh::topology(positions, triangles, host);
   mesh::require_closed_genus_zero(facts);
@@ -64,26 +85,22 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
       std::swap(t[1], t[2]);
   }
 
-  Array<Vector3> directions =
-      options.method == Method::seed
-          ? seed::compute(
-                unit, outward,
-                {.angle_weight = options.angle_weight, .area_weight = options.area_weight, .seed = options.seed}, host)
-          : map_with_retries(unit, outward, total_area(unit, outward), schedule, options.seed, host);
-  for (std::size_t v = 0; v < directions.size(); ++v) {
-    if (directions[v] == Vector3::Zero()) {  // in no triangle
-      directions[v] = unit[v].norm() > 0 ? unit[v].normalized() : Vector3::UnitZ();
-    }
+  Array<Vector3> directions(host.memory);
+  try {
+    directions =
+        options.method == Method::seed
+            ? seed::compute(
+                  unit, outward,
+                  {.angle_weight = options.angle_weight, .area_weight = options.area_weight, .seed = options.seed},
+                  host, partial)
+            : map_with_retries(unit, outward, total_area(unit, outward), schedule, options.seed, host, partial);
+    check_exactly(outward, directions, host);
+  } catch (const base::Error&) {
+    keep_partial({}, directions, partial);
+    if (partial != nullptr) place_unused(unit, partial->directions);
+    throw;
   }
-  std::size_t bad = 0;
-  constexpr std::size_t piece = 65536;
-  for (std::size_t begin = 0; begin < outward.size(); begin += piece) {
-    host.report("exact check", begin, outward.size());
-    bad += count_not_positive(std::span(outward).subspan(begin, std::min(piece, outward.size() - begin)), directions);
-  }
-  if (bad > 0) {
-    throw base::Error("no-valid-result", std::to_string(bad) + " triangles are not positive by exact predicates");
-  }
+  place_unused(unit, directions);
   return directions;
 }
 

@@ -37,13 +37,23 @@ struct Options {
   std::uint64_t seed = 0;     // varies the order of equally good decimation steps
 };
 
+// What there is of a map when its computation fails or is cancelled. Vertices that have no place of their own yet have
+// that of the vertex that they were merged into on the way to the coarsest mesh; their triangles have no area.
+struct Partial {
+  explicit Partial(std::pmr::memory_resource* memory) : directions(memory) {}
+
+  Array<Vector3> directions;  // unit vectors, one a vertex; empty when the work did not come so far
+  std::size_t placed = 0;     // vertices of triangles that have a place of their own
+};
+
 // Maps the vertices of a closed, connected, consistently oriented surface of genus 0 to unit vectors, one a vertex in
 // the order of `positions`. Vertices in no triangle get the direction from the bounding box's centre. Orientation is
 // kept: det[p q r] > 0 for every triangle, exactly, and so that rounding each coordinate once more cannot change it.
 // O(n log n) time, at most 1 KB a vertex.
 // Throws Error: invalid-argument (options, sizes), the kinds of mesh::require_closed_genus_zero, cancelled,
-// no-valid-result when no valid map was found.
+// no-valid-result when no valid map was found. For the last two kinds `partial`, which may be null, gets what there is
+// of the attempt that came furthest.
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
-                       const base::Host& host);
+                       const base::Host& host, Partial* partial = nullptr);
 
 }  // namespace orbicube::sphere_map

@@ -4,6 +4,7 @@ and nothing is left lying about.
 
     failures_test.py COMMAND
 """
+import json
 import os
 import pty
 import resource
@@ -12,7 +13,7 @@ import subprocess
 import time
 import unittest
 
-from command import COMMAND, SANITIZED, InFolder, kind_of, main, read_obj, run
+from command import COMMAND, SANITIZED, InFolder, kind_of, main, not_positive, read_obj, run
 
 OLD = b"what was here before\n"
 
@@ -76,6 +77,51 @@ class Failures(InFolder):
         shape = self.made("creature", 100_000)
         self.refused(1, "time-limit", shape, "sphere", shape, "-o", self.out, "--time-limit", "0.1")
         self.assert_old_file_alone("creature.obj")
+
+    def test_a_partial_map_is_kept_when_asked_for(self):
+        shape = self.made("creature", 20_000)
+        triangles = read_obj(shape)[1]
+        kept = set()
+        for limit in (0.05, 0.1, 0.2, 0.3, 0.5, 0.8, 1.2, 1.8, 2.7, 4, 6, 9, 14):
+            report = self.path("report.json")
+            done = run("sphere", shape, "-o", self.out, "--time-limit", str(limit), "--keep-partial", "--report", report)
+            if done.returncode == 0:
+                break
+            self.assertEqual(done.returncode, 1)
+            self.assertEqual(kind_of(done.stderr.strip(), shape), "time-limit")
+            with open(report, encoding="utf-8") as file:
+                partial = json.load(file).get("partial")
+            if partial is None:
+                self.assertNotIn("kept in", done.stderr)
+                with open(self.out, "rb") as file:
+                    self.assertEqual(file.read(), OLD)
+                continue
+            directions, connections = read_obj(self.out)
+            self.assertEqual(connections, triangles)
+            positive = len(triangles) - not_positive(directions, connections)
+            self.assertEqual(partial["triangles_positive"], positive)
+            self.assertEqual(partial["triangles_turned_over"], 0)
+            self.assertEqual(positive, 2 * partial["vertices_placed"] - 4)
+            whole = positive == len(triangles)
+            self.assertIn("kept in " + self.out, done.stderr)
+            self.assertEqual("one to one" in done.stderr, whole)
+            kept.add(whole)
+            if len(kept) == 2:
+                break
+            with open(self.out, "wb") as file:
+                file.write(OLD)
+        self.assertTrue(kept)
+
+    def test_no_partial_map_takes_a_place_that_only_holds_whole_ones(self):
+        shape, out = self.made("creature", 40_000), self.path("out.glb")
+        for limit in (0.1 * 1.3**i for i in range(20)):
+            done = run("sphere", shape, "-o", out, "--time-limit", str(limit), "--keep-partial")
+            if done.returncode == 0 or "one to one" in done.stderr:
+                break
+            if "only holds whole maps" in done.stderr:
+                self.assertFalse(os.path.exists(out))
+                return
+        self.skipTest("no limit struck while vertices were placed")
 
     def test_a_full_disk_leaves_the_old_file(self):
         shape = self.made("creature", 8000)

@@ -225,6 +225,38 @@ def check_read_back(meshes, results):
         check(mesh["levels"] == numpy.stack([data["dilatation"], data["areaRatio"]], 1).ravel().tolist(), "levels")
 
 
+def basis(directions, degree):
+    """Real spherical harmonics as libs/harmonics/coefficients.h has them, by the recurrence of the plain P_lm."""
+    x, y, z = directions.T
+    sine, phi = numpy.hypot(x, y), numpy.arctan2(y, x)
+    values = numpy.zeros((len(directions), (degree + 1) ** 2))
+    for m in range(degree + 1):
+        before, now = 0, math.prod(range(1, 2 * m, 2)) * sine**m
+        for l in range(m, degree + 1):
+            if l > m:
+                before, now = now, ((2 * l - 1) * z * now - (l + m - 1) * before) / (l - m)
+            size = math.sqrt((2 * l + 1) / (4 * math.pi) * math.factorial(l - m) / math.factorial(l + m))
+            values[:, l * l + l + m] = size * now * (math.sqrt(2) * numpy.cos(m * phi) if m else 1)
+            if m:
+                values[:, l * l + l - m] = size * now * math.sqrt(2) * numpy.sin(m * phi)
+    return values
+
+
+def harmonics_of(result, degree):
+    """Harmonics for the page of a result, and how far the shape is from their sum to each degree, over its diameter."""
+    data = decoded(result)
+    facing, _ = numpy.linalg.qr(numpy.random.default_rng(5).normal(size=(3, 3)))
+    facing *= numpy.sign(numpy.linalg.det(facing))
+    values = basis(decoded_directions(data["directions"]) @ facing, degree)
+    steps = data["positions"].view("<u2").reshape(-1, 3).astype(float)
+    coefficients = numpy.linalg.lstsq(values, steps, rcond=None)[0]
+    diameter = 2 * numpy.linalg.norm(steps - (steps.max(0) + steps.min(0)) / 2, axis=1).max()
+    off = [numpy.sqrt(((values[:, :count] @ coefficients[:count] - steps) ** 2).sum(1).mean()) / diameter
+           for count in ((l + 1) ** 2 for l in range(1, degree + 1))]
+    packed = base64.b64encode(coefficients.astype("<f4").tobytes()).decode()
+    return {"degree": degree, "facing": facing.T.ravel().tolist(), "coefficients": packed}, off
+
+
 def check_in_browser(folder, path, results):
     names = [result["name"] for result in results]
     browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -234,8 +266,10 @@ def check_in_browser(folder, path, results):
     with open(path, encoding="utf-8") as file:
         page = file.read()
     tried = os.path.join(folder, "tried.html")
+    harmonics, off = harmonics_of(results[0], 10)
     with open(tried, "w", encoding="utf-8") as file:
-        file.write(page.replace("</body>", READ_BACK))
+        page = page.replace("</body>", READ_BACK)
+        file.write(page.replace('"harmonics":null', '"harmonics":' + json.dumps(harmonics), 1))
     document, console = browse(browser, folder, f"file://{tried}#check", "--use-angle=swiftshader",
                                "--enable-unsafe-swiftshader")
     check(not console, f"console: {console}")
@@ -252,6 +286,10 @@ def check_in_browser(folder, path, results):
         check(min(frame["shape"]["colours"], frame["sphere"]["colours"]) > 50, f"colours: {frame}")
     shown = {(frame["result"], frame["shape"]["colours"], frame["sphere"]["colours"]) for frame in report["frames"]}
     check(len(shown) == len(report["frames"]), "colourings look alike")
+    check([entry["result"] for entry in report["reconstructions"]] == names[:1], "shapes made of harmonics")
+    rebuilt = report["reconstructions"][0]
+    check(numpy.allclose(rebuilt["distances"], off, rtol=1e-3), f"harmonics: {rebuilt['distances']}, not {off}")
+    check(0.02 < rebuilt["shape"]["drawn"] < 0.6, f"the shape by its harmonics: {rebuilt}")
     check(report["pointed"] == len(names), "what is pointed at is not found where it is drawn")
     check(document.count('class="bar"') > 40, "no histograms")
     check("One to one, checked exactly" in document, "no figures")
