@@ -5,6 +5,7 @@
 //
 // Praun and Hoppe's figures were measured with their program on the same files, CPU seconds on one machine: of the
 // times, only the order of magnitude of the quotient counts.
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -130,8 +131,23 @@ class FittedPower {
   double count_ = 0, u_ = 0, v_ = 0, uu_ = 0, uv_ = 0;
 };
 
+// The map on so many threads, and how long it took on the clock.
+struct TimedMap {
+  sphere_map::Array<mesh::Vector3> directions;
+  double seconds;
+};
+
+TimedMap timed_map(const mesh::Mesh& surface, unsigned threads) {
+  base::Host host;
+  host.thread_count = threads;
+  const auto start = std::chrono::steady_clock::now();
+  auto directions = sphere_map::compute(surface.positions, surface.triangles, {}, host);
+  return {std::move(directions), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+}
+
 int scaling(const std::vector<std::size_t>& sizes) {
-  std::printf("%10s %8s %9s %12s %9s %11s\n", "vertices", "valid", "CPU s", "us a vertex", "peak MB", "B a vertex");
+  std::printf("%10s %8s %9s %12s %9s %11s %9s %9s %8s %9s\n", "vertices", "valid", "CPU s", "us a vertex", "peak MB",
+              "B a vertex", "1 thread", "2 threads", "speed-up", "same bits");
   FittedPower time, memory;
   bool all_valid = true;
   for (const std::size_t size : sizes) {
@@ -141,10 +157,14 @@ int scaling(const std::vector<std::size_t>& sizes) {
     const bench::MeasuredRun r = run(surface, sphere_map::Method::balanced).map;
     const auto n = static_cast<double>(surface.positions.size());
     const auto bytes = static_cast<double>(r.peak_bytes);
-    std::printf("%10zu %8s %9.2f %12.2f %9.1f %11.0f\n", surface.positions.size(), r.figures.bijective ? "yes" : "NO",
-                r.seconds, 1e6 * r.seconds / n, 1e-6 * bytes, bytes / n);
+    const TimedMap one = timed_map(surface, 1);
+    const TimedMap two = timed_map(surface, 2);
+    const bool same = one.directions == two.directions;
+    std::printf("%10zu %8s %9.2f %12.2f %9.1f %11.0f %9.2f %9.2f %8.2f %9s\n", surface.positions.size(),
+                r.figures.bijective ? "yes" : "NO", r.seconds, 1e6 * r.seconds / n, 1e-6 * bytes, bytes / n,
+                one.seconds, two.seconds, one.seconds / two.seconds, same ? "yes" : "NO");
     std::fflush(stdout);
-    all_valid = all_valid && r.figures.bijective;
+    all_valid = all_valid && r.figures.bijective && same;
     time.add(n, r.seconds);
     memory.add(n, bytes);
   }
