@@ -1,5 +1,4 @@
 // orbicube sphere: a closed surface of genus 0 mapped to the unit sphere, one to one, as it is in the file.
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <string>
@@ -8,11 +7,9 @@
 #include <vector>
 
 #include "checked_file.h"
-#include "mesh/cells.h"
+#include "closed_surface.h"
 #include "mesh/file.h"
-#include "mesh/orient.h"
 #include "mesh/predicates.h"
-#include "mesh/topology.h"
 #include "mesh/write.h"
 #include "morph_sphere.h"
 #include "page_figures.h"
@@ -20,7 +17,9 @@
 #include "sphere_map/measure.h"
 #include "sphere_map/rounding.h"
 #include "sphere_map/sphere_map.h"
+#include "sphere_uses.h"
 #include "surface_file.h"
+#include "text.h"
 #include "verbs.h"
 
 namespace orbicube::cli {
@@ -43,34 +42,8 @@ struct SphereOptions {
   bool text = false;
   bool weld = false;
   bool keep_partial = false;
+  SphereUses uses;
 };
-
-// The surface, turned outward, or the refusal of one that has no map.
-mesh::Mesh read_surface(const SphereOptions& options, Session& session) {
-  InputMesh input = read_input(options.input, options.weld, session);
-  session.figures()["format"] = input.report.format;
-  session.figures()["seconds_read"] = input.seconds;
-  mesh::Mesh& mesh = input.mesh;
-  about(options.input, Role::input, [&] {
-    if (!mesh.tetrahedra.empty() || !mesh.hexahedra.empty()) {
-      mesh::require_valid_cells(mesh, session.host());
-      throw base::Error("unsupported", "a solid of cells; the sphere map takes surfaces");
-    }
-    mesh::Topology facts = mesh::topology(mesh.positions, mesh.triangles, session.host());
-    const bool turn = facts.orientable && (facts.inconsistent_edges > 0 || facts.volume < 0);
-    // The other requirements first: their refusals say more than what turning would meet.
-    facts.inconsistent_edges = facts.orientable ? 0 : facts.inconsistent_edges;
-    mesh::require_closed_genus_zero(facts);
-    if (!turn) return;
-    const mesh::OrientReport turned = mesh::orient(mesh.positions, mesh.triangles, session.host());
-    if (turned.triangles_turned > 0)
-      session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbours");
-    if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
-    session.figures()["triangles_turned"] = turned.triangles_turned;
-    session.figures()["turned_outward"] = turned.turned_outward;
-  });
-  return std::move(mesh);
-}
 
 // Throws unless the file, read again, holds the map and every triangle of it is positive.
 void check_mesh_file(const std::filesystem::path& path, const mesh::Mesh& written, const base::Host& host) {
@@ -185,12 +158,6 @@ Json json_of(const sphere_map::Measurement& m) {
           {"zero_area_faces", m.zero_area_faces}};
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
-
 void write_page(const SphereOptions& options, const mesh::Mesh& surface, const Directions& directions,
                 const sphere_map::FaceDistortion& faces, const sphere_map::Measurement& m) {
   const std::string name = std::filesystem::path(options.input).filename().string();
@@ -212,6 +179,7 @@ void write_page(const SphereOptions& options, const mesh::Mesh& surface, const D
 
 void sphere(const SphereOptions& options, Session& session) {
   require_writable(options.output);
+  check_sphere_uses(options.uses);
   session.options() = {{"output", options.output},
                        {"method", options.method},
                        {"angle_weight", options.angle_weight},
@@ -219,8 +187,14 @@ void sphere(const SphereOptions& options, Session& session) {
                        {"page", options.page},
                        {"text", options.text},
                        {"weld", options.weld},
-                       {"keep_partial", options.keep_partial}};
-  const mesh::Mesh surface = read_surface(options, session);
+                       {"keep_partial", options.keep_partial},
+                       {"remesh", options.uses.remesh},
+                       {"grid", options.uses.grid},
+                       {"image", options.uses.image},
+                       {"image_grid", options.uses.image_grid}};
+  const ClosedSurface input = read_closed_surface(options.input, options.weld, session);
+  const mesh::Mesh& surface = input.mesh;
+  session.figures().update(input.figures);
   const base::Host& host = session.host();
 
   const double start = session.seconds();
@@ -253,6 +227,7 @@ void sphere(const SphereOptions& options, Session& session) {
   session.say("  energy " + number(m.energy) + " (angles " + number(m.energy_angle) + ", areas " +
               number(m.energy_area) + "), dilatation " + number(m.dilatation_mean) + " on average and " +
               number(m.dilatation_largest) + " at most, stretch efficiency " + number(m.stretch_efficiency));
+  write_sphere_uses(options.uses, surface, directions, session);
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }
@@ -285,6 +260,7 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
       ->type_name("W");
   verb->add_option("--page", options->page, "write a page that shows shape and map side by side, with the figures")
       ->type_name("FILE.html");
+  add_sphere_uses(*verb, options->uses);
   verb->add_flag("--text", options->text, "text rather than binary, where the format has both (PLY, STL, VTK)");
   verb->add_flag("--weld", options->weld, "join vertices at identical positions if the surface is not closed");
   verb->add_flag("--keep-partial", options->keep_partial,

@@ -12,6 +12,7 @@ void add_convert(CLI::App& app, CommonOptions& common);
 void add_make(CLI::App& app, CommonOptions& common);
 void add_sphere(CLI::App& app, CommonOptions& common);
 void add_frames(CLI::App& app, CommonOptions& common);
+void add_morph(CLI::App& app, CommonOptions& common);
 void add_page(CLI::App& app, CommonOptions& common);
 void add_tetrahedralize(CLI::App& app, CommonOptions& common);  // in builds with TetGen
 

@@ -26,7 +26,7 @@ Matrix3 best_rotation(std::span<const Vector3> from, std::span<const Vector3> to
   return svd.matrixU() * Vector3(1, 1, handedness).asDiagonal() * svd.matrixV().transpose();
 }
 
-Alignment::Alignment(const Matrix3& rotation) : rotation_(rotation) {
+Alignment::Alignment(const Matrix3& rotation) : rotation_(rotation), still_(rotation == Matrix3::Identity()) {
   const double error = (rotation * rotation.transpose() - Matrix3::Identity()).norm();
   if (!(error < 1e-9) || !(rotation.determinant() > 0))
     throw base::Error("invalid-argument", "the matrix is no rotation");
@@ -43,12 +43,13 @@ void Alignment::add_warp(std::span<const Vector3> from, std::span<const Vector3>
 }
 
 Vector3 Alignment::to_common(const Vector3& direction) const {
-  const Vector3 turned = (rotation_ * direction).normalized();
+  const Vector3 turned = still_ ? direction : Vector3((rotation_ * direction).normalized());
   return warp_ ? warp_->forward(turned) : turned;
 }
 
 Vector3 Alignment::from_common(const Vector3& direction) const {
-  return (rotation_.transpose() * (warp_ ? warp_->backward(direction) : direction)).normalized();
+  const Vector3 turned = warp_ ? warp_->backward(direction) : direction;
+  return still_ ? turned : Vector3((rotation_.transpose() * turned).normalized());
 }
 
 }  // namespace orbicube::sphere_map

@@ -27,7 +27,8 @@ class Alignment {
   // throws.
   void add_warp(std::span<const Vector3> from, std::span<const Vector3> to, const base::Host& host);
 
-  // From the shape's sphere to the common one, and back. Unit vectors.
+  // From the shape's sphere to the common one, and back; unit vectors. Without rotation and warp, to the last bit as
+  // they are.
   Vector3 to_common(const Vector3& direction) const;
   Vector3 from_common(const Vector3& direction) const;
 
@@ -36,6 +37,7 @@ class Alignment {
 
  private:
   Matrix3 rotation_ = Matrix3::Identity();
+  bool still_ = true;
   std::shared_ptr<const SphereWarp> warp_;
 };
 

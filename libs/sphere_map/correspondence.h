@@ -24,10 +24,28 @@ CarriedShape carry_over(const Locator& map, std::span<const Vector3> positions, 
                         std::span<const Vector3> common, std::span<const Triangle> common_triangles,
                         std::span<const Index> own_vertex, const base::Host& host);
 
-// The directions of a shape's map on the common sphere, where its triangles are positive, exactly: those that a warp
-// has turned over, since it is bent within them, are mended by moving their vertices a little (rounding.h).
-// Throws Error "no-valid-result" when that does not succeed, "cancelled".
-Array<Vector3> place(std::span<const Triangle> triangles, std::span<const Vector3> directions,
-                     const Alignment& alignment, const base::Host& host);
+// The directions of a shape's map on the common sphere. On the threads of the host. Throws Error "invalid-argument",
+// "cancelled".
+Array<Vector3> place(std::span<const Vector3> directions, const Alignment& alignment, const base::Host& host);
+
+// How much an edge of a triangulation of the common sphere misses of the shapes on it, for overlay.h: how far what
+// shapes have along it lies from the straight line between what they have at its ends.
+class EdgeError {
+ public:
+  struct Shape {
+    const Locator* map;
+    std::span<const Vector3> positions;
+    const Alignment* alignment;
+  };
+  // Errors are in parts of the diagonal of each shape's bounding box, over `tolerance`. Keeps views.
+  EdgeError(std::span<const Shape> shapes, double tolerance);
+
+  // The largest of three points between a and b, directions on the common sphere, and of all shapes.
+  double operator()(const Vector3& a, const Vector3& b) const;
+
+ private:
+  Array<Shape> shapes_;
+  Array<double> scale_;
+};
 
 }  // namespace orbicube::sphere_map

@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -23,7 +24,7 @@ class Triangulation {
       : directions_(map.directions.begin(), map.directions.end(), host.memory),
         triangles_(map.triangles.begin(), map.triangles.end(), host.memory),
         opposite_(host.memory),
-        fixed_(3 * map.triangles.size(), 1, host.memory),
+        edges_(3 * map.triangles.size(), EdgeFacts{true, unknown}, host.memory),
         pending_(host.memory) {
     opposite_.reserve(3 * triangles_.size());
     for (Index h = 0; h < 3 * triangles_.size(); ++h)
@@ -51,10 +52,26 @@ class Triangulation {
     return vertex;
   }
 
+  // Halves the edge, fixed or free, unless that would make a triangle that is not positive.
+  bool halve(Index h) {
+    const Index g = opposite_[h];
+    const Vector3 A = directions_[start(h)], B = directions_[end(h)];
+    const Vector3 &C = directions_[apex(h)], &D = directions_[apex(g)];
+    const Vector3 V = (A + B).normalized();
+    const auto positive = [](const Vector3& p, const Vector3& q, const Vector3& r) {
+      return mesh::orientation_from_origin(p, q, r) > 0;
+    };
+    if (!positive(V, C, A) || !positive(V, B, C) || !positive(V, D, B) || !positive(V, A, D)) return false;
+    directions_.push_back(V);
+    split_edge(h, static_cast<Index>(directions_.size() - 1));
+    make_delaunay();
+    return true;
+  }
+
   // Flips the edge of a half-edge if it is free and the two triangles are convex together. Its half-edges are then
   // those between the corners that were opposite of it.
   bool flip(Index h) {
-    if (fixed_[h] != 0) return false;
+    if (edges_[h].fixed) return false;
     const Index g = opposite_[h];
     const Index a = start(h), b = end(h), c = apex(h), d = apex(g);
     const Vector3 &A = directions_[a], &B = directions_[b], &C = directions_[c], &D = directions_[d];
@@ -71,8 +88,13 @@ class Triangulation {
     return true;
   }
 
+  std::size_t vertex_count() const { return directions_.size(); }
+  const Vector3& direction(Index vertex) const { return directions_[vertex]; }
+  // What is remembered of an edge for as long as it is there; not a number at first.
+  float error(Index h) const { return edges_[h].error; }
+  void set_error(Index h, float error) { edges_[h].error = edges_[opposite_[h]].error = error; }
   std::size_t half_edge_count() const { return opposite_.size(); }
-  bool is_fixed(Index h) const { return fixed_[h] != 0; }
+  bool is_fixed(Index h) const { return edges_[h].fixed; }
   Index opposite(Index h) const { return opposite_[h]; }
   Index start(Index h) const { return triangles_[h / 3][h % 3]; }
   Index end(Index h) const { return triangles_[h / 3][(h % 3 + 1) % 3]; }
@@ -84,31 +106,37 @@ class Triangulation {
   }
 
  private:
+  static constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+  // Of an edge, kept for both of its half-edges.
+  struct EdgeFacts {
+    bool fixed;
+    float error;
+  };
   // What is on the other side of an edge that stays while its triangle is replaced.
   struct Outer {
     Index opposite;
-    std::uint8_t fixed;
+    EdgeFacts facts;
   };
 
   static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
   static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
-  Outer outer(Index h) const { return {opposite_[h], fixed_[h]}; }
+  Outer outer(Index h) const { return {opposite_[h], edges_[h]}; }
   void set(Index t, const Triangle& corners) { triangles_[t] = corners; }
   Index add() {
     triangles_.push_back({0, 0, 0});
     opposite_.insert(opposite_.end(), 3, mesh::no_index);
-    fixed_.insert(fixed_.end(), 3, 0);
+    edges_.insert(edges_.end(), 3, EdgeFacts{false, unknown});
     return static_cast<Index>(triangles_.size() - 1);
   }
   void attach(Index h, const Outer& other) {
     opposite_[h] = other.opposite;
     opposite_[other.opposite] = h;
-    fixed_[h] = other.fixed;
+    edges_[h] = other.facts;
   }
-  void join(Index h, Index g, std::uint8_t fixed = 0) {
+  void join(Index h, Index g, bool fixed = false) {
     opposite_[h] = g;
     opposite_[g] = h;
-    fixed_[h] = fixed_[g] = fixed;
+    edges_[h] = edges_[g] = {fixed, unknown};
   }
 
   void split_triangle(Index t, Index v) {
@@ -132,7 +160,7 @@ class Triangulation {
     const Index g = opposite_[h];
     const Index a = start(h), b = end(h), c = apex(h), d = apex(g);
     const Outer bc = outer(next(h)), ca = outer(previous(h)), ad = outer(next(g)), db = outer(previous(g));
-    const std::uint8_t fixed = fixed_[h];
+    const bool fixed = edges_[h].fixed;
     const Index t = h / 3, s = g / 3, p = add(), q = add();
     set(t, {v, c, a});
     set(p, {v, b, c});
@@ -143,7 +171,7 @@ class Triangulation {
     attach(3 * s + 1, db);
     attach(3 * q + 1, ad);
     join(3 * t, 3 * p + 2);
-    join(3 * s, 3 * q + 2, 0);
+    join(3 * s, 3 * q + 2);
     join(3 * p, 3 * s + 2, fixed);
     join(3 * q, 3 * t + 2, fixed);
     pending_ = {3 * t + 1, 3 * p + 1, 3 * s + 1, 3 * q + 1};
@@ -155,7 +183,7 @@ class Triangulation {
     while (!pending_.empty()) {
       const Index h = pending_.back();
       pending_.pop_back();
-      if (fixed_[h] != 0) continue;
+      if (edges_[h].fixed) continue;
       const Index g = opposite_[h];
       if (mesh::orientation_3d(directions_[start(h)], directions_[end(h)], directions_[apex(h)],
                                directions_[apex(g)]) <= 0 ||
@@ -170,7 +198,7 @@ class Triangulation {
   Array<Vector3> directions_;
   Array<Triangle> triangles_;
   Array<Index> opposite_;
-  Array<std::uint8_t> fixed_;
+  Array<EdgeFacts> edges_;
   Array<Index> pending_;
 };
 
@@ -219,9 +247,37 @@ void flip_towards(Triangulation& triangulation, const EdgeSet& edges, const base
   }
 }
 
+// Halves edges, those that miss most first: the limit falls to 1 by quarters. An edge that cannot be halved stays.
+void refine(Triangulation& triangulation, const Refinement& refinement, const base::Host& host) {
+  constexpr double shortest = 1e-7;  // of edges that are halved: directions are exact to 1e-16
+  for (const double limit : {64.0, 16.0, 4.0, 1.0}) {
+    for (bool changed = true; changed;) {
+      changed = false;
+      const std::size_t count = triangulation.half_edge_count();  // new ones wait for the next pass
+      for (Index h = 0; h < count; ++h) {
+        if (h % 1024 == 0) host.report("refining the common mesh", h, count);
+        if (triangulation.vertex_count() >= refinement.most_vertices) return;
+        if (std::isnan(triangulation.error(h))) {
+          const Vector3& a = triangulation.direction(triangulation.start(h));
+          const Vector3& b = triangulation.direction(triangulation.end(h));
+          const bool short_edge = (a - b).squaredNorm() < shortest * shortest;
+          triangulation.set_error(h, short_edge ? 0 : static_cast<float>(refinement.error(a, b)));
+        }
+        if (!(triangulation.error(h) > limit)) continue;
+        if (triangulation.halve(h)) {
+          changed = true;
+        } else {
+          triangulation.set_error(h, 0);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
-Overlay overlay(const PlacedMap& first, std::span<const PlacedMap> others, const base::Host& host) {
+Overlay overlay(const PlacedMap& first, std::span<const PlacedMap> others, const base::Host& host,
+                const Refinement* refinement) {
   Overlay result(host.memory);
   const Locator locator(first.triangles, first.directions, host);
   if (!locator.positive()) throw base::Error("invalid-argument", "the first map is mirrored");
@@ -243,6 +299,10 @@ Overlay overlay(const PlacedMap& first, std::span<const PlacedMap> others, const
   }
   const EdgeSet edges = edges_of(others, result.vertex_of, host);
   flip_towards(triangulation, edges, host);
+  if (refinement != nullptr) {
+    refine(triangulation, *refinement, host);
+    flip_towards(triangulation, edges, host);
+  }
   result.edges_of_others = edges.size();
   for (Index h = 0; h < triangulation.half_edge_count(); ++h) {
     const Index a = triangulation.start(h), b = triangulation.end(h);

@@ -166,7 +166,7 @@ CorrelatedRotation correlated_rotation(const Locator& moving, std::span<const Ve
     for (int axis = 0; axis < 3; ++axis) {
       for (const double angle : {-candidate.step, candidate.step}) {
         const Matrix3d tried = Eigen::AngleAxisd(angle, Vector3::Unit(axis)).toRotationMatrix() * candidate.at.rotation;
-        if (const double value = correlation(tried); value > next.correlation) next = {tried, value};
+        if (const double value = correlation(tried); value > next.correlation + 1e-12) next = {tried, value};
       }
     }
     if (!(next.correlation > candidate.at.correlation)) candidate.step /= 2;

@@ -46,7 +46,7 @@ def as_float32(value):
 class Glb:
     """The one primitive of a GLB file."""
 
-    def __init__(self, path):
+    def __init__(self, path, texture=True):
         with open(path, "rb") as file:
             data = file.read()
         magic, version, length = struct.unpack_from("<4sII", data, 0)
@@ -60,7 +60,8 @@ class Glb:
         self.target_names = mesh["extras"]["targetNames"]
         self.positions = self.accessor(self.primitive["attributes"]["POSITION"])
         self.deltas = self.accessor(self.primitive["targets"][0]["POSITION"])
-        self.texture_coordinates = self.accessor(self.primitive["attributes"]["TEXCOORD_0"])
+        if texture:
+            self.texture_coordinates = self.accessor(self.primitive["attributes"]["TEXCOORD_0"])
         corners = [corner for (corner,) in self.accessor(self.primitive["indices"])]
         self.triangles = [tuple(corners[i:i + 3]) for i in range(0, len(corners), 3)]
 

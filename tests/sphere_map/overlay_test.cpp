@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "mesh/bounding_volume_tree.h"
 #include "mesh/topology.h"
 #include "shapes.h"
 #include "sphere_map/correspondence.h"
@@ -68,6 +69,44 @@ TEST_CASE("An overlay has the vertices of all maps, is a positive sphere, and ke
                                               base::Host());
   CHECK(d.from_first.largest < 1e-12);
   CHECK(d.from_second.largest < 1e-12);
+}
+
+TEST_CASE("Refinement brings the other shape as near as is wanted and leaves the first as it is") {
+  const test::MappedShape a = test::mapped("blob", 1000);
+  const test::MappedShape b = test::mapped("star", 2500);
+  const sphere_map::Locator locator_a(a.surface.triangles, a.directions, base::Host());
+  const sphere_map::Locator locator_b(b.surface.triangles, b.directions, base::Host());
+  const sphere_map::Alignment still;
+  const std::vector<sphere_map::EdgeError::Shape> shapes{{&locator_b, b.surface.positions, &still}};
+  const std::vector<PlacedMap> others{{b.directions, b.surface.triangles}};
+  const auto distances = [&](double tolerance, std::size_t most) {
+    const sphere_map::EdgeError error(shapes, tolerance);
+    const sphere_map::Refinement refinement{error, most};
+    const Overlay o = sphere_map::overlay({a.directions, a.surface.triangles}, others, base::Host(), &refinement);
+    check_valid(o);
+    CHECK(o.directions.size() <= most);
+    const auto of_a =
+        sphere_map::carry_over(locator_a, a.surface.positions, still, o.directions, o.triangles, {}, base::Host());
+    const auto of_b =
+        sphere_map::carry_over(locator_b, b.surface.positions, still, o.directions, o.triangles, {}, base::Host());
+    const auto d = sphere_map::surface_distance(a.surface.positions, a.surface.triangles, of_a.positions, o.triangles,
+                                                base::Host());
+    CHECK(d.from_first.largest < 1e-12);
+    CHECK(d.from_second.largest < 1e-12);
+    return sphere_map::surface_distance(b.surface.positions, b.surface.triangles, of_b.positions, o.triangles,
+                                        base::Host());
+  };
+  const std::size_t vertices = a.directions.size() + b.directions.size();
+  mesh::Box box;
+  for (const Vector3& p : b.surface.positions)
+    box.add(p);
+  const double diagonal = (box.high - box.low).norm();
+  const auto none = distances(1, vertices);
+  const auto fine = distances(0.002, 10 * vertices);
+  CHECK(fine.from_first.root_mean_square < 0.3 * none.from_first.root_mean_square);
+  // Edges are looked at in three points, so that a little more may be missed between them.
+  CHECK(fine.from_first.root_mean_square < 0.002 * diagonal);
+  CHECK(fine.from_first.largest < 0.01 * diagonal);
 }
 
 TEST_CASE("A map over itself is itself") {

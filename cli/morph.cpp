@@ -1,0 +1,404 @@
+// orbicube morph: shapes that become each other, through their sphere maps, as morph targets of one glTF mesh.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "base/sums.h"
+#include "closed_surface.h"
+#include "gltf/write.h"
+#include "grid_choice.h"
+#include "landmark_file.h"
+#include "mesh/measures.h"
+#include "sphere_map/correspondence.h"
+#include "sphere_map/overlay.h"
+#include "sphere_map/rotation_search.h"
+#include "sphere_map/sphere_map.h"
+#include "sphere_uses.h"
+#include "surface_file.h"
+#include "text.h"
+#include "verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+using mesh::Index;
+using mesh::Triangle;
+using mesh::Vector3;
+using sphere_map::Alignment;
+
+struct MorphOptions {
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string landmarks;
+  std::string grid = "both";
+  std::string align = "rotation";
+  double tolerance = 0.2;  // percent of the diagonal
+  std::size_t steps = 0;
+  double seconds = 2;
+  bool weld = false;
+};
+
+struct Shape {
+  explicit Shape(std::pmr::memory_resource* memory) : surface{mesh::Mesh(memory), {}}, directions(memory) {}
+
+  std::string path;
+  ClosedSurface surface;
+  base::Array<Vector3> directions;
+  std::unique_ptr<sphere_map::Locator> locator;
+  Alignment alignment;
+  Json figures;
+};
+
+// The triangulation of the common sphere that all shapes get.
+struct CommonMesh {
+  explicit CommonMesh(std::pmr::memory_resource* memory) : directions(memory), triangles(memory) {}
+
+  base::Array<Vector3> directions;
+  base::Array<Triangle> triangles;
+  std::vector<base::Array<Index>> own_vertex;  // one a shape: which of its vertices each one is, no_index for none
+};
+
+void read_and_map(Shape& shape, const MorphOptions& options, Session& session) {
+  shape.surface = read_closed_surface(shape.path, options.weld, session);
+  const mesh::Mesh& mesh = shape.surface.mesh;
+  const double start = session.seconds();
+  about(shape.path, Role::input, [&] {
+    shape.directions = sphere_map::compute(mesh.positions, mesh.triangles, {.seed = session.seed()}, session.host());
+  });
+  shape.locator = std::make_unique<sphere_map::Locator>(mesh.triangles, shape.directions, session.host());
+  shape.figures = {{"input", shape.path}};
+  shape.figures.update(shape.surface.figures);
+  shape.figures.update({{"vertices", mesh.positions.size()},
+                        {"triangles", mesh.triangles.size()},
+                        {"seconds_map", session.seconds() - start}});
+}
+
+Json json_of(const Eigen::Matrix3d& rotation) {
+  Json rows = Json::array();
+  for (Eigen::Index row = 0; row < 3; ++row)
+    rows.push_back({rotation(row, 0), rotation(row, 1), rotation(row, 2)});
+  return rows;
+}
+
+Json angles_between(std::span<const Vector3> a, std::span<const Vector3> b) {
+  double sum = 0, largest = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const double angle = std::atan2(a[i].cross(b[i]).norm(), a[i].dot(b[i]));
+    sum += angle;
+    largest = std::max(largest, angle);
+  }
+  return {{"mean", sum / static_cast<double>(a.size())}, {"max", largest}};
+}
+
+// Turns the sphere of each further shape so that its landmarks come as near to those of the first as they can, and
+// bends it so that they meet.
+void align_by_landmarks(std::deque<Shape>& shapes, const std::string& path, Session& session) {
+  std::vector<MappedSurface> mapped;
+  for (const Shape& shape : shapes)
+    mapped.push_back({shape.surface.mesh, shape.directions});
+  const auto landmarks = about(path, Role::input, [&] { return read_landmarks(path, mapped, session.host()); });
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    Shape& shape = shapes[i];
+    about(path, Role::input, [&] {
+      shape.alignment = Alignment(sphere_map::best_rotation(landmarks[i], landmarks[0]));
+      std::vector<Vector3> placed;
+      for (const Vector3& d : landmarks[i])
+        placed.push_back(shape.alignment.to_common(d));
+      shape.figures["landmarks"] = {{"count", placed.size()},
+                                    {"angle_before", angles_between(landmarks[i], landmarks[0])},
+                                    {"angle_rotated", angles_between(placed, landmarks[0])}};
+      shape.alignment.add_warp(landmarks[i], landmarks[0], session.host());
+      for (std::size_t k = 0; k < placed.size(); ++k)
+        placed[k] = shape.alignment.to_common(landmarks[i][k]);
+      shape.figures["landmarks"]["angle"] = angles_between(placed, landmarks[0]);
+      const sphere_map::Measurement m = shape.alignment.warp()->distortion(session.host());
+      shape.figures["warp"] = {{"vertices", shape.alignment.warp()->rest().size()},
+                               {"flipped", m.flipped + m.degenerate},
+                               {"dilatation_max", m.dilatation_largest},
+                               {"area_ratio_min", m.area_ratio_smallest},
+                               {"area_ratio_max", m.area_ratio_largest}};
+    });
+  }
+}
+
+// Turns the sphere of each further shape to where its positions agree best with those of the first.
+void align_by_rotation(std::deque<Shape>& shapes, Session& session) {
+  const Shape& first = shapes[0];
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    Shape& shape = shapes[i];
+    about(shape.path, Role::input, [&] {
+      const sphere_map::CorrelatedRotation found = sphere_map::correlated_rotation(
+          *shape.locator, shape.surface.mesh.positions, *first.locator, first.surface.mesh.positions, session.host());
+      shape.alignment = Alignment(found.rotation);
+      shape.figures["correlation"] = found.correlation;
+    });
+  }
+}
+
+// The vertices of all shapes, on the triangles of the first.
+CommonMesh overlay_of(const MorphOptions& options, const std::deque<Shape>& shapes, Session& session) {
+  const base::Host& host = session.host();
+  std::deque<base::Array<Vector3>> placed;
+  std::vector<sphere_map::PlacedMap> others;
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    const auto& triangles = shapes[i].surface.mesh.triangles;
+    placed.push_back(sphere_map::place(shapes[i].directions, shapes[i].alignment, host));
+    others.push_back({placed.back(), triangles});
+  }
+  // The first shape is flat between its own edges; what the others have there is looked after.
+  std::vector<sphere_map::EdgeError::Shape> missed;
+  std::size_t vertices = shapes[0].directions.size();
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    missed.push_back({shapes[i].locator.get(), shapes[i].surface.mesh.positions, &shapes[i].alignment});
+    vertices += shapes[i].directions.size();
+  }
+  constexpr std::size_t most_growth = 3;
+  const sphere_map::Refinement refinement{sphere_map::EdgeError(missed, options.tolerance / 100),
+                                          most_growth * vertices};
+  sphere_map::Overlay made = sphere_map::overlay({shapes[0].directions, shapes[0].surface.mesh.triangles}, others, host,
+                                                 options.tolerance > 0 ? &refinement : nullptr);
+  CommonMesh common(host.memory);
+  common.directions = std::move(made.directions);
+  common.triangles = std::move(made.triangles);
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    base::Array<Index>& own = common.own_vertex.emplace_back(common.directions.size(), mesh::no_index, host.memory);
+    for (Index v = 0; v < shapes[i].directions.size(); ++v) {
+      const Index place = i == 0 ? v : made.vertex_of[i - 1][v];
+      if (place != mesh::no_index) own[place] = v;
+    }
+  }
+  session.figures()["edges_of_others"] = made.edges_of_others;
+  session.figures()["edges_kept"] = made.edges_present;
+  return common;
+}
+
+CommonMesh common_mesh(const MorphOptions& options, const std::deque<Shape>& shapes, Session& session) {
+  if (options.grid == "both") return overlay_of(options, shapes, session);
+  const base::Host& host = session.host();
+  CommonMesh common(host.memory);
+  if (options.grid == "first") {
+    common.directions = shapes[0].directions;
+    common.triangles = shapes[0].surface.mesh.triangles;
+  } else {
+    const GridChoice choice = grid_choice(options.grid, "--grid");
+    sphere_map::Grid grid = sphere_map::make_grid(choice.kind, choice.resolution, host);
+    common.directions = std::move(grid.directions);
+    common.triangles = std::move(grid.triangles);
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    base::Array<Index>& own = common.own_vertex.emplace_back(common.directions.size(), mesh::no_index, host.memory);
+    for (Index v = 0; options.grid == "first" && i == 0 && v < own.size(); ++v)
+      own[v] = v;
+  }
+  return common;
+}
+
+// How much areas change from one state to another, both scaled to the same whole: the root mean square of the logarithm
+// of the ratio, by the area of the first.
+double area_distortion(std::span<const Triangle> triangles, std::span<const Vector3> from,
+                       std::span<const Vector3> to) {
+  const auto area = [&](std::span<const Vector3> x, const Triangle& t) {
+    return 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
+  };
+  base::CompensatedSum from_area, to_area, squares;
+  for (const Triangle& t : triangles) {
+    from_area.add(area(from, t));
+    to_area.add(area(to, t));
+  }
+  for (const Triangle& t : triangles) {
+    const double a = area(from, t) / from_area.value();
+    const double b = area(to, t) / to_area.value();
+    if (a > 0 && b > 0) squares.add(a * std::log(b / a) * std::log(b / a));
+  }
+  return std::sqrt(squares.value());
+}
+
+using Floats = base::Array<float>;
+
+// Of each state, relative to `origin`, which is where float32 loses nothing to speak of.
+Floats to_floats(std::span<const Vector3> positions, const Vector3& origin, std::pmr::memory_resource* memory) {
+  Floats result(memory);
+  result.reserve(3 * positions.size());
+  for (const Vector3& p : positions) {
+    for (const double x : Vector3(p - origin))
+      result.push_back(static_cast<float>(x));
+  }
+  return result;
+}
+
+void write_morph(const MorphOptions& options, const std::deque<Shape>& shapes, std::span<const Triangle> triangles,
+                 std::span<const base::Array<Vector3>> states, Session& session) {
+  const base::Host& host = session.host();
+  Vector3 low = states[0][triangles[0][0]];
+  Vector3 high = low;
+  for (const auto& state : states) {
+    const mesh::Measures box = mesh::measures(state, triangles, host);
+    low = low.cwiseMin(box.low);
+    high = high.cwiseMax(box.high);
+  }
+  const bool far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff() > 16 * (high - low).maxCoeff();
+  const Vector3 origin = far ? Vector3(0.5 * low + 0.5 * high) : Vector3(Vector3::Zero());
+  std::deque<Floats> floats;
+  std::vector<gltf::MorphTarget> targets;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    floats.push_back(to_floats(states[i], origin, host.memory));
+    if (i > 0) targets.push_back({std::filesystem::path(shapes[i].path).stem().string(), floats.back()});
+  }
+  gltf::Scene scene;
+  scene.positions = floats[0];
+  scene.triangles = triangles;
+  scene.smooth_normals = true;
+  scene.morph_targets = targets;
+  scene.morph_normals = true;
+  scene.morph_seconds = options.seconds;
+  scene.translation = origin;
+  scene.name = std::filesystem::path(options.output).stem().string();
+  about(options.output, Role::output, [&] { gltf::write(options.output, scene, host); });
+}
+
+// OUT-01.glb and so on: from each shape to the next, so many steps in between.
+void write_steps(const MorphOptions& options, std::span<const Triangle> triangles,
+                 std::span<const base::Array<Vector3>> states, Session& session) {
+  const std::filesystem::path out(options.output);
+  const std::size_t count = options.steps * (states.size() - 1);
+  const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
+  mesh::Mesh step(session.host().memory);
+  step.triangles.assign(triangles.begin(), triangles.end());
+  std::size_t number_of_step = 0;
+  for (std::size_t i = 0; i + 1 < states.size(); ++i) {
+    for (std::size_t k = 1; k <= options.steps; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(options.steps + 1);
+      step.positions.clear();
+      for (std::size_t v = 0; v < states[i].size(); ++v)
+        step.positions.push_back((1 - share) * states[i][v] + share * states[i + 1][v]);
+      std::string text = std::to_string(++number_of_step);
+      text.insert(0, digits - text.size(), '0');
+      const std::filesystem::path path =
+          out.parent_path() / (out.stem().string() + "-" + text + out.extension().string());
+      write_output(path, step, true, session.host());
+    }
+  }
+  session.figures()["steps"] = count;
+}
+
+void morph(const MorphOptions& options, Session& session) {
+  session.options() = {{"output", options.output},       {"landmarks", options.landmarks},
+                       {"align", options.align},         {"grid", options.grid},
+                       {"tolerance", options.tolerance}, {"steps", options.steps},
+                       {"seconds", options.seconds},     {"weld", options.weld}};
+  require_writable(options.output);
+  if (!is_gltf(options.output))
+    throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
+  if (options.grid != "both" && options.grid != "first") grid_choice(options.grid, "--grid");
+  const base::Host& host = session.host();
+  std::deque<Shape> shapes;
+  for (const std::string& path : options.inputs) {
+    shapes.emplace_back(host.memory).path = path;
+    read_and_map(shapes.back(), options, session);
+  }
+  if (!options.landmarks.empty()) {
+    align_by_landmarks(shapes, options.landmarks, session);
+  } else if (options.align == "rotation") {
+    align_by_rotation(shapes, session);
+  }
+
+  const CommonMesh common = common_mesh(options, shapes, session);
+  std::vector<base::Array<Vector3>> states;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    Shape& shape = shapes[i];
+    sphere_map::CarriedShape carried =
+        sphere_map::carry_over(*shape.locator, shape.surface.mesh.positions, shape.alignment, common.directions,
+                               common.triangles, common.own_vertex[i], host);
+    mesh::Mesh state(host.memory);
+    state.positions = carried.positions;
+    state.triangles = common.triangles;
+    shape.figures["rotation"] = json_of(shape.alignment.rotation());
+    shape.figures["turned_over"] = carried.turned_over;
+    shape.figures["distance"] = json_of_distance(shape.surface.mesh, state, host);
+    states.push_back(std::move(carried.positions));
+    if (i > 0) shape.figures["area_distortion"] = area_distortion(common.triangles, states[0], states[i]);
+  }
+  write_morph(options, shapes, common.triangles, states, session);
+  if (options.steps > 0) write_steps(options, common.triangles, states, session);
+
+  session.figures()["output"] = options.output;
+  session.figures()["vertices"] = common.directions.size();
+  session.figures()["triangles"] = common.triangles.size();
+  session.figures()["shapes"] = Json::array();
+  session.say("wrote " + options.output + ": " + std::to_string(shapes.size()) + " shapes on " +
+              std::to_string(common.directions.size()) + " vertices and " + std::to_string(common.triangles.size()) +
+              " triangles");
+  for (const Shape& shape : shapes) {
+    session.figures()["shapes"].push_back(shape.figures);
+    const Json& distance = shape.figures["distance"];
+    session.say("  " + shape.path + ": at most " +
+                number(100 * distance["from_surface"]["max_of_diagonal"].get<double>()) + " % of its diagonal is lost" +
+                (shape.figures.contains("landmarks")
+                     ? "; landmarks apart by " +
+                           number(shape.figures["landmarks"]["angle_rotated"]["max"].get<double>()) +
+                           " rad at most after turning, by " +
+                           number(shape.figures["landmarks"]["angle"]["max"].get<double>()) + " after bending"
+                     : ""));
+    if (const auto over = shape.figures["turned_over"].get<std::size_t>(); over > 0)
+      session.note(shape.path + ": " + std::to_string(over) +
+                   " triangles of the mesh are turned over or flat on its sphere");
+  }
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+}  // namespace
+
+void add_morph(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("morph", "blend shapes into each other, as morph targets of one mesh");
+  const auto options = std::make_shared<MorphOptions>();
+  verb->add_option("SHAPES", options->inputs,
+                   std::string("two closed surfaces without handles or more: ") + surface_endings)
+      ->required()
+      ->expected(2, 100)
+      ->type_name("A B ...");
+  verb->add_option("-o,--output", options->output,
+                   "mesh to write, .glb or .gltf: the first shape, the others as targets")
+      ->required()
+      ->type_name("OUT");
+  verb->add_option("--landmarks", options->landmarks,
+                   "points that belong together: a line each, with a vertex number (from 0) or x y z for each shape")
+      ->type_name("FILE");
+  verb->add_option("--align", options->align,
+                   "how spheres are turned without landmarks (rotation): rotation, to where positions agree best; none")
+      ->check(unnamed(CLI::IsMember({"rotation", "none"})))
+      ->type_name("HOW");
+  verb->add_option("--grid", options->grid,
+                   std::string("the one mesh (both): both, with the vertices of all shapes; first, with those of the "
+                               "first; or ") +
+                       grid_help)
+      ->type_name("GRID");
+  verb->add_option("--tolerance", options->tolerance,
+                   "of --grid both: edges are halved where they miss more of a shape, in percent of its diagonal (0.2; "
+                   "0: never)")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("P");
+  verb->add_option("--steps", options->steps, "write so many shapes in between as well, to OUT-01 and so on")
+      ->check(unnamed(CLI::Range(0, 10000)))
+      ->type_name("N");
+  verb->add_option("--seconds", options->seconds, "of the animation, from one shape to the next (2)")
+      ->check(unnamed(CLI::PositiveNumber))
+      ->type_name("S");
+  verb->add_flag("--weld", options->weld, "join vertices at identical positions where a surface is not closed");
+  add_common_options(*verb, common);
+  verb->footer(
+      "Shapes should stand alike. Each is mapped to the sphere, and the spheres are turned until positions\n"
+      "agree best, or until landmarks meet; what is then at one direction corresponds.");
+  verb->callback([options, &common] {
+    Session session(common, "morph", options->inputs.front());
+    session.run([&] { morph(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli
