@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "mesh/connectivity.h"
 #include "mesh/predicates.h"
+#include "sphere_map/distortion.h"
 #include "sphere_map/locator.h"
 #include "sphere_map/triangle_walk.h"
 
@@ -52,30 +53,30 @@ class Triangulation {
     return vertex;
   }
 
-  // Halves the edge, fixed or free, unless that would make a triangle that is not positive.
+  // Halves the edge, fixed or free, unless that would make a triangle that is not safely positive.
   bool halve(Index h) {
     const Index g = opposite_[h];
     const Vector3 A = directions_[start(h)], B = directions_[end(h)];
     const Vector3 &C = directions_[apex(h)], &D = directions_[apex(g)];
     const Vector3 V = (A + B).normalized();
-    const auto positive = [](const Vector3& p, const Vector3& q, const Vector3& r) {
-      return mesh::orientation_from_origin(p, q, r) > 0;
-    };
-    if (!positive(V, C, A) || !positive(V, B, C) || !positive(V, D, B) || !positive(V, A, D)) return false;
+    if (!safely_positive(V, C, A) || !safely_positive(V, B, C) || !safely_positive(V, D, B) ||
+        !safely_positive(V, A, D))
+      return false;
     directions_.push_back(V);
     split_edge(h, static_cast<Index>(directions_.size() - 1));
     make_delaunay();
     return true;
   }
 
-  // Flips the edge of a half-edge if it is free and the two triangles are convex together. Its half-edges are then
-  // those between the corners that were opposite of it.
+  // Flips the edge of a half-edge if it is free and the two triangles are convex together, with room for rounding:
+  // three vertices on what was one edge must not become a triangle. Its half-edges are then those between the corners
+  // that were opposite of it.
   bool flip(Index h) {
     if (edges_[h].fixed) return false;
     const Index g = opposite_[h];
     const Index a = start(h), b = end(h), c = apex(h), d = apex(g);
     const Vector3 &A = directions_[a], &B = directions_[b], &C = directions_[c], &D = directions_[d];
-    if (mesh::orientation_from_origin(A, D, C) <= 0 || mesh::orientation_from_origin(D, B, C) <= 0) return false;
+    if (!safely_positive(A, D, C) || !safely_positive(D, B, C)) return false;
     const Index t = h / 3, s = g / 3;
     const Outer bc = outer(next(h)), ca = outer(previous(h)), ad = outer(next(g)), db = outer(previous(g));
     set(t, {a, d, c});
