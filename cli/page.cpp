@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 
+#include "map_file.h"
 #include "mesh/file.h"
 #include "page_figures.h"
 #include "report_page.h"
@@ -31,26 +32,10 @@ struct MeasuredMap {
   PageResult result;
 };
 
-// Whether they have as many vertices and the same triangles, which may be turned round: a map of a surface that looks
-// inward looks outward.
-bool same_connections(const mesh::Mesh& shape, const mesh::Mesh& map) {
-  const auto sorted = [](mesh::Triangle t) {
-    std::sort(t.begin(), t.end());
-    return t;
-  };
-  return shape.positions.size() == map.positions.size() &&
-         std::equal(shape.triangles.begin(), shape.triangles.end(), map.triangles.begin(), map.triangles.end(),
-                    [&](const mesh::Triangle& a, const mesh::Triangle& b) { return sorted(a) == sorted(b); });
-}
-
 void measure(const std::string& shape_path, const std::string& map_path, const std::string& name, Session& session,
              MeasuredMap& measured) {
   measured.shape = read_input(shape_path, false, session).mesh;
-  measured.map = read_input(map_path, false, session).mesh;
-  if (!same_connections(measured.shape, measured.map)) {
-    throw Failure(Exit::wrong_input, map_path, "invalid-argument",
-                  "it has not the vertices and triangles of " + shape_path + ", in that order");
-  }
+  measured.map = read_map(measured.shape, shape_path, map_path, session);
   measured.shape.triangles = measured.map.triangles;
   const mesh::Mesh& shape = measured.shape;
   const sphere_map::Options weights;

@@ -8,16 +8,10 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/vector_variants.h"
 
 #include "quaternion/frame_distance.h"
 #include "quaternion/rotation.h"
-
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__GLIBC__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define ORBICUBE_VECTOR_VARIANTS __attribute__((target_clones("avx2", "default")))
-#else
-#define ORBICUBE_VECTOR_VARIANTS
-#endif
 
 namespace orbicube::quaternion {
 namespace {

@@ -1,4 +1,4 @@
-#include "mesh/file.h"
+#include "base/file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 
-namespace orbicube::mesh {
+namespace orbicube::base {
 namespace {
 
 class Descriptor {
@@ -30,22 +30,22 @@ class Descriptor {
 };
 
 [[noreturn]] void fail_to_read() {
-  throw base::Error("io", "cannot read: " + std::generic_category().message(errno));
+  throw Error("io", "cannot read: " + std::generic_category().message(errno));
 }
 
 }  // namespace
 
-base::Array<std::byte> read_file(const std::filesystem::path& path, const base::Host& host, Links links) {
+Array<std::byte> read_file(const std::filesystem::path& path, const Host& host, Links links) {
   // Without O_NONBLOCK a pipe that nobody writes to would never open.
   const int no_links = links == Links::refuse ? O_NOFOLLOW : 0;
   const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | no_links));
-  if (file.get() < 0 && errno == ELOOP && links == Links::refuse) throw base::Error("unsafe-path", "is a link");
+  if (file.get() < 0 && errno == ELOOP && links == Links::refuse) throw Error("unsafe-path", "is a link");
   struct stat facts {};
   if (file.get() < 0 || ::fstat(file.get(), &facts) != 0) fail_to_read();
   if (!S_ISREG(facts.st_mode)) {
-    throw base::Error(links == Links::refuse ? "unsafe-path" : "io", "cannot read: not a regular file");
+    throw Error(links == Links::refuse ? "unsafe-path" : "io", "cannot read: not a regular file");
   }
-  base::Array<std::byte> bytes(static_cast<std::size_t>(facts.st_size), host.memory);
+  Array<std::byte> bytes(static_cast<std::size_t>(facts.st_size), host.memory);
   constexpr std::size_t most_at_once = std::size_t{1} << 22U;  // so that a slow disk can be cancelled
   std::size_t done = 0;
   while (done < bytes.size()) {
@@ -123,7 +123,7 @@ void OutputFile::commit() {
 }
 
 void OutputFile::fail(const char* what) const {
-  throw base::Error("io", what + (": " + std::generic_category().message(errno)));
+  throw Error("io", what + (": " + std::generic_category().message(errno)));
 }
 
-}  // namespace orbicube::mesh
+}  // namespace orbicube::base

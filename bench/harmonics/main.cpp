@@ -1,0 +1,159 @@
+// Reconstruction errors e(M, M^) of section 3.3.2 at 6, 16 and 32 bands on models, beside the dissertation's Table 3.5
+// and figures measured on Praun and Hoppe's maps; and the time of fits.
+//
+//   bench-harmonics errors FOLDER [stretch|balanced|...]   the models of the table below that FOLDER has
+//   bench-harmonics fit FOLDER FILE...                     CPU seconds of fits of these models by degree
+//
+// Bands are degrees 0 to 5, 15 and 31: 6 x 6, 16 x 16 and 32 x 32 coefficients. Surfaces count as scaled to the area 4
+// pi.
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "harmonics/fit.h"
+#include "harmonics/surface.h"
+#include "mesh/measures.h"
+#include "mesh/read.h"
+#include "sphere_map/sphere_map.h"
+
+using namespace orbicube;
+using harmonics::Vector3;
+
+namespace {
+
+constexpr std::uint32_t bands[] = {6, 16, 32};
+
+// Errors at the three bands: the dissertation's own ("ours" of Table 3.5, of its versions of the models) and those of a
+// weighted least-squares fit on Praun and Hoppe's maps of these files; 0 where there is none.
+struct PeerRow {
+  const char* file;
+  double dissertation[3], praun_hoppe[3];
+};
+constexpr PeerRow peers[] = {
+    {"cow.off", {0.1474, 0.0813, 0.0591}, {0.083, 0.027, 0.0099}},
+    {"bunny.ply", {0.0891, 0.0424, 0.0247}, {0.050, 0.0128, 0.0045}},
+    {"armadillo.ply", {0.1260, 0.0309, 0.0222}, {0.077, 0.021, 0.0101}},
+    {"horse.ply", {0.1653, 0.0740, 0.0563}, {0.064, 0.015, 0.0061}},
+    {"venus.ply", {0.0279, 0.0113, 0.0083}, {0, 0, 0}},
+};
+
+const std::map<std::string, sphere_map::Method> methods = {
+    {"balanced", sphere_map::Method::balanced},   {"angle-area", sphere_map::Method::angle_area},
+    {"isometric", sphere_map::Method::isometric}, {"stretch", sphere_map::Method::stretch},
+    {"conformal", sphere_map::Method::conformal}, {"seed", sphere_map::Method::seed}};
+
+double cpu_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+struct Model {
+  mesh::Mesh surface;
+  base::Array<Vector3> directions;
+  base::Array<double> weights;
+};
+
+// The surface scaled to area 4 pi, and its map.
+Model mapped(const std::filesystem::path& path, sphere_map::Method method, const base::Host& host) {
+  Model model{mesh::read_mesh(path, {}, host), {}, {}};
+  const double area = mesh::measures(model.surface.positions, model.surface.triangles, host).area;
+  for (Vector3& p : model.surface.positions)
+    p *= std::sqrt(4 * std::numbers::pi / area);
+  model.directions = sphere_map::compute(model.surface.positions, model.surface.triangles, {.method = method}, host);
+  model.weights = harmonics::vertex_areas(model.surface.positions, model.surface.triangles, host);
+  return model;
+}
+
+std::span<const double> numbers(const base::Array<Vector3>& points) {
+  return {points.front().data(), 3 * points.size()};
+}
+
+harmonics::Coefficients fitted(const Model& model, std::uint32_t degree, const base::Host& host,
+                               harmonics::FitReport& report) {
+  return harmonics::fit(model.directions, model.weights, numbers(model.surface.positions), 3, {.degree = degree}, host,
+                        report);
+}
+
+void print_errors(const double (&errors)[3]) {
+  for (const double e : errors)
+    e > 0 ? std::printf(" %.4f", e) : std::printf(" -");
+}
+
+int errors(const std::filesystem::path& folder, const std::string& name) {
+  const base::Host host;
+  std::printf(
+      "| model | vertices | e at 6, 16, 32 bands, %s map | dissertation | Praun-Hoppe map | condition | fit of 32, CPU "
+      "s |\n",
+      name.c_str());
+  std::printf("|---|---|---|---|---|---|---|\n");
+  for (const PeerRow& peer : peers) {
+    if (!std::filesystem::exists(folder / peer.file)) continue;
+    const Model model = mapped(folder / peer.file, methods.at(name), host);
+    double found[3], seconds = 0;
+    harmonics::FitReport report;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double start = cpu_seconds();
+      const harmonics::Coefficients coefficients = fitted(model, bands[k] - 1, host, report);
+      seconds = cpu_seconds() - start;
+      base::Array<Vector3> rebuilt(model.surface.positions.size());
+      harmonics::synthesise(coefficients, model.directions, {rebuilt.front().data(), 3 * rebuilt.size()}, host);
+      found[k] = harmonics::mean_distance(model.surface.positions, rebuilt, host);
+    }
+    std::printf("| %s | %zu |", peer.file, model.surface.positions.size());
+    print_errors(found);
+    std::printf(" |");
+    print_errors(peer.dissertation);
+    std::printf(" |");
+    print_errors(peer.praun_hoppe);
+    std::printf(" | %.1f | %.2f |\n", report.condition, seconds);
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
+int fit_times(const std::filesystem::path& folder, const std::vector<std::string>& files) {
+  const base::Host host;
+  std::printf(
+      "| model | vertices | degree | method | iterations | condition | residual | CPU s "
+      "|\n|---|---|---|---|---|---|---|---|\n");
+  for (const std::string& file : files) {
+    const Model model = mapped(folder / file, sphere_map::Method::balanced, host);
+    for (const std::uint32_t degree : {8U, 16U, 32U, 64U, 100U}) {
+      harmonics::FitReport report;
+      const double start = cpu_seconds();
+      fitted(model, degree, host, report);
+      std::printf("| %s | %zu | %u | %s | %lu | %.1f | %.2e | %.2f |\n", file.c_str(), model.surface.positions.size(),
+                  degree, report.method == harmonics::FitMethod::dense ? "dense" : "iterative",
+                  static_cast<unsigned long>(report.iterations), report.condition, report.residual,
+                  cpu_seconds() - start);
+      std::fflush(stdout);
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const std::vector<std::string> arguments(argv + 1, argv + argc);
+  try {
+    if (arguments.size() >= 2 && arguments[0] == "errors") {
+      const std::string name = arguments.size() > 2 ? arguments[2] : "stretch";
+      if (methods.count(name) != 0) return errors(arguments[1], name);
+    }
+    if (arguments.size() >= 3 && arguments[0] == "fit")
+      return fit_times(arguments[1], {arguments.begin() + 2, arguments.end()});
+  } catch (const base::Error& error) {
+    std::fprintf(stderr, "bench-harmonics: %s: %s\n", error.kind(), error.what());
+    return 1;
+  }
+  std::fprintf(stderr, "usage: bench-harmonics errors FOLDER [METHOD] | fit FOLDER FILE...\n");
+  return 2;
+}
