@@ -2,7 +2,6 @@
 #include "harmonics/fit.h"
 
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -15,6 +14,7 @@
 #include "harmonics/surface.h"
 #include "map_file.h"
 #include "surface_file.h"
+#include "text.h"
 #include "verbs.h"
 
 namespace orbicube::cli {
@@ -43,12 +43,6 @@ struct HarmonicsOptions {
     return {high, low, width};
   }
 };
-
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
-}
 
 // Positions are the values at the map's directions: three channels.
 std::span<const double> numbers(const Positions& positions) {
