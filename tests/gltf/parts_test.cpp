@@ -119,7 +119,7 @@ TEST_CASE("Parts that cannot be written are refused") {
   CHECK(refused([&](Part& p) { p.colors = std::span(cube.colors).first(31); }));
   CHECK(refused([](Part& p) { p.color[1] = 1.5; }));
   CHECK(refused([](Part& p) { p.color[3] = std::numeric_limits<double>::quiet_NaN(); }));
-  CHECK(refused([](Part& p) { p.name = "\xff"; }));
+  CHECK(refused([](Part& p) { p.name = std::string("\xff"); }));
   std::vector<Vector3> far = cube.positions;
   far[2][1] = 1e39;  // beyond float32
   CHECK(refused([&](Part& p) { p.positions = far; }));
