@@ -246,7 +246,7 @@ void large() {
   std::printf("\n### Many unknowns: evaluations / (n + 1) until f <= tau f(x0), at most 100\n\n");
   std::printf("| problem | solver | 1e-3 | 1e-5 | 1e-7 | ms an evaluation outside of f |\n|---|---|---|---|---|---|\n");
   for (const std::size_t n : {60, 120}) {
-    for (int kind_of_problem = 0; kind_of_problem < 3; ++kind_of_problem) {
+    for (int kind_of_problem = 0; kind_of_problem < large_count; ++kind_of_problem) {
       const Problem p = make_large(kind_of_problem, n);
       for (const Kind kind : {Kind::residuals, Kind::growing, Kind::fixed_points, Kind::nlopt}) {
         if (kind == Kind::nlopt && !has_nlopt()) continue;

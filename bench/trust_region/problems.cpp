@@ -32,7 +32,8 @@ constexpr std::array<Row, case_count> rows = {{
 }};
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr int rosenbrock_chain = 101, broyden_tridiagonal = 102, boundary_value = 103, signed_sum = 104;
+constexpr int rosenbrock_chain = 101, broyden_tridiagonal = 102, boundary_value = 103, variably_dimensioned = 104,
+              signed_sum = 105;
 
 // Uniform in [-1, 1], a fixed function of the point and the residual's number.
 double noise_at(const double* x, std::size_t n, std::size_t i) {
@@ -51,6 +52,7 @@ double noise_at(const double* x, std::size_t n, std::size_t i) {
 void large_residuals(int kind, std::size_t n, const double* x, double* r) {
   const auto at = [&](std::size_t i) { return i < n ? x[i] : 0.0; };
   const double h = 1 / static_cast<double>(n + 1);
+  double sum = 0;
   for (std::size_t i = 0; i < n; ++i) {
     if (kind == rosenbrock_chain && i + 1 < n) {
       r[2 * i] = 10 * (x[i + 1] - x[i] * x[i]);
@@ -60,7 +62,14 @@ void large_residuals(int kind, std::size_t n, const double* x, double* r) {
     } else if (kind == boundary_value) {
       const double t = static_cast<double>(i + 1) * h, cube = std::pow(x[i] + t + 1, 3);
       r[i] = (2 * x[i] - (i > 0 ? x[i - 1] : 0.0) - at(i + 1) + 0.5 * h * h * cube) / (h * h);
+    } else if (kind == variably_dimensioned) {
+      r[i] = x[i] - 1;
+      sum += static_cast<double>(i + 1) * r[i];
     }
+  }
+  if (kind == variably_dimensioned) {
+    r[n] = sum;
+    r[n + 1] = sum * sum;
   }
 }
 
@@ -191,15 +200,28 @@ Problem make_large(int kind, std::size_t n) {
   Problem p;
   p.family = rosenbrock_chain + kind;
   p.n = n;
-  p.m = p.family == rosenbrock_chain ? 2 * (n - 1) : n;
+  p.m = p.family == rosenbrock_chain ? 2 * (n - 1) : p.family == variably_dimensioned ? n + 2 : n;
   p.name = (kind == 0   ? "chained Rosenbrock, n "
             : kind == 1 ? "Broyden tridiagonal, n "
-                        : "boundary value, n ") +
+            : kind == 2 ? "boundary value, n "
+                        : "variably dimensioned, n ") +
            std::to_string(n);
   p.start.resize(n);
   for (std::size_t i = 0; i < n; ++i) {
     const double t = static_cast<double>(i + 1) / static_cast<double>(n + 1);
-    p.start[i] = p.family == rosenbrock_chain ? (i % 2 == 0 ? -1.2 : 1.0) : kind == 1 ? -1.0 : t * (t - 1);
+    switch (p.family) {
+      case rosenbrock_chain:
+        p.start[i] = i % 2 == 0 ? -1.2 : 1.0;
+        break;
+      case broyden_tridiagonal:
+        p.start[i] = -1.0;
+        break;
+      case boundary_value:
+        p.start[i] = t * (t - 1);
+        break;
+      default:
+        p.start[i] = 1 - static_cast<double>(i + 1) / static_cast<double>(n);
+    }
   }
   p.lower.assign(n, -infinity);
   p.upper.assign(n, infinity);

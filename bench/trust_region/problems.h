@@ -33,7 +33,9 @@ inline constexpr std::size_t case_count = 53;
 Problem make_case(std::size_t index, int transform = 0);
 // The same with a box around the start that cuts off most solutions.
 Problem make_bounded_case(std::size_t index);
-// Families of any size: chained Rosenbrock, Broyden's tridiagonal function, a discrete boundary value problem.
+// Families of any size: chained Rosenbrock, Broyden's tridiagonal function, a discrete boundary value problem, the
+// variably dimensioned function.
+inline constexpr int large_count = 4;
 Problem make_large(int kind, std::size_t n);
 // min sum (x_i - c_i)^2 (weights) - sum of small squares, within a box: a signed sum.
 Problem make_signed(std::size_t index);

@@ -10,30 +10,80 @@
 namespace orbicube::trust_region {
 namespace {
 
-// Replaces a (size x size, rows `stride` apart) by its inverse, Gauss-Jordan with row interchanges. False when a pivot
-// is zero or not finite.
-bool invert(double* a, std::size_t stride, std::size_t size, std::uint32_t* order) {
-  for (std::size_t k = 0; k < size; ++k) {
-    std::size_t pivot = k;
-    for (std::size_t i = k + 1; i < size; ++i) {
-      if (std::abs(a[i * stride + k]) > std::abs(a[pivot * stride + k])) pivot = i;
-    }
-    order[k] = static_cast<std::uint32_t>(pivot);
-    const double head = a[pivot * stride + k];
-    if (head == 0 || !std::isfinite(head)) return false;
-    if (pivot != k) std::swap_ranges(a + k * stride, a + k * stride + size, a + pivot * stride);
+// Exchanges row k of a with the one below that has the largest entry in column k, and their entries of `factors`, which
+// may be null. False when that entry is zero or not finite.
+bool take_pivot(double* a, std::size_t stride, std::size_t size, std::size_t k, std::uint32_t* order, double* factors) {
+  std::size_t pivot = k;
+  for (std::size_t i = k + 1; i < size; ++i) {
+    if (std::abs(a[i * stride + k]) > std::abs(a[pivot * stride + k])) pivot = i;
+  }
+  order[k] = static_cast<std::uint32_t>(pivot);
+  const double head = a[pivot * stride + k];
+  if (head == 0 || !std::isfinite(head)) return false;
+  if (pivot == k) return true;
+  std::swap_ranges(a + k * stride, a + k * stride + size, a + pivot * stride);
+  if (factors != nullptr) std::swap(factors[k], factors[pivot]);
+  return true;
+}
+
+void divide_by_pivot(double* row, std::size_t size, std::size_t k) {
+  const double head = row[k];
+  row[k] = 1;
+  for (std::size_t j = 0; j < size; ++j)
+    row[j] /= head;
+}
+
+// Replaces a (size x size, rows `stride` apart) by its inverse, Gauss-Jordan with row interchanges, two columns at a
+// time so that the rows are read and written half as often. `factors` and `first` are work of `size` each. False when a
+// pivot is zero or not finite.
+bool invert(double* a, std::size_t stride, std::size_t size, std::uint32_t* order, double* factors, double* first) {
+  std::size_t k = 0;
+  for (; k + 1 < size; k += 2) {
+    if (!take_pivot(a, stride, size, k, order, nullptr)) return false;
     double* row = a + k * stride;
-    row[k] = 1;
-    for (std::size_t j = 0; j < size; ++j)
-      row[j] /= head;
+    divide_by_pivot(row, size, k);
+    // Column k + 1 first, since the next pivot is chosen from it.
+    for (std::size_t i = 0; i < size; ++i) {
+      factors[i] = i == k ? 0 : a[i * stride + k];
+      if (i == k) continue;
+      a[i * stride + k] = 0;
+      a[i * stride + k + 1] -= factors[i] * row[k + 1];
+    }
+    if (!take_pivot(a, stride, size, k + 1, order, factors)) return false;
+    std::copy_n(row, size, first);
+    first[k + 1] = 0;
+    double* second = row + stride;
+    add_scaled(second, -factors[k + 1], first, size);
+    divide_by_pivot(second, size, k + 1);
+    const auto factor_of_second = [&](std::size_t i) {
+      const double factor = a[i * stride + k + 1];
+      a[i * stride + k + 1] = 0;
+      return -factor;
+    };
+    // Rows by twos as well: k is even, so that k and k + 1 are such a pair, of which only row k is to change.
+    for (std::size_t i = 0; i < size; i += 2) {
+      double* upper = a + i * stride;
+      if (i == k || i + 1 == size) {
+        add_one_after_other(upper, -factors[i], first, factor_of_second(i), second, size);
+        continue;
+      }
+      double* lower = upper + stride;
+      const double f0 = -factors[i], f1 = factor_of_second(i), g0 = -factors[i + 1], g1 = factor_of_second(i + 1);
+      add_two_to_two(upper, f0, f1, lower, g0, g1, first, second, size);
+    }
+  }
+  if (k < size) {
+    if (!take_pivot(a, stride, size, k, order, nullptr)) return false;
+    double* row = a + k * stride;
+    divide_by_pivot(row, size, k);
     for (std::size_t i = 0; i < size; ++i) {
       if (i == k) continue;
       const double factor = a[i * stride + k];
       a[i * stride + k] = 0;
-      if (factor != 0) add_scaled(a + i * stride, -factor, row, size);
+      add_scaled(a + i * stride, -factor, row, size);
     }
   }
-  for (std::size_t k = size; k-- > 0;) {
+  for (k = size; k-- > 0;) {
     const std::size_t pivot = order[k];
     if (pivot == k) continue;
     for (std::size_t i = 0; i < size; ++i)
@@ -111,31 +161,27 @@ bool Interpolation::rebuild() {
   }
   for (std::size_t i = 0; i < count; ++i)
     std::copy_n(matrix + i * stride_, count, reduced + i * stride_);
-  if (!invert(reduced, stride_, count, order_.data())) return false;
+  if (!invert(reduced, stride_, count, order_.data(), work_.data() + stride_, work_.data() + 2 * stride_)) return false;
   // One step of Newton's iteration for the inverse, H + H (I - W H), also says how good it is. inverse_ is still free.
   double worst = 0;
-  double* error = work_.data() + stride_;
+  for (std::size_t i = 0; i < count; ++i)
+    std::fill_n(inverse_row(i), count, 0.0);
+  add_product(inverse_.data(), -1, matrix, reduced, stride_, count, count, count);
   for (std::size_t i = 0; i < count; ++i) {
     double* row = inverse_row(i);
-    std::fill(row, row + count, 0.0);
-    for (std::size_t k = 0; k < count; ++k) {
-      if (matrix[i * stride_ + k] != 0) add_scaled(row, -matrix[i * stride_ + k], reduced + k * stride_, count);
-    }
     row[i] += 1;
     for (std::size_t k = 0; k < count; ++k)
       worst = std::max(worst, std::abs(row[k]));
   }
   if (!(worst < 1e-3)) return false;
-  for (std::size_t i = 0; i < count; ++i) {
-    double* row = matrix + i * stride_;
-    std::copy_n(reduced + i * stride_, count, row);
-    for (std::size_t k = 0; k < count; ++k)
-      add_scaled(row, reduced[i * stride_ + k], inverse_row(k), count);
-  }
+  for (std::size_t i = 0; i < count; ++i)
+    std::copy_n(reduced + i * stride_, count, matrix + i * stride_);
+  add_product(matrix, 1, reduced, inverse_.data(), stride_, count, count, count);
   // Back to full size and units. The Lagrange function of the best point is 1 minus the others.
-  const auto unit = [&](std::size_t row) { return row < n_ ? mean : 1 / (error[row] * error[row]); };
+  double* unit = work_.data() + stride_;
+  std::fill_n(unit, n_, mean);
   for (std::size_t j = 0; j < size_; ++j) {
-    if (j != best_) error[index(j)] = lengths[j];
+    if (j != best_) unit[index(j)] = 1 / (lengths[j] * lengths[j]);
   }
   const std::size_t full = n_ + size_;
   for (std::size_t i = 0; i < full; ++i)
@@ -145,7 +191,7 @@ bool Interpolation::rebuild() {
   for (std::size_t i = 0; i < count; ++i) {
     double sum = 0;
     for (std::size_t k = 0; k < count; ++k) {
-      const double entry = 0.5 * (matrix[i * stride_ + k] + matrix[k * stride_ + i]) * unit(i) * unit(k);
+      const double entry = 0.5 * (matrix[i * stride_ + k] + matrix[k * stride_ + i]) * unit[i] * unit[k];
       inverse_row(wide(i))[wide(k)] = entry;
       if (k >= n_) sum -= entry;
     }
