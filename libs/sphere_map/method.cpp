@@ -66,8 +66,8 @@ Schedule schedule_of(const Options& options) {
       return schedule;
     case Method::stretch:
       // The isometric term is the L2 stretch. The others, far below it, choose among maps of nearly the same stretch
-      // those without needles.
-      schedule.add({{.area = 0.002, .isometric = 1, .dilatation_4 = 1e-6},
+      // those without needles, which are also better to reconstruct from spherical harmonics.
+      schedule.add({{.angle = 0.01, .area = 0.05, .isometric = 1, .dilatation_4 = 4e-6},
                     {.steps = 6, .solver_steps = 200, .relative_gain = 1e-4}});
       return schedule;
     case Method::conformal:
