@@ -77,7 +77,7 @@ TEST_CASE("Shapes do not depend on the order of corners, on place, or on rotatio
     if (before.radius_ratio < 0.01) continue;  // flat ones lose digits
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(run, Vector3(1, 2, run).normalized()));
     std::vector<Vector3> y;
-    for (const std::size_t i : {2, 0, 3, 1})
+    for (const std::size_t i : {2U, 0U, 3U, 1U})
       y.push_back(turn * x[i] + Vector3(1, 2, 3));
     const TetrahedronShape after = shape(y);
     CHECK(after.radius_ratio == doctest::Approx(before.radius_ratio).epsilon(1e-9));

@@ -110,11 +110,14 @@ TEST_CASE("The rotation between two maps of one shape is found by correlation, w
 }
 
 TEST_CASE("A warp carries landmarks onto landmarks, is a bijection, and its inverse is its inverse") {
-  for (const auto& [count, apart, distance] :
-       {std::tuple{1, 0.1, 1.2}, {4, 0.8, 0.6}, {12, 0.4, 0.35}, {40, 0.15, 0.1}}) {
-    CAPTURE(count);
-    const auto from = random_directions(static_cast<std::size_t>(count), 11, apart);
-    const auto to = moved(from, distance, 12);
+  struct Landmarks {
+    std::size_t count;
+    double apart, distance;
+  };
+  for (const Landmarks& landmarks : {Landmarks{1, 0.1, 1.2}, {4, 0.8, 0.6}, {12, 0.4, 0.35}, {40, 0.15, 0.1}}) {
+    CAPTURE(landmarks.count);
+    const auto from = random_directions(landmarks.count, 11, landmarks.apart);
+    const auto to = moved(from, landmarks.distance, 12);
     const SphereWarp warp(from, to, base::Host());
     for (std::size_t i = 0; i < from.size(); ++i) {
       CHECK((warp.forward(from[i]) - to[i]).norm() < 4e-16);

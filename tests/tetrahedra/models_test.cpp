@@ -19,14 +19,14 @@ TEST_CASE("Real surfaces of moderate size are filled, or refused for meeting the
     const char* file;
     const char* kind;  // empty: filled
   };
-  for (const auto& [file, kind] :
+  for (const Expectation& expected :
        {Expectation{"spot.obj", ""}, Expectation{"torus.obj", ""}, Expectation{"double-torus.off", ""},
         Expectation{"goathead.obj", ""}, Expectation{"rod.obj", ""}, Expectation{"fandisk.obj", ""},
         Expectation{"cow.off", "self-intersection"}, Expectation{"cow-11k.obj", "self-intersection"}}) {
-    CAPTURE(file);
-    const Surface surface(mesh::read_mesh(std::filesystem::path(models) / "dev" / file, {}, host));
-    if (*kind != '\0') {
-      CHECK(refusal(surface) == kind);
+    CAPTURE(std::string(expected.file));
+    const Surface surface(mesh::read_mesh(std::filesystem::path(models) / "dev" / expected.file, {}, host));
+    if (*expected.kind != '\0') {
+      CHECK(refusal(surface) == expected.kind);
     } else {
       check_kept(surface, filled(surface));
     }
