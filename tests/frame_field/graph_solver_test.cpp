@@ -15,9 +15,15 @@ using namespace orbicube::frame_field;
 
 namespace {
 
+// Solvers keep a reference to their host.
+const base::Host& quiet_host() {
+  static const base::Host host;
+  return host;
+}
+
 DualGraph graph_of(const test::Solid& solid, Weighting weighting = Weighting::uniform) {
-  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, base::Host());
-  return make_dual_graph(solid.positions, connectivity, weighting, base::Host());
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, quiet_host());
+  return make_dual_graph(solid.positions, connectivity, weighting, quiet_host());
 }
 
 }  // namespace
@@ -66,7 +72,7 @@ TEST_CASE("The order of the nodes does not depend on the order of the mesh") {
 
 TEST_CASE("Coarse graphs keep all nodes and all weight between their groups") {
   const DualGraph graph = graph_of(test::cubes(6, 5, 7));
-  const auto levels = make_hierarchy(graph, 20, base::Host());
+  const auto levels = make_hierarchy(graph, 20, quiet_host());
   REQUIRE(levels.size() >= 2);
   for (std::size_t l = 0; l < levels.size(); ++l) {
     const CoarseGraph& level = levels[l];
@@ -97,7 +103,7 @@ TEST_CASE("Coarse graphs keep all nodes and all weight between their groups") {
 TEST_CASE("Solutions are those of the dense equations, with nodes that move in some directions only") {
   const DualGraph graph = graph_of(test::cubes(3, 3, 4));
   const auto n = static_cast<Eigen::Index>(graph.size());
-  const auto levels = make_hierarchy(graph, 10, base::Host());
+  const auto levels = make_hierarchy(graph, 10, quiet_host());
   std::mt19937_64 random(5);
   std::normal_distribution<double> normal;
   using Solver = GraphSolver<3>;
@@ -138,7 +144,7 @@ TEST_CASE("Solutions are those of the dense equations, with nodes that move in s
         movable * matrix * movable + (Eigen::MatrixXd::Identity(3 * n, 3 * n) - movable);
     const Eigen::VectorXd expected = constrained.ldlt().solve(movable * b);
     Array<float> masses(graph.size(), mass);
-    Solver solver(graph, levels, tangents, base::Host());
+    Solver solver(graph, levels, tangents, quiet_host());
     Solver::Equation equation{.tolerance = 1e-6, .phase = "test"};
     if (mass > 0) equation.mass = masses;
     const auto outcome = solver.solve(equation, right, x);
@@ -159,7 +165,7 @@ TEST_CASE("Iterations hardly grow with the mesh") {
   for (const Index size : {8U, 16U}) {
     const test::Solid solid = test::cubes(size, size, size);
     const DualGraph graph = graph_of(solid);
-    const auto levels = make_hierarchy(graph, 60, base::Host());
+    const auto levels = make_hierarchy(graph, 60, quiet_host());
     // The layer that touches one corner is held.
     std::vector<GraphSolver<9>::Tangent> tangents;
     for (Index i = 0; i < graph.size() / 50; ++i)
@@ -167,7 +173,7 @@ TEST_CASE("Iterations hardly grow with the mesh") {
     Array<GraphSolver<9>::Value> x(graph.size()), right(graph.size());
     for (Index i = 0; i < graph.size(); ++i)
       right[i].at[i % 9] = i % 2 == 0 ? 1.0F : -0.5F;
-    GraphSolver<9> solver(graph, levels, tangents, base::Host());
+    GraphSolver<9> solver(graph, levels, tangents, quiet_host());
     iterations.push_back(solver.solve({.tolerance = 1e-4, .phase = "test"}, right, x).iterations);
   }
   MESSAGE("iterations for 3072 and 24576 nodes: " << iterations[0] << ", " << iterations[1]);
