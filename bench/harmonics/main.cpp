@@ -75,44 +75,53 @@ std::span<const double> numbers(const base::Array<Vector3>& points) {
   return {points.front().data(), 3 * points.size()};
 }
 
-harmonics::Coefficients fitted(const Model& model, std::uint32_t degree, const base::Host& host,
+harmonics::Coefficients fitted(const Model& model, std::uint32_t degree, bool by_area, const base::Host& host,
                                harmonics::FitReport& report) {
-  return harmonics::fit(model.directions, model.weights, numbers(model.surface.positions), 3, {.degree = degree}, host,
-                        report);
+  const std::span<const double> weights = model.weights;
+  return harmonics::fit(model.directions, by_area ? weights : std::span<const double>(),
+                        numbers(model.surface.positions), 3, {.degree = degree}, host, report);
+}
+
+double error_of(const Model& model, const harmonics::Coefficients& coefficients, const base::Host& host) {
+  base::Array<Vector3> rebuilt(model.surface.positions.size());
+  harmonics::synthesise(coefficients, model.directions, {rebuilt.front().data(), 3 * rebuilt.size()}, host);
+  return harmonics::mean_distance(model.surface.positions, rebuilt, host);
 }
 
 void print_errors(const double (&errors)[3]) {
   for (const double e : errors)
-    e > 0 ? std::printf(" %.4f", e) : std::printf(" -");
+    e > 0 ? std::printf(" %.5f", e) : std::printf(" -");
 }
 
 int errors(const std::filesystem::path& folder, const std::string& name) {
   const base::Host host;
   std::printf(
-      "| model | vertices | e at 6, 16, 32 bands, %s map | dissertation | Praun-Hoppe map | condition | fit of 32, CPU "
-      "s |\n",
+      "| model | vertices | e at 6, 16, 32, %s map, by area | all alike | dissertation | Praun-Hoppe map "
+      "| condition | fit of 32, CPU s |\n",
       name.c_str());
-  std::printf("|---|---|---|---|---|---|---|\n");
+  std::printf("|---|---|---|---|---|---|---|---|\n");
   for (const PeerRow& peer : peers) {
     if (!std::filesystem::exists(folder / peer.file)) continue;
     const Model model = mapped(folder / peer.file, methods.at(name), host);
-    double found[3], seconds = 0;
-    harmonics::FitReport report;
+    double by_area[3], alike[3], seconds = 0, condition = 0;
     for (std::size_t k = 0; k < 3; ++k) {
+      harmonics::FitReport report;
+      alike[k] = error_of(model, fitted(model, bands[k], false, host, report), host);
       const double start = cpu_seconds();
-      const harmonics::Coefficients coefficients = fitted(model, bands[k] - 1, host, report);
+      const harmonics::Coefficients coefficients = fitted(model, bands[k], true, host, report);
       seconds = cpu_seconds() - start;
-      base::Array<Vector3> rebuilt(model.surface.positions.size());
-      harmonics::synthesise(coefficients, model.directions, {rebuilt.front().data(), 3 * rebuilt.size()}, host);
-      found[k] = harmonics::mean_distance(model.surface.positions, rebuilt, host);
+      condition = report.condition;
+      by_area[k] = error_of(model, coefficients, host);
     }
     std::printf("| %s | %zu |", peer.file, model.surface.positions.size());
-    print_errors(found);
+    print_errors(by_area);
+    std::printf(" |");
+    print_errors(alike);
     std::printf(" |");
     print_errors(peer.dissertation);
     std::printf(" |");
     print_errors(peer.praun_hoppe);
-    std::printf(" | %.1f | %.2f |\n", report.condition, seconds);
+    std::printf(" | %.1f | %.2f |\n", condition, seconds);
     std::fflush(stdout);
   }
   return 0;
@@ -128,7 +137,7 @@ int fit_times(const std::filesystem::path& folder, const std::vector<std::string
     for (const std::uint32_t degree : {8U, 16U, 32U, 64U, 100U}) {
       harmonics::FitReport report;
       const double start = cpu_seconds();
-      fitted(model, degree, host, report);
+      fitted(model, degree, true, host, report);
       std::printf("| %s | %zu | %u | %s | %lu | %.1f | %.2e | %.2f |\n", file.c_str(), model.surface.positions.size(),
                   degree, report.method == harmonics::FitMethod::dense ? "dense" : "iterative",
                   static_cast<unsigned long>(report.iterations), report.condition, report.residual,
