@@ -1,0 +1,79 @@
+/* Orbicube polycube: polycubes of closed surfaces, and certified maps to them.
+ *
+ * A polycube is a solid whose faces lie in axis-aligned planes; a polycube map takes each triangle of a (possibly refined)
+ * surface to a triangle on it, one to one (Tarini, Hormann, Cignoni and Montani 2004, "PolyCube-Maps").
+ *
+ * What is certified, by exact arithmetic on the coordinates that you get: the map has the genus of the surface, each triangle
+ * lies exactly in an axis-aligned plane and is positively oriented, the triangles around each vertex turn once, the polycube
+ * does not meet itself, touching included, and it looks outward. Then every point of it is covered once. A handle holds a
+ * certified map; there is none otherwise.
+ *
+ * Arrays: as in <orbicube/mesh.h>. Inputs are not kept after a call.
+ *
+ * Thread safety: all functions may be called at the same time; handles may be read by several threads. Results are the same
+ * bits for any number of threads.
+ */
+#ifndef ORBICUBE_POLYCUBE_H
+#define ORBICUBE_POLYCUBE_H
+
+#include <orbicube/mesh.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* A certified polycube map. */
+typedef struct obc_polycube obc_polycube;
+
+/* What certification finds. Fill struct_size. */
+typedef struct obc_polycube_certificate {
+  uint32_t struct_size;
+  int32_t valid;   /* 1 or 0 */
+  int64_t genus;   /* of the polycube; 0 when its triangles are no closed surface */
+  size_t corners;  /* vertices where three faces of the polycube or more meet */
+  size_t patches;  /* faces of the polycube: connected triangles in one plane */
+  char reason[256]; /* what is wrong and where, UTF-8, ends with 0; empty when valid */
+} obc_polycube_certificate;
+
+/* Certifies a map made elsewhere: `surface` in space, `polycube` where its vertices are to be on the polycube (x y z a vertex of
+ * the surface). The handle holds a copy. certificate may be NULL; it is filled whether the map is valid or not.
+ * host may be NULL; its allocator must stay valid until _destroy.
+ * Errors: invalid argument (an index out of range, a position that is not finite), no valid result (the message is the reason),
+ * out of memory, cancelled. O(n log n) unless the boxes of many triangles overlap. */
+OBC_API obc_status obc_polycube_create(const obc_surface *surface, const double *polycube, const obc_host *host,
+                                       obc_polycube_certificate *certificate, obc_polycube **out, obc_error *error);
+
+/* Releases a map; NULL is fine. */
+OBC_API void obc_polycube_destroy(obc_polycube *map);
+
+/* Numbers of a map; 0 for NULL. Vertices: those of the surface, then those added. */
+OBC_API size_t obc_polycube_vertex_count(const obc_polycube *map);
+OBC_API size_t obc_polycube_triangle_count(const obc_polycube *map);
+OBC_API size_t obc_polycube_corner_count(const obc_polycube *map);
+OBC_API size_t obc_polycube_patch_count(const obc_polycube *map);
+
+/* Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices come
+ * first, to the bit and in its order), polycube positions (x y z a vertex), triangles (three vertices each). Errors: invalid
+ * argument. */
+OBC_API obc_status obc_polycube_copy(const obc_polycube *map, double *positions, double *polycube, uint32_t *triangles,
+                                     obc_error *error);
+
+/* Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x,
+ * +y, -y, +z, -z), the number of its face of the polycube, and the surface's triangle that it lies in. Errors: invalid
+ * argument. */
+OBC_API obc_status obc_polycube_copy_triangles(const obc_polycube *map, uint8_t *labels, uint32_t *patches, uint32_t *sources,
+                                               obc_error *error);
+
+/* Copies where each vertex comes from, three entries a vertex, each array may be NULL: vertices of one triangle of the surface
+ * (UINT32_MAX where fewer than three are needed) and their weights, which are positive (0 where not needed) and sum up to 1 but
+ * for rounding. Errors: invalid argument. */
+OBC_API obc_status obc_polycube_copy_sources(const obc_polycube *map, uint32_t *corners, double *weights, obc_error *error);
+
+/* Version of this library, major * 10000 + minor * 100 + patch. */
+OBC_API uint32_t obc_polycube_version(void);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

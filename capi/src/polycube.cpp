@@ -1,0 +1,140 @@
+#include "orbicube/polycube.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstring>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "base/version.h"
+#include "capi/src/entry.h"
+#include "polycube/certificate.h"
+
+using namespace orbicube;
+using mesh::Triangle;
+using mesh::Vector3;
+
+struct obc_polycube {
+  explicit obc_polycube(const obc_host* host) : adapter(host), map(adapter.host().memory) {}
+  capi::HostAdapter adapter;
+  polycube::SurfaceMap map;
+  std::size_t corners = 0;
+  std::size_t patches = 0;
+};
+
+namespace {
+
+// The caller's arrays as the C++ side takes them: doubles and indices have the layout of its vectors and triangles.
+struct Surface {
+  std::span<const Vector3> positions;
+  std::span<const Triangle> triangles;
+
+  explicit Surface(const obc_surface* from) {
+    static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(uint32_t));
+    capi::require(from != nullptr, "surface is NULL");
+    capi::require(from->positions != nullptr || from->vertex_count == 0, "surface->positions is NULL");
+    capi::require(from->triangles != nullptr || from->triangle_count == 0, "surface->triangles is NULL");
+    capi::require(std::max(from->vertex_count, from->triangle_count) <= PTRDIFF_MAX / sizeof(Vector3),
+                  "surface: too many vertices or triangles");
+    positions = {reinterpret_cast<const Vector3*>(from->positions), from->vertex_count};
+    triangles = {reinterpret_cast<const Triangle*>(from->triangles), from->triangle_count};
+  }
+};
+
+template <class Element, class Number>
+void copy(const base::Array<Element>& from, Number* to) {
+  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
+}
+
+void write_certificate(const polycube::Certificate& from, obc_polycube_certificate* to) {
+  if (to == nullptr) return;
+  obc_polycube_certificate value{};
+  value.valid = from.valid();
+  value.genus = from.genus;
+  value.corners = from.corners;
+  value.patches = from.patches;
+  const std::size_t length = std::min(from.reason.size(), sizeof value.reason - 1);
+  std::copy_n(from.reason.begin(), length, value.reason);
+  capi::write_versioned(to, value);
+}
+
+}  // namespace
+
+obc_status obc_polycube_create(const obc_surface* surface, const double* polycube, const obc_host* host,
+                               obc_polycube_certificate* certificate, obc_polycube** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    const Surface s(surface);
+    capi::require(polycube != nullptr || s.positions.empty(), "polycube is NULL");
+    auto made = std::make_unique<obc_polycube>(host);
+    polycube::SurfaceMap& map = made->map;
+    map.positions.assign(s.positions.begin(), s.positions.end());
+    map.triangles.assign(s.triangles.begin(), s.triangles.end());
+    const auto* const points = reinterpret_cast<const Vector3*>(polycube);
+    map.polycube.assign(points, points + s.positions.size());
+    polycube::set_unrefined(map);
+    const polycube::Certificate found = polycube::certify(map, made->adapter.host());
+    write_certificate(found, certificate);
+    if (!found.valid()) throw base::Error("no-valid-result", found.reason);
+    made->corners = found.corners;
+    made->patches = found.patches;
+    *out = made.release();
+  });
+}
+
+void obc_polycube_destroy(obc_polycube* map) {
+  delete map;
+}
+
+size_t obc_polycube_vertex_count(const obc_polycube* map) {
+  return map != nullptr ? map->map.positions.size() : 0;
+}
+
+size_t obc_polycube_triangle_count(const obc_polycube* map) {
+  return map != nullptr ? map->map.triangles.size() : 0;
+}
+
+size_t obc_polycube_corner_count(const obc_polycube* map) {
+  return map != nullptr ? map->corners : 0;
+}
+
+size_t obc_polycube_patch_count(const obc_polycube* map) {
+  return map != nullptr ? map->patches : 0;
+}
+
+obc_status obc_polycube_copy(const obc_polycube* map, double* positions, double* polycube, uint32_t* triangles,
+                             obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(map != nullptr, "map is NULL");
+    copy(map->map.positions, positions);
+    copy(map->map.polycube, polycube);
+    copy(map->map.triangles, triangles);
+  });
+}
+
+obc_status obc_polycube_copy_triangles(const obc_polycube* map, uint8_t* labels, uint32_t* patches, uint32_t* sources,
+                                       obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(map != nullptr, "map is NULL");
+    copy(map->map.labels, labels);
+    copy(map->map.charts, patches);
+    copy(map->map.triangle_sources, sources);
+  });
+}
+
+obc_status obc_polycube_copy_sources(const obc_polycube* map, uint32_t* corners, double* weights, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(map != nullptr, "map is NULL");
+    for (std::size_t i = 0; i < map->map.vertex_sources.size(); ++i) {
+      const polycube::VertexSource& source = map->map.vertex_sources[i];
+      if (corners != nullptr) std::copy(source.corner.begin(), source.corner.end(), corners + 3 * i);
+      if (weights != nullptr) std::copy(source.weight.begin(), source.weight.end(), weights + 3 * i);
+    }
+  });
+}
+
+uint32_t obc_polycube_version(void) {
+  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+}

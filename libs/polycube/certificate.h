@@ -1,0 +1,41 @@
+// Whether a map to a polycube is what it should be, decided by exact arithmetic on the coordinates as they are.
+//
+// Valid means: the triangles are a closed, connected, oriented manifold; each lies exactly in an axis-aligned plane and
+// has area; around each vertex the triangles turn once (four quarter turns inside a face of the polycube, two in each
+// face along an edge, one, two or three in each face at a corner); no two triangles meet but in the vertices and edges
+// that they share; and the surface looks outward. Then the triangles are the boundary of a solid with axis-aligned
+// faces, and each of its points is covered once.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "base/host.h"
+#include "polycube/surface_map.h"
+
+namespace orbicube::polycube {
+
+struct Certificate {
+  explicit Certificate(std::pmr::memory_resource* memory) : labels(memory), charts(memory) {}
+
+  bool valid() const { return reason.empty(); }
+
+  std::string reason;  // what is wrong and where, or empty
+  std::int64_t genus = 0;
+  std::size_t corners = 0;  // vertices where three faces of the polycube or more meet
+  std::size_t patches = 0;  // faces of the polycube
+  Array<AxisLabel> labels;  // of each triangle, while reason is empty
+  Array<Index> charts;      // of each triangle, numbered in the order of their first triangles
+};
+
+// `polycube` are the positions of the vertices of `triangles` on the polycube. O(n log n), and more where the boxes of
+// many triangles overlap. The same for any number of threads. Throws Error "invalid-argument" for an index that is out
+// of range or a position that is not finite, "cancelled".
+Certificate certify(std::span<const Vector3> polycube, std::span<const Triangle> triangles, const base::Host& host);
+
+// The same for a map, which has the genus of its surface since the triangles are the same. Fills in its labels and
+// charts when it is valid.
+Certificate certify(SurfaceMap& map, const base::Host& host);
+
+}  // namespace orbicube::polycube

@@ -1,0 +1,132 @@
+// The C functions of polycube: what they promise about arguments, memory and cancelling. What the maps are worth is
+// tested in tests/polycube/.
+#include "orbicube/polycube.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "failing_allocations.h"
+
+using namespace orbicube;
+
+namespace {
+
+// A cube's surface, on a sphere for the surface in space.
+const std::vector<double> cube = {0, 0, 0, 2, 0, 0, 0, 2, 0, 2, 2, 0, 0, 0, 2, 2, 0, 2, 0, 2, 2, 2, 2, 2};
+const std::vector<std::uint32_t> triangles = {0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
+                                              2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
+
+std::vector<double> sphere() {
+  std::vector<double> result = cube;
+  for (double& x : result)
+    x = (x - 1) / std::sqrt(3.0);
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("A handle gives back the map that it was made of, with what certification found") {
+  const std::vector<double> in_space = sphere();
+  const obc_surface surface = {in_space.data(), 8, triangles.data(), 12};
+  obc_polycube_certificate certificate{};
+  certificate.struct_size = sizeof certificate;
+  obc_polycube* map = nullptr;
+  obc_error error;
+  REQUIRE(obc_polycube_create(&surface, cube.data(), nullptr, &certificate, &map, &error) == OBC_OK);
+  CHECK(certificate.valid == 1);
+  CHECK(certificate.genus == 0);
+  CHECK(certificate.corners == 8);
+  CHECK(certificate.patches == 6);
+  CHECK(std::string(certificate.reason) == "");
+  CHECK(obc_polycube_vertex_count(map) == 8);
+  CHECK(obc_polycube_triangle_count(map) == 12);
+  CHECK(obc_polycube_corner_count(map) == 8);
+  CHECK(obc_polycube_patch_count(map) == 6);
+  std::vector<double> positions(24), polycube(24), weights(24);
+  std::vector<std::uint32_t> faces(36), patches(12), sources(12), corners(24);
+  std::vector<std::uint8_t> labels(12);
+  REQUIRE(obc_polycube_copy(map, positions.data(), polycube.data(), faces.data(), &error) == OBC_OK);
+  REQUIRE(obc_polycube_copy_triangles(map, labels.data(), patches.data(), sources.data(), &error) == OBC_OK);
+  REQUIRE(obc_polycube_copy_sources(map, corners.data(), weights.data(), &error) == OBC_OK);
+  CHECK(positions == in_space);
+  CHECK(polycube == cube);
+  CHECK(faces == triangles);
+  CHECK(labels == std::vector<std::uint8_t>{5, 5, 4, 4, 3, 3, 2, 2, 1, 1, 0, 0});
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    CHECK(patches[i] == i / 2);
+    CHECK(sources[i] == i);
+  }
+  for (std::uint32_t v = 0; v < 8; ++v) {
+    CHECK(corners[3 * v] == v);
+    CHECK(corners[3 * v + 1] == UINT32_MAX);
+    CHECK(weights[3 * v] == 1);
+  }
+  CHECK(obc_polycube_copy(map, nullptr, nullptr, nullptr, &error) == OBC_OK);
+  CHECK(obc_polycube_copy_triangles(map, nullptr, nullptr, nullptr, &error) == OBC_OK);
+  CHECK(obc_polycube_copy_sources(map, nullptr, nullptr, &error) == OBC_OK);
+  obc_polycube_destroy(map);
+}
+
+TEST_CASE("A map that is not valid makes no handle and has a reason") {
+  const std::vector<double> in_space = sphere();
+  const obc_surface surface = {in_space.data(), 8, triangles.data(), 12};
+  obc_polycube_certificate certificate{};
+  certificate.struct_size = sizeof certificate;
+  obc_polycube* map = nullptr;
+  obc_error error;
+  CHECK(obc_polycube_create(&surface, in_space.data(), nullptr, &certificate, &map, &error) == OBC_OK);
+  obc_polycube_destroy(map);
+  std::vector<double> bent = cube;
+  bent[0] = 0.5;
+  CHECK(obc_polycube_create(&surface, bent.data(), nullptr, &certificate, &map, &error) == OBC_NO_VALID_RESULT);
+  CHECK(map == nullptr);
+  CHECK(certificate.valid == 0);
+  CHECK(std::string(certificate.reason) == error.message);
+  CHECK(std::string(certificate.reason).find("axis-aligned") != std::string::npos);
+}
+
+TEST_CASE("Wrong arguments are answered, not followed") {
+  const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
+  obc_polycube* map = nullptr;
+  obc_error error;
+  CHECK(obc_polycube_create(nullptr, cube.data(), nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_create(&surface, nullptr, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_create(&surface, cube.data(), nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  std::vector<double> wild = cube;
+  wild[5] = std::numeric_limits<double>::infinity();
+  CHECK(obc_polycube_create(&surface, wild.data(), nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  std::vector<std::uint32_t> wrong = triangles;
+  wrong[7] = 8;
+  const obc_surface out_of_range = {cube.data(), 8, wrong.data(), 12};
+  CHECK(obc_polycube_create(&out_of_range, cube.data(), nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(map == nullptr);
+  CHECK(obc_polycube_copy(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_copy_triangles(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_copy_sources(nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_vertex_count(nullptr) + obc_polycube_triangle_count(nullptr) + obc_polycube_corner_count(nullptr) +
+            obc_polycube_patch_count(nullptr) ==
+        0);
+  obc_polycube_destroy(nullptr);
+}
+
+TEST_CASE("Each allocation that fails ends in out of memory, and each report may cancel") {
+  const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
+  const test::Call call = [&](const obc_host& host) {
+    obc_polycube* map = nullptr;
+    const obc_status status = obc_polycube_create(&surface, cube.data(), &host, nullptr, &map, nullptr);
+    obc_polycube_destroy(map);
+    return status;
+  };
+  const test::Outcome memory = test::fail_each_allocation(call);
+  CHECK(memory.problem == "");
+  CHECK(memory.runs > 10);
+  const test::Outcome cancelled = test::cancel_everywhere(call);
+  CHECK(cancelled.problem == "");
+  CHECK(cancelled.runs > 3);
+}
