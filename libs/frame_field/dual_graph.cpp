@@ -5,39 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mesh/hilbert_curve.h"
+
 namespace orbicube::frame_field {
 namespace {
 
 constexpr std::size_t items_between_reports = 16384;
-
-// The place of a point of the unit cube along a Hilbert curve, 21 bits an axis (Skilling 2004, "Programming the Hilbert
-// curve").
-std::uint64_t hilbert_key(std::array<std::uint32_t, 3> x) {
-  constexpr std::uint32_t highest = 1U << 20;
-  for (std::uint32_t q = highest; q > 1; q >>= 1) {
-    const std::uint32_t p = q - 1;
-    for (std::size_t i = 0; i < 3; ++i) {
-      if ((x[i] & q) != 0) {
-        x[0] ^= p;
-      } else {
-        const std::uint32_t t = (x[0] ^ x[i]) & p;
-        x[0] ^= t;
-        x[i] ^= t;
-      }
-    }
-  }
-  x[1] ^= x[0];
-  x[2] ^= x[1];
-  std::uint32_t t = 0;
-  for (std::uint32_t q = highest; q > 1; q >>= 1)
-    t ^= (x[2] & q) != 0 ? q - 1 : 0;
-  std::uint64_t key = 0;
-  for (int bit = 20; bit >= 0; --bit) {
-    for (const std::uint32_t c : x)
-      key = key << 1 | ((c ^ t) >> bit & 1U);
-  }
-  return key;
-}
 
 struct Place {
   std::uint64_t key;
@@ -85,7 +58,7 @@ DualGraph make_dual_graph(std::span<const Vector3> positions, const mesh::Tetrah
     std::array<std::uint32_t, 3> cell{};
     for (std::size_t k = 0; k < 3; ++k)
       cell[k] = static_cast<std::uint32_t>(sum[static_cast<Eigen::Index>(k)] * (0.25 * ((1 << 21) - 1)));
-    order[t] = {hilbert_key(cell), t};
+    order[t] = {mesh::hilbert_key(cell), t};
   }
   std::ranges::sort(order, std::less<>());
   graph.tetrahedron.resize(count);

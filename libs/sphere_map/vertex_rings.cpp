@@ -50,16 +50,37 @@ bool VertexRings::adjacent(Index a, Index b) const {
   return find(a, b) < valence(a);
 }
 
-void VertexRings::reserve(Index vertex, std::size_t size) {
+void VertexRings::move_ring(Index vertex, std::size_t begin, std::size_t capacity) {
   Place& place = places_[vertex];
-  if (size <= place.capacity) return;
-  const std::size_t capacity = std::max<std::size_t>(size, 2 * place.size);
-  const std::size_t begin = pool_.size();
-  pool_.resize(begin + capacity);
   std::copy_n(pool_.begin() + static_cast<std::ptrdiff_t>(place.begin), place.size,
               pool_.begin() + static_cast<std::ptrdiff_t>(begin));
   place.begin = begin;
   place.capacity = static_cast<Index>(capacity);
+}
+
+void VertexRings::reserve(Index vertex, std::size_t size) {
+  if (size <= places_[vertex].capacity) return;
+  const std::size_t capacity = grown_capacity(places_[vertex], size);
+  const std::size_t begin = pool_.size();
+  pool_.resize(begin + capacity);
+  move_ring(vertex, begin, capacity);
+}
+
+VertexRings::Room VertexRings::set_aside(std::size_t size) {
+  const std::size_t begin = pool_.size();
+  pool_.reserve(begin + size);
+  pool_.resize(begin + size);
+  return {begin, begin + size};
+}
+
+bool VertexRings::make_room(Index removed, Index kept, Room& room) {
+  const std::size_t size = valence(kept) + valence(removed) - 3;
+  if (size <= places_[kept].capacity) return true;
+  const std::size_t capacity = grown_capacity(places_[kept], size);
+  if (room.end - room.begin < capacity) return false;
+  move_ring(kept, room.begin, capacity);
+  room.begin += capacity;
+  return true;
 }
 
 void VertexRings::erase(Index vertex, std::size_t position) {

@@ -5,6 +5,7 @@
 // place moves to the end of it.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <memory_resource>
 #include <span>
@@ -45,6 +46,16 @@ class VertexRings {
   // Whether the two are joined by an edge. Takes as long as the shorter of their rings.
   bool adjacent(Index a, Index b) const;
 
+  // Room at the end of the pool, from which rings can grow while other rings are changed by other threads.
+  struct Room {
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+  Room set_aside(std::size_t size);
+
+  // Takes care that collapse() will find place for the ring of `kept`. Answers false when there is no room for that.
+  bool make_room(Index removed, Index kept, Room& room);
+
   // Removes collapse.removed, which keeps its own ring. It must be in `ring`, starting with collapse.kept.
   void collapse(const Collapse& collapse, std::span<const Index> ring);
 
@@ -59,6 +70,10 @@ class VertexRings {
   };
 
   Index* ring(Index vertex) { return pool_.data() + places_[vertex].begin; }
+  std::size_t grown_capacity(const Place& place, std::size_t size) const {
+    return std::max<std::size_t>(size, 2 * std::size_t{place.size});
+  }
+  void move_ring(Index vertex, std::size_t begin, std::size_t capacity);
   void reserve(Index vertex, std::size_t size);
   void erase(Index vertex, std::size_t position);
   void insert(Index vertex, std::size_t position, Index neighbour);

@@ -44,29 +44,60 @@ TEST_CASE("Every mesh of a decimation is a closed manifold of genus 0, and split
   const test::Surface s = test::creature(3);
   const base::Host host;
   const VertexRings start(s.positions.size(), s.triangles, host);
-  Decimation d = decimate(s.positions, start, 0, host, base::Team(host));
-  REQUIRE(d.collapses.size() == s.positions.size() - 4);
+  // By one queue, and by regions first: of a fifth of the vertices, and again of a fifth of what these leave.
+  for (const std::size_t region_size : {usual_region_size, s.positions.size() / 20}) {
+    CAPTURE(region_size);
+    Decimation d = decimate(s.positions, start, 0, host, base::Team(host), region_size);
+    REQUIRE(d.collapses.size() == s.positions.size() - 4);
 
-  VertexRings rings = start;
-  std::set<Index> removed;
-  std::vector<std::vector<Triangle>> meshes = {triangles_of(rings, removed)};
-  for (const Collapse& c : d.collapses) {
-    rings.collapse(c, d.ring(c));
-    removed.insert(c.removed);
-    meshes.push_back(triangles_of(rings, removed));
-    const auto facts = mesh::topology(s.positions, meshes.back(), base::Host());
-    REQUIRE(facts.closed());
-    REQUIRE(facts.manifold());
-    REQUIRE(facts.genus == 0);
-    REQUIRE(facts.inconsistent_edges == 0);
+    VertexRings rings = start;
+    std::set<Index> removed;
+    std::vector<std::vector<Triangle>> meshes = {triangles_of(rings, removed)};
+    for (const Collapse& c : d.collapses) {
+      rings.collapse(c, d.ring(c));
+      removed.insert(c.removed);
+      meshes.push_back(triangles_of(rings, removed));
+      const auto facts = mesh::topology(s.positions, meshes.back(), base::Host());
+      REQUIRE(facts.closed());
+      REQUIRE(facts.manifold());
+      REQUIRE(facts.genus == 0);
+      REQUIRE(facts.inconsistent_edges == 0);
+    }
+    CHECK(meshes.back().size() == 4);
+    CHECK(triangles_of(d.rings, removed) == meshes.back());
+    for (std::size_t i = d.collapses.size(); i-- > 0;) {
+      d.rings.split(d.collapses[i], d.ring(d.collapses[i]));
+      removed.erase(d.collapses[i].removed);
+      REQUIRE(triangles_of(d.rings, removed) == meshes[i]);
+    }
   }
-  CHECK(meshes.back().size() == 4);
-  CHECK(triangles_of(d.rings, removed) == meshes.back());
-  for (std::size_t i = d.collapses.size(); i-- > 0;) {
-    d.rings.split(d.collapses[i], d.ring(d.collapses[i]));
-    removed.erase(d.collapses[i].removed);
-    REQUIRE(triangles_of(d.rings, removed) == meshes[i]);
+}
+
+TEST_CASE("Regions are decimated the same on any number of threads") {
+  const test::Surface s = test::creature(5);
+  base::Host host;
+  const VertexRings start(s.positions.size(), s.triangles, host);
+  const std::size_t region_size = s.positions.size() / 20;
+  std::vector<Decimation> results;
+  for (const unsigned threads : {1U, 2U, 7U}) {
+    host.thread_count = threads;
+    results.push_back(decimate(s.positions, start, 0, host, base::Team(host), region_size));
   }
+  const auto removed = [](const Decimation& d) {
+    std::vector<std::array<Index, 2>> pairs;
+    for (const Collapse& c : d.collapses)
+      pairs.push_back({c.removed, c.kept});
+    return pairs;
+  };
+  for (const Decimation& d : results) {
+    CHECK(removed(d) == removed(results[0]));
+    CHECK(d.tetrahedron == results[0].tetrahedron);
+    for (std::size_t i = 0; i < d.collapses.size(); ++i)
+      REQUIRE(std::ranges::equal(d.ring(d.collapses[i]), results[0].ring(results[0].collapses[i])));
+  }
+  // Without regions the order is another one: they were at work.
+  const Decimation whole = decimate(s.positions, start, 0, host, base::Team(host));
+  CHECK(removed(whole) != removed(results[0]));
 }
 
 TEST_CASE("The queue hands out priorities in order to within a factor of two, first come first served") {
