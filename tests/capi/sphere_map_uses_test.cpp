@@ -274,9 +274,10 @@ TEST_CASE("Through C, geometry images go to files and back to the surface") {
   CHECK(obc_sphere_map_image_read("no/such/file.png", nullptr, &layout, &resolution, nullptr, 0, &error) == OBC_IO);
   CHECK(obc_sphere_map_image_read("image.jpeg", nullptr, &layout, &resolution, nullptr, 0, &error) == OBC_UNSUPPORTED);
   pixels[5] = std::nan("");
-  CHECK(obc_sphere_map_image_surface(pixels.data(), OBC_SPHERE_MAP_OCTAHEDRON, 16, nullptr, &made.mesh, &gap, &error) ==
+  obc_mesh* nothing = nullptr;
+  CHECK(obc_sphere_map_image_surface(pixels.data(), OBC_SPHERE_MAP_OCTAHEDRON, 16, nullptr, &nothing, &gap, &error) ==
         OBC_INVALID_ARGUMENT);
-  made.mesh = nullptr;
+  CHECK(nothing == nullptr);
 }
 
 TEST_CASE("Through C, a warp carries landmarks there and back, and an overlay has the vertices of both maps") {
