@@ -1,71 +1,30 @@
-// The C functions of mesh: what they promise about arguments, memory and cancelling, and that they hand out what the
-// C++ part finds. What that is worth is tested in tests/mesh/.
+// The C functions of mesh but for files (mesh_files_test.cpp): what they promise about arguments, memory and
+// cancelling, and that they hand out what the C++ part finds. What that is worth is tested in tests/mesh/.
 #include "orbicube/mesh.h"
 
 #include <doctest/doctest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <limits>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "failing_allocations.h"
+#include "mesh_cube.h"
 
 using namespace orbicube;
+using test::create;
+using test::Cube;
+using test::Mesh;
+using test::Search;
+using test::topology;
 
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFF;
-
-struct Destroy {
-  void operator()(obc_mesh* mesh) const { obc_mesh_destroy(mesh); }
-  void operator()(obc_mesh_search* search) const { obc_mesh_search_destroy(search); }
-};
-using Mesh = std::unique_ptr<obc_mesh, Destroy>;
-using Search = std::unique_ptr<obc_mesh_search, Destroy>;
-
-// A cube of 12 triangles, cut into five tetrahedra.
-struct Cube {
-  std::array<double, 24> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
-  std::array<std::uint32_t, 36> triangles{0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4,
-                                          2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5};
-  std::array<std::uint32_t, 20> tetrahedra{0, 1, 2, 4, 3, 2, 1, 7, 5, 4, 7, 1, 6, 7, 4, 2, 1, 2, 4, 7};
-  std::array<std::uint32_t, 8> hexahedra{0, 1, 3, 2, 4, 5, 7, 6};
-
-  obc_surface surface() const { return {positions.data(), 8, triangles.data(), 12}; }
-  obc_mesh_cells cells() const {
-    obc_mesh_cells result;
-    obc_mesh_cells_init(&result, sizeof result);
-    result.positions = positions.data();
-    result.vertex_count = 8;
-    result.triangles = triangles.data();
-    result.triangle_count = 12;
-    result.tetrahedra = tetrahedra.data();
-    result.tetrahedron_count = 5;
-    return result;
-  }
-};
-
-Mesh create(const obc_mesh_cells& cells) {
-  obc_mesh* mesh = nullptr;
-  obc_error error;
-  REQUIRE(obc_mesh_create(&cells, nullptr, &mesh, &error) == OBC_OK);
-  return Mesh(mesh);
-}
-
-obc_mesh_topology_report topology(const obc_surface& surface) {
-  obc_mesh_topology_report report;
-  obc_mesh_topology_report_init(&report, sizeof report);
-  REQUIRE(obc_mesh_topology(&surface, nullptr, &report, nullptr) == OBC_OK);
-  return report;
-}
 
 std::string cells_problem(const obc_mesh_cells& cells) {
   obc_error error;
@@ -305,126 +264,6 @@ TEST_CASE("Every shape of the list can be made") {
   CHECK(mesh == nullptr);
 }
 
-namespace {
-
-// A file in the tests' folder that is removed at the end.
-class TemporaryFile {
- public:
-  explicit TemporaryFile(const char* ending)
-      : path_(std::filesystem::temp_directory_path() / ("orbicube-mesh-test-" + std::to_string(::getpid()) + ending)) {}
-  ~TemporaryFile() { std::filesystem::remove(path_); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  const char* path() const { return path_.c_str(); }
-
- private:
-  std::filesystem::path path_;
-};
-
-}  // namespace
-
-TEST_CASE("A mesh written to each format is read again to the bit") {
-  Cube cube;
-  for (double& x : cube.positions)
-    x = x / 3 + 0.1;
-  const obc_surface surface = cube.surface();
-  for (const char* ending : {".obj", ".off", ".ply", ".mesh", ".vtk"}) {
-    for (const std::int32_t binary : {0, 1}) {
-      const TemporaryFile file(ending);
-      obc_mesh_write_options options;
-      REQUIRE(obc_mesh_write_options_init(&options, sizeof options) == OBC_OK);
-      CHECK(options.binary == 1);
-      options.binary = binary;
-      obc_error error;
-      REQUIRE(obc_mesh_write_surface(file.path(), &surface, &options, nullptr, &error) == OBC_OK);
-      obc_mesh* made = nullptr;
-      REQUIRE(obc_mesh_read(file.path(), nullptr, nullptr, &made, &error) == OBC_OK);
-      const Mesh mesh(made);
-      Cube read;
-      REQUIRE(obc_mesh_vertex_count(made) == 8);
-      REQUIRE(obc_mesh_triangle_count(made) == 12);
-      REQUIRE(obc_mesh_copy(made, read.positions.data(), read.triangles.data(), nullptr, nullptr, nullptr) == OBC_OK);
-      CHECK(read.positions == cube.positions);
-      CHECK(read.triangles == cube.triangles);
-      CHECK(std::strlen(obc_mesh_format(made)) > 0);
-    }
-  }
-  // Cells go to the formats that have them, and are refused by the others.
-  const Mesh solid = create(cube.cells());
-  const TemporaryFile volume(".vtk"), flat(".obj");
-  obc_error error;
-  REQUIRE(obc_mesh_write(volume.path(), solid.get(), nullptr, nullptr, &error) == OBC_OK);
-  obc_mesh* made = nullptr;
-  REQUIRE(obc_mesh_read(volume.path(), nullptr, nullptr, &made, &error) == OBC_OK);
-  CHECK(obc_mesh_tetrahedron_count(made) == 5);
-  obc_mesh_destroy(made);
-  CHECK(obc_mesh_write(flat.path(), solid.get(), nullptr, nullptr, &error) == OBC_UNSUPPORTED);
-  CHECK(std::string(error.message).find(flat.path()) == 0);
-  CHECK_FALSE(std::filesystem::exists(flat.path()));
-}
-
-TEST_CASE("Files in memory: what was changed is told, what is wrong is told with its place") {
-  obc_mesh* made = nullptr;
-  obc_error error;
-  const std::string quads =
-      "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
-      "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
-  REQUIRE(obc_mesh_read_memory(quads.data(), quads.size(), OBC_MESH_OBJ, nullptr, nullptr, &made, &error) == OBC_OK);
-  CHECK(obc_mesh_triangle_count(made) == 12);
-  CHECK(obc_mesh_polygon_count(made) == 6);
-  CHECK(obc_mesh_welded_vertex_count(made) == 0);
-  obc_surface surface;
-  REQUIRE(obc_mesh_surface(made, &surface, nullptr) == OBC_OK);
-  CHECK(topology(surface).genus == 0);
-  std::size_t notes = 0;
-  while (obc_mesh_note(made, notes) != nullptr)
-    ++notes;
-  CHECK(obc_mesh_note(made, notes + 1) == nullptr);
-  obc_mesh_destroy(made);
-
-  // The same cube with its own four vertices a face, joined when asked for.
-  std::string loose;
-  const std::array<std::array<int, 4>, 6> faces = {
-      {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  for (const auto& face : faces) {
-    for (const int v : face)
-      loose += std::string("v ") + (v % 4 == 1 || v % 4 == 2 ? "1 " : "0 ") + (v % 4 > 1 ? "1 " : "0 ") +
-               (v > 3 ? "1\n" : "0\n");
-    loose += "f -4 -3 -2 -1\n";
-  }
-  obc_mesh_read_options options;
-  REQUIRE(obc_mesh_read_options_init(&options, sizeof options) == OBC_OK);
-  CHECK(options.weld_identical == 0);
-  for (const std::int32_t weld : {0, 1}) {
-    options.weld_identical = weld;
-    REQUIRE(obc_mesh_read_memory(loose.data(), loose.size(), OBC_MESH_OBJ, &options, nullptr, &made, &error) == OBC_OK);
-    CHECK(obc_mesh_vertex_count(made) == (weld == 1 ? 8 : 24));
-    CHECK(obc_mesh_welded_vertex_count(made) == (weld == 1 ? 16 : 0));
-    obc_mesh_destroy(made);
-  }
-
-  made = nullptr;
-  CHECK(obc_mesh_read_memory("v 1 2", 5, OBC_MESH_OBJ, nullptr, nullptr, &made, &error) == OBC_MALFORMED_FILE);
-  CHECK(std::string(error.kind) == "parse");
-  CHECK(std::string(error.message).find("line 1") != std::string::npos);
-  CHECK(obc_mesh_read_memory(nullptr, 0, OBC_MESH_OFF, nullptr, nullptr, &made, &error) == OBC_MALFORMED_FILE);
-  CHECK(std::string(error.kind) == "empty-file");
-  CHECK(obc_mesh_read_memory(nullptr, 5, OBC_MESH_OFF, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_mesh_read_memory("OFF", 3, 6, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_mesh_read_memory("OFF", 3, OBC_MESH_OFF, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_mesh_read("/nowhere/at/all.off", nullptr, nullptr, &made, &error) == OBC_IO);
-  CHECK(std::string(error.message).find("/nowhere/at/all.off: ") == 0);
-  CHECK(obc_mesh_read("shape.xyz", nullptr, nullptr, &made, &error) == OBC_UNSUPPORTED);
-  CHECK(obc_mesh_read(nullptr, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(made == nullptr);
-  CHECK(obc_mesh_write(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  const Cube cube;
-  const obc_surface of_cube = cube.surface();
-  CHECK(obc_mesh_write_surface(nullptr, &of_cube, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(std::string(obc_mesh_format(nullptr)) == "");
-  CHECK(obc_mesh_note(nullptr, 0) == nullptr);
-}
-
 TEST_CASE("Arguments that cannot be are refused") {
   const Cube cube;
   obc_mesh* mesh = nullptr;
@@ -515,24 +354,6 @@ TEST_CASE("A report is written as far as the caller's header goes") {
 
 namespace {
 
-// A file of each format goes to the disk and comes back.
-obc_status write_and_read(const obc_host& host) {
-  const Cube cube;
-  const obc_surface surface = cube.surface();
-  obc_status status = OBC_OK;
-  for (const char* ending : {".obj", ".off", ".ply", ".stl", ".mesh", ".vtk"}) {
-    // Not std::filesystem: the call must not allocate for itself.
-    char path[64];
-    std::snprintf(path, sizeof path, "orbicube-mesh-test-%ld%s", static_cast<long>(::getpid()), ending);
-    obc_mesh* mesh = nullptr;
-    if (status == OBC_OK) status = obc_mesh_write_surface(path, &surface, nullptr, &host, nullptr);
-    if (status == OBC_OK) status = obc_mesh_read(path, nullptr, &host, &mesh, nullptr);
-    std::remove(path);
-    obc_mesh_destroy(mesh);
-  }
-  return status;
-}
-
 // Everything that the library does with a surface, one function after the other.
 obc_status use_everything(const obc_host& host) {
   const Cube cube;
@@ -583,18 +404,12 @@ TEST_CASE("Each allocation of everything fails in turn and nothing is leaked") {
   const test::Outcome outcome = test::fail_each_allocation(use_everything);
   CHECK(outcome.problem == "");
   CHECK(outcome.runs > 40);
-  const test::Outcome files = test::fail_each_allocation(write_and_read);
-  CHECK(files.problem == "");
-  CHECK(files.runs > 40);
 }
 
 TEST_CASE("Everything can be cancelled at each of its reports") {
   const test::Outcome outcome = test::cancel_everywhere(use_everything, 200);
   CHECK(outcome.problem == "");
   CHECK(outcome.runs > 20);
-  const test::Outcome files = test::cancel_everywhere(write_and_read, 200);
-  CHECK(files.problem == "");
-  CHECK(files.runs > 6);
 }
 
 TEST_CASE("Intersections are the same for any number of threads") {
