@@ -2,17 +2,19 @@
 #include "harmonics/fit.h"
 
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <memory>
-#include <numbers>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "harmonics/coefficient_file.h"
 #include "harmonics/spectrum.h"
 #include "harmonics/surface.h"
+#include "harmonics_of_shape.h"
 #include "map_file.h"
+#include "page_figures.h"
+#include "sphere_map/sphere_map.h"
 #include "surface_file.h"
 #include "text.h"
 #include "verbs.h"
@@ -21,14 +23,13 @@ namespace orbicube::cli {
 namespace {
 
 using harmonics::Coefficients;
-using Positions = base::Array<mesh::Vector3>;
 
 const std::map<std::string, harmonics::FitMethod> methods = {{"automatic", harmonics::FitMethod::automatic},
                                                              {"dense", harmonics::FitMethod::dense},
                                                              {"iterative", harmonics::FitMethod::iterative}};
 
 struct HarmonicsOptions {
-  std::string input, sphere, output, reconstruction;
+  std::string input, sphere, output, reconstruction, page;
   std::uint32_t degree = 0;
   std::string method = "automatic";
   std::string weights = "area";
@@ -43,12 +44,6 @@ struct HarmonicsOptions {
     return {high, low, width};
   }
 };
-
-// Positions are the values at the map's directions: three channels.
-std::span<const double> numbers(const Positions& positions) {
-  static_assert(sizeof(mesh::Vector3) == 3 * sizeof(double));
-  return {positions.empty() ? nullptr : positions.front().data(), 3 * positions.size()};
-}
 
 base::Array<double> weights_of(const HarmonicsOptions& options, const mesh::Mesh& surface, const mesh::Mesh& map,
                                const base::Host& host) {
@@ -70,14 +65,33 @@ void note_rank(const harmonics::FitReport& fit, std::size_t vertices, Session& s
                "); those of least length were taken. Lower --degree or give --smoothing");
 }
 
+// Shape, map and distortion, and the slider through the degrees.
+void write_harmonics_page(const HarmonicsOptions& options, const mesh::Mesh& surface, mesh::Mesh map,
+                          const Coefficients& coefficients, const harmonics::FitReport& fit, double error,
+                          const base::Host& host) {
+  const sphere_map::Options weights;
+  sphere_map::FaceDistortion faces(host.memory);
+  const sphere_map::Measurement m = about(options.sphere, Role::input, [&] {
+    return sphere_map::measure(surface.positions, map.triangles, map.positions, weights.angle_weight,
+                               weights.area_weight, host, &faces);
+  });
+  for (mesh::Vector3& direction : map.positions)
+    direction.stableNormalize();
+  const std::string name = std::filesystem::path(options.input).filename().string();
+  PageResult result = page_result(name, surface, map.positions, m, faces, weights.angle_weight, weights.area_weight);
+  result.triangles = map.triangles;
+  add_harmonics(result, coefficients, fit, error);
+  write_page(options.page, {&result, 1}, "Spherical harmonics of " + name);
+}
+
 void fit_surface(const HarmonicsOptions& options, Session& session) {
   const base::Host& host = session.host();
-  session.options() = {{"sphere", options.sphere},       {"degree", options.degree},
-                       {"output", options.output},       {"reconstruct", options.reconstruction},
-                       {"method", options.method},       {"weights", options.weights},
-                       {"smoothing", options.smoothing}, {"low", options.low},
-                       {"high", options.high},           {"band", options.band},
-                       {"width", options.width}};
+  session.options() = {{"sphere", options.sphere},   {"degree", options.degree},
+                       {"output", options.output},   {"reconstruct", options.reconstruction},
+                       {"page", options.page},       {"method", options.method},
+                       {"weights", options.weights}, {"smoothing", options.smoothing},
+                       {"low", options.low},         {"high", options.high},
+                       {"band", options.band},       {"width", options.width}};
   about(options.output, Role::output, [&] { harmonics::format_of_path(options.output); });
   if (!options.reconstruction.empty()) require_writable(options.reconstruction);
   const harmonics::Band band = options.kept();
@@ -86,7 +100,7 @@ void fit_surface(const HarmonicsOptions& options, Session& session) {
   mesh::Mesh surface = read_input(options.input, options.weld, session).mesh;
   if (surface.triangles.empty())
     throw Failure(Exit::wrong_input, options.input, "empty-mesh", "there are no triangles");
-  const mesh::Mesh map = read_map(surface, options.input, options.sphere, session);
+  mesh::Mesh map = read_map(surface, options.input, options.sphere, session);
   const double read = session.seconds();
 
   harmonics::FitReport report;
@@ -105,17 +119,15 @@ void fit_surface(const HarmonicsOptions& options, Session& session) {
   note_rank(report, surface.positions.size(), session);
   harmonics::filter(coefficients, band, true);
 
-  mesh::Mesh made(host.memory);
+  mesh::Mesh made = surface_of(coefficients, map, host);
   made.triangles = surface.triangles;
-  made.positions.resize(surface.positions.size());
-  harmonics::synthesise(coefficients, map.positions, {made.positions.front().data(), 3 * made.positions.size()}, host);
-  const double scale = std::sqrt(4 * std::numbers::pi / area);
-  const double error = scale * harmonics::mean_distance(surface.positions, made.positions, host);
+  const double error = reconstruction_error(surface, made, host);
   const double compared = session.seconds();
 
   about(options.output, Role::output,
         [&] { harmonics::write_coefficients(options.output, coefficients, harmonics::FileFormat::by_ending); });
   if (!options.reconstruction.empty()) write_output(options.reconstruction, made, !options.text, host);
+  if (!options.page.empty()) write_harmonics_page(options, surface, std::move(map), coefficients, report, error, host);
 
   std::vector<double> norms(options.degree + std::size_t{1});
   harmonics::degree_norms(coefficients, norms);
@@ -142,6 +154,7 @@ void fit_surface(const HarmonicsOptions& options, Session& session) {
   session.say("  reconstruction error " + number(error) + " at area 4 pi, mean square residual " +
               number(report.residual) + ", condition " + number(report.condition));
   if (!options.reconstruction.empty()) session.say("  wrote " + options.reconstruction);
+  if (!options.page.empty()) session.say("  wrote " + options.page + ", open it in a browser");
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }
@@ -168,6 +181,10 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
       ->type_name("COEFFS");
   verb->add_option("--reconstruct", options->reconstruction, "write the surface that the coefficients make")
       ->type_name("OUT");
+  verb->add_option("--page", options->page,
+                   "write a page that shows shape and map, with a slider for the surface of the coefficients to each "
+                   "degree")
+      ->type_name("FILE.html");
   auto* low = verb->add_option("--low", options->low, "low pass: keep degrees up to N")->check(degree)->type_name("N");
   auto* high = verb->add_option("--high", options->high, "high pass: keep degrees from N on, and where the shape lies")
                    ->check(degree)

@@ -5,10 +5,11 @@
 #include <map>
 #include <memory>
 
+#include "harmonics/fit.h"
+#include "harmonics/surface.h"
+#include "harmonics_of_shape.h"
 #include "map_file.h"
-#include "mesh/file.h"
 #include "page_figures.h"
-#include "report_page.h"
 #include "sphere_map/measure.h"
 #include "sphere_map/sphere_map.h"
 #include "surface_file.h"
@@ -22,18 +23,20 @@ struct PageOptions {
   std::string output;
   std::string title = "Sphere maps";
   std::string up = "y";
+  std::uint32_t degree = 0;  // of the harmonics; 0: none
 };
 
 struct MeasuredMap {
-  explicit MeasuredMap(std::pmr::memory_resource* memory) : faces(memory) {}
+  explicit MeasuredMap(std::pmr::memory_resource* memory) : faces(memory), coefficients(memory) {}
 
   mesh::Mesh shape, map;
   sphere_map::FaceDistortion faces;
+  harmonics::Coefficients coefficients;
   PageResult result;
 };
 
-void measure(const std::string& shape_path, const std::string& map_path, const std::string& name, Session& session,
-             MeasuredMap& measured) {
+void measure(const std::string& shape_path, const std::string& map_path, const std::string& name, std::uint32_t degree,
+             Session& session, MeasuredMap& measured) {
   measured.shape = read_input(shape_path, false, session).mesh;
   measured.map = read_map(measured.shape, shape_path, map_path, session);
   measured.shape.triangles = measured.map.triangles;
@@ -45,20 +48,26 @@ void measure(const std::string& shape_path, const std::string& map_path, const s
   });
   for (mesh::Vector3& direction : measured.map.positions)
     direction.stableNormalize();
-  PageResult& result = measured.result;
-  result.name = name;
-  result.positions = shape.positions;
-  result.directions = measured.map.positions;
-  result.triangles = shape.triangles;
-  result.dilatation = measured.faces.dilatation;
-  result.area_ratio = measured.faces.area_ratio;
-  result.figures =
-      page_figures(figures, shape.positions.size(), shape.triangles.size(), weights.angle_weight, weights.area_weight);
+  measured.result = page_result(name, shape, measured.map.positions, figures, measured.faces, weights.angle_weight,
+                                weights.area_weight);
+  if (degree == 0) return;
+  about(map_path, Role::input, [&] {
+    const base::Host& host = session.host();
+    harmonics::FitReport fit;
+    measured.coefficients =
+        harmonics::fit(measured.map.positions, harmonics::vertex_areas(shape.positions, shape.triangles, host),
+                       numbers(shape.positions), 3, {.degree = degree}, host, fit);
+    const mesh::Mesh made = surface_of(measured.coefficients, measured.map, host);
+    add_harmonics(measured.result, measured.coefficients, fit, reconstruction_error(shape, made, host));
+  });
 }
 
 void write_page(const PageOptions& options, Session& session) {
-  session.options() = {
-      {"files", options.files}, {"output", options.output}, {"title", options.title}, {"up", options.up}};
+  session.options() = {{"files", options.files},
+                       {"output", options.output},
+                       {"title", options.title},
+                       {"up", options.up},
+                       {"degree", options.degree}};
   if (options.files.size() % 2 != 0) {
     throw Failure(Exit::wrong_input, options.files.back(), "usage", "a shape without its map: give files in pairs");
   }
@@ -70,17 +79,12 @@ void write_page(const PageOptions& options, Session& session) {
   for (std::size_t i = 0; i < options.files.size(); i += 2) {
     const std::filesystem::path named = times[options.files[i]] > 1 ? options.files[i + 1] : options.files[i];
     maps.emplace_back(session.host().memory);
-    measure(options.files[i], options.files[i + 1], named.filename().string(), session, maps.back());
+    measure(options.files[i], options.files[i + 1], named.filename().string(), options.degree, session, maps.back());
     results.push_back(maps.back().result);
     results.back().z_up = options.up == "z";
   }
-  const std::string page = report_page(results, options.title);
-  about(options.output, Role::output, [&] {
-    mesh::OutputFile file(options.output);
-    file.write(page);
-    file.commit();
-  });
-  session.figures() = {{"output", options.output}, {"results", results.size()}, {"bytes", page.size()}};
+  const std::size_t bytes = write_page(options.output, results, options.title);
+  session.figures() = {{"output", options.output}, {"results", results.size()}, {"bytes", bytes}};
   session.say("wrote " + options.output + ": " + std::to_string(results.size()) +
               (results.size() == 1 ? " map" : " maps") + ", open it in a browser");
 }
@@ -98,6 +102,10 @@ void add_page(CLI::App& app, CommonOptions& common) {
   verb->add_option("--up", options->up, "which way is up in the first view: y or z (y)")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
+  verb->add_option("--degree", options->degree,
+                   "with a slider that shows shapes by their spherical harmonics to each degree up to L (0: without)")
+      ->check(unnamed(CLI::Range(0U, harmonics::largest_degree)))
+      ->type_name("L");
   add_common_options(*verb, common);
   verb->footer(
       "A map has the vertices and triangles of its shape, as 'orbicube sphere SHAPE -o MAP.obj' writes it.\n"

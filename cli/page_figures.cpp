@@ -2,6 +2,9 @@
 
 #include <cstdio>
 
+#include "failure.h"
+#include "mesh/file.h"
+
 namespace orbicube::cli {
 namespace {
 
@@ -20,12 +23,19 @@ std::string validity(const sphere_map::Measurement& map) {
 
 }  // namespace
 
-std::vector<std::pair<std::string, std::string>> page_figures(const sphere_map::Measurement& map, std::size_t vertices,
-                                                              std::size_t triangles, double angle_weight,
-                                                              double area_weight) {
-  std::vector<std::pair<std::string, std::string>> rows = {
-      {"Vertices", std::to_string(vertices)},
-      {"Triangles", std::to_string(triangles)},
+PageResult page_result(const std::string& name, const mesh::Mesh& shape, std::span<const mesh::Vector3> directions,
+                       const sphere_map::Measurement& map, const sphere_map::FaceDistortion& faces, double angle_weight,
+                       double area_weight) {
+  PageResult result;
+  result.name = name;
+  result.positions = shape.positions;
+  result.directions = directions;
+  result.triangles = shape.triangles;
+  result.dilatation = faces.dilatation;
+  result.area_ratio = faces.area_ratio;
+  result.figures = {
+      {"Vertices", std::to_string(shape.positions.size())},
+      {"Triangles", std::to_string(shape.triangles.size())},
       {"One to one, checked exactly", validity(map)},
       {"Mean dilatation (at least 1)", text_of(map.dilatation_mean)},
       {"Largest dilatation", text_of(map.dilatation_largest)},
@@ -37,8 +47,33 @@ std::vector<std::pair<std::string, std::string>> page_figures(const sphere_map::
       {"Area energy E_A (at least 4 pi, 12.5664)", text_of(map.energy_area)},
       {"Energy " + text_of(angle_weight) + " E_D + " + text_of(area_weight) + " E_A", text_of(map.energy)},
   };
-  if (map.zero_area_faces > 0) rows.emplace_back("Triangles without area", std::to_string(map.zero_area_faces));
-  return rows;
+  if (map.zero_area_faces > 0) {
+    result.figures.emplace_back("Triangles without area", std::to_string(map.zero_area_faces));
+  }
+  return result;
+}
+
+void add_harmonics(PageResult& result, const harmonics::Coefficients& coefficients, const harmonics::FitReport& fit,
+                   double error) {
+  result.degree = coefficients.degree;
+  result.coefficients = coefficients.values;
+  result.figures.emplace_back("Degree of the harmonics", std::to_string(coefficients.degree));
+  if (fit.rank < fit.unknowns) {
+    const std::string determined = fit.rank > 0 ? std::to_string(fit.rank) : "fewer";
+    result.figures.emplace_back("Coefficients that the vertices determine",
+                                determined + " of " + std::to_string(fit.unknowns));
+  }
+  result.figures.emplace_back("Reconstruction error e, for area 4 pi", text_of(error));
+}
+
+std::size_t write_page(const std::string& path, std::span<const PageResult> results, const std::string& title) {
+  const std::string page = report_page(results, title);
+  about(path, Role::output, [&] {
+    mesh::OutputFile file(path);
+    file.write(page);
+    file.commit();
+  });
+  return page.size();
 }
 
 }  // namespace orbicube::cli

@@ -1,18 +1,30 @@
-// The figures of a sphere map as the report page shows them.
+// A sphere map with its figures as the report page shows it, and the page as a file.
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string>
-#include <utility>
-#include <vector>
 
+#include "harmonics/coefficients.h"
+#include "harmonics/fit.h"
+#include "mesh/mesh.h"
+#include "report_page.h"
 #include "sphere_map/measure.h"
 
 namespace orbicube::cli {
 
-// Rows of the page's table, in reading order. The weights are those that `map` was measured with.
-std::vector<std::pair<std::string, std::string>> page_figures(const sphere_map::Measurement& map, std::size_t vertices,
-                                                              std::size_t triangles, double angle_weight,
-                                                              double area_weight);
+// Views of the shape, its map (unit vectors) and what measuring it gave, which have to stay, and the rows of the page's
+// table. The weights are those that the map was measured with.
+PageResult page_result(const std::string& name, const mesh::Mesh& shape, std::span<const mesh::Vector3> directions,
+                       const sphere_map::Measurement& map, const sphere_map::FaceDistortion& faces, double angle_weight,
+                       double area_weight);
+
+// Adds the slider with the shape's spherical harmonics (three channels; a view, which has to stay) and their rows.
+// `error` is that of the reconstruction from the highest degree, for a shape of area 4 pi.
+void add_harmonics(PageResult& result, const harmonics::Coefficients& coefficients, const harmonics::FitReport& fit,
+                   double error);
+
+// Writes the page and answers its size in bytes. Throws Failure.
+std::size_t write_page(const std::string& path, std::span<const PageResult> results, const std::string& title);
 
 }  // namespace orbicube::cli

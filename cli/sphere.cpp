@@ -13,7 +13,6 @@
 #include "mesh/write.h"
 #include "morph_sphere.h"
 #include "page_figures.h"
-#include "report_page.h"
 #include "sphere_map/measure.h"
 #include "sphere_map/rounding.h"
 #include "sphere_map/sphere_map.h"
@@ -158,25 +157,6 @@ Json json_of(const sphere_map::Measurement& m) {
           {"zero_area_faces", m.zero_area_faces}};
 }
 
-void write_page(const SphereOptions& options, const mesh::Mesh& surface, const Directions& directions,
-                const sphere_map::FaceDistortion& faces, const sphere_map::Measurement& m) {
-  const std::string name = std::filesystem::path(options.input).filename().string();
-  PageResult result;
-  result.name = name;
-  result.positions = surface.positions;
-  result.directions = directions;
-  result.triangles = surface.triangles;
-  result.dilatation = faces.dilatation;
-  result.area_ratio = faces.area_ratio;
-  result.figures =
-      page_figures(m, surface.positions.size(), surface.triangles.size(), options.angle_weight, options.area_weight);
-  about(options.page, Role::output, [&] {
-    mesh::OutputFile file(options.page);
-    file.write(report_page({&result, 1}, "Sphere map of " + name));
-    file.commit();
-  });
-}
-
 void sphere(const SphereOptions& options, Session& session) {
   require_writable(options.output);
   check_sphere_uses(options.uses);
@@ -220,7 +200,12 @@ void sphere(const SphereOptions& options, Session& session) {
                             {"area_weight", options.area_weight}});
   session.figures().update(json_of(m));
   session.figures().update({{"seconds_compute", computed}, {"seconds_write", written}});
-  if (!options.page.empty()) write_page(options, surface, directions, faces, m);
+  if (!options.page.empty()) {
+    const std::string name = std::filesystem::path(options.input).filename().string();
+    const PageResult result =
+        page_result(name, surface, directions, m, faces, options.angle_weight, options.area_weight);
+    write_page(options.page, {&result, 1}, "Sphere map of " + name);
+  }
 
   session.say(options.input + ": " + std::to_string(surface.triangles.size()) + " triangles mapped to the sphere in " +
               number(computed) + " s, one to one, checked exactly in " + options.output);

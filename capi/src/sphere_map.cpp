@@ -1,5 +1,7 @@
 #include "orbicube/sphere_map.h"
 
+#include <algorithm>
+#include <cstring>
 #include <span>
 #include <string>
 #include <utility>
@@ -47,6 +49,55 @@ void write_report(const sphere_map::Measurement& m, obc_sphere_map_report* to) {
   capi::write_versioned(to, r);
 }
 
+// How many vertices are in a triangle.
+std::size_t used_vertices(const Surface& s, const base::Host& host) {
+  base::Array<unsigned char> used(s.positions.size(), 0, host.memory);
+  for (const Triangle& t : s.triangles) {
+    for (const mesh::Index v : t)
+      used[v] = 1;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+}
+
+// What both functions that compute a map do.
+void compute_map(const obc_surface* surface, const obc_sphere_map_options* options, const obc_host* host,
+                 double* directions, size_t* placed, obc_sphere_map_report* report) {
+  const Surface s(surface);
+  capi::require(directions != nullptr, "directions is NULL");
+  const obc_sphere_map_options o = capi::copy_versioned(options, default_options());
+  const capi::HostAdapter adapter(host);
+  sphere_map::Options settings;
+  settings.method = static_cast<sphere_map::Method>(o.method);
+  settings.angle_weight = o.angle_weight;
+  settings.area_weight = o.area_weight;
+  settings.seed = o.seed;
+  if (o.trace != nullptr) {
+    settings.trace = [call = o.trace, user = o.trace_user](const sphere_map::TracePoint& point) {
+      call(point.iterations, point.vertices, point.energy, user);
+    };
+  }
+  sphere_map::Partial partial(adapter.host().memory);
+  const auto write = [&] {
+    std::memcpy(directions, partial.directions.data(), partial.directions.size() * sizeof(Vector3));
+    if (placed != nullptr) *placed = partial.placed;
+  };
+  try {
+    partial.directions =
+        sphere_map::compute(s.positions, s.triangles, settings, adapter.host(), placed != nullptr ? &partial : nullptr);
+    if (placed != nullptr) partial.placed = used_vertices(s, adapter.host());
+    if (report != nullptr) {
+      write_report(sphere_map::measure(s.positions, s.triangles, partial.directions, o.angle_weight, o.area_weight,
+                                       adapter.host()),
+                   report);
+    }
+    write();
+  } catch (const base::Error& e) {
+    const bool unfinished = e.status() == base::Status::no_valid_result || e.status() == base::Status::cancelled;
+    if (placed != nullptr && unfinished && !partial.directions.empty()) write();
+    throw;
+  }
+}
+
 }  // namespace
 
 obc_status obc_sphere_map_options_init(obc_sphere_map_options* options, size_t struct_size) {
@@ -60,22 +111,16 @@ obc_status obc_sphere_map_report_init(obc_sphere_map_report* report, size_t stru
 obc_status obc_sphere_map_compute(const obc_surface* surface, const obc_sphere_map_options* options,
                                   const obc_host* host, double* directions, obc_sphere_map_report* report,
                                   obc_error* error) {
+  return capi::guarded(error, [&] { compute_map(surface, options, host, directions, nullptr, report); });
+}
+
+obc_status obc_sphere_map_compute_partial(const obc_surface* surface, const obc_sphere_map_options* options,
+                                          const obc_host* host, double* directions, size_t* placed,
+                                          obc_sphere_map_report* report, obc_error* error) {
   return capi::guarded(error, [&] {
-    const Surface s(surface);
-    capi::require(directions != nullptr, "directions is NULL");
-    const obc_sphere_map_options o = capi::copy_versioned(options, default_options());
-    const capi::HostAdapter adapter(host);
-    sphere_map::Options settings;
-    settings.method = static_cast<sphere_map::Method>(o.method);
-    settings.angle_weight = o.angle_weight;
-    settings.area_weight = o.area_weight;
-    settings.seed = o.seed;
-    const auto map = sphere_map::compute(s.positions, s.triangles, settings, adapter.host());
-    if (report != nullptr) {
-      write_report(sphere_map::measure(s.positions, s.triangles, map, o.angle_weight, o.area_weight, adapter.host()),
-                   report);
-    }
-    std::memcpy(directions, map.data(), map.size() * sizeof(Vector3));
+    capi::require(placed != nullptr, "placed is NULL");
+    *placed = 0;
+    compute_map(surface, options, host, directions, placed, report);
   });
 }
 

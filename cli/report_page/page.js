@@ -13,7 +13,7 @@
                  morph: Number(preset.get("morph")) || 0, mode: "dilatation",
                  coding: null, bounds: [0, 1], edges: preset.has("edges")};
   const reconstructions = [];  // of the results that have harmonics, once looked at
-  let chosen = 0, degree = 0, zUp = null, viewer = null, waiting = false, stale = false, mouse = null, pointed = null;
+  let chosen = 0, degree = null, zUp = null, viewer = null, waiting = false, stale = false, mouse = null, pointed = null;
 
   const rangeOf = mode => chosenRange[mode] || automaticRange(quantities[mode], results[chosen]);
 
@@ -48,7 +48,7 @@
     for (const [id, view] of [["shape-name", shape], ["sphere-name", sphere]]) {
       Object.assign(byId(id).style, {left: `${view.x}px`, top: `${view.y}px`});
     }
-    const shapeName = degree > 0 ? `Harmonics to degree ${degree}` : "Shape";
+    const shapeName = degree !== null ? `Harmonics to degree ${degree}` : "Shape";
     byId("shape-name").textContent = shapeName + (state.morph === 0 ? "" : ` to sphere, ${Math.round(100 * state.morph)} %`);
     pointAtMouse();
   }
@@ -120,22 +120,23 @@
     }
     byId("degree-field").hidden = !viewer || !result.harmonics;
     if (result.harmonics) byId("degree").max = result.harmonics.degree + 1;
-    setDegree(viewer && result.harmonics ? Math.min(degree, result.harmonics.degree) : 0);
+    setDegree(viewer && result.harmonics && degree !== null ? Math.min(degree, result.harmonics.degree) : null);
     drawTable(results, chosen);
     showQuantity();
   }
 
-  // The shape as its harmonics to this degree give it; 0: the shape itself.
+  // The shape as its harmonics to this degree give it, a single point to degree 0; null: the shape itself.
   function setDegree(value) {
     const mesh = meshes[chosen], highest = results[chosen].harmonics?.degree;
-    if (viewer && (degree > 0 || value > 0)) {
-      reconstructions[chosen] ??= value > 0 ? new Reconstruction(results[chosen], mesh) : null;
-      viewer.setShape(value > 0 ? reconstructions[chosen].at(value) : mesh.positions);
+    if (viewer && (degree !== null || value !== null)) {
+      if (value !== null) reconstructions[chosen] ??= new Reconstruction(results[chosen], mesh);
+      viewer.setShape(value !== null ? reconstructions[chosen].at(value) : mesh.positions);
     }
     degree = value;
-    byId("degree").value = value || highest + 1;
-    byId("degree-text").textContent =
-        value > 0 ? `${value}, off by ${percent(reconstructions[chosen].distance(value))}` : "the shape itself";
+    byId("degree").value = value ?? highest + 1;
+    byId("degree-text").textContent = value !== null
+        ? `${value}${value === 0 ? " (a point)" : ""}, off by ${percent(reconstructions[chosen].distance(value))}`
+        : "the shape itself";
     redraw();
   }
 
@@ -296,7 +297,7 @@
     });
     byId("degree").addEventListener("input", event => {
       const value = Number(event.target.value);
-      setDegree(value > results[chosen].harmonics.degree ? 0 : value);
+      setDegree(value > results[chosen].harmonics.degree ? null : value);
     });
     byId("play").addEventListener("click", () => play(!player.running));
     byId("edges").addEventListener("change", event => {
@@ -335,9 +336,9 @@
       if (result.harmonics) {
         setDegree(result.harmonics.degree);
         drawNow();
-        const distances = Array.from({length: degree}, (_, i) => reconstructions[index].distance(i + 1));
+        const distances = Array.from({length: degree + 1}, (_, i) => reconstructions[index].distance(i));
         report.reconstructions.push({result: result.name, distances, shape: viewer.statistics(0)});
-        setDegree(0);
+        setDegree(null);
       }
       const view = viewer.views()[1];
       const found = viewer.pick(state, view.x + 0.55 * view.width, view.y + 0.45 * view.height);
@@ -358,7 +359,7 @@
     say("The views need WebGL 2, which this browser does not offer or has switched off. The figures are below.");
   }
   chosen = Number(preset.get("result")) || 0;
-  degree = Number(preset.get("degree")) || 0;
+  degree = preset.has("degree") ? Number(preset.get("degree")) || 0 : null;
   listenToControls();
   choose(chosen);
   if (modes.includes(preset.get("colour"))) setMode(preset.get("colour"));

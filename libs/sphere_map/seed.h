@@ -17,19 +17,14 @@
 
 namespace orbicube::sphere_map::seed {
 
-// Where the optimisation is, for Figure 3.2.
-struct TracePoint {
-  std::uint64_t iterations;  // calls of Algorithm 2 so far
-  std::size_t vertices;      // of the mesh that is optimised
-  double energy;             // E of that mesh, eq. 3.5
-};
+using sphere_map::TracePoint;
 
 struct SeedOptions {
   double angle_weight = 0.1;  // lambda of eq. 3.5; positive
   double area_weight = 1.0;   // mu of eq. 3.5; not negative
   std::size_t eta = 40;       // vertex splits between two optimisations, section 3.1.3; at least 1
   std::uint64_t seed = 0;     // varies the order of equally good decimation steps
-  // Called when a level ends, and once in as many iterations as there are vertices at the end. May be empty.
+  // As in sphere_map.h.
   std::function<void(const TracePoint&)> trace = nullptr;
 };
 

@@ -87,13 +87,14 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
 
   Array<Vector3> directions(host.memory);
   try {
-    directions =
-        options.method == Method::seed
-            ? seed::compute(
-                  unit, outward,
-                  {.angle_weight = options.angle_weight, .area_weight = options.area_weight, .seed = options.seed},
-                  host, partial)
-            : map_with_retries(unit, outward, total_area(unit, outward), schedule, options.seed, host, partial);
+    directions = options.method == Method::seed ? seed::compute(unit, outward,
+                                                                {.angle_weight = options.angle_weight,
+                                                                 .area_weight = options.area_weight,
+                                                                 .seed = options.seed,
+                                                                 .trace = options.trace},
+                                                                host, partial)
+                                                : map_with_retries(unit, outward, total_area(unit, outward), schedule,
+                                                                   options.seed, host, partial);
     check_exactly(outward, directions, host);
   } catch (const base::Error&) {
     keep_partial({}, directions, partial);

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "base/host.h"
@@ -30,11 +31,21 @@ enum class Method : std::int32_t {
   seed = 5,        // chapter 3 of the dissertation as printed, mended only where it would fail (seed.h)
 };
 
+// Where the optimisation of method `seed` is, for the dissertation's Figure 3.2.
+struct TracePoint {
+  std::uint64_t iterations;  // calls of Algorithm 2 so far
+  std::size_t vertices;      // of the mesh that is optimised
+  double energy;             // E of that mesh, eq. 3.5
+};
+
 struct Options {
   Method method = Method::balanced;
   double angle_weight = 0.1;  // lambda of eq. 3.5; positive
   double area_weight = 1.0;   // mu of eq. 3.5; not negative
   std::uint64_t seed = 0;     // varies the order of equally good decimation steps
+  // Method `seed` calls it when a level ends, and once in as many iterations as there are vertices at the end;
+  // iterations count from zero again when a kernel was empty and the map is begun anew. May be empty.
+  std::function<void(const TracePoint&)> trace = nullptr;
 };
 
 // What there is of a map when its computation fails or is cancelled. Vertices that have no place of their own yet have

@@ -7,6 +7,7 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <cstddef>
 #include <cstring>
 #include <limits>
 #include <map>
@@ -63,6 +64,29 @@ Shape stretched_octahedron(int levels) {
   }
   return shape;
 }
+
+// Stops at a report.
+struct Stop {
+  std::size_t at = std::numeric_limits<std::size_t>::max();
+  std::size_t reports = 0;
+
+  obc_host host() {
+    obc_host result;
+    obc_host_init(&result, sizeof result);
+    result.thread_count = 1;
+    result.progress = [](const char*, std::uint64_t, std::uint64_t, double, void* user) -> std::int32_t {
+      auto& stop = *static_cast<Stop*>(user);
+      return stop.reports++ >= stop.at ? 1 : 0;
+    };
+    result.progress_user = this;
+    return result;
+  }
+};
+
+struct TracePoint {
+  std::uint64_t iterations, vertices;
+  double energy;
+};
 
 obc_status compute(const Shape& shape, const obc_host* host, double* directions, obc_error* error = nullptr) {
   const obc_surface surface = shape.surface();
@@ -131,6 +155,87 @@ TEST_CASE("Wrong arguments are answered, not followed") {
         OBC_INVALID_ARGUMENT);
 }
 
+TEST_CASE("A map that is stopped leaves what there is of it, with no triangle turned over") {
+  const Shape shape = stretched_octahedron(3);
+  const obc_surface surface = shape.surface();
+  const std::vector<double> untouched(shape.positions.size(), 7);
+  std::vector<double> whole(shape.positions.size());
+  std::size_t placed = 0;
+  obc_error error;
+  Stop never;
+  obc_host host = never.host();
+  REQUIRE(obc_sphere_map_compute_partial(&surface, nullptr, &host, whole.data(), &placed, nullptr, &error) == OBC_OK);
+  CHECK(placed == surface.vertex_count);
+  std::vector<double> plain(shape.positions.size());
+  REQUIRE(compute(shape, nullptr, plain.data()) == OBC_OK);
+  CHECK(whole == plain);
+
+  std::size_t before = 0;
+  bool partly = false, all = false;
+  for (std::size_t i = 0; i < 16; ++i) {
+    Stop stop{i * (never.reports - 1) / 15};  // the last one too
+    host = stop.host();
+    std::vector<double> directions = untouched;
+    CHECK(obc_sphere_map_compute_partial(&surface, nullptr, &host, directions.data(), &placed, nullptr, &error) ==
+          OBC_CANCELLED);
+    CHECK(placed >= before);
+    before = placed;
+    if (placed == 0) {
+      CHECK(directions == untouched);
+      continue;
+    }
+    (placed < surface.vertex_count ? partly : all) = true;
+    std::size_t positive = 0;
+    for (std::size_t t = 0; t < shape.triangles.size(); t += 3) {
+      const auto corner = [&](std::size_t k) { return &directions[3 * std::size_t{shape.triangles[t + k]}]; };
+      const std::int32_t sign = obc_mesh_orientation_from_origin(corner(0), corner(1), corner(2));
+      CHECK(sign >= 0);
+      positive += sign > 0;
+    }
+    // Those of the mesh as it is refined so far, of genus 0.
+    CHECK(positive == 2 * placed - 4);
+  }
+  CHECK(partly);
+  CHECK(all);
+  CHECK(obc_sphere_map_compute_partial(&surface, nullptr, nullptr, whole.data(), nullptr, nullptr, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_sphere_map_compute_partial(&surface, nullptr, nullptr, nullptr, &placed, nullptr, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(placed == 0);
+}
+
+TEST_CASE("The method seed tells of its course") {
+  const Shape shape = stretched_octahedron(3);
+  const obc_surface surface = shape.surface();
+  std::vector<TracePoint> points;
+  obc_sphere_map_options options;
+  REQUIRE(obc_sphere_map_options_init(&options, sizeof options) == OBC_OK);
+  CHECK((options.trace == nullptr));
+  options.method = OBC_SPHERE_MAP_SEED;
+  options.trace = [](std::uint64_t iterations, std::uint64_t vertices, double energy, void* user) {
+    static_cast<std::vector<TracePoint>*>(user)->push_back({iterations, vertices, energy});
+  };
+  options.trace_user = &points;
+  std::vector<double> directions(shape.positions.size()), silent(directions.size());
+  obc_sphere_map_report report;
+  obc_sphere_map_report_init(&report, sizeof report);
+  REQUIRE(obc_sphere_map_compute(&surface, &options, nullptr, directions.data(), &report, nullptr) == OBC_OK);
+  REQUIRE(points.size() > 3);
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    CHECK(points[i].iterations > points[i - 1].iterations);
+    CHECK(points[i].vertices >= points[i - 1].vertices);
+  }
+  CHECK(points.back().vertices == surface.vertex_count);
+  CHECK(points.back().energy == doctest::Approx(report.energy).epsilon(1e-9));  // sums in another order
+
+  // A program whose header had no trace: what lies behind its struct is not read.
+  options.struct_size = offsetof(obc_sphere_map_options, trace);
+  const std::size_t told = points.size();
+  REQUIRE(obc_sphere_map_compute(&surface, &options, nullptr, silent.data(), nullptr, nullptr) == OBC_OK);
+  CHECK(points.size() == told);
+  CHECK(silent == directions);
+}
+
 TEST_CASE("Each allocation of a map fails in turn and nothing is leaked") {
   const Shape shape = stretched_octahedron(1);
   const obc_surface surface = shape.surface();
@@ -141,6 +246,10 @@ TEST_CASE("Each allocation of a map fails in turn and nothing is leaked") {
       test::fail_each_allocation([&](const obc_host& host) { return compute(shape, &host, directions.data()); });
   CHECK(computing.problem == "");
   CHECK(computing.runs > 5);
+  CHECK(test::fail_each_allocation([&](const obc_host& host) {
+          std::size_t placed = 0;
+          return obc_sphere_map_compute_partial(&surface, nullptr, &host, directions.data(), &placed, nullptr, nullptr);
+        }).problem == "");
   CHECK(test::fail_each_allocation([&](const obc_host& host) {
           obc_sphere_map_report report;
           obc_sphere_map_report_init(&report, sizeof report);

@@ -395,6 +395,41 @@ TEST_CASE("Each allocation of remeshing, images, warps and overlays fails in tur
         }).problem == "");
 }
 
+TEST_CASE("Each allocation of a warp and of image files fails in turn and nothing is leaked") {
+  // One landmark that moves a little: the grid is as fine as for any, and the flow short.
+  const double from[3] = {0, 0, 1}, to[3] = {0.05, 0, 1};
+  const test::Outcome warping = test::fail_each_allocation([&](const obc_host& host) {
+    obc_sphere_map_warp* warp = nullptr;
+    obc_status status = obc_sphere_map_warp_create(from, to, 1, &host, &warp, nullptr);
+    double moved[3];
+    if (status == OBC_OK) status = obc_sphere_map_warp_apply(warp, from, 1, 0, &host, moved, nullptr);
+    obc_sphere_map_warp_destroy(warp);
+    return status;
+  });
+  CHECK(warping.problem == "");
+  CHECK(warping.runs > 10);
+
+  const Ball ball(1);
+  const LocatorHandle locator(ball);
+  std::vector<double> pixels(3 * 25), again(pixels.size());
+  REQUIRE(obc_sphere_map_image(locator.get(), ball.positions.data(), OBC_SPHERE_MAP_OCTAHEDRON, 4, nullptr,
+                               pixels.data(), nullptr) == OBC_OK);
+  for (const char* path : {"capi-failing-image.pfm", "capi-failing-image.png"}) {
+    const test::Outcome files = test::fail_each_allocation([&](const obc_host& host) {
+      obc_status status = obc_sphere_map_image_write(path, pixels.data(), OBC_SPHERE_MAP_OCTAHEDRON, 4, &host, nullptr);
+      std::int32_t layout = 0;
+      std::size_t resolution = 0;
+      if (status == OBC_OK) {
+        status = obc_sphere_map_image_read(path, &host, &layout, &resolution, again.data(), again.size(), nullptr);
+      }
+      std::remove(path);
+      return status;
+    });
+    CHECK(files.problem == "");
+    CHECK(files.runs > 5);
+  }
+}
+
 TEST_CASE("Warps and overlays are cancelled at each of their reports") {
   const Ball coarse(2), fine(4);
   const obc_surface first = coarse.surface(), second = fine.surface();

@@ -242,19 +242,42 @@ def basis(directions, degree):
     return values
 
 
-def harmonics_of(result, degree):
-    """Harmonics for the page of a result, and how far the shape is from their sum to each degree, over its diameter."""
-    data = decoded(result)
-    facing, _ = numpy.linalg.qr(numpy.random.default_rng(5).normal(size=(3, 3)))
-    facing *= numpy.sign(numpy.linalg.det(facing))
-    values = basis(decoded_directions(data["directions"]) @ facing, degree)
-    steps = data["positions"].view("<u2").reshape(-1, 3).astype(float)
-    coefficients = numpy.linalg.lstsq(values, steps, rcond=None)[0]
+def reconstructions(result):
+    """What the slider shows: the vertices by the page's harmonics to each degree from 0, in steps, one array each."""
+    harmonics = result["harmonics"]
+    degree = harmonics["degree"]
+    turned = decoded_directions(decoded(result)["directions"])
+    values = basis(turned @ numpy.reshape(harmonics["facing"], (3, 3)).T, degree)
+    coefficients = numpy.frombuffer(base64.b64decode(harmonics["coefficients"]), "<f4").reshape(-1, 3).astype(float)
+    check(len(coefficients) == (degree + 1) ** 2, "not as many coefficients as the degree has")
+    return [values[:, :(l + 1) ** 2] @ coefficients[:(l + 1) ** 2] for l in range(degree + 1)]
+
+
+def steps_of(result):
+    return decoded(result)["positions"].view("<u2").reshape(-1, 3).astype(float)
+
+
+def distances(result):
+    """How far the shape is from its sums to each degree, over its diameter."""
+    steps = steps_of(result)
     diameter = 2 * numpy.linalg.norm(steps - (steps.max(0) + steps.min(0)) / 2, axis=1).max()
-    off = [numpy.sqrt(((values[:, :count] @ coefficients[:count] - steps) ** 2).sum(1).mean()) / diameter
-           for count in ((l + 1) ** 2 for l in range(1, degree + 1))]
-    packed = base64.b64encode(coefficients.astype("<f4").tobytes()).decode()
-    return {"degree": degree, "facing": facing.T.ravel().tolist(), "coefficients": packed}, off
+    return [numpy.sqrt(((made - steps) ** 2).sum(1).mean()) / diameter for made in reconstructions(result)]
+
+
+def check_harmonics(result, rebuilt_by_degree, shape_path):
+    """The page's harmonics make the surfaces that the command wrote: degree -> file."""
+    positions, _ = read_obj(shape_path)
+    vertex_at = {tuple(step): vertex
+                 for vertex, step in enumerate(numpy.round((positions - result["low"]) / result["step"]).astype(int))}
+    vertex_of = [vertex_at[tuple(step)] for step in steps_of(result).astype(int)]
+    made = reconstructions(result)
+    size = numpy.ptp(positions, axis=0).max()
+    for degree, path in rebuilt_by_degree.items():
+        off = abs(numpy.array(result["low"]) + result["step"] * made[degree] - read_obj(path)[0][vertex_of]).max()
+        # float32 coefficients, and directions of 24 bits that functions of this degree magnify a little
+        check(off < 2e-5 * size, f"the surface of degree {degree} is off by {off / size} of its size")
+    center = numpy.array(result["low"]) + result["step"] * made[0]
+    check(numpy.ptp(center, axis=0).max() == 0, "degree 0 is no point")
 
 
 def check_in_browser(folder, path, results):
@@ -266,10 +289,8 @@ def check_in_browser(folder, path, results):
     with open(path, encoding="utf-8") as file:
         page = file.read()
     tried = os.path.join(folder, "tried.html")
-    harmonics, off = harmonics_of(results[0], 10)
     with open(tried, "w", encoding="utf-8") as file:
-        page = page.replace("</body>", READ_BACK)
-        file.write(page.replace('"harmonics":null', '"harmonics":' + json.dumps(harmonics), 1))
+        file.write(page.replace("</body>", READ_BACK))
     document, console = browse(browser, folder, f"file://{tried}#check", "--use-angle=swiftshader",
                                "--enable-unsafe-swiftshader")
     check(not console, f"console: {console}")
@@ -286,10 +307,11 @@ def check_in_browser(folder, path, results):
         check(min(frame["shape"]["colours"], frame["sphere"]["colours"]) > 50, f"colours: {frame}")
     shown = {(frame["result"], frame["shape"]["colours"], frame["sphere"]["colours"]) for frame in report["frames"]}
     check(len(shown) == len(report["frames"]), "colourings look alike")
-    check([entry["result"] for entry in report["reconstructions"]] == names[:1], "shapes made of harmonics")
-    rebuilt = report["reconstructions"][0]
-    check(numpy.allclose(rebuilt["distances"], off, rtol=1e-3), f"harmonics: {rebuilt['distances']}, not {off}")
-    check(0.02 < rebuilt["shape"]["drawn"] < 0.6, f"the shape by its harmonics: {rebuilt}")
+    check([entry["result"] for entry in report["reconstructions"]] == names, "shapes made of harmonics")
+    for rebuilt, result in zip(report["reconstructions"], results):
+        off = distances(result)
+        check(numpy.allclose(rebuilt["distances"], off, rtol=1e-3), f"harmonics: {rebuilt['distances']}, not {off}")
+        check(0.02 < rebuilt["shape"]["drawn"] < 0.6, f"the shape by its harmonics: {rebuilt}")
     check(report["pointed"] == len(names), "what is pointed at is not found where it is drawn")
     check(document.count('class="bar"') > 40, "no histograms")
     check("One to one, checked exactly" in document, "no figures")
@@ -311,7 +333,8 @@ def main():
             run("make", kind, "-o", at(name), "--resolution", "3000", "--seed", seed)
             run("sphere", at(name), "-o", map_path, "--quiet")
         title = "Two </script> maps & <b>more</b>"
-        run("page", at(names[0]), maps[0], at(names[1]), maps[1], "-o", at("report.html"), "--title", title, "--quiet")
+        run("page", at(names[0]), maps[0], at(names[1]), maps[1], "-o", at("report.html"), "--title", title, "--degree",
+            "10", "--quiet")
         with open(at("report.html"), encoding="utf-8") as file:
             page = file.read()
         check(page.count("</script>") == 2 and "<b>" not in page, "the title got out of its place")
@@ -321,6 +344,8 @@ def main():
         check([result["name"] for result in results] == names, "names")
         for result, name, map_path in zip(results, names, maps):
             check_result(result, data["levels"], at(name), map_path)
+            off = distances(result)
+            check(off[10] < 0.5 * off[2] < 0.5 * off[0], f"more degrees come no nearer: {off}")
         check_alone(page)
 
         # One map, by the verb that makes it.
@@ -330,6 +355,21 @@ def main():
         check_alone(one)
         data = json.loads(re.search(r'id="results">(.*?)</script>', one, re.S).group(1))
         check_result(data["results"][0], data["levels"], at(names[0]), at("map3.obj"))
+        check(data["results"][0]["harmonics"] is None, "harmonics that nobody asked for")
+
+        # With the harmonics, by their verb: the slider shows the surfaces that it writes.
+        rebuilt = {}
+        for degree in (3, 10):
+            rebuilt[degree] = at(f"degree{degree}.obj")
+            run("harmonics", at(names[0]), "--sphere", maps[0], "--degree", "10", "--low", str(degree), "-o", at("c.sh"),
+                "--reconstruct", rebuilt[degree], "--page", at("harmonics.html"), "--quiet")
+        with open(at("harmonics.html"), encoding="utf-8") as file:
+            one = file.read()
+        check_alone(one)
+        data = json.loads(re.search(r'id="results">(.*?)</script>', one, re.S).group(1))
+        check_result(data["results"][0], data["levels"], at(names[0]), maps[0])
+        check_harmonics(data["results"][0], rebuilt, at(names[0]))
+        check(["Degree of the harmonics", "10"] in data["results"][0]["figures"], "the degree is not told")
 
         # A map of another shape is refused.
         refused = subprocess.run([COMMAND, "page", at(names[0]), maps[1], "-o", at("wrong.html")], capture_output=True,

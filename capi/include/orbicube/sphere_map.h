@@ -30,12 +30,20 @@ enum {
   OBC_SPHERE_MAP_SEED = 5        /* the dissertation's chapter 3 as printed, mended only where it would fail */
 };
 
+/* Told of the course of method seed (the dissertation's Figure 3.2) when a level ends, and at the end once in as many
+ * iterations as there are vertices: iterations, its Algorithm 2 called for one vertex each; the vertices of the mesh as it is
+ * refined so far; the energy of that mesh. iterations begin from 0 again when the map has to be begun anew. Called on the
+ * thread that called the library. */
+typedef void (*obc_sphere_map_trace_function)(uint64_t iterations, uint64_t vertices, double energy, void *user);
+
 typedef struct obc_sphere_map_options {
   uint32_t struct_size;
   int32_t method;      /* OBC_SPHERE_MAP_...; balanced by default */
   double angle_weight; /* positive; 0.1 by default */
   double area_weight;  /* not negative; 1 by default */
   uint64_t seed;       /* varies the order of equally good decimation steps; 0 by default */
+  obc_sphere_map_trace_function trace; /* of method seed; NULL by default: not wanted */
+  void *trace_user;
 } obc_sphere_map_options;
 
 /* Figures of a map. The surface counts as scaled to the area of the unit sphere, 4 pi. sigma are the singular values of the
@@ -75,6 +83,17 @@ OBC_API obc_status obc_sphere_map_report_init(obc_sphere_map_report *report, siz
 OBC_API obc_status obc_sphere_map_compute(const obc_surface *surface, const obc_sphere_map_options *options,
                                           const obc_host *host, double *directions, obc_sphere_map_report *report,
                                           obc_error *error);
+
+/* As obc_sphere_map_compute, and when that ends with OBC_NO_VALID_RESULT or OBC_CANCELLED, directions get what there is of the
+ * map that came furthest: *placed vertices have places of their own, and their triangles are positive by exact arithmetic
+ * (clockwise for a surface that looks inward); each other vertex is where the one is that it was merged into, so that its
+ * triangles have no area. With *placed as many as there are vertices in triangles it is a bijection that is not optimised to
+ * the end. *placed is 0, and directions are untouched, when the work did not come so far and for other errors. report is
+ * written on success only; obc_sphere_map_measure measures partial maps.
+ * Errors: as obc_sphere_map_compute. */
+OBC_API obc_status obc_sphere_map_compute_partial(const obc_surface *surface, const obc_sphere_map_options *options,
+                                                  const obc_host *host, double *directions, size_t *placed,
+                                                  obc_sphere_map_report *report, obc_error *error);
 
 /* Measures a map: directions (3 * vertex_count doubles, normalised before use) of the surface. Only the weights of
  * options are used; options and host may be NULL. O(n).
