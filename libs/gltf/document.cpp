@@ -109,13 +109,17 @@ void write_texture(JsonText& json, std::uint64_t view) {
   json.member("mimeType", std::string_view("image/png")).end_object().end_array();
 }
 
+void write_translation(JsonText& json, const mesh::Vector3& translation) {
+  if (translation != mesh::Vector3::Zero()) json.member("translation", std::span(translation.data(), 3));
+}
+
 void write_scene_and_node(JsonText& json, const Scene& scene) {
   json.member("scene", zero);
   json.key("scenes").begin_array().begin_object().key("nodes").begin_array().value(zero).end_array();
   if (!scene.extras.empty()) json.key("extras").raw(scene.extras);
   json.end_object().end_array();
   json.key("nodes").begin_array().begin_object().member("name", std::string_view(scene.name)).member("mesh", zero);
-  if (scene.translation != mesh::Vector3::Zero()) json.member("translation", std::span(scene.translation.data(), 3));
+  write_translation(json, scene.translation);
   if (scene.scale != 1) json.member("scale", std::array{scene.scale, scene.scale, scene.scale});
   json.end_object().end_array();
 }
@@ -172,8 +176,11 @@ std::string document_text(std::span<const Part> parts, std::span<const PartAcces
     json.value(i);
   json.end_array().end_object().end_array();
   json.key("nodes").begin_array();
-  for (std::uint64_t i = 0; i < parts.size(); ++i)
-    json.begin_object().member("name", std::string_view(parts[i].name)).member("mesh", i).end_object();
+  for (std::uint64_t i = 0; i < parts.size(); ++i) {
+    json.begin_object().member("name", std::string_view(parts[i].name)).member("mesh", i);
+    write_translation(json, parts[i].translation);
+    json.end_object();
+  }
   json.end_array().key("meshes").begin_array();
   for (std::uint64_t i = 0; i < parts.size(); ++i) {
     json.begin_object().member("name", std::string_view(parts[i].name)).key("primitives").begin_array();

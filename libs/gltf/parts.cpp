@@ -28,6 +28,7 @@ void check(const Part& part, const base::Host& host) {
           "colours have another size than positions");
   require(std::ranges::all_of(part.color, [](double c) { return c >= 0 && c <= 1; }),
           "the colour is not between 0 and 1");
+  require(part.translation.allFinite(), "the translation is not finite");
   for (std::size_t i = 0; i < part.positions.size(); ++i) {
     if (i % items_between_reports == 0) host.report("checking", i, part.positions.size());
     require(part.positions[i].cast<float>().allFinite(), "positions are not finite");

@@ -23,6 +23,7 @@ struct Part {
   std::span<const std::uint8_t> colors{};     // four a vertex: linear red, green, blue, opacity; may be left out
   std::array<double, 4> color{0.8, 0.8, 0.8,
                               1};  // linear, 0 to 1; multiplies `colors`; transparent below 1 in the last
+  mesh::Vector3 translation = mesh::Vector3::Zero();  // of the node: world = translation + position
   bool flat = false;  // each triangle with its own normal (and corners, of which there are then three a triangle)
 };
 

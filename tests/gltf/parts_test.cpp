@@ -106,6 +106,20 @@ TEST_CASE("All triangles of all parts are read again, in both containers") {
   }
 }
 
+TEST_CASE("A part stands where its node puts it") {
+  const Cube cube(1);
+  std::vector<Part> parts = {cube.part("here"), cube.part("there")};
+  parts[1].translation = {1e6, -2e6, 0.5};
+  const Json json = text_of(parts);
+  CHECK_FALSE(json["nodes"][0].contains("translation"));
+  CHECK(json["nodes"][1]["translation"] == Json({1e6, -2e6, 0.5}));
+  const auto bytes = gltf::parts_to_bytes(parts, gltf::Form::glb, host);
+  const mesh::Mesh read = gltf::read(bytes, {}, {.weld_identical = false, .morph_target = ""}, host);
+  REQUIRE(read.positions.size() == 16);
+  for (std::size_t v = 0; v < 8; ++v)
+    CHECK(read.positions[8 + v] == cube.positions[v] + parts[1].translation);
+}
+
 TEST_CASE("Parts that cannot be written are refused") {
   const Cube cube(1);
   CHECK(refusal({}) == "invalid-argument");
@@ -119,6 +133,7 @@ TEST_CASE("Parts that cannot be written are refused") {
   CHECK(refused([&](Part& p) { p.colors = std::span(cube.colors).first(31); }));
   CHECK(refused([](Part& p) { p.color[1] = 1.5; }));
   CHECK(refused([](Part& p) { p.color[3] = std::numeric_limits<double>::quiet_NaN(); }));
+  CHECK(refused([](Part& p) { p.translation[2] = std::numeric_limits<double>::infinity(); }));
   CHECK(refused([](Part& p) { p.name = std::string("\xff"); }));
   std::vector<Vector3> far = cube.positions;
   far[2][1] = 1e39;  // beyond float32
