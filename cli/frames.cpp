@@ -1,7 +1,7 @@
 // orbicube frames: a smooth frame field on a mesh of tetrahedra, aligned with its boundary.
 #include "frame_field/frame_field.h"
 
-#include <cstdio>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -15,9 +15,11 @@
 #include "frame_field/measurement.h"
 #include "frame_field/meshability.h"
 #include "frame_field/singularities.h"
+#include "frame_scene.h"
 #include "mesh/cells.h"
 #include "mesh/file.h"
 #include "surface_file.h"
+#include "text.h"
 #include "verbs.h"
 
 namespace orbicube::cli {
@@ -35,11 +37,14 @@ const std::map<std::string, frame_field::Weighting> weightings = {{"uniform", fr
 const std::map<std::string, frame_field::Method> methods = {{"smooth", frame_field::Method::smooth},
                                                             {"seed", frame_field::Method::seed}};
 
+constexpr std::size_t most_places = 1000;  // that a report lists of each kind
+
 struct FramesOptions {
   std::string input;
   std::string output;
   std::string start = "auto";
   std::string from;
+  bool unchanged = false;
   std::string boundary;
   std::string method = "smooth";
   std::string weights = "uniform";
@@ -48,6 +53,8 @@ struct FramesOptions {
   bool free_boundary = false;
   std::string vtk;
   std::string plot;
+  std::string glb;
+  std::uint32_t crosses = 1000;
 };
 
 Json json_of(const frame_field::AngleStatistics& a) {
@@ -96,10 +103,38 @@ Json json_of(const frame_field::SingularGraph& g) {
           {"dead_ends", g.dead_ends.size()}};
 }
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4g", value);
-  return text;
+const char* turn_name(const frame_field::SingularEdge& edge) {
+  switch (edge.kind()) {
+    case quaternion::CubeClass::face_half:
+      return "180";
+    case quaternion::CubeClass::corner_third:
+      return "120";
+    case quaternion::CubeClass::edge_half:
+      return "other";
+    default:
+      return "90";
+  }
+}
+
+// Where no hexahedral mesh could follow: the first so many edges and vertices of each kind.
+Json improper_places(const mesh::Mesh& solid, const frame_field::SingularGraph& graph,
+                     const frame_field::Meshability& local) {
+  const auto point = [](const mesh::Vector3& p) { return Json{p[0], p[1], p[2]}; };
+  Json edges = Json::array(), vertices = Json::array();
+  for (std::size_t i = 0; i < std::min(local.edges.size(), most_places); ++i) {
+    const frame_field::SingularEdge& edge = graph.edges[local.edges[i]];
+    const auto& [a, b] = edge.vertices;
+    edges.push_back({{"vertices", {a, b}},
+                     {"turn", turn_name(edge)},
+                     {"at", point(0.5 * (solid.positions[a] + solid.positions[b]))}});
+  }
+  for (std::size_t i = 0; i < std::min(local.vertices.size(), most_places); ++i) {
+    const mesh::Index v = local.vertices[i];
+    vertices.push_back({{"vertex", v},
+                        {"kind", std::ranges::binary_search(graph.nodes, v) ? "node" : "turning-point"},
+                        {"at", point(solid.positions[v])}});
+  }
+  return {{"edges", edges}, {"vertices", vertices}};
 }
 
 mesh::Mesh read_solid(const FramesOptions& options, Session& session) {
@@ -115,8 +150,9 @@ mesh::Mesh read_solid(const FramesOptions& options, Session& session) {
 }
 
 // Frames of tetrahedra with a boundary face, from a file of all frames.
-base::Array<frame_field::GivenFrame> boundary_frames(const mesh::TetrahedralConnectivity& connectivity,
-                                                     const frame_field::Field& field, const base::Host& host) {
+base::Array<frame_field::GivenFrame> boundary_frames(const mesh::Mesh& solid, const frame_field::Field& field,
+                                                     const base::Host& host) {
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
   base::Array<frame_field::GivenFrame> result(host.memory);
   for (mesh::Index t = 0; t < field.size(); ++t) {
     bool outer = false;
@@ -127,15 +163,20 @@ base::Array<frame_field::GivenFrame> boundary_frames(const mesh::TetrahedralConn
   return result;
 }
 
-frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& solid,
-                             const mesh::TetrahedralConnectivity& connectivity, const base::Host& host) {
+frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& solid, const base::Host& host) {
   const auto read = [&](const std::string& path) {
     return about(path, Role::input, [&] { return frame_field::read_frames(path, solid.tetrahedra.size(), host); });
   };
   frame_field::Field start(host.memory);
   base::Array<frame_field::GivenFrame> held(host.memory);
   if (!options.from.empty()) start = read(options.from);
-  if (!options.boundary.empty()) held = boundary_frames(connectivity, read(options.boundary), host);
+  if (options.unchanged) {
+    frame_field::Outcome outcome(host.memory);
+    outcome.field = std::move(start);
+    outcome.start = Start::given;
+    return outcome;
+  }
+  if (!options.boundary.empty()) held = boundary_frames(solid, read(options.boundary), host);
   frame_field::Options settings;
   settings.start = options.from.empty() ? starts.at(options.start) : Start::given;
   settings.method = methods.at(options.method);
@@ -168,24 +209,26 @@ void write(const FramesOptions& options, const mesh::Mesh& solid, const frame_fi
 }
 
 void frames(const FramesOptions& options, Session& session) {
-  session.options() = {
-      {"output", options.output},     {"start", options.start},   {"from", options.from},
-      {"boundary", options.boundary}, {"method", options.method}, {"weights", options.weights},
-      {"features", options.features}, {"rounds", options.rounds}, {"free_boundary", options.free_boundary},
-      {"vtk", options.vtk},           {"plot", options.plot}};
+  session.options() = {{"output", options.output},     {"start", options.start},
+                       {"from", options.from},         {"unchanged", options.unchanged},
+                       {"boundary", options.boundary}, {"method", options.method},
+                       {"weights", options.weights},   {"features", options.features},
+                       {"rounds", options.rounds},     {"free_boundary", options.free_boundary},
+                       {"vtk", options.vtk},           {"plot", options.plot},
+                       {"glb", options.glb},           {"crosses", options.crosses}};
   require_folder(options.output);
-  for (const std::string& path : {options.vtk, options.plot}) {
+  for (const std::string& path : {options.vtk, options.plot, options.glb}) {
     if (!path.empty()) require_folder(path);
   }
   const mesh::Mesh solid = read_solid(options, session);
   const base::Host& host = session.host();
+
+  const double begin = session.seconds();
+  const frame_field::Outcome outcome = compute(options, solid, host);
+  const double computed = session.seconds() - begin;
   const auto connectivity = about(options.input, Role::input, [&] {
     return mesh::TetrahedralConnectivity(solid.positions.size(), solid.tetrahedra, host);
   });
-
-  const double begin = session.seconds();
-  const frame_field::Outcome outcome = compute(options, solid, connectivity, host);
-  const double computed = session.seconds() - begin;
   const frame_field::Measurement m = frame_field::measure(solid.positions, connectivity, outcome.field, host);
   const auto matchings = frame_field::matchings(connectivity, outcome.field, host);
   const frame_field::SingularGraph graph =
@@ -209,6 +252,7 @@ void frames(const FramesOptions& options, Session& session) {
                   {"improper_edges", local.edges.size()},
                   {"turning_points", local.turning_points},
                   {"improper_nodes", local.improper_nodes},
+                  {"improper_places", improper_places(solid, graph, local)},
                   {"smoothing_steps", outcome.smoothing_steps},
                   {"solver_iterations", outcome.solver_iterations},
                   {"seconds_compute", computed},
@@ -223,6 +267,11 @@ void frames(const FramesOptions& options, Session& session) {
       mesh::OutputFile file(options.plot);
       file.write(std::span<const std::byte>(angle_plot(m.histogram, host.memory)));
       file.commit();
+    });
+  }
+  if (!options.glb.empty()) {
+    about(options.glb, Role::output, [&] {
+      write_scene(options.glb, {solid, connectivity, outcome.field, graph, local}, options.crosses, host);
     });
   }
   figures["seconds_write"] = session.seconds() - begin - computed - measured;
@@ -263,7 +312,10 @@ void add_frames(CLI::App& app, CommonOptions& common) {
                    "frame; harmonic: harmonics of degree 4; diffusion: these, diffused and projected")
       ->check(one_of(starts))
       ->type_name("START");
-  verb->add_option("--from", options->from, "smooth the field in this file instead")->type_name("FILE.frames");
+  CLI::Option* from =
+      verb->add_option("--from", options->from, "smooth the field in this file instead")->type_name("FILE.frames");
+  verb->add_flag("--unchanged", options->unchanged, "take the field of --from as it is: only report and draw")
+      ->needs(from);
   verb->add_option("--boundary", options->boundary, "hold the frames of tetrahedra on the boundary as in this file")
       ->type_name("FILE.frames");
   verb->add_option("--method", options->method,
@@ -284,6 +336,11 @@ void add_frames(CLI::App& app, CommonOptions& common) {
   verb->add_flag("--free-boundary", options->free_boundary, "do not align frames with the boundary");
   verb->add_option("--vtk", options->vtk, "write the tetrahedra with the axes as vectors too")->type_name("FILE.vtk");
   verb->add_option("--plot", options->plot, "draw the angles between neighbours and their sum")->type_name("FILE.png");
+  verb->add_option("--glb", options->glb, "draw the singular curves in the surface, and some frames, to look at")
+      ->type_name("FILE.glb");
+  verb->add_option("--crosses", options->crosses, "about how many frames --glb shows (1000)")
+      ->check(unnamed(CLI::Range(0, 1000000)))
+      ->type_name("N");
   add_common_options(*verb, common);
   verb->footer(
       "A frame is a unit quaternion that rotates the axes of space to its own (active, Hamilton's product). At the\n"

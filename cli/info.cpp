@@ -8,6 +8,9 @@
 #include "mesh/topology.h"
 #include "surface_file.h"
 #include "verbs.h"
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+#include "tetrahedra/input_check.h"
+#endif
 
 namespace orbicube::cli {
 namespace {
@@ -82,7 +85,17 @@ Use sphere_use(const mesh::Topology& facts) {
   return use_of([&] { mesh::require_closed_genus_zero(turned); });
 }
 
-void tell_surface(const mesh::Topology& t, const Use& sphere, Session& session) {
+// Whether TetGen would be given it; the exact search for places where it meets itself is part of the answer.
+Use tetrahedralize_use(const mesh::Mesh& mesh, const Session& session) {
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+  return use_of([&] { tetrahedra::require_fillable(mesh.positions, mesh.triangles, session.host()); });
+#else
+  static_cast<void>(mesh), static_cast<void>(session);
+  return {false, "unsupported", "a build without TetGen"};
+#endif
+}
+
+void tell_surface(const mesh::Topology& t, const Use& sphere, const Use& filling, Session& session) {
   const bool oriented = t.inconsistent_edges == 0;
   const bool solid = t.closed() && t.manifold() && oriented;
   session.figures().update({{"edges", t.edges},
@@ -107,7 +120,7 @@ void tell_surface(const mesh::Topology& t, const Use& sphere, Session& session) 
                             {"area", t.area},
                             {"volume", solid ? Json(t.volume) : Json()},
                             {"bounding_box", {{"low", json_point(t.low)}, {"high", json_point(t.high)}}},
-                            {"usable_for", {{"sphere", json_of(sphere)}}}});
+                            {"usable_for", {{"sphere", json_of(sphere)}, {"tetrahedralize", json_of(filling)}}}});
   const Table table(session);
   table.row("edges", std::to_string(t.edges));
   table.row("components", std::to_string(t.components));
@@ -139,6 +152,7 @@ void tell_surface(const mesh::Topology& t, const Use& sphere, Session& session) 
     table.row("coincident", count(t.coincident_vertices, "vertex", "vertices") + " at the place of another");
   if (t.unreferenced_vertices > 0) table.row("unused", count(t.unreferenced_vertices, "vertex", "vertices"));
   table.row("sphere map", text_of(sphere));
+  table.row("tetrahedra", text_of(filling));
 }
 
 // The surface of the solid that the cells fill.
@@ -163,13 +177,26 @@ void tell_boundary(const mesh::Mesh& mesh, Session& session) {
   table.row("bounding box", point(t.low) + " to " + point(t.high));
 }
 
+// As the verb frames refuses solids.
+Use frames_use(const mesh::Mesh& mesh, const Use& cells) {
+  if (mesh.tetrahedra.empty()) return {false, "no-cells", "no tetrahedra; frames live on a mesh of them"};
+  if (!cells.possible) return cells;
+  if (!mesh.hexahedra.empty()) return {false, "unsupported", "hexahedra beside the tetrahedra"};
+  return {};
+}
+
 void tell_cells(const mesh::Mesh& mesh, Session& session) {
   const Table table(session);
   table.row("tetrahedra", std::to_string(mesh.tetrahedra.size()));
   table.row("hexahedra", std::to_string(mesh.hexahedra.size()));
   const Use cells = use_of([&] { mesh::require_valid_cells(mesh, session.host()); });
   const Use sphere = {false, "unsupported", "a solid of cells; the sphere map takes surfaces"};
-  session.figures().update({{"valid_cells", json_of(cells)}, {"usable_for", {{"sphere", json_of(sphere)}}}});
+  const Use filling = {false, "unsupported", "a solid of cells already; tetrahedralize takes surfaces"};
+  const Use field = frames_use(mesh, cells);
+  session.figures().update(
+      {{"valid_cells", json_of(cells)},
+       {"usable_for",
+        {{"sphere", json_of(sphere)}, {"tetrahedralize", json_of(filling)}, {"frames", json_of(field)}}}});
   table.row("valid cells", text_of(cells));
   if (cells.possible) tell_boundary(mesh, session);
   if (!mesh.tetrahedra.empty()) {
@@ -179,6 +206,7 @@ void tell_cells(const mesh::Mesh& mesh, Session& session) {
     table.row("radius ratio", radii_text(quality));
   }
   table.row("sphere map", text_of(sphere));
+  table.row("frame field", text_of(field));
 }
 
 void info(const InfoOptions& options, Session& session) {
@@ -199,7 +227,7 @@ void info(const InfoOptions& options, Session& session) {
   about(options.input, Role::input, [&] {
     if (mesh.tetrahedra.empty() && mesh.hexahedra.empty()) {
       const mesh::Topology facts = mesh::topology(mesh.positions, mesh.triangles, session.host());
-      tell_surface(facts, sphere_use(facts), session);
+      tell_surface(facts, sphere_use(facts), tetrahedralize_use(mesh, session), session);
       return;
     }
     tell_cells(mesh, session);

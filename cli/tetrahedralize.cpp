@@ -5,6 +5,7 @@
 
 #include "cell_figures.h"
 #include "mesh/file.h"
+#include "sizing_file.h"
 #include "surface_file.h"
 #include "tetrahedra/input_check.h"
 #include "tetrahedra/tetrahedra.h"
@@ -19,6 +20,7 @@ struct TetrahedralizeOptions {
   std::string input;
   std::string output;
   tetrahedra::Options filling;
+  std::string sizing;
   bool cut_surface = false;
   bool text = false;
   bool weld = false;
@@ -30,7 +32,13 @@ void require_format_of_cells(const std::string& path) {
   throw Failure(Exit::wrong_input, path, "unsupported-format", "tetrahedra are written to .mesh and .vtk");
 }
 
-tetrahedra::Solid fill(const mesh::Mesh& surface, const TetrahedralizeOptions& options, Session& session) {
+tetrahedra::Solid fill(const mesh::Mesh& surface, TetrahedralizeOptions options, Session& session) {
+  base::Array<tetrahedra::SizePoint> sizes(session.host().memory);
+  if (!options.sizing.empty()) {
+    sizes = about(options.sizing, Role::input,
+                  [&] { return read_sizing(options.sizing, surface.positions, session.host()); });
+    options.filling.sizes = sizes;
+  }
   return about(options.input, Role::input, [&] {
     if (!surface.tetrahedra.empty() || !surface.hexahedra.empty())
       throw base::Error("unsupported", "a solid of cells already; tetrahedralize takes surfaces");
@@ -58,6 +66,8 @@ void tetrahedralize(TetrahedralizeOptions options, Session& session) {
                        {"quality", options.filling.quality},
                        {"max_volume", options.filling.max_volume},
                        {"edge_length", options.filling.edge_length},
+                       {"sizing", options.sizing},
+                       {"growth", options.filling.size_growth},
                        {"cut_surface", options.cut_surface},
                        {"text", options.text},
                        {"weld", options.weld}};
@@ -112,6 +122,13 @@ void add_tetrahedralize(CLI::App& app, CommonOptions& common) {
   verb->add_option("--edge-length", options->filling.edge_length, "edges inside about this long")
       ->check(unnamed(CLI::PositiveNumber))
       ->type_name("L");
+  verb->add_option("--sizing", options->sizing,
+                   "such lengths at places: lines x y z L, or a line L for each vertex of IN")
+      ->type_name("FILE");
+  verb->add_option("--growth", options->filling.size_growth,
+                   "how much longer edges may get in each unit of distance from such a place (0.3)")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("G");
   verb->add_flag("--cut-surface", options->cut_surface,
                  "let edges and triangles of the surface be cut; otherwise it stays as it is");
   verb->add_flag("--text", options->text, "text rather than binary VTK");

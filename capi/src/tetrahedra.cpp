@@ -31,6 +31,7 @@ obc_tetrahedra_options default_options() {
   o.quality = defaults.quality;
   o.max_volume = defaults.max_volume;
   o.edge_length = defaults.edge_length;
+  o.size_growth = defaults.size_growth;
   return o;
 }
 
@@ -50,6 +51,19 @@ struct Surface {
     triangles = {reinterpret_cast<const Triangle*>(from->triangles), from->triangle_count};
   }
 };
+
+base::Array<tetrahedra::SizePoint> sizes_of(const obc_tetrahedra_options& o, std::pmr::memory_resource* memory) {
+  capi::require((o.size_positions != nullptr && o.size_lengths != nullptr) || o.size_count == 0,
+                "options->size_positions or size_lengths is NULL");
+  capi::require(o.size_count <= PTRDIFF_MAX / sizeof(tetrahedra::SizePoint), "options->size_count is too large");
+  base::Array<tetrahedra::SizePoint> sizes(memory);
+  sizes.reserve(o.size_count);
+  for (std::size_t i = 0; i < o.size_count; ++i) {
+    const double* p = o.size_positions + 3 * i;
+    sizes.push_back({Vector3(p[0], p[1], p[2]), o.size_lengths[i]});
+  }
+  return sizes;
+}
 
 template <class Element, class Number>
 void copy(std::span<const Element> from, Number* to) {
@@ -75,10 +89,13 @@ obc_status obc_tetrahedra_fill(const obc_surface* surface, const obc_tetrahedra_
     const Surface s(surface);
     const obc_tetrahedra_options o = capi::copy_versioned(options, default_options());
     auto made = std::make_unique<obc_tetrahedra>(host);
+    const auto sizes = sizes_of(o, made->adapter.host().memory);
     made->solid = tetrahedra::fill(s.positions, s.triangles,
                                    {.quality = o.quality,
                                     .max_volume = o.max_volume,
                                     .edge_length = o.edge_length,
+                                    .sizes = sizes,
+                                    .size_growth = o.size_growth,
                                     .keep_surface = o.keep_surface != 0},
                                    made->adapter.host());
     *out = made.release();

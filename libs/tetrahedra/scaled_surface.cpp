@@ -41,11 +41,15 @@ ScaledSurface::ScaledSurface(std::span<const Vector3> positions, std::span<const
   }
   std::frexp(largest, &exponent_);
   for (Vector3& p : positions_)
-    p = (p - shift_).unaryExpr([&](double x) { return std::ldexp(x, -exponent_); });
+    p = scaled(p);
 }
 
 Vector3 ScaledSurface::unscaled(const Vector3& p) const {
   return p.unaryExpr([&](double x) { return std::ldexp(x, exponent_); }) + shift_;
+}
+
+Vector3 ScaledSurface::scaled(const Vector3& p) const {
+  return (p - shift_).unaryExpr([&](double x) { return std::ldexp(x, -exponent_); });
 }
 
 double ScaledSurface::scaled_length(double length) const {

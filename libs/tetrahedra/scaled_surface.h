@@ -25,6 +25,8 @@ class ScaledSurface {
 
   // A place here as a place there; rounds.
   mesh::Vector3 unscaled(const mesh::Vector3& p) const;
+  // And back; of places far off it may be infinite.
+  mesh::Vector3 scaled(const mesh::Vector3& p) const;
   double scaled_length(double length) const;
   double scaled_volume(double volume) const;
 

@@ -3,6 +3,8 @@
 #define TETLIBRARY
 #include <tetgen.h>
 
+#include <Eigen/Geometry>
+#include <cmath>
 #include <csignal>
 #include <limits>
 #include <memory>
@@ -59,6 +61,16 @@ struct Input : tetgenio {
   Input& operator=(const Input&) = delete;
 };
 
+// What TetGen asks about a tetrahedron, without a word on who asks: a child has one mesh only, so this is the child's.
+const TetgenOptions* options_of_child = nullptr;
+
+bool is_too_large(double* a, double* b, double* c, double* d, double*, double) {
+  const auto at = [](const double* p) { return mesh::Vector3(p[0], p[1], p[2]); };
+  const mesh::Vector3 u = at(b) - at(a), v = at(c) - at(a), w = at(d) - at(a);
+  const mesh::Vector3 center = at(a) + 0.25 * (u + v + w);
+  return std::abs(u.cross(v).dot(w)) > 6 * options_of_child->largest_volume(center);
+}
+
 void set(tetgenbehavior& to, const TetgenOptions& options) {
   // A polygonal surface; numbers from 0; neighbours; no merging of vertices or facets; quiet.
   std::string switches = "pznMQ";
@@ -68,9 +80,11 @@ void set(tetgenbehavior& to, const TetgenOptions& options) {
   // Numbers by hand: they would be parsed in the program's locale.
   if (options.radius_edge_ratio > 0) to.minratio = options.radius_edge_ratio;
   if (options.max_volume > 0) {
-    to.quality = 1;
     to.fixedvolume = 1;
     to.maxvolume = options.max_volume;
+  }
+  if (options.max_volume > 0 || options.largest_volume) {
+    to.quality = 1;
     if (options.radius_edge_ratio <= 0) to.minratio = std::numeric_limits<float>::max();
   }
   to.epsilon = options.tolerance;
@@ -81,6 +95,10 @@ void work(std::span<const mesh::Vector3> positions, std::span<const mesh::Triang
   Input input(positions, triangles);
   tetgenbehavior behaviour;
   set(behaviour, options);
+  if (options.largest_volume) {
+    options_of_child = &options;
+    input.tetunsuitable = is_too_large;
+  }
   auto* made = new tetgenio;  // ends with the process
   tetrahedralize(&behaviour, &input, made);
   const auto size = [](int count) { return static_cast<std::size_t>(count); };

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "base/host.h"
@@ -15,8 +16,9 @@ using Quadruple = std::array<std::int32_t, 4>;
 using Triple = std::array<std::int32_t, 3>;
 
 struct TetgenOptions {
-  double radius_edge_ratio = 0;  // 0: no refinement
-  double max_volume = 0;         // 0: none
+  double radius_edge_ratio = 0;                                       // 0: no refinement
+  double max_volume = 0;                                              // 0: none
+  std::function<double(const mesh::Vector3& center)> largest_volume;  // of a tetrahedron there; empty: none
   bool keep_surface = true;
   double tolerance = 1e-8;  // below which TetGen takes points for equal and facets for coplanar, where all is of size 1
 };

@@ -9,6 +9,7 @@
 #include "tetrahedra/assemble.h"
 #include "tetrahedra/input_check.h"
 #include "tetrahedra/scaled_surface.h"
+#include "tetrahedra/sizing.h"
 #include "tetrahedra/tetgen_call.h"
 
 namespace orbicube::tetrahedra {
@@ -21,6 +22,12 @@ void require_valid(const Options& o) {
   require(o.quality == 0 || (o.quality >= 1 && std::isfinite(o.quality)), "quality must be 0 or at least 1");
   require(o.max_volume >= 0 && std::isfinite(o.max_volume), "max_volume must be 0 or positive");
   require(o.edge_length >= 0 && std::isfinite(o.edge_length), "edge_length must be 0 or positive");
+  require(o.size_growth >= 0 && std::isfinite(o.size_growth), "size_growth must be 0 or positive");
+  require(o.sizes.size() < mesh::no_index, "there are more sizes than 32 bits can count");
+  for (const SizePoint& size : o.sizes) {
+    require(size.position.allFinite(), "a place with a size is not finite");
+    require(size.length > 0 && std::isfinite(size.length), "sizes must be positive");
+  }
 }
 
 std::string text(const TetgenOutcome& outcome) {
@@ -42,12 +49,27 @@ std::string text(const TetgenOutcome& outcome) {
   }
 }
 
+double volume_of_regular(double edge) {
+  return edge * edge * edge / (6 * std::sqrt(2.0));
+}
+
 // Of a regular tetrahedron with such edges, or what was asked for if that is less; in the coordinates of TetGen.
 double largest_volume(const Options& options, const ScaledSurface& surface) {
-  const double edge = surface.scaled_length(options.edge_length);
-  const double of_edge = edge * edge * edge / (6 * std::sqrt(2.0));
+  const double of_edge = volume_of_regular(surface.scaled_length(options.edge_length));
   const double asked = surface.scaled_volume(options.max_volume);
   return of_edge > 0 && asked > 0 ? std::min(of_edge, asked) : std::max(of_edge, asked);
+}
+
+// In the coordinates of TetGen. Points so far off that squares of them are infinite have no say.
+Sizing scaled_sizing(const Options& options, const ScaledSurface& surface, std::pmr::memory_resource* memory) {
+  constexpr double far_off = 1e100;
+  base::Array<SizePoint> points(memory);
+  points.reserve(options.sizes.size());
+  for (const SizePoint& size : options.sizes) {
+    const SizePoint point{surface.scaled(size.position), surface.scaled_length(size.length)};
+    if (point.position.cwiseAbs().maxCoeff() < far_off) points.push_back(point);
+  }
+  return {points, options.size_growth, memory};
 }
 
 // TetGen's mesh, with its tolerance lowered for as long as it takes features for flaws.
@@ -71,9 +93,13 @@ Solid fill(std::span<const Vector3> positions, std::span<const Triangle> triangl
   require_valid(options);
   require_fillable(positions, triangles, host);
   const ScaledSurface surface(positions, triangles, host.memory);
-  const TetgenOptions wanted{.radius_edge_ratio = options.quality,
-                             .max_volume = largest_volume(options, surface),
-                             .keep_surface = options.keep_surface};
+  const Sizing sizing = scaled_sizing(options, surface, host.memory);
+  TetgenOptions wanted{.radius_edge_ratio = options.quality,
+                       .max_volume = largest_volume(options, surface),
+                       .largest_volume = {},
+                       .keep_surface = options.keep_surface};
+  if (!sizing.empty())
+    wanted.largest_volume = [&](const Vector3& center) { return volume_of_regular(sizing.length_at(center)); };
   const TetgenMesh made = run_tetgen(surface, wanted, host);
   return assemble(positions, triangles, surface, made, options.keep_surface, host);
 }

@@ -7,6 +7,7 @@
 
 #include "base/host.h"
 #include "mesh/mesh.h"
+#include "tetrahedra/sizing.h"
 
 namespace orbicube::tetrahedra {
 
@@ -26,6 +27,10 @@ struct Options {
   double max_volume = 0;
   // Edges inside about this long, in the units of the surface; 0: as the surface has it.
   double edge_length = 0;
+  // The same at some places only, as at the surface's vertices; from each, edges may get longer by `size_growth` in
+  // each unit of distance. The shortest of all that applies. The surface is not cut for them, also where it may be.
+  std::span<const SizePoint> sizes = {};
+  double size_growth = 0.3;
   // Whether every triangle stays as it is. Otherwise edges and triangles may get further vertices: the surface's own
   // triangles need not appear, only parts that cover them.
   bool keep_surface = true;

@@ -141,6 +141,15 @@ TEST_CASE("Wrong arguments are answered, not followed") {
   obc_tetrahedra_options_init(&options, sizeof options);
   options.quality = std::numeric_limits<double>::quiet_NaN();
   CHECK(obc_tetrahedra_fill(&surface, &options, nullptr, &solid, &error) == OBC_INVALID_ARGUMENT);
+  obc_tetrahedra_options_init(&options, sizeof options);
+  const double places[] = {0, 0, 0, 1, 0, 0}, lengths[] = {0.5, 0};
+  options.size_positions = places;
+  options.size_count = 2;
+  CHECK(obc_tetrahedra_fill(&surface, &options, nullptr, &solid, &error) == OBC_INVALID_ARGUMENT);
+  options.size_lengths = lengths;
+  CHECK(obc_tetrahedra_fill(&surface, &options, nullptr, &solid, &error) == OBC_INVALID_ARGUMENT);
+  options.size_count = static_cast<std::size_t>(-1);
+  CHECK(obc_tetrahedra_fill(&surface, &options, nullptr, &solid, &error) == OBC_INVALID_ARGUMENT);
   Shape wrong = octahedron;
   wrong.triangles[5] = 6;
   const obc_surface out_of_range = wrong.surface();
@@ -148,11 +157,38 @@ TEST_CASE("Wrong arguments are answered, not followed") {
   CHECK(solid == nullptr);
 }
 
+TEST_CASE("A length at a place makes tetrahedra small there") {
+  const obc_surface surface = octahedron.surface();
+  const double place[] = {0, 0, 0}, length[] = {0.1};
+  std::size_t counts[3];
+  for (std::size_t run = 0; run < 3; ++run) {
+    obc_tetrahedra_options options;
+    REQUIRE(obc_tetrahedra_options_init(&options, sizeof options) == OBC_OK);
+    CHECK(options.size_growth == 0.3);
+    options.size_positions = place;
+    options.size_lengths = length;
+    options.size_count = run == 0 ? 0 : 1;
+    options.size_growth = run == 1 ? 1 : 0.2;
+    obc_tetrahedra* solid = nullptr;
+    REQUIRE(obc_tetrahedra_fill(&surface, &options, nullptr, &solid, nullptr) == OBC_OK);
+    counts[run] = obc_tetrahedra_count(solid);
+    obc_tetrahedra_destroy(solid);
+  }
+  CHECK(counts[0] < counts[1]);
+  CHECK(counts[1] < counts[2]);
+}
+
 TEST_CASE("Each allocation that fails ends in out of memory, in this process and in the child") {
   const obc_surface surface = octahedron.surface();
+  const double places[] = {0, 0, 0, 1, 0, 0}, lengths[] = {0.5, 0.4};
+  obc_tetrahedra_options options;
+  REQUIRE(obc_tetrahedra_options_init(&options, sizeof options) == OBC_OK);
+  options.size_positions = places;
+  options.size_lengths = lengths;
+  options.size_count = 2;
   const test::Outcome outcome = test::fail_each_allocation([&](const obc_host& host) {
     obc_tetrahedra* solid = nullptr;
-    const obc_status status = obc_tetrahedra_fill(&surface, nullptr, &host, &solid, nullptr);
+    const obc_status status = obc_tetrahedra_fill(&surface, &options, &host, &solid, nullptr);
     obc_tetrahedra_destroy(solid);
     return status;
   });

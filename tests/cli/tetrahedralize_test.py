@@ -77,6 +77,48 @@ class Tetrahedralize(InFolder):
         self.assertEqual(figures["boundary"]["triangles"], len(read_obj(path)[1]))
         self.assertAlmostEqual(figures["boundary"]["volume"], figures["cells"]["volume"], 9)
         self.assertIn("dihedral angles", done.stdout)
+        self.assertEqual(figures["usable_for"]["frames"], {"usable": True})
+        self.assertFalse(figures["usable_for"]["tetrahedralize"]["usable"])
+
+    def test_info_says_whether_a_surface_can_be_filled_as_the_verb_would(self):
+        report, out = self.path("report.json"), self.path("out.mesh")
+        positions, faces = read_obj(self.made("cube", 12))
+        shifted = [[x + 0.5 for x in p] for p in positions]
+        crossing = faces + [tuple(v + len(positions) for v in f) for f in faces]
+        for corners, triangles in ((positions, faces), (positions, faces[1:]), (positions + shifted, crossing)):
+            path = self.path("surface.obj")
+            with open(path, "w", encoding="ascii") as file:
+                file.writelines("v %r %r %r\n" % tuple(p) for p in corners)
+                file.writelines("f %d %d %d\n" % tuple(v + 1 for v in t) for t in triangles)
+            self.assertEqual(run("info", path, "--report", report).returncode, 0)
+            with open(report, encoding="utf-8") as file:
+                use = json.load(file)["usable_for"]["tetrahedralize"]
+            if use["usable"]:
+                self.assertEqual(triangles, faces)
+                self.assertEqual(run("tetrahedralize", path, "-o", out).returncode, 0)
+            else:
+                self.refused(2, use["kind"], path, "tetrahedralize", path, "-o", out)
+
+    def test_lengths_at_places_and_at_vertices(self):
+        path, sizing, report = self.made("sphere", 600), self.path("sizing.txt"), self.path("report.json")
+        vertices = len(read_obj(path)[0])
+
+        def filled(lines, *options):
+            with open(sizing, "w", encoding="ascii") as file:
+                file.write(lines)
+            done = run("tetrahedralize", path, "-o", self.path("out.mesh"), "--sizing", sizing, "--report", report, *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                return json.load(file)["tetrahedra"]
+
+        place = filled("# x y z length\n\n0 0 0 0.05\n")
+        self.assertGreater(filled("0 0 0 0.05\n", "--growth", "0.1"), 2 * place)
+        self.assertGreater(filled("0.08\n" * vertices), filled("1\n" * vertices))
+        for text, kind in (("0.1\n", "truncated"), ("0.1\n" * (vertices + 1), "trailing-data"), ("0 0 0 0\n", "invalid-argument"),
+                           ("0 0 0 0.1 2\n", "parse"), ("0 0\n", "parse"), ("0 0 0 inf\n", "non-finite")):
+            with open(sizing, "w", encoding="ascii") as file:
+                file.write(text)
+            self.refused(2, kind, sizing, "tetrahedralize", path, "-o", self.path("none.mesh"), "--sizing", sizing)
 
     def test_options_make_more_and_the_same_in_every_run(self):
         path = self.made("sphere", 600)

@@ -37,6 +37,15 @@ typedef struct obc_tetrahedra_options {
   double quality;       /* largest ratio of circumradius to shortest edge, at least 1; 0: no vertices for quality. Default 1.4 */
   double max_volume;    /* largest volume, in the units of the surface; 0: none. Default 0 */
   double edge_length;   /* edges inside about this long, in the units of the surface; 0: as the surface has it. Default 0 */
+  /* Lengths like edge_length at some places only, as at the surface's vertices: size_lengths[i], positive, at x y z in
+   * size_positions. From each place edges may get longer by size_growth in each unit of distance, and the shortest of all
+   * lengths that apply counts. size_growth is at least 0, default 0.3; the arrays are read by obc_tetrahedra_fill and not kept,
+   * and may be NULL when size_count is 0, the default. The surface is not cut for a size, also where it may be: beside it
+   * tetrahedra are as large as its triangles make them. */
+  const double *size_positions;
+  const double *size_lengths;
+  size_t size_count;
+  double size_growth;
 } obc_tetrahedra_options;
 
 /* The defaults, which the members' comments give. */
