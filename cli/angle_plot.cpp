@@ -76,7 +76,7 @@ base::Array<std::byte> angle_plot(std::span<const std::size_t> histogram, std::p
   double below = 0;
   for (std::size_t d = 0; d < histogram.size(); ++d) {
     const double share = total > 0 ? static_cast<double>(histogram[d]) / total : 0, angle = static_cast<double>(d);
-    canvas.box(across(angle) + 1, up(std::sqrt(share)), across(angle + 1), up(0), bar);
+    canvas.box(across(angle) + 1, up(share), across(angle + 1), up(0), bar);
   }
   for (std::size_t d = 0; d < histogram.size(); ++d) {
     const double share = total > 0 ? static_cast<double>(histogram[d]) / total : 0, angle = static_cast<double>(d);

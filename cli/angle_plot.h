@@ -9,9 +9,8 @@
 
 namespace orbicube::cli {
 
-// A PNG file. `histogram` counts the faces of each degree from 0 on; bars are as high as the square root of their
-// share, so that the few large angles are seen; the curve shows the share of faces below each angle, from 0 to 100 per
-// cent.
+// A PNG file. `histogram` counts the faces of each degree from 0 on; bars show the share of the faces with such
+// an angle, the curve that of the faces below each angle, on one scale from 0 to 100 per cent.
 base::Array<std::byte> angle_plot(std::span<const std::size_t> histogram, std::pmr::memory_resource* memory);
 
 }  // namespace orbicube::cli
