@@ -2,15 +2,19 @@
 //
 //   bench-frame-field targets FOLDER   the meshes of the table below that FOLDER has: default options against the best
 //                                      energy known, and the harmonic start alone for its time
-//   bench-frame-field seed FOLDER      against method seed: E, curves and nodes, angles with symmetry and without
-//   bench-frame-field scaling          iterations and time by size, on a ball made here
+//   bench-frame-field fields FILE...   method seed and the default on each mesh: all figures, tab-separated, for
+//   tables.py bench-frame-field scaling [FILE...]  iterations and time by size, on a ball made here and on meshes cut
+//   into eight
 //
 // Times are CPU seconds of this thread where one is used, which other programs on the machine hardly change.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <map>
+#include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "base/error.h"
 #include "bench/measuring.h"
@@ -48,8 +52,10 @@ base::Host one_thread() {
 
 struct Result {
   Measurement figures;
-  std::size_t edges = 0, curves = 0, nodes = 0, dead_ends = 0;
-  bool indices_fit = false;
+  std::size_t edges = 0, quarter_turns = 0, curves = 0, nodes = 0;
+  double length_share = 0;  // of the length of all inner edges
+  bool valid = false;
+  double off_normals() const { return std::max(figures.one_face_largest, figures.several_best_largest); }
 };
 
 Result analysed(const mesh::Mesh& solid, const Field& field, const base::Host& host) {
@@ -59,11 +65,13 @@ Result analysed(const mesh::Mesh& solid, const Field& field, const base::Host& h
   const SingularGraph graph =
       singular_graph(solid.positions, connectivity, field, matchings(connectivity, field, host), host);
   r.edges = graph.edges.size();
+  r.quarter_turns = graph.by_class[static_cast<std::size_t>(quaternion::CubeClass::face_quarter)];
   r.curves = graph.curves();
   r.nodes = graph.nodes.size();
-  r.dead_ends = graph.dead_ends.size();
+  r.length_share = graph.inner_length > 0 ? graph.singular_length / graph.inner_length : 0;
   const BoundaryIndices indices = boundary_indices(solid.positions, connectivity, field, host);
-  r.indices_fit = indices.sum_of_quarters == 4 * indices.euler_characteristic;
+  r.valid = graph.dead_ends.empty() && indices.sum_of_quarters == 4 * indices.euler_characteristic &&
+            r.figures.symmetric.largest <= 62.80 && r.off_normals() < 1e-6;
   return r;
 }
 
@@ -115,35 +123,37 @@ void targets(const std::filesystem::path& folder) {
         "|%s\n",
         row.file, solid.tetrahedra.size(), r.figures.energy, row.energy, r.figures.energy / row.energy,
         r.figures.symmetric.mean, r.figures.symmetric.p99, r.figures.symmetric.largest, r.edges, r.curves, r.nodes,
-        std::max(r.figures.one_face_largest, r.figures.several_best_largest), seconds, start, smoothing, bytes,
-        r.dead_ends == 0 && r.indices_fit ? "" : " INVALID");
+        r.off_normals(), seconds, start, smoothing, bytes, r.valid ? "" : " INVALID");
   });
 }
 
-void against_seed(const std::filesystem::path& folder) {
-  std::printf(
-      "| mesh | | E | angles with symmetry: mean / sd / max | without: mean / sd / max | curves + nodes | CPU s |\n");
-  std::printf("|---|---|---|---|---|---|---|\n");
+// A line of figures for each mesh and method, and one of the parts of inner faces with an angle of at most 1, 2, ...
+// degrees. Columns: see FIELDS in tables.py.
+void fields(std::span<char* const> files) {
   const base::Host host = one_thread();
-  for_each_mesh(folder, [&](const mesh::Mesh& solid, const Known& row) {
-    double energies[2];
-    std::size_t structure[2];
-    for (int k = 0; k < 2; ++k) {
+  for (const std::filesystem::path path : files) {
+    const mesh::Mesh solid = mesh::read_mesh(path, {}, base::Host());
+    for (const bool seed : {true, false}) {
       const double begin = cpu_seconds();
       const Outcome outcome =
-          compute(solid.positions, solid.tetrahedra, {.method = k == 0 ? Method::seed : Method::smooth}, {}, host);
+          compute(solid.positions, solid.tetrahedra, {.method = seed ? Method::seed : Method::smooth}, {}, host);
       const double seconds = cpu_seconds() - begin;
       const Result r = analysed(solid, outcome.field, host);
-      energies[k] = r.figures.energy;
-      structure[k] = r.curves + r.nodes;
-      const AngleStatistics &s = r.figures.symmetric, &p = r.figures.plain;
-      std::printf("| %s | %s | %.1f | %.2f / %.2f / %.1f | %.2f / %.2f / %.1f | %zu + %zu | %.1f |\n", row.file,
-                  k == 0 ? "seed" : "smooth", r.figures.energy, s.mean, s.deviation, s.largest, p.mean, p.deviation,
-                  p.largest, r.curves, r.nodes, seconds);
+      const std::string name = path.stem().string() + (seed ? "\tseed" : "\tdefault");
+      std::printf("field\t%s\t%zu\t%zu\t%.6g", name.c_str(), solid.tetrahedra.size(), r.figures.inner_faces,
+                  r.figures.energy);
+      for (const AngleStatistics& a : {r.figures.symmetric, r.figures.plain})
+        std::printf("\t%.4g\t%.4g\t%.4g\t%.4g\t%.4g", a.mean, a.deviation, a.median, a.p99, a.largest);
+      std::printf("\t%zu\t%zu\t%zu\t%zu\t%zu\t%.4g\t%.1e\t%.4g\t%s\n", r.figures.above_30, r.edges, r.quarter_turns,
+                  r.curves, r.nodes, r.length_share, r.off_normals(), seconds, r.valid ? "valid" : "invalid");
+      std::printf("angles\t%s", name.c_str());
+      std::size_t below = 0;
+      for (const std::size_t n : r.figures.histogram)
+        std::printf("\t%.5f", static_cast<double>(below += n) / static_cast<double>(r.figures.inner_faces));
+      std::printf("\n");
+      std::fflush(stdout);
     }
-    std::printf("| | quotient | %.2f | | | 1 / %.1f | |\n", energies[1] / energies[0],
-                static_cast<double>(structure[0]) / static_cast<double>(structure[1]));
-  });
+  }
 }
 
 // A ball of cubes cut in six.
@@ -174,25 +184,59 @@ mesh::Mesh made_ball(mesh::Index n) {
   return solid;
 }
 
-void scaling() {
-  std::printf("| tets | iterations of the harmonic start | CPU s | smoothing steps | iterations | CPU s |\n");
-  std::printf("|---|---|---|---|---|---|\n");
+// Each tetrahedron cut into eight: one at each corner, four about a diagonal of what is left.
+mesh::Mesh refined(const mesh::Mesh& solid) {
+  mesh::Mesh result;
+  result.positions = solid.positions;
+  std::map<std::pair<mesh::Index, mesh::Index>, mesh::Index> middles;
+  const auto middle = [&](mesh::Index a, mesh::Index b) {
+    const auto [place, added] =
+        middles.try_emplace(std::minmax(a, b), static_cast<mesh::Index>(result.positions.size()));
+    if (added) result.positions.push_back(0.5 * (solid.positions[a] + solid.positions[b]));
+    return place->second;
+  };
+  const auto add = [&](mesh::Tetrahedron t) {
+    const auto& x = result.positions;
+    if (mesh::orientation_3d(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) < 0) std::swap(t[2], t[3]);
+    result.tetrahedra.push_back(t);
+  };
+  for (const mesh::Tetrahedron& t : solid.tetrahedra) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      const mesh::Index v = t[k];
+      add({v, middle(v, t[(k + 1) % 4]), middle(v, t[(k + 2) % 4]), middle(v, t[(k + 3) % 4])});
+    }
+    const mesh::Index ring[] = {middle(t[0], t[1]), middle(t[0], t[3]), middle(t[2], t[3]), middle(t[1], t[2])};
+    for (std::size_t k = 0; k < 4; ++k)
+      add({middle(t[0], t[2]), middle(t[1], t[3]), ring[k], ring[(k + 1) % 4]});
+  }
+  return result;
+}
+
+void scaling_row(const char* name, const mesh::Mesh& solid) {
   const base::Host host = one_thread();
-  for (const mesh::Index n : {12U, 19U, 26U, 36U}) {
-    const mesh::Mesh solid = made_ball(n);
-    double begin = cpu_seconds();
-    const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
-    const DualGraph graph = make_dual_graph(solid.positions, connectivity, Weighting::uniform, host);
-    Constraints constraints = make_constraints(graph, solid.positions, connectivity, true, {}, {}, host);
-    const auto hierarchy = make_hierarchy(graph, 60, host);
-    Diffusion diffusion(graph, hierarchy, constraints, host);
-    Field field = diffusion.harmonic_start();
-    const double start = cpu_seconds() - begin;
-    begin = cpu_seconds();
-    const SmoothingResult r = smooth(graph, hierarchy, constraints, {.relative_gain = 1e-5}, host, field);
-    std::printf("| %zu | %u | %.2f | %u | %u | %.2f |\n", solid.tetrahedra.size(), diffusion.iterations(), start,
-                r.steps, r.solver_iterations, cpu_seconds() - begin);
-    std::fflush(stdout);
+  double begin = cpu_seconds();
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
+  const DualGraph graph = make_dual_graph(solid.positions, connectivity, Weighting::uniform, host);
+  Constraints constraints = make_constraints(graph, solid.positions, connectivity, true, {}, {}, host);
+  const auto hierarchy = make_hierarchy(graph, 60, host);
+  Diffusion diffusion(graph, hierarchy, constraints, host);
+  Field field = diffusion.harmonic_start();
+  const double start = cpu_seconds() - begin;
+  begin = cpu_seconds();
+  const SmoothingResult r = smooth(graph, hierarchy, constraints, {.relative_gain = 1e-5}, host, field);
+  std::printf("%s\t%zu\t%u\t%.2f\t%u\t%u\t%.2f\n", name, solid.tetrahedra.size(), diffusion.iterations(), start,
+              r.steps, r.solver_iterations, cpu_seconds() - begin);
+  std::fflush(stdout);
+}
+
+void scaling(std::span<char* const> files) {
+  std::printf("solid\ttets\tharmonic iterations\tCPU s\tsmoothing steps\titerations\tCPU s\n");
+  for (const mesh::Index n : {12U, 19U, 26U, 36U})
+    scaling_row("ball of cubes", made_ball(n));
+  for (const std::filesystem::path path : files) {
+    const mesh::Mesh solid = mesh::read_mesh(path, {}, base::Host());
+    scaling_row(path.stem().c_str(), solid);
+    scaling_row((path.stem().string() + ", refined").c_str(), refined(solid));
   }
 }
 
@@ -203,12 +247,12 @@ int main(int argc, char** argv) {
   try {
     if (what == "targets" && argc == 3) {
       targets(argv[2]);
-    } else if (what == "seed" && argc == 3) {
-      against_seed(argv[2]);
-    } else if (what == "scaling" && argc == 2) {
-      scaling();
+    } else if (what == "fields" && argc > 2) {
+      fields({argv + 2, argv + argc});
+    } else if (what == "scaling") {
+      scaling({argv + 2, argv + argc});
     } else {
-      std::fprintf(stderr, "usage: bench-frame-field targets FOLDER | seed FOLDER | scaling\n");
+      std::fprintf(stderr, "usage: bench-frame-field targets FOLDER | fields FILE... | scaling [FILE...]\n");
       return 2;
     }
   } catch (const base::Error& e) {
