@@ -45,13 +45,13 @@ therefore not angles between frames but between the quaternions or labelled axes
 frozen or left out. `without` is that: the angle between the quaternions as they stand, up to their sign.
 
 - `seed` starts all frames inside as identity and never changes the name of a frame, so that its angles without symmetry are close to
-  those with it, and of the printed kind: a small mean, and a largest one above 90 degrees.
-- The default writes each frame as whichever of the 24 quaternions comes out. Its angles without symmetry are what random names give
-  (two random rotations are 126.5 degrees apart on average), and say nothing about the field. The compared method's printed means of 55
-  to 106 degrees are of this kind: names, not smoothness.
+  those with it, and of the printed kind: a small mean, and a largest one of about 90 degrees.
+- The default writes each frame as whichever of the 24 quaternions comes out, and neighbours often by different ones. Its angles without
+  symmetry are far on the way to those of random rotations (126.5 degrees on average), and say nothing about the field. The compared
+  method's printed means of 55 to 106 degrees are of this kind: names, not smoothness.
 
-The columns with symmetry are the ones to compare by. By them, and by E and the singular structure, the default is smoother than `seed`
-on every mesh, where the printed columns would say the contrary.
+The columns with symmetry are the ones to compare by. Where those without would call `seed` the smoother one on every mesh, by these it is
+the other way round but for what is said under [all meshes](#all-meshes).
 """
 
 
@@ -130,6 +130,10 @@ def all_table(fields, names):
     summary = (f"E is {min(energies)[0]:.2f} to {max(energies)[0]:.2f} times that of `seed`; at most half of it on "
                f"{sum(e <= 0.5 for e, _ in energies)} of {len(names)} meshes. Curves and nodes are at most an eighth of `seed`'s on "
                f"{sum(s <= 0.125 for s, _ in structures)} of {len(names)}.")
+    for key, title in (("mean", "The mean angle"), ("sd", "The standard deviation"), ("p99", "The angle at 99 %"),
+                       ("max", "The largest angle"), ("edges", "The number of singular edges")):
+        worse = [name for name in names if fields[name, "default"][key] > fields[name, "seed"][key]]
+        summary += f" {title} is " + (f"larger than that of `seed` on {', '.join(worse)}." if worse else "nowhere larger than that of `seed`.")
     return "\n".join(lines) + "\n", summary
 
 
@@ -215,7 +219,9 @@ Per cent of inner faces with an angle (up to the 24 rotations) of at most so man
 
 ## All meshes
 
-{summary} Every field has an axis along the normal to 1e-6 degrees at every tetrahedron of the boundary, no curve that ends inside,
+{summary}
+
+Every field has an axis along the normal to 1e-6 degrees at every tetrahedron of the boundary, no curve that ends inside,
 and boundary indices that add up to the Euler characteristic.
 
 {whole}
