@@ -49,6 +49,9 @@ int run(int argc, char** argv) {
   orbicube::cli::add_harmonics(app, common);
   orbicube::cli::add_compare(app, common);
   orbicube::cli::add_page(app, common);
+#ifdef ORBICUBE_WITH_POLYCUBE
+  orbicube::cli::add_polycube(app, common);
+#endif
 #ifdef ORBICUBE_WITH_TETRAHEDRA
   orbicube::cli::add_tetrahedralize(app, common);
 #endif

@@ -17,5 +17,6 @@ void add_harmonics(CLI::App& app, CommonOptions& common);
 void add_compare(CLI::App& app, CommonOptions& common);
 void add_page(CLI::App& app, CommonOptions& common);
 void add_tetrahedralize(CLI::App& app, CommonOptions& common);  // in builds with TetGen
+void add_polycube(CLI::App& app, CommonOptions& common);        // in builds with the library
 
 }  // namespace orbicube::cli

@@ -6,10 +6,14 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "base/version.h"
 #include "capi/src/entry.h"
+#include "mesh/surface_check.h"
+#include "mesh/topology.h"
 #include "polycube/certificate.h"
+#include "polycube/label_construction.h"
 
 using namespace orbicube;
 using mesh::Triangle;
@@ -47,6 +51,26 @@ void copy(const base::Array<Element>& from, Number* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
 }
 
+obc_polycube_options default_options() {
+  const polycube::LabelConstructionOptions defaults;
+  obc_polycube_options o{};
+  o.struct_size = sizeof o;
+  o.corners = defaults.corners;
+  o.seed = defaults.seed;
+  return o;
+}
+
+// What a surface must be to have a polycube: closed, connected, consistently oriented.
+void require_one_surface(const Surface& s, const base::Host& host) {
+  mesh::require_valid_surface(s.positions, s.triangles, host);
+  const mesh::Topology facts = mesh::topology(s.positions, s.triangles, host);
+  mesh::require_closed_manifold(facts);
+  if (facts.components != 1) throw base::Error("not-connected", "the surface has more than one component");
+  if (facts.inconsistent_edges > 0)
+    throw base::Error("inconsistent-orientation", "neighbouring triangles are oriented differently");
+  if (!(facts.volume > 0)) throw base::Error("degenerate-geometry", "the surface encloses no volume or looks inward");
+}
+
 void write_certificate(const polycube::Certificate& from, obc_polycube_certificate* to) {
   if (to == nullptr) return;
   obc_polycube_certificate value{};
@@ -80,6 +104,29 @@ obc_status obc_polycube_create(const obc_surface* surface, const double* polycub
     if (!found.valid()) throw base::Error("no-valid-result", found.reason);
     made->corners = found.corners;
     made->patches = found.patches;
+    *out = made.release();
+  });
+}
+
+obc_status obc_polycube_options_init(obc_polycube_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_options());
+}
+
+obc_status obc_polycube_compute(const obc_surface* surface, const obc_polycube_options* options, const obc_host* host,
+                                obc_polycube** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    const Surface s(surface);
+    const obc_polycube_options o = capi::copy_versioned(options, default_options());
+    auto made = std::make_unique<obc_polycube>(host);
+    const base::Host& on = made->adapter.host();
+    require_one_surface(s, on);
+    polycube::Construction construction =
+        polycube::construct_by_labels(s.positions, s.triangles, {.corners = o.corners, .seed = o.seed}, on);
+    made->map = std::move(construction.map);
+    made->corners = construction.certificate.corners;
+    made->patches = construction.certificate.patches;
     *out = made.release();
   });
 }

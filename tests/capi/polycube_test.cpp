@@ -91,6 +91,45 @@ TEST_CASE("A map that is not valid makes no handle and has a reason") {
   CHECK(std::string(certificate.reason).find("axis-aligned") != std::string::npos);
 }
 
+TEST_CASE("A polycube of a sphere's triangles is found, with its sources") {
+  obc_mesh* mesh = nullptr;
+  obc_surface surface;
+  obc_error error;
+  REQUIRE(obc_mesh_make("sphere", 600, 0, nullptr, &mesh, &error) == OBC_OK);
+  REQUIRE(obc_mesh_surface(mesh, &surface, &error) == OBC_OK);
+  obc_polycube_options options;
+  REQUIRE(obc_polycube_options_init(&options, sizeof options) == OBC_OK);
+  options.corners = 8;
+  obc_polycube* map = nullptr;
+  REQUIRE(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_OK);
+  CHECK(obc_polycube_corner_count(map) == 8);
+  CHECK(obc_polycube_patch_count(map) == 6);
+  const std::size_t count = obc_polycube_vertex_count(map);
+  REQUIRE(count >= surface.vertex_count);
+  std::vector<double> positions(3 * count), polycube(3 * count), weights(3 * count);
+  std::vector<std::uint32_t> faces(3 * obc_polycube_triangle_count(map)), corners(3 * count);
+  REQUIRE(obc_polycube_copy(map, positions.data(), polycube.data(), faces.data(), &error) == OBC_OK);
+  REQUIRE(obc_polycube_copy_sources(map, corners.data(), weights.data(), &error) == OBC_OK);
+  CHECK(std::equal(surface.positions, surface.positions + 3 * surface.vertex_count, positions.begin()));
+  for (std::size_t v = 0; v < count; ++v) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      double x = 0;
+      for (std::size_t k = 0; k < 3 && corners[3 * v + k] != UINT32_MAX; ++k)
+        x += weights[3 * v + k] * surface.positions[3 * corners[3 * v + k] + axis];
+      CHECK(x == doctest::Approx(positions[3 * v + axis]).epsilon(1e-14));
+    }
+  }
+  const obc_surface refined = {positions.data(), count, faces.data(), faces.size() / 3};
+  obc_polycube* again = nullptr;
+  CHECK(obc_polycube_create(&refined, polycube.data(), nullptr, nullptr, &again, &error) == OBC_OK);
+  obc_polycube_destroy(again);
+  obc_polycube_destroy(map);
+  options.corners = 7;
+  CHECK(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_NO_VALID_RESULT);
+  CHECK(map == nullptr);
+  obc_mesh_destroy(mesh);
+}
+
 TEST_CASE("Wrong arguments are answered, not followed") {
   const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
   obc_polycube* map = nullptr;
@@ -106,6 +145,12 @@ TEST_CASE("Wrong arguments are answered, not followed") {
   const obc_surface out_of_range = {cube.data(), 8, wrong.data(), 12};
   CHECK(obc_polycube_create(&out_of_range, cube.data(), nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
   CHECK(map == nullptr);
+  CHECK(obc_polycube_compute(nullptr, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_compute(&surface, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_compute(&out_of_range, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  const obc_surface open = {cube.data(), 8, triangles.data(), 11};
+  CHECK(obc_polycube_compute(&open, nullptr, nullptr, &map, &error) == OBC_NOT_CLOSED);
+  CHECK(obc_polycube_options_init(nullptr, sizeof(obc_polycube_options)) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_copy(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_copy_triangles(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_copy_sources(nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
@@ -129,4 +174,23 @@ TEST_CASE("Each allocation that fails ends in out of memory, and each report may
   const test::Outcome cancelled = test::cancel_everywhere(call);
   CHECK(cancelled.problem == "");
   CHECK(cancelled.runs > 3);
+}
+
+TEST_CASE("Each allocation of a construction that fails ends in out of memory, and each report may cancel") {
+  const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
+  const test::Call call = [&](const obc_host& host) {
+    obc_polycube* map = nullptr;
+    obc_polycube_options options;
+    obc_polycube_options_init(&options, sizeof options);
+    options.corners = 8;
+    const obc_status status = obc_polycube_compute(&surface, &options, &host, &map, nullptr);
+    obc_polycube_destroy(map);
+    return status;
+  };
+  const test::Outcome memory = test::fail_each_allocation(call);
+  CHECK(memory.problem == "");
+  CHECK(memory.runs > 100);
+  const test::Outcome cancelled = test::cancel_everywhere(call);
+  CHECK(cancelled.problem == "");
+  CHECK(cancelled.runs > 10);
 }

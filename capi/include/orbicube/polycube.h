@@ -43,6 +43,26 @@ typedef struct obc_polycube_certificate {
 OBC_API obc_status obc_polycube_create(const obc_surface *surface, const double *polycube, const obc_host *host,
                                        obc_polycube_certificate *certificate, obc_polycube **out, obc_error *error);
 
+/* How a polycube is looked for. Fill with _init. */
+typedef struct obc_polycube_options {
+  uint32_t struct_size;
+  int32_t reserved;
+  size_t corners; /* of the polycube at most; 0: any number. Default 0 */
+  uint64_t seed;  /* of what is chosen at random. Default 0 */
+} obc_polycube_options;
+
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_polycube_options_init(obc_polycube_options *options, size_t struct_size);
+
+/* Finds a polycube of a closed surface of any genus, and a map to it, from axis labels of triangles (Livesu, Vining, Sheffer,
+ * Gregson and Scateni 2013, "PolyCut"; Garanzha et al. 2021, "Foldover-free maps in 50 lines of code"). Edges are split where
+ * that is needed; the vertices of the surface come first. The polycube has about the size of the surface.
+ * options and host may be NULL; the host's allocator must stay valid until _destroy. Memory for systems of linear equations is
+ * not the host's. Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no
+ * triangles); no valid result with what stood in the way; out of memory, cancelled. */
+OBC_API obc_status obc_polycube_compute(const obc_surface *surface, const obc_polycube_options *options, const obc_host *host,
+                                        obc_polycube **out, obc_error *error);
+
 /* Releases a map; NULL is fine. */
 OBC_API void obc_polycube_destroy(obc_polycube *map);
 

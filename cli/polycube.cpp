@@ -1,0 +1,148 @@
+// orbicube polycube: a polycube of a closed surface and a certified map to it.
+#include <memory>
+#include <string>
+#include <utility>
+
+#include "checked_file.h"
+#include "mesh/file.h"
+#include "mesh/orient.h"
+#include "mesh/topology.h"
+#include "mesh/write.h"
+#include "polycube/label_construction.h"
+#include "surface_file.h"
+#include "verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+struct PolycubeOptions {
+  std::string input;
+  std::string output;
+  std::string surface;
+  std::string construct = "labels";
+  std::size_t corners = 0;
+  bool text = false;
+  bool weld = false;
+};
+
+// Formats that keep the order of vertices and every bit of their coordinates.
+void require_exact_format(const std::string& path) {
+  const auto format = is_gltf(path) ? mesh::Format::stl : mesh::format_of_path(path);
+  if (format != mesh::Format::stl) return;
+  throw Failure(Exit::wrong_input, path, "unsupported-format",
+                "faces of a polycube lie exactly in planes; this format rounds coordinates or joins vertices");
+}
+
+mesh::Mesh read_surface(const PolycubeOptions& options, Session& session) {
+  InputMesh input = read_input(options.input, options.weld, session);
+  mesh::Mesh& m = input.mesh;
+  about(options.input, Role::input, [&] {
+    if (!m.tetrahedra.empty() || !m.hexahedra.empty())
+      throw base::Error("unsupported", "a solid of cells; polycube takes surfaces");
+    const mesh::Topology facts = mesh::topology(m.positions, m.triangles, session.host());
+    mesh::require_closed_manifold(facts);
+    if (facts.components > 1) throw base::Error("not-connected", std::to_string(facts.components) + " components");
+    if (!facts.orientable) throw base::Error("non-orientable", "no orientation of the triangles is consistent");
+    const mesh::OrientReport turned = mesh::orient(m.positions, m.triangles, session.host());
+    if (turned.triangles_turned > 0)
+      session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbours");
+    if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
+    session.figures()["input"] = {{"format", input.report.format},
+                                  {"vertices", m.positions.size()},
+                                  {"triangles", m.triangles.size()},
+                                  {"genus", facts.genus.value_or(0)}};
+  });
+  return std::move(m);
+}
+
+// Written beside its place, read again and compared: what was certified is what the file holds.
+void write_exactly(const std::string& path, const base::Array<mesh::Vector3>& positions,
+                   const base::Array<mesh::Triangle>& triangles, bool text, Session& session) {
+  about(path, Role::output, [&] {
+    mesh::Mesh m(session.host().memory);
+    m.positions = positions;
+    m.triangles = triangles;
+    CheckedFile file(path);
+    mesh::write_mesh(file.path(), m, {.binary = !text}, session.host());
+    const mesh::Mesh again = mesh::read_mesh(file.path(), {}, session.host());
+    if (again.positions != positions || again.triangles != triangles)
+      throw base::Error("no-valid-result", "what was written is not what is read again");
+    file.commit();
+  });
+}
+
+void polycube(const PolycubeOptions& options, Session& session) {
+  require_writable(options.output);
+  require_exact_format(options.output);
+  if (!options.surface.empty()) {
+    require_writable(options.surface);
+    require_exact_format(options.surface);
+  }
+  session.options() = {{"output", options.output},   {"surface", options.surface}, {"construct", options.construct},
+                       {"corners", options.corners}, {"text", options.text},       {"weld", options.weld}};
+  const mesh::Mesh input = read_surface(options, session);
+  const double start = session.seconds();
+  const polycube::Construction made = about(options.input, Role::input, [&] {
+    return polycube::construct_by_labels(input.positions, input.triangles,
+                                         {.corners = options.corners, .seed = session.seed()}, session.host());
+  });
+  const double constructed = session.seconds();
+  const polycube::SurfaceMap& map = made.map;
+  write_exactly(options.output, map.polycube, map.triangles, options.text, session);
+  if (!options.surface.empty()) write_exactly(options.surface, map.positions, map.triangles, options.text, session);
+
+  const std::size_t added = map.positions.size() - input.positions.size();
+  session.figures().update(Json{{"vertices", map.positions.size()},
+                                {"vertices_added", added},
+                                {"triangles", map.triangles.size()},
+                                {"corners", made.certificate.corners},
+                                {"patches", made.certificate.patches},
+                                {"genus", made.certificate.genus},
+                                {"distortion",
+                                 {{"angle_mean", made.distortion.angle_mean},
+                                  {"area_mean", made.distortion.area_mean},
+                                  {"angle_weighted_mean", made.distortion.angle_weighted_mean},
+                                  {"area_weighted_mean", made.distortion.area_weighted_mean}}},
+                                {"labellings_tried", made.tried},
+                                {"labellings_valid", made.valid},
+                                {"seconds_construct", constructed - start},
+                                {"seconds_write", session.seconds() - constructed}});
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+  session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
+              " corners and " + std::to_string(made.certificate.patches) + " faces, genus " +
+              std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
+  session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_mean) + ", of areas " +
+              std::to_string(made.distortion.area_mean) + " (1: none)");
+  if (!options.surface.empty()) session.say("wrote " + options.surface);
+}
+
+}  // namespace
+
+void add_polycube(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("polycube", "make a polycube of a closed surface, and a map to it");
+  const auto options = std::make_shared<PolycubeOptions>();
+  verb->add_option("IN", options->input, std::string("closed surface: ") + surface_endings)->required()->type_name("");
+  verb->add_option("-o,--output", options->output, "the surface's triangles on the polycube: .obj .off .ply .mesh .vtk")
+      ->required()
+      ->type_name("OUT");
+  verb->add_option("--surface", options->surface, "the surface with the same vertices and triangles as OUT")
+      ->type_name("OUT2");
+  verb->add_option("--construct", options->construct, "how the polycube is found: labels (labels)")
+      ->check(unnamed(CLI::IsMember({"labels"})))
+      ->type_name("METHOD");
+  verb->add_option("--corners", options->corners, "corners of the polycube at most; 0: any number (0)")->type_name("N");
+  verb->add_flag("--text", options->text, "text rather than binary PLY and VTK");
+  verb->add_flag("--weld", options->weld, "join vertices at identical positions if the surface is not closed");
+  add_common_options(*verb, common);
+  verb->footer(
+      "Every map that is written is certified by exact arithmetic; when none is found the exit code is 1. The "
+      "surface's "
+      "vertices come first in OUT, in their order; edges are split where that is needed.");
+  verb->callback([options, &common] {
+    Session session(common, "polycube", options->input);
+    session.run([&] { polycube(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

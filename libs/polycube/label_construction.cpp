@@ -1,0 +1,240 @@
+#include "polycube/label_construction.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/topology.h"
+#include "polycube/alignment.h"
+#include "polycube/decimation.h"
+#include "polycube/label_repair.h"
+#include "polycube/label_smoothing.h"
+#include "polycube/labelled_map.h"
+#include "polycube/map_refinement.h"
+#include "polycube/normal_flow.h"
+#include "polycube/refinement.h"
+
+namespace orbicube::polycube {
+namespace {
+
+constexpr std::array coarse_to_fine = {0.08, 0.04, 0.02, 0.01};
+constexpr std::array smoothing_steps = {0, 2};
+constexpr double first_smoothing_time = 1e-4;
+constexpr int sweeps = 5;
+constexpr int repair_passes = 60;
+
+// Labellings are tried on a surface of so many triangles, when the input has more than is coarse enough.
+constexpr std::size_t search_triangles = 5000;
+constexpr std::size_t coarse_enough = 7000;
+constexpr std::size_t map_triangles = 5000;
+constexpr int smoothing_sweeps = 30;
+constexpr int final_polishing_steps = 40;
+constexpr int final_sweeps = 6;
+
+// The surface that labellings are tried on: the input's, or a coarse one made of some of its triangles.
+struct SearchSurface {
+  SearchSurface(std::span<const Vector3> p, std::span<const Triangle> t, const base::Host& host)
+      : decimation(host.memory),
+        positions(p.begin(), p.end(), host.memory),
+        triangles(t.begin(), t.end(), host.memory),
+        source(host.memory) {}
+
+  Decimation decimation;
+  Array<Vector3> positions;  // in space
+  Array<Triangle> triangles;
+  Array<Index> source;  // of each triangle, when it is a coarse one: its number in the input
+};
+
+// The vertices and triangles that a decimation has left.
+void take_left(const Decimation& decimation, std::span<const Vector3> from, Array<Vector3>& positions,
+               Array<Triangle>& triangles, Array<Index>& vertex_source, const base::Host& host) {
+  Array<Index> number(from.size(), no_index, host.memory);
+  positions.clear();
+  triangles.clear();
+  vertex_source.clear();
+  for (const Index t : decimation.left) {
+    Triangle triangle = decimation.triangles[t];
+    for (Index& v : triangle) {
+      if (number[v] == no_index) {
+        number[v] = static_cast<Index>(positions.size());
+        positions.push_back(from[v]);
+        vertex_source.push_back(v);
+      }
+      v = number[v];
+    }
+    triangles.push_back(triangle);
+  }
+}
+
+Surface framed(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Frame& frame,
+               const base::Host& host) {
+  Array<Vector3> seen(positions.size(), host.memory);
+  std::transform(positions.begin(), positions.end(), seen.begin(), frame);
+  return {std::move(seen), Array<Triangle>(triangles.begin(), triangles.end(), host.memory), host};
+}
+
+class LabelConstruction {
+ public:
+  LabelConstruction(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                    const LabelConstructionOptions& options, const base::Host& host)
+      : positions_(positions),
+        triangles_(triangles),
+        options_(options),
+        host_(host),
+        frame_(unit_frame(positions, triangles)),
+        fine_(framed(positions, triangles, frame_, host)),
+        search_(positions, triangles, host),
+        coarse_(fine_is_coarse() ? framed(positions, triangles, frame_, host) : decimated()),
+        candidates_(host.memory) {
+    frame_.rotation = best_alignment(fine_, options.seed, host);
+    fine_ = framed(positions_, triangles_, frame_, host);
+    coarse_ = framed(search_.positions, search_.triangles, frame_, host);
+  }
+
+  Construction run() {
+    for (const double compactness : coarse_to_fine) {
+      for (const int smoothing : smoothing_steps)
+        try_labels(compactness, smoothing);
+    }
+    std::stable_sort(candidates_.begin(), candidates_.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+    for (Candidate& candidate : candidates_) {
+      Construction result(host_.memory);
+      result.tried = tried_;
+      result.valid = candidates_.size();
+      if (finish(candidate, result)) return result;
+    }
+    throw base::Error("no-valid-result", "none of " + std::to_string(tried_) +
+                                             " labellings is a polycube within the budget; the last: " + last_reason_);
+  }
+
+ private:
+  struct Candidate {
+    double score;
+    double compactness;
+    Array<AxisLabel> labels;  // of the search surface
+    SurfaceMap map;
+    Certificate certificate;
+  };
+
+  bool fine_is_coarse() const { return triangles_.size() <= coarse_enough; }
+
+  Surface decimated() {
+    search_.decimation = decimate(fine_, {}, search_triangles, host_);
+    search_.source = search_.decimation.left;
+    Array<Index> vertices(host_.memory);
+    take_left(search_.decimation, positions_, search_.positions, search_.triangles, vertices, host_);
+    return framed(search_.positions, search_.triangles, frame_, host_);
+  }
+
+  Array<Vector3> normals(int smoothing) const {
+    if (smoothing == 0) return Array<Vector3>(coarse_.normals, host_.memory);
+    Array<Vector3> flowed(coarse_.positions, host_.memory);
+    flow(coarse_, first_smoothing_time, smoothing, flowed, host_);
+    return unit_normals(flowed, coarse_.triangles, host_);
+  }
+
+  void fail(const std::string& reason) {
+    last_reason_ = reason;
+    host_.log(reason);
+  }
+
+  void try_labels(double compactness, int smoothing) {
+    ++tried_;
+    LabelCosts costs = label_costs(coarse_, normals(smoothing), compactness, host_);
+    Array<AxisLabel> labels(coarse_.triangles.size(), host_.memory);
+    for (Index i = 0; i < labels.size(); ++i)
+      labels[i] = best_label(costs, i);
+    expand_labels(coarse_, costs, {}, sweeps, labels, host_);
+    const LabelFaults faults = repair_labels(coarse_, costs, repair_passes, labels, host_);
+    const std::string name = "compactness " + std::to_string(compactness) + ", " + std::to_string(smoothing) +
+                             " steps of smoothing, " + std::to_string(faults.corners) + " corners: ";
+    if (faults.total() > 0) return fail(name + "faults of labels could not be repaired");
+    if (options_.corners > 0 && faults.corners > options_.corners) return fail(name + "more than the budget");
+    const auto same = [&](const Candidate& other) { return other.labels == labels; };
+    if (std::any_of(candidates_.begin(), candidates_.end(), same)) return;
+    SurfaceMap map = unrefined(search_.positions, search_.triangles, labels, host_);
+    LabelledMapOptions map_options;
+    map_options.seed = options_.seed;
+    LabelledMapOutcome outcome = make_labelled_map(map, frame_, map_options, host_);
+    if (!outcome.valid()) return fail(name + outcome.reason);
+    const Distortion d = measure_distortion(map, host_);
+    host_.log(name + "angle " + std::to_string(d.angle_weighted_mean) + ", area " +
+              std::to_string(d.area_weighted_mean));
+    candidates_.push_back({d.angle_weighted_mean * d.area_weighted_mean, compactness, std::move(labels), std::move(map),
+                           std::move(outcome.certificate)});
+  }
+
+  // The map of the whole surface.
+  bool finish(Candidate& candidate, Construction& result) {
+    if (search_.source.empty()) {
+      result.map = std::move(candidate.map);
+      result.certificate = std::move(candidate.certificate);
+      result.distortion = measure_distortion(result.map, host_);
+      return true;
+    }
+    const LabelCosts costs = label_costs(fine_, fine_.normals, candidate.compactness, host_);
+    Array<AxisLabel> labels(triangles_.size(), host_.memory);
+    for (std::size_t i = 0; i < search_.source.size(); ++i)
+      labels[search_.source[i]] = candidate.labels[i];
+    undo_labels(search_.decimation, costs.data, labels);
+    smooth_labels(fine_, costs, smoothing_sweeps, labels, host_);
+    SurfaceMap map = unrefined(positions_, triangles_, labels, host_);
+    split_chords(map, host_);
+
+    // Solved on a coarse surface that keeps the charts, then brought to the fine one.
+    const Surface refined = framed(map.positions, map.triangles, frame_, host_);
+    Decimation decimation = decimate(refined, map.labels, map_triangles, host_);
+    SurfaceMap small(host_.memory);
+    Array<Index> vertices(host_.memory);
+    take_left(decimation, map.positions, small.positions, small.triangles, vertices, host_);
+    for (const Index t : decimation.left)
+      small.labels.push_back(AxisLabel{map.labels[t]});
+    set_unrefined(small);
+    LabelledMapOptions map_options;
+    map_options.seed = options_.seed;
+    map_options.polishing_steps = final_polishing_steps;
+    const LabelledMapOutcome outcome = make_labelled_map(small, frame_, map_options, host_);
+    if (!outcome.valid()) {
+      fail("on the way to the whole surface: " + outcome.reason);
+      return false;
+    }
+    map.polycube.resize(map.positions.size());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      map.polycube[vertices[i]] = frame_.scale * small.polycube[i];
+    refine_map(refined, map.labels, decimation, map_options.area_weight, final_sweeps, map.polycube, host_);
+    for (Vector3& p : map.polycube)
+      p /= frame_.scale;
+    result.certificate = certify(map, host_);
+    if (!result.certificate.valid()) {
+      fail("on the whole surface: " + result.certificate.reason);
+      return false;
+    }
+    result.map = std::move(map);
+    result.distortion = measure_distortion(result.map, host_);
+    return true;
+  }
+
+  std::span<const Vector3> positions_;
+  std::span<const Triangle> triangles_;
+  const LabelConstructionOptions& options_;
+  const base::Host& host_;
+  Frame frame_;
+  Surface fine_;
+  SearchSurface search_;
+  Surface coarse_;
+  Array<Candidate> candidates_;
+  std::size_t tried_ = 0;
+  std::string last_reason_;
+};
+
+}  // namespace
+
+Construction construct_by_labels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                                 const LabelConstructionOptions& options, const base::Host& host) {
+  return LabelConstruction(positions, triangles, options, host).run();
+}
+
+}  // namespace orbicube::polycube

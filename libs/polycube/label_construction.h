@@ -1,0 +1,36 @@
+// A polycube and a map to it from axis labels of the surface's triangles.
+//
+// The surface is turned towards the axes, labelled by graph cuts from coarse to fine with normals before and after some
+// smoothing (label_cut.h), the labels are repaired (label_repair.h), and each labelling that may be a polycube is made
+// into a map (labelled_map.h). Of the certified ones the least distorted within the budget of corners is the result.
+//
+// Surfaces of many triangles are decimated for all of that. The labels then go back to the whole surface with the
+// vertices (decimation.h), which keeps charts, arcs and corners; the whole surface is decimated once more with them,
+// mapped where it is coarse, and the map is brought to all its vertices (map_refinement.h).
+#pragma once
+
+#include "polycube/certificate.h"
+#include "polycube/distortion.h"
+
+namespace orbicube::polycube {
+
+struct LabelConstructionOptions {
+  std::size_t corners = 0;  // of the polycube at most; 0: any number
+  std::uint64_t seed = 0;
+};
+
+struct Construction {
+  explicit Construction(std::pmr::memory_resource* memory) : map(memory), certificate(memory) {}
+
+  SurfaceMap map;
+  Certificate certificate;
+  Distortion distortion;
+  std::size_t tried = 0, valid = 0;  // labellings
+};
+
+// Of a closed, connected, oriented surface. Throws Error "no-valid-result" with what stood in the way, "cancelled", and
+// what mesh::Connectivity does.
+Construction construct_by_labels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                                 const LabelConstructionOptions& options, const base::Host& host);
+
+}  // namespace orbicube::polycube

@@ -1,0 +1,109 @@
+#include "polycube/labelled_map.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "polycube/refinement.h"
+#include "polycube/starts.h"
+#include "polycube/untangling.h"
+
+namespace orbicube::polycube {
+namespace {
+
+constexpr int rounds_of_the_start = 15;
+
+class LabelledMap {
+ public:
+  LabelledMap(SurfaceMap& result, const Surface& surface, const Charts& charts, const Frame& frame,
+              const LabelledMapOptions& options, const base::Host& host)
+      : result_(result),
+        frame_(frame),
+        options_(options),
+        host_(host),
+        network_(surface, charts, host),
+        map_(surface, charts, host),
+        poisson_(host.memory),
+        signs_(host.memory),
+        outcome_(host.memory) {}
+
+  LabelledMapOutcome run() {
+    poisson_start(map_, rounds_of_the_start, host_);
+    poisson_ = map_.value;
+    const Array<double> wanted = wanted_signs(map_, network_, host_);
+    signs_ = find_arc_signs(*map_.charts, *map_.surface, network_, wanted, options_.seed, host_);
+    const bool as_wanted = signs_.consistent() && signs_.changed == 0;
+    Untangling untangling(map_, host_);
+    if ((as_wanted || !signs_.consistent()) && attempt(untangling, 0)) return std::move(outcome_);
+    if (!signs_.consistent()) {
+      outcome_.reason = "no signs of arcs make the labels a polycube: " + std::to_string(signs_.bad_corners.size()) +
+                        " corners and " + std::to_string(signs_.bad_charts.size()) + " charts are in conflict; " +
+                        outcome_.reason;
+      return std::move(outcome_);
+    }
+    // Each of these finds maps that the others do not.
+    for (const double first_eps : {0.0, 0.01, 0.001}) {
+      map_.value = poisson_;
+      place_charts(map_, network_, signs_, host_);
+      spread_vertices(map_, network_, host_);
+      if (attempt(untangling, first_eps)) break;
+    }
+    return std::move(outcome_);
+  }
+
+ private:
+  bool attempt(Untangling& untangling, double first_eps) {
+    if (!untangling.untangle({options_.untangling_steps, first_eps, 1})) {
+      outcome_.reason = std::to_string(untangling.turned_over()) + " triangles stay turned over";
+      return false;
+    }
+    untangling.polish(options_.polishing_steps, options_.area_weight);
+    result_.polycube.resize(result_.positions.size());
+    for (Index v = 0; v < result_.positions.size(); ++v)
+      result_.polycube[v] = map_.position(v) / frame_.scale;
+    outcome_.certificate = certify(result_, host_);
+    outcome_.reason = outcome_.certificate.reason;
+    return outcome_.valid();
+  }
+
+  SurfaceMap& result_;
+  const Frame& frame_;
+  const LabelledMapOptions& options_;
+  const base::Host& host_;
+  ArcNetwork network_;
+  TiedMap map_;
+  Array<double> poisson_;
+  ArcSigns signs_;
+  LabelledMapOutcome outcome_;
+};
+
+}  // namespace
+
+Frame unit_frame(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
+  double area = 0;
+  Vector3 moment = Vector3::Zero();
+  for (const auto& [a, b, c] : triangles) {
+    const double part = 0.5 * (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
+    area += part;
+    moment += part / 3 * (positions[a] + positions[b] + positions[c]);
+  }
+  Frame frame;
+  if (area > 0) {
+    frame.scale = std::exp2(std::round(-0.5 * std::log2(area)));
+    frame.centre = moment / area;
+  }
+  return frame;
+}
+
+LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const LabelledMapOptions& options,
+                                     const base::Host& host) {
+  split_chords(map, host);
+  Array<Vector3> positions(map.positions.size(), host.memory);
+  std::transform(map.positions.begin(), map.positions.end(), positions.begin(), frame);
+  const Surface surface(std::move(positions), Array<Triangle>(map.triangles, host.memory), host);
+  const Charts charts = find_charts(surface, map.labels, host);
+  return LabelledMap(map, surface, charts, frame, options, host).run();
+}
+
+}  // namespace orbicube::polycube

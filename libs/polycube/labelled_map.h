@@ -1,0 +1,42 @@
+// The polycube map that a labelled surface stands for, or why there is none.
+#pragma once
+
+#include "polycube/certificate.h"
+
+namespace orbicube::polycube {
+
+// How positions in space are seen while a map is made: turned so that labels fit, at the origin, of about unit area.
+// The scale is a power of two, so that a map scaled back is the same map exactly.
+struct Frame {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  Vector3 centre = Vector3::Zero();
+  double scale = 1;
+
+  Vector3 operator()(const Vector3& p) const { return rotation * (scale * (p - centre)); }
+};
+
+// A frame without rotation for the surface.
+Frame unit_frame(std::span<const Vector3> positions, std::span<const Triangle> triangles);
+
+struct LabelledMapOptions {
+  int untangling_steps = 150;
+  int polishing_steps = 25;
+  double area_weight = 1;  // how much changes of area count beside those of angles
+  std::uint64_t seed = 0;
+};
+
+struct LabelledMapOutcome {
+  explicit LabelledMapOutcome(std::pmr::memory_resource* memory) : certificate(memory) {}
+
+  bool valid() const { return reason.empty(); }
+
+  std::string reason;       // why there is no map
+  Certificate certificate;  // of the map
+};
+
+// Makes the map from map.positions, triangles and labels, which must obey the rules of charts.h. Splits edges where
+// that is needed, fills in positions on the polycube, of the size of the surface, and certifies them.
+LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const LabelledMapOptions& options,
+                                     const base::Host& host);
+
+}  // namespace orbicube::polycube

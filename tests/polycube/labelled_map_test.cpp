@@ -1,0 +1,120 @@
+// Maps of labelled surfaces. A polycube is its own best map, so the optimum is known: no distortion at all.
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "base/error.h"
+#include "blocks.h"
+#include "mesh/make_shape.h"
+#include "mesh/topology.h"
+#include "polycube/distortion.h"
+#include "polycube/label_construction.h"
+#include "polycube/labelled_map.h"
+#include "polycube/random.h"
+#include "polycube/refinement.h"
+#include "polycube/untangling.h"
+
+using namespace orbicube;
+using namespace orbicube::polycube;
+using test::blocks;
+using test::box_without;
+
+namespace {
+
+const base::Host host;
+
+std::vector<mesh::Mesh> shapes() {
+  std::vector<test::Cell> bump = box_without({3, 3, 1});
+  bump.push_back({1, 1, 1});
+  return {blocks(box_without({2, 2, 2})), blocks(box_without({2, 2, 1}, {{1, 1, 0}})), blocks(bump),
+          blocks(box_without({3, 3, 1}, {{1, 1, 0}})), blocks(box_without({5, 3, 1}, {{1, 1, 0}, {3, 1, 0}}))};
+}
+
+}  // namespace
+
+TEST_CASE("A labelled polycube is mapped to itself") {
+  for (const mesh::Mesh& m : shapes()) {
+    const Certificate own = certify(m.positions, m.triangles, host);
+    SurfaceMap map = unrefined(m.positions, m.triangles, own.labels, host);
+    LabelledMapOptions options;
+    options.polishing_steps = 60;
+    const LabelledMapOutcome outcome = make_labelled_map(map, unit_frame(m.positions, m.triangles), options, host);
+    INFO(outcome.reason);
+    REQUIRE(outcome.valid());
+    CHECK(outcome.certificate.corners == own.corners);
+    CHECK(outcome.certificate.patches == own.patches);
+    CHECK(outcome.certificate.genus == own.genus);
+    const Distortion d = measure_distortion(map, host);
+    // The optimum is 1; polishing ends when a step gains less than 1e-5 of the energy, which is quadratic there.
+    CHECK(d.angle_mean < 1.001);
+    CHECK(d.area_mean < 1.001);
+    CHECK(d.angle_mean >= 1 - 1e-12);
+    CHECK(d.area_mean >= 1 - 1e-12);
+  }
+}
+
+TEST_CASE("Scrambled positions are untangled") {
+  for (const mesh::Mesh& m : shapes()) {
+    SurfaceMap map = unrefined(m.positions, m.triangles, certify(m.positions, m.triangles, host).labels, host);
+    split_chords(map, host);
+    const Frame frame = unit_frame(m.positions, m.triangles);
+    Array<Vector3> positions(host.memory);
+    for (const Vector3& p : map.positions)
+      positions.push_back(frame(p));
+    const Surface surface(Array<Vector3>(positions), Array<Triangle>(map.triangles), host);
+    const Charts charts = find_charts(surface, map.labels, host);
+    TiedMap tied(surface, charts, host);
+    Random random(5);
+    for (Index v = 0; v < positions.size(); ++v) {
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        tied.value[tied.variable[v][axis]] = positions[v][static_cast<Eigen::Index>(axis)];
+    }
+    // By less than half a cell, so that charts keep their order; most triangles are turned over at first.
+    for (double& x : tied.value)
+      x += 0.8 * frame.scale * (random.unit() - 0.5);
+    Untangling untangling(tied, host);
+    CHECK(untangling.untangle({}));
+    CHECK(untangling.turned_over() == 0);
+    untangling.polish(100, 1);
+    map.polycube.resize(map.positions.size());
+    for (Index v = 0; v < map.positions.size(); ++v)
+      map.polycube[v] = tied.position(v);
+    CHECK(certify(map, host).valid());
+    CHECK(measure_distortion(map, host).area_mean < 1.001);  // see above
+  }
+}
+
+TEST_CASE("Constructions by labels are certified, keep the surface and its genus") {
+  for (const char* name : {"cube", "sphere", "bracket", "torus"}) {
+    const mesh::Mesh m = mesh::make_shape(name, {.triangles = 1500, .seed = 1}, host);
+    const Construction made = construct_by_labels(m.positions, m.triangles, {}, host);
+    CHECK(made.valid > 0);
+    const Certificate again = certify(made.map.polycube, made.map.triangles, host);
+    CHECK(again.valid());
+    CHECK(again.corners == made.certificate.corners);
+    CHECK(again.genus == mesh::topology(m.positions, m.triangles, host).genus);
+    CHECK(std::equal(m.positions.begin(), m.positions.end(), made.map.positions.begin()));
+    CHECK(made.distortion.angle_mean < 1.5);
+    CHECK(made.distortion.area_mean < 1.5);
+  }
+}
+
+TEST_CASE("A budget of corners is kept, and one that no polycube can keep is an error") {
+  const mesh::Mesh m = mesh::make_shape("sphere", {.triangles = 800}, host);
+  CHECK(construct_by_labels(m.positions, m.triangles, {.corners = 8}, host).certificate.corners == 8);
+  try {
+    construct_by_labels(m.positions, m.triangles, {.corners = 7}, host);
+    FAIL("no polycube has fewer than eight corners");
+  } catch (const base::Error& error) {
+    CHECK(error.kind() == std::string("no-valid-result"));
+  }
+}
+
+TEST_CASE("Results are the same bits in each run") {
+  const mesh::Mesh m = mesh::make_shape("bracket", {.triangles = 800}, host);
+  const Construction a = construct_by_labels(m.positions, m.triangles, {.corners = 50}, host);
+  const Construction b = construct_by_labels(m.positions, m.triangles, {.corners = 50}, host);
+  CHECK(a.map.polycube == b.map.polycube);
+  CHECK(a.map.triangles == b.map.triangles);
+}
