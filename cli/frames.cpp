@@ -51,6 +51,8 @@ struct FramesOptions {
   double features = 0;  // degrees
   std::uint32_t rounds = frame_field::Options{}.rounds;
   bool free_boundary = false;
+  bool repair = false;
+  bool single_axis = false;
   std::string vtk;
   std::string plot;
   std::string glb;
@@ -137,6 +139,15 @@ Json improper_places(const mesh::Mesh& solid, const frame_field::SingularGraph& 
   return {{"edges", edges}, {"vertices", vertices}};
 }
 
+Json json_of(const frame_field::RepairOutcome& r) {
+  const auto faults = [](const frame_field::Faults& f, double energy) {
+    return Json{
+        {"improper_edges", f.edges}, {"improper_vertices", f.vertices}, {"fragments", f.fragments}, {"E", energy}};
+  };
+  return {
+      {"rounds", r.rounds}, {"before", faults(r.before, r.energy_before)}, {"after", faults(r.after, r.energy_after)}};
+}
+
 mesh::Mesh read_solid(const FramesOptions& options, Session& session) {
   InputMesh input = read_input(options.input, false, session);
   session.figures()["format"] = input.report.format;
@@ -184,6 +195,9 @@ frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& sol
   settings.align_boundary = !options.free_boundary;
   settings.feature_angle = options.features * std::numbers::pi / 180;
   settings.rounds = options.rounds;
+  settings.repairs = options.single_axis ? frame_field::Repairs::single_axis
+                     : options.repair    ? frame_field::Repairs::places
+                                         : frame_field::Repairs::none;
   return about(options.input, Role::input, [&] {
     return frame_field::compute(solid.positions, solid.tetrahedra, settings,
                                 {.frames = held, .axes = {}, .start = start}, host);
@@ -214,6 +228,7 @@ void frames(const FramesOptions& options, Session& session) {
                        {"boundary", options.boundary}, {"method", options.method},
                        {"weights", options.weights},   {"features", options.features},
                        {"rounds", options.rounds},     {"free_boundary", options.free_boundary},
+                       {"repair", options.repair},     {"single_axis", options.single_axis},
                        {"vtk", options.vtk},           {"plot", options.plot},
                        {"glb", options.glb},           {"crosses", options.crosses}};
   require_folder(options.output);
@@ -257,6 +272,8 @@ void frames(const FramesOptions& options, Session& session) {
                   {"solver_iterations", outcome.solver_iterations},
                   {"seconds_compute", computed},
                   {"seconds_measure", measured}});
+  const bool repairs = options.repair || options.single_axis;
+  if (repairs) figures["repair"] = json_of(outcome.repair);
   about(options.output, Role::output, [&] {
     if (!graph.dead_ends.empty())
       throw base::Error("no-valid-result", std::to_string(graph.dead_ends.size()) + " singular curves end inside");
@@ -286,6 +303,11 @@ void frames(const FramesOptions& options, Session& session) {
               (local.locally_meshable() ? "locally meshable"
                                         : std::to_string(local.edges.size()) + " edges and " +
                                               std::to_string(local.vertices.size()) + " vertices are not meshable"));
+  if (repairs)
+    session.say("  repaired: " + std::to_string(outcome.repair.before.unmeshable()) +
+                " places that are not meshable became " + std::to_string(outcome.repair.after.unmeshable()) +
+                ", the energy " + number(outcome.repair.energy_before) + " became " +
+                number(outcome.repair.energy_after));
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }
@@ -334,6 +356,10 @@ void add_frames(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::Range(0, 1000)))
       ->type_name("N");
   verb->add_flag("--free-boundary", options->free_boundary, "do not align frames with the boundary");
+  verb->add_flag("--repair", options->repair,
+                 "change the field where a hexahedral mesh could not follow it, at little more energy");
+  verb->add_flag("--single-axis", options->single_axis,
+                 "search only among fields that turn about one axis along each curve, starting from identity");
   verb->add_option("--vtk", options->vtk, "write the tetrahedra with the axes as vectors too")->type_name("FILE.vtk");
   verb->add_option("--plot", options->plot, "draw the angles between neighbours and their sum")->type_name("FILE.png");
   verb->add_option("--glb", options->glb, "draw the singular curves in the surface, and some frames, to look at")

@@ -9,6 +9,7 @@
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "frame_field/boundary_indices.h"
+#include "frame_field/faults.h"
 #include "frame_field/frame_field.h"
 #include "frame_field/measurement.h"
 #include "frame_field/meshability.h"
@@ -21,9 +22,11 @@ using mesh::Tetrahedron;
 using mesh::Vector3;
 
 struct obc_frame_field_singularities {
-  explicit obc_frame_field_singularities(const obc_host* given) : host(given), graph(host.host().memory) {}
+  explicit obc_frame_field_singularities(const obc_host* given)
+      : host(given), graph(host.host().memory), local(host.host().memory) {}
   capi::HostAdapter host;
   frame_field::SingularGraph graph;
+  frame_field::Meshability local;
 };
 
 namespace {
@@ -39,6 +42,7 @@ obc_frame_field_options default_options() {
   o.rounds = d.rounds;
   o.feature_angle = d.feature_angle;
   o.relative_gain = d.relative_gain;
+  o.repair = OBC_FRAME_FIELD_NO_REPAIR;
   return o;
 }
 
@@ -83,9 +87,8 @@ void write_report(const Solid& solid, std::span<const Quaternion> field, const f
   if (to == nullptr) return;
   const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
   const frame_field::Measurement m = frame_field::measure(solid.positions, connectivity, field, host);
-  const auto matchings = frame_field::matchings(connectivity, field, host);
-  const frame_field::SingularGraph graph =
-      frame_field::singular_graph(solid.positions, connectivity, field, matchings, host);
+  const frame_field::Structure structure = frame_field::FaultFinder(solid.positions, connectivity, host).find(field);
+  const frame_field::SingularGraph& graph = structure.graph;
   const auto indices = frame_field::boundary_indices(solid.positions, connectivity, field, host);
   obc_frame_field_report r{};
   r.energy = m.energy;
@@ -124,10 +127,15 @@ void write_report(const Solid& solid, std::span<const Quaternion> field, const f
   r.improper_edges = mesh.edges.size();
   r.turning_points = mesh.turning_points;
   r.improper_nodes = mesh.improper_nodes;
+  r.fragments = structure.faults.fragments;
   if (outcome != nullptr) {
     r.start = static_cast<int32_t>(outcome->start);
     r.smoothing_steps = outcome->smoothing_steps;
     r.solver_iterations = outcome->solver_iterations;
+    r.repair_rounds = outcome->repair.rounds;
+    r.unmeshable_before = outcome->repair.before.unmeshable();
+    r.fragments_before = outcome->repair.before.fragments;
+    r.energy_before_repair = outcome->repair.energy_before;
   }
   capi::write_versioned(to, r);
 }
@@ -159,14 +167,17 @@ obc_status obc_frame_field_compute(const obc_frame_field_solid* given, const obc
     capi::require(c.axis_count == 0 || (c.axis_tetrahedra != nullptr && c.axes != nullptr),
                   "constraints->axes or axis_tetrahedra is NULL");
     const capi::HostAdapter adapter(host);
-    base::Array<frame_field::GivenFrame> held(adapter.host().memory);
+    base::Array<frame_field::GivenFrame> frames_wanted(adapter.host().memory);
     base::Array<frame_field::GivenAxis> axes(adapter.host().memory);
     for (size_t i = 0; i < c.frame_count; ++i) {
       const double* q = c.frames + 4 * i;
-      held.push_back({c.frame_tetrahedra[i], {q[0], q[1], q[2], q[3]}});
+      const double weight = c.frame_weights != nullptr ? c.frame_weights[i] : frame_field::held;
+      frames_wanted.push_back({c.frame_tetrahedra[i], {q[0], q[1], q[2], q[3]}, weight});
     }
-    for (size_t i = 0; i < c.axis_count; ++i)
-      axes.push_back({c.axis_tetrahedra[i], {c.axes[3 * i], c.axes[3 * i + 1], c.axes[3 * i + 2]}});
+    for (size_t i = 0; i < c.axis_count; ++i) {
+      const double weight = c.axis_weights != nullptr ? c.axis_weights[i] : frame_field::held;
+      axes.push_back({c.axis_tetrahedra[i], {c.axes[3 * i], c.axes[3 * i + 1], c.axes[3 * i + 2]}, weight});
+    }
     frame_field::Options settings;
     settings.start = static_cast<frame_field::Start>(o.start);
     settings.method = static_cast<frame_field::Method>(o.method);
@@ -175,7 +186,8 @@ obc_status obc_frame_field_compute(const obc_frame_field_solid* given, const obc
     settings.feature_angle = o.feature_angle;
     settings.relative_gain = o.relative_gain;
     settings.rounds = o.rounds;
-    frame_field::Given wanted{held, axes, {}};
+    settings.repairs = static_cast<frame_field::Repairs>(o.repair);
+    frame_field::Given wanted{frames_wanted, axes, {}};
     if (o.start == OBC_FRAME_FIELD_GIVEN) wanted.start = solid.field(frames);
     const frame_field::Outcome outcome =
         frame_field::compute(solid.positions, solid.tetrahedra, settings, wanted, adapter.host());
@@ -218,6 +230,7 @@ obc_status obc_frame_field_singularities_create(const obc_frame_field_solid* giv
     const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, lent);
     result->graph = frame_field::singular_graph(solid.positions, connectivity, field,
                                                 frame_field::matchings(connectivity, field, lent), lent);
+    result->local = frame_field::meshability(result->graph, connectivity.boundary_vertices(lent.memory), lent.memory);
     *out = result.release();
   });
 }
@@ -254,6 +267,24 @@ obc_status obc_frame_field_singularities_copy(const obc_frame_field_singularitie
     if (curve_begin != nullptr) std::copy(graph.curve_begin.begin(), graph.curve_begin.end(), curve_begin);
     if (curve_edges != nullptr) std::copy(graph.curve_edges.begin(), graph.curve_edges.end(), curve_edges);
     if (nodes != nullptr) std::copy(graph.nodes.begin(), graph.nodes.end(), nodes);
+  });
+}
+
+size_t obc_frame_field_unmeshable_edge_count(const obc_frame_field_singularities* singularities) {
+  return singularities == nullptr ? 0 : singularities->local.edges.size();
+}
+
+size_t obc_frame_field_unmeshable_vertex_count(const obc_frame_field_singularities* singularities) {
+  return singularities == nullptr ? 0 : singularities->local.vertices.size();
+}
+
+obc_status obc_frame_field_unmeshable_copy(const obc_frame_field_singularities* singularities, uint32_t* edges,
+                                           uint32_t* vertices, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(singularities != nullptr, "singularities is NULL");
+    const frame_field::Meshability& local = singularities->local;
+    if (edges != nullptr) std::copy(local.edges.begin(), local.edges.end(), edges);
+    if (vertices != nullptr) std::copy(local.vertices.begin(), local.vertices.end(), vertices);
   });
 }
 

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+
+#include "quaternion/frame_distance.h"
 
 namespace orbicube::frame_field {
 namespace {
@@ -66,14 +69,43 @@ Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> po
   Constraints result(host.memory);
   result.of_node.assign(graph.size(), no_index);
   Array<Index> frame_of(host.memory), axis_of(host.memory);  // by tetrahedron
+  std::size_t pulls = 0;
   const auto table = [&](auto given, Array<Index>& of) {
     if (given.empty()) return;
     of.assign(graph.size(), no_index);
-    for (Index i = 0; i < given.size(); ++i)
-      of[given[i].tetrahedron] = i;
+    for (Index i = 0; i < given.size(); ++i) {
+      if (given[i].weight < held)
+        ++pulls;
+      else
+        of[given[i].tetrahedron] = i;
+    }
   };
   table(given_frames, frame_of);
   table(given_axes, axis_of);
+  if (pulls > 0) {
+    Array<Index> node(graph.size(), host.memory);
+    for (Index i = 0; i < graph.size(); ++i)
+      node[graph.tetrahedron[i]] = i;
+    result.pulls.reserve(pulls);
+    for (const GivenFrame& g : given_frames) {
+      if (g.weight < held) result.pulls.push_back({node[g.tetrahedron], true, normalised(g.frame), {}, g.weight});
+    }
+    for (const GivenAxis& g : given_axes) {
+      if (g.weight < held)
+        result.pulls.push_back({node[g.tetrahedron], false, aligned({1, 0, 0, 0}, g.direction), g.direction, g.weight});
+    }
+    // Equals stay in the order in which they were given.
+    Array<Index> order(pulls, host.memory);
+    std::iota(order.begin(), order.end(), Index{0});
+    std::ranges::sort(order, [&](Index a, Index b) {
+      return result.pulls[a].node != result.pulls[b].node ? result.pulls[a].node < result.pulls[b].node : a < b;
+    });
+    Array<Pull> sorted(host.memory);
+    sorted.reserve(pulls);
+    for (const Index i : order)
+      sorted.push_back(result.pulls[i]);
+    std::swap(sorted, result.pulls);
+  }
   for (Index i = 0; i < graph.size(); ++i) {
     if (i % 16384 == 0) host.report("boundary", i, graph.size());
     const Index t = graph.tetrahedron[i];
@@ -99,6 +131,24 @@ Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> po
       result.alternatives.push_back({number, faces[k].normal});
   }
   return result;
+}
+
+std::span<const Pull> Constraints::pulls_at(Index node) const {
+  const auto begin = std::partition_point(pulls.begin(), pulls.end(), [&](const Pull& p) { return p.node < node; });
+  auto end = begin;
+  while (end != pulls.end() && end->node == node)
+    ++end;
+  return {begin, end};
+}
+
+Quaternion target(const Pull& pull, const Quaternion& frame) {
+  if (!pull.whole) return aligned(frame, pull.direction);
+  return multiply(pull.frame, quaternion::conjugate(
+                                  quaternion::cube_group.element[quaternion::symmetric_matching(frame, pull.frame)]));
+}
+
+double worth(const Pull& pull, const Quaternion& frame) {
+  return pull.weight * quaternion::symmetric_sine_square(frame, target(pull, frame));
 }
 
 void satisfy(const Constraints& constraints, Field& field) {

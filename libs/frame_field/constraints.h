@@ -2,8 +2,12 @@
 //
 // A tetrahedron with several boundary faces is aligned with one of them exactly: the one with the greatest area to
 // begin with, and another of them when that makes the field smoother (smoothing.h).
+//
+// What is given with a weight is not held but pulled at, like by a link of that weight to the nearest frame that has
+// what is given. It may lie on a tetrahedron that has a constraint too.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "frame_field/dual_graph.h"
@@ -19,19 +23,35 @@ struct Constraint {
 };
 
 // What the caller asks for besides the boundary, by tetrahedron.
+inline constexpr double held = HUGE_VAL;  // the weight of what is held
 struct GivenFrame {
   Index tetrahedron;
   Quaternion frame;
+  double weight = held;  // in links between tetrahedra
 };
 struct GivenAxis {
   Index tetrahedron;
   Vector direction;  // unit
+  double weight = held;
+};
+
+// What a frame is pulled to.
+struct Pull {
+  Index node;
+  bool whole;        // the frame; otherwise one of its axes to the direction
+  Quaternion frame;  // one that has what is wanted
+  Vector direction;
+  double weight;
 };
 
 struct Constraints {
-  explicit Constraints(std::pmr::memory_resource* memory) : list(memory), of_node(memory), alternatives(memory) {}
+  explicit Constraints(std::pmr::memory_resource* memory)
+      : list(memory), of_node(memory), alternatives(memory), pulls(memory) {}
   Constraints(const Constraints& other, std::pmr::memory_resource* memory)
-      : list(other.list, memory), of_node(other.of_node, memory), alternatives(other.alternatives, memory) {}
+      : list(other.list, memory),
+        of_node(other.of_node, memory),
+        alternatives(other.alternatives, memory),
+        pulls(other.pulls, memory) {}
   Constraints(Constraints&&) = default;
 
   bool is_free(std::size_t node) const { return of_node[node] == no_index; }
@@ -44,6 +64,10 @@ struct Constraints {
     Vector direction;
   };
   Array<Alternative> alternatives;
+  Array<Pull> pulls;  // in ascending order of nodes
+
+  // Those of a node.
+  std::span<const Pull> pulls_at(Index node) const;
 };
 
 // Given frames come before given axes and these before the boundary. O(n). Frames and axes must be units.
@@ -54,6 +78,11 @@ Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> po
 
 // `frame` turned as little as possible so that its axis next to `direction` lies along it.
 Quaternion aligned(const Quaternion& frame, const Vector& direction);
+
+// The nearest frame that has what the pull wants, and what its link to the present frame is worth: weight x sin^2 of
+// half the angle between both.
+Quaternion target(const Pull& pull, const Quaternion& frame);
+double worth(const Pull& pull, const Quaternion& frame);
 
 // Turns every constrained frame by as little as possible so that it satisfies its constraint to rounding.
 void satisfy(const Constraints& constraints, Field& field);

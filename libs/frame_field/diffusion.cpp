@@ -77,13 +77,33 @@ void Diffusion::project(bool from_field, Field& field) const {
 }
 
 Field Diffusion::harmonic_start() {
+  mass_.clear();
+  right_.clear();
   std::ranges::fill(x_, Value{});
   for (std::size_t c = 0; c < circles_.size(); ++c)
     x_[constraints_.list[c].node] = stored(circles_[c].centre);
-  iterations_ += solver_.solve({.tolerance = 1e-3, .phase = "harmonic start"}, {}, x_).iterations;
+  pull(1, nullptr);
+  iterations_ += solver_.solve({.mass = mass_, .tolerance = 1e-3, .phase = "harmonic start"}, right_, x_).iterations;
   Field field(graph_.size(), Quaternion{1, 0, 0, 0}, host_.memory);
   project(false, field);
   return field;
+}
+
+// Adds the pulls to the mass and the right side, which are empty or those of diffusion.
+void Diffusion::pull(double tau, const Field* field) {
+  if (constraints_.pulls.empty()) return;
+  mass_.resize(graph_.size(), 0.0F);
+  right_.resize(graph_.size(), Solver::Value{});
+  for (const Pull& pull : constraints_.pulls) {
+    // An axis alone leaves the turn about it free: its frames are about their mean.
+    const Harmonic wanted = pull.whole         ? harmonic_of(pull.frame)
+                            : field != nullptr ? harmonic_of(target(pull, (*field)[pull.node]))
+                                               : axis_circle(pull.frame, pull.direction).centre;
+    const double weight = tau * pull.weight;
+    mass_[pull.node] += static_cast<float>(weight);
+    for (std::size_t k = 0; k < 9; ++k)
+      right_[pull.node].at[k] += static_cast<float>(weight * wanted[k]);
+  }
 }
 
 void Diffusion::diffuse(double time, Field& field) {
@@ -93,6 +113,7 @@ void Diffusion::diffuse(double time, Field& field) {
     for (std::size_t i = begin; i < end; ++i)
       x_[i] = right_[i] = stored(harmonic_of(field[i]));
   });
+  pull(time, &field);
   iterations_ +=
       solver_
           .solve({.tau = static_cast<float>(time), .mass = mass_, .tolerance = 1e-2, .phase = "diffusion"}, right_, x_)

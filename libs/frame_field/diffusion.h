@@ -33,6 +33,7 @@ class Diffusion {
   using Solver = GraphSolver<9>;
   // With from_field, the frames that are there are guesses.
   void project(bool from_field, Field& field) const;
+  void pull(double tau, const Field* field);
 
   const DualGraph& graph_;
   const Constraints& constraints_;

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "frame_field/curve_search.h"
 #include "frame_field/diffusion.h"
 #include "frame_field/energy.h"
 #include "frame_field/features.h"
@@ -29,6 +30,8 @@ constexpr std::initializer_list<double> long_times = {128, 128, 32, 8, 2}, middl
 constexpr double recombination_angle = 0.1;
 // Smoothing of candidates need not be thorough.
 constexpr double rough_gain = 1e-3;
+// Over the singular curves, moving them edge by edge.
+constexpr std::uint32_t curve_passes = 3;
 
 class Search {
  public:
@@ -67,6 +70,7 @@ class Search {
         break;
     }
     outcome.energy = smoothed(best_, options_.relative_gain, constraints_);
+    if (!constraints_.pulls.empty()) outcome.energy = energy(graph_, best_, host_);
     outcome.solver_iterations = iterations_ + diffusion_.iterations();
     outcome.smoothing_steps = steps_;
     outcome.field.resize(graph_.size());
@@ -100,7 +104,7 @@ class Search {
       std::swap(best_energy_, energy);
     }
     if (candidate.empty()) return better;
-    if (take_better_regions(graph_, candidate, recombination_angle, host_, best_) > 0) {
+    if (take_better_regions(graph_, constraints_, candidate, recombination_angle, host_, best_) > 0) {
       Constraints again(constraints_, host_.memory);
       best_energy_ = smoothed(best_, rough_gain, again);
     }
@@ -135,6 +139,27 @@ class Search {
   std::uint32_t iterations_ = 0, steps_ = 0;
 };
 
+// Moves curves to where they cost less, which smoothing does not, and smooths again.
+void improve_curves(const DualGraph& graph, std::span<const CoarseGraph> hierarchy,
+                    const mesh::TetrahedralConnectivity& connectivity, Constraints& constraints, const Options& options,
+                    const base::Host& host, Outcome& outcome) {
+  Field moved(outcome.field, host.memory);
+  {
+    const mesh::EdgeRings rings(connectivity, host);
+    Array<Index> node(graph.size(), host.memory);
+    for (Index i = 0; i < graph.size(); ++i)
+      node[graph.tetrahedron[i]] = i;
+    if (!(CurveSearch(graph, node, constraints, connectivity, rings, host).run(curve_passes, moved) > 0)) return;
+  }
+  Field field = by_node(graph, moved, host.memory);
+  const SmoothingResult result =
+      smooth(graph, hierarchy, constraints, {.relative_gain = options.relative_gain}, host, field);
+  outcome.smoothing_steps += result.steps;
+  outcome.solver_iterations += result.solver_iterations;
+  outcome.energy = energy(graph, field, host);
+  by_tetrahedron(graph, field, outcome.field);
+}
+
 bool is_unit(double square) {
   return std::abs(square - 1) < 1e-6;
 }
@@ -148,16 +173,20 @@ void check(std::size_t count, const Options& options, const Given& given) {
   require(in_range(options.start, Start::given), "no such start");
   require(in_range(options.method, Method::seed), "no such method");
   require(in_range(options.weighting, Weighting::geometric), "no such weighting");
+  require(in_range(options.repairs, Repairs::single_axis), "no such repairs");
+  require(options.repairs == Repairs::none || options.method == Method::smooth, "method seed knows no repairs");
   require(options.feature_angle >= 0 && options.feature_angle < 4, "the feature angle is not in [0, pi]");
   require(options.relative_gain > 0 && options.relative_gain < 1, "the relative gain is not between 0 and 1");
   for (const GivenFrame& g : given.frames) {
     require(g.tetrahedron < count, "a given frame of a tetrahedron that does not exist");
     require(is_unit(quaternion::dot(g.frame, g.frame)), "a given frame is no unit quaternion");
+    require(g.weight > 0, "the weight of a given frame is not positive");
   }
   for (const GivenAxis& g : given.axes) {
     require(g.tetrahedron < count, "a given axis of a tetrahedron that does not exist");
     const Vector& d = g.direction;
     require(is_unit(d.x * d.x + d.y * d.y + d.z * d.z), "a given axis is no unit vector");
+    require(g.weight > 0, "the weight of a given axis is not positive");
   }
   if (options.start != Start::given) return;
   require(given.start.size() == count, "the field to start from has not one frame a tetrahedron");
@@ -196,7 +225,17 @@ Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron>
   Constraints constraints =
       make_constraints(graph, positions, connectivity, options.align_boundary, frames, axes, host);
   if (options.method == Method::seed) return seed_method(graph, constraints, host);
-  return Search(graph, constraints, options, host).run(given);
+  Outcome outcome = Search(graph, constraints, options, host).run(given);
+  const bool move_curves = options.start == Start::automatic && options.rounds > 0;
+  if (!move_curves && options.repairs == Repairs::none) return outcome;
+  const auto hierarchy = make_hierarchy(graph, smallest_graph, host);
+  if (move_curves) improve_curves(graph, hierarchy, connectivity, constraints, options, host, outcome);
+  if (options.repairs == Repairs::none) return outcome;
+  Repair repair(positions, connectivity, graph, hierarchy, constraints, host);
+  outcome.repair = options.repairs == Repairs::places ? repair.repair(outcome.field)
+                                                      : repair.search_about_single_axes(outcome.field);
+  outcome.energy = outcome.repair.energy_after;
+  return outcome;
 }
 
 }  // namespace orbicube::frame_field

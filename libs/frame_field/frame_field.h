@@ -8,6 +8,7 @@
 #include "base/host.h"
 #include "frame_field/constraints.h"
 #include "frame_field/dual_graph.h"
+#include "frame_field/repair.h"
 
 namespace orbicube::frame_field {
 
@@ -29,6 +30,13 @@ enum class Method : std::int32_t {
   seed = 1,  // as printed in chapter 6: identity inside, boundary frames held, matchings frozen (seed_method.h)
 };
 
+// What is done about edges and vertices that no hexahedral mesh has (repair.h).
+enum class Repairs : std::int32_t {
+  none = 0,
+  places = 1,      // the field is changed where they are
+  single_axis = 2  // only fields whose frames turn about one axis along each curve are searched
+};
+
 struct Options {
   Start start = Start::automatic;
   Method method = Method::smooth;
@@ -37,6 +45,7 @@ struct Options {
   double feature_angle = 0;     // edges of the boundary that turn by more (radians) are followed by an axis; 0: none
   double relative_gain = 1e-6;  // of the last step of smoothing
   std::uint32_t rounds = 2;     // of improvement by Start::automatic
+  Repairs repairs = Repairs::none;
 };
 
 // What the caller gives besides the mesh; all may be empty.
@@ -54,6 +63,7 @@ struct Outcome {
   Start start = Start::identity;  // the one that most of the field comes from
   std::uint32_t solver_iterations = 0;
   std::uint32_t smoothing_steps = 0;
+  RepairOutcome repair;  // with repairs
 };
 
 // The field of least energy that was found. Positions must be finite and tetrahedra positive (mesh/cells.h).

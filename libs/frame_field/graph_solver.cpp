@@ -14,7 +14,7 @@ constexpr float over_correction = 1.5F;
 // Of the links of a constrained node, how much acts as a penalty on its group.
 constexpr float penalty_share = 0.7F;
 constexpr int coarsest_steps = 8;
-// Where the links are worth less than this many times the mass, the diagonal is a good preconditioner.
+// Where the links of every node are worth less than this many times its mass, the diagonal is a good preconditioner.
 constexpr float multigrid_from = 24;
 
 }  // namespace
@@ -293,7 +293,7 @@ template <std::size_t components>
 typename GraphSolver<components>::Outcome GraphSolver<components>::solve(const Equation& e,
                                                                          std::span<const Value> right,
                                                                          std::span<Value> x) {
-  multigrid_ = !levels_.empty() && (e.mass.empty() || e.tau * 4 > multigrid_from * *std::ranges::max_element(e.mass));
+  multigrid_ = !levels_.empty() && (e.mass.empty() || e.tau * 4 > multigrid_from * *std::ranges::min_element(e.mass));
   if (multigrid_) restrict_mass(e);
   // Of the preconditioner: a damped step when a coarse correction follows.
   const float first_step = multigrid_ ? damping : 1;

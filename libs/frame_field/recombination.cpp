@@ -6,8 +6,8 @@
 
 namespace orbicube::frame_field {
 
-double take_better_regions(const DualGraph& graph, const Field& other, double angle, const base::Host& host,
-                           Field& field) {
+double take_better_regions(const DualGraph& graph, const Constraints& constraints, const Field& other, double angle,
+                           const base::Host& host, Field& field) {
   const double threshold = std::sin(0.5 * angle) * std::sin(0.5 * angle);
   constexpr std::uint8_t same = 0, different = 1, in_region = 2, done = 3;
   Array<std::uint8_t> state(graph.size(), same, host.memory);
@@ -31,6 +31,10 @@ double take_better_regions(const DualGraph& graph, const Field& other, double an
     }
     double change = 0;
     for (const Index node : region) {
+      if (!constraints.pulls.empty()) {
+        for (const Pull& pull : constraints.pulls_at(node))
+          change += worth(pull, other[node]) - worth(pull, field[node]);
+      }
       for (std::size_t k = 0; k < 4; ++k) {
         const Index next = graph.others[node][k];
         const bool inside = state[next] == in_region;

@@ -3,13 +3,14 @@
 // singular curves, so curves are chosen one by one.
 #pragma once
 
+#include "frame_field/constraints.h"
 #include "frame_field/dual_graph.h"
 
 namespace orbicube::frame_field {
 
 // Answers by how much the energy of `field` fell. Frames that differ by less than `angle` (radians) count as the same.
 // O(n).
-double take_better_regions(const DualGraph& graph, const Field& other, double angle, const base::Host& host,
-                           Field& field);
+double take_better_regions(const DualGraph& graph, const Constraints& constraints, const Field& other, double angle,
+                           const base::Host& host, Field& field);
 
 }  // namespace orbicube::frame_field

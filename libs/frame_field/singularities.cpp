@@ -1,6 +1,7 @@
 #include "frame_field/singularities.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "quaternion/frame_distance.h"
 
@@ -11,16 +12,11 @@ using quaternion::cube_group;
 using quaternion::CubeClass;
 constexpr std::size_t items_between_reports = 16384;
 
-// Going round the edge right-handed, the frame that is carried along turns by the inverse of the composed matchings:
-// about the edge's direction by the index of the singularity, so right-handed where cells meet in threes.
 std::int8_t turn_about(const Quaternion& frame, std::uint8_t rotation, const Vector3& along) {
   const CubeClass kind = cube_group.conjugacy_class[rotation];
   if (kind == CubeClass::face_half) return 2;
   if (kind != CubeClass::face_quarter) return 0;
-  const Quaternion& carried = cube_group.element[cube_group.inverse[rotation]];
-  const double sign = carried.w < 0 ? -1 : 1;
-  const Vector axis = quaternion::rotate(frame, {sign * carried.x, sign * carried.y, sign * carried.z});
-  return axis.x * along[0] + axis.y * along[1] + axis.z * along[2] > 0 ? 1 : -1;
+  return turn_along(frame, rotation, along) > 0 ? 1 : -1;
 }
 
 // Singular edges by vertex.
@@ -100,6 +96,17 @@ void trace_curves(const Incidence& incidence, std::span<const std::uint8_t> on_b
 
 }  // namespace
 
+double turn_along(const Quaternion& frame, std::uint8_t rotation, const Vector3& along) {
+  // Going round the edge right-handed, the frame that is carried along turns by the inverse of the composed matchings:
+  // about the edge's direction by the index of the singularity, so right-handed where cells meet in threes.
+  const Quaternion& carried = cube_group.element[cube_group.inverse[rotation]];
+  const double sign = carried.w < 0 ? -1 : 1;
+  const Vector axis = quaternion::rotate(frame, {sign * carried.x, sign * carried.y, sign * carried.z});
+  const double product = axis.x * along[0] + axis.y * along[1] + axis.z * along[2];
+  const double scale = std::sqrt((axis.x * axis.x + axis.y * axis.y + axis.z * axis.z) * along.squaredNorm());
+  return scale > 0 ? product / scale : 0;
+}
+
 Array<std::uint8_t> matchings(const mesh::TetrahedralConnectivity& connectivity, std::span<const Quaternion> field,
                               const base::Host& host) {
   Array<std::uint8_t> result(connectivity.face_count(), 0, host.memory);
@@ -118,26 +125,29 @@ Array<std::uint8_t> matchings(const mesh::TetrahedralConnectivity& connectivity,
 SingularGraph singular_graph(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
                              std::span<const Quaternion> field, std::span<const std::uint8_t> matchings,
                              const base::Host& host) {
+  return singular_graph(positions, connectivity, mesh::EdgeRings(connectivity, host), field, matchings, host);
+}
+
+SingularGraph singular_graph(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
+                             const mesh::EdgeRings& rings, std::span<const Quaternion> field,
+                             std::span<const std::uint8_t> matchings, const base::Host& host) {
   SingularGraph graph(host.memory);
-  {
-    const mesh::EdgeRings rings(connectivity, host);
-    for (std::size_t r = 0; r < rings.size(); ++r) {
-      if (r % items_between_reports == 0) host.report("singular edges", r, rings.size());
-      if (rings.on_boundary(r)) continue;
-      const mesh::Edge edge = rings.vertices(r);
-      const Vector3 along = positions[edge[1]] - positions[edge[0]];
-      ++graph.inner_edges;
-      const double length = along.norm();
-      graph.inner_length += length;
-      std::uint8_t rotation = 0;
-      for (const Index face : rings.faces(r))
-        rotation = cube_group.product[rotation][matchings[face]];
-      if (rotation == 0) continue;
-      const Index first = mesh::TetrahedralConnectivity::tetrahedron_of(rings.faces(r)[0]);
-      graph.edges.push_back({edge, first, rotation, turn_about(field[first], rotation, along), length});
-      graph.singular_length += length;
-      ++graph.by_class[static_cast<std::size_t>(graph.edges.back().kind())];
-    }
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    if (r % items_between_reports == 0) host.report("singular edges", r, rings.size());
+    if (rings.on_boundary(r)) continue;
+    const mesh::Edge edge = rings.vertices(r);
+    const Vector3 along = positions[edge[1]] - positions[edge[0]];
+    ++graph.inner_edges;
+    const double length = along.norm();
+    graph.inner_length += length;
+    std::uint8_t rotation = 0;
+    for (const Index face : rings.faces(r))
+      rotation = cube_group.product[rotation][matchings[face]];
+    if (rotation == 0) continue;
+    const Index first = mesh::TetrahedralConnectivity::tetrahedron_of(rings.faces(r)[0]);
+    graph.edges.push_back({edge, first, rotation, turn_about(field[first], rotation, along), length});
+    graph.singular_length += length;
+    ++graph.by_class[static_cast<std::size_t>(graph.edges.back().kind())];
   }
   const auto on_boundary = connectivity.boundary_vertices(host.memory);
   const Incidence incidence(graph.edges, host.memory);

@@ -19,6 +19,10 @@ namespace orbicube::frame_field {
 Array<std::uint8_t> matchings(const mesh::TetrahedralConnectivity& connectivity, std::span<const Quaternion> field,
                               const base::Host& host);
 
+// The cosine between the axis about which a frame turns around an edge, by the composed matchings of the edge's ring,
+// and the edge's direction: positive where cells meet in threes. `frame` is that of the ring's first tetrahedron.
+double turn_along(const Quaternion& frame, std::uint8_t rotation, const Vector3& along);
+
 struct SingularEdge {
   mesh::Edge vertices;
   Index tetrahedron;      // the first of the ring
@@ -61,5 +65,9 @@ struct SingularGraph {
 SingularGraph singular_graph(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
                              std::span<const Quaternion> field, std::span<const std::uint8_t> matchings,
                              const base::Host& host);
+// The same with the rings of edges at hand.
+SingularGraph singular_graph(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
+                             const mesh::EdgeRings& rings, std::span<const Quaternion> field,
+                             std::span<const std::uint8_t> matchings, const base::Host& host);
 
 }  // namespace orbicube::frame_field

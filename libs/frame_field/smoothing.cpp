@@ -22,9 +22,9 @@ Quaternion matched(const Quaternion& frame, const Quaternion& other) {
   return multiply(other, conjugate(cube_group.element[g]));
 }
 
-// Energy of the links of each node and minus twice its gradient by the rotation vector of the node.
-double energy_and_force(const DualGraph& graph, const Field& field, const base::Host& host,
-                        std::span<Solver::Value> force, Array<double>& partial) {
+// Energy of the links and pulls of each node and minus twice its gradient by the rotation vector of the node.
+double energy_and_force(const DualGraph& graph, const Constraints& constraints, const Field& field,
+                        const base::Host& host, std::span<Solver::Value> force, Array<double>& partial) {
   for_each_chunk(host, graph.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     double sum = 0;
     for (std::size_t i = begin; i < end; ++i) {
@@ -48,6 +48,15 @@ double energy_and_force(const DualGraph& graph, const Field& field, const base::
   double total = 0;
   for (const double p : partial)
     total += p;
+  for (const Pull& pull : constraints.pulls) {
+    const Quaternion r = multiply(target(pull, field[pull.node]), conjugate(field[pull.node]));
+    const double w = 2 * pull.weight * r.w;
+    auto& at = force[pull.node].at;
+    at[0] += static_cast<float>(w * r.x);
+    at[1] += static_cast<float>(w * r.y);
+    at[2] += static_cast<float>(w * r.z);
+    total += pull.weight * (r.x * r.x + r.y * r.y + r.z * r.z);
+  }
   return total;
 }
 
@@ -146,6 +155,13 @@ double energy(const DualGraph& graph, const Field& field, const base::Host& host
   return total;
 }
 
+double pull_energy(const Constraints& constraints, const Field& field) {
+  double sum = 0;
+  for (const Pull& pull : constraints.pulls)
+    sum += worth(pull, field[pull.node]);
+  return sum;
+}
+
 SmoothingResult smooth(const DualGraph& graph, std::span<const CoarseGraph> hierarchy, Constraints& constraints,
                        const SmoothingOptions& options, const base::Host& host, Field& field) {
   const std::size_t n = graph.size();
@@ -156,17 +172,24 @@ SmoothingResult smooth(const DualGraph& graph, std::span<const CoarseGraph> hier
   Field trial(n, host.memory);
   Array<Solver::Tangent> tangents = axes_of(constraints, host.memory);
   Solver solver(graph, hierarchy, tangents, host);
+  Array<float> mass(host.memory);
+  if (!constraints.pulls.empty()) {
+    mass.assign(n, 0.0F);
+    for (const Pull& pull : constraints.pulls)
+      mass[pull.node] += static_cast<float>(pull.weight);
+  }
   satisfy(constraints, field);
-  result.energy = energy_and_force(graph, field, host, force, partial);
+  result.energy = energy_and_force(graph, constraints, field, host, force, partial);
   while (result.steps < options.max_steps) {
     host.report("smoothing", result.steps, 0, result.energy);
     std::ranges::fill(turn, Solver::Value{});
     result.solver_iterations +=
-        solver.solve({.tolerance = 0.1, .max_iterations = 200, .phase = "smoothing"}, force, turn).iterations;
+        solver.solve({.mass = mass, .tolerance = 0.1, .max_iterations = 200, .phase = "smoothing"}, force, turn)
+            .iterations;
     double length = 1, lower = result.energy;
     for (int cut = 0; cut < 6; ++cut, length *= 0.5) {
       turn_all(field, turn, length, constraints, host, trial);
-      lower = energy(graph, trial, host);
+      lower = energy(graph, trial, host) + pull_energy(constraints, trial);
       if (lower < result.energy) break;
     }
     ++result.steps;
@@ -177,7 +200,7 @@ SmoothingResult smooth(const DualGraph& graph, std::span<const CoarseGraph> hier
       const auto changed = axes_of(constraints, host.memory);
       std::ranges::copy(changed, tangents.begin());  // the solver sees them where they are
     }
-    result.energy = energy_and_force(graph, field, host, force, partial);
+    result.energy = energy_and_force(graph, constraints, field, host, force, partial);
     if (gain < options.relative_gain * result.energy) break;
   }
   return result;

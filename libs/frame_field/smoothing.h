@@ -22,7 +22,7 @@ struct SmoothingOptions {
 };
 
 struct SmoothingResult {
-  double energy = 0;
+  double energy = 0;  // with that of the pulls
   std::uint32_t steps = 0;
   std::uint32_t solver_iterations = 0;
 };

@@ -113,8 +113,21 @@ TEST_CASE("A field computed through C is aligned, and its report agrees with mea
   std::sort(curve_edges.begin(), curve_edges.end());
   for (std::uint32_t e = 0; e < edges; ++e)
     CHECK(curve_edges[e] == e);
+  const std::size_t wrong_edges = obc_frame_field_unmeshable_edge_count(singularities);
+  const std::size_t wrong_vertices = obc_frame_field_unmeshable_vertex_count(singularities);
+  CHECK(wrong_edges == report.improper_edges);
+  CHECK(wrong_vertices == report.turning_points + report.improper_nodes);
+  CHECK((report.locally_meshable == 1) == (wrong_edges + wrong_vertices == 0));
+  std::vector<std::uint32_t> edge_list(wrong_edges), vertex_list(wrong_vertices);
+  REQUIRE(obc_frame_field_unmeshable_copy(singularities, edge_list.data(), vertex_list.data(), &error) == OBC_OK);
+  for (const std::uint32_t e : edge_list)
+    CHECK((e < edges && turns[e] != 1 && turns[e] != -1));
+  CHECK(std::is_sorted(vertex_list.begin(), vertex_list.end()));
+  for (const std::uint32_t v : vertex_list)
+    CHECK(std::find(vertices.begin(), vertices.end(), v) != vertices.end());
   obc_frame_field_singularities_destroy(singularities);
   obc_frame_field_singularities_destroy(nullptr);
+  CHECK(obc_frame_field_unmeshable_edge_count(nullptr) == 0);
   CHECK(obc_frame_field_singular_edge_count(nullptr) == 0);
 
   std::vector<std::uint8_t> matchings(solid.tetrahedra.size());
@@ -146,6 +159,71 @@ TEST_CASE("Constraints and a given start are followed") {
     for (std::size_t k = 0; k < 4; ++k)
       CHECK(frames[4 * which[i] + k] == doctest::Approx(held[4 * i + k]).epsilon(1e-14));
   }
+}
+
+TEST_CASE("Repairs through C leave fewer unmeshable places and report both energies") {
+  const Solid solid = bent_box(7);
+  const obc_frame_field_solid view = solid.view();
+  std::vector<double> frames(solid.tetrahedra.size());
+  obc_frame_field_options options;
+  obc_frame_field_report plain, repaired;
+  obc_frame_field_options_init(&options, sizeof options);
+  obc_frame_field_report_init(&plain, sizeof plain);
+  obc_frame_field_report_init(&repaired, sizeof repaired);
+  // Smoothing alone leaves a wild field with faults everywhere.
+  options.start = OBC_FRAME_FIELD_GIVEN;
+  std::vector<double> wild(frames.size());
+  for (std::size_t i = 0; i < wild.size(); i += 4) {
+    const double a = std::sin(static_cast<double>(i * i)), b = 3 * std::cos(static_cast<double>(i * 7));
+    wild[i] = std::cos(a) * std::cos(b);
+    wild[i + 1] = std::cos(a) * std::sin(b);
+    wild[i + 2] = std::sin(a) * std::cos(3 * b);
+    wild[i + 3] = std::sin(a) * std::sin(3 * b);
+  }
+  frames = wild;
+  REQUIRE(obc_frame_field_compute(&view, &options, nullptr, nullptr, frames.data(), &plain, nullptr) == OBC_OK);
+  const std::uint64_t before = plain.improper_edges + plain.turning_points + plain.improper_nodes;
+  REQUIRE(before > 0);
+  CHECK(plain.repair_rounds == 0);
+  for (const std::int32_t mode : {OBC_FRAME_FIELD_REPAIR, OBC_FRAME_FIELD_SINGLE_AXIS}) {
+    options.repair = mode;
+    frames = wild;
+    REQUIRE(obc_frame_field_compute(&view, &options, nullptr, nullptr, frames.data(), &repaired, nullptr) == OBC_OK);
+    CHECK(repaired.repair_rounds > 0);
+    CHECK(repaired.unmeshable_before == before);
+    CHECK(repaired.fragments_before == plain.fragments);
+    CHECK(repaired.energy_before_repair == doctest::Approx(plain.energy).epsilon(1e-9));
+    CHECK(repaired.improper_edges + repaired.turning_points + repaired.improper_nodes < before);
+    CHECK(repaired.one_face_max < 1e-6);
+    CHECK(repaired.dead_ends == 0);
+  }
+}
+
+TEST_CASE("Weights make constraints soft") {
+  const Solid solid = bent_box(3);
+  const obc_frame_field_solid view = solid.view();
+  obc_frame_field_options options;
+  obc_frame_field_constraints constraints;
+  obc_frame_field_options_init(&options, sizeof options);
+  obc_frame_field_constraints_init(&constraints, sizeof constraints);
+  options.align_boundary = 0;
+  options.start = OBC_FRAME_FIELD_GIVEN;
+  const std::array<std::uint32_t, 2> which{0, 100};
+  const double c = std::cos(0.1), s = std::sin(0.1);
+  const std::array<double, 8> wanted{c, s, 0, 0, 1, 0, 0, 0};
+  std::array<double, 2> weights{1, std::numeric_limits<double>::infinity()};
+  constraints.frame_tetrahedra = which.data();
+  constraints.frames = wanted.data();
+  constraints.frame_count = 2;
+  constraints.frame_weights = weights.data();
+  std::vector<double> frames = solid.identity();
+  REQUIRE(obc_frame_field_compute(&view, &options, &constraints, nullptr, frames.data(), nullptr, nullptr) == OBC_OK);
+  CHECK(frames[400] == doctest::Approx(1).epsilon(1e-14));  // held
+  CHECK(frames[1] > 0.01);                                  // pulled at
+  CHECK(frames[1] < 0.99 * s);
+  weights[0] = -1;
+  CHECK(obc_frame_field_compute(&view, &options, &constraints, nullptr, frames.data(), nullptr, nullptr) ==
+        OBC_INVALID_ARGUMENT);
 }
 
 TEST_CASE("Wrong arguments are answered, not followed") {
@@ -190,13 +268,18 @@ TEST_CASE("Wrong arguments are answered, not followed") {
   view = solid.view();
   obc_frame_field_options options;
   CHECK(obc_frame_field_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
-  for (int i = 0; i < 5; ++i) {
+  for (int i = 0; i < 7; ++i) {
     REQUIRE(obc_frame_field_options_init(&options, sizeof options) == OBC_OK);
     if (i == 0) options.start = 77;
     if (i == 1) options.method = -1;
     if (i == 2) options.weighting = 9;
     if (i == 3) options.relative_gain = std::numeric_limits<double>::quiet_NaN();
     if (i == 4) options.feature_angle = -1;
+    if (i == 5) options.repair = 3;
+    if (i == 6) {
+      options.repair = OBC_FRAME_FIELD_REPAIR;
+      options.method = OBC_FRAME_FIELD_SEED;
+    }
     CHECK(obc_frame_field_compute(&view, &options, nullptr, nullptr, frames.data(), nullptr, &error) ==
           OBC_INVALID_ARGUMENT);
   }
@@ -214,6 +297,14 @@ TEST_CASE("Each allocation fails in turn and nothing is leaked") {
   });
   CHECK(computing.problem == "");
   CHECK(computing.runs > 50);
+  options.rounds = 0;
+  options.start = OBC_FRAME_FIELD_IDENTITY;
+  options.repair = OBC_FRAME_FIELD_SINGLE_AXIS;
+  const test::Outcome repairing = test::fail_each_allocation([&](const obc_host& host) {
+    return obc_frame_field_compute(&view, &options, nullptr, &host, frames.data(), nullptr, nullptr);
+  });
+  CHECK(repairing.problem == "");
+  CHECK(repairing.runs > 50);
   frames = solid.identity();
   CHECK(test::fail_each_allocation([&](const obc_host& host) {
           obc_frame_field_report report;

@@ -208,10 +208,10 @@ TEST_CASE("Recombination takes the better region of two fields and nothing else"
   b[far] = test::random_rotation(random);  // and b there
   const double before = energy(graph, a, host);
   Field best = a;
-  const double gain = take_better_regions(graph, b, 0.01, host, best);
+  const double gain = take_better_regions(graph, Constraints(host.memory), b, 0.01, host, best);
   CHECK(energy(graph, best, host) == 0);
   CHECK(gain == doctest::Approx(before));
-  CHECK(take_better_regions(graph, b, 0.01, host, best) == 0);
+  CHECK(take_better_regions(graph, Constraints(host.memory), b, 0.01, host, best) == 0);
 }
 
 TEST_CASE("The seed's method starts from identity, holds the boundary and never ends lower than smoothing does") {

@@ -53,6 +53,16 @@ enum {
   OBC_FRAME_FIELD_GEOMETRIC = 1 /* by area over the distance of the centres, scaled to mean 1 */
 };
 
+/* What is done where a field cannot be that of a hexahedral mesh. */
+enum {
+  OBC_FRAME_FIELD_NO_REPAIR = 0,
+  /* Third and half turns are zipped apart into quarter turns (Li et al. 2012), short loops and fragments collapse, and the
+   * frames around are smoothed to fit; kept where fewer edges and vertices are unmeshable. */
+  OBC_FRAME_FIELD_REPAIR = 1,
+  /* The search starts from identity and stays among fields whose frames turn about one axis along each curve. */
+  OBC_FRAME_FIELD_SINGLE_AXIS = 2
+};
+
 /* Fill with _init. */
 typedef struct obc_frame_field_options {
   uint32_t struct_size;
@@ -63,9 +73,13 @@ typedef struct obc_frame_field_options {
   uint32_t rounds;        /* of improvement by the start auto; default 2 */
   double feature_angle;   /* boundary edges that turn by more (radians) are followed by an axis; 0, the default: none */
   double relative_gain;   /* smoothing ends with a step that gains less than this part of the energy; default 1e-6 */
+  int32_t repair;         /* OBC_FRAME_FIELD_NO_REPAIR, ...; none by default; not with the method seed */
+  int32_t reserved;
 } obc_frame_field_options;
 
-/* What the caller holds fixed. Fill with _init, then set what there is. Frames and directions must be of length 1. */
+/* What the caller asks for. Fill with _init, then set what there is. Frames and directions must be of length 1. With weights,
+ * which are positive and may be infinite, those with a finite one are not held but pulled at, like by so many neighbours that
+ * have what is wanted. */
 typedef struct obc_frame_field_constraints {
   uint32_t struct_size;
   int32_t reserved;
@@ -75,6 +89,8 @@ typedef struct obc_frame_field_constraints {
   const uint32_t *axis_tetrahedra;  /* tetrahedra of whose frame one axis is held along a direction */
   const double *axes;               /* x y z each */
   size_t axis_count;
+  const double *frame_weights;      /* one each, or NULL: all are held */
+  const double *axis_weights;
 } obc_frame_field_constraints;
 
 /* Figures of a field. Angles in degrees; symmetric ones are up to the 24 rotations, at most 62.80; plain ones between the
@@ -101,6 +117,10 @@ typedef struct obc_frame_field_report {
   /* Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
    * quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has. */
   uint64_t locally_meshable, improper_edges, turning_points, improper_nodes;
+  uint64_t fragments; /* closed curves of at most six edges, and curves of one edge */
+  /* With repairs: rounds, and what was there before them. The energy after them is `energy`. */
+  uint64_t repair_rounds, unmeshable_before, fragments_before;
+  double energy_before_repair;
 } obc_frame_field_report;
 
 /* Fill options, constraints and reports with the defaults, no constraints, and zeros. */
@@ -151,6 +171,17 @@ OBC_API obc_status obc_frame_field_singularities_copy(const obc_frame_field_sing
                                                       uint32_t *edge_vertices, uint8_t *edge_rotations,
                                                       int8_t *edge_turns, size_t *curve_begin, uint32_t *curve_edges,
                                                       uint32_t *nodes, obc_error *error);
+
+/* Where the field cannot be that of a hexahedral mesh: singular edges that are no quarter turns about an axis, and inner
+ * vertices whose edges of threes and fives no hexahedral mesh has (turning points and nodes). Both counts are 0 when the field
+ * is locally meshable, and for NULL. */
+OBC_API size_t obc_frame_field_unmeshable_edge_count(const obc_frame_field_singularities *singularities);
+OBC_API size_t obc_frame_field_unmeshable_vertex_count(const obc_frame_field_singularities *singularities);
+
+/* Copies them to the caller's arrays, each of which may be NULL: the edges as numbers of singular edges, the vertices as
+ * indices of the solid's, both ascending. Errors: invalid argument. */
+OBC_API obc_status obc_frame_field_unmeshable_copy(const obc_frame_field_singularities *singularities, uint32_t *edges,
+                                                   uint32_t *vertices, obc_error *error);
 
 /* Version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_frame_field_version(void);
