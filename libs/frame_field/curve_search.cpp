@@ -17,16 +17,15 @@ constexpr std::size_t items_between_reports = 64;
 
 }  // namespace
 
-CurveSearch::CurveSearch(const DualGraph& graph, std::span<const Index> node_of_tetrahedron,
-                         const Constraints& constraints, const mesh::TetrahedralConnectivity& connectivity,
-                         const mesh::EdgeRings& rings, const base::Host& host)
+CurveSearch::CurveSearch(const DualGraph& graph, const Constraints& constraints,
+                         const mesh::TetrahedralConnectivity& connectivity, const mesh::EdgeRings& rings,
+                         const base::Host& host)
     : graph_(graph),
-      node_(node_of_tetrahedron),
       constraints_(constraints),
       connectivity_(connectivity),
       rings_(rings),
       host_(host),
-      relaxation_(graph, node_of_tetrahedron, constraints, connectivity, host),
+      relaxation_(graph, constraints, connectivity, host),
       begin_(connectivity.vertex_count() + 1, 0, host.memory),
       at_vertex_(4 * graph.size(), host.memory),
       matchings_(host.memory),
@@ -162,14 +161,13 @@ void CurveSearch::collect_patch(std::span<const Change> changes) {
 double CurveSearch::patch_energy(const Field& field) const {
   double sum = 0;
   for (const Index t : patch_) {
-    const Index node = node_[t];
     for (Index k = 0; k < 4; ++k) {
       const Index other = connectivity_.neighbour(t, k);
       if (other == no_index || (stamp_[other] == patches_ && other < t)) continue;
-      sum += static_cast<double>(graph_.weights[node][k]) * quaternion::symmetric_sine_square(field[t], field[other]);
+      sum += static_cast<double>(graph_.weights[t][k]) * quaternion::symmetric_sine_square(field[t], field[other]);
     }
     if (!constraints_.pulls.empty()) {
-      for (const Pull& pull : constraints_.pulls_at(node))
+      for (const Pull& pull : constraints_.pulls_at(t))
         sum += worth(pull, field[t]);
     }
   }

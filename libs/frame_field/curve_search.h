@@ -17,11 +17,12 @@ namespace orbicube::frame_field {
 
 class CurveSearch {
  public:
-  // All arguments must outlive it. 50 bytes a tetrahedron besides the rings.
-  CurveSearch(const DualGraph& graph, std::span<const Index> node_of_tetrahedron, const Constraints& constraints,
-              const mesh::TetrahedralConnectivity& connectivity, const mesh::EdgeRings& rings, const base::Host& host);
+  // All arguments must outlive it. Tetrahedra are numbered as the graph's nodes are. 50 bytes a tetrahedron besides the
+  // rings.
+  CurveSearch(const DualGraph& graph, const Constraints& constraints, const mesh::TetrahedralConnectivity& connectivity,
+              const mesh::EdgeRings& rings, const base::Host& host);
 
-  // `field` by tetrahedron, satisfying the constraints and doing so afterwards. Answers by how much the energy fell, as
+  // `field` satisfies the constraints, and does so afterwards. Answers by how much the energy fell, as
   // far as the frames around tell. Passes end when one moves nothing.
   double run(std::uint32_t most_passes, Field& field);
 
@@ -40,7 +41,6 @@ class CurveSearch {
   double patch_energy(const Field& field) const;
 
   const DualGraph& graph_;
-  std::span<const Index> node_;
   const Constraints& constraints_;
   const mesh::TetrahedralConnectivity& connectivity_;
   const mesh::EdgeRings& rings_;

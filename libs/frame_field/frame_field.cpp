@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <numeric>
 #include <string>
 
 #include "base/error.h"
@@ -139,24 +140,40 @@ class Search {
   std::uint32_t iterations_ = 0, steps_ = 0;
 };
 
-// Moves curves to where they cost less, which smoothing does not, and smooths again.
-void improve_curves(const DualGraph& graph, std::span<const CoarseGraph> hierarchy,
-                    const mesh::TetrahedralConnectivity& connectivity, Constraints& constraints, const Options& options,
-                    const base::Host& host, Outcome& outcome) {
-  Field moved(outcome.field, host.memory);
-  {
-    const mesh::EdgeRings rings(connectivity, host);
-    Array<Index> node(graph.size(), host.memory);
-    for (Index i = 0; i < graph.size(); ++i)
-      node[graph.tetrahedron[i]] = i;
-    if (!(CurveSearch(graph, node, constraints, connectivity, rings, host).run(curve_passes, moved) > 0)) return;
+// Moves curves to where they cost less, which smoothing does not, and repairs; in the order of the nodes, so that the
+// order of the mesh does not matter.
+void improve_structure(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra, DualGraph& graph,
+                       Constraints& constraints, const Options& options, const base::Host& host, Outcome& outcome) {
+  Array<Tetrahedron> ordered(host.memory);
+  ordered.reserve(graph.size());
+  for (const Index t : graph.tetrahedron)
+    ordered.push_back(tetrahedra[t]);
+  const mesh::TetrahedralConnectivity connectivity(positions.size(), ordered, host);
+  Field field = by_node(graph, outcome.field, host.memory);
+  Array<Index> order(graph.size(), host.memory);
+  std::iota(order.begin(), order.end(), Index{0});
+  std::swap(order, graph.tetrahedron);  // until the end, tetrahedra are numbered as nodes are
+  const auto hierarchy = make_hierarchy(graph, smallest_graph, host);
+
+  if (options.start == Start::automatic && options.rounds > 0) {
+    double gain = 0;
+    {
+      const mesh::EdgeRings rings(connectivity, host);
+      gain = CurveSearch(graph, constraints, connectivity, rings, host).run(curve_passes, field);
+    }
+    if (gain > 0) {
+      const SmoothingResult result =
+          smooth(graph, hierarchy, constraints, {.relative_gain = options.relative_gain}, host, field);
+      outcome.smoothing_steps += result.steps;
+      outcome.solver_iterations += result.solver_iterations;
+    }
   }
-  Field field = by_node(graph, moved, host.memory);
-  const SmoothingResult result =
-      smooth(graph, hierarchy, constraints, {.relative_gain = options.relative_gain}, host, field);
-  outcome.smoothing_steps += result.steps;
-  outcome.solver_iterations += result.solver_iterations;
+  if (options.repairs != Repairs::none) {
+    Repair repair(positions, connectivity, graph, hierarchy, constraints, host);
+    outcome.repair = options.repairs == Repairs::places ? repair.repair(field) : repair.search_about_single_axes(field);
+  }
   outcome.energy = energy(graph, field, host);
+  std::swap(order, graph.tetrahedron);
   by_tetrahedron(graph, field, outcome.field);
 }
 
@@ -218,7 +235,7 @@ Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron>
                 const Given& given, const base::Host& host) {
   check(tetrahedra.size(), options, given);
   const mesh::TetrahedralConnectivity connectivity(positions.size(), tetrahedra, host);
-  const DualGraph graph = make_dual_graph(positions, connectivity, options.weighting, host);
+  DualGraph graph = make_dual_graph(positions, connectivity, options.weighting, host);
   Array<GivenAxis> axes(given.axes.begin(), given.axes.end(), host.memory);
   Array<GivenFrame> frames(given.frames.begin(), given.frames.end(), host.memory);
   if (options.feature_angle > 0) follow_features(positions, connectivity, options.feature_angle, host, frames, axes);
@@ -226,15 +243,8 @@ Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron>
       make_constraints(graph, positions, connectivity, options.align_boundary, frames, axes, host);
   if (options.method == Method::seed) return seed_method(graph, constraints, host);
   Outcome outcome = Search(graph, constraints, options, host).run(given);
-  const bool move_curves = options.start == Start::automatic && options.rounds > 0;
-  if (!move_curves && options.repairs == Repairs::none) return outcome;
-  const auto hierarchy = make_hierarchy(graph, smallest_graph, host);
-  if (move_curves) improve_curves(graph, hierarchy, connectivity, constraints, options, host, outcome);
-  if (options.repairs == Repairs::none) return outcome;
-  Repair repair(positions, connectivity, graph, hierarchy, constraints, host);
-  outcome.repair = options.repairs == Repairs::places ? repair.repair(outcome.field)
-                                                      : repair.search_about_single_axes(outcome.field);
-  outcome.energy = outcome.repair.energy_after;
+  if ((options.start == Start::automatic && options.rounds > 0) || options.repairs != Repairs::none)
+    improve_structure(positions, tetrahedra, graph, constraints, options, host, outcome);
   return outcome;
 }
 

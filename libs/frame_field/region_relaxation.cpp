@@ -18,8 +18,7 @@ constexpr std::size_t items_between_reports = 4096;
 
 Quaternion RegionRelaxation::relaxed(Index t, std::span<const std::uint8_t> matchings, const Field& field) const {
   const Quaternion q = field[t];
-  const Index node = node_[t];
-  const Index number = constraints_.of_node[node];
+  const Index number = constraints_.of_node[t];
   if (number != no_index && constraints_.list[number].fixed) return q;
   Quaternion sum{0, 0, 0, 0};
   double weights = 0;
@@ -28,12 +27,12 @@ Quaternion RegionRelaxation::relaxed(Index t, std::span<const std::uint8_t> matc
     if (other == no_index) continue;
     const std::uint32_t g = matchings.empty() ? quaternion::symmetric_matching(q, field[other]) : matchings[4 * t + k];
     const Quaternion p = multiply(field[other], conjugate(cube_group.element[g]));
-    const double w = static_cast<double>(graph_.weights[node][k]), along = dot(p, q) < 0 ? -w : w;
+    const double w = static_cast<double>(graph_.weights[t][k]), along = dot(p, q) < 0 ? -w : w;
     sum = {sum.w + along * p.w, sum.x + along * p.x, sum.y + along * p.y, sum.z + along * p.z};
     weights += w;
   }
   if (!constraints_.pulls.empty()) {
-    for (const Pull& pull : constraints_.pulls_at(node)) {
+    for (const Pull& pull : constraints_.pulls_at(t)) {
       const Quaternion p = target(pull, q);
       const double along = dot(p, q) < 0 ? -pull.weight : pull.weight;
       sum = {sum.w + along * p.w, sum.x + along * p.x, sum.y + along * p.y, sum.z + along * p.z};

@@ -13,16 +13,12 @@ namespace orbicube::frame_field {
 
 class RegionRelaxation {
  public:
-  // All arguments must outlive it.
-  RegionRelaxation(const DualGraph& graph, std::span<const Index> node_of_tetrahedron, const Constraints& constraints,
+  // All arguments must outlive it. Tetrahedra are numbered as the graph's nodes are.
+  RegionRelaxation(const DualGraph& graph, const Constraints& constraints,
                    const mesh::TetrahedralConnectivity& connectivity, const base::Host& host)
-      : graph_(graph),
-        node_(node_of_tetrahedron),
-        constraints_(constraints),
-        connectivity_(connectivity),
-        host_(host) {}
+      : graph_(graph), constraints_(constraints), connectivity_(connectivity), host_(host) {}
 
-  // `field` by tetrahedron, satisfying the constraints and doing so afterwards; `matchings` by face (singularities.h)
+  // `field` satisfies the constraints, and does so afterwards; `matchings` by face (singularities.h)
   // or empty. The same bits for the same order of `tetrahedra`. O(sweeps x tetrahedra).
   void relax(std::span<const Index> tetrahedra, std::span<const std::uint8_t> matchings, std::uint32_t sweeps,
              Field& field) const;
@@ -31,7 +27,6 @@ class RegionRelaxation {
   Quaternion relaxed(Index tetrahedron, std::span<const std::uint8_t> matchings, const Field& field) const;
 
   const DualGraph& graph_;
-  std::span<const Index> node_;
   const Constraints& constraints_;
   const mesh::TetrahedralConnectivity& connectivity_;
   const base::Host& host_;

@@ -38,11 +38,7 @@ Repair::Repair(std::span<const Vector3> positions, const mesh::TetrahedralConnec
       hierarchy_(hierarchy),
       constraints_(constraints),
       host_(host),
-      finder_(positions, connectivity, host),
-      node_(graph.size(), host.memory) {
-  for (Index i = 0; i < graph.size(); ++i)
-    node_[graph.tetrahedron[i]] = i;
-}
+      finder_(positions, connectivity, host) {}
 
 RepairOutcome Repair::repair(Field& field) {
   const Field before(field, host_.memory);
@@ -54,11 +50,7 @@ RepairOutcome Repair::repair(Field& field) {
 RepairOutcome Repair::search_about_single_axes(Field& smoother) {
   const Field before(smoother, host_.memory);
   std::uint32_t count = rounds(smoother);
-  Field field(smoother.size(), host_.memory);
-  {
-    Field start = identity_start(graph_, constraints_, host_);
-    by_tetrahedron(graph_, start, field);
-  }
+  Field field = identity_start(graph_, constraints_, host_);
   count += rounds(field);
   smooth_all(rough_gain, field);
   count += rounds(field);
@@ -93,7 +85,7 @@ void Repair::zip_apart(std::span<const std::uint8_t> inside, const Structure& st
   Array<std::uint8_t> wanted(structure.matchings, host_.memory);
   zip(positions_, connectivity_, finder_, field, inside, structure.graph, host_, wanted);
   const Array<Index> list = listed(inside);
-  const RegionRelaxation relaxation(graph_, node_, constraints_, connectivity_, host_);
+  const RegionRelaxation relaxation(graph_, constraints_, connectivity_, host_);
   relaxation.relax(list, wanted, fitting_sweeps, field);
   relaxation.relax(list, {}, smoothing_sweeps, field);
 }
@@ -119,7 +111,7 @@ void Repair::refill(std::span<const std::uint8_t> inside, Field& field) const {
       front.push_back(other);
     }
   }
-  RegionRelaxation(graph_, node_, constraints_, connectivity_, host_)
+  RegionRelaxation(graph_, constraints_, connectivity_, host_)
       .relax(listed(inside), {}, fitting_sweeps + smoothing_sweeps, field);
 }
 
@@ -153,7 +145,7 @@ void Repair::take_smoother(const Field& candidate, Field& field) const {
       const Index other = connectivity_.neighbour(t, k);
       const bool both = other != no_index && differs[other] != 0;
       if (other == no_index || (both && other < t)) continue;
-      const double w = static_cast<double>(graph_.weights[node_[t]][k]);
+      const double w = static_cast<double>(graph_.weights[t][k]);
       change.energy += w * (quaternion::symmetric_sine_square(candidate[t], both ? candidate[other] : field[other]) -
                             quaternion::symmetric_sine_square(field[t], field[other]));
     }
@@ -167,7 +159,7 @@ void Repair::take_smoother(const Field& candidate, Field& field) const {
     mixed[t] = candidate[t];
     seam.insert(seam.end(), connectivity_.tetrahedra()[t].begin(), connectivity_.tetrahedra()[t].end());
   }
-  RegionRelaxation(graph_, node_, constraints_, connectivity_, host_)
+  RegionRelaxation(graph_, constraints_, connectivity_, host_)
       .relax(listed(finder_.around(seam, 1)), {}, seam_sweeps, mixed);
   // Small differences around the parts add up to a fault now and then.
   if (!(before.faults < finder_.find(mixed).faults)) std::swap(field, mixed);
@@ -176,13 +168,8 @@ void Repair::take_smoother(const Field& candidate, Field& field) const {
 // Smooths all frames together, and takes that back around faults that it brings.
 void Repair::smooth_all(double gain, Field& field) {
   const Structure before = finder_.find(field);
-  Field candidate(field.size(), host_.memory);
-  Constraints own(constraints_, host_.memory);
-  {
-    Field by_nodes = by_node(graph_, field, host_.memory);
-    smooth(graph_, hierarchy_, own, {.relative_gain = gain, .choose_normals = false}, host_, by_nodes);
-    by_tetrahedron(graph_, by_nodes, candidate);
-  }
+  Field candidate(field, host_.memory);
+  smooth(graph_, hierarchy_, constraints_, {.relative_gain = gain, .choose_normals = false}, host_, candidate);
   Structure after = finder_.find(candidate);
   for (std::uint32_t attempt = 1; before.faults < after.faults && attempt < 3; ++attempt) {
     const auto inside = finder_.around(after.vertices, attempt * rings_not_smoothed);
@@ -203,14 +190,14 @@ Array<Index> Repair::listed(std::span<const std::uint8_t> inside) const {
 }
 
 Quaternion Repair::satisfying(Index tetrahedron, const Quaternion& frame) const {
-  const Index c = constraints_.of_node[node_[tetrahedron]];
+  const Index c = constraints_.of_node[tetrahedron];
   if (c == no_index) return frame;
   const Constraint& constraint = constraints_.list[c];
   return constraint.fixed ? constraint.frame : aligned(frame, constraint.direction);
 }
 
 double Repair::energy_of(const Field& field) const {
-  return energy(graph_, by_node(graph_, field, host_.memory), host_);
+  return energy(graph_, field, host_);
 }
 
 RepairOutcome Repair::outcome_of(const Field& before, const Field& after, std::uint32_t count) const {

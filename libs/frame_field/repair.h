@@ -29,11 +29,11 @@ struct RepairOutcome {
 
 class Repair {
  public:
-  // All arguments must outlive it.
+  // All arguments must outlive it. Tetrahedra are numbered as the graph's nodes are.
   Repair(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity, const DualGraph& graph,
          std::span<const CoarseGraph> hierarchy, Constraints& constraints, const base::Host& host);
 
-  // `field` by tetrahedron, satisfying the constraints and doing so afterwards; never with more faults than before.
+  // `field` satisfies the constraints, and does so afterwards; never with more faults than before.
   // O(n) a round. Throws Error "cancelled".
   RepairOutcome repair(Field& field);
   // The same for the search about single axes, where `field` is the smoother one. Never with more unmeshable edges and
@@ -60,7 +60,6 @@ class Repair {
   Constraints& constraints_;
   const base::Host& host_;
   const FaultFinder finder_;
-  Array<Index> node_;  // by tetrahedron
 };
 
 }  // namespace orbicube::frame_field
