@@ -357,9 +357,11 @@ void add_frames(CLI::App& app, CommonOptions& common) {
       ->type_name("N");
   verb->add_flag("--free-boundary", options->free_boundary, "do not align frames with the boundary");
   verb->add_flag("--repair", options->repair,
-                 "change the field where a hexahedral mesh could not follow it, at little more energy");
+                 "change the field where a hexahedral mesh could not follow it, at little more energy")
+      ->excludes(verb->get_option("--unchanged"));
   verb->add_flag("--single-axis", options->single_axis,
-                 "search only among fields that turn about one axis along each curve, starting from identity");
+                 "search only among fields that turn about one axis along each curve, starting from identity")
+      ->excludes(verb->get_option("--unchanged"));
   verb->add_option("--vtk", options->vtk, "write the tetrahedra with the axes as vectors too")->type_name("FILE.vtk");
   verb->add_option("--plot", options->plot, "draw the angles between neighbours and their sum")->type_name("FILE.png");
   verb->add_option("--glb", options->glb, "draw the singular curves in the surface, and some frames, to look at")
