@@ -1,0 +1,19 @@
+// Every rectangle of a traced and decimated layout mapped to its rectangle on the polycube: boundaries by arc length,
+// interiors by mean-value coordinates (Floater 2003), whose weights are positive, so that the map is a bijection (Tutte
+// 1963, Floater 1997): the boundary is convex, and no edge joins two of its vertices.
+#pragma once
+
+#include "polycube/layout.h"
+#include "polycube/tracing.h"
+
+namespace orbicube::polycube {
+
+// How far along its arc each vertex of a path is by length, from 0 to 1; of vertices on no path 0.
+Array<double> arc_parameters(const EditableSurface& surface, const Drawing& drawing, const base::Host& host);
+
+// Positions of the surface's vertices on the polycube. `parameter` as above, from before the surface was decimated.
+// Throws Error "no-valid-result" when rounding spoils the map, "cancelled".
+Array<Vector3> map_rectangles(const Layout& layout, const Drawing& drawing, const EditableSurface& surface,
+                              std::span<const double> parameter, const base::Host& host);
+
+}  // namespace orbicube::polycube

@@ -1,0 +1,22 @@
+// A polycube and a map to it from voxels, for closed surfaces of any genus.
+//
+// A certified voxelisation (voxelisation.h) is simplified to the budget of corners (simplification.h), its surface
+// becomes a layout of rectangles (layout.h), which is drawn on the surface in space (tracing.h) and mapped
+// (layout_map.h). Each of these keeps the topology by construction; what can fail is the room that floating-point
+// numbers leave, and then fewer corners and other grids are tried.
+#pragma once
+
+#include "polycube/certificate.h"
+
+namespace orbicube::polycube {
+
+struct VoxelConstructionOptions {
+  std::size_t corners = 0;  // of the polycube at most, or the fewest that it can be brought to; 0: any number
+};
+
+// Of a closed, connected, oriented surface that looks outward. The map is certified, with its labels and charts.
+// Throws Error "no-valid-result" with what stood in the way, "not-closed", "cancelled".
+SurfaceMap construct_by_voxels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                               const VoxelConstructionOptions& options, const base::Host& host);
+
+}  // namespace orbicube::polycube
