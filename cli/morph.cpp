@@ -10,14 +10,12 @@
 #include <utility>
 
 #include "base/sums.h"
-#include "closed_surface.h"
 #include "gltf/write.h"
 #include "grid_choice.h"
-#include "landmark_file.h"
 #include "mesh/measures.h"
+#include "morph_alignment.h"
 #include "sphere_map/correspondence.h"
 #include "sphere_map/overlay.h"
-#include "sphere_map/rotation_search.h"
 #include "sphere_map/sphere_map.h"
 #include "sphere_uses.h"
 #include "surface_file.h"
@@ -44,17 +42,6 @@ struct MorphOptions {
   bool weld = false;
 };
 
-struct Shape {
-  explicit Shape(std::pmr::memory_resource* memory) : surface{mesh::Mesh(memory), {}}, directions(memory) {}
-
-  std::string path;
-  ClosedSurface surface;
-  base::Array<Vector3> directions;
-  std::unique_ptr<sphere_map::Locator> locator;
-  Alignment alignment;
-  Json figures;
-};
-
 // The triangulation of the common sphere that all shapes get.
 struct CommonMesh {
   explicit CommonMesh(std::pmr::memory_resource* memory) : directions(memory), triangles(memory) {}
@@ -64,7 +51,7 @@ struct CommonMesh {
   std::vector<base::Array<Index>> own_vertex;  // one a shape: which of its vertices each one is, no_index for none
 };
 
-void read_and_map(Shape& shape, const MorphOptions& options, Session& session) {
+void read_and_map(MorphShape& shape, const MorphOptions& options, Session& session) {
   shape.surface = read_closed_surface(shape.path, options.weld, session);
   const mesh::Mesh& mesh = shape.surface.mesh;
   const double start = session.seconds();
@@ -76,86 +63,23 @@ void read_and_map(Shape& shape, const MorphOptions& options, Session& session) {
   shape.figures.update(shape.surface.figures);
   shape.figures.update({{"vertices", mesh.positions.size()},
                         {"triangles", mesh.triangles.size()},
-                        {"seconds_map", session.seconds() - start}});
-}
-
-Json json_of(const Eigen::Matrix3d& rotation) {
-  Json rows = Json::array();
-  for (Eigen::Index row = 0; row < 3; ++row)
-    rows.push_back({rotation(row, 0), rotation(row, 1), rotation(row, 2)});
-  return rows;
-}
-
-Json angles_between(std::span<const Vector3> a, std::span<const Vector3> b) {
-  double sum = 0, largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double angle = std::atan2(a[i].cross(b[i]).norm(), a[i].dot(b[i]));
-    sum += angle;
-    largest = std::max(largest, angle);
-  }
-  return {{"mean", sum / static_cast<double>(a.size())}, {"max", largest}};
-}
-
-// Turns the sphere of each further shape so that its landmarks come as near to those of the first as they can, and
-// bends it so that they meet.
-void align_by_landmarks(std::deque<Shape>& shapes, const std::string& path, Session& session) {
-  std::vector<MappedSurface> mapped;
-  for (const Shape& shape : shapes)
-    mapped.push_back({shape.surface.mesh, shape.directions});
-  const auto landmarks = about(path, Role::input, [&] { return read_landmarks(path, mapped, session.host()); });
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    Shape& shape = shapes[i];
-    about(path, Role::input, [&] {
-      shape.alignment = Alignment(sphere_map::best_rotation(landmarks[i], landmarks[0]));
-      std::vector<Vector3> placed;
-      for (const Vector3& d : landmarks[i])
-        placed.push_back(shape.alignment.to_common(d));
-      shape.figures["landmarks"] = {{"count", placed.size()},
-                                    {"angle_before", angles_between(landmarks[i], landmarks[0])},
-                                    {"angle_rotated", angles_between(placed, landmarks[0])}};
-      shape.alignment.add_warp(landmarks[i], landmarks[0], session.host());
-      for (std::size_t k = 0; k < placed.size(); ++k)
-        placed[k] = shape.alignment.to_common(landmarks[i][k]);
-      shape.figures["landmarks"]["angle"] = angles_between(placed, landmarks[0]);
-      const sphere_map::Measurement m = shape.alignment.warp()->distortion(session.host());
-      shape.figures["warp"] = {{"vertices", shape.alignment.warp()->rest().size()},
-                               {"flipped", m.flipped + m.degenerate},
-                               {"dilatation_max", m.dilatation_largest},
-                               {"area_ratio_min", m.area_ratio_smallest},
-                               {"area_ratio_max", m.area_ratio_largest}};
-    });
-  }
-}
-
-// Turns the sphere of each further shape to where its positions agree best with those of the first.
-void align_by_rotation(std::deque<Shape>& shapes, Session& session) {
-  const Shape& first = shapes[0];
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    Shape& shape = shapes[i];
-    about(shape.path, Role::input, [&] {
-      const sphere_map::CorrelatedRotation found = sphere_map::correlated_rotation(
-          *shape.locator, shape.surface.mesh.positions, *first.locator, first.surface.mesh.positions, session.host());
-      shape.alignment = Alignment(found.rotation);
-      shape.figures["correlation"] = found.correlation;
-    });
-  }
+                        {"seconds_map", session.seconds() - start},
+                        {"rotation", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
 }
 
 // The vertices of all shapes, on the triangles of the first.
-CommonMesh overlay_of(const MorphOptions& options, const std::deque<Shape>& shapes, Session& session) {
+CommonMesh overlay_of(const MorphOptions& options, const std::deque<MorphShape>& shapes, Session& session) {
   const base::Host& host = session.host();
-  std::deque<base::Array<Vector3>> placed;
   std::vector<sphere_map::PlacedMap> others;
   for (std::size_t i = 1; i < shapes.size(); ++i) {
-    const auto& triangles = shapes[i].surface.mesh.triangles;
-    placed.push_back(sphere_map::place(shapes[i].directions, shapes[i].alignment, host));
-    others.push_back({placed.back(), triangles});
+    others.push_back({shapes[i].directions, shapes[i].surface.mesh.triangles});
   }
+  const Alignment in_line;
   // The first shape is flat between its own edges; what the others have there is looked after.
   std::vector<sphere_map::EdgeError::Shape> missed;
   std::size_t vertices = shapes[0].directions.size();
   for (std::size_t i = 1; i < shapes.size(); ++i) {
-    missed.push_back({shapes[i].locator.get(), shapes[i].surface.mesh.positions, &shapes[i].alignment});
+    missed.push_back({shapes[i].locator.get(), shapes[i].surface.mesh.positions, &in_line});
     vertices += shapes[i].directions.size();
   }
   constexpr std::size_t most_growth = 3;
@@ -178,7 +102,7 @@ CommonMesh overlay_of(const MorphOptions& options, const std::deque<Shape>& shap
   return common;
 }
 
-CommonMesh common_mesh(const MorphOptions& options, const std::deque<Shape>& shapes, Session& session) {
+CommonMesh common_mesh(const MorphOptions& options, const std::deque<MorphShape>& shapes, Session& session) {
   if (options.grid == "both") return overlay_of(options, shapes, session);
   const base::Host& host = session.host();
   CommonMesh common(host.memory);
@@ -232,7 +156,7 @@ Floats to_floats(std::span<const Vector3> positions, const Vector3& origin, std:
   return result;
 }
 
-void write_morph(const MorphOptions& options, const std::deque<Shape>& shapes, std::span<const Triangle> triangles,
+void write_morph(const MorphOptions& options, const std::deque<MorphShape>& shapes, std::span<const Triangle> triangles,
                  std::span<const base::Array<Vector3>> states, Session& session) {
   const base::Host& host = session.host();
   Vector3 low = states[0][triangles[0][0]];
@@ -297,7 +221,7 @@ void morph(const MorphOptions& options, Session& session) {
     throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
   if (options.grid != "both" && options.grid != "first") grid_choice(options.grid, "--grid");
   const base::Host& host = session.host();
-  std::deque<Shape> shapes;
+  std::deque<MorphShape> shapes;
   for (const std::string& path : options.inputs) {
     shapes.emplace_back(host.memory).path = path;
     read_and_map(shapes.back(), options, session);
@@ -311,14 +235,13 @@ void morph(const MorphOptions& options, Session& session) {
   const CommonMesh common = common_mesh(options, shapes, session);
   std::vector<base::Array<Vector3>> states;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
-    Shape& shape = shapes[i];
+    MorphShape& shape = shapes[i];
     sphere_map::CarriedShape carried =
-        sphere_map::carry_over(*shape.locator, shape.surface.mesh.positions, shape.alignment, common.directions,
+        sphere_map::carry_over(*shape.locator, shape.surface.mesh.positions, Alignment(), common.directions,
                                common.triangles, common.own_vertex[i], host);
     mesh::Mesh state(host.memory);
     state.positions = carried.positions;
     state.triangles = common.triangles;
-    shape.figures["rotation"] = json_of(shape.alignment.rotation());
     shape.figures["turned_over"] = carried.turned_over;
     shape.figures["distance"] = json_of_distance(shape.surface.mesh, state, host);
     states.push_back(std::move(carried.positions));
@@ -334,7 +257,7 @@ void morph(const MorphOptions& options, Session& session) {
   session.say("wrote " + options.output + ": " + std::to_string(shapes.size()) + " shapes on " +
               std::to_string(common.directions.size()) + " vertices and " + std::to_string(common.triangles.size()) +
               " triangles");
-  for (const Shape& shape : shapes) {
+  for (const MorphShape& shape : shapes) {
     session.figures()["shapes"].push_back(shape.figures);
     const Json& distance = shape.figures["distance"];
     session.say("  " + shape.path + ": at most " +

@@ -23,7 +23,6 @@
 #include "sphere_map/locator.h"
 #include "sphere_map/measure.h"
 #include "sphere_map/overlay.h"
-#include "sphere_map/rotation_search.h"
 #include "sphere_map/sampling.h"
 #include "sphere_map/sphere_map.h"
 #include "sphere_map/sphere_warp.h"
@@ -152,7 +151,6 @@ int rest() {
   const auto map_a = sphere_map::compute(a.positions, a.triangles, {}, base::Host());
   const auto map_b = sphere_map::compute(b.positions, b.triangles, {}, base::Host());
   const sphere_map::Locator locator_a(a.triangles, map_a, base::Host());
-  const sphere_map::Locator locator_b(b.triangles, map_b, base::Host());
   std::printf("shapes of %zu and %zu vertices, CPU seconds on one core\n", a.positions.size(), b.positions.size());
   mesh::Mesh remeshed;
   timed("remesh on an icosphere of 40962 vertices", [&](const base::Host& host) {
@@ -170,9 +168,6 @@ int rest() {
   timed("overlay of the two maps", [&](const base::Host& host) {
     const sphere_map::PlacedMap other{map_b, b.triangles};
     sphere_map::overlay({map_a, a.triangles}, {&other, 1}, host);
-  });
-  timed("rotation of best correlation", [&](const base::Host& host) {
-    sphere_map::correlated_rotation(locator_b, b.positions, locator_a, a.positions, host);
   });
   for (const std::size_t count : {5U, 20U, 80U}) {
     timed("warp between " + std::to_string(count) + " landmarks",

@@ -170,11 +170,31 @@ class Morphs(Uses):
         self.assertEqual(figures["landmarks"]["count"], 5)
         self.assertLess(figures["landmarks"]["angle"]["max"], 1e-14)
         self.assertGreater(figures["landmarks"]["angle_rotated"]["max"], 0.01)
+        self.assertEqual(figures["landmarks"]["share"], 1)
         self.assertEqual(figures["warp"]["flipped"], 0)
+        self.assertEqual([shape["turned_over"] for shape in report["shapes"]], [0, 0])
         rotation = figures["rotation"]
         for i in range(3):
             for j in range(3):
                 self.assertAlmostEqual(sum(rotation[i][k] * rotation[j][k] for k in range(3)), float(i == j), places=12)
+
+    def test_landmarks_that_bend_much_turn_nothing_over(self):
+        a, b = self.made("creature", 3000), self.made("star", 1500)
+        ends = []
+        for path in (a, b):
+            positions, _ = read_obj(path)
+            ends.append([f(range(len(positions)), key=lambda v: positions[v][k]) for k in range(3) for f in (min, max)])
+        landmarks = self.path("landmarks.txt")
+        with open(landmarks, "w", encoding="ascii") as file:
+            file.writelines(f"{i} {j}\n" for i, j in zip(*ends))
+        for grid in ("both", "first", "icosphere:4"):
+            report, _ = self.report("morph", a, b, "-o", self.path("morph.glb"), "--landmarks", landmarks, "--grid", grid)
+            figures = report["shapes"][1]
+            self.assertEqual([shape["turned_over"] for shape in report["shapes"]], [0, 0])
+            self.assertGreater(figures["warp"]["dilatation_max"], 2)
+            self.assertEqual(figures["landmarks"]["share"], 1)
+            if grid == "both":
+                self.assertLess(figures["distance"]["from_surface"]["rms_of_diagonal"], 0.01)
 
     def test_landmarks_may_be_points(self):
         a, b = self.made("blob", 1500), self.made("blob", 1500, seed=2, name="b.obj")

@@ -11,7 +11,6 @@
 #include "base/error.h"
 #include "sphere_map/correspondence.h"
 #include "sphere_map/landmark_flow.h"
-#include "sphere_map/rotation_search.h"
 #include "uneven_maps.h"
 
 using namespace orbicube;
@@ -83,30 +82,6 @@ TEST_CASE("The best rotation is found back, is the best of noisy pairs, and turn
   CHECK_THROWS_AS(Alignment(2 * Matrix3::Identity()), base::Error);
   CHECK_THROWS_AS(Alignment(Matrix3(-Matrix3::Identity())), base::Error);
   CHECK_THROWS_AS(Alignment(Matrix3(Matrix3::Constant(NAN))), base::Error);
-}
-
-TEST_CASE("The rotation between two maps of one shape is found by correlation, wherever it is") {
-  const test::MappedShape shape = test::mapped("creature", 3000);
-  const sphere_map::Locator moving(shape.surface.triangles, shape.directions, base::Host());
-  std::mt19937_64 random(17);
-  for (int i = 0; i < 4; ++i) {
-    const Vector3 axis = test::random_direction(random);
-    const Matrix3 truth = Eigen::AngleAxisd(0.8 * i, axis).toRotationMatrix();
-    std::vector<Vector3> turned;
-    std::vector<Vector3> larger;
-    for (std::size_t v = 0; v < shape.directions.size(); ++v) {
-      turned.push_back(truth * shape.directions[v]);
-      larger.push_back(7 * shape.surface.positions[v] + Vector3(1, 2, 3));
-    }
-    const sphere_map::Locator fixed(shape.surface.triangles, turned, base::Host());
-    const auto found = sphere_map::correlated_rotation(moving, shape.surface.positions, fixed, larger, base::Host());
-    CHECK(found.correlation > 0.9999);
-    CHECK((found.rotation - truth).norm() < 0.01);  // the last steps are of 5e-4
-    CHECK((found.rotation * found.rotation.transpose() - Matrix3::Identity()).norm() < 1e-14);
-  }
-  const std::vector<Vector3> point(shape.directions.size(), Vector3(1, 2, 3));
-  CHECK_THROWS_AS(sphere_map::correlated_rotation(moving, point, moving, shape.surface.positions, base::Host()),
-                  base::Error);
 }
 
 TEST_CASE("A warp carries landmarks onto landmarks, is a bijection, and its inverse is its inverse") {
