@@ -11,7 +11,7 @@ namespace {
 
 // Radii beyond which a point asks to be replaced: with 2n + 1 points as Powell, and where there are more for a model to
 // hold on to.
-constexpr double far_of_few = 2, far_of_many = 4, far_of_residuals = 5;
+constexpr double far_of_few = 2, far_of_many = 5;
 
 }  // namespace
 
@@ -19,15 +19,10 @@ constexpr double far_of_few = 2, far_of_many = 4, far_of_residuals = 5;
 Request Solver::improve_geometry() {
   const std::size_t n = variables_.free_size(), best = interpolation_.best();
   // A set that grows soon has near points enough.
-  double far = (!growing() ? far_of_few : models_.least_squares() ? far_of_residuals : far_of_many) * state_.radius;
+  const double far = (growing() ? far_of_many : far_of_few) * state_.radius;
   std::size_t leaving = interpolation_.size();
-  for (std::size_t j = 0; j < interpolation_.size(); ++j) {
-    const double away = interpolation_.distance_to_best(j);
-    if (away > far) {
-      far = away;
-      leaving = j;
-    }
-  }
+  double away = 0;
+  if (const std::size_t farthest = farthest_point(&away); away > far) leaving = farthest;
   if (leaving == interpolation_.size()) {
     state_.next = state_.reduce_after != 0 ? Next::reduce : Next::step;
     return Request::iteration;

@@ -2,6 +2,7 @@
 #include "trust_region/interpolation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -9,6 +10,9 @@
 
 namespace orbicube::trust_region {
 namespace {
+
+// An inverse whose product with its matrix is wrong by less is not refined.
+constexpr double good_inverse = 1e-9;
 
 // Exchanges row k of a with the one below that has the largest entry in column k, and their entries of `factors`, which
 // may be null. False when that entry is zero or not finite.
@@ -27,16 +31,17 @@ bool take_pivot(double* a, std::size_t stride, std::size_t size, std::size_t k, 
 }
 
 void divide_by_pivot(double* row, std::size_t size, std::size_t k) {
-  const double head = row[k];
+  const double factor = 1 / row[k];
   row[k] = 1;
   for (std::size_t j = 0; j < size; ++j)
-    row[j] /= head;
+    row[j] *= factor;
 }
 
 // Replaces a (size x size, rows `stride` apart) by its inverse, Gauss-Jordan with row interchanges, two columns at a
-// time so that the rows are read and written half as often. `factors` and `first` are work of `size` each. False when a
-// pivot is zero or not finite.
-bool invert(double* a, std::size_t stride, std::size_t size, std::uint32_t* order, double* factors, double* first) {
+// time so that the rows are read and written half as often. `factors`, `first` and `seconds` are work of `size` each.
+// False when a pivot is zero or not finite.
+bool invert(double* a, std::size_t stride, std::size_t size, std::uint32_t* order, double* factors, double* first,
+            double* seconds) {
   std::size_t k = 0;
   for (; k + 1 < size; k += 2) {
     if (!take_pivot(a, stride, size, k, order, nullptr)) return false;
@@ -55,22 +60,13 @@ bool invert(double* a, std::size_t stride, std::size_t size, std::uint32_t* orde
     double* second = row + stride;
     add_scaled(second, -factors[k + 1], first, size);
     divide_by_pivot(second, size, k + 1);
-    const auto factor_of_second = [&](std::size_t i) {
-      const double factor = a[i * stride + k + 1];
+    for (std::size_t i = 0; i < size; ++i) {
+      factors[i] = -factors[i];
+      if (i == k + 1) continue;
+      seconds[i] = -a[i * stride + k + 1];
       a[i * stride + k + 1] = 0;
-      return -factor;
-    };
-    // Rows by twos as well: k is even, so that k and k + 1 are such a pair, of which only row k is to change.
-    for (std::size_t i = 0; i < size; i += 2) {
-      double* upper = a + i * stride;
-      if (i == k || i + 1 == size) {
-        add_one_after_other(upper, -factors[i], first, factor_of_second(i), second, size);
-        continue;
-      }
-      double* lower = upper + stride;
-      const double f0 = -factors[i], f1 = factor_of_second(i), g0 = -factors[i + 1], g1 = factor_of_second(i + 1);
-      add_two_to_two(upper, f0, f1, lower, g0, g1, first, second, size);
     }
+    eliminate_two(a, stride, size, k + 1, factors, first, seconds, second);
   }
   if (k < size) {
     if (!take_pivot(a, stride, size, k, order, nullptr)) return false;
@@ -100,6 +96,7 @@ Interpolation::Interpolation(std::size_t n, std::size_t capacity, std::pmr::memo
       stride_(n + capacity),
       points_(capacity * n, 0.0, memory),
       offsets_(capacity * n, 0.0, memory),
+      across_(n * capacity, 0.0, memory),
       base_(n, 0.0, memory),
       inverse_(stride_ * stride_, 0.0, memory),
       product_(stride_, 0.0, memory),
@@ -111,27 +108,42 @@ Interpolation::Interpolation(std::size_t n, std::size_t capacity, std::pmr::memo
       order_(stride_, 0, memory) {}
 
 double Interpolation::distance_to_best(std::size_t j) const {
-  double sum = 0;
-  for (std::size_t i = 0; i < n_; ++i) {
-    const double away = point(j)[i] - point(best_)[i];
-    sum += away * away;
-  }
-  return std::sqrt(sum);
+  double square = 0;
+  trust_region::squared_distances(point(j), n_, 1, point(best_), &square);
+  return std::sqrt(square);
+}
+
+void Interpolation::squared_distances(const double* x, double* squares) const {
+  trust_region::squared_distances(points_.data(), n_, size_, x, squares);
 }
 
 void Interpolation::place(std::size_t j, const double* x) {
   std::copy_n(x, n_, points_.data() + j * n_);
 }
 
+void Interpolation::put_offset(std::size_t j, const double* s) {
+  std::copy_n(s, n_, offsets_.data() + j * n_);
+  for (std::size_t i = 0; i < n_; ++i)
+    across_[i * capacity_ + j] = s[i];
+}
+
+// Base becomes the best point.
+void Interpolation::put_base() {
+  std::copy_n(point(best_), n_, base_.data());
+  for (std::size_t j = 0; j < size_; ++j) {
+    for (std::size_t i = 0; i < n_; ++i)
+      new_offset_[i] = point(j)[i] - base_[i];
+    put_offset(j, new_offset_.data());
+  }
+}
+
 bool Interpolation::rebuild() {
   ++rebuilds_;
   updates_ = 0;
-  std::copy_n(point(best_), n_, base_.data());
+  put_base();
   double* lengths = work_.data();
   double mean = 0;
   for (std::size_t j = 0; j < size_; ++j) {
-    for (std::size_t i = 0; i < n_; ++i)
-      offsets_[j * n_ + i] = point(j)[i] - base_[i];
     lengths[j] = norm(offset(j), n_);
     if (j == best_) continue;
     if (!(lengths[j] > 0) || !std::isfinite(lengths[j])) return false;
@@ -141,32 +153,90 @@ bool Interpolation::rebuild() {
   mean = std::exp(mean / static_cast<double>(size_ - 1));
   // The system of the points other than the best, whose value is the constant; lengths divided out: lambda_j |s_j|^2
   // and g / mean are its unknowns.
-  const std::size_t count = n_ + size_ - 1;
+  const std::size_t others = size_ - 1, count = n_ + others;
+  const auto other = [&](std::size_t j) { return j < best_ ? j : j - 1; };
   double* matrix = matrix_.data();
-  double* reduced = work_square_.data();
-  std::fill(matrix, matrix + count * stride_, 0.0);
-  const auto index = [&](std::size_t j) { return n_ + (j < best_ ? j : j - 1); };
+  double* inverse = work_square_.data();
+  double* directions = inverse_.data();  // free until the end
+  for (std::size_t i = 0; i < n_; ++i)
+    std::fill_n(matrix + i * stride_, n_, 0.0);
   for (std::size_t j = 0; j < size_; ++j) {
     if (j == best_) continue;
-    double* row = matrix + index(j) * stride_;
     for (std::size_t i = 0; i < n_; ++i) {
-      row[i] = offset(j)[i] / lengths[j] * (mean / lengths[j]);
-      matrix[i * stride_ + index(j)] = row[i];
-    }
-    for (std::size_t k = 0; k <= j; ++k) {
-      if (k == best_) continue;
-      const double cosine = dot(offset(j), offset(k), n_) / (lengths[j] * lengths[k]);
-      row[index(k)] = matrix[index(k) * stride_ + index(j)] = 0.5 * cosine * cosine;
+      const double part = offset(j)[i] / lengths[j];
+      directions[other(j) * n_ + i] = part;
+      matrix[(n_ + other(j)) * stride_ + i] = matrix[i * stride_ + n_ + other(j)] = part * (mean / lengths[j]);
     }
   }
+  for (std::size_t j = 0; j < others; ++j) {
+    double* row = matrix + (n_ + j) * stride_ + n_;
+    multiply(directions, n_, j + 1, n_, directions + j * n_, row);
+    for (std::size_t k = 0; k <= j; ++k)
+      row[k] = matrix[(n_ + k) * stride_ + n_ + j] = 0.5 * row[k] * row[k];
+  }
   for (std::size_t i = 0; i < count; ++i)
-    std::copy_n(matrix + i * stride_, count, reduced + i * stride_);
-  if (!invert(reduced, stride_, count, order_.data(), work_.data() + stride_, work_.data() + 2 * stride_)) return false;
-  // One step of Newton's iteration for the inverse, H + H (I - W H), also says how good it is. inverse_ is still free.
+    std::copy_n(matrix + i * stride_, count, inverse + i * stride_);
+  if (!invert(inverse, stride_, count, order_.data(), work_.data() + stride_, work_.data() + 2 * stride_,
+              work_.data() + 3 * stride_))
+    return false;
+  if (!(residual(count) < good_inverse)) {
+    if (!refine(count)) return false;
+    inverse = matrix;
+  }
+  // Back to full size and units. The Lagrange function of the best point is 1 minus the others.
+  double* unit = work_.data() + stride_;
+  std::fill_n(unit, n_, mean);
+  for (std::size_t j = 0; j < size_; ++j) {
+    if (j != best_) unit[n_ + other(j)] = 1 / (lengths[j] * lengths[j]);
+  }
+  const std::size_t full = n_ + size_, best_row = n_ + best_;
+  const auto wide = [&](std::size_t row) { return row < best_row ? row : row + 1; };
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k <= i; ++k) {
+      const double entry = 0.5 * (inverse[i * stride_ + k] + inverse[k * stride_ + i]) * unit[i] * unit[k];
+      inverse_row(wide(i))[wide(k)] = inverse_row(wide(k))[wide(i)] = entry;
+    }
+  }
+  for (std::size_t i = 0; i < full; ++i)
+    inverse_row(best_row)[i] = inverse_row(i)[best_row] = 0;
+  double* ones = work_.data();
+  double* sums = work_.data() + 2 * stride_;
+  std::fill_n(ones, size_, 1.0);
+  multiply(inverse_.data() + n_, stride_, full, size_, ones, sums);
+  sums[best_row] = -dot(sums + n_, ones, size_);
+  for (std::size_t i = 0; i < full; ++i)
+    inverse_row(best_row)[i] = inverse_row(i)[best_row] = -sums[i];
+  return true;
+}
+
+// Largest entry of W (H v) - v for a few vectors v, W being in matrix_ and H in work_square_.
+double Interpolation::residual(std::size_t count) {
+  double* v = work_.data() + stride_;
+  double* image = v + stride_;
+  double* back = image + stride_;
+  double worst = 0;
+  for (const std::size_t period : {std::size_t{2}, std::size_t{3}}) {
+    for (std::size_t i = 0; i < count; ++i)
+      v[i] = i % period == 0 ? 1 : -0.5;
+    multiply(work_square_.data(), stride_, count, count, v, image);
+    multiply(matrix_.data(), stride_, count, count, image, back);
+    for (std::size_t i = 0; i < count; ++i) {
+      const double away = std::abs(back[i] - v[i]);
+      worst = away <= worst ? worst : away;  // or not a number
+    }
+  }
+  return worst;
+}
+
+// One step of Newton's iteration for the inverse, H + H (I - W H), into matrix_; false when H was no inverse. inverse_
+// is still free.
+bool Interpolation::refine(std::size_t count) {
+  double* matrix = matrix_.data();
+  const double* inverse = work_square_.data();
   double worst = 0;
   for (std::size_t i = 0; i < count; ++i)
     std::fill_n(inverse_row(i), count, 0.0);
-  add_product(inverse_.data(), -1, matrix, reduced, stride_, count, count, count);
+  add_product(inverse_.data(), -1, matrix, inverse, stride_, count, count, count);
   for (std::size_t i = 0; i < count; ++i) {
     double* row = inverse_row(i);
     row[i] += 1;
@@ -175,33 +245,8 @@ bool Interpolation::rebuild() {
   }
   if (!(worst < 1e-3)) return false;
   for (std::size_t i = 0; i < count; ++i)
-    std::copy_n(reduced + i * stride_, count, matrix + i * stride_);
-  add_product(matrix, 1, reduced, inverse_.data(), stride_, count, count, count);
-  // Back to full size and units. The Lagrange function of the best point is 1 minus the others.
-  double* unit = work_.data() + stride_;
-  std::fill_n(unit, n_, mean);
-  for (std::size_t j = 0; j < size_; ++j) {
-    if (j != best_) unit[index(j)] = 1 / (lengths[j] * lengths[j]);
-  }
-  const std::size_t full = n_ + size_;
-  for (std::size_t i = 0; i < full; ++i)
-    std::fill_n(inverse_row(i), full, 0.0);
-  const auto wide = [&](std::size_t row) { return row < n_ + best_ ? row : row + 1; };
-  double* best_row = inverse_row(n_ + best_);
-  for (std::size_t i = 0; i < count; ++i) {
-    double sum = 0;
-    for (std::size_t k = 0; k < count; ++k) {
-      const double entry = 0.5 * (matrix[i * stride_ + k] + matrix[k * stride_ + i]) * unit[i] * unit[k];
-      inverse_row(wide(i))[wide(k)] = entry;
-      if (k >= n_) sum -= entry;
-    }
-    inverse_row(wide(i))[n_ + best_] = sum;
-    best_row[wide(i)] = sum;
-  }
-  double corner = 0;
-  for (std::size_t i = n_; i < count; ++i)
-    corner -= best_row[wide(i)];
-  best_row[n_ + best_] = corner;
+    std::copy_n(inverse + i * stride_, count, matrix + i * stride_);
+  add_product(matrix, 1, inverse, inverse_.data(), stride_, count, count, count);
   return true;
 }
 
@@ -214,25 +259,20 @@ void Interpolation::move_base(double step) {
   double* shift = work_.data();
   std::copy_n(move, n_, shift);
   const double quarter = 0.25 * dot(shift, shift, n_);
-  double* columns = matrix_.data();  // Y by columns
+  double* columns = matrix_.data();    // Y by columns
+  double* rows = work_square_.data();  // and by rows
   for (std::size_t j = 0; j < size_; ++j) {
     double* column = columns + j * n_;
     for (std::size_t i = 0; i < n_; ++i)
       column[i] = offset(j)[i] - 0.5 * shift[i];
     const double along = dot(shift, column, n_);
     for (std::size_t i = 0; i < n_; ++i)
-      column[i] = along * column[i] + quarter * shift[i];
+      column[i] = rows[i * stride_ + j] = along * column[i] + quarter * shift[i];
   }
   // Gradient rows += Y times the rows of the points, then gradient columns += the columns of the points times Y'.
-  for (std::size_t i = 0; i < n_; ++i) {
-    for (std::size_t j = 0; j < size_; ++j)
-      add_scaled(inverse_row(i), columns[j * n_ + i], inverse_row(n_ + j), full);
-  }
-  for (std::size_t i = 0; i < n_; ++i) {
-    double* row = inverse_row(i);
-    for (std::size_t j = 0; j < size_; ++j)
-      add_scaled(row, row[n_ + j], columns + j * n_, n_);
-  }
+  add_product(inverse_.data(), 1, rows, inverse_row(n_), stride_, n_, size_, full);
+  for (std::size_t i = 0; i < n_; ++i)
+    add_combination(inverse_row(i), n_, inverse_row(i) + n_, columns, n_, size_);
   for (std::size_t i = 0; i < n_; ++i) {
     for (std::size_t k = 0; k < full; ++k) {
       if (k >= n_) {
@@ -243,11 +283,7 @@ void Interpolation::move_base(double step) {
       }
     }
   }
-  std::copy_n(point(best_), n_, base_.data());
-  for (std::size_t j = 0; j < size_; ++j) {
-    for (std::size_t i = 0; i < n_; ++i)
-      offsets_[j * n_ + i] = point(j)[i] - base_[i];
-  }
+  put_base();
 }
 
 bool Interpolation::prepare(const double* d) {
@@ -266,8 +302,12 @@ bool Interpolation::prepare(const double* d) {
   double* sum = work_.data() + stride_;
   for (std::size_t i = 0; i < n_; ++i)
     sum[i] = from[i] + new_offset_[i];
+  double* along_step = work_.data() + 2 * stride_;
+  double* along_sum = work_.data() + 3 * stride_;
+  combination(along_step, size_, d, across_.data(), capacity_, n_);
+  combination(along_sum, size_, sum, across_.data(), capacity_, n_);
   for (std::size_t j = 0; j < size_; ++j)
-    difference[n_ + j] = 0.5 * dot(offset(j), d, n_) * dot(offset(j), sum, n_);
+    difference[n_ + j] = 0.5 * along_step[j] * along_sum[j];
   const std::size_t full = n_ + size_;
   multiply(inverse_.data(), stride_, full, full, difference, product_.data());
   const double quadratic = dot(difference, product_.data(), full);
@@ -289,15 +329,18 @@ bool Interpolation::replace(std::size_t j) {
   double* column = work_.data();
   std::copy_n(inverse_row(row), full, column);
   double* away = work_.data() + stride_;
+  double* first = work_.data() + 2 * stride_;
+  double* second = work_.data() + 3 * stride_;
   for (std::size_t i = 0; i < full; ++i)
     away[i] = -product_[i];
   away[row] += 1;
   for (std::size_t i = 0; i < full; ++i) {
-    const double first = (a * away[i] + tau * column[i]) / sigma, second = (tau * away[i] - beta_ * column[i]) / sigma;
-    add_two_scaled(inverse_row(i), first, away, second, column, full);
+    first[i] = (a * away[i] + tau * column[i]) / sigma;
+    second[i] = (tau * away[i] - beta_ * column[i]) / sigma;
   }
+  add_two_products(inverse_.data(), stride_, full, first, away, second, column);
   std::copy_n(new_point_.data(), n_, points_.data() + j * n_);
-  std::copy_n(new_offset_.data(), n_, offsets_.data() + j * n_);
+  put_offset(j, new_offset_.data());
   ++updates_;
   return true;
 }
@@ -319,15 +362,12 @@ bool Interpolation::sound(std::size_t j) {
 bool Interpolation::append() {
   const std::size_t full = n_ + size_;
   if (size_ == capacity_ || !(beta_ > 0)) return false;
-  for (std::size_t i = 0; i < full; ++i) {
-    const double factor = product_[i] / beta_;
-    add_scaled(inverse_row(i), factor, product_.data(), full);
-    inverse_row(i)[full] = -factor;
-    inverse_row(full)[i] = -factor;
-  }
+  add_square(inverse_.data(), stride_, full, 1 / beta_, product_.data());
+  for (std::size_t i = 0; i < full; ++i)
+    inverse_row(i)[full] = inverse_row(full)[i] = -product_[i] / beta_;
   inverse_row(full)[full] = 1 / beta_;
   std::copy_n(new_point_.data(), n_, points_.data() + size_ * n_);
-  std::copy_n(new_offset_.data(), n_, offsets_.data() + size_ * n_);
+  put_offset(size_, new_offset_.data());
   ++size_;
   ++updates_;
   return true;
@@ -340,8 +380,7 @@ bool Interpolation::remove(std::size_t j) {
   if (good) {
     double* column = work_.data();
     std::copy_n(inverse_row(row), full, column);
-    for (std::size_t i = 0; i < full; ++i)
-      add_scaled(inverse_row(i), -column[i] / a, column, full);
+    add_square(inverse_.data(), stride_, full, -1 / a, column);
   }
   if (row != last) {
     std::copy_n(inverse_row(last), full, inverse_row(row));
@@ -349,7 +388,7 @@ bool Interpolation::remove(std::size_t j) {
       inverse_row(i)[row] = inverse_row(i)[last];
     inverse_row(row)[row] = inverse_row(last)[last];
     std::copy_n(point(size_ - 1), n_, points_.data() + j * n_);
-    std::copy_n(offset(size_ - 1), n_, offsets_.data() + j * n_);
+    put_offset(j, offset(size_ - 1));
   }
   --size_;
   if (best_ == size_) best_ = j;
@@ -359,8 +398,17 @@ bool Interpolation::remove(std::size_t j) {
 
 // From the base to the best point: gradient += sum_j coefficient_j (s_j's_best) s_j.
 void Interpolation::move_gradient(const double* coefficients, double* gradient) const {
-  for (std::size_t j = 0; j < size_; ++j)
-    add_scaled(gradient, coefficients[j] * dot(offset(j), offset(best_), n_), offset(j), n_);
+  const double* best = offset(best_);
+  if (std::all_of(best, best + n_, [](double entry) { return entry == 0; })) return;
+  constexpr std::size_t some = 48;
+  std::array<double, some> factor;
+  for (std::size_t j = 0; j < size_; j += some) {
+    const std::size_t count = std::min(some, size_ - j);
+    combination(factor.data(), count, best, across_.data() + j, capacity_, n_);
+    for (std::size_t k = 0; k < count; ++k)
+      factor[k] *= coefficients[j + k];
+    add_combination(gradient, n_, factor.data(), offset(j), n_, count);
+  }
 }
 
 void Interpolation::lagrange_function(std::size_t j, double* gradient, double* hessian) const {

@@ -27,6 +27,8 @@ class Interpolation {
   // s_j = point(j) - base.
   const double* offset(std::size_t j) const { return offsets_.data() + j * n_; }
   double distance_to_best(std::size_t j) const;
+  // |point(j) - x|^2 of all points, size() entries.
+  void squared_distances(const double* x, double* squares) const;
 
   // Sets of points without their inverse, for starts: rebuild() must follow.
   void clear() { size_ = 0; }
@@ -81,20 +83,25 @@ class Interpolation {
     visit(std::span(&self.best_, 1));
     visit(std::span(&self.updates_, 1));
     visit(std::span(&self.rebuilds_, 1));
-    for (auto* array : {&self.points_, &self.offsets_, &self.base_, &self.inverse_})
+    for (auto* array : {&self.points_, &self.offsets_, &self.across_, &self.base_, &self.inverse_})
       visit(std::span(*array));
   }
 
  private:
   double* inverse_row(std::size_t i) { return inverse_.data() + i * stride_; }
   const double* inverse_row(std::size_t i) const { return inverse_.data() + i * stride_; }
+  void put_offset(std::size_t j, const double* s);
+  void put_base();
   void move_gradient(const double* coefficients, double* gradient) const;
+  double residual(std::size_t count);
+  bool refine(std::size_t count);
 
   std::size_t n_, capacity_, stride_;
   std::size_t size_ = 0, best_ = 0;
   std::uint64_t updates_ = 0, rebuilds_ = 0;
   double beta_ = 0;
   base::Array<double> points_, offsets_;             // capacity x n
+  base::Array<double> across_;                       // n x capacity: the offsets by coordinates
   base::Array<double> base_;                         // n
   base::Array<double> inverse_;                      // stride x stride, rows: gradient (n), then points
   base::Array<double> product_;                      // inverse times w of the prepared point

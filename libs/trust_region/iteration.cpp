@@ -16,6 +16,9 @@ constexpr double enough = 0.05;
 // Resolutions fall to this part of themselves, where Powell has a tenth; more slowly for a scalar f whose set of points
 // grows, since it takes these evaluations to know the Hessian.
 constexpr double decay = 0.15, decay_growing = 0.2;
+// The part of the predicted change beyond which the radius doubles; less for a scalar f whose set of points grows,
+// since farther points tell more of a Hessian that is not yet known.
+constexpr double very_good = 0.7, very_good_growing = 0.5;
 // Radii beyond which a point is given up, where the set may grow again.
 constexpr double too_far = 30;
 
@@ -62,17 +65,13 @@ bool Solver::mend() {
   return true;
 }
 
-std::size_t Solver::farthest_point(double* distance) const {
+std::size_t Solver::farthest_point(double* distance) {
+  interpolation_.squared_distances(interpolation_.point(interpolation_.best()), squares_.data());
   std::size_t farthest = 0;
-  double most = 0;
   for (std::size_t j = 0; j < interpolation_.size(); ++j) {
-    const double away = interpolation_.distance_to_best(j);
-    if (away > most) {
-      most = away;
-      farthest = j;
-    }
+    if (squares_[j] > squares_[farthest]) farthest = j;
   }
-  if (distance != nullptr) *distance = most;
+  if (distance != nullptr) *distance = std::sqrt(squares_[farthest]);
   return farthest;
 }
 
@@ -206,7 +205,9 @@ Request Solver::take_trial() {
     if (ratio < enough) {
       state_.radius = std::min(0.5 * state_.radius, length);
     } else {
-      state_.radius = std::max(0.5 * state_.radius, ratio <= 0.7 ? length : 2 * length);
+      const bool scalar = growing() && !models_.least_squares() && !variables_.bounded();
+      state_.radius =
+          std::max(0.5 * state_.radius, ratio <= (scalar ? very_good_growing : very_good) ? length : 2 * length);
     }
     if (state_.radius <= 1.5 * resolution) state_.radius = resolution;
   }
@@ -278,20 +279,17 @@ void Solver::include(std::size_t j, double value) {
 
 // The point whose leaving keeps the set best poised; far ones go more readily (Powell 2006, eq. 6.6). The number of
 // points when none should go.
-std::size_t Solver::who_leaves(bool better) const {
+std::size_t Solver::who_leaves(bool better) {
   const std::size_t n = variables_.free_size(), best = interpolation_.best();
   const double near = std::max(0.1 * state_.radius, state_.resolution);
+  for (std::size_t i = 0; i < n; ++i)
+    candidate_[i] = interpolation_.point(best)[i] + (better ? step_[i] : 0.0);
+  interpolation_.squared_distances(candidate_.data(), squares_.data());
   double highest = 0;
   std::size_t leaving = interpolation_.size();
   for (std::size_t j = 0; j < interpolation_.size(); ++j) {
     if (j == best && !better) continue;
-    double square = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      double away = interpolation_.point(j)[i] - interpolation_.point(best)[i];
-      if (better) away -= step_[i];
-      square += away * away;
-    }
-    const double relative = std::max(1.0, square / (near * near));
+    const double relative = std::max(1.0, squares_[j] / (near * near));
     const double score = std::abs(interpolation_.denominator(j)) * relative * relative * relative;
     if (score > highest) {
       highest = score;

@@ -122,13 +122,13 @@ class Solver {
   bool prepare_models();
   bool mend();
   void forget_point(std::size_t j);
-  std::size_t farthest_point(double* distance) const;
+  std::size_t farthest_point(double* distance);
   double choose_step(double* d);
   Request try_step();
   Request take_trial();
   Request reduce_resolution();
   void include(std::size_t j, double value);
-  std::size_t who_leaves(bool better) const;
+  std::size_t who_leaves(bool better);
   void drop_far_points();
   void relative_bounds(const double* d);
 
@@ -158,7 +158,8 @@ class Solver {
   base::Array<double> requests_;      // the same rows as the caller sees them
   base::Array<double> told_, error_;  // outputs
   base::Array<double> step_, gradient_, hessian_, move_, low_, high_, candidate_;
-  base::Array<double> basis_;  // free x free, for plan_axes() and adapt_metric()
+  base::Array<double> squares_;  // of the points' distances
+  base::Array<double> basis_;    // free x free, for plan_axes() and adapt_metric()
   Tridiagonal eigen_;
 };
 

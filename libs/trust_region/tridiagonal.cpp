@@ -36,12 +36,11 @@ void Tridiagonal::reduce(std::size_t size) {
     v[0] -= below_[k];
     factor_[k] = 2 / (tail + v[0] * v[0]);
     double* sub = matrix_.data() + (k + 1) * size + k + 1;
-    multiply(sub, size, rest, rest, v, p);
+    combination(p, rest, v, sub, size, rest);
     const double half = 0.5 * factor_[k] * factor_[k] * dot(v, p, rest);
     for (std::size_t i = 0; i < rest; ++i)
       p[i] = factor_[k] * p[i] - half * v[i];
-    for (std::size_t i = 0; i < rest; ++i)
-      add_two_scaled(sub + i * size, -v[i], p, -p[i], v, rest);
+    subtract_two_products(sub, size, rest, v, p);
   }
   if (size >= 2) {
     diagonal_[size - 2] = matrix_[(size - 2) * size + size - 2];

@@ -1,0 +1,269 @@
+#include "trust_region/dense.h"
+
+#include <cstring>
+
+#include "base/vector_variants.h"
+
+namespace orbicube::trust_region {
+namespace {
+
+#ifdef __GNUC__
+#define ORBICUBE_INLINE inline __attribute__((always_inline))
+#else
+#define ORBICUBE_INLINE inline
+#endif
+
+// Four numbers that are worked on at once: one vector register where there is AVX2, else two.
+using Four = double __attribute__((vector_size(32)));
+
+ORBICUBE_INLINE Four load(const double* from) {
+  Four four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
+
+ORBICUBE_INLINE void store(double* to, Four four) {
+  std::memcpy(to, &four, sizeof four);
+}
+
+// dot() of `rows` rows with x at the same time.
+template <std::size_t rows>
+ORBICUBE_INLINE void dots(const double* a, std::size_t stride, std::size_t columns, const double* x, double* y) {
+  std::array<Four, rows> even{}, odd{};
+  std::size_t j = 0;
+  for (; j + 8 <= columns; j += 8) {
+    const Four x0 = load(x + j), x1 = load(x + j + 4);
+    for (std::size_t r = 0; r < rows; ++r) {
+      even[r] += load(a + r * stride + j) * x0;
+      odd[r] += load(a + r * stride + j + 4) * x1;
+    }
+  }
+  if (j + 4 <= columns) {
+    const Four x0 = load(x + j);
+    for (std::size_t r = 0; r < rows; ++r)
+      even[r] += load(a + r * stride + j) * x0;
+    j += 4;
+  }
+  for (std::size_t r = 0; r < rows; ++r) {
+    double rest = 0;
+    for (std::size_t k = j; k < columns; ++k)
+      rest += a[r * stride + k] * x[k];
+    const Four sum = even[r] + odd[r];
+    y[r] = (sum[0] + sum[1]) + (sum[2] + sum[3]) + rest;
+  }
+}
+
+// `rows` rows of c += factor a b, columns by fours.
+template <std::size_t rows>
+ORBICUBE_INLINE void add_product_rows(double* c, double factor, const double* a, const double* b, std::size_t stride,
+                                      std::size_t inner, std::size_t columns) {
+  std::size_t j = 0;
+  for (; j + 4 <= columns; j += 4) {
+    std::array<Four, rows> sum;
+    for (std::size_t r = 0; r < rows; ++r)
+      sum[r] = load(c + r * stride + j);
+    for (std::size_t k = 0; k < inner; ++k) {
+      const Four from = load(b + k * stride + j);
+      for (std::size_t r = 0; r < rows; ++r)
+        sum[r] += (factor * a[r * stride + k]) * from;
+    }
+    for (std::size_t r = 0; r < rows; ++r)
+      store(c + r * stride + j, sum[r]);
+  }
+  for (; j < columns; ++j) {
+    for (std::size_t r = 0; r < rows; ++r) {
+      double sum = c[r * stride + j];
+      for (std::size_t k = 0; k < inner; ++k)
+        sum += (factor * a[r * stride + k]) * b[k * stride + j];
+      c[r * stride + j] = sum;
+    }
+  }
+}
+
+// sum + sum_k factor_k x_k for 4 `blocks` entries, rows of x `stride` apart.
+template <std::size_t blocks>
+ORBICUBE_INLINE std::array<Four, blocks> combine(const double* sum, std::size_t stride, const double* factor,
+                                                 const double* x, std::size_t count) {
+  std::array<Four, blocks> total;
+  for (std::size_t t = 0; t < blocks; ++t)
+    total[t] = load(sum + 4 * t);
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t t = 0; t < blocks; ++t)
+      total[t] += factor[k] * load(x + k * stride + 4 * t);
+  }
+  return total;
+}
+
+ORBICUBE_INLINE void combine_all(double* sum, std::size_t size, std::size_t stride, const double* factor,
+                                 const double* x, std::size_t count) {
+  if (size < 4) {
+    for (std::size_t k = 0; k < count; ++k)
+      add_scaled(sum, factor[k], x + k * stride, size);
+    return;
+  }
+  // The last four are made from what they were before the others overlap them.
+  const std::size_t last = size - 4;
+  const bool rest = size % 4 != 0;
+  std::array<Four, 1> end{};
+  if (rest) end = combine<1>(sum + last, stride, factor, x + last, count);
+  std::size_t j = 0;
+  for (; j + 12 <= size; j += 12) {
+    const std::array<Four, 3> total = combine<3>(sum + j, stride, factor, x + j, count);
+    for (std::size_t t = 0; t < 3; ++t)
+      store(sum + j + 4 * t, total[t]);
+  }
+  for (; j + 4 <= size; j += 4)
+    store(sum + j, combine<1>(sum + j, stride, factor, x + j, count)[0]);
+  if (rest) store(sum + last, end[0]);
+}
+
+// Rows and columns i to i + 3 and j to j + 3 of sum_k factor_k x_k x_k'.
+ORBICUBE_INLINE void squares_tile(double* a, std::size_t size, const double* factor, const double* x, std::size_t count,
+                                  std::size_t i, std::size_t j) {
+  std::array<Four, 4> sum{};
+  std::size_t k = 0;
+  for (; k + 4 <= count; k += 4) {
+    std::array<Four, 4> row, column;
+    for (std::size_t t = 0; t < 4; ++t) {
+      row[t] = factor[k + t] * load(x + (k + t) * size + i);
+      column[t] = load(x + (k + t) * size + j);
+    }
+    for (std::size_t r = 0; r < 4; ++r)
+      sum[r] += (row[0][r] * column[0] + row[1][r] * column[1]) + (row[2][r] * column[2] + row[3][r] * column[3]);
+  }
+  for (; k < count; ++k) {
+    const Four row = factor[k] * load(x + k * size + i), column = load(x + k * size + j);
+    for (std::size_t r = 0; r < 4; ++r)
+      sum[r] += row[r] * column;
+  }
+  for (std::size_t r = 0; r < 4; ++r)
+    store(a + (i + r) * size + j, sum[r]);
+}
+
+}  // namespace
+
+ORBICUBE_VECTOR_VARIANTS
+void multiply(const double* a, std::size_t stride, std::size_t rows, std::size_t columns, const double* x, double* y) {
+  std::size_t i = 0;
+  for (; i + 2 <= rows; i += 2)
+    dots<2>(a + i * stride, stride, columns, x, y + i);
+  if (i < rows) dots<1>(a + i * stride, stride, columns, x, y + i);
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void combination(double* y, std::size_t size, const double* factor, const double* x, std::size_t stride,
+                 std::size_t count) {
+  std::memset(y, 0, size * sizeof *y);
+  combine_all(y, size, stride, factor, x, count);
+}
+
+ORBICUBE_VECTOR_VARIANTS
+double quadratic_form(const double* a, std::size_t size, const double* x) {
+  double sum = 0;
+  // So many entries of A x at a time.
+  constexpr std::size_t width = 48;
+  std::array<double, width> y;
+  for (std::size_t j = 0; j < size; j += width) {
+    const std::size_t part = size - j < width ? size - j : width;
+    std::memset(y.data(), 0, part * sizeof(double));
+    combine_all(y.data(), part, size, x, a + j, size);
+    sum += dot(x + j, y.data(), part);
+  }
+  return sum;
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void add_combination(double* y, std::size_t size, const double* factor, const double* x, std::size_t stride,
+                     std::size_t count) {
+  combine_all(y, size, stride, factor, x, count);
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void squared_distances(const double* points, std::size_t size, std::size_t count, const double* from, double* squares) {
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* point = points + k * size;
+    Four four{};
+    std::size_t i = 0;
+    for (; i + 4 <= size; i += 4) {
+      const Four away = load(point + i) - load(from + i);
+      four += away * away;
+    }
+    double sum = (four[0] + four[1]) + (four[2] + four[3]);
+    for (; i < size; ++i) {
+      const double away = point[i] - from[i];
+      sum += away * away;
+    }
+    squares[k] = sum;
+  }
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void subtract_two_products(double* __restrict matrix, std::size_t stride, std::size_t size, const double* __restrict a,
+                           const double* __restrict b) {
+  for (std::size_t i = 0; i < size; ++i)
+    add_two_scaled(matrix + i * stride, -a[i], b, -b[i], a, size);
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void add_two_products(double* __restrict matrix, std::size_t stride, std::size_t size, const double* __restrict first,
+                      const double* __restrict a, const double* __restrict second, const double* __restrict b) {
+  for (std::size_t i = 0; i < size; ++i)
+    add_two_scaled(matrix + i * stride, first[i], a, second[i], b, size);
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void add_square(double* __restrict matrix, std::size_t stride, std::size_t size, double factor,
+                const double* __restrict x) {
+  for (std::size_t i = 0; i < size; ++i)
+    add_scaled(matrix + i * stride, factor * x[i], x, size);
+}
+
+// Two rows at a time, so that a and b are read half as often.
+ORBICUBE_VECTOR_VARIANTS
+void eliminate_two(double* __restrict matrix, std::size_t stride, std::size_t size, std::size_t except,
+                   const double* __restrict first, const double* __restrict a, const double* __restrict second,
+                   const double* __restrict b) {
+  for (std::size_t i = 0; i < size; i += 2) {
+    double* __restrict upper = matrix + i * stride;
+    const double f0 = first[i], f1 = second[i];
+    if (i + 1 == size || i + 1 == except) {
+      for (std::size_t j = 0; j < size; ++j)
+        upper[j] = (upper[j] + f0 * a[j]) + f1 * b[j];
+      continue;
+    }
+    double* __restrict lower = upper + stride;
+    const double g0 = first[i + 1], g1 = second[i + 1];
+    for (std::size_t j = 0; j < size; ++j) {
+      upper[j] = (upper[j] + f0 * a[j]) + f1 * b[j];
+      lower[j] = (lower[j] + g0 * a[j]) + g1 * b[j];
+    }
+  }
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void add_product(double* c, double factor, const double* a, const double* b, std::size_t stride, std::size_t rows,
+                 std::size_t inner, std::size_t columns) {
+  std::size_t i = 0;
+  for (; i + 4 <= rows; i += 4)
+    add_product_rows<4>(c + i * stride, factor, a + i * stride, b, stride, inner, columns);
+  for (; i < rows; ++i)
+    add_product_rows<1>(c + i * stride, factor, a + i * stride, b, stride, inner, columns);
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void sum_of_squares_lower(double* a, std::size_t size, const double* factor, const double* x, std::size_t count) {
+  if (size < 4) {
+    std::memset(a, 0, size * size * sizeof *a);
+    for (std::size_t k = 0; k < count; ++k)
+      add_square_lower(a, size, factor[k], x + k * size);
+    return;
+  }
+  // The last tiles begin where they fit, and make again what is there already.
+  for (std::size_t row = 0; row < size; row += 4) {
+    const std::size_t i = row + 4 <= size ? row : size - 4;
+    for (std::size_t j = 0; j < i + 4; j += 4)
+      squares_tile(a, size, factor, x, count, i, j + 4 <= size ? j : size - 4);
+  }
+}
+
+}  // namespace orbicube::trust_region
