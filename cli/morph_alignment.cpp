@@ -179,7 +179,7 @@ void align_by_landmarks(std::deque<MorphShape>& shapes, const std::string& path,
       Json figures = {{"count", turned.size()},
                       {"angle_before", angles_between(landmarks[i], landmarks[0])},
                       {"angle_rotated", angles_between(turned, landmarks[0])}};
-      for (const double share : {1.0, 0.875, 0.75, 0.5, 0.25, 0.0}) {
+      for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
         std::vector<Vector3> goals;
         for (std::size_t k = 0; k < turned.size(); ++k)
           goals.push_back(between(turned[k], landmarks[0][k].normalized(), share));
