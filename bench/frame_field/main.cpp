@@ -3,8 +3,9 @@
 //   bench-frame-field targets FOLDER   the meshes of the table below that FOLDER has: default options against the best
 //                                      energy known, and the harmonic start alone for its time
 //   bench-frame-field fields FILE...   method seed and the default on each mesh: all figures, tab-separated, for
-//   tables.py bench-frame-field scaling [FILE...]  iterations and time by size, on a ball made here and on meshes cut
-//   into eight
+//                                      tables.py
+//   bench-frame-field scaling [FILE...]  iterations and time by size, on a ball made here and on meshes cut into eight
+//   bench-frame-field repairs FOLDER   on the meshes of the table: what is not meshable and E, before repairs and after
 //
 // Times are CPU seconds of this thread where one is used, which other programs on the machine hardly change.
 #include <algorithm>
@@ -240,6 +241,22 @@ void scaling(std::span<char* const> files) {
   }
 }
 
+// The default field, repaired, and that of the search about single axes.
+void repairs(const std::filesystem::path& folder) {
+  std::printf("mesh\trepairs\tedges\tvertices\tfragments\tE\tedges\tvertices\tfragments\tE\trounds\tCPU s in all\n");
+  const base::Host host = one_thread();
+  for_each_mesh(folder, [&](const mesh::Mesh& solid, const Known& row) {
+    for (const Repairs mode : {Repairs::places, Repairs::single_axis}) {
+      const double begin = cpu_seconds();
+      const RepairOutcome r = compute(solid.positions, solid.tetrahedra, {.repairs = mode}, {}, host).repair;
+      std::printf("%s\t%s\t%zu\t%zu\t%zu\t%.2f\t%zu\t%zu\t%zu\t%.2f\t%u\t%.1f\n", row.file,
+                  mode == Repairs::places ? "places" : "single axis", r.before.edges, r.before.vertices,
+                  r.before.fragments, r.energy_before, r.after.edges, r.after.vertices, r.after.fragments,
+                  r.energy_after, r.rounds, cpu_seconds() - begin);
+    }
+  });
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -249,10 +266,13 @@ int main(int argc, char** argv) {
       targets(argv[2]);
     } else if (what == "fields" && argc > 2) {
       fields({argv + 2, argv + argc});
+    } else if (what == "repairs" && argc == 3) {
+      repairs(argv[2]);
     } else if (what == "scaling") {
       scaling({argv + 2, argv + argc});
     } else {
-      std::fprintf(stderr, "usage: bench-frame-field targets FOLDER | fields FILE... | scaling [FILE...]\n");
+      std::fprintf(stderr,
+                   "usage: bench-frame-field targets FOLDER | fields FILE... | scaling [FILE...] | repairs FOLDER\n");
       return 2;
     }
   } catch (const base::Error& e) {
