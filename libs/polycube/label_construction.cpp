@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "polycube/alignment.h"
 #include "polycube/decimation.h"
 #include "polycube/label_repair.h"
+#include "polycube/label_search.h"
 #include "polycube/label_smoothing.h"
 #include "polycube/labelled_map.h"
 #include "polycube/map_refinement.h"
@@ -148,17 +150,23 @@ class LabelConstruction {
     for (Index i = 0; i < labels.size(); ++i)
       labels[i] = best_label(costs, i);
     expand_labels(coarse_, costs, {}, sweeps, labels, host_);
-    const LabelFaults faults = repair_labels(coarse_, costs, repair_passes, labels, host_);
+    LabelFaults faults = repair_labels(coarse_, costs, repair_passes, labels, host_);
+    double conflict = 0;
+    if (faults.total() == 0) {
+      conflict = search_labels(coarse_, costs, options_.seed, labels, host_);
+      faults = find_faults(coarse_, find_charts(coarse_, labels, host_));
+    }
     const std::string name = "compactness " + std::to_string(compactness) + ", " + std::to_string(smoothing) +
                              " steps of smoothing, " + std::to_string(faults.corners) + " corners: ";
     if (faults.total() > 0) return fail(name + "faults of labels could not be repaired");
+    if (conflict > 0) return fail(name + "no signs of arcs make the labels those of a polycube");
     if (options_.corners > 0 && faults.corners > options_.corners) return fail(name + "more than the budget");
     const auto same = [&](const Candidate& other) { return other.labels == labels; };
     if (std::any_of(candidates_.begin(), candidates_.end(), same)) return;
     SurfaceMap map = unrefined(search_.positions, search_.triangles, labels, host_);
     LabelledMapOptions map_options;
     map_options.seed = options_.seed;
-    LabelledMapOutcome outcome = make_labelled_map(map, frame_, map_options, host_);
+    LabelledMapOutcome outcome = make_labelled_map(map, frame_, map_options, {}, host_);
     if (!outcome.valid()) return fail(name + outcome.reason);
     const Distortion d = measure_distortion(map, host_);
     host_.log(name + "angle " + std::to_string(d.angle_weighted_mean) + ", area " +
@@ -167,8 +175,36 @@ class LabelConstruction {
                            std::move(outcome.certificate)});
   }
 
+  // Where the candidate's map has the planes of the given triangles of the whole surface's map.
+  Array<double> planes_of(const Candidate& candidate, const SurfaceMap& map, std::span<const Index> triangles) const {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    Array<double> plane(triangles_.size(), unknown, host_.memory);
+    Array<AxisLabel> label(triangles_.size(), label_count, host_.memory);
+    for (std::size_t i = 0; i < candidate.map.triangles.size(); ++i) {
+      const Index source = search_.source[candidate.map.triangle_sources[i]];
+      label[source] = candidate.map.labels[i];
+      plane[source] = frame_.scale * candidate.map.polycube[candidate.map.triangles[i][0]][axis_of(label[source])];
+    }
+    Array<double> result(host_.memory);
+    for (const Index t : triangles) {
+      const Index source = map.triangle_sources[t];
+      result.push_back(label[source] == map.labels[t] ? plane[source] : unknown);
+    }
+    return result;
+  }
+
   // The map of the whole surface.
   bool finish(Candidate& candidate, Construction& result) {
+    try {
+      return make_whole(candidate, result);
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      fail(std::string("on the whole surface: ") + error.what());
+      return false;
+    }
+  }
+
+  bool make_whole(Candidate& candidate, Construction& result) {
     if (search_.source.empty()) {
       result.map = std::move(candidate.map);
       result.certificate = std::move(candidate.certificate);
@@ -196,7 +232,8 @@ class LabelConstruction {
     LabelledMapOptions map_options;
     map_options.seed = options_.seed;
     map_options.polishing_steps = final_polishing_steps;
-    const LabelledMapOutcome outcome = make_labelled_map(small, frame_, map_options, host_);
+    const LabelledMapOutcome outcome =
+        make_labelled_map(small, frame_, map_options, planes_of(candidate, map, decimation.left), host_);
     if (!outcome.valid()) {
       fail("on the way to the whole surface: " + outcome.reason);
       return false;

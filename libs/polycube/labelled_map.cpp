@@ -3,8 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "base/error.h"
 #include "polycube/refinement.h"
 #include "polycube/starts.h"
 #include "polycube/untangling.h"
@@ -13,6 +15,8 @@ namespace orbicube::polycube {
 namespace {
 
 constexpr int rounds_of_the_start = 15;
+constexpr int most_steps = std::numeric_limits<int>::max();
+constexpr int steps_without_signs = 50;
 
 class LabelledMap {
  public:
@@ -28,14 +32,24 @@ class LabelledMap {
         signs_(host.memory),
         outcome_(host.memory) {}
 
-  LabelledMapOutcome run() {
+  LabelledMapOutcome run(std::span<const double> planes) {
+    if (!planes.empty() && place_charts_at(planes)) {
+      Untangling untangling(map_, host_);
+      for (const double first_eps : {0.0, 0.01}) {
+        place_charts_at(planes);
+        spread_vertices(map_, network_, host_);
+        if (attempt(untangling, first_eps)) return std::move(outcome_);
+      }
+    }
     poisson_start(map_, rounds_of_the_start, host_);
     poisson_ = map_.value;
     const Array<double> wanted = wanted_signs(map_, network_, host_);
     signs_ = find_arc_signs(*map_.charts, *map_.surface, network_, wanted, options_.seed, host_);
     const bool as_wanted = signs_.consistent() && signs_.changed == 0;
     Untangling untangling(map_, host_);
-    if ((as_wanted || !signs_.consistent()) && attempt(untangling, 0)) return std::move(outcome_);
+    // Where no signs were found that obey the rules there hardly is a map, but the signs are no proof.
+    if (as_wanted && attempt(untangling, 0)) return std::move(outcome_);
+    if (!signs_.consistent() && attempt(untangling, 0, steps_without_signs)) return std::move(outcome_);
     if (!signs_.consistent()) {
       outcome_.reason = "no signs of arcs make the labels a polycube: " + std::to_string(signs_.bad_corners.size()) +
                         " corners and " + std::to_string(signs_.bad_charts.size()) + " charts are in conflict; " +
@@ -53,8 +67,24 @@ class LabelledMap {
   }
 
  private:
-  bool attempt(Untangling& untangling, double first_eps) {
-    if (!untangling.untangle({options_.untangling_steps, first_eps, 1})) {
+  // Each chart at the median of its triangles; whether all have one.
+  bool place_charts_at(std::span<const double> planes) {
+    Array<std::pair<Index, double>> known(host_.memory);
+    for (Index t = 0; t < planes.size(); ++t) {
+      if (!std::isnan(planes[t])) known.emplace_back(map_.charts->chart[t], planes[t]);
+    }
+    std::sort(known.begin(), known.end());
+    std::size_t charts = 0;
+    for (std::size_t begin = 0, end = 0; begin < known.size(); begin = end, ++charts) {
+      while (end < known.size() && known[end].first == known[begin].first)
+        ++end;
+      map_.value[known[begin].first] = known[(begin + end) / 2].second;
+    }
+    return charts == map_.charts->count();
+  }
+
+  bool attempt(Untangling& untangling, double first_eps, int steps = most_steps) {
+    if (!untangling.untangle({std::min(steps, options_.untangling_steps), first_eps, 1})) {
       outcome_.reason = std::to_string(untangling.turned_over()) + " triangles stay turned over";
       return false;
     }
@@ -97,13 +127,18 @@ Frame unit_frame(std::span<const Vector3> positions, std::span<const Triangle> t
 }
 
 LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const LabelledMapOptions& options,
-                                     const base::Host& host) {
+                                     std::span<const double> planes, const base::Host& host) {
+  base::require(planes.empty() || planes.size() == map.triangles.size(), "planes: one a triangle");
+  Array<double> plane(planes.begin(), planes.end(), host.memory);
   split_chords(map, host);
+  // What was cut may lie anywhere; its chart has other triangles.
+  if (!plane.empty()) plane.resize(map.triangles.size(), std::numeric_limits<double>::quiet_NaN());
+
   Array<Vector3> positions(map.positions.size(), host.memory);
   std::transform(map.positions.begin(), map.positions.end(), positions.begin(), frame);
   const Surface surface(std::move(positions), Array<Triangle>(map.triangles, host.memory), host);
   const Charts charts = find_charts(surface, map.labels, host);
-  return LabelledMap(map, surface, charts, frame, options, host).run();
+  return LabelledMap(map, surface, charts, frame, options, host).run(plane);
 }
 
 }  // namespace orbicube::polycube

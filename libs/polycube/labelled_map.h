@@ -36,7 +36,9 @@ struct LabelledMapOutcome {
 
 // Makes the map from map.positions, triangles and labels, which must obey the rules of charts.h. Splits edges where
 // that is needed, fills in positions on the polycube, of the size of the surface, and certifies them.
+// `planes`, unless it is empty, says for each triangle where its chart is likely to lie along the chart's axis, in the
+// frame (not a number where that is not known): the first place to start from.
 LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const LabelledMapOptions& options,
-                                     const base::Host& host);
+                                     std::span<const double> planes, const base::Host& host);
 
 }  // namespace orbicube::polycube

@@ -39,7 +39,7 @@ TEST_CASE("A labelled polycube is mapped to itself") {
     SurfaceMap map = unrefined(m.positions, m.triangles, own.labels, host);
     LabelledMapOptions options;
     options.polishing_steps = 60;
-    const LabelledMapOutcome outcome = make_labelled_map(map, unit_frame(m.positions, m.triangles), options, host);
+    const LabelledMapOutcome outcome = make_labelled_map(map, unit_frame(m.positions, m.triangles), options, {}, host);
     INFO(outcome.reason);
     REQUIRE(outcome.valid());
     CHECK(outcome.certificate.corners == own.corners);
