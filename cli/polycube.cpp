@@ -8,7 +8,7 @@
 #include "mesh/orient.h"
 #include "mesh/topology.h"
 #include "mesh/write.h"
-#include "polycube/label_construction.h"
+#include "polycube/voxel_construction.h"
 #include "surface_file.h"
 #include "verbs.h"
 
@@ -83,6 +83,9 @@ void polycube(const PolycubeOptions& options, Session& session) {
   const mesh::Mesh input = read_surface(options, session);
   const double start = session.seconds();
   const polycube::Construction made = about(options.input, Role::input, [&] {
+    if (options.construct == "voxels")
+      return polycube::construct_by_voxels(input.positions, input.triangles, {.corners = options.corners},
+                                           session.host());
     return polycube::construct_by_labels(input.positions, input.triangles,
                                          {.corners = options.corners, .seed = session.seed()}, session.host());
   });
@@ -103,8 +106,8 @@ void polycube(const PolycubeOptions& options, Session& session) {
                                   {"area_mean", made.distortion.area_mean},
                                   {"angle_weighted_mean", made.distortion.angle_weighted_mean},
                                   {"area_weighted_mean", made.distortion.area_weighted_mean}}},
-                                {"labellings_tried", made.tried},
-                                {"labellings_valid", made.valid},
+                                {"polycubes_tried", made.tried},
+                                {"polycubes_valid", made.valid},
                                 {"seconds_construct", constructed - start},
                                 {"seconds_write", session.seconds() - constructed}});
   for (const std::string& note : session.notes())
@@ -128,8 +131,8 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
       ->type_name("OUT");
   verb->add_option("--surface", options->surface, "the surface with the same vertices and triangles as OUT")
       ->type_name("OUT2");
-  verb->add_option("--construct", options->construct, "how the polycube is found: labels (labels)")
-      ->check(unnamed(CLI::IsMember({"labels"})))
+  verb->add_option("--construct", options->construct, "how the polycube is found: labels or voxels (labels)")
+      ->check(unnamed(CLI::IsMember({"labels", "voxels"})))
       ->type_name("METHOD");
   verb->add_option("--corners", options->corners, "corners of the polycube at most; 0: any number (0)")->type_name("N");
   verb->add_flag("--text", options->text, "text rather than binary PLY and VTK");

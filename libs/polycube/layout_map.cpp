@@ -38,7 +38,7 @@ class LayoutMap {
     constexpr std::size_t least_vertices = 300, vertices_a_node = 8;
     const Array<double> parameter = arc_parameters(surface_, drawing_, host_);
     const Array<Index> collapsed =
-        decimate(surface_, drawing_, std::max(least_vertices, vertices_a_node * layout_.nodes.size()), host_);
+        decimate(layout_, surface_, drawing_, std::max(least_vertices, vertices_a_node * layout_.nodes.size()), host_);
     image_ = map_rectangles(layout_, drawing_, surface_, parameter, host_);
     for (Index v = 0; v < surface_.vertices(); ++v)
       if (surface_.outgoing(v) != no_index) active_.push_back(v);
@@ -93,7 +93,7 @@ class LayoutMap {
 
   void refine(std::span<const Index> collapsed) {
     constexpr double growth = 1.5;
-    constexpr int level_sweeps = 4;
+    constexpr int level_sweeps = 8;
     double next_level = growth * static_cast<double>(active_.size());
     for (std::size_t i = collapsed.size(); i-- > 0;) {
       if (i % 64 == 0) host_.report(phase, collapsed.size() - i, collapsed.size());

@@ -10,7 +10,7 @@
 namespace orbicube::polycube {
 
 struct LayoutMapOptions {
-  int sweeps = 30;  // over all vertices at the end, at most
+  int sweeps = 60;  // over all vertices at the end, at most
 };
 
 // `surface` and `drawing` as trace() leaves them. Every triangle of the result is positive, exactly; whether it is a

@@ -30,10 +30,11 @@ struct Quadric {
 
 class Decimation {
  public:
-  Decimation(EditableSurface& surface, const Drawing& drawing, const base::Host& host)
+  Decimation(const Layout& layout, EditableSurface& surface, const Drawing& drawing, const base::Host& host)
       : surface_(surface),
         host_(host),
         is_node_(surface.vertices(), 0, host.memory),
+        is_corner_(surface.vertices(), 0, host.memory),
         quadrics_(surface.vertices(), host.memory),
         version_(surface.vertices(), 0, host.memory),
         queue_(host.memory),
@@ -41,6 +42,8 @@ class Decimation {
         around_(host.memory) {
     for (const Index v : drawing.node_vertex)
       is_node_[v] = 1;
+    for (Index n = 0; n < layout.nodes.size(); ++n)
+      is_corner_[drawing.node_vertex[n]] = layout.nodes[n].corner;
     const Vector3 origin = surface.position[drawing.node_vertex[0]];
     origin_ = origin;
     for (Index f = 0; f < surface.faces(); ++f) {
@@ -95,7 +98,9 @@ class Decimation {
   // What the drawing allows; surface_.can_collapse() is asked besides.
   bool allowed(Index h) const {
     const Index v = surface_.start(h), w = surface_.end(h);
-    if (surface_.occupied[v]) return surface_.arc[h] != no_index;
+    // Not into corners: beside one that a face goes around by 270 degrees, there may be no way back onto the edge.
+    // Everywhere else a vertex put back sees its whole ring from close to where it went.
+    if (surface_.occupied[v]) return surface_.arc[h] != no_index && !is_corner_[w];
     if (!surface_.occupied[w]) return true;
     const Index c = surface_.end(EditableSurface::next(h)),
                 d = surface_.end(EditableSurface::next(surface_.opposite(h)));
@@ -169,7 +174,7 @@ class Decimation {
   EditableSurface& surface_;
   const base::Host& host_;
   Vector3 origin_ = Vector3::Zero();
-  Array<std::uint8_t> is_node_;
+  Array<std::uint8_t> is_node_, is_corner_;
   Array<Quadric> quadrics_;
   Array<std::uint32_t> version_;
   Array<Candidate> queue_;
@@ -179,9 +184,9 @@ class Decimation {
 
 }  // namespace
 
-Array<Index> decimate(EditableSurface& surface, const Drawing& drawing, std::size_t least_vertices,
-                      const base::Host& host) {
-  return Decimation(surface, drawing, host).run(least_vertices);
+Array<Index> decimate(const Layout& layout, EditableSurface& surface, const Drawing& drawing,
+                      std::size_t least_vertices, const base::Host& host) {
+  return Decimation(layout, surface, drawing, host).run(least_vertices);
 }
 
 }  // namespace orbicube::polycube

@@ -11,7 +11,7 @@ namespace orbicube::polycube {
 
 // The half-edges collapsed, in order; for EditableSurface::undo_collapse from the last to the first. Ends at
 // `least_vertices`, or earlier when nothing more can go. O(n log n).
-Array<Index> decimate(EditableSurface& surface, const Drawing& drawing, std::size_t least_vertices,
-                      const base::Host& host);
+Array<Index> decimate(const Layout& layout, EditableSurface& surface, const Drawing& drawing,
+                      std::size_t least_vertices, const base::Host& host);
 
 }  // namespace orbicube::polycube

@@ -18,7 +18,7 @@ constexpr double guide_width = 0.08, guide_strength = 3;
 // What a turned normal counts for when a node looks for its vertex, in parts of the diagonal, and a node beside it.
 constexpr double normal_weight = 0.12, crowding = 0.03;
 constexpr std::size_t vertices_a_node = 12;
-constexpr std::size_t most_refinement = 8;
+constexpr std::size_t most_refinement = 24;
 
 class Tracing {
  public:

@@ -15,17 +15,18 @@ namespace {
 // Corners when there is no budget: what follows a shape's parts and leaves each room.
 constexpr std::size_t plenty = 100;
 
-SurfaceMap attempt(const VoxelSolid& solid, std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                   const base::Host& host) {
+// Adds to what was tried; whether it is valid is in the certificate.
+void attempt(const VoxelSolid& solid, std::span<const Vector3> positions, std::span<const Triangle> triangles,
+             Construction& construction, const base::Host& host) {
+  ++construction.tried;
   const Layout layout = make_layout(solid, host);
   EditableSurface surface(positions, triangles, host);
   Drawing drawing = trace(layout, surface, host);
-  SurfaceMap map = map_layout(layout, surface, drawing, {}, host);
-  Certificate certificate = certify(map.polycube, map.triangles, host);
-  if (!certificate.valid()) throw base::Error("no-valid-result", certificate.reason);
-  map.labels = std::move(certificate.labels);
-  map.charts = std::move(certificate.charts);
-  return map;
+  construction.map = map_layout(layout, surface, drawing, {}, host);
+  construction.certificate = certify(construction.map, host);
+  if (!construction.certificate.valid()) throw base::Error("no-valid-result", construction.certificate.reason);
+  construction.distortion = measure_distortion(construction.map, host);
+  ++construction.valid;
 }
 
 bool no_valid_result(const base::Error& error) {
@@ -34,12 +35,13 @@ bool no_valid_result(const base::Error& error) {
 
 }  // namespace
 
-SurfaceMap construct_by_voxels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                               const VoxelConstructionOptions& options, const base::Host& host) {
+Construction construct_by_voxels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                                 const VoxelConstructionOptions& options, const base::Host& host) {
   const auto topology = mesh::topology(positions, triangles, host);
   mesh::require_closed_manifold(topology);
   if (!topology.genus) throw base::Error("not-connected", "a polycube map needs one closed, oriented surface");
   const Occupancy occupancy(positions, triangles, occupancy_resolution, host);
+  Construction construction(host.memory);
   std::string reason;
   // Grids that begin finer or coarser make other polycubes.
   for (const int least_cells : {40, 60, 20, 84}) {
@@ -56,7 +58,8 @@ SurfaceMap construct_by_voxels(std::span<const Vector3> positions, std::span<con
         if (simplification.corners() == tried) continue;
         tried = simplification.corners();
         try {
-          return attempt(simplification.solid(), positions, triangles, host);
+          attempt(simplification.solid(), positions, triangles, construction, host);
+          return construction;
         } catch (const base::Error& error) {
           if (!no_valid_result(error)) throw;
           reason = error.what();

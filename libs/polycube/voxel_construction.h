@@ -6,7 +6,7 @@
 // numbers leave, and then fewer corners and other grids are tried.
 #pragma once
 
-#include "polycube/certificate.h"
+#include "polycube/label_construction.h"
 
 namespace orbicube::polycube {
 
@@ -14,9 +14,9 @@ struct VoxelConstructionOptions {
   std::size_t corners = 0;  // of the polycube at most, or the fewest that it can be brought to; 0: any number
 };
 
-// Of a closed, connected, oriented surface that looks outward. The map is certified, with its labels and charts.
+// Of a closed, connected, oriented surface that looks outward. `tried` counts polycubes.
 // Throws Error "no-valid-result" with what stood in the way, "not-closed", "cancelled".
-SurfaceMap construct_by_voxels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                               const VoxelConstructionOptions& options, const base::Host& host);
+Construction construct_by_voxels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                                 const VoxelConstructionOptions& options, const base::Host& host);
 
 }  // namespace orbicube::polycube

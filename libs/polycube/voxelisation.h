@@ -29,7 +29,7 @@ struct Voxelisation {
 struct VoxelisationOptions {
   int least_cells = 40;  // along the longest axis; coarser grids are only tried when no finer one is right
   int most_cells = 140;  // likewise
-  double far = 0.025;    // the farthest vertex that is near enough
+  double far = 0.05;     // the farthest vertex that is near enough
 };
 
 // The surface must be closed, connected and look outward; `genus` is its genus. Throws Error "no-valid-result" when no

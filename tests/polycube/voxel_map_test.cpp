@@ -143,7 +143,7 @@ TEST_CASE("Collapses that are undone leave the surface as it was, and the drawin
   EditableSurface& surface = traced.surface;
   const std::vector<Triangle> triangles(surface.triangle.begin(), surface.triangle.end());
   const std::vector<Index> arcs(surface.arc.begin(), surface.arc.end());
-  const Array<Index> collapsed = decimate(surface, traced.drawing, 150, host);
+  const Array<Index> collapsed = decimate(traced.layout, surface, traced.drawing, 150, host);
   CHECK(collapsed.size() > 1000);
   std::vector<Triangle> coarse;
   for (Index f = 0; f < surface.faces(); ++f)
@@ -209,7 +209,7 @@ TEST_CASE("Voxel polycubes of shapes of several genera have certified maps withi
   for (const Case& c : {Case{"sphere", 8, 8}, Case{"creature", 40, 40}, Case{"torus", 16, 16}}) {
     CAPTURE(c.name);
     const mesh::Mesh m = shape(c.name, 2500);
-    SurfaceMap map = construct_by_voxels(m.positions, m.triangles, {c.corners}, host);
+    const SurfaceMap map = construct_by_voxels(m.positions, m.triangles, {c.corners}, host).map;
     const Certificate certificate = certify(map.polycube, map.triangles, host);
     CHECK(certificate.valid());
     CHECK(certificate.corners <= c.reached);
@@ -218,7 +218,7 @@ TEST_CASE("Voxel polycubes of shapes of several genera have certified maps withi
     CHECK(area_of(map.positions, map.triangles) == doctest::Approx(area_of(m.positions, m.triangles)).epsilon(1e-11));
     if (c.corners != 16) continue;
     // The same bits again.
-    const SurfaceMap again = construct_by_voxels(m.positions, m.triangles, {c.corners}, host);
+    const SurfaceMap again = construct_by_voxels(m.positions, m.triangles, {c.corners}, host).map;
     CHECK(std::equal(map.polycube.begin(), map.polycube.end(), again.polycube.begin(), again.polycube.end()));
   }
 }
