@@ -23,6 +23,7 @@ namespace {
 
 constexpr std::array coarse_to_fine = {0.08, 0.04, 0.02, 0.01};
 constexpr std::array smoothing_steps = {0, 2};
+constexpr std::array when_none_is_valid = {0.03, 0.015, 0.007, 0.0035};
 constexpr double first_smoothing_time = 1e-4;
 constexpr int sweeps = 5;
 constexpr int repair_passes = 60;
@@ -99,6 +100,11 @@ class LabelConstruction {
     for (const double compactness : coarse_to_fine) {
       for (const int smoothing : smoothing_steps)
         try_labels(compactness, smoothing);
+    }
+    for (const double compactness : when_none_is_valid) {
+      for (const int smoothing : smoothing_steps) {
+        if (candidates_.empty()) try_labels(compactness, smoothing);
+      }
     }
     std::stable_sort(candidates_.begin(), candidates_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
