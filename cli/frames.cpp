@@ -34,8 +34,8 @@ const std::map<std::string, Start> starts = {{"auto", Start::automatic},
                                              {"diffusion", Start::diffusion}};
 const std::map<std::string, frame_field::Weighting> weightings = {{"uniform", frame_field::Weighting::uniform},
                                                                   {"geometric", frame_field::Weighting::geometric}};
-const std::map<std::string, frame_field::Method> methods = {{"smooth", frame_field::Method::smooth},
-                                                            {"seed", frame_field::Method::seed}};
+const std::map<std::string, frame_field::Method> frame_methods = {{"smooth", frame_field::Method::smooth},
+                                                                  {"seed", frame_field::Method::seed}};
 
 constexpr std::size_t most_places = 1000;  // that a report lists of each kind
 
@@ -190,7 +190,7 @@ frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& sol
   if (!options.boundary.empty()) held = boundary_frames(solid, read(options.boundary), host);
   frame_field::Options settings;
   settings.start = options.from.empty() ? starts.at(options.start) : Start::given;
-  settings.method = methods.at(options.method);
+  settings.method = frame_methods.at(options.method);
   settings.weighting = weightings.at(options.weights);
   settings.align_boundary = !options.free_boundary;
   settings.feature_angle = options.features * std::numbers::pi / 180;
@@ -222,7 +222,7 @@ void write(const FramesOptions& options, const mesh::Mesh& solid, const frame_fi
         [&] { frame_field::write_vtk(options.vtk, solid.positions, solid.tetrahedra, field, host); });
 }
 
-void frames(const FramesOptions& options, Session& session) {
+void run_frames(const FramesOptions& options, Session& session) {
   session.options() = {{"output", options.output},     {"start", options.start},
                        {"from", options.from},         {"unchanged", options.unchanged},
                        {"boundary", options.boundary}, {"method", options.method},
@@ -342,7 +342,7 @@ void add_frames(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE.frames");
   verb->add_option("--method", options->method,
                    "smooth (the default), or seed: the dissertation's procedure with frozen matchings")
-      ->check(one_of(methods))
+      ->check(one_of(frame_methods))
       ->type_name("METHOD");
   verb->add_option("--weights", options->weights,
                    "of inner faces: uniform (the default), or geometric: area over distance of the centres")
@@ -375,7 +375,7 @@ void add_frames(CLI::App& app, CommonOptions& common) {
       "boundary one axis lies along the normal; tetrahedra with several boundary faces are aligned with one of them.");
   verb->callback([options, &common] {
     Session session(common, "frames", options->input);
-    session.run([&] { frames(*options, session); });
+    session.run([&] { run_frames(*options, session); });
   });
 }
 

@@ -24,9 +24,9 @@ namespace {
 
 using harmonics::Coefficients;
 
-const std::map<std::string, harmonics::FitMethod> methods = {{"automatic", harmonics::FitMethod::automatic},
-                                                             {"dense", harmonics::FitMethod::dense},
-                                                             {"iterative", harmonics::FitMethod::iterative}};
+const std::map<std::string, harmonics::FitMethod> fit_methods = {{"automatic", harmonics::FitMethod::automatic},
+                                                                 {"dense", harmonics::FitMethod::dense},
+                                                                 {"iterative", harmonics::FitMethod::iterative}};
 
 struct HarmonicsOptions {
   std::string input, sphere, output, reconstruction, page;
@@ -113,7 +113,8 @@ void fit_surface(const HarmonicsOptions& options, Session& session) {
       throw Failure(Exit::wrong_input, options.input, "degenerate-geometry", "the surface has no area");
     coefficients = harmonics::fit(
         map.positions, weights_of(options, surface, map, host), numbers(surface.positions), 3,
-        {.degree = options.degree, .method = methods.at(options.method), .smoothing = options.smoothing}, host, report);
+        {.degree = options.degree, .method = fit_methods.at(options.method), .smoothing = options.smoothing}, host,
+        report);
   });
   const double fitted = session.seconds();
   note_rank(report, surface.positions.size(), session);
@@ -208,7 +209,7 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::IsMember({"area", "sphere", "uniform"})))
       ->type_name("WHAT");
   std::vector<std::string> names;
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, method] : fit_methods)
     names.push_back(name);
   verb->add_option("--method", options->method,
                    "dense (QR with column pivoting), iterative (conjugate gradients, refined), or automatic by size")

@@ -20,14 +20,14 @@ struct InfoOptions {
   bool weld = false;
 };
 
-std::string number(double value) {
+std::string digits(double value) {
   char text[32];
   std::snprintf(text, sizeof text, "%.6g", value);
   return text;
 }
 
 std::string point(const mesh::Vector3& p) {
-  return "(" + number(p[0]) + ", " + number(p[1]) + ", " + number(p[2]) + ")";
+  return "(" + digits(p[0]) + ", " + digits(p[1]) + ", " + digits(p[2]) + ")";
 }
 
 Json json_point(const mesh::Vector3& p) {
@@ -144,8 +144,8 @@ void tell_surface(const mesh::Topology& t, const Use& sphere, const Use& filling
                            : t.volume < 0 ? "consistent, inward"
                                           : "consistent, no volume");
   table.row("genus", t.genus ? std::to_string(*t.genus) : "-");
-  table.row("area", number(t.area));
-  if (solid) table.row("volume", number(t.volume));
+  table.row("area", digits(t.area));
+  if (solid) table.row("volume", digits(t.volume));
   table.row("bounding box", point(t.low) + " to " + point(t.high));
   if (t.zero_area_faces > 0) table.row("no area", count(t.zero_area_faces, "face", "faces"));
   if (t.coincident_vertices > 0)
@@ -172,8 +172,8 @@ void tell_boundary(const mesh::Mesh& mesh, Session& session) {
   table.row("boundary", count(t.triangles, "triangle", "triangles") + ", " +
                             count(t.components, "component", "components") +
                             (t.genus ? ", genus " + std::to_string(*t.genus) : ""));
-  table.row("area", number(t.area));
-  table.row("volume", number(t.volume));
+  table.row("area", digits(t.area));
+  table.row("volume", digits(t.volume));
   table.row("bounding box", point(t.low) + " to " + point(t.high));
 }
 

@@ -62,7 +62,7 @@ void measure(const std::string& shape_path, const std::string& map_path, const s
   });
 }
 
-void write_page(const PageOptions& options, Session& session) {
+void run_page(const PageOptions& options, Session& session) {
   session.options() = {{"files", options.files},
                        {"output", options.output},
                        {"title", options.title},
@@ -112,7 +112,7 @@ void add_page(CLI::App& app, CommonOptions& common) {
       "The page is complete in itself: it loads nothing and works without a network.");
   verb->callback([options, &common] {
     Session session(common, "page", options->files.front());
-    session.run([&] { write_page(*options, session); });
+    session.run([&] { run_page(*options, session); });
   });
 }
 

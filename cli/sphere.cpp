@@ -26,7 +26,7 @@ namespace {
 
 using Directions = base::Array<mesh::Vector3>;
 
-const std::map<std::string, sphere_map::Method> methods = {
+const std::map<std::string, sphere_map::Method> map_methods = {
     {"balanced", sphere_map::Method::balanced},   {"angle-area", sphere_map::Method::angle_area},
     {"stretch", sphere_map::Method::stretch},     {"isometric", sphere_map::Method::isometric},
     {"conformal", sphere_map::Method::conformal}, {"seed", sphere_map::Method::seed}};
@@ -126,7 +126,7 @@ Directions compute(const SphereOptions& options, const mesh::Mesh& surface, Sess
   sphere_map::Partial partial(session.host().memory);
   try {
     return sphere_map::compute(surface.positions, surface.triangles,
-                               {.method = methods.at(options.method),
+                               {.method = map_methods.at(options.method),
                                 .angle_weight = options.angle_weight,
                                 .area_weight = options.area_weight,
                                 .seed = session.seed()},
@@ -229,7 +229,7 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
       ->required()
       ->type_name("OUT");
   std::vector<std::string> names;
-  for (const auto& [name, method] : methods)
+  for (const auto& [name, method] : map_methods)
     names.push_back(name);
   verb->add_option("--method", options->method,
                    "balanced: angles and areas with an eye on the worst triangle (the default); angle-area: the sum of "
