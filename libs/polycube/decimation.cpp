@@ -133,8 +133,8 @@ class Decimator {
     if (common != 2 || chord || around_kept + around_removed > most_valence + 4) return false;
     if (valence(left) <= 3 || valence(right) <= 3) return false;
     if (arms_[removed] == 0) return true;
-    // Along an arc, not into a corner, beside whose reflex angle it would have no way back, and not where a triangle has
-    // two edges of it.
+    // Along an arc, not into a corner, beside whose reflex angle it would have no way back, and not where a triangle
+    // has two edges of it.
     return arms_[removed] == 2 && arms_[kept] == 2 && separates(h) && !separates(Connectivity::previous(h)) &&
            !separates(Connectivity::next(result_.opposite[h]));
   }
