@@ -10,6 +10,7 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
+#include "capi/src/surface_view.h"
 #include "mesh/surface_check.h"
 #include "mesh/topology.h"
 #include "polycube/certificate.h"
@@ -29,23 +30,6 @@ struct obc_polycube {
 
 namespace {
 
-// The caller's arrays as the C++ side takes them: doubles and indices have the layout of its vectors and triangles.
-struct Surface {
-  std::span<const Vector3> positions;
-  std::span<const Triangle> triangles;
-
-  explicit Surface(const obc_surface* from) {
-    static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(uint32_t));
-    capi::require(from != nullptr, "surface is NULL");
-    capi::require(from->positions != nullptr || from->vertex_count == 0, "surface->positions is NULL");
-    capi::require(from->triangles != nullptr || from->triangle_count == 0, "surface->triangles is NULL");
-    capi::require(std::max(from->vertex_count, from->triangle_count) <= PTRDIFF_MAX / sizeof(Vector3),
-                  "surface: too many vertices or triangles");
-    positions = {reinterpret_cast<const Vector3*>(from->positions), from->vertex_count};
-    triangles = {reinterpret_cast<const Triangle*>(from->triangles), from->triangle_count};
-  }
-};
-
 template <class Element, class Number>
 void copy(const base::Array<Element>& from, Number* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
@@ -61,7 +45,7 @@ obc_polycube_options default_options() {
 }
 
 // What a surface must be to have a polycube: closed, connected, consistently oriented.
-void require_one_surface(const Surface& s, const base::Host& host) {
+void require_one_surface(const capi::SurfaceView& s, const base::Host& host) {
   mesh::require_valid_surface(s.positions, s.triangles, host);
   const mesh::Topology facts = mesh::topology(s.positions, s.triangles, host);
   mesh::require_closed_manifold(facts);
@@ -90,7 +74,7 @@ obc_status obc_polycube_create(const obc_surface* surface, const double* polycub
   return capi::guarded(error, [&] {
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
-    const Surface s(surface);
+    const capi::SurfaceView s(surface);
     capi::require(polycube != nullptr || s.positions.empty(), "polycube is NULL");
     auto made = std::make_unique<obc_polycube>(host);
     polycube::SurfaceMap& map = made->map;
@@ -117,7 +101,7 @@ obc_status obc_polycube_compute(const obc_surface* surface, const obc_polycube_o
   return capi::guarded(error, [&] {
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
-    const Surface s(surface);
+    const capi::SurfaceView s(surface);
     const obc_polycube_options o = capi::copy_versioned(options, default_options());
     auto made = std::make_unique<obc_polycube>(host);
     const base::Host& on = made->adapter.host();

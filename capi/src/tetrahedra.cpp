@@ -8,6 +8,7 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
+#include "capi/src/surface_view.h"
 #include "tetrahedra/input_check.h"
 #include "tetrahedra/tetrahedra.h"
 
@@ -34,23 +35,6 @@ obc_tetrahedra_options default_options() {
   o.size_growth = defaults.size_growth;
   return o;
 }
-
-// The caller's arrays as the C++ side takes them: doubles and indices have the layout of its vectors and triangles.
-struct Surface {
-  std::span<const Vector3> positions;
-  std::span<const Triangle> triangles;
-
-  explicit Surface(const obc_surface* from) {
-    static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(uint32_t));
-    capi::require(from != nullptr, "surface is NULL");
-    capi::require(from->positions != nullptr || from->vertex_count == 0, "surface->positions is NULL");
-    capi::require(from->triangles != nullptr || from->triangle_count == 0, "surface->triangles is NULL");
-    capi::require(std::max(from->vertex_count, from->triangle_count) <= PTRDIFF_MAX / sizeof(Vector3),
-                  "surface: too many vertices or triangles");
-    positions = {reinterpret_cast<const Vector3*>(from->positions), from->vertex_count};
-    triangles = {reinterpret_cast<const Triangle*>(from->triangles), from->triangle_count};
-  }
-};
 
 base::Array<tetrahedra::SizePoint> sizes_of(const obc_tetrahedra_options& o, std::pmr::memory_resource* memory) {
   capi::require((o.size_positions != nullptr && o.size_lengths != nullptr) || o.size_count == 0,
@@ -86,7 +70,7 @@ obc_status obc_tetrahedra_fill(const obc_surface* surface, const obc_tetrahedra_
   return capi::guarded(error, [&] {
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
-    const Surface s(surface);
+    const capi::SurfaceView s(surface);
     const obc_tetrahedra_options o = capi::copy_versioned(options, default_options());
     auto made = std::make_unique<obc_tetrahedra>(host);
     const auto sizes = sizes_of(o, made->adapter.host().memory);
@@ -142,7 +126,7 @@ obc_status obc_tetrahedra_check_surface(const obc_surface* surface, const obc_ho
   return capi::guarded(error, [&] {
     capi::require(count != nullptr, "count is NULL");
     *count = 0;
-    const Surface s(surface);
+    const capi::SurfaceView s(surface);
     capi::require(pairs != nullptr || capacity == 0, "pairs is NULL");
     const capi::HostAdapter adapter(host);
     const auto found = tetrahedra::self_intersections(s.positions, s.triangles, adapter.host());

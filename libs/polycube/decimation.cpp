@@ -7,31 +7,14 @@
 #include <queue>
 #include <utility>
 
+#include "polycube/quadric.h"
+
 namespace orbicube::polycube {
 namespace {
 
 using mesh::Connectivity;
 
 constexpr Index most_valence = 24;  // of the vertex that is kept
-
-// Sum of squared distances to planes, weighted by area: x'Ax + 2b'x + c.
-struct Quadric {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Vector3 b = Vector3::Zero();
-  double c = 0;
-
-  void add_plane(const Vector3& normal, double offset, double weight) {
-    a += weight * normal * normal.transpose();
-    b += weight * offset * normal;
-    c += weight * offset * offset;
-  }
-  void add(const Quadric& other) {
-    a += other.a;
-    b += other.b;
-    c += other.c;
-  }
-  double at(const Vector3& p) const { return p.dot(a * p) + 2 * b.dot(p) + c; }
-};
 
 class Decimator {
  public:

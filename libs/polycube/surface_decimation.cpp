@@ -4,29 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "polycube/quadric.h"
+
 namespace orbicube::polycube {
 namespace {
 
 constexpr const char* phase = "decimation";
-
-// p' A p + 2 b' p + c with symmetric A: the sum of squared distances from planes, weighted by area.
-struct Quadric {
-  Eigen::Matrix3d a = Eigen::Matrix3d::Zero();
-  Vector3 b = Vector3::Zero();
-  double c = 0;
-
-  void add_plane(const Vector3& normal, double offset, double weight) {
-    a += weight * normal * normal.transpose();
-    b += weight * offset * normal;
-    c += weight * offset * offset;
-  }
-  void add(const Quadric& other) {
-    a += other.a;
-    b += other.b;
-    c += other.c;
-  }
-  double at(const Vector3& p) const { return std::max(0.0, p.dot(a * p) + 2 * b.dot(p) + c); }
-};
 
 class Decimation {
  public:
@@ -140,7 +123,7 @@ class Decimation {
       const Index w = surface_.end(h);
       const double length = (at(w) - at(v)).squaredNorm();
       // A little of the edge's length keeps triangles round where the surface is flat.
-      double cost = quadrics_[v].at(at(w)) + 1e-3 * length * length;
+      double cost = std::max(0.0, quadrics_[v].at(at(w))) + 1e-3 * length * length;
       // Folds are taken last.
       if (cost >= best.cost) return;
       if (turned(h) < 0.1) cost = cost * 1e3 + length * length;
