@@ -76,7 +76,8 @@ class ControlMesh {
   QuadComplex complex_;
 };
 
-// One part of the body after the other. x is forward, y left, z up; the trunk's pieces are about 1 long.
+// One part of the body after the other. x is forward, y left, z up; the trunk's pieces are about 1 long. Two random
+// numbers never stand in one call, since compilers differ in which argument comes first.
 class Creature {
  public:
   explicit Creature(std::uint64_t seed)
@@ -88,7 +89,8 @@ class Creature {
     const double rise = leg_pairs == 1 ? random_.uniform(0.5, 1.2) : random_.uniform(-0.15, 0.3);
     for (int i = 0; i < leg_pairs; ++i) {
       const Vector3 way(1, 0, rise * (i + 1) / leg_pairs);
-      pieces.push_back(mesh_.grow(chest, way, random_.uniform(0.9, 1.2), random_.uniform(0.85, 1.1)));
+      const double scale = random_.uniform(0.85, 1.1);
+      pieces.push_back(mesh_.grow(chest, way, random_.uniform(0.9, 1.2), scale));
     }
     for (int i = 0; i < leg_pairs; ++i)
       legs(pieces[static_cast<std::size_t>(i)]);
@@ -161,7 +163,8 @@ class Creature {
     for (int i = 0; i < pieces; ++i) {
       limb(tip, way, vary(0.5), radius);
       radius *= random_.uniform(0.72, 0.88);
-      way = (way + Vector3(0, random_.uniform(-0.25, 0.25), random_.uniform(-0.1, 0.35))).normalized();
+      const double up = random_.uniform(-0.1, 0.35);
+      way = (way + Vector3(0, random_.uniform(-0.25, 0.25), up)).normalized();
     }
   }
 
@@ -173,7 +176,8 @@ class Creature {
     limb(tip, {0.4, 0, 1}, stretch, radius);
     limb(tip, {1, 0, 0.5}, 0.3, 1.8 * radius);
     const Ring skull = mesh_.grow(tip, {1, 0, 0}, vary(0.5), 1);
-    limb(tip, {1, 0, -0.15}, vary(0.35), random_.uniform(0.8, 1.3) * radius);
+    const double snout = random_.uniform(0.8, 1.3) * radius;
+    limb(tip, {1, 0, -0.15}, vary(0.35), snout);
     const double ear = vary(0.45);
     for (const std::size_t k : {1U, 3U}) {
       Tip one = mesh_.tip_at(skull[k]);

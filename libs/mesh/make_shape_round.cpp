@@ -59,7 +59,10 @@ Mesh make_star_shaped(std::function<double(const Vector3&)> radius, const ShapeO
 
 Vector3 random_direction(Random& random) {
   for (;;) {
-    const Vector3 v(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    // One after the other: compilers differ in which argument of a call comes first.
+    const double z = random.uniform(-1, 1);
+    const double y = random.uniform(-1, 1);
+    const Vector3 v(random.uniform(-1, 1), y, z);
     const double norm = v.norm();
     if (norm > 0.1 && norm <= 1) return v / norm;
   }

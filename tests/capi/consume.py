@@ -77,10 +77,9 @@ def main():
     arguments = parser.parse_args()
     folder = os.path.abspath(arguments.folder)
     shutil.rmtree(folder, ignore_errors=True)
-    prefix, build = os.path.join(folder, "prefix"), os.path.join(folder, "build")
+    prefix, build = os.path.join(folder, "prefix"), folder
 
-    # Unoptimised: what is looked at is how the library is put together.
-    said = run(["meson", "setup", build, ROOT, "--prefix", prefix, "--libdir", "lib", "-Dbuildtype=plain",
+    said = run(["meson", "setup", build, ROOT, "--prefix", prefix, "--libdir", "lib",
                 "-Dlibraries=" + arguments.library, "-Ddefault_library=" + arguments.kind, "-Dtests=false",
                 "-Dexamples=false", "-Dcli=disabled", "-Dwerror=true"])
     said += run(["ninja", "-C", build, "-j1"])
