@@ -117,27 +117,46 @@ ORBICUBE_INLINE void combine_all(double* sum, std::size_t size, std::size_t stri
   if (rest) store(sum + last, end[0]);
 }
 
-// Rows and columns i to i + 3 and j to j + 3 of sum_k factor_k x_k x_k'.
+// Rows i to i + 3 and 4 `blocks` columns from j on of sum_k factor_k x_k x_k', the terms one after the other.
+template <std::size_t blocks>
 ORBICUBE_INLINE void squares_tile(double* a, std::size_t size, const double* factor, const double* x, std::size_t count,
                                   std::size_t i, std::size_t j) {
-  std::array<Four, 4> sum{};
-  std::size_t k = 0;
-  for (; k + 4 <= count; k += 4) {
-    std::array<Four, 4> row, column;
-    for (std::size_t t = 0; t < 4; ++t) {
-      row[t] = factor[k + t] * load(x + (k + t) * size + i);
-      column[t] = load(x + (k + t) * size + j);
+  std::array<std::array<Four, blocks>, 4> sum{};
+  for (std::size_t k = 0; k < count; ++k) {
+    const double* point = x + k * size;
+    std::array<Four, blocks> columns;
+    for (std::size_t t = 0; t < blocks; ++t)
+      columns[t] = factor[k] * load(point + j + 4 * t);
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t t = 0; t < blocks; ++t)
+        sum[r][t] += point[i + r] * columns[t];
     }
-    for (std::size_t r = 0; r < 4; ++r)
-      sum[r] += (row[0][r] * column[0] + row[1][r] * column[1]) + (row[2][r] * column[2] + row[3][r] * column[3]);
   }
-  for (; k < count; ++k) {
-    const Four row = factor[k] * load(x + k * size + i), column = load(x + k * size + j);
-    for (std::size_t r = 0; r < 4; ++r)
-      sum[r] += row[r] * column;
+  for (std::size_t r = 0; r < 4; ++r) {
+    for (std::size_t t = 0; t < blocks; ++t)
+      store(a + (i + r) * size + j + 4 * t, sum[r][t]);
+  }
+}
+
+// y += A x of the first `row` columns of rows `row` to `row` + 3 of a symmetric A and of what mirrors them; `sums` gets
+// the rows' part, which is not yet in y.
+ORBICUBE_INLINE void symmetric_rows(const double* a, std::size_t stride, std::size_t row, const double* x, double* y,
+                                    double* sums) {
+  std::array<Four, 4> sum{};
+  const double* rows = a + row * stride;
+  std::size_t j = 0;
+  for (; j + 4 <= row; j += 4) {
+    const Four from = load(x + j);
+    std::array<Four, 4> part;
+    for (std::size_t r = 0; r < 4; ++r) {
+      const Four entries = load(rows + r * stride + j);
+      sum[r] += entries * from;
+      part[r] = x[row + r] * entries;
+    }
+    store(y + j, load(y + j) + ((part[0] + part[1]) + (part[2] + part[3])));
   }
   for (std::size_t r = 0; r < 4; ++r)
-    store(a + (i + r) * size + j, sum[r]);
+    sums[r] = (sum[r][0] + sum[r][1]) + (sum[r][2] + sum[r][3]);
 }
 
 }  // namespace
@@ -204,20 +223,6 @@ void subtract_two_products(double* __restrict matrix, std::size_t stride, std::s
     add_two_scaled(matrix + i * stride, -a[i], b, -b[i], a, size);
 }
 
-ORBICUBE_VECTOR_VARIANTS
-void add_two_products(double* __restrict matrix, std::size_t stride, std::size_t size, const double* __restrict first,
-                      const double* __restrict a, const double* __restrict second, const double* __restrict b) {
-  for (std::size_t i = 0; i < size; ++i)
-    add_two_scaled(matrix + i * stride, first[i], a, second[i], b, size);
-}
-
-ORBICUBE_VECTOR_VARIANTS
-void add_square(double* __restrict matrix, std::size_t stride, std::size_t size, double factor,
-                const double* __restrict x) {
-  for (std::size_t i = 0; i < size; ++i)
-    add_scaled(matrix + i * stride, factor * x[i], x, size);
-}
-
 // Two rows at a time, so that a and b are read half as often.
 ORBICUBE_VECTOR_VARIANTS
 void eliminate_two(double* __restrict matrix, std::size_t stride, std::size_t size, std::size_t except,
@@ -255,15 +260,66 @@ void sum_of_squares_lower(double* a, std::size_t size, const double* factor, con
   if (size < 4) {
     std::memset(a, 0, size * size * sizeof *a);
     for (std::size_t k = 0; k < count; ++k)
-      add_square_lower(a, size, factor[k], x + k * size);
+      add_square_lower(a, size, size, factor[k], x + k * size);
     return;
   }
   // The last tiles begin where they fit, and make again what is there already.
   for (std::size_t row = 0; row < size; row += 4) {
     const std::size_t i = row + 4 <= size ? row : size - 4;
-    for (std::size_t j = 0; j < i + 4; j += 4)
-      squares_tile(a, size, factor, x, count, i, j + 4 <= size ? j : size - 4);
+    std::size_t j = 0;
+    for (; j + 8 < i + 4 && j + 12 <= size; j += 12)
+      squares_tile<3>(a, size, factor, x, count, i, j);
+    for (; j + 4 < i + 4 && j + 8 <= size; j += 8)
+      squares_tile<2>(a, size, factor, x, count, i, j);
+    for (; j < i + 4; j += 4)
+      squares_tile<1>(a, size, factor, x, count, i, j + 4 <= size ? j : size - 4);
   }
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void multiply_symmetric(const double* a, std::size_t stride, std::size_t size, const double* x, double* y) {
+  std::size_t i = 0;
+  for (; i + 4 <= size; i += 4) {
+    std::array<double, 4> sums;
+    symmetric_rows(a, stride, i, x, y, sums.data());
+    for (std::size_t r = 0; r < 4; ++r) {
+      const double* row = a + (i + r) * stride + i;
+      for (std::size_t t = 0; t < r; ++t) {
+        sums[r] += row[t] * x[i + t];
+        sums[t] += row[t] * x[i + r];
+      }
+      sums[r] += row[r] * x[i + r];
+    }
+    for (std::size_t r = 0; r < 4; ++r)
+      y[i + r] = sums[r];
+  }
+  for (; i < size; ++i) {
+    const double* row = a + i * stride;
+    y[i] = dot(row, x, i) + row[i] * x[i];
+    add_scaled(y, x[i], row, i);
+  }
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void add_two_products_lower(double* matrix, std::size_t stride, std::size_t size, const double* first, const double* a,
+                            const double* second, const double* b) {
+  std::size_t i = 0;
+  for (; i + 4 <= size; i += 4) {
+    double* rows = matrix + i * stride;
+    for (std::size_t j = 0; j < i; j += 4) {
+      const Four from_a = load(a + j), from_b = load(b + j);
+      for (std::size_t r = 0; r < 4; ++r) {
+        double* to = rows + r * stride + j;
+        store(to, load(to) + (first[i + r] * from_a + second[i + r] * from_b));
+      }
+    }
+    for (std::size_t r = 0; r < 4; ++r) {
+      for (std::size_t j = i; j <= i + r; ++j)
+        rows[r * stride + j] += first[i + r] * a[j] + second[i + r] * b[j];
+    }
+  }
+  for (; i < size; ++i)
+    add_two_scaled(matrix + i * stride, first[i], a, second[i], b, i + 1);
 }
 
 }  // namespace orbicube::trust_region

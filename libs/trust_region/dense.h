@@ -3,6 +3,7 @@
 // The larger ones are in dense.cpp, compiled for wide vectors as well.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -30,6 +31,33 @@ inline double dot(const double* a, const double* b, std::size_t count) {
 
 inline double norm(const double* a, std::size_t count) {
   return std::sqrt(dot(a, a, count));
+}
+
+// Sum and largest of |a_i|; the sum alone says that one is not a number.
+inline double sum_of_magnitudes(const double* a, std::size_t count) {
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> sum{};
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    for (std::size_t k = 0; k < lanes; ++k)
+      sum[k] += std::abs(a[i + k]);
+  }
+  for (; i < count; ++i)
+    sum[0] += std::abs(a[i]);
+  return ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7]));
+}
+
+inline double largest_magnitude(const double* a, std::size_t count) {
+  constexpr std::size_t lanes = 8;
+  std::array<double, lanes> most{};
+  std::size_t i = 0;
+  for (; i + lanes <= count; i += lanes) {
+    for (std::size_t k = 0; k < lanes; ++k)
+      most[k] = std::max(most[k], std::abs(a[i + k]));
+  }
+  for (; i < count; ++i)
+    most[0] = std::max(most[0], std::abs(a[i]));
+  return *std::max_element(most.begin(), most.end());
 }
 
 inline void add_scaled(double* __restrict to, double factor, const double* __restrict from, std::size_t count) {
@@ -61,24 +89,24 @@ void add_combination(double* y, std::size_t size, const double* factor, const do
 // |x_k - from|^2 of `count` rows x_k of `size` one after the other.
 void squared_distances(const double* points, std::size_t size, std::size_t count, const double* from, double* squares);
 
-// A (size x size, rows `stride` apart) += first a' + second b', each of `size` entries.
-void add_two_products(double* matrix, std::size_t stride, std::size_t size, const double* first, const double* a,
-                      const double* second, const double* b);
+// y = A x, A symmetric (size x size, rows `stride` apart); only its lower triangle is read.
+void multiply_symmetric(const double* a, std::size_t stride, std::size_t size, const double* x, double* y);
 
-// A -= a b' + b a', likewise.
+// The lower triangle of A (size x size, rows `stride` apart) += first a' + second b', each of `size` entries.
+void add_two_products_lower(double* matrix, std::size_t stride, std::size_t size, const double* first, const double* a,
+                            const double* second, const double* b);
+
+// A (size x size, rows `stride` apart) -= a b' + b a'.
 void subtract_two_products(double* matrix, std::size_t stride, std::size_t size, const double* a, const double* b);
-
-// A += factor x x', likewise.
-void add_square(double* matrix, std::size_t stride, std::size_t size, double factor, const double* x);
 
 // Row i += first_i a + second_i b, the terms one after the other, for all rows but `except`, which is odd.
 void eliminate_two(double* matrix, std::size_t stride, std::size_t size, std::size_t except, const double* first,
                    const double* a, const double* second, const double* b);
 
-// The lower triangle of A (size x size) += factor x x'.
-inline void add_square_lower(double* a, std::size_t size, double factor, const double* x) {
+// The lower triangle of A (size x size, rows `stride` apart) += factor x x'.
+inline void add_square_lower(double* a, std::size_t stride, std::size_t size, double factor, const double* x) {
   for (std::size_t i = 0; i < size; ++i)
-    add_scaled(a + i * size, factor * x[i], x, i + 1);
+    add_scaled(a + i * stride, factor * x[i], x, i + 1);
 }
 
 // C (rows x columns) += factor A B, A with `inner` columns, all with rows `stride` apart. The terms of an entry are

@@ -37,19 +37,13 @@ Request Solver::improve_geometry() {
   const double radius = std::max(std::min(0.1 * far, 0.5 * state_.radius), state_.resolution);
   double* gradient = gradient_.data();
   double* hessian = hessian_.data();
-  interpolation_.lagrange_function(leaving, gradient, hessian);
+  interpolation_.lagrange_function(leaving, gradient, hessian, coefficients_.data());
   const auto lagrange = [&](const double* s) { return dot(gradient, s, n) + 0.5 * quadratic_form(hessian, n, s); };
   relative_bounds(nullptr);
   const double* low = variables_.bounded() ? low_.data() : nullptr;
   const double* high = variables_.bounded() ? high_.data() : nullptr;
-  quadratic_step_.minimise(gradient, hessian, radius, low, high, step_.data());
-  const double lowest = lagrange(step_.data());
-  for (std::size_t i = 0; i < n; ++i)
-    gradient[i] = -gradient[i];
-  for (std::size_t i = 0; i < n * n; ++i)
-    hessian[i] = -hessian[i];
-  quadratic_step_.minimise(gradient, hessian, radius, low, high, move_.data());
-  const double highest = -lagrange(move_.data());
+  quadratic_step_.minimise_and_maximise(gradient, hessian, radius, low, high, step_.data(), move_.data());
+  const double lowest = lagrange(step_.data()), highest = lagrange(move_.data());
   double most = std::max(-lowest, highest);
   const bool comparable = std::min(-lowest, highest) > 0.7 * most;
   const bool second =

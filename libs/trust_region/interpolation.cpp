@@ -201,9 +201,10 @@ bool Interpolation::rebuild() {
     inverse_row(best_row)[i] = inverse_row(i)[best_row] = 0;
   double* ones = work_.data();
   double* sums = work_.data() + 2 * stride_;
-  std::fill_n(ones, size_, 1.0);
-  multiply(inverse_.data() + n_, stride_, full, size_, ones, sums);
-  sums[best_row] = -dot(sums + n_, ones, size_);
+  std::fill_n(ones, n_, 0.0);
+  std::fill_n(ones + n_, size_, 1.0);
+  multiply_symmetric(inverse_.data(), stride_, full, ones, sums);
+  sums[best_row] = -dot(sums + n_, ones + n_, size_);
   for (std::size_t i = 0; i < full; ++i)
     inverse_row(best_row)[i] = inverse_row(i)[best_row] = -sums[i];
   return true;
@@ -256,6 +257,10 @@ void Interpolation::move_base(double step) {
   const double* move = offset(best_);
   if (!(norm(move, n_) > 10 * step)) return;
   const std::size_t full = n_ + size_;
+  for (std::size_t i = 0; i < full; ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      inverse_row(k)[i] = inverse_row(i)[k];
+  }
   double* shift = work_.data();
   std::copy_n(move, n_, shift);
   const double quarter = 0.25 * dot(shift, shift, n_);
@@ -309,7 +314,7 @@ bool Interpolation::prepare(const double* d) {
   for (std::size_t j = 0; j < size_; ++j)
     difference[n_ + j] = 0.5 * along_step[j] * along_sum[j];
   const std::size_t full = n_ + size_;
-  multiply(inverse_.data(), stride_, full, full, difference, product_.data());
+  multiply_symmetric(inverse_.data(), stride_, full, difference, product_.data());
   const double quadratic = dot(difference, product_.data(), full);
   product_[n_ + best_] += 1;
   beta_ = along * along + square * (from_square + 2 * along + 0.5 * square) - quadratic;
@@ -322,12 +327,19 @@ bool Interpolation::prepare(const double* d) {
   return std::abs(total - 1) <= 1e-7 * std::max(1.0, magnitude);
 }
 
+// Of the whole inverse, from its lower triangle.
+void Interpolation::copy_inverse_row(std::size_t row, double* to) const {
+  std::copy_n(inverse_row(row), row + 1, to);
+  for (std::size_t i = row + 1; i < n_ + size_; ++i)
+    to[i] = inverse_row(i)[row];
+}
+
 bool Interpolation::replace(std::size_t j) {
   const std::size_t full = n_ + size_, row = n_ + j;
   const double tau = product_[row], a = alpha(j), sigma = a * beta_ + tau * tau;
   if (!(std::abs(sigma) > 1e-12 * std::max(1.0, tau * tau)) || !std::isfinite(sigma)) return false;
   double* column = work_.data();
-  std::copy_n(inverse_row(row), full, column);
+  copy_inverse_row(row, column);
   double* away = work_.data() + stride_;
   double* first = work_.data() + 2 * stride_;
   double* second = work_.data() + 3 * stride_;
@@ -338,7 +350,7 @@ bool Interpolation::replace(std::size_t j) {
     first[i] = (a * away[i] + tau * column[i]) / sigma;
     second[i] = (tau * away[i] - beta_ * column[i]) / sigma;
   }
-  add_two_products(inverse_.data(), stride_, full, first, away, second, column);
+  add_two_products_lower(inverse_.data(), stride_, full, first, away, second, column);
   std::copy_n(new_point_.data(), n_, points_.data() + j * n_);
   put_offset(j, new_offset_.data());
   ++updates_;
@@ -347,24 +359,28 @@ bool Interpolation::replace(std::size_t j) {
 
 bool Interpolation::sound(std::size_t j) {
   if (j == best_) return true;
-  const double* row = inverse_row(n_ + j);
+  double* row = work_.data();
+  double* there = work_.data() + stride_;
+  double* here = work_.data() + 2 * stride_;
+  copy_inverse_row(n_ + j, row);
   double value = 0;
   for (std::size_t i = 0; i < n_; ++i)
     value += row[i] * (point(j)[i] - point(best_)[i]);
   // The difference of its quadratic part between the two points.
-  for (std::size_t k = 0; k < size_; ++k) {
-    const double there = dot(offset(k), offset(j), n_), here = dot(offset(k), offset(best_), n_);
-    value += 0.5 * row[n_ + k] * (there - here) * (there + here);
-  }
+  combination(there, size_, offset(j), across_.data(), capacity_, n_);
+  combination(here, size_, offset(best_), across_.data(), capacity_, n_);
+  for (std::size_t k = 0; k < size_; ++k)
+    there[k] = 0.5 * (there[k] - here[k]) * (there[k] + here[k]);
+  value += dot(row + n_, there, size_);
   return std::abs(value - 1) < 1e-3;
 }
 
 bool Interpolation::append() {
   const std::size_t full = n_ + size_;
   if (size_ == capacity_ || !(beta_ > 0)) return false;
-  add_square(inverse_.data(), stride_, full, 1 / beta_, product_.data());
+  add_square_lower(inverse_.data(), stride_, full, 1 / beta_, product_.data());
   for (std::size_t i = 0; i < full; ++i)
-    inverse_row(i)[full] = inverse_row(full)[i] = -product_[i] / beta_;
+    inverse_row(full)[i] = -product_[i] / beta_;
   inverse_row(full)[full] = 1 / beta_;
   std::copy_n(new_point_.data(), n_, points_.data() + size_ * n_);
   put_offset(size_, new_offset_.data());
@@ -379,13 +395,13 @@ bool Interpolation::remove(std::size_t j) {
   const bool good = a > 0 && std::isfinite(a);
   if (good) {
     double* column = work_.data();
-    std::copy_n(inverse_row(row), full, column);
-    add_square(inverse_.data(), stride_, full, -1 / a, column);
+    copy_inverse_row(row, column);
+    add_square_lower(inverse_.data(), stride_, full, -1 / a, column);
   }
   if (row != last) {
-    std::copy_n(inverse_row(last), full, inverse_row(row));
-    for (std::size_t i = 0; i < full; ++i)
-      inverse_row(i)[row] = inverse_row(i)[last];
+    std::copy_n(inverse_row(last), row, inverse_row(row));
+    for (std::size_t i = row + 1; i < last; ++i)
+      inverse_row(i)[row] = inverse_row(last)[i];
     inverse_row(row)[row] = inverse_row(last)[last];
     std::copy_n(point(size_ - 1), n_, points_.data() + j * n_);
     put_offset(j, offset(size_ - 1));
@@ -411,30 +427,26 @@ void Interpolation::move_gradient(const double* coefficients, double* gradient) 
   }
 }
 
-void Interpolation::lagrange_function(std::size_t j, double* gradient, double* hessian) const {
-  const double* row = inverse_row(n_ + j);
-  std::copy_n(row, n_, gradient);
-  move_gradient(row + n_, gradient);
-  sum_of_squares_lower(hessian, n_, row + n_, offsets_.data(), size_);
+void Interpolation::quadratic(const double* coefficients, double* gradient, double* hessian) const {
+  std::copy_n(coefficients, n_, gradient);
+  move_gradient(coefficients + n_, gradient);
+  sum_of_squares_lower(hessian, n_, coefficients + n_, offsets_.data(), size_);
   mirror_lower(hessian, n_);
+}
+
+void Interpolation::lagrange_function(std::size_t j, double* gradient, double* hessian, double* coefficients) const {
+  copy_inverse_row(n_ + j, coefficients);
+  quadratic(coefficients, gradient, hessian);
 }
 
 void Interpolation::interpolant(const double* values, double* gradient, double* hessian, double* work) const {
   // Of the values minus the one at the best point.
   double* shifted = work + stride_;
+  std::fill_n(shifted, n_, 0.0);
   for (std::size_t j = 0; j < size_; ++j)
-    shifted[j] = values[j] - values[best_];
-  for (std::size_t i = 0; i < n_ + size_; ++i)
-    work[i] = dot(inverse_row(i) + n_, shifted, size_);
-  std::copy_n(work, n_, gradient);
-  move_gradient(work + n_, gradient);
-  sum_of_squares_lower(hessian, n_, work + n_, offsets_.data(), size_);
-  mirror_lower(hessian, n_);
-}
-
-double Interpolation::coefficient(std::size_t j, const double* values) const {
-  // Rows of the points sum to zero over the points, so that no constant matters.
-  return dot(inverse_row(n_ + j) + n_, values, size_);
+    shifted[n_ + j] = values[j] - values[best_];
+  multiply_symmetric(inverse_.data(), stride_, n_ + size_, shifted, work);
+  quadratic(work, gradient, hessian);
 }
 
 void Interpolation::transform(const double* c, const double* best) {

@@ -68,14 +68,12 @@ class Interpolation {
   // Point j goes; the last one takes its place.
   bool remove(std::size_t j);
 
-  // Gradient at the best point (n) and Hessian (n x n, symmetric) of Lagrange function j.
-  void lagrange_function(std::size_t j, double* gradient, double* hessian) const;
+  // Gradient at the best point (n) and Hessian (n x n, symmetric) of Lagrange function j. `coefficients` (n + size()
+  // entries) gets its gradient at the base, then what multiplies each (s_j'x)^2 / 2.
+  void lagrange_function(std::size_t j, double* gradient, double* hessian, double* coefficients) const;
   // The same of sum_j b_j l_j, the interpolant of `values` (size() entries) without memory. b of the best point counts
-  // as the constant.
+  // as the constant. work: 2 (n + capacity) entries.
   void interpolant(const double* values, double* gradient, double* hessian, double* work) const;
-
-  // The coefficient of point j's (s_j'x)^2 / 2 in that interpolant.
-  double coefficient(std::size_t j, const double* values) const;
 
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit) {
@@ -92,6 +90,8 @@ class Interpolation {
   const double* inverse_row(std::size_t i) const { return inverse_.data() + i * stride_; }
   void put_offset(std::size_t j, const double* s);
   void put_base();
+  void copy_inverse_row(std::size_t row, double* to) const;
+  void quadratic(const double* coefficients, double* gradient, double* hessian) const;
   void move_gradient(const double* coefficients, double* gradient) const;
   double residual(std::size_t count);
   bool refine(std::size_t count);
@@ -100,10 +100,11 @@ class Interpolation {
   std::size_t size_ = 0, best_ = 0;
   std::uint64_t updates_ = 0, rebuilds_ = 0;
   double beta_ = 0;
-  base::Array<double> points_, offsets_;             // capacity x n
-  base::Array<double> across_;                       // n x capacity: the offsets by coordinates
-  base::Array<double> base_;                         // n
-  base::Array<double> inverse_;                      // stride x stride, rows: gradient (n), then points
+  base::Array<double> points_, offsets_;  // capacity x n
+  base::Array<double> across_;            // n x capacity: the offsets by coordinates
+  base::Array<double> base_;              // n
+  // stride x stride, rows: gradient (n), then points. Symmetric: updates leave what is above the diagonal behind.
+  base::Array<double> inverse_;
   base::Array<double> product_;                      // inverse times w of the prepared point
   base::Array<double> new_point_, new_offset_;       // n
   base::Array<double> work_, matrix_, work_square_;  // for rebuild()

@@ -58,7 +58,7 @@ bool Solver::adapt_metric() {
     std::fill_n(matrix, n * n, 0.0);
     for (std::size_t k = 0; k < n; ++k) {
       const double length = values[k] / middle;
-      add_square_lower(matrix, n, factor * (inverse ? 1 / length : length), vectors + k * n);
+      add_square_lower(matrix, n, n, factor * (inverse ? 1 / length : length), vectors + k * n);
     }
     mirror_lower(matrix, n);
   };

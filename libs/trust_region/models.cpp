@@ -88,11 +88,13 @@ void Models::leave(const Interpolation& interpolation, std::size_t j) {
     stale_ = 1;
     return;
   }
-  interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data());
+  interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data(), work_.data());
+  // The coefficients of the Lagrange function sum to zero over the points, so that no constant of the values matters.
+  const double* coefficients = work_.data() + n_;
   for (std::size_t i = 0; i < outputs_; ++i) {
     for (std::size_t k = 0; k < interpolation.size(); ++k)
       values_[k] = row(k)[i];
-    const double factor = -interpolation.coefficient(j, values_.data()) / alpha;
+    const double factor = -dot(coefficients, values_.data(), interpolation.size()) / alpha;
     add_scaled(afresh_.gradient.data() + i * n_, factor, lagrange_gradient_.data(), n_);
     add_scaled(afresh_.hessian.data() + i * n_ * n_, factor, lagrange_hessian_.data(), n_ * n_);
   }
@@ -109,7 +111,7 @@ void Models::expect(const double* d, const double* outputs, std::size_t best) {
 }
 
 void Models::learn(const Interpolation& interpolation, std::size_t j) {
-  interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data());
+  interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data(), work_.data());
   const auto add = [&](Family& family, const base::Array<double>& surprise) {
     for (std::size_t i = 0; i < outputs_; ++i) {
       add_scaled(family.gradient.data() + i * n_, surprise[i], lagrange_gradient_.data(), n_);
@@ -207,7 +209,7 @@ void Models::expand(const double* d, std::size_t best, double* gradient, double*
     add_scaled(gradient, weight, slope, n_);
     for (std::size_t k = 0; k < n_; ++k)
       add_scaled(hessian + k * n_, weight, curvature + k * n_, k + 1);
-    add_square_lower(hessian, n_, 2 * sign_[i], slope);
+    add_square_lower(hessian, n_, n_, 2 * sign_[i], slope);
   }
   mirror_lower(hessian, n_);
 }

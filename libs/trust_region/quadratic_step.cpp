@@ -17,6 +17,9 @@ constexpr double accuracy_of_length = 1e-9, accuracy_of_value = 1e-14;
 QuadraticStep::QuadraticStep(std::size_t n, std::pmr::memory_resource* memory)
     : n_(n),
       tridiagonal_(n, memory),
+      gradient_(n, 0.0, memory),
+      diagonal_(n, 0.0, memory),
+      below_(n, 0.0, memory),
       inverse_pivot_(n, 0.0, memory),
       lower_(n, 0.0, memory),
       rotated_(n, 0.0, memory),
@@ -29,14 +32,31 @@ QuadraticStep::QuadraticStep(std::size_t n, std::pmr::memory_resource* memory)
 
 void QuadraticStep::minimise(const double* gradient, const double* matrix, double radius, const double* lower,
                              const double* upper, double* s) {
-  std::fill_n(s, n_, 0.0);
-  if (lower == nullptr) {
-    std::copy_n(matrix, n_ * n_, tridiagonal_.matrix());
-    minimise_in_ball(n_, gradient, radius, s);
+  if (lower != nullptr) {
+    minimise_in_box(1, gradient, matrix, radius, lower, upper, s);
     return;
   }
+  std::copy_n(matrix, n_ * n_, tridiagonal_.matrix());
+  reduce(n_, gradient);
+  minimise_in_ball(1, n_, radius, s);
+}
+
+void QuadraticStep::minimise_and_maximise(const double* gradient, const double* matrix, double radius,
+                                          const double* lower, const double* upper, double* lowest, double* highest) {
+  minimise(gradient, matrix, radius, lower, upper, lowest);
+  if (lower == nullptr) {
+    minimise_in_ball(-1, n_, radius, highest);
+  } else {
+    minimise_in_box(-1, gradient, matrix, radius, lower, upper, highest);
+  }
+}
+
+// The quadratic is multiplied by `sign`.
+void QuadraticStep::minimise_in_box(double sign, const double* gradient, const double* matrix, double radius,
+                                    const double* lower, const double* upper, double* s) {
+  std::fill_n(s, n_, 0.0);
   for (std::size_t i = 0; i < n_; ++i) {
-    fixed_[i] = (lower[i] >= 0 && gradient[i] >= 0) || (upper[i] <= 0 && gradient[i] <= 0) ? 1 : 0;
+    fixed_[i] = (lower[i] >= 0 && sign * gradient[i] >= 0) || (upper[i] <= 0 && sign * gradient[i] <= 0) ? 1 : 0;
   }
   for (std::size_t round = 0; round <= n_; ++round) {
     std::size_t count = 0;
@@ -59,7 +79,8 @@ void QuadraticStep::minimise(const double* gradient, const double* matrix, doubl
       for (std::size_t b = 0; b < count; ++b)
         tridiagonal_.matrix()[a * count + b] = row[free_[b]];
     }
-    minimise_in_ball(count, free_gradient_.data(), std::sqrt(left), free_step_.data());
+    reduce(count, free_gradient_.data());
+    minimise_in_ball(sign, count, std::sqrt(left), free_step_.data());
     // Along the way there, up to the first bound.
     double part = 1;
     std::size_t hit = count;
@@ -86,15 +107,13 @@ void QuadraticStep::minimise(const double* gradient, const double* matrix, doubl
 
 // Pivots of T + shift I = LDL'; false unless it is positive definite.
 bool QuadraticStep::factorise(std::size_t size, double shift) {
-  const double* diagonal = tridiagonal_.diagonal();
-  const double* below = tridiagonal_.below();
-  double pivot = diagonal[0] + shift;
+  double pivot = diagonal_[0] + shift;
   for (std::size_t i = 0;; ++i) {
     if (!(pivot > 0)) return false;
     inverse_pivot_[i] = 1 / pivot;
     if (i + 1 == size) return true;
-    lower_[i] = below[i] * inverse_pivot_[i];
-    pivot = diagonal[i + 1] + shift - below[i] * lower_[i];
+    lower_[i] = below_[i] * inverse_pivot_[i];
+    pivot = diagonal_[i + 1] + shift - below_[i] * lower_[i];
   }
 }
 
@@ -125,29 +144,38 @@ double QuadraticStep::lowest_direction(std::size_t size, double* z) {
   return curvature;
 }
 
-// Of the matrix in tridiagonal_, which is lost. More and Sorensen 1983, section 3: Newton's iteration for the shift at
-// which |s(shift)| = radius on 1 / |s| - 1 / radius, which is nearly linear, within a bracket; where s stays short
-// although T + shift I is nearly singular (the hard case), the lowest eigenvector is added.
-void QuadraticStep::minimise_in_ball(std::size_t size, const double* gradient, double radius, double* s) {
-  std::fill_n(s, size, 0.0);
-  double magnitude = 0;
-  for (std::size_t i = 0; i < size; ++i)
-    magnitude += std::abs(gradient[i]);
-  for (std::size_t i = 0; i < size * size; ++i)
-    magnitude += std::abs(tridiagonal_.matrix()[i]);
-  if (!(magnitude < 1e250) || !(magnitude > 0) || !(radius > 0)) return;
+// The matrix in tridiagonal_ and the gradient in its coordinates, for minimise_in_ball().
+void QuadraticStep::reduce(std::size_t size, const double* gradient) {
+  double* matrix = tridiagonal_.matrix();
+  const double magnitude = sum_of_magnitudes(gradient, size) + sum_of_magnitudes(matrix, size * size);
+  tractable_ = magnitude < 1e250 && magnitude > 0;
+  if (!tractable_) return;
   // Products of squares must neither vanish nor overflow.
   const double unit = magnitude < 1e-60 || magnitude > 1e60 ? 1 / magnitude : 1;
   for (std::size_t i = 0; unit != 1 && i < size * size; ++i)
-    tridiagonal_.matrix()[i] *= unit;
+    matrix[i] *= unit;
   tridiagonal_.reduce(size);
-  const double* diagonal = tridiagonal_.diagonal();
-  const double* below = tridiagonal_.below();
-  double* right = rotated_.data();
   for (std::size_t i = 0; i < size; ++i)
-    right[i] = -gradient[i] * unit;
-  const double slope = norm(right, size);
-  tridiagonal_.to_reduced(right);
+    gradient_[i] = gradient[i] * unit;
+  slope_ = norm(gradient_.data(), size);
+  tridiagonal_.to_reduced(gradient_.data());
+}
+
+// More and Sorensen 1983, section 3: Newton's iteration for the shift at which |s(shift)| = radius on 1 / |s| - 1 /
+// radius, which is nearly linear, within a bracket; where s stays short although T + shift I is nearly singular (the
+// hard case), the lowest eigenvector is added. The quadratic is multiplied by `sign`.
+void QuadraticStep::minimise_in_ball(double sign, std::size_t size, double radius, double* s) {
+  std::fill_n(s, size, 0.0);
+  if (!tractable_ || !(radius > 0)) return;
+  double* diagonal = diagonal_.data();
+  double* below = below_.data();
+  double* right = rotated_.data();
+  for (std::size_t i = 0; i < size; ++i) {
+    diagonal[i] = sign * tridiagonal_.diagonal()[i];
+    if (i + 1 < size) below[i] = sign * tridiagonal_.below()[i];
+    right[i] = -sign * gradient_[i];
+  }
+  const double slope = slope_;
 
   // Gershgorin's bounds of the eigenvalues, and from them of the shift.
   double bottom = std::numeric_limits<double>::infinity(), top = -bottom, least = bottom;

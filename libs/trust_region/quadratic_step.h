@@ -19,15 +19,25 @@ class QuadraticStep {
   // lower <= 0 <= upper, n each, or both null. s (n) is within the bounds exactly and in the ball to rounding.
   void minimise(const double* gradient, const double* matrix, double radius, const double* lower, const double* upper,
                 double* s);
+  // The minimiser, and that of the quadratic with the opposite sign.
+  void minimise_and_maximise(const double* gradient, const double* matrix, double radius, const double* lower,
+                             const double* upper, double* lowest, double* highest);
 
  private:
-  void minimise_in_ball(std::size_t size, const double* gradient, double radius, double* s);
+  void minimise_in_box(double sign, const double* gradient, const double* matrix, double radius, const double* lower,
+                       const double* upper, double* s);
+  void reduce(std::size_t size, const double* gradient);
+  void minimise_in_ball(double sign, std::size_t size, double radius, double* s);
   bool factorise(std::size_t size, double shift);
   void solve(std::size_t size, const double* right, double* x) const;
   double lowest_direction(std::size_t size, double* z);
 
   std::size_t n_;
+  bool tractable_ = false;                            // B and g are finite, and not both zero
+  double slope_ = 0;                                  // |g|
   Tridiagonal tridiagonal_;                           // of the free part of B
+  base::Array<double> gradient_;                      // g in its coordinates
+  base::Array<double> diagonal_, below_;              // of it, with the sign wanted
   base::Array<double> inverse_pivot_, lower_;         // its factors LDL'
   base::Array<double> rotated_, trial_, derivative_;  // n each
   base::Array<double> free_gradient_, free_step_;

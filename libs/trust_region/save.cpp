@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t fingerprint;  // of the problem
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCTRGN3", "trust_region");
+constexpr base::SavedRun<Description> saved_run("OBCTRGN4", "trust_region");
 
 }  // namespace
 

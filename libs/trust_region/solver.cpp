@@ -86,6 +86,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       high_(variables_.free_size(), 0.0, host.memory),
       candidate_(variables_.free_size(), 0.0, host.memory),
       squares_(interpolation_.capacity(), 0.0, host.memory),
+      coefficients_(variables_.free_size() + interpolation_.capacity(), 0.0, host.memory),
       basis_(variables_.free_size() * variables_.free_size(), 0.0, host.memory),
       eigen_(variables_.free_size(), host.memory) {
   require(start.size() == problem.n || start.empty(), "the start must have n entries");

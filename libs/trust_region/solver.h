@@ -158,8 +158,9 @@ class Solver {
   base::Array<double> requests_;      // the same rows as the caller sees them
   base::Array<double> told_, error_;  // outputs
   base::Array<double> step_, gradient_, hessian_, move_, low_, high_, candidate_;
-  base::Array<double> squares_;  // of the points' distances
-  base::Array<double> basis_;    // free x free, for plan_axes() and adapt_metric()
+  base::Array<double> squares_;       // of the points' distances
+  base::Array<double> coefficients_;  // of a Lagrange function
+  base::Array<double> basis_;         // free x free, for plan_axes() and adapt_metric()
   Tridiagonal eigen_;
 };
 

@@ -32,8 +32,8 @@ Interpolation random_set(std::size_t n, std::size_t capacity, std::size_t count,
 
 double lagrange_at(const Interpolation& set, std::size_t j, const double* x) {
   const std::size_t n = set.dimension();
-  std::vector<double> gradient(n), hessian(n * n), d(n);
-  set.lagrange_function(j, gradient.data(), hessian.data());
+  std::vector<double> gradient(n), hessian(n * n), coefficients(n + set.size()), d(n);
+  set.lagrange_function(j, gradient.data(), hessian.data(), coefficients.data());
   for (std::size_t i = 0; i < n; ++i)
     d[i] = x[i] - set.point(set.best())[i];
   return (j == set.best() ? 1.0 : 0.0) + trust_region::dot(gradient.data(), d.data(), n) +
