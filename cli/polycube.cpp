@@ -8,7 +8,7 @@
 #include "mesh/orient.h"
 #include "mesh/topology.h"
 #include "mesh/write.h"
-#include "polycube/voxel_construction.h"
+#include "polycube/construction.h"
 #include "surface_file.h"
 #include "verbs.h"
 
@@ -19,7 +19,7 @@ struct PolycubeOptions {
   std::string input;
   std::string output;
   std::string surface;
-  std::string construct = "labels";
+  std::string construct = "auto";
   std::size_t corners = 0;
   bool text = false;
   bool weld = false;
@@ -71,6 +71,11 @@ void write_exactly(const std::string& path, const base::Array<mesh::Vector3>& po
   });
 }
 
+polycube::Method method_named(const std::string& name) {
+  if (name == "labels") return polycube::Method::labels;
+  return name == "voxels" ? polycube::Method::voxels : polycube::Method::automatic;
+}
+
 void polycube(const PolycubeOptions& options, Session& session) {
   require_writable(options.output);
   require_exact_format(options.output);
@@ -82,13 +87,14 @@ void polycube(const PolycubeOptions& options, Session& session) {
                        {"corners", options.corners}, {"text", options.text},       {"weld", options.weld}};
   const mesh::Mesh input = read_surface(options, session);
   const double start = session.seconds();
-  const polycube::Construction made = about(options.input, Role::input, [&] {
-    if (options.construct == "voxels")
-      return polycube::construct_by_voxels(input.positions, input.triangles, {.corners = options.corners},
-                                           session.host());
-    return polycube::construct_by_labels(input.positions, input.triangles,
-                                         {.corners = options.corners, .seed = session.seed()}, session.host());
+  const polycube::BestConstruction best = about(options.input, Role::input, [&] {
+    return polycube::construct(
+        input.positions, input.triangles,
+        {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
+        session.host());
   });
+  const polycube::Construction& made = best.made;
+  const std::string method = best.method == polycube::Method::labels ? "labels" : "voxels";
   const double constructed = session.seconds();
   const polycube::SurfaceMap& map = made.map;
   write_exactly(options.output, map.polycube, map.triangles, options.text, session);
@@ -106,6 +112,7 @@ void polycube(const PolycubeOptions& options, Session& session) {
                                   {"area_mean", made.distortion.area_mean},
                                   {"angle_weighted_mean", made.distortion.angle_weighted_mean},
                                   {"area_weighted_mean", made.distortion.area_weighted_mean}}},
+                                {"construction", method},
                                 {"polycubes_tried", made.tried},
                                 {"polycubes_valid", made.valid},
                                 {"seconds_construct", constructed - start},
@@ -115,6 +122,8 @@ void polycube(const PolycubeOptions& options, Session& session) {
   session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
               " corners and " + std::to_string(made.certificate.patches) + " faces, genus " +
               std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
+  session.say("  constructed by " + method + ", " + std::to_string(made.valid) + " valid maps in " +
+              std::to_string(made.tried) + " attempts");
   session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_mean) + ", of areas " +
               std::to_string(made.distortion.area_mean) + " (1: none)");
   if (!options.surface.empty()) session.say("wrote " + options.surface);
@@ -131,10 +140,12 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
       ->type_name("OUT");
   verb->add_option("--surface", options->surface, "the surface with the same vertices and triangles as OUT")
       ->type_name("OUT2");
-  verb->add_option("--construct", options->construct, "how the polycube is found: labels or voxels (labels)")
-      ->check(unnamed(CLI::IsMember({"labels", "voxels"})))
+  verb->add_option("--construct", options->construct, "how the polycube is found: auto, labels or voxels (auto)")
+      ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels"})))
       ->type_name("METHOD");
-  verb->add_option("--corners", options->corners, "corners of the polycube at most; 0: any number (0)")->type_name("N");
+  verb->add_option("--corners", options->corners, "corners of the polycube at most; 0: any number (0)")
+      ->check(unnamed(CLI::Range(0, 1'000'000)))
+      ->type_name("N");
   verb->add_flag("--text", options->text, "text rather than binary PLY and VTK");
   verb->add_flag("--weld", options->weld, "join vertices at identical positions if the surface is not closed");
   add_common_options(*verb, common);

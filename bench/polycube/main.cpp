@@ -1,10 +1,10 @@
 // Polycubes of surfaces in one fixed setting: whether there is a certified map, its corners and distortion, and the
 // seconds of the processor that it took.
 //
-//     bench-polycube [-v] [-c CORNERS] [-o FOLDER] [surface files...]
+//     bench-polycube [-v] [--construct METHOD] [--corners N] [-o FOLDER] [surface files...]
 //
-// Without files, shapes made by the project. -v prints what became of each labelling, -o keeps NAME.surface.ply and
-// NAME.polycube.ply for judging.
+// Without files, shapes made by the project. METHOD: auto, labels or voxels. -v prints what became of each attempt, -o
+// keeps NAME.surface.ply and NAME.polycube.ply for judging.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -17,7 +17,7 @@
 #include "mesh/orient.h"
 #include "mesh/read.h"
 #include "mesh/write.h"
-#include "polycube/label_construction.h"
+#include "polycube/construction.h"
 
 using namespace orbicube;
 
@@ -27,19 +27,19 @@ struct Counts {
   std::size_t shapes = 0, valid = 0, low = 0;  // low: both means at most 2
 };
 
-void row(const std::string& name, mesh::Mesh surface, std::size_t corners, const std::string& folder,
-         const base::Host& host, Counts& counts) {
+void row(const std::string& name, mesh::Mesh surface, const polycube::ConstructionOptions& options,
+         const std::string& folder, const base::Host& host, Counts& counts) {
   const double start = bench::cpu_seconds();
   ++counts.shapes;
   try {
     mesh::orient(surface.positions, surface.triangles, host);
-    const polycube::Construction made =
-        polycube::construct_by_labels(surface.positions, surface.triangles, {.corners = corners}, host);
+    const auto [made, method] = polycube::construct(surface.positions, surface.triangles, options, host);
     ++counts.valid;
     counts.low += made.distortion.angle_mean <= 2 && made.distortion.area_mean <= 2;
-    std::printf("%-18s %8zu %3ld %5zu %8.3f %7.3f %7.1f\n", name.c_str(), surface.triangles.size(),
+    std::printf("%-18s %8zu %3ld %5zu %8.3f %7.3f %7.1f  %s, %zu of %zu\n", name.c_str(), surface.triangles.size(),
                 static_cast<long>(made.certificate.genus), made.certificate.corners, made.distortion.angle_mean,
-                made.distortion.area_mean, bench::cpu_seconds() - start);
+                made.distortion.area_mean, bench::cpu_seconds() - start,
+                method == polycube::Method::labels ? "labels" : "voxels", made.valid, made.tried);
     if (!folder.empty()) {
       mesh::Mesh out;
       out.triangles = made.map.triangles;
@@ -55,33 +55,44 @@ void row(const std::string& name, mesh::Mesh surface, std::size_t corners, const
   std::fflush(stdout);
 }
 
+polycube::Method method_named(const std::string& name) {
+  if (name == "labels") return polycube::Method::labels;
+  if (name == "voxels") return polycube::Method::voxels;
+  if (name == "auto") return polycube::Method::automatic;
+  std::fprintf(stderr, "no construction %s: auto, labels or voxels\n", name.c_str());
+  std::exit(2);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   base::Host host;
-  std::size_t corners = 0;
+  polycube::ConstructionOptions options;
   std::string folder;
   std::vector<std::string> files;
   for (int i = 1; i < argc; ++i) {
     const std::string word = argv[i];
     if (word == "-v")
       host.on_log = [](const std::string& line) { std::printf("  %s\n", line.c_str()); };
-    else if (word == "-c" && i + 1 < argc)
-      corners = static_cast<std::size_t>(std::strtoul(argv[++i], nullptr, 10));
+    else if (word == "--corners" && i + 1 < argc)
+      options.corners = static_cast<std::size_t>(std::strtoul(argv[++i], nullptr, 10));
+    else if (word == "--construct" && i + 1 < argc)
+      options.method = method_named(argv[++i]);
     else if (word == "-o" && i + 1 < argc)
       folder = argv[++i];
     else
       files.push_back(word);
   }
-  std::printf("%-18s %8s %3s %5s %8s %7s %7s\n", "shape", "faces", "g", "corn.", "angle", "area", "s");
+  std::printf("%-18s %8s %3s %5s %8s %7s %7s\n", "shape", "faces", "g", "corn.", "angle", "area",
+              "s");  // then the construction, its valid maps and attempts
   Counts counts;
   if (files.empty()) {
     for (const mesh::ShapeDescription& shape : mesh::shapes())
-      row(shape.name, mesh::make_shape(shape.name, {.triangles = 20'000}, host), corners, folder, host, counts);
+      row(shape.name, mesh::make_shape(shape.name, {.triangles = 20'000}, host), options, folder, host, counts);
   }
   for (const std::string& file : files) {
     try {
-      row(std::filesystem::path(file).filename().string(), mesh::read_mesh(file, {}, host), corners, folder, host,
+      row(std::filesystem::path(file).filename().string(), mesh::read_mesh(file, {}, host), options, folder, host,
           counts);
     } catch (const base::Error& error) {
       std::printf("%s: %s: %s\n", file.c_str(), error.kind(), error.what());

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <span>
@@ -14,7 +15,7 @@
 #include "mesh/surface_check.h"
 #include "mesh/topology.h"
 #include "polycube/certificate.h"
-#include "polycube/label_construction.h"
+#include "polycube/construction.h"
 
 using namespace orbicube;
 using mesh::Triangle;
@@ -26,6 +27,7 @@ struct obc_polycube {
   polycube::SurfaceMap map;
   std::size_t corners = 0;
   std::size_t patches = 0;
+  std::int32_t construction = -1;
 };
 
 namespace {
@@ -36,9 +38,10 @@ void copy(const base::Array<Element>& from, Number* to) {
 }
 
 obc_polycube_options default_options() {
-  const polycube::LabelConstructionOptions defaults;
+  const polycube::ConstructionOptions defaults;
   obc_polycube_options o{};
   o.struct_size = sizeof o;
+  o.construction = OBC_POLYCUBE_AUTO;
   o.corners = defaults.corners;
   o.seed = defaults.seed;
   return o;
@@ -103,14 +106,18 @@ obc_status obc_polycube_compute(const obc_surface* surface, const obc_polycube_o
     *out = nullptr;
     const capi::SurfaceView s(surface);
     const obc_polycube_options o = capi::copy_versioned(options, default_options());
+    capi::require(o.construction >= OBC_POLYCUBE_AUTO && o.construction <= OBC_POLYCUBE_VOXELS,
+                  "construction is not one of OBC_POLYCUBE_...");
     auto made = std::make_unique<obc_polycube>(host);
     const base::Host& on = made->adapter.host();
     require_one_surface(s, on);
-    polycube::Construction construction =
-        polycube::construct_by_labels(s.positions, s.triangles, {.corners = o.corners, .seed = o.seed}, on);
-    made->map = std::move(construction.map);
-    made->corners = construction.certificate.corners;
-    made->patches = construction.certificate.patches;
+    auto [best, method] = polycube::construct(
+        s.positions, s.triangles,
+        {.method = static_cast<polycube::Method>(o.construction), .corners = o.corners, .seed = o.seed}, on);
+    made->map = std::move(best.map);
+    made->corners = best.certificate.corners;
+    made->patches = best.certificate.patches;
+    made->construction = static_cast<std::int32_t>(method);
     *out = made.release();
   });
 }
@@ -133,6 +140,10 @@ size_t obc_polycube_corner_count(const obc_polycube* map) {
 
 size_t obc_polycube_patch_count(const obc_polycube* map) {
   return map != nullptr ? map->patches : 0;
+}
+
+int32_t obc_polycube_construction(const obc_polycube* map) {
+  return map != nullptr ? map->construction : -1;
 }
 
 obc_status obc_polycube_copy(const obc_polycube* map, double* positions, double* polycube, uint32_t* triangles,

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "base/error.h"
 #include "polycube/planar_star.h"
@@ -112,8 +111,7 @@ class LayoutMap {
       image_[v] = image_[w];
       star_.gather(view(), v);
       if (star_.place(view())) break;
-      if (attempt == most_attempts)
-        throw base::Error("no-valid-result", "no place on the polycube for vertex " + std::to_string(v));
+      if (attempt == most_attempts) throw base::Error("no-valid-result", "a vertex finds no place on the polycube");
       // Its surroundings make room.
       surface_.collapse(h);
       for (int round = 0; round < 4 << attempt; ++round) {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "base/error.h"
 #include "mesh/topology.h"
@@ -15,62 +15,110 @@ namespace {
 // Corners when there is no budget: what follows a shape's parts and leaves each room.
 constexpr std::size_t plenty = 100;
 
-// Adds to what was tried; whether it is valid is in the certificate.
-void attempt(const VoxelSolid& solid, std::span<const Vector3> positions, std::span<const Triangle> triangles,
-             Construction& construction, const base::Host& host) {
-  ++construction.tried;
-  const Layout layout = make_layout(solid, host);
-  EditableSurface surface(positions, triangles, host);
-  Drawing drawing = trace(layout, surface, host);
-  construction.map = map_layout(layout, surface, drawing, {}, host);
-  construction.certificate = certify(construction.map, host);
-  if (!construction.certificate.valid()) throw base::Error("no-valid-result", construction.certificate.reason);
-  construction.distortion = measure_distortion(construction.map, host);
-  ++construction.valid;
-}
+class VoxelConstruction {
+ public:
+  VoxelConstruction(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                    const VoxelConstructionOptions& options, const base::Host& host)
+      : positions_(positions),
+        triangles_(triangles),
+        options_(options),
+        host_(host),
+        genus_(genus_of(positions, triangles, host)),
+        occupancy_(positions, triangles, occupancy_resolution, host),
+        made_(host.memory) {}
 
-bool no_valid_result(const base::Error& error) {
-  return std::string_view(error.kind()) == "no-valid-result";
-}
+  Construction run() {
+    // Grids that begin finer or coarser make other polycubes.
+    for (const int least_cells : {40, 60, 20, 84}) {
+      if (try_grid(least_cells)) return std::move(made_);
+    }
+    std::string reasons;
+    for (const Failure& failure : failures_)
+      reasons +=
+          (reasons.empty() ? "" : "; ") + failure.reason + failure.corners + (failure.corners.empty() ? "" : ")");
+    throw base::Error("no-valid-result",
+                      "no polycube of " + std::to_string(made_.tried) + " has a valid map: " + reasons);
+  }
+
+ private:
+  // One reason, and the numbers of corners of the polycubes that it met.
+  struct Failure {
+    std::string reason, corners;
+  };
+
+  static std::int64_t genus_of(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                               const base::Host& host) {
+    const auto topology = mesh::topology(positions, triangles, host);
+    mesh::require_closed_manifold(topology);
+    if (!topology.genus) throw base::Error("not-connected", "a polycube map needs one closed, oriented surface");
+    return *topology.genus;
+  }
+
+  bool try_grid(int least_cells) {
+    if (made_.tried >= options_.most_polycubes) return false;
+    VoxelisationOptions grid;
+    grid.least_cells = least_cells;
+    try {
+      const Voxelisation voxels = voxelise(positions_, triangles_, genus_, occupancy_, grid, host_);
+      Simplification simplification(voxels, host_);
+      std::size_t last = 0;
+      // Down to two thirds each time, and to the fewest possible.
+      for (std::size_t target = options_.corners > 0 ? options_.corners : plenty; target > 0;
+           target = target < 8 ? 0 : 2 * target / 3) {
+        simplification.reduce(target);
+        if (simplification.corners() == last) continue;
+        last = simplification.corners();
+        if (made_.tried >= options_.most_polycubes) break;
+        if (try_polycube(simplification.solid(), last)) return true;
+      }
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      fail(error.what(), 0);
+    }
+    return false;
+  }
+
+  bool try_polycube(const VoxelSolid& solid, std::size_t corners) {
+    ++made_.tried;
+    try {
+      const Layout layout = make_layout(solid, host_);
+      EditableSurface surface(positions_, triangles_, host_);
+      Drawing drawing = trace(layout, surface, host_);
+      made_.map = map_layout(layout, surface, drawing, {}, host_);
+      made_.certificate = certify(made_.map, host_);
+      if (!made_.certificate.valid()) throw base::Error("no-valid-result", made_.certificate.reason);
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      fail(error.what(), corners);
+      return false;
+    }
+    made_.distortion = measure_distortion(made_.map, host_);
+    ++made_.valid;
+    return true;
+  }
+
+  void fail(const std::string& reason, std::size_t corners) {
+    host_.log(std::to_string(corners) + " corners: " + reason);
+    auto same = std::find_if(failures_.begin(), failures_.end(), [&](const Failure& f) { return f.reason == reason; });
+    if (same == failures_.end()) same = failures_.insert(failures_.end(), {reason, ""});
+    if (corners > 0) same->corners += (same->corners.empty() ? " (corners: " : ", ") + std::to_string(corners);
+  }
+
+  std::span<const Vector3> positions_;
+  std::span<const Triangle> triangles_;
+  const VoxelConstructionOptions& options_;
+  const base::Host& host_;
+  std::int64_t genus_;
+  Occupancy occupancy_;
+  Construction made_;
+  std::vector<Failure> failures_;
+};
 
 }  // namespace
 
 Construction construct_by_voxels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                  const VoxelConstructionOptions& options, const base::Host& host) {
-  const auto topology = mesh::topology(positions, triangles, host);
-  mesh::require_closed_manifold(topology);
-  if (!topology.genus) throw base::Error("not-connected", "a polycube map needs one closed, oriented surface");
-  const Occupancy occupancy(positions, triangles, occupancy_resolution, host);
-  Construction construction(host.memory);
-  std::string reason;
-  // Grids that begin finer or coarser make other polycubes.
-  for (const int least_cells : {40, 60, 20, 84}) {
-    VoxelisationOptions grid;
-    grid.least_cells = least_cells;
-    try {
-      const Voxelisation voxels = voxelise(positions, triangles, *topology.genus, occupancy, grid, host);
-      Simplification simplification(voxels, host);
-      std::size_t tried = 0;
-      // Down to two thirds each time, and to the fewest possible.
-      for (std::size_t target = options.corners > 0 ? options.corners : plenty; target > 0;
-           target = target < 8 ? 0 : 2 * target / 3) {
-        simplification.reduce(target);
-        if (simplification.corners() == tried) continue;
-        tried = simplification.corners();
-        try {
-          attempt(simplification.solid(), positions, triangles, construction, host);
-          return construction;
-        } catch (const base::Error& error) {
-          if (!no_valid_result(error)) throw;
-          reason = error.what();
-        }
-      }
-    } catch (const base::Error& error) {
-      if (!no_valid_result(error)) throw;
-      reason = error.what();
-    }
-  }
-  throw base::Error("no-valid-result", "no polycube of voxels has a valid map: " + reason);
+  return VoxelConstruction(positions, triangles, options, host).run();
 }
 
 }  // namespace orbicube::polycube

@@ -11,11 +11,12 @@
 namespace orbicube::polycube {
 
 struct VoxelConstructionOptions {
-  std::size_t corners = 0;  // of the polycube at most, or the fewest that it can be brought to; 0: any number
+  std::size_t corners = 0;          // of the polycube at most, or the fewest that it can be brought to; 0: any number
+  std::size_t most_polycubes = 24;  // that are drawn on the surface and mapped
 };
 
 // Of a closed, connected, oriented surface that looks outward. `tried` counts polycubes.
-// Throws Error "no-valid-result" with what stood in the way, "not-closed", "cancelled".
+// Throws Error "no-valid-result" with what stood in the way of each, "not-closed", "cancelled".
 Construction construct_by_voxels(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                  const VoxelConstructionOptions& options, const base::Host& host);
 

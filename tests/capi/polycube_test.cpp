@@ -48,6 +48,7 @@ TEST_CASE("A handle gives back the map that it was made of, with what certificat
   CHECK(obc_polycube_triangle_count(map) == 12);
   CHECK(obc_polycube_corner_count(map) == 8);
   CHECK(obc_polycube_patch_count(map) == 6);
+  CHECK(obc_polycube_construction(map) == -1);
   std::vector<double> positions(24), polycube(24), weights(24);
   std::vector<std::uint32_t> faces(36), patches(12), sources(12), corners(24);
   std::vector<std::uint8_t> labels(12);
@@ -99,9 +100,19 @@ TEST_CASE("A polycube of a sphere's triangles is found, with its sources") {
   REQUIRE(obc_mesh_surface(mesh, &surface, &error) == OBC_OK);
   obc_polycube_options options;
   REQUIRE(obc_polycube_options_init(&options, sizeof options) == OBC_OK);
+  CHECK(options.construction == OBC_POLYCUBE_AUTO);
   options.corners = 8;
   obc_polycube* map = nullptr;
+  for (const std::int32_t construction : {OBC_POLYCUBE_LABELS, OBC_POLYCUBE_VOXELS}) {
+    options.construction = construction;
+    REQUIRE(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_OK);
+    CHECK(obc_polycube_corner_count(map) == 8);
+    CHECK(obc_polycube_construction(map) == construction);
+    obc_polycube_destroy(map);
+  }
+  options.construction = OBC_POLYCUBE_AUTO;
   REQUIRE(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_OK);
+  CHECK(obc_polycube_construction(map) != OBC_POLYCUBE_AUTO);
   CHECK(obc_polycube_corner_count(map) == 8);
   CHECK(obc_polycube_patch_count(map) == 6);
   const std::size_t count = obc_polycube_vertex_count(map);
@@ -150,6 +161,14 @@ TEST_CASE("Wrong arguments are answered, not followed") {
   CHECK(obc_polycube_compute(&out_of_range, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
   const obc_surface open = {cube.data(), 8, triangles.data(), 11};
   CHECK(obc_polycube_compute(&open, nullptr, nullptr, &map, &error) == OBC_NOT_CLOSED);
+  obc_polycube_options options;
+  REQUIRE(obc_polycube_options_init(&options, sizeof options) == OBC_OK);
+  const obc_surface closed = {cube.data(), 8, triangles.data(), 12};
+  for (const std::int32_t construction : {-1, 3}) {
+    options.construction = construction;
+    CHECK(obc_polycube_compute(&closed, &options, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  }
+  CHECK(obc_polycube_construction(nullptr) == -1);
   CHECK(obc_polycube_options_init(nullptr, sizeof(obc_polycube_options)) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_copy(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_copy_triangles(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);

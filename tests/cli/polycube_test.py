@@ -53,6 +53,34 @@ class Polycube(InFolder):
             if corners:
                 self.assertEqual((figures["corners"], figures["patches"]), (8, 6))
 
+    def test_the_report_says_which_construction_was_best(self):
+        path = self.made("creature", 1200)
+        figures = {}
+        for method in ("auto", "labels", "voxels"):
+            report = self.path(method + ".json")
+            done = run("polycube", path, "-o", self.path(method + ".obj"), "--construct", method, "--corners", 24, "--report",
+                       report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                figures[method] = json.load(file)
+            self.assertLessEqual(figures[method]["corners"], 24)
+            self.assertLessEqual(1, figures[method]["polycubes_valid"])
+            self.assertLessEqual(figures[method]["polycubes_valid"], figures[method]["polycubes_tried"])
+        self.assertEqual(figures["labels"]["construction"], "labels")
+        self.assertEqual(figures["voxels"]["construction"], "voxels")
+        # The best map is the very map of that construction.
+        best = figures["auto"]["construction"]
+        self.assertEqual(figures["auto"]["distortion"], figures[best]["distortion"])
+        with open(self.path("auto.obj"), "rb") as one, open(self.path(best + ".obj"), "rb") as other:
+            self.assertEqual(one.read(), other.read())
+
+    def test_unknown_constructions_are_refused(self):
+        path, out = self.made("sphere", 800), self.path("out.obj")
+        for option in (("--construct", "magic"), ("--corners", "-3"), ("--corners", "few")):
+            done = run("polycube", path, "-o", out, *option)
+            self.assertEqual(done.returncode, 2)
+            self.assertFalse(os.path.exists(out))
+
     def test_no_valid_map_is_told_and_nothing_is_written(self):
         path, out = self.made("sphere", 800), self.path("out.obj")
         done = run("polycube", path, "-o", out, "--corners", 7)

@@ -43,23 +43,34 @@ typedef struct obc_polycube_certificate {
 OBC_API obc_status obc_polycube_create(const obc_surface *surface, const double *polycube, const obc_host *host,
                                        obc_polycube_certificate *certificate, obc_polycube **out, obc_error *error);
 
+/* How a polycube is found. */
+enum {
+  OBC_POLYCUBE_AUTO = 0,   /* by labels, and by voxels unless the first map is nearly an isometry; the one of the valid maps with
+                              the least sum of both distortions (means over triangles), fewer corners if about equal */
+  OBC_POLYCUBE_LABELS = 1, /* axis labels of triangles (Livesu, Vining, Sheffer, Gregson and Scateni 2013, "PolyCut"; Garanzha
+                              et al. 2021, "Foldover-free maps in 50 lines of code") */
+  OBC_POLYCUBE_VOXELS = 2  /* voxels of the surface's genus, simplified to the corners that are allowed, their faces drawn on
+                              the surface; where that fails, fewer corners and other grids */
+};
+
 /* How a polycube is looked for. Fill with _init. */
 typedef struct obc_polycube_options {
   uint32_t struct_size;
-  int32_t reserved;
-  size_t corners; /* of the polycube at most; 0: any number. Default 0 */
-  uint64_t seed;  /* of what is chosen at random. Default 0 */
+  int32_t construction; /* OBC_POLYCUBE_...; auto by default */
+  size_t corners;       /* of the polycube at most; 0: any number. A surface with g handles may have 8 + 8 g if that is more.
+                           Default 0 */
+  uint64_t seed;        /* of what labels choose at random. Default 0 */
 } obc_polycube_options;
 
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_polycube_options_init(obc_polycube_options *options, size_t struct_size);
 
-/* Finds a polycube of a closed surface of any genus, and a map to it, from axis labels of triangles (Livesu, Vining, Sheffer,
- * Gregson and Scateni 2013, "PolyCut"; Garanzha et al. 2021, "Foldover-free maps in 50 lines of code"). Edges are split where
- * that is needed; the vertices of the surface come first. The polycube has about the size of the surface.
+/* Finds a polycube of a closed surface of any genus, and a map to it. Edges are split where that is needed; the vertices of
+ * the surface come first. The polycube has about the size of the surface. What is tried depends on the surface and the options
+ * alone, never on time.
  * options and host may be NULL; the host's allocator must stay valid until _destroy. Memory for systems of linear equations is
  * not the host's. Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no
- * triangles); no valid result with what stood in the way; out of memory, cancelled. */
+ * triangles); no valid result with what became of each attempt; out of memory, cancelled. */
 OBC_API obc_status obc_polycube_compute(const obc_surface *surface, const obc_polycube_options *options, const obc_host *host,
                                         obc_polycube **out, obc_error *error);
 
@@ -71,6 +82,9 @@ OBC_API size_t obc_polycube_vertex_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_triangle_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_corner_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_patch_count(const obc_polycube *map);
+
+/* What found the map: OBC_POLYCUBE_LABELS or OBC_POLYCUBE_VOXELS; -1 for a map made elsewhere, and for NULL. */
+OBC_API int32_t obc_polycube_construction(const obc_polycube *map);
 
 /* Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices come
  * first, to the bit and in its order), polycube positions (x y z a vertex), triangles (three vertices each). Errors: invalid

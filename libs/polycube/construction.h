@@ -1,0 +1,33 @@
+// A polycube of a closed surface and a certified map to it, by the construction that is best for the shape.
+//
+// Axis labels follow a shape with the least distortion, but not every labelling is a polycube; voxels have the right
+// topology by construction and reach the fewest corners, but lose detail. `automatic` tries both (starting from other
+// grids and budgets where voxels fail) and keeps the least distorted of the certified maps.
+#pragma once
+
+#include "polycube/label_construction.h"
+
+namespace orbicube::polycube {
+
+enum class Method { automatic = 0, labels = 1, voxels = 2 };
+
+struct ConstructionOptions {
+  Method method = Method::automatic;
+  // Of the polycube at most; 0: any number. For a surface with handles never less than 8 for each and 8 more, which is
+  // what a box with so many tunnels has.
+  std::size_t corners = 0;
+  std::uint64_t seed = 0;
+};
+
+struct BestConstruction {
+  Construction made;                  // `tried` and `valid` are those of all constructions
+  Method method = Method::automatic;  // labels or voxels: which one made it
+};
+
+// Of a closed, connected, oriented surface that looks outward. What is tried depends on the surface and the options
+// alone, not on time. Throws Error "no-valid-result" with what became of each attempt, "not-closed" and the like,
+// "cancelled".
+BestConstruction construct(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                           const ConstructionOptions& options, const base::Host& host);
+
+}  // namespace orbicube::polycube
