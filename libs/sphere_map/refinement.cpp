@@ -35,7 +35,7 @@ constexpr RelaxationLimits last_sweep_limits = {.passes = 12, .relative_gain = 1
 constexpr RelaxationLimits outlier_limits = {.passes = 5000, .relative_gain = 1e-8, .movement = 1e-3};
 constexpr NewtonLimits newton_limits = {.steps = 8, .solver_steps = 200, .relative_gain = 1e-5};
 
-// Between levels, so many splits are prepared one by one and then carried out side by side.
+// Between levels, so many splits are prepared one by one and carried out side by side.
 std::size_t batch_size(std::size_t count) {
   return std::clamp<std::size_t>(count / 8, 1, 4096);
 }
@@ -87,13 +87,9 @@ class Refiner {
     solve_level(total);
     std::size_t next = std::min(next_level(4, total), total);
     while (level_.vertices.size() < total) {
-      split(std::min(next - level_.vertices.size(), batch_size(level_.vertices.size())));
-      const std::size_t count = level_.vertices.size();
-      host_.report("refinement", count, total);
-      if (count == next) {
-        solve_level(total);
-        next = std::min(next_level(count, total), total);
-      }
+      split_until(next, total);
+      solve_level(total);
+      next = std::min(next_level(next, total), total);
     }
   }
 
@@ -141,16 +137,27 @@ class Refiner {
     waves_.release();
   }
 
-  // Inserts the next `count` vertices, and optimises each and its ring once.
-  void split(std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
+  // Inserts vertices until there are `count`, and optimises each and its ring once. A batch of splits is prepared
+  // beside the one before it, which the preparation does not depend on.
+  void split_until(std::size_t count, std::size_t total) {
+    prepare(std::min(count, level_.vertices.size() + batch_size(level_.vertices.size())));
+    while (splits_.waiting()) {
+      const std::size_t from = level_.vertices.size();
+      const std::size_t batch = std::min(count - from, batch_size(from));
+      splits_.run([&](std::size_t done, std::size_t all) { prepare(from + batch * done / all); });
+      host_.report("refinement", from, total);
+    }
+  }
+
+  // Splits the connectivity until there are `count` vertices.
+  void prepare(std::size_t count) {
+    while (level_.vertices.size() < count) {
       const Collapse& collapse = decimation_.collapses[total_splits() - 1 - done_++];
       rings_.split(collapse, decimation_.ring(collapse));
       level_.vertices.push_back(collapse.removed);
       energy_.uniform_area = 4 * std::numbers::pi / static_cast<double>(2 * level_.vertices.size() - 4);
       splits_.add(rings_, collapse, energy_);
     }
-    splits_.run();
   }
 
   std::size_t total_splits() const { return decimation_.collapses.size(); }

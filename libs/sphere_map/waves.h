@@ -46,17 +46,26 @@ class Waves {
     wave_.push_back(wave);
   }
 
-  // Calls body(step, slot) for every step that was added, numbered from 0, and starts anew.
-  template <class Body>
-  void run(const Body& body) {
+  // Calls body(step, slot) for every step that was added, numbered from 0, and starts anew: beside(done, total) is
+  // called once a wave, while one thread or another runs the wave's steps, and may add steps of the next run, the part
+  // done / total of them all; with the last wave that part is the whole.
+  template <class Body, class Beside>
+  void run(const Body& body, const Beside& beside) {
     const std::size_t waves = sort();
     for (std::size_t w = 0; w < waves; ++w) {
       const std::span<const Index> steps(order_.data() + begin_[w], begin_[w + 1] - begin_[w]);
       const std::size_t pieces = std::clamp<std::size_t>(steps.size() / steps_a_piece, 1, slots);
-      team_.run(pieces, [&](std::size_t slot) {
+      const auto run_piece = [&](std::size_t slot) {
         for (std::size_t i = slot * steps.size() / pieces; i < (slot + 1) * steps.size() / pieces; ++i)
           body(std::size_t{steps[i]}, slot);
-      });
+      };
+      const auto run_beside = [&] { beside(begin_[w + 1], order_.size()); };
+      if (pieces == 1) {
+        run_piece(0);
+        run_beside();
+      } else {
+        team_.run(pieces + 1, [&](std::size_t i) { i == 0 ? run_beside() : run_piece(i - 1); });
+      }
     }
   }
 
