@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory_resource>
@@ -61,9 +62,9 @@ class CollapseCosts {
   // Merges collapse.removed into collapse.kept. `ring` is as in VertexRings::collapse.
   void collapse(const Collapse& collapse, std::span<const Index> ring);
 
-  // What was found about a vertex holds no more, since its neighbourhood changed.
-  void mark_stale(Index vertex, bool stale) { stale_[vertex] = stale; }
-  bool is_stale(Index vertex) const { return stale_[vertex] != 0; }
+  // What was found about a vertex holds no more, since its neighbourhood changed: several threads may say so at once.
+  void mark_stale(Index vertex, bool stale) { std::atomic_ref(stale_[vertex]).store(stale, std::memory_order_relaxed); }
+  bool is_stale(Index vertex) { return std::atomic_ref(stale_[vertex]).load(std::memory_order_relaxed) != 0; }
 
   bool is_dead(Index vertex) const { return dead_[vertex] != 0; }
   Index target(Index vertex) const { return target_[vertex]; }  // or no_index

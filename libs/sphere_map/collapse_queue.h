@@ -54,11 +54,17 @@ class CollapseQueue {
     return no_index;
   }
 
-  // After a collapse: the neighbourhoods of `kept` and its neighbours have changed.
-  void touch_around(Index kept) {
+  // After a collapse: the neighbourhoods of `kept` and its neighbours have changed. Those that are not `own` are
+  // marked, for who looks at them later; others may mark them at the same time.
+  template <class Own>
+  void touch_around(Index kept, const Own& own) {
     touch(kept);
-    for (const Index v : costs_.rings()[kept])
-      touch(v);
+    for (const Index v : costs_.rings()[kept]) {
+      if (own(v))
+        touch(v);
+      else
+        costs_.mark_stale(v, true);
+    }
   }
 
  private:

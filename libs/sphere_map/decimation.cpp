@@ -44,7 +44,7 @@ void collapse_to_tetrahedron(CollapseCosts& costs, Decimation& result, const bas
     result.collapses.push_back(collapse);
     costs.collapse(collapse, result.ring(collapse));
     if (total - result.collapses.size() == 1) costs.set_few_left();
-    queue.touch_around(collapse.kept);
+    queue.touch_around(collapse.kept, [](Index) { return true; });
     if (result.collapses.size() % 1024 == 0) host.report("decimation", result.collapses.size(), total);
   }
 }

@@ -81,7 +81,7 @@ class Region {
     collapse_costs_.push_back(std::max(before, costs_.cost(vertex)));
     collapses_.push_back(collapse);
     costs_.collapse(collapse, std::span(ring_pool_).subspan(collapse.ring_begin, collapse.ring_size));
-    queue_.touch_around(target);
+    queue_.touch_around(target, [&](Index v) { return region_of_[v] == number_; });
     return true;
   }
 

@@ -1,8 +1,9 @@
 // The first and longest part of a decimation, region by region and side by side.
 //
 // Vertices are cut into regions along a Hilbert curve. In a region those vertices may go whose neighbours all belong to
-// it: what a collapse reads and writes are the rings of these. So regions know nothing of each other, and collapses of
-// different regions can be listed in any order that keeps the order within each: by cost, as one queue would have done.
+// it: what a collapse reads and writes are the rings of these. So regions know nothing of each other (only that a
+// vertex of the other has a changed neighbour is marked, for the next round), and collapses of different regions can be
+// listed in any order that keeps the order within each: by cost, as one queue would have done.
 #pragma once
 
 #include <cstddef>
