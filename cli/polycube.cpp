@@ -9,6 +9,7 @@
 #include "mesh/topology.h"
 #include "mesh/write.h"
 #include "polycube/construction.h"
+#include "polycube/optimal_domain.h"
 #include "surface_file.h"
 #include "verbs.h"
 
@@ -21,6 +22,9 @@ struct PolycubeOptions {
   std::string surface;
   std::string construct = "auto";
   std::size_t corners = 0;
+  std::string optimise;
+  std::string measure = "surface";
+  double area_weight = 1;
   bool text = false;
   bool weld = false;
 };
@@ -76,6 +80,35 @@ polycube::Method method_named(const std::string& name) {
   return name == "voxels" ? polycube::Method::voxels : polycube::Method::automatic;
 }
 
+polycube::DomainMeasure measure_of(const std::string& name) {
+  if (name == "faces") return polycube::DomainMeasure::face_mean;
+  return name == "harmonic" ? polycube::DomainMeasure::harmonic : polycube::DomainMeasure::surface_mean;
+}
+
+Json distortion_figures(const polycube::Distortion& d) {
+  return {{"angle_mean", d.angle_mean},
+          {"area_mean", d.area_mean},
+          {"angle_weighted_mean", d.angle_weighted_mean},
+          {"area_weighted_mean", d.area_weighted_mean}};
+}
+
+// The best proportions for the polycube that was made.
+void optimise_domain(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+  const double start = session.seconds();
+  polycube::OptimalDomain found = polycube::optimise_domain(
+      made.map, {.measure = measure_of(options.measure), .area_weight = options.area_weight}, session.host());
+  session.figures()["domain"] = {{"distortion_before", distortion_figures(made.distortion)},
+                                 {"energies", found.energies},
+                                 {"evaluations", found.evaluations},
+                                 {"converged", found.converged},
+                                 {"layers", found.layers},
+                                 {"cells", found.cells},
+                                 {"triangles_across_layers", found.crossing},
+                                 {"seconds", session.seconds() - start}};
+  made.certificate = std::move(found.certificate);
+  made.distortion = found.distortion;
+}
+
 void polycube(const PolycubeOptions& options, Session& session) {
   require_writable(options.output);
   require_exact_format(options.output);
@@ -83,19 +116,24 @@ void polycube(const PolycubeOptions& options, Session& session) {
     require_writable(options.surface);
     require_exact_format(options.surface);
   }
-  session.options() = {{"output", options.output},   {"surface", options.surface}, {"construct", options.construct},
-                       {"corners", options.corners}, {"text", options.text},       {"weld", options.weld}};
+  session.options() = {{"output", options.output},    {"surface", options.surface}, {"construct", options.construct},
+                       {"corners", options.corners},  {"text", options.text},       {"weld", options.weld},
+                       {"optimise", options.optimise}};
+  if (!options.optimise.empty())
+    session.options().update(Json{{"measure", options.measure}, {"area_weight", options.area_weight}});
   const mesh::Mesh input = read_surface(options, session);
   const double start = session.seconds();
-  const polycube::BestConstruction best = about(options.input, Role::input, [&] {
+  polycube::BestConstruction best = about(options.input, Role::input, [&] {
     return polycube::construct(
         input.positions, input.triangles,
         {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
         session.host());
   });
-  const polycube::Construction& made = best.made;
+  polycube::Construction& made = best.made;
   const std::string method = best.method == polycube::Method::labels ? "labels" : "voxels";
   const double constructed = session.seconds();
+  if (!options.optimise.empty()) optimise_domain(options, made, session);
+  const double optimised = session.seconds();
   const polycube::SurfaceMap& map = made.map;
   write_exactly(options.output, map.polycube, map.triangles, options.text, session);
   if (!options.surface.empty()) write_exactly(options.surface, map.positions, map.triangles, options.text, session);
@@ -107,16 +145,12 @@ void polycube(const PolycubeOptions& options, Session& session) {
                                 {"corners", made.certificate.corners},
                                 {"patches", made.certificate.patches},
                                 {"genus", made.certificate.genus},
-                                {"distortion",
-                                 {{"angle_mean", made.distortion.angle_mean},
-                                  {"area_mean", made.distortion.area_mean},
-                                  {"angle_weighted_mean", made.distortion.angle_weighted_mean},
-                                  {"area_weighted_mean", made.distortion.area_weighted_mean}}},
+                                {"distortion", distortion_figures(made.distortion)},
                                 {"construction", method},
                                 {"polycubes_tried", made.tried},
                                 {"polycubes_valid", made.valid},
                                 {"seconds_construct", constructed - start},
-                                {"seconds_write", session.seconds() - constructed}});
+                                {"seconds_write", session.seconds() - optimised}});
   for (const std::string& note : session.notes())
     session.say("note: " + note);
   session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
@@ -146,6 +180,15 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
   verb->add_option("--corners", options->corners, "corners of the polycube at most; 0: any number (0)")
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");
+  verb->add_option("--optimise", options->optimise, "what is made better: domain, the proportions of the polycube")
+      ->check(unnamed(CLI::IsMember({"domain"})))
+      ->type_name("WHAT");
+  verb->add_option("--measure", options->measure, "of the distortion there: surface, faces or harmonic (surface)")
+      ->check(unnamed(CLI::IsMember({"surface", "faces", "harmonic"})))
+      ->type_name("MEAN");
+  verb->add_option("--area-weight", options->area_weight, "of areas beside angles there (1)")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("W");
   verb->add_flag("--text", options->text, "text rather than binary PLY and VTK");
   verb->add_flag("--weld", options->weld, "join vertices at identical positions if the surface is not closed");
   add_common_options(*verb, common);

@@ -2,17 +2,20 @@
 // seconds of the processor that it took.
 //
 //     bench-polycube [-v] [--construct METHOD] [--corners N] [-o FOLDER] [surface files...]
+//     bench-polycube domain [--corners N] files...
 //
 // Without files, shapes made by the project. METHOD: auto, labels or voxels. -v prints what became of each attempt, -o
-// keeps NAME.surface.ply and NAME.polycube.ply for judging.
+// keeps NAME.surface.ply and NAME.polycube.ply for judging. `domain` is about proportions, see domain.h.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "bench/measuring.h"
+#include "domain.h"
 #include "mesh/make_shape.h"
 #include "mesh/orient.h"
 #include "mesh/read.h"
@@ -82,6 +85,10 @@ int main(int argc, char** argv) {
       folder = argv[++i];
     else
       files.push_back(word);
+  }
+  if (!files.empty() && files.front() == "domain") {
+    bench::measure_domains(std::span(files).subspan(1), options.corners, host);
+    return 0;
   }
   std::printf("%-18s %8s %3s %5s %8s %7s %7s\n", "shape", "faces", "g", "corn.", "angle", "area",
               "s");  // then the construction, its valid maps and attempts

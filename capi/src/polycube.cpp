@@ -1,16 +1,13 @@
-#include "orbicube/polycube.h"
-
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "base/version.h"
-#include "capi/src/entry.h"
+#include "capi/src/polycube_handle.h"
 #include "capi/src/surface_view.h"
 #include "mesh/surface_check.h"
 #include "mesh/topology.h"
@@ -21,21 +18,9 @@ using namespace orbicube;
 using mesh::Triangle;
 using mesh::Vector3;
 
-struct obc_polycube {
-  explicit obc_polycube(const obc_host* host) : adapter(host), map(adapter.host().memory) {}
-  capi::HostAdapter adapter;
-  polycube::SurfaceMap map;
-  std::size_t corners = 0;
-  std::size_t patches = 0;
-  std::int32_t construction = -1;
-};
-
 namespace {
 
-template <class Element, class Number>
-void copy(const base::Array<Element>& from, Number* to) {
-  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
-}
+using capi::copy;
 
 obc_polycube_options default_options() {
   const polycube::ConstructionOptions defaults;

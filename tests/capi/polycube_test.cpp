@@ -141,6 +141,73 @@ TEST_CASE("A polycube of a sphere's triangles is found, with its sources") {
   obc_mesh_destroy(mesh);
 }
 
+TEST_CASE("A cube's map to a longer box gets the cube's proportions back, certified") {
+  std::vector<double> box = cube;
+  for (std::size_t i = 0; i < box.size(); i += 3)
+    box[i] *= 3;
+  const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
+  obc_polycube *map = nullptr, *best = nullptr;
+  obc_error error;
+  REQUIRE(obc_polycube_create(&surface, box.data(), nullptr, nullptr, &map, &error) == OBC_OK);
+  CHECK(obc_polycube_energy_count(map) == 0);
+  obc_polycube_domain_options options;
+  REQUIRE(obc_polycube_domain_options_init(&options, sizeof options) == OBC_OK);
+  CHECK(options.measure == OBC_POLYCUBE_SURFACE_MEAN);
+  CHECK(options.area_weight == 1);
+  options.area_weight = 3;
+  obc_polycube_domain_report report{};
+  report.struct_size = sizeof report;
+  REQUIRE(obc_polycube_optimize_domain(map, &options, nullptr, &report, &best, &error) == OBC_OK);
+  CHECK(report.converged == 1);
+  CHECK(report.energy == doctest::Approx(4).epsilon(1e-11));
+  CHECK(report.energy_before > 4.1);
+  CHECK(report.layers == 6);
+  CHECK(report.cells == 3);
+  CHECK(report.crossing == 0);
+  CHECK(report.angle_mean == doctest::Approx(1).epsilon(1e-11));
+  CHECK(obc_polycube_corner_count(best) == 8);
+  CHECK(obc_polycube_patch_count(best) == 6);
+  std::vector<double> energies(obc_polycube_energy_count(best));
+  REQUIRE(energies.size() >= 2);
+  REQUIRE(obc_polycube_copy_energies(best, energies.data(), &error) == OBC_OK);
+  CHECK(energies.front() == report.energy_before);
+  CHECK(energies.back() == report.energy);
+  CHECK(std::is_sorted(energies.rbegin(), energies.rend()));
+  // The area of the box, 56, on a cube with the box's centre.
+  std::vector<double> polycube(24), before(24);
+  REQUIRE(obc_polycube_copy(best, nullptr, polycube.data(), nullptr, &error) == OBC_OK);
+  REQUIRE(obc_polycube_copy(map, nullptr, before.data(), nullptr, &error) == OBC_OK);
+  CHECK(before == box);
+  const double side = std::sqrt(56 / 6.0);
+  for (std::size_t i = 0; i < 24; ++i)
+    CHECK(polycube[i] == doctest::Approx((i % 3 == 0 ? 3 : 1) + (cube[i] - 1) * side / 2).epsilon(1e-6));
+  obc_polycube_destroy(best);
+  options.area_weight = -1;
+  CHECK(obc_polycube_optimize_domain(map, &options, nullptr, nullptr, &best, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(best == nullptr);
+  options.area_weight = 1;
+  options.measure = 3;
+  CHECK(obc_polycube_optimize_domain(map, &options, nullptr, nullptr, &best, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_optimize_domain(nullptr, nullptr, nullptr, nullptr, &best, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_optimize_domain(map, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_domain_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_copy_energies(nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_energy_count(nullptr) == 0);
+  const test::Call call = [&](const obc_host& host) {
+    obc_polycube* made = nullptr;
+    const obc_status status = obc_polycube_optimize_domain(map, nullptr, &host, nullptr, &made, nullptr);
+    obc_polycube_destroy(made);
+    return status;
+  };
+  const test::Outcome memory = test::fail_each_allocation(call);
+  CHECK(memory.problem == "");
+  CHECK(memory.runs > 10);
+  const test::Outcome cancelled = test::cancel_everywhere(call);
+  CHECK(cancelled.problem == "");
+  CHECK(cancelled.runs > 3);
+  obc_polycube_destroy(map);
+}
+
 TEST_CASE("Wrong arguments are answered, not followed") {
   const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
   obc_polycube* map = nullptr;

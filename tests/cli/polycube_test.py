@@ -81,6 +81,27 @@ class Polycube(InFolder):
             self.assertEqual(done.returncode, 2)
             self.assertFalse(os.path.exists(out))
 
+    def test_the_best_proportions_are_no_worse_and_still_a_polycube(self):
+        path, out, report = self.made("bracket", 1500), self.path("out.obj"), self.path("report.json")
+        for options in ((), ("--measure", "faces", "--area-weight", 0.5)):
+            done = run("polycube", path, "-o", out, "--optimise", "domain", *options, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            positions, triangles = read_obj(out)
+            self.assertNotIn(None, [looks_along(positions, t) for t in triangles])
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)
+            domain = figures["domain"]
+            energies = domain["energies"]
+            self.assertEqual(energies, sorted(energies, reverse=True))
+            self.assertTrue(domain["converged"])
+            after, before = figures["distortion"], domain["distortion_before"]
+            weight, which = (0.5, "mean") if options else (1, "weighted_mean")
+            for energy, d in ((energies[0], before), (energies[-1], after)):
+                # Sums of as many triangles in another order.
+                self.assertAlmostEqual(energy, d["angle_" + which] + weight * d["area_" + which], delta=1e-9)
+        done = run("polycube", path, "-o", out, "--optimise", "corner")
+        self.assertEqual(done.returncode, 2)
+
     def test_no_valid_map_is_told_and_nothing_is_written(self):
         path, out = self.made("sphere", 800), self.path("out.obj")
         done = run("polycube", path, "-o", out, "--corners", 7)

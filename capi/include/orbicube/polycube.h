@@ -74,6 +74,56 @@ OBC_API obc_status obc_polycube_options_init(obc_polycube_options *options, size
 OBC_API obc_status obc_polycube_compute(const obc_surface *surface, const obc_polycube_options *options, const obc_host *host,
                                         obc_polycube **out, obc_error *error);
 
+/* How the distortion is measured that the best proportions minimise. Values do not depend on the size of the polycube, and are
+ * 1 + area_weight for an isometry. `angle` and `area` as in obc_polycube_domain_report. */
+enum {
+  OBC_POLYCUBE_SURFACE_MEAN = 0, /* mean over the surface of angle + area_weight * area */
+  OBC_POLYCUBE_FACE_MEAN = 1,    /* mean over triangles of the same */
+  OBC_POLYCUBE_HARMONIC = 2      /* harmonic energy + area_weight * area stretching, over the area */
+};
+
+/* Fill with _init. */
+typedef struct obc_polycube_domain_options {
+  uint32_t struct_size;
+  int32_t measure;    /* OBC_POLYCUBE_SURFACE_MEAN or another. Default OBC_POLYCUBE_SURFACE_MEAN */
+  double area_weight; /* of areas beside angles, not negative. Default 1 */
+} obc_polycube_domain_options;
+
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_polycube_domain_options_init(obc_polycube_domain_options *options, size_t struct_size);
+
+/* What was found. Fill struct_size. The means are those of the result, each 1 for an isometry: `angle` the harmonic energy of a
+ * triangle over its area on the polycube, `area` (r + 1/r) / 2 for the ratio r of areas, at equal areas of the whole. */
+typedef struct obc_polycube_domain_report {
+  uint32_t struct_size;
+  int32_t converged;     /* 1: to the tolerance, or as far as rounding allows */
+  double energy_before;  /* of the map that was given */
+  double energy;         /* of the result, not more */
+  uint64_t evaluations;  /* of the energy with its gradient */
+  size_t layers;         /* planes of faces, along all three axes */
+  size_t cells;          /* rectangles between neighbouring layers, each evaluated at once */
+  size_t crossing;       /* triangles across layers, each evaluated for itself */
+  double angle_mean, area_mean;                   /* over triangles */
+  double angle_weighted_mean, area_weighted_mean; /* over the surface */
+} obc_polycube_domain_report;
+
+/* The polycube with the best proportions: distances between the planes of its faces that minimise the map's distortion, vertices
+ * going with the planes beside them (the dissertation's section 4.3, by a projected gradient method over the logarithms of the
+ * distances). Combinatorics, order of the planes and total area stay. The result is certified again; it is a copy of `map` to
+ * the bit when nothing better is found.
+ * options, host and report may be NULL; the host's allocator must stay valid until _destroy of *out. `map` stays as it is.
+ * Errors: invalid argument, out of memory, cancelled. O(n log n), mostly for certifying. */
+OBC_API obc_status obc_polycube_optimize_domain(const obc_polycube *map, const obc_polycube_domain_options *options,
+                                                const obc_host *host, obc_polycube_domain_report *report,
+                                                obc_polycube **out, obc_error *error);
+
+/* The energies of the optimisation that a map comes from: before it, then after each iteration; they never rise. The number of
+ * them, 0 for NULL and for maps that come from none. */
+OBC_API size_t obc_polycube_energy_count(const obc_polycube *map);
+
+/* Copies them to the caller's array, which may be NULL. Errors: invalid argument. */
+OBC_API obc_status obc_polycube_copy_energies(const obc_polycube *map, double *energies, obc_error *error);
+
 /* Releases a map; NULL is fine. */
 OBC_API void obc_polycube_destroy(obc_polycube *map);
 
