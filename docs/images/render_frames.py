@@ -12,9 +12,11 @@ import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 
 import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from raster import without_margins, write_png  # noqa: E402
 
 SIZE = 460  # pixels of a panel
 FINER = 2   # samples a pixel, each way
@@ -112,19 +114,6 @@ def panel(path, turn=0.6, tilt=0.35):
     return picture.image()
 
 
-def write_png(path, image):
-    data = np.clip(np.round(255 * np.clip(image, 0, 1) ** 0.6), 0, 255).astype(np.uint8)  # colours of glTF are linear
-    height, width, _ = data.shape
-    rows = b"".join(b"\0" + row.tobytes() for row in data)
-
-    def chunk(kind, content):
-        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
-
-    with open(path, "wb") as file:
-        file.write(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0))
-                   + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
-
-
 def main(arguments):
     if arguments[0].endswith(".png"):
         picture, scenes = arguments[0], [panel(path) for path in arguments[1:]]
@@ -138,9 +127,7 @@ def main(arguments):
                                 ["frames", solid, "-o", solid + ".frames", "--glb", scene, "--crosses", "400"]):
                     subprocess.run([os.path.abspath(arguments[0]), *command, "--quiet"], check=True)
                 scenes.append(panel(scene))
-    row = np.concatenate(scenes, axis=1)
-    drawn = np.nonzero((row < 1).any(axis=(1, 2)))[0]
-    write_png(picture, row[max(drawn[0] - 12, 0):drawn[-1] + 12])
+    write_png(picture, without_margins(np.concatenate(scenes, axis=1)), gamma=0.6)  # colours of glTF are linear
     print(f"{picture}: {os.path.getsize(picture)} bytes")
 
 
