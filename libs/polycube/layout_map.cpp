@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "polycube/added_vertices.h"
 #include "polycube/planar_star.h"
 #include "polycube/rectangle_map.h"
 #include "polycube/surface_decimation.h"
@@ -45,6 +46,12 @@ class LayoutMap {
     smooth(coarse_sweeps, 1e-4);
     refine(collapsed);
     smooth(options.sweeps, 1e-4);
+    // The fewer needles, the more smoothing reaches, and that lets more of them go.
+    constexpr int removals = 10;
+    for (int i = 0; i < removals && remove_added_vertices(surface_, view(), host_) > 0; ++i) {
+      std::erase_if(active_, [&](Index v) { return surface_.outgoing(v) == no_index; });
+      smooth(options.sweeps, 1e-4);
+    }
     return result();
   }
 
@@ -125,15 +132,25 @@ class LayoutMap {
     improve(v);
   }
 
+  // Vertices of the input stay where they are, those that were added close up.
   SurfaceMap result() {
     SurfaceMap map(host_.memory);
-    map.positions = std::move(surface_.position);
-    map.triangles = std::move(surface_.triangle);
-    map.vertex_sources = std::move(surface_.source);
-    map.triangle_sources = std::move(surface_.triangle_source);
-    map.labels = std::move(label_);
-    map.charts = std::move(facet_);
-    map.polycube = std::move(image_);
+    Array<Index> number(surface_.vertices(), no_index, host_.memory);
+    for (Index v = 0; v < surface_.vertices(); ++v) {
+      if (surface_.outgoing(v) == no_index && surface_.source[v].corner[1] != no_index) continue;
+      number[v] = static_cast<Index>(map.positions.size());
+      map.positions.push_back(surface_.position[v]);
+      map.vertex_sources.push_back(surface_.source[v]);
+      map.polycube.push_back(image_[v]);
+    }
+    for (Index f = 0; f < surface_.faces(); ++f) {
+      if (!surface_.alive(f)) continue;
+      const auto& [a, b, c] = surface_.triangle[f];
+      map.triangles.push_back({number[a], number[b], number[c]});
+      map.triangle_sources.push_back(Index{surface_.triangle_source[f]});
+      map.labels.push_back(AxisLabel{label_[f]});
+      map.charts.push_back(Index{facet_[f]});
+    }
     return map;
   }
 

@@ -216,6 +216,26 @@ TEST_CASE("Voxel polycubes of shapes of several genera have certified maps withi
     CHECK(certificate.genus == *mesh::topology(m.positions, m.triangles, host).genus);
     CHECK(std::equal(m.positions.begin(), m.positions.end(), map.positions.begin()));
     CHECK(area_of(map.positions, map.triangles) == doctest::Approx(area_of(m.positions, m.triangles)).epsilon(1e-11));
+    // Each triangle lies in one of the input and looks where that looks; added vertices are where their sources say.
+    for (std::size_t i = 0; i < map.triangles.size(); ++i) {
+      const Triangle &t = map.triangles[i], &source = m.triangles[map.triangle_sources[i]];
+      const auto normal = [](std::span<const Vector3> p, const Triangle& f) {
+        return (p[f[1]] - p[f[0]]).cross(p[f[2]] - p[f[0]]);
+      };
+      CHECK(normal(map.positions, t).dot(normal(m.positions, source)) > 0);
+      for (const Index v : t) {
+        Vector3 there = Vector3::Zero();
+        bool within = true;
+        for (std::size_t k = 0; k < 3; ++k) {
+          const Index corner = map.vertex_sources[v].corner[k];
+          if (corner == no_index) continue;
+          within = within && std::find(source.begin(), source.end(), corner) != source.end();
+          there += map.vertex_sources[v].weight[k] * m.positions[corner];
+        }
+        CHECK(within);
+        CHECK((there - map.positions[v]).norm() < 1e-13);  // positions are about 1
+      }
+    }
     if (c.corners != 16) continue;
     // The same bits again.
     const SurfaceMap again = construct_by_voxels(m.positions, m.triangles, {c.corners}, host).map;
