@@ -256,6 +256,25 @@ void add_product(double* c, double factor, const double* a, const double* b, std
 }
 
 ORBICUBE_VECTOR_VARIANTS
+void add_square_lower(double* a, std::size_t stride, std::size_t size, double factor, const double* x) {
+  std::size_t i = 0;
+  for (; i + 4 <= size; i += 4) {
+    double* rows = a + i * stride;
+    for (std::size_t j = 0; j < i; j += 4) {
+      const Four from = load(x + j);
+      for (std::size_t r = 0; r < 4; ++r) {
+        double* to = rows + r * stride + j;
+        store(to, load(to) + (factor * x[i + r]) * from);
+      }
+    }
+    for (std::size_t r = 0; r < 4; ++r)
+      add_scaled(rows + r * stride + i, factor * x[i + r], x + i, r + 1);
+  }
+  for (; i < size; ++i)
+    add_scaled(a + i * stride, factor * x[i], x, i + 1);
+}
+
+ORBICUBE_VECTOR_VARIANTS
 void sum_of_squares_lower(double* a, std::size_t size, const double* factor, const double* x, std::size_t count) {
   if (size < 4) {
     std::memset(a, 0, size * size * sizeof *a);

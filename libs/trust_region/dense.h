@@ -104,10 +104,7 @@ void eliminate_two(double* matrix, std::size_t stride, std::size_t size, std::si
                    const double* a, const double* second, const double* b);
 
 // The lower triangle of A (size x size, rows `stride` apart) += factor x x'.
-inline void add_square_lower(double* a, std::size_t stride, std::size_t size, double factor, const double* x) {
-  for (std::size_t i = 0; i < size; ++i)
-    add_scaled(a + i * stride, factor * x[i], x, i + 1);
-}
+void add_square_lower(double* a, std::size_t stride, std::size_t size, double factor, const double* x);
 
 // C (rows x columns) += factor A B, A with `inner` columns, all with rows `stride` apart. The terms of an entry are
 // added one after the other.
