@@ -29,6 +29,16 @@ std::vector<double> sphere() {
   return result;
 }
 
+// Each allocation fails and each report cancels, in turn.
+void check_every_end(const test::Call& call) {
+  const test::Outcome memory = test::fail_each_allocation(call);
+  CHECK(memory.problem == "");
+  CHECK(memory.runs > 10);
+  const test::Outcome cancelled = test::cancel_everywhere(call);
+  CHECK(cancelled.problem == "");
+  CHECK(cancelled.runs > 3);
+}
+
 }  // namespace
 
 TEST_CASE("A handle gives back the map that it was made of, with what certification found") {
@@ -199,12 +209,7 @@ TEST_CASE("A cube's map to a longer box gets the cube's proportions back, certif
     obc_polycube_destroy(made);
     return status;
   };
-  const test::Outcome memory = test::fail_each_allocation(call);
-  CHECK(memory.problem == "");
-  CHECK(memory.runs > 10);
-  const test::Outcome cancelled = test::cancel_everywhere(call);
-  CHECK(cancelled.problem == "");
-  CHECK(cancelled.runs > 3);
+  check_every_end(call);
   obc_polycube_destroy(map);
 }
 
@@ -254,12 +259,7 @@ TEST_CASE("Each allocation that fails ends in out of memory, and each report may
     obc_polycube_destroy(map);
     return status;
   };
-  const test::Outcome memory = test::fail_each_allocation(call);
-  CHECK(memory.problem == "");
-  CHECK(memory.runs > 10);
-  const test::Outcome cancelled = test::cancel_everywhere(call);
-  CHECK(cancelled.problem == "");
-  CHECK(cancelled.runs > 3);
+  check_every_end(call);
 }
 
 TEST_CASE("Each allocation of a construction that fails ends in out of memory, and each report may cancel") {

@@ -7,21 +7,16 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/make_shape.h"
 #include "mesh/topology.h"
+#include "shapes.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::shape;
 
 namespace {
 
 const base::Host host;
-
-mesh::Mesh shape(const char* name, std::size_t triangles) {
-  mesh::ShapeOptions options;
-  options.triangles = triangles;
-  return mesh::make_shape(name, options, host);
-}
 
 BestConstruction construct(const mesh::Mesh& m, Method method, std::size_t corners, const base::Host& on = host) {
   return polycube::construct(m.positions, m.triangles, {.method = method, .corners = corners, .seed = 0}, on);

@@ -8,24 +8,19 @@
 #include <set>
 
 #include "blocks.h"
-#include "mesh/make_shape.h"
 #include "mesh/topology.h"
 #include "polycube/planar_star.h"
 #include "polycube/surface_decimation.h"
 #include "polycube/voxel_construction.h"
+#include "shapes.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
+using test::shape;
 
 namespace {
 
 const base::Host host;
-
-mesh::Mesh shape(const char* name, std::size_t triangles) {
-  mesh::ShapeOptions options;
-  options.triangles = triangles;
-  return mesh::make_shape(name, options, host);
-}
 
 double area_of(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
   double area = 0;
