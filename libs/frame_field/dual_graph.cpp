@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 
 #include "mesh/hilbert_curve.h"
@@ -11,12 +10,6 @@ namespace orbicube::frame_field {
 namespace {
 
 constexpr std::size_t items_between_reports = 16384;
-
-struct Place {
-  std::uint64_t key;
-  Index tetrahedron;
-  bool operator<(const Place& o) const { return key != o.key ? key < o.key : tetrahedron < o.tetrahedron; }
-};
 
 // Area of the shared face over the distance of the centres; 1 where that is no positive number.
 double geometric_weight(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
@@ -35,38 +28,23 @@ double geometric_weight(std::span<const Vector3> positions, const mesh::Tetrahed
 
 }  // namespace
 
+Array<Index> tetrahedral_order(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra,
+                               const base::Host& host) {
+  Array<Vector3> centres(host.memory);
+  centres.reserve(tetrahedra.size());
+  for (const Tetrahedron& t : tetrahedra)
+    centres.push_back(0.25 * ((positions[t[0]] + positions[t[1]]) + (positions[t[2]] + positions[t[3]])));
+  return mesh::hilbert_order(centres, host);
+}
+
 DualGraph make_dual_graph(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
                           Weighting weighting, const base::Host& host) {
-  const auto tetrahedra = connectivity.tetrahedra();
-  const std::size_t count = tetrahedra.size();
+  const std::size_t count = connectivity.tetrahedra().size();
   DualGraph graph(host.memory);
-
-  Vector3 low = Vector3::Constant(HUGE_VAL), high = -low;
-  for (const Tetrahedron& t : tetrahedra) {
-    for (const Index v : t) {
-      low = low.cwiseMin(positions[v]);
-      high = high.cwiseMax(positions[v]);
-    }
-  }
-  const double size = count == 0 ? 1 : std::max((high - low).maxCoeff(), 1e-300);
-  Array<Place> order(count, host.memory);
-  for (Index t = 0; t < count; ++t) {
-    if (t % items_between_reports == 0) host.report("ordering tetrahedra", t, count);
-    Vector3 sum = Vector3::Zero();
-    for (const Index v : tetrahedra[t])
-      sum += (positions[v] - low) / size;
-    std::array<std::uint32_t, 3> cell{};
-    for (std::size_t k = 0; k < 3; ++k)
-      cell[k] = static_cast<std::uint32_t>(sum[static_cast<Eigen::Index>(k)] * (0.25 * ((1 << 21) - 1)));
-    order[t] = {mesh::hilbert_key(cell), t};
-  }
-  std::ranges::sort(order, std::less<>());
-  graph.tetrahedron.resize(count);
+  graph.tetrahedron = tetrahedral_order(positions, connectivity.tetrahedra(), host);
   Array<Index> node(count, host.memory);
-  for (Index i = 0; i < count; ++i) {
-    graph.tetrahedron[i] = order[i].tetrahedron;
-    node[order[i].tetrahedron] = i;
-  }
+  for (Index i = 0; i < count; ++i)
+    node[graph.tetrahedron[i]] = i;
 
   graph.others.resize(count);
   graph.weights.resize(count);

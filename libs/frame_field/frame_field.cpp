@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
-#include <numeric>
 #include <string>
+#include <utility>
 
 #include "base/error.h"
+#include "frame_field/canonical_solid.h"
 #include "frame_field/curve_search.h"
 #include "frame_field/diffusion.h"
 #include "frame_field/energy.h"
@@ -45,7 +46,7 @@ class Search {
         diffusion_(graph, hierarchy_, constraints, host),
         best_(host.memory) {}
 
-  Outcome run(const Given& given) {
+  Outcome run(const CanonicalSolid& solid, const Given& given) {
     Outcome outcome(host_.memory);
     outcome.start = options_.start;
     switch (options_.start) {
@@ -53,10 +54,10 @@ class Search {
         outcome.start = search();
         break;
       case Start::identity:
-        best_ = identity_start(graph_, constraints_, host_);
+        best_ = constant_start(graph_, constraints_, solid.turned(Quaternion{1, 0, 0, 0}), host_);
         break;
       case Start::propagated:
-        best_ = propagated_start(graph_, constraints_, host_);
+        best_ = propagated_start(graph_, constraints_, solid.turned(Quaternion{1, 0, 0, 0}), host_);
         break;
       case Start::harmonic:
         best_ = diffusion_.harmonic_start();
@@ -65,17 +66,16 @@ class Search {
         best_ = diffused(diffusion_.harmonic_start(), falling_times);
         break;
       case Start::given:
-        best_ = by_node(graph_, given.start, host_.memory);
-        for (Quaternion& q : best_)
-          q = quaternion::normalised(q);
+        best_.reserve(graph_.size());
+        for (const Index t : solid.tetrahedron)
+          best_.push_back(solid.turned(given.start[t]));
         break;
     }
     outcome.energy = smoothed(best_, options_.relative_gain, constraints_);
     if (!constraints_.pulls.empty()) outcome.energy = energy(graph_, best_, host_);
     outcome.solver_iterations = iterations_ + diffusion_.iterations();
     outcome.smoothing_steps = steps_;
-    outcome.field.resize(graph_.size());
-    by_tetrahedron(graph_, best_, outcome.field);
+    outcome.field = std::move(best_);
     return outcome;
   }
 
@@ -114,11 +114,12 @@ class Search {
 
   Start search() {
     Start from = Start::diffusion;
+    const Quaternion axes{1, 0, 0, 0};  // of the solid
     Field harmonic = diffusion_.harmonic_start();
     offer(diffused(harmonic, falling_times));
     if (offer(std::move(harmonic))) from = Start::harmonic;
-    if (offer(identity_start(graph_, constraints_, host_))) from = Start::identity;
-    if (offer(propagated_start(graph_, constraints_, host_))) from = Start::propagated;
+    if (offer(constant_start(graph_, constraints_, axes, host_))) from = Start::identity;
+    if (offer(propagated_start(graph_, constraints_, axes, host_))) from = Start::propagated;
     for (std::uint32_t round = 0; round < options_.rounds; ++round) {
       const double before = best_energy_;
       for (const auto& times : {long_times, middle_times, short_times}) {
@@ -140,19 +141,11 @@ class Search {
   std::uint32_t iterations_ = 0, steps_ = 0;
 };
 
-// Moves curves to where they cost less, which smoothing does not, and repairs; in the order of the nodes, so that the
-// order of the mesh does not matter.
-void improve_structure(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra, DualGraph& graph,
-                       Constraints& constraints, const Options& options, const base::Host& host, Outcome& outcome) {
-  Array<Tetrahedron> ordered(host.memory);
-  ordered.reserve(graph.size());
-  for (const Index t : graph.tetrahedron)
-    ordered.push_back(tetrahedra[t]);
-  const mesh::TetrahedralConnectivity connectivity(positions.size(), ordered, host);
-  Field field = by_node(graph, outcome.field, host.memory);
-  Array<Index> order(graph.size(), host.memory);
-  std::iota(order.begin(), order.end(), Index{0});
-  std::swap(order, graph.tetrahedron);  // until the end, tetrahedra are numbered as nodes are
+// Moves curves to where they cost less, which smoothing does not, and repairs. Tetrahedra are numbered as nodes are.
+void improve_structure(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
+                       const DualGraph& graph, Constraints& constraints, const Options& options, const base::Host& host,
+                       Outcome& outcome) {
+  Field& field = outcome.field;
   const auto hierarchy = make_hierarchy(graph, smallest_graph, host);
 
   if (options.start == Start::automatic && options.rounds > 0) {
@@ -173,8 +166,31 @@ void improve_structure(std::span<const Vector3> positions, std::span<const Tetra
     outcome.repair = options.repairs == Repairs::places ? repair.repair(field) : repair.search_about_single_axes(field);
   }
   outcome.energy = energy(graph, field, host);
-  std::swap(order, graph.tetrahedron);
-  by_tetrahedron(graph, field, outcome.field);
+}
+
+// Of the canonical solid, in its axes; normals from the positions as they are given, whose digits turning would cost.
+Constraints constraints_of(const CanonicalSolid& solid, std::span<const Vector3> positions,
+                           const mesh::TetrahedralConnectivity& connectivity, const DualGraph& graph,
+                           const Options& options, const Given& given, const base::Host& host) {
+  Array<Vector3> ordered(host.memory);
+  ordered.reserve(positions.size());
+  for (const Index v : solid.vertex)
+    ordered.push_back(positions[v]);
+  Array<GivenAxis> axes(given.axes.begin(), given.axes.end(), host.memory);
+  Array<GivenFrame> frames(given.frames.begin(), given.frames.end(), host.memory);
+  if (!axes.empty() || !frames.empty()) {
+    Array<Index> number(graph.size(), host.memory);
+    for (Index t = 0; t < number.size(); ++t)
+      number[solid.tetrahedron[t]] = t;
+    for (GivenAxis& axis : axes)
+      axis.tetrahedron = number[axis.tetrahedron];
+    for (GivenFrame& frame : frames)
+      frame.tetrahedron = number[frame.tetrahedron];
+  }
+  if (options.feature_angle > 0) follow_features(ordered, connectivity, options.feature_angle, host, frames, axes);
+  Constraints constraints = make_constraints(graph, ordered, connectivity, options.align_boundary, frames, axes, host);
+  solid.turn(constraints);
+  return constraints;
 }
 
 bool is_unit(double square) {
@@ -234,17 +250,25 @@ const char* start_name(Start start) {
 Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra, const Options& options,
                 const Given& given, const base::Host& host) {
   check(tetrahedra.size(), options, given);
-  const mesh::TetrahedralConnectivity connectivity(positions.size(), tetrahedra, host);
-  DualGraph graph = make_dual_graph(positions, connectivity, options.weighting, host);
-  Array<GivenAxis> axes(given.axes.begin(), given.axes.end(), host.memory);
-  Array<GivenFrame> frames(given.frames.begin(), given.frames.end(), host.memory);
-  if (options.feature_angle > 0) follow_features(positions, connectivity, options.feature_angle, host, frames, axes);
-  Constraints constraints =
-      make_constraints(graph, positions, connectivity, options.align_boundary, frames, axes, host);
-  if (options.method == Method::seed) return seed_method(graph, constraints, host);
-  Outcome outcome = Search(graph, constraints, options, host).run(given);
-  if ((options.start == Start::automatic && options.rounds > 0) || options.repairs != Repairs::none)
-    improve_structure(positions, tetrahedra, graph, constraints, options, host, outcome);
+  const CanonicalSolid solid = [&] {
+    const mesh::TetrahedralConnectivity connectivity(positions.size(), tetrahedra, host);
+    return make_canonical(positions, connectivity, host);
+  }();
+  const mesh::TetrahedralConnectivity connectivity(positions.size(), solid.tetrahedra, host);
+  const DualGraph graph = make_dual_graph(solid.positions, connectivity, options.weighting, host);
+  Constraints constraints = constraints_of(solid, positions, connectivity, graph, options, given, host);
+  Outcome outcome(host.memory);
+  if (options.method == Method::seed) {
+    outcome = seed_method(graph, constraints, solid.turned(Quaternion{1, 0, 0, 0}), host);
+  } else {
+    outcome = Search(graph, constraints, options, host).run(solid, given);
+    if ((options.start == Start::automatic && options.rounds > 0) || options.repairs != Repairs::none)
+      improve_structure(solid.positions, connectivity, graph, constraints, options, host, outcome);
+  }
+  Field field(tetrahedra.size(), host.memory);
+  for (std::size_t i = 0; i < field.size(); ++i)
+    field[solid.tetrahedron[i]] = solid.turned_back(outcome.field[i]);
+  outcome.field = std::move(field);
   return outcome;
 }
 

@@ -50,7 +50,7 @@ RepairOutcome Repair::repair(Field& field) {
 RepairOutcome Repair::search_about_single_axes(Field& smoother) {
   const Field before(smoother, host_.memory);
   std::uint32_t count = rounds(smoother);
-  Field field = identity_start(graph_, constraints_, host_);
+  Field field = constant_start(graph_, constraints_, {1, 0, 0, 0}, host_);
   count += rounds(field);
   smooth_all(rough_gain, field);
   count += rounds(field);

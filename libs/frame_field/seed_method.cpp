@@ -1,5 +1,7 @@
 #include "frame_field/seed_method.h"
 
+#include <utility>
+
 #include "frame_field/energy.h"
 #include "frame_field/starts.h"
 #include "quaternion/frame_distance.h"
@@ -69,9 +71,10 @@ class FrozenEnergy {
 
 }  // namespace
 
-Outcome seed_method(const DualGraph& graph, const Constraints& constraints, const base::Host& host) {
+Outcome seed_method(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
+                    const base::Host& host) {
   const std::size_t n = graph.size();
-  Field field = identity_start(graph, constraints, host);
+  Field field = constant_start(graph, constraints, axes, host);
   Array<std::array<std::uint8_t, 4>> matchings(n, host.memory);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < 4; ++k) {
@@ -95,8 +98,7 @@ Outcome seed_method(const DualGraph& graph, const Constraints& constraints, cons
   outcome.start = Start::identity;
   outcome.energy = energy(graph, field, host);
   outcome.smoothing_steps = static_cast<std::uint32_t>(relaxation.result().steps / n);
-  outcome.field.resize(n);
-  by_tetrahedron(graph, field, outcome.field);
+  outcome.field = std::move(field);
   return outcome;
 }
 

@@ -11,7 +11,8 @@
 
 namespace orbicube::frame_field {
 
-// Throws Error "cancelled".
-Outcome seed_method(const DualGraph& graph, const Constraints& constraints, const base::Host& host);
+// `axes`: those of space in the axes of the graph's solid. The field is by node. Throws Error "cancelled".
+Outcome seed_method(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
+                    const base::Host& host);
 
 }  // namespace orbicube::frame_field

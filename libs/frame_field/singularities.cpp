@@ -1,7 +1,6 @@
 #include "frame_field/singularities.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "quaternion/frame_distance.h"
 
@@ -12,11 +11,16 @@ using quaternion::cube_group;
 using quaternion::CubeClass;
 constexpr std::size_t items_between_reports = 16384;
 
-std::int8_t turn_about(const Quaternion& frame, std::uint8_t rotation, const Vector3& along) {
+std::int8_t turn_about(std::span<const Index> ring, std::uint8_t rotation, const Vector3& along,
+                       std::span<const Quaternion> field, std::span<const std::uint8_t> matchings) {
   const CubeClass kind = cube_group.conjugacy_class[rotation];
   if (kind == CubeClass::face_half) return 2;
   if (kind != CubeClass::face_quarter) return 0;
-  return turn_along(frame, rotation, along) > 0 ? 1 : -1;
+  const double cosine = turn_along(
+      ring.size(), rotation, along,
+      [&](std::size_t k) -> const Quaternion& { return field[mesh::TetrahedralConnectivity::tetrahedron_of(ring[k])]; },
+      [&](std::size_t k) { return matchings[ring[k]]; });
+  return cosine > 0 ? 1 : -1;
 }
 
 // Singular edges by vertex.
@@ -96,17 +100,6 @@ void trace_curves(const Incidence& incidence, std::span<const std::uint8_t> on_b
 
 }  // namespace
 
-double turn_along(const Quaternion& frame, std::uint8_t rotation, const Vector3& along) {
-  // Going round the edge right-handed, the frame that is carried along turns by the inverse of the composed matchings:
-  // about the edge's direction by the index of the singularity, so right-handed where cells meet in threes.
-  const Quaternion& carried = cube_group.element[cube_group.inverse[rotation]];
-  const double sign = carried.w < 0 ? -1 : 1;
-  const Vector axis = quaternion::rotate(frame, {sign * carried.x, sign * carried.y, sign * carried.z});
-  const double product = axis.x * along[0] + axis.y * along[1] + axis.z * along[2];
-  const double scale = std::sqrt((axis.x * axis.x + axis.y * axis.y + axis.z * axis.z) * along.squaredNorm());
-  return scale > 0 ? product / scale : 0;
-}
-
 Array<std::uint8_t> matchings(const mesh::TetrahedralConnectivity& connectivity, std::span<const Quaternion> field,
                               const base::Host& host) {
   Array<std::uint8_t> result(connectivity.face_count(), 0, host.memory);
@@ -145,7 +138,8 @@ SingularGraph singular_graph(std::span<const Vector3> positions, const mesh::Tet
       rotation = cube_group.product[rotation][matchings[face]];
     if (rotation == 0) continue;
     const Index first = mesh::TetrahedralConnectivity::tetrahedron_of(rings.faces(r)[0]);
-    graph.edges.push_back({edge, first, rotation, turn_about(field[first], rotation, along), length});
+    graph.edges.push_back(
+        {edge, first, rotation, turn_about(rings.faces(r), rotation, along, field, matchings), length});
     graph.singular_length += length;
     ++graph.by_class[static_cast<std::size_t>(graph.edges.back().kind())];
   }

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -19,9 +20,32 @@ namespace orbicube::frame_field {
 Array<std::uint8_t> matchings(const mesh::TetrahedralConnectivity& connectivity, std::span<const Quaternion> field,
                               const base::Host& host);
 
-// The cosine between the axis about which a frame turns around an edge, by the composed matchings of the edge's ring,
-// and the edge's direction: positive where cells meet in threes. `frame` is that of the ring's first tetrahedron.
-double turn_along(const Quaternion& frame, std::uint8_t rotation, const Vector3& along);
+// The cosine between the axis about which frames turn around an edge, by the composed matchings of the edge's ring, and
+// the edge's direction: positive where cells meet in threes. The mean over the ring's `count` tetrahedra, so that no
+// one of them has to come first. `rotation` is composed from the first on; frame(k) and matching(k) are those of
+// tetrahedron k and of the face that leads on from it.
+template <class Frame, class Matching>
+double turn_along(std::size_t count, std::uint8_t rotation, const Vector3& along, const Frame& frame,
+                  const Matching& matching) {
+  using quaternion::cube_group;
+  Vector3 sum = Vector3::Zero();
+  std::uint8_t passed = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    // Going round the edge right-handed, the frame that is carried along turns by the inverse of the composed
+    // matchings: about the edge's direction by the index of the singularity, so right-handed where cells meet in
+    // threes.
+    const std::uint8_t from_here = cube_group.product[cube_group.product[cube_group.inverse[passed]][rotation]][passed];
+    const quaternion::Quaternion& carried = cube_group.element[cube_group.inverse[from_here]];
+    const double sign = carried.w < 0 ? -1 : 1;
+    const Vector axis = quaternion::rotate(frame(k), {sign * carried.x, sign * carried.y, sign * carried.z});
+    sum += Vector3(axis.x, axis.y, axis.z);
+    passed = cube_group.product[passed][matching(k)];
+  }
+  const quaternion::Quaternion& element = cube_group.element[rotation];
+  const double length = std::sqrt(element.x * element.x + element.y * element.y + element.z * element.z);
+  const double scale = length * along.norm() * static_cast<double>(count);
+  return scale > 0 ? sum.dot(along) / scale : 0;
+}
 
 struct SingularEdge {
   mesh::Edge vertices;

@@ -2,14 +2,16 @@
 
 namespace orbicube::frame_field {
 
-Field identity_start(const DualGraph& graph, const Constraints& constraints, const base::Host& host) {
-  Field field(graph.size(), Quaternion{1, 0, 0, 0}, host.memory);
+Field constant_start(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
+                     const base::Host& host) {
+  Field field(graph.size(), axes, host.memory);
   satisfy(constraints, field);
   return field;
 }
 
-Field propagated_start(const DualGraph& graph, const Constraints& constraints, const base::Host& host) {
-  Field field = identity_start(graph, constraints, host);
+Field propagated_start(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
+                       const base::Host& host) {
+  Field field = constant_start(graph, constraints, axes, host);
   Array<std::uint8_t> reached(graph.size(), 0, host.memory);
   Array<Index> front(host.memory);
   front.reserve(graph.size());

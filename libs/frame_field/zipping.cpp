@@ -141,19 +141,24 @@ class Zipper {
   EdgeState state_of(std::size_t ring, Index face, std::uint8_t matching) const {
     const auto faces = rings_.faces(ring);
     const Index opposite = face == no_index ? no_index : connectivity_.opposite(face);
+    const auto matching_of = [&](Index f) {
+      return f == face ? matching : f == opposite ? cube_group.inverse[matching] : matchings_[f];
+    };
     std::uint8_t rotation = 0;
-    for (const Index f : faces) {
-      const std::uint8_t m = f == face ? matching : f == opposite ? cube_group.inverse[matching] : matchings_[f];
-      rotation = cube_group.product[rotation][m];
-    }
+    for (const Index f : faces)
+      rotation = cube_group.product[rotation][matching_of(f)];
     const mesh::Edge& v = rings_.vertices(ring);
     const Vector3 along = positions_[v[1]] - positions_[v[0]];
-    const Quaternion& frame = field_[mesh::TetrahedralConnectivity::tetrahedron_of(faces[0])];
     switch (cube_group.conjugacy_class[rotation]) {
       case CubeClass::identity:
         return {};
       case CubeClass::face_quarter: {
-        const double cosine = turn_along(frame, rotation, along);
+        const double cosine = turn_along(
+            faces.size(), rotation, along,
+            [&](std::size_t k) -> const Quaternion& {
+              return field_[mesh::TetrahedralConnectivity::tetrahedron_of(faces[k])];
+            },
+            [&](std::size_t k) { return matching_of(faces[k]); });
         return {1 + askew_cost * (1 - std::abs(cosine)), cosine > 0 ? EdgeKind::of_three : EdgeKind::of_five};
       }
       default:

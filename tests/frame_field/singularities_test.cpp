@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <numbers>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -184,6 +185,43 @@ TEST_CASE("Rotations of the cube on any frame, renumbering and rigid motion chan
     CHECK(b.graph.singular_length == doctest::Approx(a.graph.singular_length));
     CHECK(b.indices.sum_of_quarters == a.indices.sum_of_quarters);
   }
+}
+
+TEST_CASE("Which edges are of three and of five cells does not depend on the numbers of vertices and tetrahedra") {
+  const test::Solid solid = test::ball(5);
+  // Frames at random, so that turns lie askew to their edges.
+  std::mt19937_64 random(4);
+  std::vector<Quaternion> field(solid.tetrahedra.size());
+  for (Quaternion& q : field)
+    q = test::random_rotation(random);
+  const auto figures = [](const test::Solid& s, const std::vector<Quaternion>& f) {
+    const Analysis a(s, f);
+    const base::Host host;
+    const mesh::TetrahedralConnectivity connectivity(s.positions.size(), s.tetrahedra, host);
+    const Meshability m = meshability(a.graph, connectivity.boundary_vertices(host.memory), host.memory);
+    const auto of_three = std::ranges::count(a.graph.edges, std::int8_t{1}, &SingularEdge::turn);
+    const auto of_five = std::ranges::count(a.graph.edges, std::int8_t{-1}, &SingularEdge::turn);
+    return std::vector<std::size_t>{static_cast<std::size_t>(of_three), static_cast<std::size_t>(of_five),
+                                    m.edges.size(), m.vertices.size(), m.turning_points};
+  };
+  const std::vector<std::size_t> expected = figures(solid, field);
+  REQUIRE(expected[0] > 100);
+  REQUIRE(expected[1] > 100);
+  std::vector<Index> vertex(solid.positions.size()), order(solid.tetrahedra.size());
+  std::iota(vertex.begin(), vertex.end(), Index{0});
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::shuffle(vertex, random);
+  std::ranges::shuffle(order, random);
+  test::Solid other = solid;
+  std::vector<Quaternion> permuted(field.size());
+  for (std::size_t v = 0; v < vertex.size(); ++v)
+    other.positions[vertex[v]] = solid.positions[v];
+  for (std::size_t t = 0; t < order.size(); ++t) {
+    const Tetrahedron& from = solid.tetrahedra[order[t]];
+    other.tetrahedra[t] = {vertex[from[1]], vertex[from[2]], vertex[from[0]], vertex[from[3]]};
+    permuted[t] = field[order[t]];
+  }
+  CHECK(figures(other, permuted) == expected);
 }
 
 TEST_CASE("Plain angles know no symmetry, symmetric ones do") {
