@@ -9,7 +9,6 @@
 
 #include "base/error.h"
 #include "mesh/file.h"
-#include "mesh/nearest.h"
 
 namespace orbicube::cli {
 namespace {
@@ -38,11 +37,12 @@ std::vector<double> numbers_of(std::string_view line, std::size_t line_number) {
 
 }  // namespace
 
-std::vector<std::vector<Vector3>> read_landmarks(const std::filesystem::path& path,
-                                                 std::span<const MappedSurface> shapes, const base::Host& host) {
+std::vector<std::vector<LandmarkPoint>> read_landmark_points(const std::filesystem::path& path,
+                                                             std::span<const mesh::Mesh* const> shapes,
+                                                             const base::Host& host) {
   const base::Array<std::byte> bytes = mesh::read_file(path, host);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-  std::vector<std::vector<Vector3>> directions(shapes.size());
+  std::vector<std::vector<LandmarkPoint>> points(shapes.size());
   std::deque<mesh::SurfaceSearch> searches;  // made when a line has coordinates
   std::size_t line_number = 0;
   for (std::size_t begin = 0; begin < text.size();) {
@@ -57,30 +57,51 @@ std::vector<std::vector<Vector3>> read_landmarks(const std::filesystem::path& pa
                                      "coordinates each");
     }
     for (std::size_t i = 0; i < shapes.size(); ++i) {
-      const MappedSurface& shape = shapes[i];
+      const mesh::Mesh& shape = *shapes[i];
       if (numbers.size() == shapes.size()) {
         const double vertex = numbers[i];
-        if (!(vertex >= 0 && vertex == std::floor(vertex) && vertex < static_cast<double>(shape.directions.size()))) {
+        if (!(vertex >= 0 && vertex == std::floor(vertex) && vertex < static_cast<double>(shape.positions.size()))) {
           throw base::Error("index-range", where + ": shape " + std::to_string(i + 1) + " has no such vertex; it has " +
-                                               std::to_string(shape.directions.size()));
+                                               std::to_string(shape.positions.size()));
         }
-        directions[i].push_back(shape.directions[static_cast<std::size_t>(vertex)].normalized());
+        LandmarkPoint point;
+        point.vertex = static_cast<mesh::Index>(vertex);
+        point.on_surface.position = shape.positions[point.vertex];
+        points[i].push_back(point);
         continue;
       }
       if (searches.empty()) {
-        for (const MappedSurface& each : shapes)
-          searches.emplace_back(each.mesh.positions, each.mesh.triangles, host);
+        for (const mesh::Mesh* each : shapes)
+          searches.emplace_back(each->positions, each->triangles, host);
       }
-      const mesh::SurfacePoint point = searches[i].nearest({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]});
+      points[i].push_back(
+          {mesh::no_index, searches[i].nearest({numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2]})});
+    }
+  }
+  if (points[0].empty()) throw base::Error("parse", "there is no landmark in it");
+  return points;
+}
+
+std::vector<std::vector<Vector3>> read_landmarks(const std::filesystem::path& path,
+                                                 std::span<const MappedSurface> shapes, const base::Host& host) {
+  std::vector<const mesh::Mesh*> meshes;
+  for (const MappedSurface& shape : shapes)
+    meshes.push_back(&shape.mesh);
+  const auto points = read_landmark_points(path, meshes, host);
+  std::vector<std::vector<Vector3>> directions(shapes.size());
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    for (const LandmarkPoint& point : points[i]) {
       Vector3 direction = Vector3::Zero();
-      for (std::size_t k = 0; k < 3; ++k) {
-        direction +=
-            point.weights[static_cast<Eigen::Index>(k)] * shape.directions[shape.mesh.triangles[point.triangle][k]];
+      if (point.vertex != mesh::no_index) {
+        direction = shapes[i].directions[point.vertex];
+      } else {
+        for (std::size_t k = 0; k < 3; ++k)
+          direction += point.on_surface.weights[static_cast<Eigen::Index>(k)] *
+                       shapes[i].directions[meshes[i]->triangles[point.on_surface.triangle][k]];
       }
       directions[i].push_back(direction.normalized());
     }
   }
-  if (directions[0].empty()) throw base::Error("parse", "there is no landmark in it");
   return directions;
 }
 

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "base/sums.h"
-#include "gltf/write.h"
 #include "grid_choice.h"
 #include "mesh/measures.h"
 #include "morph_alignment.h"
+#include "morph_states.h"
 #include "sphere_map/correspondence.h"
 #include "sphere_map/overlay.h"
 #include "sphere_map/sphere_map.h"
@@ -21,6 +21,9 @@
 #include "surface_file.h"
 #include "text.h"
 #include "verbs.h"
+#ifdef ORBICUBE_WITH_POLYCUBE
+#include "morph_polycube.h"
+#endif
 
 namespace orbicube::cli {
 namespace {
@@ -40,6 +43,8 @@ struct MorphOptions {
   std::size_t steps = 0;
   double seconds = 2;
   bool weld = false;
+  bool polycube = false;
+  std::size_t corners = 0;
 };
 
 // The triangulation of the common sphere that all shapes get.
@@ -143,82 +148,21 @@ double area_distortion(std::span<const Triangle> triangles, std::span<const Vect
   return std::sqrt(squares.value());
 }
 
-using Floats = base::Array<float>;
-
-// Of each state, relative to `origin`, which is where float32 loses nothing to speak of.
-Floats to_floats(std::span<const Vector3> positions, const Vector3& origin, std::pmr::memory_resource* memory) {
-  Floats result(memory);
-  result.reserve(3 * positions.size());
-  for (const Vector3& p : positions) {
-    for (const double x : Vector3(p - origin))
-      result.push_back(static_cast<float>(x));
-  }
-  return result;
-}
-
-void write_morph(const MorphOptions& options, const std::deque<MorphShape>& shapes, std::span<const Triangle> triangles,
-                 std::span<const base::Array<Vector3>> states, Session& session) {
-  const base::Host& host = session.host();
-  Vector3 low = states[0][triangles[0][0]];
-  Vector3 high = low;
-  for (const auto& state : states) {
-    const mesh::Measures box = mesh::measures(state, triangles, host);
-    low = low.cwiseMin(box.low);
-    high = high.cwiseMax(box.high);
-  }
-  const bool far = low.cwiseAbs().cwiseMax(high.cwiseAbs()).maxCoeff() > 16 * (high - low).maxCoeff();
-  const Vector3 origin = far ? Vector3(0.5 * low + 0.5 * high) : Vector3(Vector3::Zero());
-  std::deque<Floats> floats;
-  std::vector<gltf::MorphTarget> targets;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    floats.push_back(to_floats(states[i], origin, host.memory));
-    if (i > 0) targets.push_back({std::filesystem::path(shapes[i].path).stem().string(), floats.back()});
-  }
-  gltf::Scene scene;
-  scene.positions = floats[0];
-  scene.triangles = triangles;
-  scene.smooth_normals = true;
-  scene.morph_targets = targets;
-  scene.morph_normals = true;
-  scene.morph_seconds = options.seconds;
-  scene.translation = origin;
-  scene.name = std::filesystem::path(options.output).stem().string();
-  about(options.output, Role::output, [&] { gltf::write(options.output, scene, host); });
-}
-
-// OUT-01.glb and so on: from each shape to the next, so many steps in between.
-void write_steps(const MorphOptions& options, std::span<const Triangle> triangles,
-                 std::span<const base::Array<Vector3>> states, Session& session) {
-  const std::filesystem::path out(options.output);
-  const std::size_t count = options.steps * (states.size() - 1);
-  const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
-  mesh::Mesh step(session.host().memory);
-  step.triangles.assign(triangles.begin(), triangles.end());
-  std::size_t number_of_step = 0;
-  for (std::size_t i = 0; i + 1 < states.size(); ++i) {
-    for (std::size_t k = 1; k <= options.steps; ++k) {
-      const double share = static_cast<double>(k) / static_cast<double>(options.steps + 1);
-      step.positions.clear();
-      for (std::size_t v = 0; v < states[i].size(); ++v)
-        step.positions.push_back((1 - share) * states[i][v] + share * states[i + 1][v]);
-      std::string text = std::to_string(++number_of_step);
-      text.insert(0, digits - text.size(), '0');
-      const std::filesystem::path path =
-          out.parent_path() / (out.stem().string() + "-" + text + out.extension().string());
-      write_output(path, step, true, session.host());
-    }
-  }
-  session.figures()["steps"] = count;
-}
-
 void morph(const MorphOptions& options, Session& session) {
-  session.options() = {{"output", options.output},       {"landmarks", options.landmarks},
-                       {"align", options.align},         {"grid", options.grid},
-                       {"tolerance", options.tolerance}, {"steps", options.steps},
-                       {"seconds", options.seconds},     {"weld", options.weld}};
+  session.options() = {{"output", options.output},   {"landmarks", options.landmarks}, {"align", options.align},
+                       {"grid", options.grid},       {"tolerance", options.tolerance}, {"steps", options.steps},
+                       {"seconds", options.seconds}, {"weld", options.weld},           {"polycube", options.polycube}};
   require_writable(options.output);
   if (!is_gltf(options.output))
     throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
+#ifdef ORBICUBE_WITH_POLYCUBE
+  if (options.polycube) {
+    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.corners, options.steps,
+                       options.seconds, options.weld},
+                      session);
+    return;
+  }
+#endif
   if (options.grid != "both" && options.grid != "first") grid_choice(options.grid, "--grid");
   const base::Host& host = session.host();
   std::deque<MorphShape> shapes;
@@ -247,8 +191,10 @@ void morph(const MorphOptions& options, Session& session) {
     states.push_back(std::move(carried.positions));
     if (i > 0) shape.figures["area_distortion"] = area_distortion(common.triangles, states[0], states[i]);
   }
-  write_morph(options, shapes, common.triangles, states, session);
-  if (options.steps > 0) write_steps(options, common.triangles, states, session);
+  MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.steps};
+  for (const MorphShape& shape : shapes)
+    morph.names.push_back(std::filesystem::path(shape.path).stem().string());
+  write_morph(morph, session);
 
   session.figures()["output"] = options.output;
   session.figures()["vertices"] = common.directions.size();
@@ -290,6 +236,16 @@ void add_morph(CLI::App& app, CommonOptions& common) {
                    "mesh to write, .glb or .gltf: the first shape, the others as targets")
       ->required()
       ->type_name("OUT");
+#ifdef ORBICUBE_WITH_POLYCUBE
+  CLI::Option* polycube =
+      verb->add_flag("--polycube", options->polycube,
+                     "through one polycube rather than spheres: two to ten shapes of any genus, the "
+                     "same for all; --grid is first or cells:N (as many as the shapes have)");
+  verb->add_option("--corners", options->corners, "corners of that polycube at most; 0: any number (0)")
+      ->check(unnamed(CLI::Range(0, 1'000'000)))
+      ->needs(polycube)
+      ->type_name("N");
+#endif
   verb->add_option("--landmarks", options->landmarks,
                    "points that belong together: a line each, with a vertex number (from 0) or x y z for each shape")
       ->type_name("FILE");

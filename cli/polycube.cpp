@@ -1,15 +1,20 @@
 // orbicube polycube: a polycube of a closed surface and a certified map to it.
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
+#include "any_genus_surface.h"
 #include "checked_file.h"
+#include "given_polycube_file.h"
 #include "mesh/file.h"
-#include "mesh/orient.h"
-#include "mesh/topology.h"
 #include "mesh/write.h"
 #include "polycube/construction.h"
+#include "polycube/drawn_construction.h"
 #include "polycube/optimal_domain.h"
+#include "polycube_outputs.h"
+#include "shared_polycube.h"
 #include "surface_file.h"
 #include "verbs.h"
 
@@ -17,9 +22,13 @@ namespace orbicube::cli {
 namespace {
 
 struct PolycubeOptions {
-  std::string input;
+  std::vector<std::string> inputs;
+  std::string input;  // the first
   std::string output;
   std::string surface;
+  std::string landmarks;
+  std::string from;
+  std::string places;
   std::string construct = "auto";
   std::size_t corners = 0;
   std::string optimise;
@@ -27,6 +36,7 @@ struct PolycubeOptions {
   double area_weight = 1;
   bool text = false;
   bool weld = false;
+  PolycubeOutputs outputs;
 };
 
 // Formats that keep the order of vertices and every bit of their coordinates.
@@ -35,28 +45,6 @@ void require_exact_format(const std::string& path) {
   if (format != mesh::Format::stl) return;
   throw Failure(Exit::wrong_input, path, "unsupported-format",
                 "faces of a polycube lie exactly in planes; this format rounds coordinates or joins vertices");
-}
-
-mesh::Mesh read_surface(const PolycubeOptions& options, Session& session) {
-  InputMesh input = read_input(options.input, options.weld, session);
-  mesh::Mesh& m = input.mesh;
-  about(options.input, Role::input, [&] {
-    if (!m.tetrahedra.empty() || !m.hexahedra.empty())
-      throw base::Error("unsupported", "a solid of cells; polycube takes surfaces");
-    const mesh::Topology facts = mesh::topology(m.positions, m.triangles, session.host());
-    mesh::require_closed_manifold(facts);
-    if (facts.components > 1) throw base::Error("not-connected", std::to_string(facts.components) + " components");
-    if (!facts.orientable) throw base::Error("non-orientable", "no orientation of the triangles is consistent");
-    const mesh::OrientReport turned = mesh::orient(m.positions, m.triangles, session.host());
-    if (turned.triangles_turned > 0)
-      session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbours");
-    if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
-    session.figures()["input"] = {{"format", input.report.format},
-                                  {"vertices", m.positions.size()},
-                                  {"triangles", m.triangles.size()},
-                                  {"genus", facts.genus.value_or(0)}};
-  });
-  return std::move(m);
 }
 
 // Written beside its place, read again and compared: what was certified is what the file holds.
@@ -85,15 +73,8 @@ polycube::DomainMeasure measure_of(const std::string& name) {
   return name == "harmonic" ? polycube::DomainMeasure::harmonic : polycube::DomainMeasure::surface_mean;
 }
 
-Json distortion_figures(const polycube::Distortion& d) {
-  return {{"angle_mean", d.angle_mean},
-          {"area_mean", d.area_mean},
-          {"angle_weighted_mean", d.angle_weighted_mean},
-          {"area_weighted_mean", d.area_weighted_mean}};
-}
-
 // The best proportions for the polycube that was made.
-void optimise_domain(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+base::Array<double> optimise_domain(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
   const double start = session.seconds();
   polycube::OptimalDomain found = polycube::optimise_domain(
       made.map, {.measure = measure_of(options.measure), .area_weight = options.area_weight}, session.host());
@@ -107,6 +88,38 @@ void optimise_domain(const PolycubeOptions& options, polycube::Construction& mad
                                  {"seconds", session.seconds() - start}};
   made.certificate = std::move(found.certificate);
   made.distortion = found.distortion;
+  return std::move(found.energies);
+}
+
+// The best of our own polycubes, or the one that is given.
+polycube::BestConstruction construct(const PolycubeOptions& options, const mesh::Mesh& input, Session& session) {
+  if (options.from.empty()) {
+    return about(options.input, Role::input, [&] {
+      return polycube::construct(
+          input.positions, input.triangles,
+          {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
+          session.host());
+    });
+  }
+  const GivenPolycube given = read_given_polycube(options.from, session);
+  std::vector<polycube::CornerPlace> places;
+  if (!options.places.empty()) places = read_corner_places(options.places, given, session.host());
+  session.figures()["from"] = {{"file", options.from},
+                               {"corners", given.target.graph.corners.size()},
+                               {"genus", given.target.genus},
+                               {"places", places.size()}};
+  return about(options.input, Role::input, [&] {
+    polycube::BestConstruction result{
+        polycube::construct_on(input.positions, input.triangles, given.target.graph, given.target.genus,
+                               {.places = places, .pose = given.pose}, session.host()),
+        polycube::Method::automatic};
+    return result;
+  });
+}
+
+std::string name_of(polycube::Method method) {
+  if (method == polycube::Method::automatic) return "given";
+  return method == polycube::Method::labels ? "labels" : "voxels";
 }
 
 void polycube(const PolycubeOptions& options, Session& session) {
@@ -116,23 +129,32 @@ void polycube(const PolycubeOptions& options, Session& session) {
     require_writable(options.surface);
     require_exact_format(options.surface);
   }
-  session.options() = {{"output", options.output},    {"surface", options.surface}, {"construct", options.construct},
-                       {"corners", options.corners},  {"text", options.text},       {"weld", options.weld},
-                       {"optimise", options.optimise}};
+  session.options() = {{"output", options.output},   {"surface", options.surface}, {"construct", options.construct},
+                       {"corners", options.corners}, {"text", options.text},       {"weld", options.weld},
+                       {"from", options.from},       {"places", options.places},   {"optimise", options.optimise}};
   if (!options.optimise.empty())
     session.options().update(Json{{"measure", options.measure}, {"area_weight", options.area_weight}});
-  const mesh::Mesh input = read_surface(options, session);
+  check_polycube_outputs(options.outputs, session);
+  if (options.inputs.size() > 1) {
+    if (!options.from.empty() || !options.optimise.empty())
+      throw Failure(Exit::wrong_input, "", "usage",
+                    "--from and --optimise are for one surface; several share a polycube of their own, at its best "
+                    "proportions");
+    session.options()["inputs"] = options.inputs;
+    session.options()["landmarks"] = options.landmarks;
+    common_polycube(options, session);
+    return;
+  }
+  const AnyGenusSurface surface = read_any_genus_surface(options.input, options.weld, session);
+  const mesh::Mesh& input = surface.mesh;
+  session.figures()["input"] = surface.figures;
   const double start = session.seconds();
-  polycube::BestConstruction best = about(options.input, Role::input, [&] {
-    return polycube::construct(
-        input.positions, input.triangles,
-        {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
-        session.host());
-  });
+  polycube::BestConstruction best = construct(options, input, session);
   polycube::Construction& made = best.made;
-  const std::string method = best.method == polycube::Method::labels ? "labels" : "voxels";
+  const std::string method = name_of(best.method);
   const double constructed = session.seconds();
-  if (!options.optimise.empty()) optimise_domain(options, made, session);
+  base::Array<double> energies(session.host().memory);
+  if (!options.optimise.empty()) energies = optimise_domain(options, made, session);
   const double optimised = session.seconds();
   const polycube::SurfaceMap& map = made.map;
   write_exactly(options.output, map.polycube, map.triangles, options.text, session);
@@ -156,11 +178,62 @@ void polycube(const PolycubeOptions& options, Session& session) {
   session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
               " corners and " + std::to_string(made.certificate.patches) + " faces, genus " +
               std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
-  session.say("  constructed by " + method + ", " + std::to_string(made.valid) + " valid maps in " +
-              std::to_string(made.tried) + " attempts");
+  if (options.from.empty())
+    session.say("  constructed by " + method + ", " + std::to_string(made.valid) + " valid maps in " +
+                std::to_string(made.tried) + " attempts");
   session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_mean) + ", of areas " +
               std::to_string(made.distortion.area_mean) + " (1: none)");
   if (!options.surface.empty()) session.say("wrote " + options.surface);
+  write_polycube_outputs(options.outputs,
+                         {options.input, map, made.certificate.genus, made.certificate.corners,
+                          made.certificate.patches, made.distortion, energies},
+                         session.figures(), session);
+}
+
+// name-2.obj for the second of several shapes.
+std::string numbered(const std::string& path, std::size_t shape) {
+  if (path.empty()) return path;
+  const std::filesystem::path whole(path);
+  return (whole.parent_path() / (whole.stem().string() + "-" + std::to_string(shape + 1) + whole.extension().string()))
+      .string();
+}
+
+// One polycube for all inputs.
+void common_polycube(const PolycubeOptions& options, Session& session) {
+  SharedPolycube shared = share_polycube(
+      {.inputs = options.inputs,
+       .landmarks = options.landmarks,
+       .construction = {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
+       .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
+       .weld = options.weld},
+      session);
+  const polycube::CommonPolycube& common = shared.common;
+  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    const polycube::SurfaceMap& map = common.maps[i];
+    const std::string output = numbered(options.output, i), surface = numbered(options.surface, i);
+    write_exactly(output, map.polycube, map.triangles, options.text, session);
+    if (!surface.empty()) write_exactly(surface, map.positions, map.triangles, options.text, session);
+    Json& figures = shared.figures[i];
+    figures.update(Json{{"output", output},
+                        {"surface", surface},
+                        {"vertices_added", map.positions.size() - shared.meshes[i].positions.size()}});
+    session.say("wrote " + output + (surface.empty() ? "" : " and " + surface) + ": mean distortion of angles " +
+                std::to_string(common.distortions[i].angle_mean) + ", of areas " +
+                std::to_string(common.distortions[i].area_mean) + " (1: none)");
+    PolycubeOutputs own = options.outputs;
+    if (i != common.base) own.domain.clear();
+    own.quads = numbered(own.quads, i);
+    own.glb = numbered(own.glb, i);
+    own.page = numbered(own.page, i);
+    const polycube::Certificate& certificate = common.certificates[i];
+    write_polycube_outputs(own,
+                           {options.inputs[i], map, certificate.genus, certificate.corners, certificate.patches,
+                            common.distortions[i], common.energies},
+                           figures, session);
+  }
+  session.figures()["shapes"] = shared.figures;
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
 }
 
 }  // namespace
@@ -168,18 +241,34 @@ void polycube(const PolycubeOptions& options, Session& session) {
 void add_polycube(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("polycube", "make a polycube of a closed surface, and a map to it");
   const auto options = std::make_shared<PolycubeOptions>();
-  verb->add_option("IN", options->input, std::string("closed surface: ") + surface_endings)->required()->type_name("");
+  verb->add_option("IN", options->inputs,
+                   std::string("closed surface, or up to ten that share a polycube: ") + surface_endings)
+      ->required()
+      ->expected(1, 10)
+      ->type_name("");
   verb->add_option("-o,--output", options->output, "the surface's triangles on the polycube: .obj .off .ply .mesh .vtk")
       ->required()
       ->type_name("OUT");
   verb->add_option("--surface", options->surface, "the surface with the same vertices and triangles as OUT")
       ->type_name("OUT2");
-  verb->add_option("--construct", options->construct, "how the polycube is found: auto, labels or voxels (auto)")
-      ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels"})))
-      ->type_name("METHOD");
-  verb->add_option("--corners", options->corners, "corners of the polycube at most; 0: any number (0)")
-      ->check(unnamed(CLI::Range(0, 1'000'000)))
-      ->type_name("N");
+  CLI::Option* construct =
+      verb->add_option("--construct", options->construct, "how the polycube is found: auto, labels or voxels (auto)")
+          ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels"})))
+          ->type_name("METHOD");
+  CLI::Option* corners =
+      verb->add_option("--corners", options->corners, "corners of the polycube at most; 0: any number (0)")
+          ->check(unnamed(CLI::Range(0, 1'000'000)))
+          ->type_name("N");
+  CLI::Option* from = verb->add_option("--from", options->from,
+                                       "the polycube to map to: a .json that --domain has written, or a mesh of one")
+                          ->excludes(construct)
+                          ->excludes(corners)
+                          ->type_name("POLYCUBE");
+  verb->add_option("--places", options->places,
+                   "where corners of that polycube are on IN: JSON, [{\"corner\": 0, \"vertex\": 17}, ...] or "
+                   "\"point\": [x, y, z]")
+      ->needs(from)
+      ->type_name("FILE");
   verb->add_option("--optimise", options->optimise, "what is made better: domain, the proportions of the polycube")
       ->check(unnamed(CLI::IsMember({"domain"})))
       ->type_name("WHAT");
@@ -189,14 +278,23 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
   verb->add_option("--area-weight", options->area_weight, "of areas beside angles there (1)")
       ->check(unnamed(CLI::NonNegativeNumber))
       ->type_name("W");
+  verb->add_option(
+          "--landmarks", options->landmarks,
+          "for several surfaces: points that belong together, a line each, with a vertex number (from 0) or x y z "
+          "for each surface")
+      ->type_name("FILE");
+  add_polycube_outputs(*verb, options->outputs);
   verb->add_flag("--text", options->text, "text rather than binary PLY and VTK");
   verb->add_flag("--weld", options->weld, "join vertices at identical positions if the surface is not closed");
   add_common_options(*verb, common);
   verb->footer(
       "Every map that is written is certified by exact arithmetic; when none is found the exit code is 1. The "
       "surface's "
-      "vertices come first in OUT, in their order; edges are split where that is needed.");
+      "vertices come first in OUT, in their order; edges are split where that is needed. For several surfaces OUT and "
+      "the\n"
+      "like get a number each: OUT-1, OUT-2.");
   verb->callback([options, &common] {
+    options->input = options->inputs.front();
     Session session(common, "polycube", options->input);
     session.run([&] { polycube(*options, session); });
   });

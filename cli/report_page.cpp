@@ -27,6 +27,11 @@ Json json_of(const PageResult& result) {
                  {"facing", std::vector<double>(mesh.facing.data(), mesh.facing.data() + mesh.facing.size())},
                  {"coefficients", std::move(mesh.coefficients)}};
   }
+  Json polycube;
+  if (!result.polycube.empty()) {
+    polycube = {{"positions", std::move(mesh.polycube)},
+                {"facing", std::vector<double>(mesh.facing.data(), mesh.facing.data() + mesh.facing.size())}};
+  }
   return {{"name", result.name},
           {"figures", std::move(figures)},
           {"zUp", result.z_up},
@@ -41,6 +46,8 @@ Json json_of(const PageResult& result) {
           {"areaRatio", std::move(mesh.area_ratio)},
           {"dilatationShare", mesh.dilatation_share},
           {"areaRatioShare", mesh.area_ratio_share},
+          {"polycube", std::move(polycube)},
+          {"energies", result.energies},
           {"harmonics", std::move(harmonics)}};
 }
 

@@ -42,13 +42,23 @@ void write_gltf(const std::filesystem::path& path, const mesh::Mesh& mesh, const
   gltf::write(path, scene, host);
 }
 
-}  // namespace
-
-bool is_gltf(const std::filesystem::path& path) {
+// In small letters.
+std::string ending_of(const std::filesystem::path& path) {
   std::string ending = path.extension().string();
   std::transform(ending.begin(), ending.end(), ending.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+}  // namespace
+
+bool is_gltf(const std::filesystem::path& path) {
+  const std::string ending = ending_of(path);
   return ending == ".glb" || ending == ".gltf";
+}
+
+bool is_json(const std::filesystem::path& path) {
+  return ending_of(path) == ".json";
 }
 
 InputMesh read_input(const std::filesystem::path& path, bool weld, Session& session) {

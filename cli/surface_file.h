@@ -13,6 +13,7 @@ namespace orbicube::cli {
 inline constexpr const char* surface_endings = ".obj .off .ply .stl .glb .gltf .mesh .vtk";
 
 bool is_gltf(const std::filesystem::path& path);
+bool is_json(const std::filesystem::path& path);
 
 struct InputMesh {
   mesh::Mesh mesh;

@@ -8,14 +8,12 @@
 
 #include "base/version.h"
 #include "capi/src/polycube_handle.h"
+#include "capi/src/polycube_surface.h"
 #include "capi/src/surface_view.h"
-#include "mesh/surface_check.h"
-#include "mesh/topology.h"
 #include "polycube/certificate.h"
 #include "polycube/construction.h"
 
 using namespace orbicube;
-using mesh::Triangle;
 using mesh::Vector3;
 
 namespace {
@@ -30,17 +28,6 @@ obc_polycube_options default_options() {
   o.corners = defaults.corners;
   o.seed = defaults.seed;
   return o;
-}
-
-// What a surface must be to have a polycube: closed, connected, consistently oriented.
-void require_one_surface(const capi::SurfaceView& s, const base::Host& host) {
-  mesh::require_valid_surface(s.positions, s.triangles, host);
-  const mesh::Topology facts = mesh::topology(s.positions, s.triangles, host);
-  mesh::require_closed_manifold(facts);
-  if (facts.components != 1) throw base::Error("not-connected", "the surface has more than one component");
-  if (facts.inconsistent_edges > 0)
-    throw base::Error("inconsistent-orientation", "neighbouring triangles are oriented differently");
-  if (!(facts.volume > 0)) throw base::Error("degenerate-geometry", "the surface encloses no volume or looks inward");
 }
 
 void write_certificate(const polycube::Certificate& from, obc_polycube_certificate* to) {
@@ -95,7 +82,7 @@ obc_status obc_polycube_compute(const obc_surface* surface, const obc_polycube_o
                   "construction is not one of OBC_POLYCUBE_...");
     auto made = std::make_unique<obc_polycube>(host);
     const base::Host& on = made->adapter.host();
-    require_one_surface(s, on);
+    capi::require_one_surface(s, on);
     auto [best, method] = polycube::construct(
         s.positions, s.triangles,
         {.method = static_cast<polycube::Method>(o.construction), .corners = o.corners, .seed = o.seed}, on);

@@ -1,7 +1,7 @@
 // Histograms of distortion whose bars carry the colours of the scale, the legend beside the views, and the table.
 
 function element(name, attributes = {}, ...children) {
-  const svg = ["svg", "rect", "line", "text", "g"].includes(name);
+  const svg = ["svg", "rect", "line", "text", "g", "polyline"].includes(name);
   const node = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
   node.append(...children);
@@ -70,6 +70,30 @@ function drawChart(holder, quantity, result, range) {
   svg.append(element("line", {class: "median", x1: placeOf(median), x2: placeOf(median), y1: top - 4, y2: base}));
   svg.append(element("text", {x: placeOf(median) + (median > (low + high) / 2 ? -5 : 5), y: top + 5,
                               "text-anchor": median > (low + high) / 2 ? "end" : "start"}, "median"));
+  holder.replaceChildren(svg, element("p", {class: "chart-text"}, sentence));
+}
+
+// Energies of an optimisation by iteration, on a scale from the least to the most.
+function drawCurve(holder, card, energies) {
+  card.hidden = energies.length < 2;
+  if (card.hidden) return;
+  const width = Math.min(640, Math.max(280, holder.clientWidth)), height = 170, base = 140, top = 14, left = 64, right = 20;
+  const low = Math.min(...energies), high = Math.max(...energies), last = energies.length - 1;
+  const text = value => value.toLocaleString("en", {maximumSignificantDigits: 6});
+  const x = i => left + i / last * (width - left - right);
+  const y = value => base - (high > low ? (value - low) / (high - low) : 0) * (base - top);
+  const sentence = `From ${text(energies[0])} to ${text(energies[last])} in ${last} iterations.`;
+  const svg = element("svg", {class: "chart", viewBox: `0 0 ${width} ${height}`, role: "img",
+                              "aria-label": `Curve of the energy. ${sentence}`});
+  svg.append(element("line", {class: "axis", x1: left, x2: width - right, y1: base + 0.5, y2: base + 0.5}));
+  for (const value of high > low ? [low, high] : [low]) {
+    svg.append(element("line", {class: "axis", x1: left - 5, x2: left, y1: y(value), y2: y(value)}));
+    svg.append(element("text", {x: left - 8, y: y(value) + 4, "text-anchor": "end"}, text(value)));
+  }
+  for (const i of [0, last]) {
+    svg.append(element("text", {x: x(i), y: base + 19, "text-anchor": "middle"}, `${i}`));
+  }
+  svg.append(element("polyline", {class: "curve", points: energies.map((value, i) => `${x(i)},${y(value)}`).join(" ")}));
   holder.replaceChildren(svg, element("p", {class: "chart-text"}, sentence));
 }
 

@@ -95,6 +95,18 @@ function directionsOf(result) {
   return directions;
 }
 
+// The polycube in the frame of the page: scaled as a shape is, turned (facing, by columns) as the shape stands.
+function polycubeOf({positions, facing}, vertices) {
+  const plain = positionsOf({positions, vertices}).positions;
+  const turned = new Float32Array(plain.length);
+  for (let v = 0; v < plain.length; v += 4) {
+    for (let k = 0; k < 3; ++k) {
+      turned[v + k] = facing[k] * plain[v] + facing[3 + k] * plain[v + 1] + facing[6 + k] * plain[v + 2];
+    }
+  }
+  return turned;
+}
+
 // Normals of the vertices, the mean over their triangles weighted by area.
 function normalsOf(positions, triangles) {
   const normals = new Float32Array(positions.length);
@@ -126,5 +138,7 @@ function meshOf(result) {
     levels[2 * t] = dilatation[t];
     levels[2 * t + 1] = area[t];
   }
-  return {triangles, positions, frame, directions: directionsOf(result), normals: normalsOf(positions, triangles), levels};
+  const directions = result.polycube ? polycubeOf(result.polycube, result.vertices) : directionsOf(result);
+  return {triangles, positions, frame, directions, facing: result.polycube?.facing, normals: normalsOf(positions, triangles),
+          levels};
 }

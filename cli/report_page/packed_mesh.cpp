@@ -21,12 +21,16 @@ using mesh::Index;
 using mesh::Triangle;
 using mesh::Vector3;
 
+std::span<const Vector3> target_of(const PageResult& result) {
+  return result.polycube.empty() ? result.directions : result.polycube;
+}
+
 void check(const PageResult& result) {
   const auto fail = [&](const std::string& what) {
     throw base::Error("invalid-argument", "result " + result.name + ": " + what);
   };
   if (result.triangles.empty()) fail("no triangle");
-  if (result.directions.size() != result.positions.size()) fail("not as many directions as positions");
+  if (target_of(result).size() != result.positions.size()) fail("the map has not as many vertices as the shape");
   if (result.dilatation.size() != result.triangles.size() || result.area_ratio.size() != result.triangles.size()) {
     fail("not as many distortions as triangles");
   }
@@ -132,8 +136,8 @@ double area_of(const PageResult& result, const Triangle& t) {
   return 0.5 * (p[t[1]] - p[t[0]]).cross(p[t[2]] - p[t[0]]).norm();
 }
 
-// The rotation that brings the directions nearest to the vertices seen from the shape's centroid, in the mean over the
-// shape's area (Kabsch 1976).
+// The rotation that brings directions, or the polycube, nearest to the vertices seen from the shape's centroid, in the
+// mean over the shape's area (Kabsch 1976).
 Eigen::Matrix3d facing_rotation(const PageResult& result) {
   std::vector<double> weight(result.positions.size(), 0);
   Vector3 centroid = Vector3::Zero();
@@ -150,7 +154,7 @@ Eigen::Matrix3d facing_rotation(const PageResult& result) {
   centroid /= area;
   Eigen::Matrix3d correlation = Eigen::Matrix3d::Zero();
   for (std::size_t v = 0; v < weight.size(); ++v) {
-    correlation += weight[v] / area * (result.positions[v] - centroid) * result.directions[v].transpose();
+    correlation += weight[v] / area * (result.positions[v] - centroid) * target_of(result)[v].transpose();
   }
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Vector3 handed = Vector3::Ones();
@@ -191,6 +195,28 @@ std::uint8_t level_of(const Levels& levels, double value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp<double>(level, levels.least, levels.most)));
 }
 
+// Positions in steps of 16 bits from the lowest corner of their box.
+struct Steps {
+  Vector3 low;
+  double step;
+  std::vector<std::uint8_t> bytes;
+
+  Steps(const std::vector<Index>& vertices, std::span<const Vector3> positions) : low(positions[vertices.front()]) {
+    Vector3 high = low;
+    for (const Index v : vertices) {
+      low = low.cwiseMin(positions[v]);
+      high = high.cwiseMax(positions[v]);
+    }
+    constexpr double largest = (1 << 16) - 1;
+    step = (high - low).maxCoeff() / largest;
+    if (!(step > 0)) step = 1;
+    for (const Index v : vertices) {
+      for (const double coordinate : Vector3((positions[v] - low) / step))
+        append_number(bytes, std::round(std::min(coordinate, largest)), 2);
+    }
+  }
+};
+
 }  // namespace
 
 PackedMesh pack(const PageResult& result) {
@@ -201,27 +227,20 @@ PackedMesh pack(const PageResult& result) {
   packed.triangles = order.triangles.size();
   packed.connections = base64(order.codes);
 
-  packed.low = result.positions[order.vertices.front()];
-  Vector3 high = packed.low;
-  for (const Index v : order.vertices) {
-    packed.low = packed.low.cwiseMin(result.positions[v]);
-    high = high.cwiseMax(result.positions[v]);
-  }
-  constexpr double largest = (1 << 16) - 1;
-  packed.step = (high - packed.low).maxCoeff() / largest;
-  if (!(packed.step > 0)) packed.step = 1;
+  const Steps shape(order.vertices, result.positions);
+  packed.low = shape.low;
+  packed.step = shape.step;
+  packed.positions = base64(shape.bytes);
   packed.facing = facing_rotation(result);
   packed.coefficients = packed_coefficients(result, packed.low, packed.step);
-  std::vector<std::uint8_t> positions;
-  std::vector<std::uint8_t> directions;
-  for (const Index v : order.vertices) {
-    const Vector3 steps = (result.positions[v] - packed.low) / packed.step;
-    for (const double coordinate : steps)
-      append_number(positions, std::round(std::min(coordinate, largest)), 2);
-    append_direction(directions, packed.facing * result.directions[v]);
+  if (!result.polycube.empty()) {
+    packed.polycube = base64(Steps(order.vertices, result.polycube).bytes);
+  } else {
+    std::vector<std::uint8_t> directions;
+    for (const Index v : order.vertices)
+      append_direction(directions, packed.facing * result.directions[v]);
+    packed.directions = base64(directions);
   }
-  packed.positions = base64(positions);
-  packed.directions = base64(directions);
 
   std::vector<std::uint8_t> dilatation;
   std::vector<std::uint8_t> area_ratio;

@@ -30,16 +30,17 @@ struct PackedMesh {
   double step = 0;
   std::string positions;    // three 16-bit numbers a vertex, low byte first, as all here
   std::string directions;   // two 24-bit numbers a vertex: octahedral coordinates (Cigolle et al. 2014)
+  std::string polycube;     // instead of directions: as positions, from the polycube's own lowest corner, not turned
   std::string connections;  // numbers of 7 bits a byte, see walk() in packed_mesh.cpp
   std::string dilatation;   // one level a triangle
   std::string area_ratio;
   std::string coefficients;  // of the harmonics, float32: of the sums in steps from `low`, at the unturned directions
-  Eigen::Matrix3d facing;    // what turned the directions
+  Eigen::Matrix3d facing;    // what turned the directions, or is to turn the polycube
   std::array<double, 256> dilatation_share{};  // part of the shape's area at each level
   std::array<double, 256> area_ratio_share{};
 };
 
-// The directions are turned by the rotation that brings them nearest to where the vertices are on the shape, so that
+// Directions are turned by the rotation that brings them nearest to where the vertices are on the shape, so that
 // both face the same way. O(n). Throws Error invalid-argument as report_page does.
 PackedMesh pack(const PageResult& result);
 

@@ -49,7 +49,9 @@
       Object.assign(byId(id).style, {left: `${view.x}px`, top: `${view.y}px`});
     }
     const shapeName = degree !== null ? `Harmonics to degree ${degree}` : "Shape";
-    byId("shape-name").textContent = shapeName + (state.morph === 0 ? "" : ` to sphere, ${Math.round(100 * state.morph)} %`);
+    byId("sphere-name").textContent = results[chosen].polycube ? "Polycube" : "Sphere";
+    byId("shape-name").textContent = shapeName + (state.morph === 0 ? "" :
+        ` to ${results[chosen].polycube ? "polycube" : "sphere"}, ${Math.round(100 * state.morph)} %`);
     pointAtMouse();
   }
 
@@ -107,7 +109,7 @@
     const large = result.triangles > 200000 ? ", all of them drawn" : "";
     byId("summary").textContent = `${result.name}: ${count(result.vertices)} vertices, ${count(result.triangles)} triangles` +
                                   large;
-    canvas.setAttribute("aria-label", `${result.name}: the shape beside its map to the sphere, in three dimensions`);
+    canvas.setAttribute("aria-label", `${result.name}: the shape beside its map to the ${result.polycube ? "polycube" : "sphere"}, in three dimensions`);
     mouse = null;
     if (zUp !== result.zUp) setUp(result.zUp);
     if (viewer) {
@@ -122,6 +124,7 @@
     if (result.harmonics) byId("degree").max = result.harmonics.degree + 1;
     setDegree(viewer && result.harmonics && degree !== null ? Math.min(degree, result.harmonics.degree) : null);
     drawTable(results, chosen);
+    drawCurve(byId("energy-chart"), byId("energy-card"), result.energies ?? []);
     showQuantity();
   }
 

@@ -1,4 +1,4 @@
-// Draws shape and sphere map side by side with WebGL 2. Meshes are in textures that the vertex shader reads by number,
+// Draws shape and map side by side with WebGL 2. Meshes are in textures that the vertex shader reads by number,
 // so each triangle has its own colour without a copy of its vertices.
 
 const textureWidth = 4096;
@@ -15,6 +15,7 @@ uniform highp sampler2D positions, directions, normals;
 uniform mat3 turn;
 uniform vec2 lens, shift;  // of the picture: scale and place of its centre, from -1 to 1
 uniform float morph;
+uniform bool polycube;  // the map is one to a polycube, and directions are positions on it
 flat out uint triangle;
 flat out uvec2 level;
 out vec3 place, normal, direction, weights;
@@ -28,7 +29,8 @@ void main() {
   level = texelFetch(levels, cell(t), 0).rg;
   weights = vec3(corner == 0, corner == 1, corner == 2);
   direction = texelFetch(directions, cell(v), 0).xyz;
-  normal = turn * mix(texelFetch(normals, cell(v), 0).xyz, direction, morph);
+  normal = texelFetch(normals, cell(v), 0).xyz;
+  normal = turn * (polycube ? normal : mix(normal, direction, morph));
   place = turn * mix(texelFetch(positions, cell(v), 0).xyz, direction, morph) - vec3(0, 0, ${eyeDistance});
   float near = ${eyeDistance - 1.75}, far = ${eyeDistance + 1.75};
   gl_Position = vec4(lens * place.xy - shift * place.z,
@@ -44,30 +46,45 @@ uniform sampler2D colours;
 uniform int mode;
 uniform vec4 coding;  // of values as levels: zero, span, octaves, none (packed_mesh.h)
 uniform vec2 bounds;  // of the colour scale, in octaves
-uniform bool edges;
+uniform bool edges, polycube;
+uniform float morph;
+uniform mat3 facing;  // that turned the polycube
 out vec4 colour;
 
-// Eight by eight fields on each face of the cube round the sphere, tinted by face. The cosines are even, so that fields
-// go on across the cube's edges.
-vec3 checker(vec3 d) {
-  vec3 a = abs(d);
-  vec2 onFace = a.x > a.y && a.x > a.z ? d.yz / a.x : a.y > a.z ? d.zx / a.y : d.xy / a.z;
-  vec3 tint = a.x > a.y && a.x > a.z ? (d.x > 0.0 ? vec3(0.80, 0.33, 0.24) : vec3(0.18, 0.55, 0.53))
-            : a.y > a.z ? (d.y > 0.0 ? vec3(0.87, 0.62, 0.18) : vec3(0.36, 0.38, 0.70))
-                        : (d.z > 0.0 ? vec3(0.25, 0.48, 0.75) : vec3(0.58, 0.36, 0.60));
-  vec2 at = atan(onFace) * (16.0 / 3.14159265);
-  float blur = clamp(6.0 * length(fwidth(d)), 0.02, 1.0);
+const vec3 tints[6] = vec3[](vec3(0.80, 0.33, 0.24), vec3(0.18, 0.55, 0.53), vec3(0.87, 0.62, 0.18),
+                             vec3(0.36, 0.38, 0.70), vec3(0.25, 0.48, 0.75), vec3(0.58, 0.36, 0.60));
+
+vec3 fields(vec2 at, float blur, vec3 tint) {
   vec2 wave = cos(3.14159265 * at) / (3.14159265 * blur);
   vec2 sides = 2.0 * clamp(wave, -0.5, 0.5);
   float field = 0.5 + 0.5 * sides.x * sides.y * (1.0 - smoothstep(0.6, 1.0, blur));
   return mix(tint, vec3(0.97, 0.96, 0.93), field);
 }
 
+// Fields along the polycube's axes, tinted by where its faces look.
+vec3 checkerOnFaces(vec3 d, bool front) {
+  vec3 at = d * facing, across = cross(dFdx(at), dFdy(at)) * (front ? 1.0 : -1.0), a = abs(across);
+  float blur = clamp(12.0 * length(fwidth(at)), 0.02, 1.0);
+  if (a.x > a.y && a.x > a.z) return fields(12.0 * at.yz + 0.5, blur, tints[across.x > 0.0 ? 0 : 1]);
+  if (a.y > a.z) return fields(12.0 * at.zx + 0.5, blur, tints[across.y > 0.0 ? 2 : 3]);
+  return fields(12.0 * at.xy + 0.5, blur, tints[across.z > 0.0 ? 4 : 5]);
+}
+
+// Eight by eight fields on each face of the cube round the sphere, tinted by face. The cosines are even, so that fields
+// go on across the cube's edges.
+vec3 checker(vec3 d) {
+  vec3 a = abs(d);
+  vec2 onFace = a.x > a.y && a.x > a.z ? d.yz / a.x : a.y > a.z ? d.zx / a.y : d.xy / a.z;
+  vec3 tint = a.x > a.y && a.x > a.z ? tints[d.x > 0.0 ? 0 : 1] : a.y > a.z ? tints[d.y > 0.0 ? 2 : 3]
+                                                                        : tints[d.z > 0.0 ? 4 : 5];
+  return fields(atan(onFace) * (16.0 / 3.14159265), clamp(6.0 * length(fwidth(d)), 0.02, 1.0), tint);
+}
+
 void main() {
   vec3 facet = normalize(cross(dFdx(place), dFdy(place)));
   vec3 n = normalize(normal);
   if (!gl_FrontFacing) n = -n;
-  if (!(dot(n, facet) > 0.8)) n = facet;  // creases stay sharp
+  if (!(dot(n, facet) > 0.8) || (polycube && morph > 0.0)) n = facet;  // creases stay sharp
   vec3 base = vec3(0.80, 0.81, 0.83);
   if (mode < 2) {
     float value = float(mode == 0 ? level.x : level.y);
@@ -75,7 +92,7 @@ void main() {
     float at = (coding.z * part * abs(part) - bounds.x) / (bounds.y - bounds.x);
     base = value == coding.w ? vec3(0.5) : texture(colours, vec2(clamp(at, 0.0, 1.0), 0.5)).rgb;
   } else if (mode == 2) {
-    base = checker(normalize(direction));
+    base = polycube ? checkerOnFaces(direction, gl_FrontFacing) : checker(normalize(direction));
   }
   vec3 towards = normalize(-place);
   float key = max(0.0, dot(n, normalize(vec3(-0.4, 0.65, 0.65))));
@@ -237,6 +254,8 @@ class Viewer {
     gl.uniform2fv(place("lens"), lens);
     gl.uniform2fv(place("shift"), shift);
     gl.uniform1f(place("morph"), index === 1 ? 1 : state.morph);
+    gl.uniform1i(place("polycube"), this.mesh.facing ? 1 : 0);
+    gl.uniformMatrix3fv(place("facing"), false, this.mesh.facing ?? [1, 0, 0, 0, 1, 0, 0, 0, 1]);
   }
 
   // state: turn, zoom, shifts (two), morph, mode, coding and bounds of the quantity shown, edges.

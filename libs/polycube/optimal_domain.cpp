@@ -76,11 +76,10 @@ class Unknowns {
   Array<double> ones_, lengths_;
 };
 
-// Layers with these distances, at the scale at which the polycube has the area that it has, about the same centre.
-// False when rounding joins two.
-bool lay_out(const CoordinateLayers& layers, const DomainEnergy& energy, std::span<const double> lengths,
+}  // namespace
+
+bool lay_out(const CoordinateLayers& layers, std::span<const double> lengths, double scale,
              std::array<Array<double>, 3>& positions) {
-  const double scale = std::sqrt(energy.area(energy.lengths()) / energy.area(lengths));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const Array<double>& old = layers.positions[axis];
     Array<double>& along = positions[axis];
@@ -96,13 +95,18 @@ bool lay_out(const CoordinateLayers& layers, const DomainEnergy& energy, std::sp
   return true;
 }
 
-}  // namespace
-
 DomainMinimum minimise_domain(const DomainEnergy& energy, std::span<const double> start, const DomainOptions& options,
+                              const base::Host& host) {
+  base::require(start.size() == energy.size(), "one length for each interval is wanted");
+  return minimise_domain(
+      [&](std::span<const double> lengths, std::span<double> gradient) { return energy.evaluate(lengths, gradient); },
+      start, options, host);
+}
+
+DomainMinimum minimise_domain(const LengthEnergy& energy, std::span<const double> start, const DomainOptions& options,
                               const base::Host& host) {
   using projected_gradient::Request;
   using projected_gradient::Stop;
-  base::require(start.size() == energy.size(), "one length for each interval is wanted");
   for (const double length : start)
     base::require(std::isfinite(length) && length > 0, "lengths must be positive");
   DomainMinimum result(host.memory);
@@ -119,7 +123,7 @@ DomainMinimum minimise_domain(const DomainEnergy& energy, std::span<const double
       result.energies.push_back(solver.result().value);
       continue;
     }
-    const double value = energy.evaluate(unknowns.lengths(solver.point()), gradient);
+    const double value = energy(unknowns.lengths(solver.point()), gradient);
     unknowns.turn_gradient(gradient);
     if (std::isfinite(value))
       solver.tell(value, gradient);
@@ -167,7 +171,9 @@ OptimalDomain optimise_domain(SurfaceMap& map, const DomainOptions& options, con
   double final_energy = start_energy;
   bool moved = false;
   for (int i = 0; i < most_tries && !moved; ++i) {
-    if (lay_out(layers, energy, lengths, positions)) {
+    // At the scale at which the polycube has the area that it has.
+    const double scale = std::sqrt(energy.area(energy.lengths()) / energy.area(lengths));
+    if (lay_out(layers, lengths, scale, positions)) {
       place_vertices(layers, positions, trial.polycube);
       CoordinateLayers now(host.memory);
       now.positions = positions;

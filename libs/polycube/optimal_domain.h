@@ -9,6 +9,8 @@
 // function of the logarithms.
 #pragma once
 
+#include <functional>
+
 #include "polycube/certificate.h"
 #include "polycube/distortion.h"
 #include "polycube/domain_energy.h"
@@ -41,6 +43,16 @@ struct DomainMinimum {
 // where that is less) to its thousandfold. Throws Error "invalid-argument", "cancelled".
 DomainMinimum minimise_domain(const DomainEnergy& energy, std::span<const double> start, const DomainOptions& options,
                               const base::Host& host);
+
+// The same for any energy of the lengths, as a sum of several: a value, and the gradient unless that is empty; infinite
+// where there is none.
+using LengthEnergy = std::function<double(std::span<const double> lengths, std::span<double> gradient)>;
+DomainMinimum minimise_domain(const LengthEnergy& energy, std::span<const double> start, const DomainOptions& options,
+                              const base::Host& host);
+
+// Layers with these distances times `scale`, about the centre that they have. False when rounding joins two.
+bool lay_out(const CoordinateLayers& layers, std::span<const double> lengths, double scale,
+             std::array<Array<double>, 3>& positions);
 
 struct OptimalDomain {
   explicit OptimalDomain(std::pmr::memory_resource* memory) : energies(memory), certificate(memory) {}

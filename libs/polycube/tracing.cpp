@@ -22,8 +22,9 @@ constexpr std::size_t most_refinement = 24;
 
 class Tracing {
  public:
-  Tracing(const Layout& layout, EditableSurface& surface, const base::Host& host)
+  Tracing(const Layout& layout, const LayoutGuide& guide, EditableSurface& surface, const base::Host& host)
       : layout_(layout),
+        guide_(guide),
         surface_(surface),
         host_(host),
         search_(surface, host),
@@ -131,16 +132,19 @@ class Tracing {
     Array<Index> order(layout_.nodes.size(), host_.memory);
     std::iota(order.begin(), order.end(), Index{0});
     std::stable_partition(order.begin(), order.end(), [&](Index n) { return layout_.nodes[n].corner; });
+    std::stable_partition(order.begin(), order.end(), [&](Index n) { return guide_.node_vertex[n] != no_index; });
     drawing_.node_vertex.assign(order.size(), no_index);
     for (const Index n : order) {
       host_.report(phase, 0, 0);
-      const Vector3 wanted = layout_.node_position(n);
+      const Vector3& wanted = guide_.node_position[n];
       double least = PathSearch::infinite;
-      Index chosen = no_index;
-      for (Index v = 0; v < positions.size(); ++v) {
+      Index chosen = guide_.node_vertex[n];
+      if (chosen != no_index && surface_.occupied[chosen])
+        throw base::Error("no-valid-result", "two corners of the polycube are to be at one vertex");
+      for (Index v = 0; v < positions.size() && guide_.node_vertex[n] == no_index; ++v) {
         if (surface_.occupied[v] || surface_.outgoing(v) == no_index) continue;
         const double cost = (positions[v] - wanted).norm() / diagonal_ +
-                            normal_weight * (1 - normals[v].dot(layout_.nodes[n].normal)) + (crowded[v] ? crowding : 0);
+                            normal_weight * (1 - normals[v].dot(guide_.node_normal[n])) + (crowded[v] ? crowding : 0);
         if (cost < least) {
           least = cost;
           chosen = v;
@@ -201,15 +205,19 @@ class Tracing {
     });
   }
 
-  // Length, more expensive far from the straight line of the arc and where the surface has been split for other arcs.
+  // Length, more expensive far from the line that guides the arc and where the surface has been split for other arcs.
   auto guided_cost(Index arc) const {
-    const Vector3 a = layout_.node_position(layout_.origin(2 * arc)),
-                  b = layout_.node_position(layout_.target(2 * arc));
-    return [this, a, along = Vector3(b - a)](Index h) {
+    return [this, &line = guide_.arc[arc]](Index h) {
       const Index v = surface_.start(h), w = surface_.end(h);
-      const Vector3 middle = 0.5 * (surface_.position[v] + surface_.position[w]) - a;
-      const double t = std::clamp(middle.dot(along) / along.squaredNorm(), 0.0, 1.0);
-      const double off = (middle - t * along).norm() / (guide_width * diagonal_);
+      const Vector3 middle = 0.5 * (surface_.position[v] + surface_.position[w]);
+      double squared = PathSearch::infinite;
+      for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+        const Vector3 from = middle - line[i], along = line[i + 1] - line[i];
+        const double length = along.squaredNorm();
+        const double t = length > 0 ? std::clamp(from.dot(along) / length, 0.0, 1.0) : 0;
+        squared = std::min(squared, (from - t * along).squaredNorm());
+      }
+      const double off = std::sqrt(squared) / (guide_width * diagonal_);
       const double split = std::max(level_[v], level_[w]);
       return (surface_.length(h) + 1e-9 * diagonal_) * (1 + guide_strength * off * off) * (1 + 0.5 * split * split);
     };
@@ -506,6 +514,7 @@ class Tracing {
   }
 
   const Layout& layout_;
+  const LayoutGuide& guide_;
   EditableSurface& surface_;
   const base::Host& host_;
   PathSearch search_;
@@ -522,8 +531,12 @@ class Tracing {
 
 }  // namespace
 
+Drawing trace(const Layout& layout, const LayoutGuide& guide, EditableSurface& surface, const base::Host& host) {
+  return Tracing(layout, guide, surface, host).run();
+}
+
 Drawing trace(const Layout& layout, EditableSurface& surface, const base::Host& host) {
-  return Tracing(layout, surface, host).run();
+  return trace(layout, straight_guide(layout, host.memory), surface, host);
 }
 
 }  // namespace orbicube::polycube

@@ -9,7 +9,7 @@
 #pragma once
 
 #include "polycube/editable_surface.h"
-#include "polycube/layout.h"
+#include "polycube/layout_guide.h"
 
 namespace orbicube::polycube {
 
@@ -23,6 +23,9 @@ struct Drawing {
 
 // Draws on `surface`, which is refined. Throws Error "no-valid-result" when that would refine it beyond measure,
 // "cancelled". O(arcs * n log n) at worst.
+Drawing trace(const Layout& layout, const LayoutGuide& guide, EditableSurface& surface, const base::Host& host);
+
+// The same with the layout's own place for a guide.
 Drawing trace(const Layout& layout, EditableSurface& surface, const base::Host& host);
 
 }  // namespace orbicube::polycube

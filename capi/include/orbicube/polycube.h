@@ -153,6 +153,123 @@ OBC_API obc_status obc_polycube_copy_triangles(const obc_polycube *map, uint8_t 
  * for rounding. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_copy_sources(const obc_polycube *map, uint32_t *corners, double *weights, obc_error *error);
 
+/* Places of corners, for obc_polycube_compute_on: corner i is vertex corners[i] of the polycube; it is to be at vertex
+ * vertices[i] of the surface or, where that is UINT32_MAX or vertices is NULL, at the point of the surface that is nearest to
+ * points[3 i], [3 i + 1], [3 i + 2]. */
+typedef struct obc_polycube_places {
+  const uint32_t *corners;
+  const uint32_t *vertices; /* or NULL */
+  const double *points;     /* or NULL, when all have vertices */
+  size_t count;
+} obc_polycube_places;
+
+/* Maps a surface to a polycube that is given by its triangles, each in an axis-aligned plane. It is drawn on the surface, as
+ * OBC_POLYCUBE_VOXELS does with its own: where it stands, its box stretched to that of the surface, or where the places say.
+ * The handle's polycube has the very coordinates of the one given. places and host may be NULL; the host's allocator must stay
+ * valid until _destroy. Errors: those of obc_polycube_compute; invalid argument for places that do not exist or are given
+ * twice; unsupported when the polycube is none, with the reason; wrong genus when the surface has another. */
+OBC_API obc_status obc_polycube_compute_on(const obc_surface *surface, const obc_surface *polycube,
+                                           const obc_polycube_places *places, const obc_host *host, obc_polycube **out,
+                                           obc_error *error);
+
+/* One polycube for several shapes of one genus that stand alike (the dissertation's section 4.5): the polycube of each is drawn
+ * on all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps
+ * between shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube,
+ * domain for the energy; both and host may be NULL. out is an array of `count` handles, in the order of the surfaces, all NULL
+ * after an error; made_for may be NULL or gets the number of the shape that the polycube was made for. obc_polycube_copy_energies
+ * of each handle gives the sums, which never rise. Errors: those of obc_polycube_compute, and wrong genus. */
+OBC_API obc_status obc_polycube_compute_common(const obc_surface *surfaces, size_t count, const obc_polycube_options *options,
+                                               const obc_polycube_domain_options *domain, const obc_host *host,
+                                               size_t *made_for, obc_polycube **out, obc_error *error);
+
+/* obc_polycube_optimize_domain for several maps to one and the same polycube: the proportions with the least sum of energies.
+ * out is an array of `count` handles, all NULL after an error. Errors: invalid argument (among them maps to different
+ * polycubes), out of memory, cancelled. */
+OBC_API obc_status obc_polycube_optimize_common_domain(const obc_polycube *const *maps, size_t count,
+                                                       const obc_polycube_domain_options *options, const obc_host *host,
+                                                       obc_polycube **out, obc_error *error);
+
+/* The polycube of a map without its triangles: corners, the straight edges between them, and patches (its faces), as a graph
+ * whose dual has a node a patch and a link an edge. Copies all; the map may be destroyed. */
+typedef struct obc_polycube_graph obc_polycube_graph;
+
+/* host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument, out of memory, cancelled. */
+OBC_API obc_status obc_polycube_graph_create(const obc_polycube *map, const obc_host *host, obc_polycube_graph **out,
+                                             obc_error *error);
+
+/* Releases a graph; NULL is fine. */
+OBC_API void obc_polycube_graph_destroy(obc_polycube_graph *graph);
+
+/* Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
+ * from both ends. */
+OBC_API size_t obc_polycube_graph_corner_count(const obc_polycube_graph *graph);
+OBC_API size_t obc_polycube_graph_edge_count(const obc_polycube_graph *graph);
+OBC_API size_t obc_polycube_graph_patch_count(const obc_polycube_graph *graph);
+OBC_API size_t obc_polycube_graph_loop_count(const obc_polycube_graph *graph);
+OBC_API size_t obc_polycube_graph_link_count(const obc_polycube_graph *graph);
+
+/* Copies to the caller's arrays, each of which may be NULL, as in all these functions. Of each corner its position (x y z) and
+ * its vertex of the map. Errors: invalid argument. */
+OBC_API obc_status obc_polycube_graph_copy_corners(const obc_polycube_graph *graph, double *positions, uint32_t *vertices,
+                                                   obc_error *error);
+
+/* Of each edge: its two corners, the patches on the left and on the right of the way from the first to the second, seen from
+ * outside, and whether the solid has one right angle there (1, convex) or three (0, concave). */
+OBC_API obc_status obc_polycube_graph_copy_edges(const obc_polycube_graph *graph, uint32_t *corners, uint32_t *patches,
+                                                 uint8_t *convex, obc_error *error);
+
+/* Of each patch, which has the number that obc_polycube_copy_triangles gives: the direction it looks in (0 to 5 for +x, -x, +y,
+ * -y, +z, -z), the coordinate of its plane, and where its loops begin among all loops: first the one around it, then those
+ * around its holes; loop_starts has an entry more than there are patches. */
+OBC_API obc_status obc_polycube_graph_copy_patches(const obc_polycube_graph *graph, uint8_t *labels, double *coordinates,
+                                                   uint32_t *loop_starts, obc_error *error);
+
+/* Of each loop where it begins among all darts, with an entry more than there are loops, and its darts, counter-clockwise around
+ * the patch: dart 2 e is edge e from its first corner to its second, dart 2 e + 1 the way back. Each dart is in one loop. */
+OBC_API obc_status obc_polycube_graph_copy_loops(const obc_polycube_graph *graph, uint32_t *starts, uint32_t *darts,
+                                                 obc_error *error);
+
+/* The dual graph: where the neighbours of each patch begin, with an entry more than there are patches, and the patches that
+ * share an edge with it, ascending. */
+OBC_API obc_status obc_polycube_graph_copy_dual(const obc_polycube_graph *graph, uint32_t *starts, uint32_t *neighbours,
+                                                obc_error *error);
+
+/* A mesh of quads on the surface, from a regular grid on the polycube: every vertex inside a patch, or inside an edge, has four. */
+typedef struct obc_polycube_quads obc_polycube_quads;
+
+/* How fine. Fill with _init. */
+typedef struct obc_polycube_quads_options {
+  uint32_t struct_size;
+  size_t quads;       /* about so many; each rectangle between neighbouring planes of patches has one at least. Default 10000 */
+  double edge_length; /* of cells on the polycube, rather than their number, unless it is 0. Default 0 */
+} obc_polycube_quads_options;
+
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_polycube_quads_options_init(obc_polycube_quads_options *options, size_t struct_size);
+
+/* Makes the grid, with integer numbers of cells between neighbouring planes, and takes its vertices to the surface, each
+ * in the triangle that has it by exact arithmetic. Depends on the polycube alone, but for positions: maps to one polycube give
+ * the same quads. options and host may be NULL; the host's allocator must stay valid until _destroy. Errors: invalid argument
+ * (among them more than 10^8 quads), out of memory, cancelled. */
+OBC_API obc_status obc_polycube_quads_create(const obc_polycube *map, const obc_polycube_quads_options *options,
+                                             const obc_host *host, obc_polycube_quads **out, obc_error *error);
+
+/* Releases quads; NULL is fine. */
+OBC_API void obc_polycube_quads_destroy(obc_polycube_quads *quads);
+
+/* Numbers; 0 for NULL. */
+OBC_API size_t obc_polycube_quads_vertex_count(const obc_polycube_quads *quads);
+OBC_API size_t obc_polycube_quads_quad_count(const obc_polycube_quads *quads);
+
+/* Copies to the caller's arrays, each of which may be NULL: of each vertex its position on the surface and on the polycube (x y
+ * z), of each quad its four vertices, counter-clockwise seen from outside, and its patch. Errors: invalid argument. */
+OBC_API obc_status obc_polycube_quads_copy(const obc_polycube_quads *quads, double *positions, double *polycube,
+                                           uint32_t *corners, uint32_t *patches, obc_error *error);
+
+/* Of each vertex the triangle of the map that it is in and its weights at the three corners, none negative, with the sum 1. */
+OBC_API obc_status obc_polycube_quads_copy_sources(const obc_polycube_quads *quads, uint32_t *triangles, double *weights,
+                                                   obc_error *error);
+
 /* Version of this library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_polycube_version(void);
 

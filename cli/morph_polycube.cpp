@@ -1,0 +1,141 @@
+#include "morph_polycube.h"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+
+#include "mesh/predicates.h"
+#include "morph_states.h"
+#include "polycube/inverse_map.h"
+#include "polycube/quad_mesh.h"
+#include "shared_polycube.h"
+#include "sphere_uses.h"
+#include "text.h"
+
+namespace orbicube::cli {
+namespace {
+
+using mesh::Index;
+using mesh::Triangle;
+using mesh::Vector3;
+
+// The triangulation of the polycube that all shapes get.
+struct PolycubeTriangles {
+  explicit PolycubeTriangles(std::pmr::memory_resource* memory) : polycube(memory), triangles(memory), labels(memory) {}
+
+  base::Array<Vector3> polycube;
+  base::Array<Triangle> triangles;
+  base::Array<polycube::AxisLabel> labels;
+};
+
+// Of quads: 0 for --grid first.
+std::size_t cells_of(const PolycubeMorphOptions& options, std::span<const mesh::Mesh> meshes) {
+  if (options.grid == "first") return 0;
+  if (options.grid == "both") {
+    std::size_t most = 0;
+    for (const mesh::Mesh& m : meshes)
+      most = std::max(most, m.triangles.size());
+    return std::clamp<std::size_t>(most, 20'000, 400'000);
+  }
+  const std::string name = "cells:";
+  std::size_t cells = 0;
+  const char* const end = options.grid.data() + options.grid.size();
+  const auto [read, problem] =
+      std::from_chars(options.grid.data() + std::min(name.size(), options.grid.size()), end, cells);
+  if (!options.grid.starts_with(name) || problem != std::errc() || read != end || cells < 1 || cells > 100'000'000)
+    throw Failure(Exit::wrong_input, "", "usage",
+                  "--grid: '" + options.grid + "' is no grid of a polycube; there are first and cells:N");
+  return cells;
+}
+
+PolycubeTriangles triangles_on(const polycube::CommonPolycube& common, std::size_t cells, const base::Host& host) {
+  PolycubeTriangles result(host.memory);
+  if (cells == 0) {
+    const polycube::SurfaceMap& first = common.maps.front();
+    result.polycube = first.polycube;
+    result.triangles = first.triangles;
+    result.labels = first.labels;
+    return result;
+  }
+  const polycube::PolycubeGrid grid = polycube::make_grid(common.graph, {.quads = cells}, host);
+  polycube::QuadMesh quads = polycube::mesh_grid(common.graph, grid, host);
+  result.polycube = std::move(quads.polycube);
+  for (std::size_t q = 0; q < quads.quads.size(); ++q) {
+    const auto& c = quads.quads[q];
+    result.triangles.push_back({c[0], c[1], c[2]});
+    result.triangles.push_back({c[0], c[2], c[3]});
+    for (int half = 0; half < 2; ++half)
+      result.labels.push_back(polycube::AxisLabel{common.graph.labels[quads.patches[q]]});
+  }
+  return result;
+}
+
+// Triangles that are not positive in their face of the polycube, exactly.
+std::size_t count_not_positive_on(const PolycubeTriangles& m) {
+  std::size_t result = 0;
+  for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+    const int axis = polycube::axis_of(m.labels[t]);
+    const auto flat = [&](Index v) {
+      const Vector3& p = m.polycube[v];
+      return Eigen::Vector2d(p[(axis + 1) % 3], polycube::sign_of(m.labels[t]) * p[(axis + 2) % 3]);
+    };
+    result += mesh::orientation_2d(flat(m.triangles[t][0]), flat(m.triangles[t][1]), flat(m.triangles[t][2])) <= 0;
+  }
+  return result;
+}
+
+}  // namespace
+
+void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
+  const base::Host& host = session.host();
+  if (options.inputs.size() > 10) throw Failure(Exit::wrong_input, "", "usage", "--polycube takes ten shapes at most");
+  cells_of(options, {});
+  SharedPolycube shared = share_polycube({.inputs = options.inputs,
+                                          .landmarks = options.landmarks,
+                                          .construction = {.corners = options.corners, .seed = session.seed()},
+                                          .domain = {},
+                                          .weld = options.weld},
+                                         session);
+  const PolycubeTriangles common = triangles_on(shared.common, cells_of(options, shared.meshes), host);
+  // Each map is certified, so what is positive on the polycube is covered once on every shape.
+  const std::size_t turned_over = count_not_positive_on(common);
+  if (turned_over > 0)
+    throw Failure(Exit::no_result, options.output, "no-valid-result",
+                  std::to_string(turned_over) + " triangles are turned over on the polycube");
+  std::vector<base::Array<Vector3>> states;
+  for (std::size_t i = 0; i < shared.meshes.size(); ++i) {
+    const polycube::SurfaceMap& map = shared.common.maps[i];
+    const polycube::LocatedPoints located = polycube::locate(map, common.polycube, host);
+    base::Array<Vector3>& state = states.emplace_back(host.memory);
+    for (std::size_t v = 0; v < common.polycube.size(); ++v) {
+      if (located.triangles[v] == mesh::no_index)
+        throw Failure(Exit::no_result, options.inputs[i], "internal", "a vertex is on no triangle of the polycube");
+      state.push_back(polycube::interpolate(map, located.triangles[v], located.weights[v]));
+    }
+    mesh::Mesh on_shape(host.memory);
+    on_shape.positions = state;
+    on_shape.triangles = common.triangles;
+    shared.figures[i]["distance"] = json_of_distance(shared.meshes[i], on_shape, host);
+  }
+  MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.steps};
+  for (const std::string& path : options.inputs)
+    morph.names.push_back(std::filesystem::path(path).stem().string());
+  write_morph(morph, session);
+
+  session.figures()["output"] = options.output;
+  session.figures()["vertices"] = common.polycube.size();
+  session.figures()["triangles"] = common.triangles.size();
+  session.figures()["turned_over"] = turned_over;
+  session.figures()["shapes"] = shared.figures;
+  session.say("wrote " + options.output + ": " + std::to_string(options.inputs.size()) + " shapes on " +
+              std::to_string(common.polycube.size()) + " vertices and " + std::to_string(common.triangles.size()) +
+              " triangles");
+  for (std::size_t i = 0; i < options.inputs.size(); ++i)
+    session.say("  " + options.inputs[i] + ": at most " +
+                number(100 * shared.figures[i]["distance"]["from_surface"]["max_of_diagonal"].get<double>()) +
+                " % of its diagonal is lost");
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+}  // namespace orbicube::cli
