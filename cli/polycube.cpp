@@ -122,6 +122,52 @@ std::string name_of(polycube::Method method) {
   return method == polycube::Method::labels ? "labels" : "voxels";
 }
 
+// name-2.obj for the second of several shapes.
+std::string numbered(const std::string& path, std::size_t shape) {
+  if (path.empty()) return path;
+  const std::filesystem::path whole(path);
+  return (whole.parent_path() / (whole.stem().string() + "-" + std::to_string(shape + 1) + whole.extension().string()))
+      .string();
+}
+
+// One polycube for all inputs.
+void common_polycube(const PolycubeOptions& options, Session& session) {
+  SharedPolycube shared = share_polycube(
+      {.inputs = options.inputs,
+       .landmarks = options.landmarks,
+       .construction = {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
+       .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
+       .weld = options.weld},
+      session);
+  const polycube::CommonPolycube& common = shared.common;
+  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    const polycube::SurfaceMap& map = common.maps[i];
+    const std::string output = numbered(options.output, i), surface = numbered(options.surface, i);
+    write_exactly(output, map.polycube, map.triangles, options.text, session);
+    if (!surface.empty()) write_exactly(surface, map.positions, map.triangles, options.text, session);
+    Json& figures = shared.figures[i];
+    figures.update(Json{{"output", output},
+                        {"surface", surface},
+                        {"vertices_added", map.positions.size() - shared.meshes[i].positions.size()}});
+    session.say("wrote " + output + (surface.empty() ? "" : " and " + surface) + ": mean distortion of angles " +
+                std::to_string(common.distortions[i].angle_mean) + ", of areas " +
+                std::to_string(common.distortions[i].area_mean) + " (1: none)");
+    PolycubeOutputs own = options.outputs;
+    if (i != common.base) own.domain.clear();
+    own.quads = numbered(own.quads, i);
+    own.glb = numbered(own.glb, i);
+    own.page = numbered(own.page, i);
+    const polycube::Certificate& certificate = common.certificates[i];
+    write_polycube_outputs(own,
+                           {options.inputs[i], map, certificate.genus, certificate.corners, certificate.patches,
+                            common.distortions[i], common.energies},
+                           figures, session);
+  }
+  session.figures()["shapes"] = shared.figures;
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+}
+
 void polycube(const PolycubeOptions& options, Session& session) {
   require_writable(options.output);
   require_exact_format(options.output);
@@ -188,52 +234,6 @@ void polycube(const PolycubeOptions& options, Session& session) {
                          {options.input, map, made.certificate.genus, made.certificate.corners,
                           made.certificate.patches, made.distortion, energies},
                          session.figures(), session);
-}
-
-// name-2.obj for the second of several shapes.
-std::string numbered(const std::string& path, std::size_t shape) {
-  if (path.empty()) return path;
-  const std::filesystem::path whole(path);
-  return (whole.parent_path() / (whole.stem().string() + "-" + std::to_string(shape + 1) + whole.extension().string()))
-      .string();
-}
-
-// One polycube for all inputs.
-void common_polycube(const PolycubeOptions& options, Session& session) {
-  SharedPolycube shared = share_polycube(
-      {.inputs = options.inputs,
-       .landmarks = options.landmarks,
-       .construction = {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
-       .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
-       .weld = options.weld},
-      session);
-  const polycube::CommonPolycube& common = shared.common;
-  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
-    const polycube::SurfaceMap& map = common.maps[i];
-    const std::string output = numbered(options.output, i), surface = numbered(options.surface, i);
-    write_exactly(output, map.polycube, map.triangles, options.text, session);
-    if (!surface.empty()) write_exactly(surface, map.positions, map.triangles, options.text, session);
-    Json& figures = shared.figures[i];
-    figures.update(Json{{"output", output},
-                        {"surface", surface},
-                        {"vertices_added", map.positions.size() - shared.meshes[i].positions.size()}});
-    session.say("wrote " + output + (surface.empty() ? "" : " and " + surface) + ": mean distortion of angles " +
-                std::to_string(common.distortions[i].angle_mean) + ", of areas " +
-                std::to_string(common.distortions[i].area_mean) + " (1: none)");
-    PolycubeOutputs own = options.outputs;
-    if (i != common.base) own.domain.clear();
-    own.quads = numbered(own.quads, i);
-    own.glb = numbered(own.glb, i);
-    own.page = numbered(own.page, i);
-    const polycube::Certificate& certificate = common.certificates[i];
-    write_polycube_outputs(own,
-                           {options.inputs[i], map, certificate.genus, certificate.corners, certificate.patches,
-                            common.distortions[i], common.energies},
-                           figures, session);
-  }
-  session.figures()["shapes"] = shared.figures;
-  for (const std::string& note : session.notes())
-    session.say("note: " + note);
 }
 
 }  // namespace

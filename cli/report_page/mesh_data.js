@@ -139,6 +139,6 @@ function meshOf(result) {
     levels[2 * t + 1] = area[t];
   }
   const directions = result.polycube ? polycubeOf(result.polycube, result.vertices) : directionsOf(result);
-  return {triangles, positions, frame, directions, facing: result.polycube?.facing, normals: normalsOf(positions, triangles),
-          levels};
+  return {triangles, positions, frame, directions, normals: normalsOf(positions, triangles), levels,
+          ...(result.polycube && {facing: result.polycube.facing})};
 }

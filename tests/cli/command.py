@@ -35,7 +35,7 @@ def read_obj(path):
             if words[:1] == ["v"]:
                 positions.append(tuple(float(word) for word in words[1:4]))
             elif words[:1] == ["f"]:
-                triangles.append(tuple(int(word.split("/")[0]) - 1 for word in words[1:4]))
+                triangles.append(tuple(int(word.split("/")[0]) - 1 for word in words[1:]))
     return positions, triangles
 
 

@@ -3,6 +3,7 @@
 
     polycube_test.py COMMAND
 """
+import base64
 import json
 import os
 from fractions import Fraction
@@ -101,6 +102,225 @@ class Polycube(InFolder):
                 self.assertAlmostEqual(energy, d["angle_" + which] + weight * d["area_" + which], delta=1e-9)
         done = run("polycube", path, "-o", out, "--optimise", "corner")
         self.assertEqual(done.returncode, 2)
+
+    def test_quads_lie_on_the_surface_and_are_regular_but_at_corners(self):
+        path, quads, report = self.made("bracket", 1500), self.path("quads.obj"), self.path("report.json")
+        done = run("polycube", path, "-o", self.path("out.obj"), "--quads", quads, "--cells", 4000, "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        positions, faces = read_obj(quads)
+        self.assertEqual({len(face) for face in faces}, {4})
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertEqual((figures["quads"]["vertices"], figures["quads"]["quads"]), (len(positions), len(faces)))
+        self.assertLess(abs(len(faces) - 4000), 2000)
+        valence = [0] * len(positions)
+        edges = set()
+        for face in faces:
+            for k in range(4):
+                valence[face[k]] += 1
+                edge = (face[k], face[(k + 1) % 4])
+                self.assertNotIn(edge, edges)
+                edges.add(edge)
+        self.assertTrue(all((b, a) in edges for a, b in edges))
+        irregular = sum(n != 4 for n in valence)
+        self.assertEqual(irregular, figures["quads"]["irregular_vertices"])
+        self.assertLessEqual(irregular, figures["corners"])
+        # Euler's formula, for the genus of the shape.
+        self.assertEqual(len(positions) - len(edges) // 2 + len(faces), 2 - 2 * figures["genus"])
+        # Vertices lie on the surface, so nothing is far from it that way.
+        self.assertLess(figures["quads"]["distance"]["to_surface"]["rms_of_diagonal"], 0.02)
+        again = self.path("again.obj")
+        done = run("polycube", path, "-o", self.path("out.obj"), "--quads", again, "--cell-size", 0.2)
+        self.assertEqual(done.returncode, 0)
+        done = run("polycube", path, "-o", self.path("out.obj"), "--quads", again, "--cell-size", 0.2, "--cells", 10)
+        self.assertEqual(done.returncode, 2)
+
+    def test_the_polycube_by_itself_is_read_again_and_mapped_to(self):
+        path, domain, report = self.made("creature", 1200), self.path("domain.json"), self.path("report.json")
+        out, mesh = self.path("out.obj"), self.path("domain.obj")
+        done = run("polycube", path, "-o", out, "--domain", domain, "--corners", 24, "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        with open(domain, encoding="utf-8") as file:
+            polycube = json.load(file)
+        self.assertEqual((polycube["format"], polycube["version"], polycube["genus"]), ("orbicube-polycube", 1, 0))
+        self.assertEqual(len(polycube["corners"]), figures["corners"])
+        self.assertEqual(len(polycube["patches"]), figures["patches"])
+        on_polycube = read_obj(out)[0]
+        for corner, vertex in zip(polycube["corners"], polycube["corner_vertices"]):
+            self.assertEqual(tuple(corner), tuple(on_polycube[vertex]))
+        for patch, around in zip(polycube["patches"], polycube["dual_graph"]):
+            axis = "xyz".index(patch["axis"])
+            self.assertTrue(patch["loops"])
+            for loop in patch["loops"]:
+                self.assertTrue(all(polycube["corners"][c][axis] == patch["coordinate"] for c in loop))
+            self.assertTrue(around)
+        for edge in polycube["edges"]:
+            first, second = edge["patches"]
+            self.assertIn(second, polycube["dual_graph"][first])
+        # A shape mapped to its own polycube again; corners by number, and to a vertex.
+        places = self.path("places.json")
+        with open(places, "w", encoding="utf-8") as file:
+            surface = read_obj(path)[0]
+            held = [{"corner": c, "vertex": v} for c, v in enumerate(polycube["corner_vertices"]) if v < len(surface)]
+            held += [{"corner": c, "point": polycube["corner_points"][c]}
+                     for c, v in enumerate(polycube["corner_vertices"]) if v >= len(surface)]
+            json.dump(held, file)
+        for more in ((), ("--places", places)):
+            done = run("polycube", path, "-o", out, "--from", domain, *more, "--domain", mesh, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            positions, triangles = read_obj(out)
+            self.assertNotIn(None, [looks_along(positions, t) for t in triangles])
+            with open(report, encoding="utf-8") as file:
+                again = json.load(file)
+            self.assertEqual((again["construction"], again["corners"]), ("given", figures["corners"]))
+            self.assertTrue({tuple(c) for c in polycube["corners"]} <= set(map(tuple, positions)))
+        for place in held:
+            if "vertex" in place:
+                self.assertEqual(tuple(positions[place["vertex"]]), tuple(polycube["corners"][place["corner"]]))
+        # The mesh of it as well.
+        corners, rectangles = read_obj(mesh)
+        self.assertEqual({len(face) for face in rectangles}, {4})
+        done = run("polycube", path, "-o", out, "--from", mesh)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_polycubes_that_do_not_fit_or_are_none_are_refused(self):
+        ball, ring = self.made("sphere", 800), self.made("torus", 800)
+        domain, out = self.path("domain.json"), self.path("out.obj")
+        self.assertEqual(run("polycube", ball, "-o", out, "--domain", domain, "--corners", 8).returncode, 0)
+        os.remove(out)
+        with open(domain, encoding="utf-8") as file:
+            good = json.load(file)
+
+        def refused(shape, about, kind, *options):
+            done = run("polycube", shape, "-o", out, *options)
+            self.assertEqual((done.returncode, kind_of(done.stderr, about)), (2, kind))
+            self.assertFalse(os.path.exists(out))
+
+        refused(ring, ring, "wrong-genus", "--from", domain)
+        bad = self.path("bad.json")
+
+        def with_polycube(text, kind):
+            with open(bad, "w", encoding="utf-8") as file:
+                file.write(text if isinstance(text, str) else json.dumps(text))
+            refused(ball, bad, kind, "--from", bad)
+
+        with_polycube("", "empty-file")
+        with_polycube("{", "parse")
+        with_polycube("[" * 1000, "depth-limit")
+        with_polycube({"format": "something"}, "parse")
+        with_polycube({**good, "version": 2}, "unsupported-version")
+        with_polycube({**good, "corners": good["corners"][:-1]}, "index-range")
+        with_polycube({**good, "patches": good["patches"][:-1]}, "unsupported")
+        with_polycube({**good, "corners": [[2 * x for x in good["corners"][0]]] + good["corners"][1:]}, "unsupported")
+        with_polycube({**good, "corners": [["a", 0, 0]] + good["corners"][1:]}, "parse")
+        with_polycube({**good, "patches": [{**good["patches"][0], "axis": "w"}] + good["patches"][1:]}, "parse")
+        with_polycube({**good, "corner_points": []}, "parse")
+        for kind, places in (("parse", {}), ("parse", [{}]), ("index-range", [{"corner": 99, "vertex": 0}]),
+                             ("parse", [{"corner": 0, "point": [0, 0]}])):
+            with open(bad, "w", encoding="utf-8") as file:
+                json.dump(places, file)
+            refused(ball, bad, kind, "--from", domain, "--places", bad)
+        # The sphere itself is no polycube.
+        refused(ball, ball, "unsupported", "--from", ball)
+        done = run("polycube", ball, "-o", out, "--from", domain, "--corners", 8)
+        self.assertEqual(done.returncode, 2)
+        self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
+
+    def test_glb_and_page_hold_the_map(self):
+        path, glb, page, report = (self.made("bracket", 1500), self.path("map.glb"), self.path("map.html"),
+                                   self.path("report.json"))
+        done = run("polycube", path, "-o", self.path("out.obj"), "--glb", glb, "--page", page, "--optimise", "domain",
+                   "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        with open(glb, "rb") as file:
+            data = file.read()
+        length = int.from_bytes(data[12:16], "little")
+        scene = json.loads(data[20:20 + length])
+        mesh = scene["meshes"][0]
+        self.assertEqual(mesh["extras"]["targetNames"], ["polycube"])
+        attributes = mesh["primitives"][0]["attributes"]
+        count = scene["accessors"][attributes["POSITION"]]["count"]
+        self.assertEqual(count, figures["glb"]["vertices"])
+        # Vertices on edges are there for each patch.
+        self.assertGreater(count, figures["vertices"])
+        self.assertEqual(scene["accessors"][attributes["TEXCOORD_0"]]["count"], count)
+        self.assertEqual(scene["accessors"][mesh["primitives"][0]["indices"]]["count"], 3 * figures["triangles"])
+        self.assertEqual(figures["glb"]["triangles_lost_in_float32"], 0)
+        with open(page, encoding="utf-8") as file:
+            text = file.read()
+        start = text.index(">", text.index('id="results"')) + 1
+        result = json.loads(text[start:text.index("</script>", start)])["results"][0]
+        self.assertEqual(result["energies"], figures["domain"]["energies"])
+        self.assertEqual((result["vertices"], result["triangles"]), (figures["vertices"], figures["triangles"]))
+        steps = base64.b64decode(result["polycube"]["positions"])
+        self.assertEqual(len(steps), 6 * figures["vertices"])
+        # Faces of the polycube are flat in the page as well: few different coordinates.
+        numbers = [steps[i] | steps[i + 1] << 8 for i in range(0, len(steps), 2)]
+        self.assertEqual((min(numbers), max(numbers)), (0, 65535))
+        rotation = result["polycube"]["facing"]
+        for i in range(3):
+            for j in range(3):
+                dot = sum(rotation[3 * i + k] * rotation[3 * j + k] for k in range(3))
+                self.assertAlmostEqual(dot, i == j, delta=1e-12)
+
+    def test_several_shapes_share_a_polycube(self):
+        first, second = self.made("creature", 1000), self.path("second.obj")
+        positions, triangles = read_obj(first)
+        with open(second, "w", encoding="ascii") as file:
+            for x, y, z in positions:
+                file.write(f"v {1.2 * x + 0.1 * y * y!r} {0.9 * y!r} {1.1 * z!r}\n")
+            for a, b, c in triangles:
+                file.write(f"f {a + 1} {b + 1} {c + 1}\n")
+        out, surface, report = self.path("out.obj"), self.path("surface.obj"), self.path("report.json")
+        domain, quads = self.path("domain.json"), self.path("quads.obj")
+        done = run("polycube", first, second, "-o", out, "--surface", surface, "--corners", 24, "--domain", domain, "--quads",
+                   quads, "--cells", 1000, "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        energies = figures["polycube"]["energies"]
+        self.assertEqual(energies, sorted(energies, reverse=True))
+        self.assertLess(figures["polycube"]["energy_over_own"], 1.3)
+        with open(domain, encoding="utf-8") as file:
+            corners = {tuple(c) for c in json.load(file)["corners"]}
+        meshes = []
+        for i, path in enumerate((first, second), 1):
+            on_polycube, faces = read_obj(out.replace(".obj", f"-{i}.obj"))
+            in_space, same = read_obj(surface.replace(".obj", f"-{i}.obj"))
+            self.assertEqual(faces, same)
+            self.assertNotIn(None, [looks_along(on_polycube, t) for t in faces])
+            original = read_obj(path)[0]
+            self.assertEqual(in_space[:len(original)], original)
+            self.assertTrue(corners <= set(map(tuple, on_polycube)))
+            meshes.append(read_obj(quads.replace(".obj", f"-{i}.obj")))
+        self.assertEqual(meshes[0][1], meshes[1][1])
+        self.assertNotEqual(meshes[0][0], meshes[1][0])
+        # Which is what a morph goes through.
+        glb = self.path("morph.glb")
+        done = run("morph", first, second, "-o", glb, "--polycube", "--corners", 24, "--grid", "cells:2000", "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(report, encoding="utf-8") as file:
+            morph = json.load(file)
+        self.assertEqual(morph["turned_over"], 0)
+        self.assertEqual(morph["polycube"]["energies"], energies)
+        with open(glb, "rb") as file:
+            data = file.read()
+        scene = json.loads(data[20:20 + int.from_bytes(data[12:16], "little")])
+        self.assertEqual(scene["meshes"][0]["extras"]["targetNames"], ["second"])
+        for wrong in (("--grid", "icosphere:3"), ("--grid", "cells:0"), ("--grid", "cells:")):
+            done = run("morph", first, second, "-o", glb, "--polycube", *wrong)
+            self.assertEqual(done.returncode, 2)
+            self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
+        ring = self.made("torus", 800)
+        done = run("polycube", first, ring, "-o", out)
+        self.assertEqual((done.returncode, kind_of(done.stderr, first)), (2, "wrong-genus"))
+        done = run("polycube", first, second, "-o", out, "--from", domain)
+        self.assertEqual(done.returncode, 2)
+        self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
 
     def test_no_valid_map_is_told_and_nothing_is_written(self):
         path, out = self.made("sphere", 800), self.path("out.obj")
