@@ -23,8 +23,12 @@ namespace {
 
 // Nodes of the coarsest graph at most.
 constexpr std::size_t smallest_graph = 60;
-// Times of Start::diffusion, in mean squared edges: wide enough for curves to cross a solid, then ever finer.
-constexpr std::initializer_list<double> falling_times = {64, 32, 16, 8, 4, 2, 1};
+// Times of Start::diffusion, in mean squared edges: wide enough for curves to cross a solid.
+constexpr std::initializer_list<double> falling_times = {64, 32, 16, 8};
+// Then ever finer, and slowly, so that curves settle between the tetrahedra as in a metal that is annealed. With less
+// time than the last they do not leave the edges where they are.
+constexpr double first_fine_time = 4, last_fine_time = 0.25, fine_factor = 1.4142135623730951;
+constexpr int fine_repeats = 3;
 // What a round of improvement tries from the best field so far.
 constexpr std::initializer_list<double> long_times = {128, 128, 32, 8, 2}, middle_times = {8, 8, 2, 1},
                                         short_times = {1, 0.5};
@@ -63,7 +67,7 @@ class Search {
         best_ = diffusion_.harmonic_start();
         break;
       case Start::diffusion:
-        best_ = diffused(diffusion_.harmonic_start(), falling_times);
+        best_ = annealed(diffusion_.harmonic_start());
         break;
       case Start::given:
         best_.reserve(graph_.size());
@@ -95,6 +99,15 @@ class Search {
     return field;
   }
 
+  Field annealed(const Field& from) {
+    Field field = diffused(from, falling_times);
+    for (double time = first_fine_time; time > 0.99 * last_fine_time; time /= fine_factor) {
+      for (int repeat = 0; repeat < fine_repeats; ++repeat)
+        diffusion_.diffuse(time, field);
+    }
+    return field;
+  }
+
   // Smooths a candidate and takes over what is better in it. True when it is better as a whole.
   bool offer(Field candidate) {
     Constraints own(constraints_, host_.memory);
@@ -116,7 +129,7 @@ class Search {
     Start from = Start::diffusion;
     const Quaternion axes{1, 0, 0, 0};  // of the solid
     Field harmonic = diffusion_.harmonic_start();
-    offer(diffused(harmonic, falling_times));
+    offer(annealed(harmonic));
     if (offer(std::move(harmonic))) from = Start::harmonic;
     if (offer(constant_start(graph_, constraints_, axes, host_))) from = Start::identity;
     if (offer(propagated_start(graph_, constraints_, axes, host_))) from = Start::propagated;
