@@ -12,6 +12,7 @@
 #include "mesh/write.h"
 #include "polycube/construction.h"
 #include "polycube/drawn_construction.h"
+#include "polycube/optimal_corners.h"
 #include "polycube/optimal_domain.h"
 #include "polycube_outputs.h"
 #include "shared_polycube.h"
@@ -33,6 +34,7 @@ struct PolycubeOptions {
   std::size_t corners = 0;
   std::string optimise;
   std::string measure = "surface";
+  std::string corner_search = "trust-region";
   double area_weight = 1;
   bool text = false;
   bool weld = false;
@@ -168,6 +170,31 @@ void common_polycube(const PolycubeOptions& options, Session& session) {
     session.say("note: " + note);
 }
 
+// The best places of the corners on the surface, and with `all` the best proportions in turn.
+base::Array<double> optimise_corners(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+  const double start = session.seconds();
+  polycube::CornerOptions corners;
+  if (options.corner_search == "gradient") corners.method = polycube::CornerMethod::gradient;
+  corners.area_weight = options.area_weight;
+  corners.domain = options.optimise == "all";
+  polycube::OptimalCorners found = polycube::optimise_corners(made.map, corners, session.host());
+  session.figures()["corner_optimisation"] = {{"distortion_before", distortion_figures(made.distortion)},
+                                              {"energies", found.energies},
+                                              {"evaluations", found.evaluations},
+                                              {"map_evaluations", found.map_evaluations},
+                                              {"moves", found.moves},
+                                              {"movable", found.movable},
+                                              {"converged", found.converged},
+                                              {"seconds", session.seconds() - start}};
+  std::string line = "energy after each step:";
+  for (const double energy : found.energies)
+    line += " " + std::to_string(energy);
+  session.say(line);
+  made.certificate = std::move(found.certificate);
+  made.distortion = found.distortion;
+  return std::move(found.energies);
+}
+
 void polycube(const PolycubeOptions& options, Session& session) {
   require_writable(options.output);
   require_exact_format(options.output);
@@ -179,7 +206,8 @@ void polycube(const PolycubeOptions& options, Session& session) {
                        {"corners", options.corners}, {"text", options.text},       {"weld", options.weld},
                        {"from", options.from},       {"places", options.places},   {"optimise", options.optimise}};
   if (!options.optimise.empty())
-    session.options().update(Json{{"measure", options.measure}, {"area_weight", options.area_weight}});
+    session.options().update(Json{
+        {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
   check_polycube_outputs(options.outputs, session);
   if (options.inputs.size() > 1) {
     if (!options.from.empty() || !options.optimise.empty())
@@ -200,7 +228,10 @@ void polycube(const PolycubeOptions& options, Session& session) {
   const std::string method = name_of(best.method);
   const double constructed = session.seconds();
   base::Array<double> energies(session.host().memory);
-  if (!options.optimise.empty()) energies = optimise_domain(options, made, session);
+  if (options.optimise == "domain")
+    energies = optimise_domain(options, made, session);
+  else if (!options.optimise.empty())
+    energies = optimise_corners(options, made, session);
   const double optimised = session.seconds();
   const polycube::SurfaceMap& map = made.map;
   write_exactly(options.output, map.polycube, map.triangles, options.text, session);
@@ -269,10 +300,18 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
                    "\"point\": [x, y, z]")
       ->needs(from)
       ->type_name("FILE");
-  verb->add_option("--optimise", options->optimise, "what is made better: domain, the proportions of the polycube")
-      ->check(unnamed(CLI::IsMember({"domain"})))
+  verb->add_option(
+          "--optimise", options->optimise,
+          "what is made better: domain, the proportions of the polycube; corners, their places on the surface; "
+          "all, both in turn")
+      ->check(unnamed(CLI::IsMember({"domain", "corners", "all"})))
       ->type_name("WHAT");
-  verb->add_option("--measure", options->measure, "of the distortion there: surface, faces or harmonic (surface)")
+  verb->add_option("--corner-search", options->corner_search,
+                   "how places of corners are found: trust-region, by values, or gradient (trust-region)")
+      ->check(unnamed(CLI::IsMember({"trust-region", "gradient"})))
+      ->type_name("METHOD");
+  verb->add_option("--measure", options->measure,
+                   "of the distortion that domain makes less: surface, faces or harmonic (surface)")
       ->check(unnamed(CLI::IsMember({"surface", "faces", "harmonic"})))
       ->type_name("MEAN");
   verb->add_option("--area-weight", options->area_weight, "of areas beside angles there (1)")

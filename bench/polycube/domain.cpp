@@ -4,44 +4,17 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <random>
 #include <vector>
 
-#include "base/error.h"
 #include "bench/measuring.h"
-#include "mesh/orient.h"
-#include "mesh/read.h"
-#include "polycube/label_construction.h"
+#include "map_files.h"
 #include "polycube/optimal_domain.h"
-#include "polycube/voxel_construction.h"
 
 namespace orbicube::bench {
 namespace {
 
 using namespace orbicube::polycube;
-
-constexpr const char* map_ending = ".surface.ply";
-
-SurfaceMap read_map(const std::string& file, const base::Host& host) {
-  const mesh::Mesh surface = mesh::read_mesh(file, {}, host);
-  const std::string other = file.substr(0, file.size() - std::string(map_ending).size()) + ".polycube.ply";
-  SurfaceMap map(host.memory);
-  map.positions = surface.positions;
-  map.triangles = surface.triangles;
-  map.polycube = mesh::read_mesh(other, {}, host).positions;
-  set_unrefined(map);
-  const Certificate certificate = certify(map, host);
-  if (!certificate.valid()) throw base::Error("no-valid-result", certificate.reason);
-  return map;
-}
-
-SurfaceMap make_map(const std::string& file, bool by_voxels, std::size_t corners, const base::Host& host) {
-  mesh::Mesh surface = mesh::read_mesh(file, {}, host);
-  mesh::orient(surface.positions, surface.triangles, host);
-  if (by_voxels) return construct_by_voxels(surface.positions, surface.triangles, {.corners = corners}, host).map;
-  return construct_by_labels(surface.positions, surface.triangles, {.corners = corners}, host).map;
-}
 
 // How far apart the energies are that are reached from other starts, and how many starts there were.
 struct Spread {
@@ -112,8 +85,7 @@ void measure_domains(std::span<const std::string> files, std::size_t corners, co
       "shape", "mean", "faces", "cor.", "lay.", "cells", "across", "start", "minimum", "reached", "before", "after",
       "eval", "(len)", "sums", "min.", "rest", "spread");
   for (const std::string& file : files) {
-    const std::string name = std::filesystem::path(file).filename().string();
-    const std::string stem = name.substr(0, name.find('.'));
+    const std::string stem = stem_of(file);
     for (const bool by_voxels : {false, true}) {
       const bool is_map = file.ends_with(map_ending);
       if (is_map && by_voxels) continue;
@@ -121,9 +93,10 @@ void measure_domains(std::span<const std::string> files, std::size_t corners, co
         if (is_map)
           row(stem, read_map(file, host), host);
         else
-          row(stem + (by_voxels ? ", v" : ", l"), make_map(file, by_voxels, corners, host), host);
+          row(stem + (by_voxels ? ", v" : ", l"),
+              make_map(file, by_voxels ? Method::voxels : Method::labels, corners, host), host);
       } catch (const base::Error& error) {
-        std::printf("%-16s %s: %s\n", name.c_str(), error.kind(), error.what());
+        std::printf("%-16s %s: %s\n", stem.c_str(), error.kind(), error.what());
       }
     }
   }

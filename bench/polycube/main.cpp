@@ -3,11 +3,12 @@
 //
 //     bench-polycube [-v] [--construct METHOD] [--corners N] [-o FOLDER] [surface files...]
 //     bench-polycube domain [--corners N] files...
+//     bench-polycube corners [--corners N] files...
 //     bench-polycube common [--corners N] files...
 //
 // Without files, shapes made by the project. METHOD: auto, labels or voxels. -v prints what became of each attempt, -o
-// keeps NAME.surface.ply and NAME.polycube.ply for judging. `domain` is about proportions, see domain.h, `common` about
-// one polycube for all files.
+// keeps NAME.surface.ply and NAME.polycube.ply for judging. `domain` is about proportions, see domain.h, `corners`
+// about corners, see corners.h, `common` about one polycube for all files.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include "base/error.h"
 #include "bench/measuring.h"
 #include "common.h"
+#include "corners.h"
 #include "domain.h"
 #include "mesh/make_shape.h"
 #include "mesh/orient.h"
@@ -95,6 +97,10 @@ int main(int argc, char** argv) {
   }
   if (!files.empty() && files.front() == "common") {
     bench::compare_common(std::span(files).subspan(1), options.corners, host);
+    return 0;
+  }
+  if (!files.empty() && files.front() == "corners") {
+    bench::measure_corners(std::span(files).subspan(1), options.corners, host);
     return 0;
   }
   std::printf("%-18s %8s %3s %5s %8s %7s %7s\n", "shape", "faces", "g", "corn.", "angle", "area",

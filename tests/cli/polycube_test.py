@@ -322,6 +322,26 @@ class Polycube(InFolder):
         self.assertEqual(done.returncode, 2)
         self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
 
+    def test_corners_in_better_places_leave_a_polycube_that_is_no_worse(self):
+        path, out, report = self.made("bracket", 1500), self.path("out.obj"), self.path("report.json")
+        for options in (("corners", "--corner-search", "gradient"), ("all", "--area-weight", 0.5)):
+            done = run("polycube", path, "-o", out, "--optimise", *options, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("energy after each step: ", done.stdout)
+            positions, triangles = read_obj(out)
+            self.assertNotIn(None, [looks_along(positions, t) for t in triangles])
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)
+            found = figures["corner_optimisation"]
+            energies = found["energies"]
+            self.assertEqual(energies, sorted(energies, reverse=True))
+            weight = 0.5 if "all" in options else 1
+            for energy, d in ((energies[0], found["distortion_before"]), (energies[-1], figures["distortion"])):
+                # Sums of as many triangles in another order.
+                self.assertAlmostEqual(energy, d["angle_weighted_mean"] + weight * d["area_weighted_mean"], delta=1e-9)
+        done = run("polycube", path, "-o", out, "--optimise", "corners", "--corner-search", "magic")
+        self.assertEqual(done.returncode, 2)
+
     def test_no_valid_map_is_told_and_nothing_is_written(self):
         path, out = self.made("sphere", 800), self.path("out.obj")
         done = run("polycube", path, "-o", out, "--corners", 7)

@@ -117,6 +117,51 @@ OBC_API obc_status obc_polycube_optimize_domain(const obc_polycube *map, const o
                                                 const obc_host *host, obc_polycube_domain_report *report,
                                                 obc_polycube **out, obc_error *error);
 
+/* How the best place of a corner is looked for. */
+enum {
+  OBC_POLYCUBE_TRUST_REGION = 0, /* by values alone, derivative-free (the dissertation's section 4.4.2) */
+  OBC_POLYCUBE_GRADIENT = 1      /* by gradients: fewer evaluations */
+};
+
+/* Fill with _init. */
+typedef struct obc_polycube_corner_options {
+  uint32_t struct_size;
+  int32_t method;     /* OBC_POLYCUBE_TRUST_REGION or OBC_POLYCUBE_GRADIENT. Default OBC_POLYCUBE_TRUST_REGION */
+  double area_weight; /* of areas beside angles, not negative. Default 1 */
+  int32_t domain;     /* 1: also the best proportions, in turn (the dissertation's Algorithm 3); 0: the polycube stays.
+                         Default 0 */
+  int32_t rounds;     /* at most, 1 or more. Default 6 */
+} obc_polycube_corner_options;
+
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_polycube_corner_options_init(obc_polycube_corner_options *options, size_t struct_size);
+
+/* What was found. Fill struct_size. Energies are the means over the surface of angle + area_weight * area, and the means those
+ * of obc_polycube_domain_report. */
+typedef struct obc_polycube_corner_report {
+  uint32_t struct_size;
+  int32_t converged;       /* 1: another round gains next to nothing; 0: the rounds were used up */
+  double energy_before;    /* of the map that was given */
+  double energy;           /* of the result, not more */
+  uint64_t evaluations;    /* of the surroundings of one corner, each time solved for the least distortion */
+  double map_evaluations;  /* the same counted in maps: triangles that were solved, over those of the map */
+  size_t moves;            /* of corners, over all rounds */
+  size_t movable;          /* corners with room to move, in the first round */
+  double angle_mean, area_mean;                   /* over triangles */
+  double angle_weighted_mean, area_weighted_mean; /* over the surface */
+} obc_polycube_corner_report;
+
+/* A less distorted map to the same polycube: the points of the surface that go to its corners move, each in the map's own
+ * unfolding around the corner, and with them the edges of the polycube on the surface and everything in between (the
+ * dissertation's section 4.4). Edges are split where the polycube's edges are drawn, and vertices that were added earlier and
+ * serve no edge any more may go; the vertices of the surface stay, first and to the bit. The result is certified again; it is
+ * a copy of `map` to the bit when nothing better is found.
+ * options, host and report may be NULL; the host's allocator must stay valid until _destroy of *out. `map` stays as it is.
+ * Memory for systems of linear equations is not the host's. Errors: invalid argument, out of memory, cancelled. */
+OBC_API obc_status obc_polycube_optimize_corners(const obc_polycube *map, const obc_polycube_corner_options *options,
+                                                 const obc_host *host, obc_polycube_corner_report *report,
+                                                 obc_polycube **out, obc_error *error);
+
 /* The energies of the optimisation that a map comes from: before it, then after each iteration; they never rise. The number of
  * them, 0 for NULL and for maps that come from none. */
 OBC_API size_t obc_polycube_energy_count(const obc_polycube *map);
