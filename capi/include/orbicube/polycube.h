@@ -49,19 +49,16 @@ enum {
                               the least sum of both distortions (means over triangles), fewer corners if about equal */
   OBC_POLYCUBE_LABELS = 1, /* axis labels of triangles (Livesu, Vining, Sheffer, Gregson and Scateni 2013, "PolyCut"; Garanzha
                               et al. 2021, "Foldover-free maps in 50 lines of code") */
-  OBC_POLYCUBE_VOXELS = 2  /* voxels of the surface's genus, simplified to the corners that are allowed, their faces drawn on
-                              the surface; where that fails, fewer corners and other grids */
+  OBC_POLYCUBE_VOXELS = 2  /* voxels of the surface's genus, simplified to the corners allowed, drawn on the surface */
 };
 
 /* How a polycube is looked for. Fill with _init. */
 typedef struct obc_polycube_options {
   uint32_t struct_size;
   int32_t construction; /* OBC_POLYCUBE_...; auto by default */
-  size_t corners;       /* of the polycube at most; 0: any number. A surface with g handles may have 8 + 8 g if that is more.
-                           Default 0 */
+  size_t corners;       /* of the polycube at most, or 8 + 8 g for g handles if that is more; 0: any number. Default 0 */
   uint64_t seed;        /* of what labels choose at random. Default 0 */
 } obc_polycube_options;
-
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_polycube_options_init(obc_polycube_options *options, size_t struct_size);
 
@@ -88,7 +85,6 @@ typedef struct obc_polycube_domain_options {
   int32_t measure;    /* OBC_POLYCUBE_SURFACE_MEAN or another. Default OBC_POLYCUBE_SURFACE_MEAN */
   double area_weight; /* of areas beside angles, not negative. Default 1 */
 } obc_polycube_domain_options;
-
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_polycube_domain_options_init(obc_polycube_domain_options *options, size_t struct_size);
 
@@ -97,14 +93,12 @@ OBC_API obc_status obc_polycube_domain_options_init(obc_polycube_domain_options 
 typedef struct obc_polycube_domain_report {
   uint32_t struct_size;
   int32_t converged;     /* 1: to the tolerance, or as far as rounding allows */
-  double energy_before;  /* of the map that was given */
-  double energy;         /* of the result, not more */
+  double energy_before, energy; /* of the map that was given; of the result, not more */
   uint64_t evaluations;  /* of the energy with its gradient */
   size_t layers;         /* planes of faces, along all three axes */
   size_t cells;          /* rectangles between neighbouring layers, each evaluated at once */
   size_t crossing;       /* triangles across layers, each evaluated for itself */
-  double angle_mean, area_mean;                   /* over triangles */
-  double angle_weighted_mean, area_weighted_mean; /* over the surface */
+  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* over triangles; over the surface */
 } obc_polycube_domain_report;
 
 /* The polycube with the best proportions: distances between the planes of its faces that minimise the map's distortion, vertices
@@ -117,47 +111,37 @@ OBC_API obc_status obc_polycube_optimize_domain(const obc_polycube *map, const o
                                                 const obc_host *host, obc_polycube_domain_report *report,
                                                 obc_polycube **out, obc_error *error);
 
-/* How the best place of a corner is looked for. */
-enum {
-  OBC_POLYCUBE_TRUST_REGION = 0, /* by values alone, derivative-free (the dissertation's section 4.4.2) */
-  OBC_POLYCUBE_GRADIENT = 1      /* by gradients: fewer evaluations */
-};
+/* How the best place of a corner is looked for: by values alone (the dissertation's section 4.4.2), or by gradients, in
+ * fewer evaluations. */
+enum { OBC_POLYCUBE_TRUST_REGION = 0, OBC_POLYCUBE_GRADIENT = 1 };
 
 /* Fill with _init. */
 typedef struct obc_polycube_corner_options {
   uint32_t struct_size;
   int32_t method;     /* OBC_POLYCUBE_TRUST_REGION or OBC_POLYCUBE_GRADIENT. Default OBC_POLYCUBE_TRUST_REGION */
   double area_weight; /* of areas beside angles, not negative. Default 1 */
-  int32_t domain;     /* 1: also the best proportions, in turn (the dissertation's Algorithm 3); 0: the polycube stays.
-                         Default 0 */
+  int32_t domain;     /* 1: the best proportions in turn (the dissertation's Algorithm 3); 0: the polycube stays. Default 0 */
   int32_t rounds;     /* at most, 1 or more. Default 6 */
 } obc_polycube_corner_options;
-
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_polycube_corner_options_init(obc_polycube_corner_options *options, size_t struct_size);
 
-/* What was found. Fill struct_size. Energies are the means over the surface of angle + area_weight * area, and the means those
- * of obc_polycube_domain_report. */
+/* What was found. Fill struct_size. Energies are means over the surface of angle + area_weight * area, as in the domain report. */
 typedef struct obc_polycube_corner_report {
   uint32_t struct_size;
-  int32_t converged;       /* 1: another round gains next to nothing; 0: the rounds were used up */
-  double energy_before;    /* of the map that was given */
-  double energy;           /* of the result, not more */
-  uint64_t evaluations;    /* of the surroundings of one corner, each time solved for the least distortion */
-  double map_evaluations;  /* the same counted in maps: triangles that were solved, over those of the map */
-  size_t moves;            /* of corners, over all rounds */
-  size_t movable;          /* corners with room to move, in the first round */
-  double angle_mean, area_mean;                   /* over triangles */
-  double angle_weighted_mean, area_weighted_mean; /* over the surface */
+  int32_t converged;            /* 1: another round gains next to nothing; 0: the rounds were used up */
+  double energy_before, energy; /* of the map that was given; of the result, not more */
+  uint64_t evaluations;         /* of a corner's surroundings, each time solved for the least distortion */
+  double map_evaluations;       /* the same in maps: triangles that were solved, over those of the map */
+  size_t moves, movable;        /* of corners, over all rounds; corners with room to move, in the first round */
+  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* over triangles; over the surface */
 } obc_polycube_corner_report;
 
-/* A less distorted map to the same polycube: the points of the surface that go to its corners move, each in the map's own
- * unfolding around the corner, and with them the edges of the polycube on the surface and everything in between (the
- * dissertation's section 4.4). Edges are split where the polycube's edges are drawn, and vertices that were added earlier and
- * serve no edge any more may go; the vertices of the surface stay, first and to the bit. The result is certified again; it is
- * a copy of `map` to the bit when nothing better is found.
- * options, host and report may be NULL; the host's allocator must stay valid until _destroy of *out. `map` stays as it is.
- * Memory for systems of linear equations is not the host's. Errors: invalid argument, out of memory, cancelled. */
+/* A less distorted map to the same polycube: what of the surface goes to its corners moves, in the map's own unfolding around
+ * each, and with it the polycube's edges on the surface and all between (the dissertation's section 4.4). Edges of triangles
+ * are split where the polycube's are drawn; added vertices that serve none any more may go. Certified again; a copy of `map`
+ * to the bit when nothing better is found. options, host and report may be NULL; the host's allocator must stay valid until
+ * _destroy of *out. Memory for linear systems is not the host's. Errors: invalid argument, out of memory, cancelled. */
 OBC_API obc_status obc_polycube_optimize_corners(const obc_polycube *map, const obc_polycube_corner_options *options,
                                                  const obc_host *host, obc_polycube_corner_report *report,
                                                  obc_polycube **out, obc_error *error);
@@ -168,7 +152,6 @@ OBC_API size_t obc_polycube_energy_count(const obc_polycube *map);
 
 /* Copies them to the caller's array, which may be NULL. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_copy_energies(const obc_polycube *map, double *energies, obc_error *error);
-
 /* Releases a map; NULL is fine. */
 OBC_API void obc_polycube_destroy(obc_polycube *map);
 
@@ -241,10 +224,8 @@ typedef struct obc_polycube_graph obc_polycube_graph;
 /* host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument, out of memory, cancelled. */
 OBC_API obc_status obc_polycube_graph_create(const obc_polycube *map, const obc_host *host, obc_polycube_graph **out,
                                              obc_error *error);
-
 /* Releases a graph; NULL is fine. */
 OBC_API void obc_polycube_graph_destroy(obc_polycube_graph *graph);
-
 /* Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
  * from both ends. */
 OBC_API size_t obc_polycube_graph_corner_count(const obc_polycube_graph *graph);
@@ -288,7 +269,6 @@ typedef struct obc_polycube_quads_options {
   size_t quads;       /* about so many; each rectangle between neighbouring planes of patches has one at least. Default 10000 */
   double edge_length; /* of cells on the polycube, rather than their number, unless it is 0. Default 0 */
 } obc_polycube_quads_options;
-
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_polycube_quads_options_init(obc_polycube_quads_options *options, size_t struct_size);
 
@@ -298,10 +278,8 @@ OBC_API obc_status obc_polycube_quads_options_init(obc_polycube_quads_options *o
  * (among them more than 10^8 quads), out of memory, cancelled. */
 OBC_API obc_status obc_polycube_quads_create(const obc_polycube *map, const obc_polycube_quads_options *options,
                                              const obc_host *host, obc_polycube_quads **out, obc_error *error);
-
 /* Releases quads; NULL is fine. */
 OBC_API void obc_polycube_quads_destroy(obc_polycube_quads *quads);
-
 /* Numbers; 0 for NULL. */
 OBC_API size_t obc_polycube_quads_vertex_count(const obc_polycube_quads *quads);
 OBC_API size_t obc_polycube_quads_quad_count(const obc_polycube_quads *quads);
