@@ -149,7 +149,6 @@ OBC_API obc_status obc_polycube_optimize_corners(const obc_polycube *map, const 
 /* The energies of the optimisation that a map comes from: before it, then after each iteration; they never rise. The number of
  * them, 0 for NULL and for maps that come from none. */
 OBC_API size_t obc_polycube_energy_count(const obc_polycube *map);
-
 /* Copies them to the caller's array, which may be NULL. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_copy_energies(const obc_polycube *map, double *energies, obc_error *error);
 /* Releases a map; NULL is fine. */
@@ -169,13 +168,11 @@ OBC_API int32_t obc_polycube_construction(const obc_polycube *map);
  * argument. */
 OBC_API obc_status obc_polycube_copy(const obc_polycube *map, double *positions, double *polycube, uint32_t *triangles,
                                      obc_error *error);
-
 /* Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x,
  * +y, -y, +z, -z), the number of its face of the polycube, and the surface's triangle that it lies in. Errors: invalid
  * argument. */
 OBC_API obc_status obc_polycube_copy_triangles(const obc_polycube *map, uint8_t *labels, uint32_t *patches, uint32_t *sources,
                                                obc_error *error);
-
 /* Copies where each vertex comes from, three entries a vertex, each array may be NULL: vertices of one triangle of the surface
  * (UINT32_MAX where fewer than three are needed) and their weights, which are positive (0 where not needed) and sum up to 1 but
  * for rounding. Errors: invalid argument. */
