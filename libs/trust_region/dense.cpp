@@ -223,28 +223,6 @@ void subtract_two_products(double* __restrict matrix, std::size_t stride, std::s
     add_two_scaled(matrix + i * stride, -a[i], b, -b[i], a, size);
 }
 
-// Two rows at a time, so that a and b are read half as often.
-ORBICUBE_VECTOR_VARIANTS
-void eliminate_two(double* __restrict matrix, std::size_t stride, std::size_t size, std::size_t except,
-                   const double* __restrict first, const double* __restrict a, const double* __restrict second,
-                   const double* __restrict b) {
-  for (std::size_t i = 0; i < size; i += 2) {
-    double* __restrict upper = matrix + i * stride;
-    const double f0 = first[i], f1 = second[i];
-    if (i + 1 == size || i + 1 == except) {
-      for (std::size_t j = 0; j < size; ++j)
-        upper[j] = (upper[j] + f0 * a[j]) + f1 * b[j];
-      continue;
-    }
-    double* __restrict lower = upper + stride;
-    const double g0 = first[i + 1], g1 = second[i + 1];
-    for (std::size_t j = 0; j < size; ++j) {
-      upper[j] = (upper[j] + f0 * a[j]) + f1 * b[j];
-      lower[j] = (lower[j] + g0 * a[j]) + g1 * b[j];
-    }
-  }
-}
-
 ORBICUBE_VECTOR_VARIANTS
 void add_product(double* c, double factor, const double* a, const double* b, std::size_t stride, std::size_t rows,
                  std::size_t inner, std::size_t columns) {

@@ -99,10 +99,6 @@ void add_two_products_lower(double* matrix, std::size_t stride, std::size_t size
 // A (size x size, rows `stride` apart) -= a b' + b a'.
 void subtract_two_products(double* matrix, std::size_t stride, std::size_t size, const double* a, const double* b);
 
-// Row i += first_i a + second_i b, the terms one after the other, for all rows but `except`, which is odd.
-void eliminate_two(double* matrix, std::size_t stride, std::size_t size, std::size_t except, const double* first,
-                   const double* a, const double* second, const double* b);
-
 // The lower triangle of A (size x size, rows `stride` apart) += factor x x'.
 void add_square_lower(double* a, std::size_t stride, std::size_t size, double factor, const double* x);
 

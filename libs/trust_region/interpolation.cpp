@@ -14,76 +14,74 @@ namespace {
 // An inverse whose product with its matrix is wrong by less is not refined.
 constexpr double good_inverse = 1e-9;
 
-// Exchanges row k of a with the one below that has the largest entry in column k, and their entries of `factors`, which
-// may be null. False when that entry is zero or not finite.
-bool take_pivot(double* a, std::size_t stride, std::size_t size, std::size_t k, std::uint32_t* order, double* factors) {
-  std::size_t pivot = k;
-  for (std::size_t i = k + 1; i < size; ++i) {
-    if (std::abs(a[i * stride + k]) > std::abs(a[pivot * stride + k])) pivot = i;
-  }
-  order[k] = static_cast<std::uint32_t>(pivot);
-  const double head = a[pivot * stride + k];
-  if (head == 0 || !std::isfinite(head)) return false;
-  if (pivot == k) return true;
-  std::swap_ranges(a + k * stride, a + k * stride + size, a + pivot * stride);
-  if (factors != nullptr) std::swap(factors[k], factors[pivot]);
-  return true;
-}
-
-void divide_by_pivot(double* row, std::size_t size, std::size_t k) {
-  const double factor = 1 / row[k];
-  row[k] = 1;
-  for (std::size_t j = 0; j < size; ++j)
-    row[j] *= factor;
-}
-
-// Replaces a (size x size, rows `stride` apart) by its inverse, Gauss-Jordan with row interchanges, two columns at a
-// time so that the rows are read and written half as often. `factors`, `first` and `seconds` are work of `size` each.
-// False when a pivot is zero or not finite.
-bool invert(double* a, std::size_t stride, std::size_t size, std::uint32_t* order, double* factors, double* first,
-            double* seconds) {
-  std::size_t k = 0;
-  for (; k + 1 < size; k += 2) {
-    if (!take_pivot(a, stride, size, k, order, nullptr)) return false;
-    double* row = a + k * stride;
-    divide_by_pivot(row, size, k);
-    // Column k + 1 first, since the next pivot is chosen from it.
-    for (std::size_t i = 0; i < size; ++i) {
-      factors[i] = i == k ? 0 : a[i * stride + k];
-      if (i == k) continue;
-      a[i * stride + k] = 0;
-      a[i * stride + k + 1] -= factors[i] * row[k + 1];
+// Replaces a symmetric matrix (lower triangle of size x size, rows `stride` apart) by minus its inverse: Gauss-Jordan
+// sweeps, two at a time so that the triangle is read and written half as often. The pivot is the largest entry that is
+// left on the diagonal. A KKT matrix has zeros there, but sweeps of its points fill them in: only when neither a
+// point's nor a gradient's entry is left are all of them zero, and then the points are not poised. `work` has 4 `size`
+// entries. False when a pivot is zero or not finite.
+bool invert_symmetric(double* a, std::size_t stride, std::size_t size, std::uint32_t* swept, double* work) {
+  double* first = work;
+  double* second = first + size;
+  double* first_scaled = second + size;
+  double* second_scaled = first_scaled + size;
+  std::fill_n(swept, size, 0U);
+  const auto entry = [&](std::size_t i, std::size_t k) -> double& {
+    return i < k ? a[k * stride + i] : a[i * stride + k];
+  };
+  const auto copy_column = [&](std::size_t k, double* to) {
+    std::copy_n(a + k * stride, k + 1, to);
+    for (std::size_t i = k + 1; i < size; ++i)
+      to[i] = a[i * stride + k];
+  };
+  for (std::size_t left = size; left > 0;) {
+    const auto largest = [&](const auto& diagonal) {
+      std::size_t best = size;
+      double most = 0;
+      for (std::size_t i = 0; i < size; ++i) {
+        if (swept[i] != 0) continue;
+        const double magnitude = std::abs(diagonal(i));
+        if (magnitude > most || best == size) {
+          most = magnitude;
+          best = i;
+        }
+      }
+      swept[best] = 1;
+      return best;
+    };
+    const std::size_t p = largest([&](std::size_t i) { return a[i * stride + i]; });
+    copy_column(p, first);
+    const double d = 1 / first[p];
+    if (!std::isfinite(d)) return false;
+    if (--left == 0) {
+      first[p] = 0;
+      add_square_lower(a, stride, size, -d, first);
+      for (std::size_t i = 0; i < size; ++i)
+        entry(i, p) = d * first[i];
+      entry(p, p) = -d;
+      break;
     }
-    if (!take_pivot(a, stride, size, k + 1, order, factors)) return false;
-    std::copy_n(row, size, first);
-    first[k + 1] = 0;
-    double* second = row + stride;
-    add_scaled(second, -factors[k + 1], first, size);
-    divide_by_pivot(second, size, k + 1);
-    for (std::size_t i = 0; i < size; ++i) {
-      factors[i] = -factors[i];
-      if (i == k + 1) continue;
-      seconds[i] = -a[i * stride + k + 1];
-      a[i * stride + k + 1] = 0;
-    }
-    eliminate_two(a, stride, size, k + 1, factors, first, seconds, second);
-  }
-  if (k < size) {
-    if (!take_pivot(a, stride, size, k, order, nullptr)) return false;
-    double* row = a + k * stride;
-    divide_by_pivot(row, size, k);
-    for (std::size_t i = 0; i < size; ++i) {
-      if (i == k) continue;
-      const double factor = a[i * stride + k];
-      a[i * stride + k] = 0;
-      add_scaled(a + i * stride, -factor, row, size);
-    }
-  }
-  for (k = size; k-- > 0;) {
-    const std::size_t pivot = order[k];
-    if (pivot == k) continue;
+    const std::size_t q = largest([&](std::size_t i) { return a[i * stride + i] - first[i] * first[i] * d; });
+    --left;
+    // Column q as the first sweep leaves it.
+    copy_column(q, second);
+    const double across = d * first[q];
     for (std::size_t i = 0; i < size; ++i)
-      std::swap(a[i * stride + k], a[i * stride + pivot]);
+      second[i] -= across * first[i];
+    const double f = 1 / second[q];
+    if (!std::isfinite(f)) return false;
+    first[p] = first[q] = second[p] = second[q] = 0;
+    for (std::size_t i = 0; i < size; ++i) {
+      first_scaled[i] = -d * first[i];
+      second_scaled[i] = -f * second[i];
+    }
+    add_two_products_lower(a, stride, size, first_scaled, first, second_scaled, second);
+    for (std::size_t i = 0; i < size; ++i) {
+      entry(i, p) = across * second_scaled[i] - first_scaled[i];
+      entry(i, q) = -second_scaled[i];
+    }
+    entry(p, p) = -d - across * across * f;
+    entry(p, q) = across * f;
+    entry(q, q) = -f;
   }
   return true;
 }
@@ -176,9 +174,11 @@ bool Interpolation::rebuild() {
   }
   for (std::size_t i = 0; i < count; ++i)
     std::copy_n(matrix + i * stride_, count, inverse + i * stride_);
-  if (!invert(inverse, stride_, count, order_.data(), work_.data() + stride_, work_.data() + 2 * stride_,
-              work_.data() + 3 * stride_))
-    return false;
+  if (!invert_symmetric(inverse, stride_, count, order_.data(), directions)) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k <= i; ++k)
+      inverse[k * stride_ + i] = inverse[i * stride_ + k] = -inverse[i * stride_ + k];
+  }
   if (!(residual(count) < good_inverse)) {
     if (!refine(count)) return false;
     inverse = matrix;

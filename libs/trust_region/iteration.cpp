@@ -18,7 +18,7 @@ constexpr double enough = 0.05;
 constexpr double decay = 0.15, decay_growing = 0.2;
 // The part of the predicted change beyond which the radius doubles; less for a scalar f whose set of points grows,
 // since farther points tell more of a Hessian that is not yet known.
-constexpr double very_good = 0.7, very_good_growing = 0.5;
+constexpr double very_good = 0.7, very_good_growing = 0.3;
 // Radii beyond which a point is given up, where the set may grow again.
 constexpr double too_far = 30;
 
