@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "mesh/topology.h"
+#include "polycube/map_improvement.h"
 #include "polycube/voxel_construction.h"
 
 namespace orbicube::polycube {
@@ -23,6 +24,12 @@ constexpr double about_equal = 0.02;
 // small surfaces, a few for large ones.
 std::size_t most_voxel_polycubes(std::size_t triangles) {
   constexpr std::size_t work = 600'000, least = 4, most = 24;
+  return std::clamp(work / std::max<std::size_t>(triangles, 1), least, most);
+}
+
+// Those that are improved and compared, where none is good enough.
+std::size_t most_voxel_maps(std::size_t triangles) {
+  constexpr std::size_t work = 60'000, least = 1, most = 4;
   return std::clamp(work / std::max<std::size_t>(triangles, 1), least, most);
 }
 
@@ -55,13 +62,7 @@ class BestOfAll {
         return construct_by_labels(positions_, triangles_, {.corners = budget_, .seed = options_.seed}, host_);
       });
     }
-    if (options_.method != Method::labels && !(found() && score(best_.made.distortion) <= good_enough)) {
-      attempt(Method::voxels, "by voxels", [&] {
-        return construct_by_voxels(positions_, triangles_,
-                                   {.corners = budget_, .most_polycubes = most_voxel_polycubes(triangles_.size())},
-                                   host_);
-      });
-    }
+    if (options_.method != Method::labels) try_voxels();
     if (!found()) throw base::Error("no-valid-result", reasons_);
     best_.made.tried = tried_;
     best_.made.valid = valid_;
@@ -69,6 +70,22 @@ class BestOfAll {
   }
 
  private:
+  void try_voxels() {
+    const std::size_t most = most_voxel_maps(triangles_.size());
+    std::size_t grid = 0;
+    for (std::size_t i = 0; i < most && grid < voxel_grids.size() && !good(); ++i) {
+      const bool made = attempt(Method::voxels, "by voxels", [&] {
+        Construction one = construct_by_voxels(
+            positions_, triangles_,
+            {.corners = budget_, .most_polycubes = most_voxel_polycubes(triangles_.size()), .first_grid = grid}, host_);
+        grid = one.grid + 1;
+        return one;
+      });
+      if (!made) return;
+    }
+  }
+
+  bool good() const { return found() && score(best_.made.distortion) <= good_enough; }
   bool found() const { return best_.method != Method::automatic; }
 
   // Also says whether there can be a polycube map at all.
@@ -81,27 +98,31 @@ class BestOfAll {
     return std::max(options_.corners, fewest_corners * (1 + static_cast<std::size_t>(*facts.genus)));
   }
 
+  // Whether there was a valid map.
   template <class Construct>
-  void attempt(Method method, const std::string& name, const Construct& make) {
+  bool attempt(Method method, const std::string& name, const Construct& make) {
     const auto fail = [&](const std::string& reason) {
       reasons_ += (reasons_.empty() ? "" : "; ") + name + ": " + reason;
       host_.log(name + ": " + reason);
+      return false;
     };
     try {
       Construction made = make();
       tried_ += made.tried;
-      const Distortion& d = made.distortion;
-      host_.log(name + ": " + std::to_string(made.certificate.corners) + " corners, angle " +
-                std::to_string(d.angle_mean) + ", area " + std::to_string(d.area_mean));
       valid_ += made.valid;
       if (budget_ > 0 && made.certificate.corners > budget_)
         return fail("no fewer than " + std::to_string(made.certificate.corners) + " corners");
-      if (found() && !better(made, best_.made)) return;
+      made.distortion = improve_map(made.map, made.certificate, {}, host_);
+      const Distortion& d = made.distortion;
+      host_.log(name + ": " + std::to_string(made.certificate.corners) + " corners, angle " +
+                std::to_string(d.angle_mean) + ", area " + std::to_string(d.area_mean));
+      if (found() && !better(made, best_.made)) return true;
       best_.made = std::move(made);
       best_.method = method;
+      return true;
     } catch (const base::Error& error) {
       if (error.status() != base::Status::no_valid_result) throw;
-      fail(error.what());
+      return fail(error.what());
     }
   }
 

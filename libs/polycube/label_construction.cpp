@@ -5,6 +5,7 @@
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "mesh/topology.h"
@@ -27,6 +28,10 @@ constexpr std::array when_none_is_valid = {0.03, 0.015, 0.007, 0.0035};
 constexpr double first_smoothing_time = 1e-4;
 constexpr int sweeps = 5;
 constexpr int repair_passes = 60;
+
+// What all labellings together may cost: changes of labels that have no signs of arcs, and steps of Gauss-Newton for
+// their maps. What works takes few of either.
+constexpr std::size_t most_changes = 150, most_map_steps = 1500;
 
 // Labellings are tried on a surface of so many triangles, when the input has more than is coarse enough.
 constexpr std::size_t search_triangles = 5000;
@@ -114,17 +119,28 @@ class LabelConstruction {
       result.valid = candidates_.size();
       if (finish(candidate, result)) return result;
     }
+    std::string reasons;
+    for (const Failure& failure : failures_)
+      reasons += (reasons.empty() ? "" : "; ") + failure.reason + ": " + std::to_string(failure.count) +
+                 " (corners: " + failure.corners + ")";
     throw base::Error("no-valid-result", "none of " + std::to_string(tried_) +
-                                             " labellings is a polycube within the budget; the last: " + last_reason_);
+                                             " labellings has a valid map within the budget. " + reasons);
   }
 
  private:
   struct Candidate {
     double score;
     double compactness;
+    int smoothing;
     Array<AxisLabel> labels;  // of the search surface
     SurfaceMap map;
     Certificate certificate;
+  };
+
+  // One reason, how many labellings met it, and their numbers of corners.
+  struct Failure {
+    std::string reason, corners;
+    std::size_t count;
   };
 
   bool fine_is_coarse() const { return triangles_.size() <= coarse_enough; }
@@ -144,9 +160,18 @@ class LabelConstruction {
     return unit_normals(flowed, coarse_.triangles, host_);
   }
 
-  void fail(const std::string& reason) {
-    last_reason_ = reason;
-    host_.log(reason);
+  // `detail` goes to the log only.
+  void fail(double compactness, int smoothing, std::size_t corners, const std::string& reason,
+            const std::string& detail) {
+    host_.log(name_of(compactness, smoothing, corners) + reason + (detail.empty() ? "" : ", " + detail));
+    auto same = std::find_if(failures_.begin(), failures_.end(), [&](const Failure& f) { return f.reason == reason; });
+    if (same == failures_.end()) same = failures_.insert(failures_.end(), {reason, "", 0});
+    same->corners += (same->count++ > 0 ? ", " : "") + std::to_string(corners);
+  }
+
+  static std::string name_of(double compactness, int smoothing, std::size_t corners) {
+    return "compactness " + std::to_string(compactness) + ", " + std::to_string(smoothing) + " steps of smoothing, " +
+           std::to_string(corners) + " corners: ";
   }
 
   void try_labels(double compactness, int smoothing) {
@@ -157,28 +182,33 @@ class LabelConstruction {
       labels[i] = best_label(costs, i);
     expand_labels(coarse_, costs, {}, sweeps, labels, host_);
     LabelFaults faults = repair_labels(coarse_, costs, repair_passes, labels, host_);
-    double conflict = 0;
-    if (faults.total() == 0) {
-      conflict = search_labels(coarse_, costs, options_.seed, labels, host_);
-      faults = find_faults(coarse_, find_charts(coarse_, labels, host_));
-    }
-    const std::string name = "compactness " + std::to_string(compactness) + ", " + std::to_string(smoothing) +
-                             " steps of smoothing, " + std::to_string(faults.corners) + " corners: ";
-    if (faults.total() > 0) return fail(name + "faults of labels could not be repaired");
-    if (conflict > 0) return fail(name + "no signs of arcs make the labels those of a polycube");
-    if (options_.corners > 0 && faults.corners > options_.corners) return fail(name + "more than the budget");
+    const auto refuse = [&](const std::string& reason, const std::string& detail = {}) {
+      fail(compactness, smoothing, faults.corners, reason, detail);
+    };
+    if (faults.total() > 0) return refuse("faults of labels could not be repaired");
+    // What is changed in the search loses corners, but not that many.
+    const auto far_above = [&] { return options_.corners > 0 && faults.corners > 2 * options_.corners; };
+    if (far_above()) return refuse("more corners than the budget");
+    const double conflict = search_labels(coarse_, costs, options_.seed, changes_left_, labels, host_);
+    faults = find_faults(coarse_, find_charts(coarse_, labels, host_));
+    if (conflict > 0) return refuse("no signs of arcs make the labels those of a polycube");
+    if (options_.corners > 0 && faults.corners > options_.corners) return refuse("more corners than the budget");
     const auto same = [&](const Candidate& other) { return other.labels == labels; };
     if (std::any_of(candidates_.begin(), candidates_.end(), same)) return;
     SurfaceMap map = unrefined(search_.positions, search_.triangles, labels, host_);
     LabelledMapOptions map_options;
     map_options.seed = options_.seed;
+    if (steps_left_ == 0) return refuse("not tried after so many others");
+    map_options.untangling_steps =
+        static_cast<int>(std::min<std::size_t>(steps_left_, static_cast<std::size_t>(map_options.untangling_steps)));
     LabelledMapOutcome outcome = make_labelled_map(map, frame_, map_options, {}, host_);
-    if (!outcome.valid()) return fail(name + outcome.reason);
+    steps_left_ -= std::min(steps_left_, outcome.steps);
+    if (!outcome.valid()) return refuse("triangles stay turned over or parts meet", outcome.reason);
     const Distortion d = measure_distortion(map, host_);
-    host_.log(name + "angle " + std::to_string(d.angle_weighted_mean) + ", area " +
-              std::to_string(d.area_weighted_mean));
-    candidates_.push_back({d.angle_weighted_mean * d.area_weighted_mean, compactness, std::move(labels), std::move(map),
-                           std::move(outcome.certificate)});
+    host_.log(name_of(compactness, smoothing, faults.corners) + "angle " + std::to_string(d.angle_weighted_mean) +
+              ", area " + std::to_string(d.area_weighted_mean));
+    candidates_.push_back({d.angle_weighted_mean * d.area_weighted_mean, compactness, smoothing, std::move(labels),
+                           std::move(map), std::move(outcome.certificate)});
   }
 
   // Where the candidate's map has the planes of the given triangles of the whole surface's map.
@@ -199,13 +229,18 @@ class LabelConstruction {
     return result;
   }
 
+  void fail_whole(const Candidate& candidate, const std::string& detail) {
+    fail(candidate.compactness, candidate.smoothing, candidate.certificate.corners, "lost on the whole surface",
+         detail);
+  }
+
   // The map of the whole surface.
   bool finish(Candidate& candidate, Construction& result) {
     try {
       return make_whole(candidate, result);
     } catch (const base::Error& error) {
       if (error.status() != base::Status::no_valid_result) throw;
-      fail(std::string("on the whole surface: ") + error.what());
+      fail_whole(candidate, error.what());
       return false;
     }
   }
@@ -241,7 +276,7 @@ class LabelConstruction {
     const LabelledMapOutcome outcome =
         make_labelled_map(small, frame_, map_options, planes_of(candidate, map, decimation.left), host_);
     if (!outcome.valid()) {
-      fail("on the way to the whole surface: " + outcome.reason);
+      fail_whole(candidate, outcome.reason);
       return false;
     }
     map.polycube.resize(map.positions.size());
@@ -252,7 +287,7 @@ class LabelConstruction {
       p /= frame_.scale;
     result.certificate = certify(map, host_);
     if (!result.certificate.valid()) {
-      fail("on the whole surface: " + result.certificate.reason);
+      fail_whole(candidate, result.certificate.reason);
       return false;
     }
     result.map = std::move(map);
@@ -270,7 +305,8 @@ class LabelConstruction {
   Surface coarse_;
   Array<Candidate> candidates_;
   std::size_t tried_ = 0;
-  std::string last_reason_;
+  std::size_t changes_left_ = most_changes, steps_left_ = most_map_steps;
+  std::vector<Failure> failures_;
 };
 
 }  // namespace

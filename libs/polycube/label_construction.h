@@ -26,6 +26,7 @@ struct Construction {
   Certificate certificate;
   Distortion distortion;
   std::size_t tried = 0, valid = 0;  // labellings
+  std::size_t grid = 0;              // of voxels: the number in voxel_grids
 };
 
 // Of a closed, connected, oriented surface. Throws Error "no-valid-result" with what stood in the way, "cancelled", and

@@ -71,8 +71,8 @@ bool drop_chart(const Surface& surface, const Charts& charts, Index chart, Label
 
 }  // namespace
 
-double search_labels(const Surface& surface, LabelCosts& costs, std::uint64_t seed, std::span<AxisLabel> labels,
-                     const base::Host& host) {
+double search_labels(const Surface& surface, LabelCosts& costs, std::uint64_t seed, std::size_t& most_changes,
+                     std::span<AxisLabel> labels, const base::Host& host) {
   Conflict now = find_conflict(surface, labels, seed, host);
   const double energy = label_energy(surface, costs, labels);
   double reached = now.size;
@@ -82,7 +82,8 @@ double search_labels(const Surface& surface, LabelCosts& costs, std::uint64_t se
     Array<AxisLabel> best_labels(host.memory);
     Conflict best(host.memory);
     double least = reached - 1e-9;
-    for (std::size_t i = 0; i < std::min(now.charts.size(), changes_a_step); ++i) {
+    for (std::size_t i = 0; i < std::min(now.charts.size(), changes_a_step) && most_changes > 0; ++i) {
+      --most_changes;
       LabelCosts trial_costs(host.memory);
       trial_costs.data = costs.data;
       trial_costs.boundary = costs.boundary;

@@ -8,9 +8,10 @@ namespace orbicube::polycube {
 
 // `labels` obey the rules of charts.h and go on doing so. In each step the charts where signs conflict, and those
 // beside them, lose their labels one at a time, the smallest first; what is left is cut and repaired anew, and the
-// change that leaves least conflict is kept. Ends when there is none, or when no change helps. Answers how much
-// conflict is left: 0 when signs were found. Bans are added to `costs`.
-double search_labels(const Surface& surface, LabelCosts& costs, std::uint64_t seed, std::span<AxisLabel> labels,
-                     const base::Host& host);
+// change that leaves least conflict is kept. Ends when there is none, when no change helps, or when `most_changes` have
+// been tried, from which those that were are taken off. Answers how much conflict is left: 0 when signs were found.
+// Bans are added to `costs`.
+double search_labels(const Surface& surface, LabelCosts& costs, std::uint64_t seed, std::size_t& most_changes,
+                     std::span<AxisLabel> labels, const base::Host& host);
 
 }  // namespace orbicube::polycube

@@ -84,6 +84,13 @@ class LabelledMap {
   }
 
   bool attempt(Untangling& untangling, double first_eps, int steps = most_steps) {
+    const std::size_t before = untangling.steps_taken();
+    const bool made = make(untangling, first_eps, steps);
+    outcome_.steps += untangling.steps_taken() - before;
+    return made;
+  }
+
+  bool make(Untangling& untangling, double first_eps, int steps) {
     if (!untangling.untangle({std::min(steps, options_.untangling_steps), first_eps, 1})) {
       outcome_.reason = std::to_string(untangling.turned_over()) + " triangles stay turned over";
       return false;

@@ -31,6 +31,7 @@ struct LabelledMapOutcome {
   bool valid() const { return reason.empty(); }
 
   std::string reason;       // why there is no map
+  std::size_t steps = 0;    // of Gauss-Newton that it took
   Certificate certificate;  // of the map
 };
 

@@ -149,6 +149,7 @@ double Untangling::longest_positive_step() const {
 
 // Answers by which part of itself the energy fell; 0 when no step lowers it.
 double Untangling::step() {
+  ++steps_taken_;
   const double before = assemble();
   double largest = 0;
   for (const std::uint32_t place : diagonal_) {

@@ -30,6 +30,8 @@ class Untangling {
   void polish(int steps, double area_weight);
 
   std::size_t turned_over() const { return turned_over_; }
+  // Of Gauss-Newton, by both.
+  std::size_t steps_taken() const { return steps_taken_; }
 
  private:
   double least_determinant();
@@ -50,7 +52,7 @@ class Untangling {
   Array<double> trial_, longer_;
   double eps_ = 0;
   double lambda_ = 1;
-  std::size_t turned_over_ = 0;
+  std::size_t turned_over_ = 0, steps_taken_ = 0;
 };
 
 }  // namespace orbicube::polycube

@@ -28,9 +28,8 @@ class VoxelConstruction {
         made_(host.memory) {}
 
   Construction run() {
-    // Grids that begin finer or coarser make other polycubes.
-    for (const int least_cells : {40, 60, 20, 84}) {
-      if (try_grid(least_cells)) return std::move(made_);
+    for (made_.grid = options_.first_grid; made_.grid < voxel_grids.size(); ++made_.grid) {
+      if (try_grid(voxel_grids[made_.grid])) return std::move(made_);
     }
     std::string reasons;
     for (const Failure& failure : failures_)

@@ -6,6 +6,8 @@
 // numbers leave, and then fewer corners and other grids are tried.
 #pragma once
 
+#include <array>
+
 #include "polycube/label_construction.h"
 
 namespace orbicube::polycube {
@@ -13,7 +15,11 @@ namespace orbicube::polycube {
 struct VoxelConstructionOptions {
   std::size_t corners = 0;          // of the polycube at most, or the fewest that it can be brought to; 0: any number
   std::size_t most_polycubes = 24;  // that are drawn on the surface and mapped
+  std::size_t first_grid = 0;       // of voxel_grids, where those before have been tried
 };
+
+// Grids begin with so many cells along the longest axis: finer and coarser ones make other polycubes.
+inline constexpr std::array voxel_grids = {40, 60, 20, 84};
 
 // Of a closed, connected, oriented surface that looks outward. `tried` counts polycubes.
 // Throws Error "no-valid-result" with what stood in the way of each, "not-closed", "cancelled".

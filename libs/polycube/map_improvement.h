@@ -1,0 +1,21 @@
+// A certified map to a polycube made less distorted: vertices move across edges of the polycube (unfolded_smoothing.h),
+// edges are cut anew where they then run (polycube_edges.h), and the polycube takes the best proportions
+// (optimal_domain.h), in turns.
+#pragma once
+
+#include "polycube/certificate.h"
+#include "polycube/distortion.h"
+
+namespace orbicube::polycube {
+
+struct ImprovementOptions {
+  int rounds = 8;  // at most
+};
+
+// The map is certified, and so is the result; it has corners and faces of the same kind in the same order of planes.
+// Answers the distortion of the result, whose means over triangles do not add up to more than before.
+// Throws Error "cancelled".
+Distortion improve_map(SurfaceMap& map, Certificate& certificate, const ImprovementOptions& options,
+                       const base::Host& host);
+
+}  // namespace orbicube::polycube

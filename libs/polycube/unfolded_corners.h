@@ -1,0 +1,13 @@
+// Corners of the polycube moved from vertex to vertex of an unfolded map.
+#pragma once
+
+#include "polycube/unfolded_star.h"
+
+namespace orbicube::polycube {
+
+// Each corner goes to the neighbour at which the triangles around both are least distorted, as long as that is better:
+// the neighbour takes its place on the polycube, and the vertex that was there becomes one like others, which finds its
+// place in the ring that is left. Triangles stay positive. Answers how many moves were made. Throws Error "cancelled".
+std::size_t move_corners(UnfoldedMap& map, const TriangleWeights& weights, const base::Host& host);
+
+}  // namespace orbicube::polycube

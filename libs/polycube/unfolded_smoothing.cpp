@@ -1,0 +1,118 @@
+#include "polycube/unfolded_smoothing.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+#include "mesh/predicates.h"
+#include "polycube/unfolded_corners.h"
+#include "polycube/unfolded_newton.h"
+
+namespace orbicube::polycube {
+namespace {
+
+constexpr const char* phase = "smoothing";
+
+class Smoothing {
+ public:
+  Smoothing(UnfoldedMap& map, const base::Host& host)
+      : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory) {}
+
+  void run(const SmoothingOptions& options) {
+    constexpr int most_removals = 12, sweeps = 6;
+    for (int i = 0; i < most_removals; ++i) {
+      for (int k = 0; k < sweeps; ++k)
+        sweep(k % 2 == 1);
+      if (remove_added() == 0) break;
+    }
+    move_all(map_, weights_, options.newton_steps, host_);
+    for (int i = 0; i < options.corner_rounds; ++i) {
+      const std::size_t moved = move_corners(map_, weights_, host_);
+      const std::size_t removed = remove_added();
+      if (moved + removed == 0) break;
+      move_all(map_, weights_, options.newton_steps / 4, host_);
+    }
+  }
+
+ private:
+  void sweep(bool backwards) {
+    const auto count = static_cast<Index>(surface_.vertices());
+    for (Index i = 0; i < count; ++i) {
+      if (i % 256 == 0) host_.report(phase, 0, 0);
+      const Index v = backwards ? count - 1 - i : i;
+      if (surface_.outgoing(v) == no_index || map_.is_corner(v)) continue;
+      star_.gather(map_, weights_, v);
+      map_.image[v] = star_.improved(map_.image[v]);
+    }
+    map_.follow_corners();
+  }
+
+  // Whether v may go to w as far as the surface in space is concerned.
+  bool along_the_input(Index v, Index w) const {
+    const VertexSource &from = surface_.source[v], &to = surface_.source[w];
+    if (from.corner[2] != no_index) return true;  // all its triangles lie in one of the input
+    return std::all_of(to.corner.begin(), to.corner.end(),
+                       [&](Index c) { return c == no_index || c == from.corner[0] || c == from.corner[1]; });
+  }
+
+  // The half-edge to the neighbour into which the vertex is best merged; no_index when none makes it better.
+  Index best_collapse(Index v) {
+    constexpr double isometry = 2;
+    star_.gather(map_, weights_, v);
+    double now = 0;
+    for (const UnfoldedStar::Corner& t : star_.triangles)
+      now += distortion(jacobian(t.rest, map_.image[v], t.a, t.b)) - isometry;
+    double least = now;
+    Index best = no_index;
+    surface_.for_each_outgoing(v, [&](Index h) {
+      const Index w = surface_.end(h);
+      if (!along_the_input(v, w)) return;
+      const Vector2d there = map_.motion[h].inverse()(map_.at(EditableSurface::next(h)));
+      double sum = 0;
+      std::size_t i = 0;
+      surface_.for_each_outgoing(v, [&](Index x) {
+        const UnfoldedStar::Corner& t = star_.triangles[i++];
+        const Index a = surface_.end(x), b = surface_.end(EditableSurface::next(x));
+        if (a == w || b == w || sum >= least) return;
+        const auto& p = surface_.position;
+        const bool same_side = (p[a] - p[v]).cross(p[b] - p[v]).dot((p[a] - p[w]).cross(p[b] - p[w])) > 0;
+        if (!same_side || mesh::orientation_2d(there, t.a, t.b) <= 0)
+          sum = std::numeric_limits<double>::infinity();
+        else
+          sum += distortion(jacobian(weights_.rest(surface_, w, a, b), there, t.a, t.b)) - isometry;
+      });
+      if (!(sum < least) || !surface_.can_collapse(h)) return;
+      least = sum;
+      best = h;
+    });
+    return best;
+  }
+
+  std::size_t remove_added() {
+    std::size_t removed = 0;
+    for (Index v = 0; v < surface_.vertices(); ++v) {
+      if (v % 256 == 0) host_.report(phase, 0, 0);
+      if (surface_.outgoing(v) == no_index || map_.is_corner(v) || surface_.source[v].corner[1] == no_index) continue;
+      const Index h = best_collapse(v);
+      if (h == no_index) continue;
+      map_.collapse(h);
+      ++removed;
+    }
+    if (removed > 0) weights_ = TriangleWeights(map_);
+    return removed;
+  }
+
+  UnfoldedMap& map_;
+  EditableSurface& surface_;
+  const base::Host& host_;
+  TriangleWeights weights_;
+  UnfoldedStar star_;
+};
+
+}  // namespace
+
+void smooth_unfolded(UnfoldedMap& map, const SmoothingOptions& options, const base::Host& host) {
+  Smoothing(map, host).run(options);
+}
+
+}  // namespace orbicube::polycube
