@@ -1,5 +1,6 @@
 #include "polycube/map_improvement.h"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -11,6 +12,12 @@
 namespace orbicube::polycube {
 namespace {
 
+// Each takes time in proportion to the triangles, or a little more.
+int most_steps(std::size_t triangles) {
+  constexpr std::size_t work = 6'000'000, least = 30, most = 400;
+  return static_cast<int>(std::clamp(work / std::max<std::size_t>(triangles, 1), least, most));
+}
+
 double sum_of(const Distortion& d) {
   return d.angle_mean + d.area_mean;
 }
@@ -19,13 +26,14 @@ double sum_of(const Distortion& d) {
 
 Distortion improve_map(SurfaceMap& map, Certificate& certificate, const ImprovementOptions& options,
                        const base::Host& host) {
-  constexpr double little = 0.003;
+  constexpr double little = 0.01;  // of what there is above an isometry
+  int steps = options.newton_steps > 0 ? options.newton_steps : most_steps(map.triangles.size());
   Distortion now = measure_distortion(map, host);
-  for (int round = 0; round < options.rounds; ++round) {
+  for (int round = 0; round < options.rounds && steps > 0; ++round) {
     const double before = sum_of(now);
     try {
       UnfoldedMap unfolded(map, host);
-      smooth_unfolded(unfolded, {}, host);
+      steps -= smooth_unfolded(unfolded, {.newton_steps = steps}, host);
       SurfaceMap trial = fold(unfolded, host);
       Certificate proof = certify(trial, host);
       if (!proof.valid()) throw base::Error("no-valid-result", proof.reason);

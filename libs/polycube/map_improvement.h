@@ -9,7 +9,8 @@
 namespace orbicube::polycube {
 
 struct ImprovementOptions {
-  int rounds = 8;  // at most
+  int rounds = 8;        // at most
+  int newton_steps = 0;  // of all vertices at once, in all rounds; 0: as many as the count of triangles allows
 };
 
 // The map is certified, and so is the result; it has corners and faces of the same kind in the same order of planes.

@@ -185,7 +185,8 @@ class System {
 
 }  // namespace
 
-void move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, const base::Host& host) {
+int move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, double least_gain, const base::Host& host) {
+  if (steps <= 0) return 0;
   const EditableSurface& surface = map.surface;
   Array<Index> number(surface.vertices(), no_index, host.memory);
   Array<Vector2d> place(host.memory);
@@ -208,14 +209,14 @@ void move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, const
     elements.push_back(e);
   }
   System system(std::move(elements), std::move(place), host);
-  constexpr double little = 1e-4;
-  for (int i = 0; i < steps; ++i) {
-    const double gain = system.step();
+  int taken = 0;
+  for (double gain = 1; taken < steps && gain >= least_gain; ++taken) {
+    gain = system.step();
     for (Index v = 0; v < number.size(); ++v)
       if (number[v] != no_index) map.image[v] = system.places()[number[v]];
     map.follow_corners();
-    if (gain < little) break;
   }
+  return taken;
 }
 
 }  // namespace orbicube::polycube

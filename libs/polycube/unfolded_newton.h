@@ -5,8 +5,9 @@
 
 namespace orbicube::polycube {
 
-// Steps of Newton's method with Gauss-Newton blocks (untangling.h), at most so many, until one gains little. Triangles
-// stay positive, corners where they are. Throws Error "cancelled".
-void move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, const base::Host& host);
+// Steps of Newton's method with Gauss-Newton blocks (untangling.h), at most so many, until one gains less than a part
+// of the energy. Triangles stay positive, corners where they are. Answers how many steps it took. Throws Error
+// "cancelled".
+int move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, double least_gain, const base::Host& host);
 
 }  // namespace orbicube::polycube

@@ -18,20 +18,28 @@ class Smoothing {
   Smoothing(UnfoldedMap& map, const base::Host& host)
       : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory) {}
 
-  void run(const SmoothingOptions& options) {
-    constexpr int most_removals = 12, sweeps = 6;
+  int run(const SmoothingOptions& options) {
+    constexpr int most_removals = 12, sweeps = 6, steps_at_once = 20, steps_between = 3;
+    constexpr double rough = 1e-3, fine = 1e-4;
     for (int i = 0; i < most_removals; ++i) {
       for (int k = 0; k < sweeps; ++k)
         sweep(k % 2 == 1);
       if (remove_added() == 0) break;
     }
-    move_all(map_, weights_, options.newton_steps, host_);
-    for (int i = 0; i < options.corner_rounds; ++i) {
+    int left = options.newton_steps;
+    const auto move = [&](int steps, double least_gain) {
+      left -= move_all(map_, weights_, std::min(steps, left), least_gain, host_);
+    };
+    move(steps_at_once, rough);
+    for (int i = 0; i < options.corner_rounds && left > steps_at_once; ++i) {
       const std::size_t moved = move_corners(map_, weights_, host_);
       const std::size_t removed = remove_added();
       if (moved + removed == 0) break;
-      move_all(map_, weights_, options.newton_steps / 4, host_);
+      sweep(i % 2 == 1);
+      move(steps_between, rough);
     }
+    move(steps_at_once, fine);
+    return options.newton_steps - left;
   }
 
  private:
@@ -111,8 +119,8 @@ class Smoothing {
 
 }  // namespace
 
-void smooth_unfolded(UnfoldedMap& map, const SmoothingOptions& options, const base::Host& host) {
-  Smoothing(map, host).run(options);
+int smooth_unfolded(UnfoldedMap& map, const SmoothingOptions& options, const base::Host& host) {
+  return Smoothing(map, host).run(options);
 }
 
 }  // namespace orbicube::polycube

@@ -10,13 +10,13 @@
 namespace orbicube::polycube {
 
 struct SmoothingOptions {
-  int newton_steps = 40;   // of all vertices at once, at most
+  int newton_steps = 100;  // of all vertices at once, at most
   int corner_rounds = 10;  // in each of which every corner may move by an edge, or several; 0: they stay
 };
 
 // Moves vertices one by one, takes out vertices that were added to the input wherever the rest fits better without, and
 // then moves all at once by Newton's method with Gauss-Newton blocks (untangling.h). The map must be positive, and
-// stays so. Throws Error "cancelled".
-void smooth_unfolded(UnfoldedMap& map, const SmoothingOptions& options, const base::Host& host);
+// stays so. Answers how many steps of all vertices it took. Throws Error "cancelled".
+int smooth_unfolded(UnfoldedMap& map, const SmoothingOptions& options, const base::Host& host);
 
 }  // namespace orbicube::polycube

@@ -50,7 +50,7 @@ TEST_CASE("The map kept is no worse than that of either construction, and within
   };
   for (const Case& c : {Case{"creature", 30}, Case{"blob", 8}}) {
     CAPTURE(c.name);
-    const mesh::Mesh m = shape(c.name, 1500);
+    const mesh::Mesh m = shape(c.name, 700);
     const BestConstruction best = construct(m, Method::automatic, c.corners);
     check_map(m, best);
     CHECK(best.made.certificate.corners <= c.corners);
@@ -71,7 +71,7 @@ TEST_CASE("The map kept is no worse than that of either construction, and within
 }
 
 TEST_CASE("The same bits for any number of threads, by both constructions") {
-  const mesh::Mesh m = shape("creature", 800);
+  const mesh::Mesh m = shape("creature", 500);
   base::Host alone = host, crowd = host;
   alone.thread_count = 1;
   crowd.thread_count = 3;
@@ -135,7 +135,7 @@ TEST_CASE("Surfaces that are not closed are refused for what they are") {
 }
 
 TEST_CASE("Cancelling ends both constructions") {
-  const mesh::Mesh m = shape("creature", 800);
+  const mesh::Mesh m = shape("creature", 500);
   for (const char* phase : {"start", "voxels", "tracing", "map"}) {
     CAPTURE(phase);
     base::Host cancelling;

@@ -68,7 +68,7 @@ TEST_CASE("Motions of the plane compose, and their inverses undo them") {
 TEST_CASE("Triangles beside each other see their edge in one place, and angles at corners are those of the polycube") {
   for (const char* name : {"creature", "torus"}) {
     CAPTURE(name);
-    const Construction made = by_voxels(shape(name, 1500), 40);
+    const Construction made = by_voxels(shape(name, 700), 40);
     const UnfoldedMap map(made.map, host);
     for (Index h = 0; h < 3 * map.surface.faces(); ++h) {
       const PlaneMotion across = map.across(h);
@@ -94,7 +94,7 @@ TEST_CASE("Triangles beside each other see their edge in one place, and angles a
 TEST_CASE("Unfolded and folded at once, a map is what it was") {
   for (const char* name : {"creature", "torus"}) {
     CAPTURE(name);
-    const mesh::Mesh m = shape(name, 1500);
+    const mesh::Mesh m = shape(name, 700);
     const Construction made = by_voxels(m, 40);
     UnfoldedMap unfolded(made.map, host);
     SurfaceMap folded = fold(unfolded, host);
@@ -114,7 +114,7 @@ TEST_CASE("Unfolded and folded at once, a map is what it was") {
 TEST_CASE("Smoothing keeps the polycube, to the bit, and lowers the distortion") {
   for (const char* name : {"creature", "torus"}) {
     CAPTURE(name);
-    const mesh::Mesh m = shape(name, 1500);
+    const mesh::Mesh m = shape(name, 700);
     const Construction made = by_voxels(m, 40);
     UnfoldedMap unfolded(made.map, host);
     smooth_unfolded(unfolded, {}, host);
@@ -151,7 +151,7 @@ TEST_CASE("A cube's map becomes an isometry") {
 TEST_CASE("Improving never makes a map worse, and its proof is that of the map") {
   for (const char* name : {"creature", "bracket"}) {
     CAPTURE(name);
-    const mesh::Mesh m = shape(name, 1500);
+    const mesh::Mesh m = shape(name, 700);
     Construction made = by_voxels(m, 60);
     const Distortion before = made.distortion;
     const Distortion after = improve_map(made.map, made.certificate, {}, host);
