@@ -29,7 +29,7 @@ std::size_t most_voxel_polycubes(std::size_t triangles) {
 
 // Those that are improved and compared, where none is good enough.
 std::size_t most_voxel_maps(std::size_t triangles) {
-  constexpr std::size_t work = 60'000, least = 1, most = 4;
+  constexpr std::size_t work = 60'000, least = 1, most = 3;
   return std::clamp(work / std::max<std::size_t>(triangles, 1), least, most);
 }
 

@@ -26,7 +26,7 @@ double sum_of(const Distortion& d) {
 
 Distortion improve_map(SurfaceMap& map, Certificate& certificate, const ImprovementOptions& options,
                        const base::Host& host) {
-  constexpr double little = 0.01;  // of what there is above an isometry
+  constexpr double little = 0.005;  // of what there is above an isometry
   int steps = options.newton_steps > 0 ? options.newton_steps : most_steps(map.triangles.size());
   Distortion now = measure_distortion(map, host);
   for (int round = 0; round < options.rounds && steps > 0; ++round) {

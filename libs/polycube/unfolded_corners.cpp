@@ -128,8 +128,9 @@ class CornerMoves {
     }
     if (!std::isfinite(least)) return result;
     constexpr int steps = 4;
+    double last = 0, gained = 0;
     for (int k = 0; k < steps; ++k)
-      result.place = star_.improved(result.place);
+      result.place = star_.improved(result.place, last, gained);
     result.gain = before - after - star_.energy(result.place);
     if (result.gain > 0 && turns_once(result.place)) result.half_edge = h;
     return result;

@@ -19,11 +19,10 @@ class Smoothing {
       : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory) {}
 
   int run(const SmoothingOptions& options) {
-    constexpr int most_removals = 12, sweeps = 6, steps_at_once = 20, steps_between = 3;
+    constexpr int most_removals = 12, steps_at_once = 20, steps_between = 3;
     constexpr double rough = 1e-3, fine = 1e-4;
     for (int i = 0; i < most_removals; ++i) {
-      for (int k = 0; k < sweeps; ++k)
-        sweep(k % 2 == 1);
+      sweep(60);
       if (remove_added() == 0) break;
     }
     int left = options.newton_steps;
@@ -35,7 +34,7 @@ class Smoothing {
       const std::size_t moved = move_corners(map_, weights_, host_);
       const std::size_t removed = remove_added();
       if (moved + removed == 0) break;
-      sweep(i % 2 == 1);
+      sweep(6);
       move(steps_between, rough);
     }
     move(steps_at_once, fine);
@@ -43,16 +42,27 @@ class Smoothing {
   }
 
  private:
-  void sweep(bool backwards) {
+  // One vertex after the other, forwards and backwards, until that gains little. A few bad triangles keep all vertices
+  // together from moving far, but not their own.
+  void sweep(int most) {
+    constexpr double little = 0.01;
     const auto count = static_cast<Index>(surface_.vertices());
-    for (Index i = 0; i < count; ++i) {
-      if (i % 256 == 0) host_.report(phase, 0, 0);
-      const Index v = backwards ? count - 1 - i : i;
-      if (surface_.outgoing(v) == no_index || map_.is_corner(v)) continue;
-      star_.gather(map_, weights_, v);
-      map_.image[v] = star_.improved(map_.image[v]);
+    for (int i = 0; i < most; ++i) {
+      double energy = 0, gain = 0;
+      for (Index k = 0; k < count; ++k) {
+        if (k % 256 == 0) host_.report(phase, 0, 0);
+        const Index v = i % 2 == 0 ? k : count - 1 - k;
+        if (surface_.outgoing(v) == no_index || map_.is_corner(v)) continue;
+        star_.gather(map_, weights_, v);
+        double before = 0, fallen = 0;
+        map_.image[v] = star_.improved(map_.image[v], before, fallen);
+        energy += before;
+        gain += fallen;
+      }
+      map_.follow_corners();
+      // Every triangle is in three stars.
+      if (gain < little * energy / 3) break;
     }
-    map_.follow_corners();
   }
 
   // Whether v may go to w as far as the surface in space is concerned.

@@ -47,8 +47,9 @@ bool UnfoldedStar::positive(const Vector2d& place) const {
                      [&](const Corner& t) { return mesh::orientation_2d(place, t.a, t.b) > 0; });
 }
 
-Vector2d UnfoldedStar::improved(const Vector2d& place) const {
+Vector2d UnfoldedStar::improved(const Vector2d& place, double& before, double& gain) const {
   double value = 0;
+  before = gain = 0;
   Vector2d gradient = Vector2d::Zero();
   Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
   for (const Corner& t : triangles) {
@@ -64,6 +65,7 @@ Vector2d UnfoldedStar::improved(const Vector2d& place) const {
         hessian(r, s) += t.weight * hat.dot(of.second.block<2, 2>(2 * r, 2 * s) * hat);
     }
   }
+  before = value;
   const double determinant = hessian.determinant();
   if (!(determinant > 0)) return place;
   const Vector2d step = -Vector2d(hessian(1, 1) * gradient.x() - hessian(0, 1) * gradient.y(),
@@ -75,7 +77,10 @@ Vector2d UnfoldedStar::improved(const Vector2d& place) const {
   double length = 1;
   for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
     const Vector2d there = place + length * step;
-    if (energy(there) <= value + 1e-4 * length * slope && positive(there)) return there;
+    const double after = energy(there);
+    if (!(after <= value + 1e-4 * length * slope) || !positive(there)) continue;
+    gain = value - after;
+    return there;
   }
   return place;
 }

@@ -37,8 +37,9 @@ class UnfoldedStar {
   // With the vertex there; infinite unless all are positive.
   double energy(const Vector2d& place) const;
   bool positive(const Vector2d& place) const;
-  // One safeguarded step of Newton's method from a place where all are positive, and stay so.
-  Vector2d improved(const Vector2d& place) const;
+  // One safeguarded step of Newton's method from a place where all are positive, and stay so. Sets `gain` to what the
+  // energy, which was `before`, falls by.
+  Vector2d improved(const Vector2d& place, double& before, double& gain) const;
 
   Array<Corner> triangles;
 };
