@@ -17,6 +17,8 @@ constexpr std::size_t fewest_corners = 8;  // of any polycube
 
 // Sums of both means; 2 is an isometry. Maps as little distorted as that are not compared with others.
 constexpr double good_enough = 2.2;
+// Nor are further grids tried where one made a map that is no worse than that: each takes as long as the first.
+constexpr double fair = 3;
 // Fewer corners win among maps that differ by less than this part.
 constexpr double about_equal = 0.02;
 
@@ -73,7 +75,7 @@ class BestOfAll {
   void try_voxels() {
     const std::size_t most = most_voxel_maps(triangles_.size());
     std::size_t grid = 0;
-    for (std::size_t i = 0; i < most && grid < voxel_grids.size() && !good(); ++i) {
+    for (std::size_t i = 0; i < most && grid < voxel_grids.size() && !reaches(i == 0 ? good_enough : fair); ++i) {
       const bool made = attempt(Method::voxels, "by voxels", [&] {
         Construction one = construct_by_voxels(
             positions_, triangles_,
@@ -85,7 +87,7 @@ class BestOfAll {
     }
   }
 
-  bool good() const { return found() && score(best_.made.distortion) <= good_enough; }
+  bool reaches(double sum) const { return found() && score(best_.made.distortion) <= sum; }
   bool found() const { return best_.method != Method::automatic; }
 
   // Also says whether there can be a polycube map at all.
