@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
@@ -159,10 +160,14 @@ class Rounds {
   }
 
   bool cut(const CornerMove& move, WorkingMap& working) {
-    WorkingMap uncut(working);
+    // Copied into memory that is there already.
+    if (uncut_)
+      *uncut_ = working;
+    else
+      uncut_.emplace(working);
     if (cut_region(move, working, host_)) return true;
     host_.log("corners: a region could not be cut");
-    working = std::move(uncut);
+    std::swap(*uncut_, working);
     return false;
   }
 
@@ -170,7 +175,8 @@ class Rounds {
   const CornerOptions& options_;
   const base::Host& host_;
   OptimalCorners result_;
-  Array<Course> course_;  // of each corner
+  Array<Course> course_;             // of each corner
+  std::optional<WorkingMap> uncut_;  // what was there before the last cut
 };
 
 }  // namespace

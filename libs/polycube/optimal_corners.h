@@ -19,8 +19,8 @@ struct CornerOptions {
   bool domain = false;              // before each round the best proportions (the dissertation's Algorithm 3)
   int rounds = 6;                   // at most
   double least_gain = 1e-3;         // of what the energy exceeds that of an isometry by, in a round
-  std::size_t most_vertices = 600;  // of a region
-  int smoothing_steps = 4;          // of the whole map, after each round
+  std::size_t most_vertices = 500;  // of a region
+  int smoothing_steps = 2;          // of the whole map, after each round
 };
 
 struct OptimalCorners {
