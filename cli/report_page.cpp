@@ -100,7 +100,8 @@ std::string report_page(std::span<const PageResult> results, const std::string& 
 
   std::string page;
   page.reserve(results_text.size() + (std::size_t{1} << 16U));
-  std::string_view rest = page_template;
+  const std::string page = page_template();
+  std::string_view rest = page;
   while (true) {
     const std::size_t mark = rest.find('@');
     page += rest.substr(0, mark);

@@ -19,14 +19,15 @@ def main(out, html, style, *scripts):
     for mark in ("@TITLE@", "@RESULTS@"):
         if page.count(mark) < 1:
             sys.exit(f"embed.py: {html} has no {mark}")
-    # In pieces, since a compiler may limit the length of a literal.
+    # In pieces, since compilers limit the length of a literal.
     pieces = [page[i:i + 8000] for i in range(0, len(page), 8000)]
     if any(')page"' in piece for piece in pieces):
         sys.exit('embed.py: the page contains )page"')
     with open(out, "w", encoding="utf-8") as file:
-        file.write('#include "report_page/template.h"\n\nnamespace orbicube::cli {\n\nconst char* const page_template =')
-        file.writelines(f'\n    R"page({piece})page"' for piece in pieces)
-        file.write(";\n\n}  // namespace orbicube::cli\n")
+        file.write('#include "report_page/template.h"\n\nnamespace orbicube::cli {\n\n')
+        file.write("std::string page_template() {\n  std::string page;\n")
+        file.writelines(f'  page += R"page({piece})page";\n' for piece in pieces)
+        file.write("  return page;\n}\n\n}  // namespace orbicube::cli\n")
 
 
 main(*sys.argv[1:])

@@ -22,7 +22,7 @@ constexpr double rounding = 1e-15;  // of the entries of a rotation that are 0 o
 // A boundary face by the places of its vertices in an order that does not depend on their numbers, the first one first.
 std::array<Index, 3> ranked(const mesh::Triangle& v, std::span<const Index> rank) {
   std::array<Index, 3> face = {rank[v[0]], rank[v[1]], rank[v[2]]};
-  std::ranges::rotate(face, std::ranges::min_element(face));
+  std::rotate(face.begin(), std::ranges::min_element(face), face.end());
   return face;
 }
 
