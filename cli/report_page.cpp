@@ -100,8 +100,8 @@ std::string report_page(std::span<const PageResult> results, const std::string& 
 
   std::string page;
   page.reserve(results_text.size() + (std::size_t{1} << 16U));
-  const std::string page = page_template();
-  std::string_view rest = page;
+  const std::string empty_page = page_template();
+  std::string_view rest = empty_page;
   while (true) {
     const std::size_t mark = rest.find('@');
     page += rest.substr(0, mark);
