@@ -19,23 +19,24 @@ class Smoothing {
       : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory) {}
 
   int run(const SmoothingOptions& options) {
-    constexpr int most_removals = 12, steps_at_once = 20, steps_between = 3;
-    constexpr double rough = 1e-3, fine = 1e-4;
+    constexpr int most_removals = 12, steps_at_once = 40, steps_between = 10;
+    constexpr double fine = 1e-4;
     for (int i = 0; i < most_removals; ++i) {
-      sweep(60);
+      sweep(i == 0 ? 60 : 6);
       if (remove_added() == 0) break;
     }
     int left = options.newton_steps;
     const auto move = [&](int steps, double least_gain) {
       left -= move_all(map_, weights_, std::min(steps, left), least_gain, host_);
     };
-    move(steps_at_once, rough);
+    // Corners are led astray by what is not settled.
+    move(steps_at_once, fine);
     for (int i = 0; i < options.corner_rounds && left > steps_at_once; ++i) {
       const std::size_t moved = move_corners(map_, weights_, host_);
       const std::size_t removed = remove_added();
       if (moved + removed == 0) break;
       sweep(6);
-      move(steps_between, rough);
+      move(steps_between, fine);
     }
     move(steps_at_once, fine);
     return options.newton_steps - left;
