@@ -107,7 +107,7 @@ class CommonOptimisation {
     }
     if (!(value < start * (1 - least_gain))) return start;
     for (std::size_t i = 0; i < maps_.size(); ++i)
-      maps_[i]->polycube.swap(moved[i]);
+      maps_[i]->polycube = std::move(moved[i]);  // which may be in other memory
     result_.certificates = std::move(certificates);
     result_.after = std::move(after);
     return value;

@@ -79,7 +79,7 @@ class CommonConstruction {
       own_.emplace_back();
       try {
         own_[i] = construct(shapes_[i].positions, shapes_[i].triangles, options_.construction, host_).made.map;
-        SurfaceMap best = *own_[i];
+        SurfaceMap best = copy_of(*own_[i]);
         SurfaceMap* const one = &best;
         double energy = optimise_domain({&one, 1}, options_.domain, host_).energies.back();
         energy = improve({&one, 1}, energy, nullptr);
@@ -91,6 +91,13 @@ class CommonConstruction {
     }
   }
 
+  // In the host's memory, which plain copies are not.
+  SurfaceMap copy_of(const SurfaceMap& map) const {
+    SurfaceMap result(host_.memory);
+    result = map;
+    return result;
+  }
+
   CommonPolycube draw(std::size_t base) {
     CommonPolycube result(host_.memory);
     result.base = base;
@@ -99,7 +106,7 @@ class CommonConstruction {
     Array<PointPair> pairs(host_.memory);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       if (i == base) {
-        result.maps.push_back(*own_[base]);
+        result.maps.push_back(copy_of(*own_[base]));
         continue;
       }
       pairs.clear();
@@ -151,7 +158,7 @@ class CommonConstruction {
       }
       if (!(now < energy)) {
         for (std::size_t i = 0; i < maps.size(); ++i)
-          maps[i]->polycube.swap(before[i]);
+          maps[i]->polycube = std::move(before[i]);
         break;
       }
       const bool little = energy - now < least_gain * energy;

@@ -268,7 +268,30 @@ Construction construct_on(std::span<const Vector3> positions, std::span<const Tr
   if (*topology.genus != target_genus)
     throw base::Error("wrong-genus", "the surface has genus " + std::to_string(*topology.genus) + ", the polycube " +
                                          std::to_string(target_genus));
-  return DrawnConstruction(positions, triangles, target, options, host).run();
+  Construction best = DrawnConstruction(positions, triangles, target, options, host).run();
+  // A map pulls arcs to better places than those that they were drawn along; drawn there, they are straight again.
+  constexpr double enough = 0.99;
+  const auto score = [](const Construction& made) {
+    return made.distortion.angle_weighted_mean + made.distortion.area_weighted_mean;
+  };
+  for (int i = 0; i < options.redrawings; ++i) {
+    DrawingOptions again;
+    again.places = options.places;
+    again.model = &best.map;
+    try {
+      Construction next = DrawnConstruction(positions, triangles, target, again, host).run();
+      host.log("drawn again: " + std::to_string(score(best)) + " to " + std::to_string(score(next)));
+      const bool gained = score(next) < enough * score(best);
+      next.tried += best.tried;
+      next.valid += best.valid;
+      if (score(next) < score(best)) best = std::move(next);
+      if (!gained) break;
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      break;
+    }
+  }
+  return best;
 }
 
 }  // namespace orbicube::polycube

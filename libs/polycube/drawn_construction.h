@@ -24,6 +24,8 @@ struct DrawingOptions {
   const SurfaceMap* model = nullptr;
   // From the space of the model to that of the surface, or null: its box to the surface's box.
   const ScatteredMap* from_model = nullptr;
+  // Times that it is drawn again, along where the arcs of the last map have come to lie, as long as that gains.
+  int redrawings = 3;
 };
 
 // Of a closed, connected, oriented surface that looks outward. Positions of the result are on the very polycube of the

@@ -1,4 +1,4 @@
-// How one shape is bent to another that stands alike: points spread over both move together as a smooth field moves one
+// How one shape is bent to another of its kind: points spread over both move together as a smooth field moves one
 // set (coherent point drift, Myronenko and Song 2010, "Point Set Registration: Coherent Point Drift"). A guide for
 // drawings, no map of surfaces.
 #pragma once
@@ -20,9 +20,9 @@ struct PointPair {
   Vector3 first, second;
 };
 
-// The map of space that takes `from` to about `to`: boxes first, or, with four pairs and more, the map through these;
-// then drift. Boxes stand for how shapes stand: they are not turned. Deterministic. O(points^3) for some hundred
-// points. Throws Error "cancelled".
+// The map of space that takes `from` to about `to`: turned by quarter turns, of coordinates or of principal axes, where
+// that fits better, or, with four pairs and more, by the map through these; then drift. Deterministic. O(points^3) for
+// some hundred points. Throws Error "cancelled".
 ScatteredMap bend_shape(const SurfaceSpan& from, const SurfaceSpan& to, std::span<const PointPair> pairs,
                         const base::Host& host);
 

@@ -489,6 +489,18 @@ TEST_CASE("Two boxes share a polycube with the proportions that suit both") {
   check_every_end(call);
   for (obc_polycube* map : maps)
     obc_polycube_destroy(map);
+  const test::Call common = [&](const obc_host& host) {
+    obc_polycube* made[2] = {nullptr, nullptr};
+    const obc_status status =
+        obc_polycube_compute_common(boxes.data(), 2, &options, nullptr, &host, nullptr, made, nullptr);
+    for (obc_polycube* map : made)
+      obc_polycube_destroy(map);
+    return status;
+  };
+  // Its allocations are those of the parts, which have their own tests.
+  const test::Outcome cancelled = test::cancel_everywhere(common, 20);
+  CHECK(cancelled.problem == "");
+  CHECK(cancelled.runs > 10);
 }
 
 TEST_CASE("Corners in better places, certified, and with the best proportions in turn") {

@@ -197,7 +197,7 @@ OBC_API obc_status obc_polycube_compute_on(const obc_surface *surface, const obc
                                            const obc_polycube_places *places, const obc_host *host, obc_polycube **out,
                                            obc_error *error);
 
-/* One polycube for several shapes of one genus that stand alike (the dissertation's section 4.5): the polycube of each is drawn
+/* One polycube for several shapes of one genus and kind (the dissertation's section 4.5): the polycube of each is drawn
  * on all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps
  * between shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube,
  * domain for the energy; both and host may be NULL. out is an array of `count` handles, in the order of the surfaces, all NULL
