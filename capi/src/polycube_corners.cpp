@@ -1,7 +1,5 @@
 // The C functions for the best places of a polycube's corners.
 #include <cstddef>
-#include <memory>
-#include <utility>
 
 #include "capi/src/polycube_handle.h"
 #include "polycube/optimal_corners.h"
@@ -25,18 +23,10 @@ obc_polycube_corner_options default_options() {
 }
 
 obc_polycube_corner_report to_report(const polycube::OptimalCorners& from) {
-  obc_polycube_corner_report report{};
-  report.converged = from.converged ? 1 : 0;
-  report.energy_before = from.energies.front();
-  report.energy = from.energies.back();
-  report.evaluations = from.evaluations;
+  auto report = capi::report_of_optimum<obc_polycube_corner_report>(from);
   report.map_evaluations = from.map_evaluations;
   report.moves = from.moves;
   report.movable = from.movable;
-  report.angle_mean = from.distortion.angle_mean;
-  report.area_mean = from.distortion.area_mean;
-  report.angle_weighted_mean = from.distortion.angle_weighted_mean;
-  report.area_weighted_mean = from.distortion.area_weighted_mean;
   return report;
 }
 
@@ -56,20 +46,14 @@ obc_status obc_polycube_optimize_corners(const obc_polycube* map, const obc_poly
     const obc_polycube_corner_options o = capi::copy_versioned(options, default_options());
     capi::require(o.domain == 0 || o.domain == 1, "domain is neither 0 nor 1");
     capi::require(o.rounds >= 1, "rounds must be positive");
-    auto made = std::make_unique<obc_polycube>(host);
-    const base::Host& on = made->adapter.host();
-    made->map = map->map;
     polycube::CornerOptions corners;
     corners.method = static_cast<polycube::CornerMethod>(o.method);
     corners.area_weight = o.area_weight;
     corners.domain = o.domain == 1;
     corners.rounds = o.rounds;
-    polycube::OptimalCorners found = polycube::optimise_corners(made->map, corners, on);
-    made->corners = found.certificate.corners;
-    made->patches = found.certificate.patches;
-    made->construction = map->construction;
-    capi::write_versioned(report, to_report(found));
-    made->energies = std::move(found.energies);
-    *out = made.release();
+    capi::optimised_copy(
+        *map, host, out,
+        [&](polycube::SurfaceMap& copy, const base::Host& on) { return polycube::optimise_corners(copy, corners, on); },
+        [&](const polycube::OptimalCorners& found) { capi::write_versioned(report, to_report(found)); });
   });
 }

@@ -1,7 +1,5 @@
 // The C functions for the best proportions of polycubes.
 #include <cstddef>
-#include <memory>
-#include <utility>
 
 #include "capi/src/polycube_handle.h"
 #include "polycube/optimal_domain.h"
@@ -24,18 +22,10 @@ obc_polycube_domain_options default_options() {
 }
 
 obc_polycube_domain_report to_report(const polycube::OptimalDomain& from) {
-  obc_polycube_domain_report report{};
-  report.converged = from.converged ? 1 : 0;
-  report.energy_before = from.energies.front();
-  report.energy = from.energies.back();
-  report.evaluations = from.evaluations;
+  auto report = capi::report_of_optimum<obc_polycube_domain_report>(from);
   report.layers = from.layers;
   report.cells = from.cells;
   report.crossing = from.crossing;
-  report.angle_mean = from.distortion.angle_mean;
-  report.area_mean = from.distortion.area_mean;
-  report.angle_weighted_mean = from.distortion.angle_weighted_mean;
-  report.area_weighted_mean = from.distortion.area_weighted_mean;
   return report;
 }
 
@@ -53,20 +43,13 @@ obc_status obc_polycube_optimize_domain(const obc_polycube* map, const obc_polyc
     *out = nullptr;
     capi::require(map != nullptr, "map is NULL");
     const obc_polycube_domain_options o = capi::copy_versioned(options, default_options());
-    auto made = std::make_unique<obc_polycube>(host);
-    const base::Host& on = made->adapter.host();
-    polycube::SurfaceMap& copy = made->map;
-    copy = map->map;
     polycube::DomainOptions domain;
     domain.measure = static_cast<polycube::DomainMeasure>(o.measure);
     domain.area_weight = o.area_weight;
-    polycube::OptimalDomain found = polycube::optimise_domain(copy, domain, on);
-    made->corners = found.certificate.corners;
-    made->patches = found.certificate.patches;
-    made->construction = map->construction;
-    capi::write_versioned(report, to_report(found));
-    made->energies = std::move(found.energies);
-    *out = made.release();
+    capi::optimised_copy(
+        *map, host, out,
+        [&](polycube::SurfaceMap& copy, const base::Host& on) { return polycube::optimise_domain(copy, domain, on); },
+        [&](const polycube::OptimalDomain& found) { capi::write_versioned(report, to_report(found)); });
   });
 }
 

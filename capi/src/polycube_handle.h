@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <memory>
 
 #include "capi/src/entry.h"
 #include "orbicube/polycube.h"
@@ -25,6 +26,37 @@ namespace orbicube::capi {
 template <class Element, class Number>
 void copy(const base::Array<Element>& from, Number* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
+}
+
+// What the two optimisations report alike.
+template <class Report, class Found>
+Report report_of_optimum(const Found& from) {
+  Report report{};
+  report.converged = from.converged ? 1 : 0;
+  report.energy_before = from.energies.front();
+  report.energy = from.energies.back();
+  report.evaluations = from.evaluations;
+  report.angle_mean = from.distortion.angle_mean;
+  report.area_mean = from.distortion.area_mean;
+  report.angle_weighted_mean = from.distortion.angle_weighted_mean;
+  report.area_weighted_mean = from.distortion.area_weighted_mean;
+  return report;
+}
+
+// A handle of its own for the map that `optimise` (of a map and the host) makes of a copy; `tell` gets what that found
+// before the handle is given away.
+template <class Optimise, class Tell>
+void optimised_copy(const obc_polycube& map, const obc_host* host, obc_polycube** out, const Optimise& optimise,
+                    const Tell& tell) {
+  auto made = std::make_unique<obc_polycube>(host);
+  made->map = map.map;
+  const auto found = optimise(made->map, made->adapter.host());
+  made->corners = found.certificate.corners;
+  made->patches = found.certificate.patches;
+  made->construction = map.construction;
+  made->energies = found.energies;
+  tell(found);
+  *out = made.release();
 }
 
 }  // namespace orbicube::capi
