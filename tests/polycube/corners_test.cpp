@@ -258,26 +258,25 @@ TEST_CASE("A polycube whose corners were moved gets them back") {
 
 TEST_CASE("Maps stay valid, energies never rise, and bits are the same for all threads") {
   for (const CornerMethod method : {CornerMethod::trust_region, CornerMethod::gradient}) {
-    for (const bool domain : {false, true}) {
-      const CornerOptions options{.method = method, .area_weight = 0.5, .domain = domain, .rounds = 2};
-      SurfaceMap map = creature();
-      const OptimalCorners found = optimise_corners(map, options, host);
-      REQUIRE(found.energies.size() >= 2);
-      CHECK(std::is_sorted(found.energies.rbegin(), found.energies.rend()));
-      CHECK(found.energies.back() < found.energies.front());
-      CHECK(found.energies.back() == doctest::Approx(energy_of(map, 0.5)).epsilon(1e-12));
-      const Certificate after = certify(map, host);
-      CHECK(after.reason == "");
-      CHECK(after.corners == found.certificate.corners);
-      CHECK(after.genus == 0);
-      base::Host one;
-      one.thread_count = 1;
-      SurfaceMap again = creature();
-      const OptimalCorners same = optimise_corners(again, options, one);
-      CHECK(same.energies == found.energies);
-      REQUIRE(again.polycube.size() == map.polycube.size());
-      CHECK(std::memcmp(map.polycube.data(), again.polycube.data(), map.polycube.size() * sizeof(Vector3)) == 0);
-    }
+    const bool domain = method == CornerMethod::trust_region;
+    const CornerOptions options{.method = method, .area_weight = 0.5, .domain = domain, .rounds = 2};
+    SurfaceMap map = creature();
+    const OptimalCorners found = optimise_corners(map, options, host);
+    REQUIRE(found.energies.size() >= 2);
+    CHECK(std::is_sorted(found.energies.rbegin(), found.energies.rend()));
+    CHECK(found.energies.back() < found.energies.front());
+    CHECK(found.energies.back() == doctest::Approx(energy_of(map, 0.5)).epsilon(1e-12));
+    const Certificate after = certify(map, host);
+    CHECK(after.reason == "");
+    CHECK(after.corners == found.certificate.corners);
+    CHECK(after.genus == 0);
+    base::Host one;
+    one.thread_count = 1;
+    SurfaceMap again = creature();
+    const OptimalCorners same = optimise_corners(again, options, one);
+    CHECK(same.energies == found.energies);
+    REQUIRE(again.polycube.size() == map.polycube.size());
+    CHECK(std::memcmp(map.polycube.data(), again.polycube.data(), map.polycube.size() * sizeof(Vector3)) == 0);
   }
 }
 
