@@ -1,4 +1,5 @@
 #include "polycube/untangling.h"
+#include "polycube/positive_step.h"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -130,19 +131,7 @@ double Untangling::longest_positive_step() const {
   double longest = 1;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Eigen::Matrix2d j = triangles_.jacobian(map_.value, i), k = triangles_.jacobian(direction_, i);
-    const double constant = j.determinant(), square = k.determinant();
-    const double linear = j(0, 0) * k(1, 1) + k(0, 0) * j(1, 1) - j(0, 1) * k(1, 0) - k(0, 1) * j(1, 0);
-    const double discriminant = linear * linear - 4 * square * constant;
-    double root = std::numeric_limits<double>::infinity();
-    if (std::abs(square) < 1e-300) {
-      if (linear < 0) root = -constant / linear;
-    } else if (discriminant >= 0) {
-      const double half = -0.5 * (linear + std::copysign(std::sqrt(discriminant), linear));
-      for (const double r : {half / square, constant / half}) {
-        if (r > 0) root = std::min(root, r);
-      }
-    }
-    longest = std::min(longest, 0.9 * root);
+    longest = std::min(longest, 0.9 * first_degenerate_step(j, k));
   }
   return longest;
 }
