@@ -1,0 +1,270 @@
+# What <orbicube/mesh.h> declares. Written by scripts/bindings.py; not to be edited.
+
+const OBC_MESH_OBJ = Int32(0)
+const OBC_MESH_OFF = Int32(1)
+const OBC_MESH_PLY = Int32(2)
+const OBC_MESH_STL = Int32(3)
+const OBC_MESH_MEDIT = Int32(4)
+const OBC_MESH_VTK = Int32(5)
+
+struct obc_surface
+    positions::Ptr{Float64}
+    vertex_count::Csize_t
+    triangles::Ptr{UInt32}
+    triangle_count::Csize_t
+end
+
+mutable struct obc_mesh_cells <: CStruct
+    struct_size::UInt32
+    reserved::Int32
+    positions::Ptr{Float64}
+    vertex_count::Csize_t
+    triangles::Ptr{UInt32}
+    triangle_count::Csize_t
+    tetrahedra::Ptr{UInt32}
+    tetrahedron_count::Csize_t
+    hexahedra::Ptr{UInt32}
+    hexahedron_count::Csize_t
+    obc_mesh_cells() = zeroed!(new())
+end
+
+mutable struct obc_mesh_tetrahedron_quality_report <: CStruct
+    struct_size::UInt32
+    worst::UInt32
+    tetrahedra::UInt64
+    positive::UInt64
+    flat::UInt64
+    inverted::UInt64
+    volume::Float64
+    smallest_volume::Float64
+    largest_volume::Float64
+    smallest_dihedral::Float64
+    largest_dihedral::Float64
+    mean_smallest_dihedral::Float64
+    smallest_radius_ratio::Float64
+    mean_radius_ratio::Float64
+    largest_radius_edge::Float64
+    mean_radius_edge::Float64
+    shortest_edge::Float64
+    longest_edge::Float64
+    dihedral_histogram::NTuple{18, UInt64}
+    radius_ratio_histogram::NTuple{20, UInt64}
+    obc_mesh_tetrahedron_quality_report() = zeroed!(new())
+end
+
+mutable struct obc_mesh_read_options <: CStruct
+    struct_size::UInt32
+    weld_identical::Int32
+    obc_mesh_read_options() = zeroed!(new())
+end
+
+mutable struct obc_mesh_write_options <: CStruct
+    struct_size::UInt32
+    binary::Int32
+    obc_mesh_write_options() = zeroed!(new())
+end
+
+mutable struct obc_mesh_topology_report <: CStruct
+    struct_size::UInt32
+    closed::Int32
+    manifold::Int32
+    orientable::Int32
+    vertices::UInt64
+    unreferenced_vertices::UInt64
+    triangles::UInt64
+    edges::UInt64
+    components::UInt64
+    boundary_edges::UInt64
+    boundary_loops::UInt64
+    longest_boundary_loop::UInt64
+    non_manifold_edges::UInt64
+    non_manifold_vertices::UInt64
+    inconsistent_edges::UInt64
+    degenerate_faces::UInt64
+    duplicate_faces::UInt64
+    zero_area_faces::UInt64
+    coincident_vertices::UInt64
+    euler_characteristic::Int64
+    genus::Int64
+    low::NTuple{3, Float64}
+    high::NTuple{3, Float64}
+    area::Float64
+    volume::Float64
+    first_boundary_edge::NTuple{2, UInt32}
+    first_non_manifold_edge::NTuple{2, UInt32}
+    first_inconsistent_edge::NTuple{2, UInt32}
+    first_duplicate_faces::NTuple{2, UInt32}
+    first_coincident_vertices::NTuple{2, UInt32}
+    first_non_manifold_vertex::UInt32
+    first_vertex_apart::UInt32
+    first_degenerate_face::UInt32
+    first_zero_area_face::UInt32
+    obc_mesh_topology_report() = zeroed!(new())
+end
+
+mutable struct obc_mesh_orient_report <: CStruct
+    struct_size::UInt32
+    turned_outward::Int32
+    triangles_turned::UInt64
+    obc_mesh_orient_report() = zeroed!(new())
+end
+
+const address_obc_mesh_cells_init = Ref(C_NULL)
+obc_mesh_cells_init(cells, struct_size) =
+    ccall(symbol(address_obc_mesh_cells_init, :mesh, :obc_mesh_cells_init), Int32, (Ptr{obc_mesh_cells}, Csize_t), cells, struct_size)
+
+const address_obc_mesh_create = Ref(C_NULL)
+obc_mesh_create(cells, host, out, error) =
+    ccall(symbol(address_obc_mesh_create, :mesh, :obc_mesh_create), Int32, (Ptr{obc_mesh_cells}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), cells, host, out, error)
+
+const address_obc_mesh_make = Ref(C_NULL)
+obc_mesh_make(shape, triangle_count, seed, host, out, error) =
+    ccall(symbol(address_obc_mesh_make, :mesh, :obc_mesh_make), Int32, (Cstring, Csize_t, UInt64, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), shape, triangle_count, seed, host, out, error)
+
+const address_obc_mesh_shape_name = Ref(C_NULL)
+obc_mesh_shape_name(index) =
+    ccall(symbol(address_obc_mesh_shape_name, :mesh, :obc_mesh_shape_name), Cstring, (Csize_t,), index)
+
+const address_obc_mesh_destroy = Ref(C_NULL)
+obc_mesh_destroy(mesh) =
+    ccall(symbol(address_obc_mesh_destroy, :mesh, :obc_mesh_destroy), Cvoid, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_vertex_count = Ref(C_NULL)
+obc_mesh_vertex_count(mesh) =
+    ccall(symbol(address_obc_mesh_vertex_count, :mesh, :obc_mesh_vertex_count), Csize_t, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_triangle_count = Ref(C_NULL)
+obc_mesh_triangle_count(mesh) =
+    ccall(symbol(address_obc_mesh_triangle_count, :mesh, :obc_mesh_triangle_count), Csize_t, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_tetrahedron_count = Ref(C_NULL)
+obc_mesh_tetrahedron_count(mesh) =
+    ccall(symbol(address_obc_mesh_tetrahedron_count, :mesh, :obc_mesh_tetrahedron_count), Csize_t, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_hexahedron_count = Ref(C_NULL)
+obc_mesh_hexahedron_count(mesh) =
+    ccall(symbol(address_obc_mesh_hexahedron_count, :mesh, :obc_mesh_hexahedron_count), Csize_t, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_copy = Ref(C_NULL)
+obc_mesh_copy(mesh, positions, triangles, tetrahedra, hexahedra, error) =
+    ccall(symbol(address_obc_mesh_copy, :mesh, :obc_mesh_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), mesh, positions, triangles, tetrahedra, hexahedra, error)
+
+const address_obc_mesh_surface = Ref(C_NULL)
+obc_mesh_surface(mesh, surface, error) =
+    ccall(symbol(address_obc_mesh_surface, :mesh, :obc_mesh_surface), Int32, (Ptr{Cvoid}, Ptr{obc_surface}, Ptr{obc_error}), mesh, surface, error)
+
+const address_obc_mesh_check_cells = Ref(C_NULL)
+obc_mesh_check_cells(mesh, host, error) =
+    ccall(symbol(address_obc_mesh_check_cells, :mesh, :obc_mesh_check_cells), Int32, (Ptr{Cvoid}, Ptr{obc_host}, Ptr{obc_error}), mesh, host, error)
+
+const address_obc_mesh_boundary = Ref(C_NULL)
+obc_mesh_boundary(mesh, host, out, error) =
+    ccall(symbol(address_obc_mesh_boundary, :mesh, :obc_mesh_boundary), Int32, (Ptr{Cvoid}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), mesh, host, out, error)
+
+const address_obc_mesh_tetrahedron_quality_report_init = Ref(C_NULL)
+obc_mesh_tetrahedron_quality_report_init(report, struct_size) =
+    ccall(symbol(address_obc_mesh_tetrahedron_quality_report_init, :mesh, :obc_mesh_tetrahedron_quality_report_init), Int32, (Ptr{obc_mesh_tetrahedron_quality_report}, Csize_t), report, struct_size)
+
+const address_obc_mesh_tetrahedron_quality = Ref(C_NULL)
+obc_mesh_tetrahedron_quality(mesh, host, report, error) =
+    ccall(symbol(address_obc_mesh_tetrahedron_quality, :mesh, :obc_mesh_tetrahedron_quality), Int32, (Ptr{Cvoid}, Ptr{obc_host}, Ptr{obc_mesh_tetrahedron_quality_report}, Ptr{obc_error}), mesh, host, report, error)
+
+const address_obc_mesh_read_options_init = Ref(C_NULL)
+obc_mesh_read_options_init(options, struct_size) =
+    ccall(symbol(address_obc_mesh_read_options_init, :mesh, :obc_mesh_read_options_init), Int32, (Ptr{obc_mesh_read_options}, Csize_t), options, struct_size)
+
+const address_obc_mesh_read = Ref(C_NULL)
+obc_mesh_read(path, options, host, out, error) =
+    ccall(symbol(address_obc_mesh_read, :mesh, :obc_mesh_read), Int32, (Cstring, Ptr{obc_mesh_read_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), path, options, host, out, error)
+
+const address_obc_mesh_read_memory = Ref(C_NULL)
+obc_mesh_read_memory(bytes, size, format, options, host, out, error) =
+    ccall(symbol(address_obc_mesh_read_memory, :mesh, :obc_mesh_read_memory), Int32, (Ptr{Cvoid}, Csize_t, Int32, Ptr{obc_mesh_read_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), bytes, size, format, options, host, out, error)
+
+const address_obc_mesh_format = Ref(C_NULL)
+obc_mesh_format(mesh) =
+    ccall(symbol(address_obc_mesh_format, :mesh, :obc_mesh_format), Cstring, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_polygon_count = Ref(C_NULL)
+obc_mesh_polygon_count(mesh) =
+    ccall(symbol(address_obc_mesh_polygon_count, :mesh, :obc_mesh_polygon_count), Csize_t, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_welded_vertex_count = Ref(C_NULL)
+obc_mesh_welded_vertex_count(mesh) =
+    ccall(symbol(address_obc_mesh_welded_vertex_count, :mesh, :obc_mesh_welded_vertex_count), Csize_t, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_note = Ref(C_NULL)
+obc_mesh_note(mesh, index) =
+    ccall(symbol(address_obc_mesh_note, :mesh, :obc_mesh_note), Cstring, (Ptr{Cvoid}, Csize_t), mesh, index)
+
+const address_obc_mesh_write_options_init = Ref(C_NULL)
+obc_mesh_write_options_init(options, struct_size) =
+    ccall(symbol(address_obc_mesh_write_options_init, :mesh, :obc_mesh_write_options_init), Int32, (Ptr{obc_mesh_write_options}, Csize_t), options, struct_size)
+
+const address_obc_mesh_write = Ref(C_NULL)
+obc_mesh_write(path, mesh, options, host, error) =
+    ccall(symbol(address_obc_mesh_write, :mesh, :obc_mesh_write), Int32, (Cstring, Ptr{Cvoid}, Ptr{obc_mesh_write_options}, Ptr{obc_host}, Ptr{obc_error}), path, mesh, options, host, error)
+
+const address_obc_mesh_write_surface = Ref(C_NULL)
+obc_mesh_write_surface(path, surface, options, host, error) =
+    ccall(symbol(address_obc_mesh_write_surface, :mesh, :obc_mesh_write_surface), Int32, (Cstring, Ptr{obc_surface}, Ptr{obc_mesh_write_options}, Ptr{obc_host}, Ptr{obc_error}), path, surface, options, host, error)
+
+const address_obc_mesh_topology_report_init = Ref(C_NULL)
+obc_mesh_topology_report_init(report, struct_size) =
+    ccall(symbol(address_obc_mesh_topology_report_init, :mesh, :obc_mesh_topology_report_init), Int32, (Ptr{obc_mesh_topology_report}, Csize_t), report, struct_size)
+
+const address_obc_mesh_topology = Ref(C_NULL)
+obc_mesh_topology(surface, host, report, error) =
+    ccall(symbol(address_obc_mesh_topology, :mesh, :obc_mesh_topology), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{obc_mesh_topology_report}, Ptr{obc_error}), surface, host, report, error)
+
+const address_obc_mesh_check_closed_genus_zero = Ref(C_NULL)
+obc_mesh_check_closed_genus_zero(surface, host, error) =
+    ccall(symbol(address_obc_mesh_check_closed_genus_zero, :mesh, :obc_mesh_check_closed_genus_zero), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{obc_error}), surface, host, error)
+
+const address_obc_mesh_orient_report_init = Ref(C_NULL)
+obc_mesh_orient_report_init(report, struct_size) =
+    ccall(symbol(address_obc_mesh_orient_report_init, :mesh, :obc_mesh_orient_report_init), Int32, (Ptr{obc_mesh_orient_report}, Csize_t), report, struct_size)
+
+const address_obc_mesh_orient = Ref(C_NULL)
+obc_mesh_orient(positions, vertex_count, triangles, triangle_count, host, report, error) =
+    ccall(symbol(address_obc_mesh_orient, :mesh, :obc_mesh_orient), Int32, (Ptr{Float64}, Csize_t, Ptr{UInt32}, Csize_t, Ptr{obc_host}, Ptr{obc_mesh_orient_report}, Ptr{obc_error}), positions, vertex_count, triangles, triangle_count, host, report, error)
+
+const address_obc_mesh_first_at_same_position = Ref(C_NULL)
+obc_mesh_first_at_same_position(positions, vertex_count, host, first, error) =
+    ccall(symbol(address_obc_mesh_first_at_same_position, :mesh, :obc_mesh_first_at_same_position), Int32, (Ptr{Float64}, Csize_t, Ptr{obc_host}, Ptr{UInt32}, Ptr{obc_error}), positions, vertex_count, host, first, error)
+
+const address_obc_mesh_intersections = Ref(C_NULL)
+obc_mesh_intersections(surface, host, pairs, capacity, count, error) =
+    ccall(symbol(address_obc_mesh_intersections, :mesh, :obc_mesh_intersections), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{UInt32}, Csize_t, Ptr{Csize_t}, Ptr{obc_error}), surface, host, pairs, capacity, count, error)
+
+const address_obc_mesh_search_create = Ref(C_NULL)
+obc_mesh_search_create(surface, host, out, error) =
+    ccall(symbol(address_obc_mesh_search_create, :mesh, :obc_mesh_search_create), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surface, host, out, error)
+
+const address_obc_mesh_search_destroy = Ref(C_NULL)
+obc_mesh_search_destroy(search) =
+    ccall(symbol(address_obc_mesh_search_destroy, :mesh, :obc_mesh_search_destroy), Cvoid, (Ptr{Cvoid},), search)
+
+const address_obc_mesh_search_vertices = Ref(C_NULL)
+obc_mesh_search_vertices(search, points, count, vertices, error) =
+    ccall(symbol(address_obc_mesh_search_vertices, :mesh, :obc_mesh_search_vertices), Int32, (Ptr{Cvoid}, Ptr{Float64}, Csize_t, Ptr{UInt32}, Ptr{obc_error}), search, points, count, vertices, error)
+
+const address_obc_mesh_search_surface = Ref(C_NULL)
+obc_mesh_search_surface(search, points, count, triangles, weights, positions, distances, error) =
+    ccall(symbol(address_obc_mesh_search_surface, :mesh, :obc_mesh_search_surface), Int32, (Ptr{Cvoid}, Ptr{Float64}, Csize_t, Ptr{UInt32}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{obc_error}), search, points, count, triangles, weights, positions, distances, error)
+
+const address_obc_mesh_orientation_2d = Ref(C_NULL)
+obc_mesh_orientation_2d(a, b, c) =
+    ccall(symbol(address_obc_mesh_orientation_2d, :mesh, :obc_mesh_orientation_2d), Int32, (Ptr{Float64}, Ptr{Float64}, Ptr{Float64}), a, b, c)
+
+const address_obc_mesh_orientation_3d = Ref(C_NULL)
+obc_mesh_orientation_3d(a, b, c, d) =
+    ccall(symbol(address_obc_mesh_orientation_3d, :mesh, :obc_mesh_orientation_3d), Int32, (Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}), a, b, c, d)
+
+const address_obc_mesh_orientation_from_origin = Ref(C_NULL)
+obc_mesh_orientation_from_origin(p, q, r) =
+    ccall(symbol(address_obc_mesh_orientation_from_origin, :mesh, :obc_mesh_orientation_from_origin), Int32, (Ptr{Float64}, Ptr{Float64}, Ptr{Float64}), p, q, r)
+
+const address_obc_mesh_version = Ref(C_NULL)
+obc_mesh_version() =
+    ccall(symbol(address_obc_mesh_version, :mesh, :obc_mesh_version), UInt32, ())

@@ -1,0 +1,119 @@
+"""What the solvers have in common: a run is asked what it wants to know and is told it."""
+
+from __future__ import annotations
+
+import ctypes
+import weakref
+from ctypes import byref
+from typing import Any, Optional
+
+import numpy as np
+
+from ._arrays import Doubles, address
+from ._call import Progress, bar, call, sized, text
+
+NEED, ITERATION, DONE = 1, 2, 3  # of every solver
+
+
+class EvaluationFailed(Exception):
+    """Raise it in a function that a solver calls where it has no value: the method goes on elsewhere."""
+
+
+class Result:
+    """How a run ended: the point `x`, the `value` there, why it `stop`ped (text), and all figures in `report`."""
+
+    def __init__(self, x: Doubles, report: Any, stop: str) -> None:
+        self.x, self.value, self.stop, self.report = x, float(report.value), stop, report
+
+    @property
+    def converged(self) -> bool:
+        return self.stop == "converged"
+
+    @property
+    def evaluations(self) -> int:
+        return int(self.report.evaluations)
+
+    def __repr__(self) -> str:
+        return f"Result(stop={self.stop!r}, value={self.value!r}, evaluations={self.evaluations}, x={self.x!r})"
+
+
+class Run:
+    """A handle of a solver, and the arrays that go in and out of it."""
+
+    def __init__(self, raw: Any, prefix: str, handle: int, size: int) -> None:
+        self._raw, self._prefix, self._handle, self._size = raw, prefix, handle, size
+        self._finalizer = weakref.finalize(self, self._function("destroy"), handle)
+        self._step = self._function("step")
+        self._tell = self._function("tell")
+        self._point = ctypes.c_void_p()
+        self._point_out = byref(self._point)
+        self._views: dict[Any, Any] = {}
+        self.stopped = False
+
+    def _function(self, name: str) -> Any:
+        return getattr(self._raw, f"{self._prefix}_{name}")
+
+    def _copied(self, where: int, shape: tuple[int, ...]) -> Doubles:
+        """What the solver has there, copied: its memory changes with the next step."""
+        seen = self._views.get((where, shape))
+        if seen is None:
+            count = int(np.prod(shape))
+            seen = np.frombuffer((ctypes.c_double * count).from_address(where)).reshape(shape)
+            self._views[(where, shape)] = seen
+        return seen.copy()
+
+    def _request(self) -> int:
+        raise NotImplementedError
+
+    def _next(self, progress: Any = None, limit: int = 0) -> int:
+        """Goes on to the next question; with a progress function that answers something, as if done."""
+        while True:
+            request = self._request()
+            if request == ITERATION:
+                if progress is not None:
+                    report = self._report()
+                    if progress("minimize", int(report.evaluations), limit, float(report.value)):
+                        self.stopped = True
+                        return DONE
+                continue
+            if request < 0:
+                raise RuntimeError(f"{self._prefix}_step answered {request}")
+            return request
+
+    def _result_arguments(self, x: Optional[int]) -> list[Any]:
+        return [x]
+
+    def _report(self) -> Any:
+        report = sized(getattr(self._raw, self._prefix + "_result"))
+        call(self._function("get_result"), self._handle, byref(report), *self._result_arguments(None))
+        return report
+
+    @property
+    def result(self) -> Result:
+        """What is known now, at any time."""
+        x = np.empty(self._size)
+        report = sized(getattr(self._raw, self._prefix + "_result"))
+        call(self._function("get_result"), self._handle, byref(report), *self._result_arguments(address(x)))
+        if self.stopped:
+            report.stop = getattr(self._raw, self._prefix.upper() + "_CANCELLED")
+        stop = text(self._function("stop_name")(report.stop)) or ""
+        return Result(self._shaped(x), report, stop)
+
+    def _shaped(self, x: Doubles) -> Doubles:
+        return x
+
+    def save(self) -> bytes:
+        """The run as bytes, from which `load` goes on to the same bits."""
+        size = self._function("save_size")(self._handle)
+        blob = ctypes.create_string_buffer(size)
+        call(self._function("save"), self._handle, blob, size)
+        return blob.raw
+
+    def close(self) -> None:
+        """Releases the run now, rather than when Python does."""
+        self._finalizer()
+        self._handle = None
+
+
+def reporter(progress: Progress) -> Any:
+    return bar() if progress is True else progress or None

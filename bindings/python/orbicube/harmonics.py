@@ -1,0 +1,179 @@
+"""Spherical harmonics of scattered samples and of shapes: fit, reconstruction, spectra, distance, alignment, files.
+
+Coefficients are arrays of (degree + 1)^2 rows, Y_lm in row l*l + l + m, with a column a channel: for a shape x, y and z.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import byref
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Doubles, address, doubles, surface_of
+from ._call import HOST, Progress, call, call_init, filled, path_bytes
+from .raw import harmonics as raw
+
+
+def _channels(values: ArrayLike) -> Doubles:
+    array = np.asarray(values, dtype=np.float64)
+    array = np.ascontiguousarray(array.reshape(len(array), -1))
+    if array.shape[1] == 0:
+        raise ValueError("no channels")
+    return array
+
+
+def degree_of(coefficients: ArrayLike) -> int:
+    """From the number of rows."""
+    rows = np.asarray(coefficients).shape[0]
+    degree = int(round(rows ** 0.5)) - 1
+    if degree < 0 or (degree + 1) ** 2 != rows:
+        raise ValueError(f"coefficients: (degree + 1)^2 rows are needed, not {rows}")
+    return degree
+
+
+def evaluate(directions: ArrayLike, degree: int, *, threads: int = 0, progress: Progress = None) -> Doubles:
+    """Y_lm at each direction, a row a direction."""
+    at = doubles(directions, 3, name="directions")
+    rows = np.empty((len(at), (degree + 1) ** 2))
+    call(raw.obc_harmonics_evaluate, address(at), len(at), degree, HOST, address(rows), threads=threads, progress=progress)
+    return rows
+
+
+def fit(directions: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike] = None, *, threads: int = 0,
+        progress: Progress = None, **options: Any) -> tuple[Doubles, raw.obc_harmonics_fit_report]:
+    """The coefficients that fit values at scattered directions best, and a report. Options: degree, method ("automatic",
+    "dense", "iterative"), smoothing."""
+    at, given = doubles(directions, 3, name="directions"), _channels(values)
+    if len(at) != len(given):
+        raise ValueError(f"{len(at)} directions and {len(given)} values")
+    shares = None if weights is None else doubles(weights, rows=len(at), name="weights")
+    chosen = filled(raw.obc_harmonics_fit_options, raw.obc_harmonics_fit_options_init, options, raw, "OBC_HARMONICS_")
+    coefficients = np.empty(((chosen.degree + 1) ** 2, given.shape[1]))
+    report = raw.obc_harmonics_fit_report()
+    call_init(raw.obc_harmonics_fit_report_init, report)
+    call(raw.obc_harmonics_fit, address(at), address(shares), address(given), len(at), given.shape[1], byref(chosen), HOST,
+         address(coefficients), byref(report), threads=threads, progress=progress)
+    return coefficients, report
+
+
+def synthesize(coefficients: ArrayLike, directions: ArrayLike, *, threads: int = 0,
+               progress: Progress = None) -> Doubles:
+    """The functions at the directions, a row a direction."""
+    return _synthesized(coefficients, directions, False, threads, progress)[0]
+
+
+def gradients(coefficients: ArrayLike, directions: ArrayLike, *, threads: int = 0, progress: Progress = None) -> Doubles:
+    """Their gradients on the unit sphere: shape (directions, channels, 3)."""
+    return _synthesized(coefficients, directions, True, threads, progress)[1]
+
+
+def _synthesized(coefficients: ArrayLike, directions: ArrayLike, wanted: bool, threads: int,
+                 progress: Progress) -> tuple[Doubles, Doubles]:
+    a, at = _channels(coefficients), doubles(directions, 3, name="directions")
+    values = np.empty((len(at), a.shape[1]))
+    slopes = np.empty((len(at), a.shape[1], 3)) if wanted else np.empty(0)
+    call(raw.obc_harmonics_synthesize, address(a), degree_of(a), a.shape[1], address(at), len(at), HOST, address(values),
+         address(slopes), threads=threads, progress=progress)
+    return values, slopes
+
+
+def vertex_areas(surface: Any) -> Doubles:
+    """A third of the area of its triangles for each vertex: the usual weights of a fit."""
+    positions, triangles = surface_of(surface)
+    areas = np.empty(len(positions))
+    call(raw.obc_harmonics_vertex_areas, address(positions), len(positions), address(triangles), len(triangles), HOST,
+         address(areas))
+    return areas
+
+
+def degree_norms(coefficients: ArrayLike) -> Doubles:
+    """The norm of each degree, which rotations do not change."""
+    a = _channels(coefficients)
+    norms = np.empty(degree_of(a) + 1)
+    call(raw.obc_harmonics_degree_norms, address(a), degree_of(a), a.shape[1], address(norms))
+    return norms
+
+
+def shape_distance(f: ArrayLike, g: ArrayLike, first: int = 0, last: Optional[int] = None) -> float:
+    """The distance D_n between shapes, by the norms of their degrees from first to last."""
+    a, b = _channels(f), _channels(g)
+    if a.shape[1] != b.shape[1]:
+        raise ValueError(f"{a.shape[1]} and {b.shape[1]} channels")
+    distance = ctypes.c_double()
+    end = max(degree_of(a), degree_of(b)) if last is None else last
+    call(raw.obc_harmonics_shape_distance, address(a), degree_of(a), address(b), degree_of(b), a.shape[1], first, end,
+         byref(distance))
+    return distance.value
+
+
+def filter(coefficients: ArrayLike, low: int, high: int, width: int = 0, keep_mean: bool = False) -> Doubles:
+    """A copy of which the degrees from low to high stay."""
+    a = _channels(coefficients).copy()
+    call(raw.obc_harmonics_filter, address(a), degree_of(a), a.shape[1], low, high, width, int(keep_mean))
+    return a
+
+
+def mean_distance(a: ArrayLike, b: ArrayLike, *, progress: Progress = None) -> float:
+    """The reconstruction error e(A, B) between points."""
+    first, second, distance = doubles(a, 3, name="a"), doubles(b, 3, name="b"), ctypes.c_double()
+    call(raw.obc_harmonics_mean_distance, address(first), len(first), address(second), len(second), HOST, byref(distance),
+         progress=progress)
+    return distance.value
+
+
+def rotate(coefficients: ArrayLike, rotation: ArrayLike, *, progress: Progress = None) -> Doubles:
+    """The functions turned with the sphere by a matrix."""
+    a, matrix = _channels(coefficients), doubles(rotation, 3, 3, name="rotation")
+    turned = np.empty_like(a)
+    call(raw.obc_harmonics_rotate, address(a), degree_of(a), a.shape[1], address(matrix), HOST, address(turned),
+         progress=progress)
+    return turned
+
+
+def align(fixed: ArrayLike, moving: ArrayLike, *, progress: Progress = None,
+          **options: Any) -> raw.obc_harmonics_alignment:
+    """The rotation that brings `moving` best into line with `fixed`: rotation and values (nine numbers by rows), correlation.
+    Options: turn_values, search_degree."""
+    a, b = _channels(fixed), _channels(moving)
+    if a.shape[1] != b.shape[1]:
+        raise ValueError(f"{a.shape[1]} and {b.shape[1]} channels")
+    chosen = filled(raw.obc_harmonics_align_options, raw.obc_harmonics_align_options_init, options)
+    found = raw.obc_harmonics_alignment()
+    call_init(raw.obc_harmonics_alignment_init, found)
+    call(raw.obc_harmonics_align, address(a), degree_of(a), address(b), degree_of(b), a.shape[1], byref(chosen), HOST,
+         byref(found), progress=progress)
+    return found
+
+
+def _format(name: str) -> int:
+    constant = "OBC_HARMONICS_" + name.upper().replace("-", "_")
+    if constant not in ("OBC_HARMONICS_BY_ENDING", "OBC_HARMONICS_SHTOOLS", "OBC_HARMONICS_SPHARM_PDM"):
+        raise ValueError(f"format {name!r}: by-ending, shtools or spharm-pdm")
+    return getattr(raw, constant)
+
+
+def write(path: Any, coefficients: ArrayLike, format: str = "by-ending") -> None:
+    """To a file of SHTOOLS (.sh .shtools .txt) or SPHARM-PDM (.coef)."""
+    a = _channels(coefficients)
+    call(raw.obc_harmonics_write, path_bytes(path), _format(format), address(a), degree_of(a), a.shape[1])
+
+
+def read(path: Any, format: str = "by-ending", *, progress: Progress = None) -> Doubles:
+    """Coefficients from such a file."""
+    handle = ctypes.c_void_p()
+    call(raw.obc_harmonics_read, path_bytes(path), _format(format), HOST, byref(handle), progress=progress)
+    try:
+        degree = raw.obc_harmonics_coefficients_degree(handle)
+        values = np.empty(((degree + 1) ** 2, raw.obc_harmonics_coefficients_channels(handle)))
+        call(raw.obc_harmonics_coefficients_copy, handle, address(values))
+    finally:
+        raw.obc_harmonics_coefficients_destroy(handle)
+    return values
+
+
+def version() -> int:
+    """major * 10000 + minor * 100 + patch."""
+    return raw.obc_harmonics_version()

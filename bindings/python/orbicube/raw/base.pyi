@@ -1,0 +1,60 @@
+"""What <orbicube/base.h> declares. Written by scripts/bindings.py; not to be edited."""
+from typing import Any
+
+from .._library import Pointer, Struct
+
+OBC_OK: int
+OBC_INVALID_ARGUMENT: int
+OBC_MALFORMED_FILE: int
+OBC_NOT_CLOSED: int
+OBC_NOT_MANIFOLD: int
+OBC_WRONG_GENUS: int
+OBC_DEGENERATE: int
+OBC_OUT_OF_MEMORY: int
+OBC_CANCELLED: int
+OBC_IO: int
+OBC_UNSUPPORTED: int
+OBC_NO_VALID_RESULT: int
+OBC_INTERNAL: int
+
+obc_progress_function: Any
+
+obc_log_function: Any
+
+obc_parallel_for_function: Any
+
+class obc_error(Struct):
+    status: int
+    kind: bytes
+    message: bytes
+    def __init__(self, status: int = ..., kind: bytes = ..., message: bytes = ...) -> None: ...
+
+class obc_allocator(Struct):
+    allocate: Any
+    release: Any
+    user: Pointer
+    def __init__(self, allocate: Any = ..., release: Any = ..., user: Pointer = ...) -> None: ...
+
+class obc_host(Struct):
+    struct_size: int
+    thread_count: int
+    progress: Any
+    progress_user: Pointer
+    log: Any
+    log_user: Pointer
+    parallel_for: Any
+    parallel_for_user: Pointer
+    allocator: Pointer
+    def __init__(self, struct_size: int = ..., thread_count: int = ..., progress: Any = ..., progress_user: Pointer = ..., log: Any = ..., log_user: Pointer = ..., parallel_for: Any = ..., parallel_for_user: Pointer = ..., allocator: Pointer = ...) -> None: ...
+
+def obc_host_init(host: Pointer, struct_size: int) -> int:
+    """Fills a host with the defaults: nothing lent, one thread a core."""
+    ...
+
+def obc_status_name(status: int) -> bytes | None:
+    """Short English name of a status, such as "out of memory". Never NULL; a static string."""
+    ...
+
+def obc_base_version() -> int:
+    """Version of the base library, major * 10000 + minor * 100 + patch."""
+    ...

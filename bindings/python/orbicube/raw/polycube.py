@@ -1,0 +1,166 @@
+"""What <orbicube/polycube.h> declares. Written by scripts/bindings.py; not to be edited."""
+import ctypes as _c
+
+from .._library import bind as _bind
+from .._library import Struct as _Struct
+
+OBC_POLYCUBE_AUTO = 0
+OBC_POLYCUBE_LABELS = 1
+OBC_POLYCUBE_VOXELS = 2
+
+OBC_POLYCUBE_SURFACE_MEAN = 0
+OBC_POLYCUBE_FACE_MEAN = 1
+OBC_POLYCUBE_HARMONIC = 2
+
+OBC_POLYCUBE_TRUST_REGION = 0
+OBC_POLYCUBE_GRADIENT = 1
+
+
+class obc_polycube_certificate(_Struct):
+    """What certification finds. Fill struct_size."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("valid", _c.c_int32),
+        ("genus", _c.c_int64),
+        ("corners", _c.c_size_t),
+        ("patches", _c.c_size_t),
+        ("reason", _c.c_char * 256),
+    ]
+
+
+class obc_polycube_options(_Struct):
+    """How a polycube is looked for. Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("construction", _c.c_int32),
+        ("corners", _c.c_size_t),
+        ("seed", _c.c_uint64),
+    ]
+
+
+class obc_polycube_domain_options(_Struct):
+    """Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("measure", _c.c_int32),
+        ("area_weight", _c.c_double),
+    ]
+
+
+class obc_polycube_domain_report(_Struct):
+    """What was found. Fill struct_size. The means are those of the result, each 1 for an isometry: `angle` the harmonic energy of a
+    triangle over its area on the polycube, `area` (r + 1/r) / 2 for the ratio r of areas, at equal areas of the whole."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("converged", _c.c_int32),
+        ("energy_before", _c.c_double),
+        ("energy", _c.c_double),
+        ("evaluations", _c.c_uint64),
+        ("layers", _c.c_size_t),
+        ("cells", _c.c_size_t),
+        ("crossing", _c.c_size_t),
+        ("angle_mean", _c.c_double),
+        ("area_mean", _c.c_double),
+        ("angle_weighted_mean", _c.c_double),
+        ("area_weighted_mean", _c.c_double),
+    ]
+
+
+class obc_polycube_corner_options(_Struct):
+    """Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("method", _c.c_int32),
+        ("area_weight", _c.c_double),
+        ("domain", _c.c_int32),
+        ("rounds", _c.c_int32),
+    ]
+
+
+class obc_polycube_corner_report(_Struct):
+    """What was found. Fill struct_size. Energies are means over the surface of angle + area_weight * area, as in the domain report."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("converged", _c.c_int32),
+        ("energy_before", _c.c_double),
+        ("energy", _c.c_double),
+        ("evaluations", _c.c_uint64),
+        ("map_evaluations", _c.c_double),
+        ("moves", _c.c_size_t),
+        ("movable", _c.c_size_t),
+        ("angle_mean", _c.c_double),
+        ("area_mean", _c.c_double),
+        ("angle_weighted_mean", _c.c_double),
+        ("area_weighted_mean", _c.c_double),
+    ]
+
+
+class obc_polycube_places(_Struct):
+    """Places of corners, for obc_polycube_compute_on: corner i is vertex corners[i] of the polycube; it is to be at vertex
+    vertices[i] of the surface or, where that is UINT32_MAX or vertices is NULL, at the point of the surface that is nearest to
+    points[3 i], [3 i + 1], [3 i + 2]."""
+    _fields_ = [
+        ("corners", _c.c_void_p),
+        ("vertices", _c.c_void_p),
+        ("points", _c.c_void_p),
+        ("count", _c.c_size_t),
+    ]
+
+
+class obc_polycube_quads_options(_Struct):
+    """How fine. Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("quads", _c.c_size_t),
+        ("edge_length", _c.c_double),
+    ]
+
+
+_functions = [
+    ("obc_polycube_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_polycube_compute", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_domain_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_polycube_optimize_domain", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_corner_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_polycube_optimize_corners", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_energy_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_copy_energies", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_destroy", None, [_c.c_void_p]),
+    ("obc_polycube_vertex_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_triangle_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_corner_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_patch_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_construction", _c.c_int32, [_c.c_void_p]),
+    ("obc_polycube_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_copy_triangles", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_copy_sources", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_compute_on", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_compute_common", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_optimize_common_domain", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_graph_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_graph_destroy", None, [_c.c_void_p]),
+    ("obc_polycube_graph_corner_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_graph_edge_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_graph_patch_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_graph_loop_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_graph_link_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_graph_copy_corners", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_graph_copy_edges", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_graph_copy_patches", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_graph_copy_loops", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_graph_copy_dual", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_quads_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_polycube_quads_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_quads_destroy", None, [_c.c_void_p]),
+    ("obc_polycube_quads_vertex_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_quads_quad_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_polycube_quads_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_quads_copy_sources", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_version", _c.c_uint32, []),
+]
+
+
+def __getattr__(name):
+    """A function; the shared library is loaded when the first one is asked for."""
+    return _bind("polycube", ["base", "mesh"], _functions, globals(), name)

@@ -1,0 +1,105 @@
+"""What <orbicube/sphere_map.h> declares. Written by scripts/bindings.py; not to be edited."""
+import ctypes as _c
+
+from .._library import bind as _bind
+from .._library import Struct as _Struct
+
+OBC_SPHERE_MAP_BALANCED = 0
+OBC_SPHERE_MAP_ANGLE_AREA = 1
+OBC_SPHERE_MAP_ISOMETRIC = 2
+OBC_SPHERE_MAP_STRETCH = 3
+OBC_SPHERE_MAP_CONFORMAL = 4
+OBC_SPHERE_MAP_SEED = 5
+
+OBC_SPHERE_MAP_ICOSPHERE = 0
+OBC_SPHERE_MAP_CUBE = 1
+OBC_SPHERE_MAP_LATITUDE = 2
+OBC_SPHERE_MAP_OCTAHEDRON = 3
+
+obc_sphere_map_trace_function = _c.CFUNCTYPE(None, _c.c_uint64, _c.c_uint64, _c.c_double, _c.c_void_p)
+
+
+class obc_sphere_map_options(_Struct):
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("method", _c.c_int32),
+        ("angle_weight", _c.c_double),
+        ("area_weight", _c.c_double),
+        ("seed", _c.c_uint64),
+        ("trace", obc_sphere_map_trace_function),
+        ("trace_user", _c.c_void_p),
+    ]
+
+
+class obc_sphere_map_report(_Struct):
+    """Figures of a map. The surface counts as scaled to the area of the unit sphere, 4 pi. sigma are the singular values of the
+    affine map from a surface triangle to its flat spherical triangle t, d is the distance of t from the origin."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("bijective", _c.c_int32),
+        ("mirrored", _c.c_int32),
+        ("reserved", _c.c_int32),
+        ("flipped", _c.c_uint64),
+        ("degenerate", _c.c_uint64),
+        ("zero_area_faces", _c.c_uint64),
+        ("degree", _c.c_double),
+        ("energy_angle", _c.c_double),
+        ("energy_area", _c.c_double),
+        ("energy", _c.c_double),
+        ("dilatation_largest", _c.c_double),
+        ("dilatation_mean", _c.c_double),
+        ("area_ratio_smallest", _c.c_double),
+        ("area_ratio_largest", _c.c_double),
+        ("stretch_efficiency", _c.c_double),
+        ("isometric_mean", _c.c_double),
+    ]
+
+
+class obc_sphere_map_distance(_Struct):
+    """Distances from points of one surface (vertices and centroids) to the nearest point of the other, and back."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("reserved", _c.c_uint32),
+        ("first_mean", _c.c_double),
+        ("first_root_mean_square", _c.c_double),
+        ("first_largest", _c.c_double),
+        ("second_mean", _c.c_double),
+        ("second_root_mean_square", _c.c_double),
+        ("second_largest", _c.c_double),
+    ]
+
+
+_functions = [
+    ("obc_sphere_map_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_sphere_map_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_sphere_map_compute", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_compute_partial", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_measure", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_face_distortion", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_round_to_float", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_locator_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_locator_destroy", None, [_c.c_void_p]),
+    ("obc_sphere_map_locate", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_sample", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_int32, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_vertex_normals", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_grid", _c.c_int32, [_c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_remesh", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_distance_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_sphere_map_surface_distance", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_image_size", _c.c_int32, [_c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_image", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_image_surface", _c.c_int32, [_c.c_void_p, _c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_image_write", _c.c_int32, [_c.c_char_p, _c.c_void_p, _c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_image_read", _c.c_int32, [_c.c_char_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p]),
+    ("obc_sphere_map_best_rotation", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_warp_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_warp_destroy", None, [_c.c_void_p]),
+    ("obc_sphere_map_warp_apply", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_int32, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_overlay", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_map_version", _c.c_uint32, []),
+]
+
+
+def __getattr__(name):
+    """A function; the shared library is loaded when the first one is asked for."""
+    return _bind("sphere_map", ["base", "mesh"], _functions, globals(), name)

@@ -1,0 +1,181 @@
+"""Minimises f over products of unit spheres: directions, quaternions, unit eigenvectors.
+
+    result = minimize(f_and_gradient, x0)        # x0: a row a sphere; all at once, with the gradient
+    result = relax(part, x0, neighbours)         # block by block, with the part of f that contains one
+
+Options are the members of `obc_sphere_optimizer_options` and `obc_sphere_optimizer_relaxation_options`; docs/sphere_optimizer.md
+of the library tells what they do.
+"""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import byref
+from typing import Any, Callable, Optional, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Doubles, address, buffer, doubles, indices
+from ._call import HOST, Progress, Stop, call, call_init, filled, sized, text
+from ._solver import DONE, EvaluationFailed, Result, Run, reporter
+from .raw import sphere_optimizer as raw
+
+__all__ = ["EvaluationFailed", "Relaxed", "Result", "Solver", "Stop", "minimize", "relax", "version"]
+
+
+def _points(x0: ArrayLike) -> Doubles:
+    array = np.array(x0, dtype=np.float64, order="C")
+    if array.ndim != 2:
+        raise ValueError(f"x0: a row a sphere is needed, not shape {array.shape}")
+    return array
+
+
+class Solver(Run):
+    """A run by questions and answers; x0, the points asked about and gradients have a row a sphere."""
+
+    def __init__(self, x0: ArrayLike, *, _load: Optional[bytes] = None, **options: Any) -> None:
+        start = _points(x0)
+        handle = ctypes.c_void_p()
+        if _load is None:
+            chosen = filled(raw.obc_sphere_optimizer_options, raw.obc_sphere_optimizer_options_init, options, raw,
+                            "OBC_SPHERE_OPTIMIZER_")
+            call(raw.obc_sphere_optimizer_create, start.shape[0], start.shape[1], byref(chosen), address(start), None,
+                 byref(handle))
+        else:
+            call(raw.obc_sphere_optimizer_load, _load, len(_load), None, byref(handle))
+        super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, start.size)
+        self._shape = start.shape
+        self._gradient, self._gradient_at = buffer(np.float64, start.size)
+        self._gradient_rows = self._gradient.reshape(self._shape)
+
+    @classmethod
+    def load(cls, blob: bytes, shape: tuple[int, int]) -> Solver:
+        """Goes on with a run that was saved, of so many spheres in so many dimensions."""
+        return cls(np.empty(shape), _load=blob)
+
+    def _request(self) -> int:
+        return self._step(self._handle, self._point_out)
+
+    def _shaped(self, x: Doubles) -> Doubles:
+        return x.reshape(self._shape)
+
+    def ask(self) -> Optional[Doubles]:
+        """The point at which f and its gradient are wanted next; None when the run has ended."""
+        return None if self._next() == DONE else self._copied(self._point.value or 0, self._shape)
+
+    def tell(self, value: Optional[float], gradient: Optional[ArrayLike]) -> None:
+        """Value and gradient at the point asked for; None, NaN or infinity: there is none."""
+        if value is None or gradient is None:
+            call(self._tell, self._handle, float("nan"), None)
+            return
+        self._gradient_rows[:] = gradient
+        status = self._tell(self._handle, value, self._gradient_at, None)
+        if status:
+            call(self._tell, self._handle, value, self._gradient_at)
+
+    def run(self, f: Callable[[Doubles], tuple[float, ArrayLike]], progress: Progress = None) -> Result:
+        """Asks f, which answers its value and gradient, until the run has ended."""
+        report = reporter(progress)
+        while self._next(report) != DONE:
+            try:
+                self.tell(*f(self._copied(self._point.value or 0, self._shape)))
+            except EvaluationFailed:
+                self.tell(None, None)
+            except Stop:
+                self.stopped = True
+                break
+        if hasattr(report, "close"):
+            report.close()
+        return self.result
+
+
+def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *, progress: Progress = None,
+             **options: Any) -> Result:
+    """The least value of f that is found from x0, a row a sphere; f answers (value, gradient)."""
+    return Solver(x0, **options).run(f, progress)
+
+
+class Relaxed:
+    """The points `x`, why it `stop`ped (text), and all figures in `report`."""
+
+    def __init__(self, x: Doubles, report: Any) -> None:
+        self.x, self.report = x, report
+        self.stop = text(raw.obc_sphere_optimizer_stop_name(report.stop)) or ""
+
+
+class _Part:
+    """The callback of a relaxation: arrays are made once for each place in memory that is seen."""
+
+    def __init__(self, f: Any, shape: tuple[int, int]) -> None:
+        self.f, self.shape, self.dimension = f, shape, shape[1]
+        self.raised: Optional[BaseException] = None
+        self.arrays: dict[Any, Any] = {}
+        self.function = raw.obc_sphere_optimizer_block_function(self.asked)
+
+    def array(self, where: int, shape: tuple[int, ...], writeable: bool) -> Any:
+        key = (where, shape, writeable)
+        found = self.arrays.get(key)
+        if found is None:
+            count = int(np.prod(shape))
+            found = np.frombuffer((ctypes.c_double * count).from_address(where)).reshape(shape)
+            found.flags.writeable = writeable
+            self.arrays[key] = found
+        return found
+
+    def asked(self, block: int, place: int, points: int, value: int, gradient: Optional[int], hessian: Optional[int],
+              _: Any) -> int:
+        try:
+            d = self.dimension
+            wanted = 2 if hessian else 1 if gradient else 0
+            answer = self.f(block, self.array(place, (d,), False), self.array(points, self.shape, False), wanted)
+            if isinstance(answer, tuple):
+                if gradient:
+                    self.array(gradient, (d,), True)[:] = answer[1]
+                if hessian:
+                    self.array(hessian, (d, d), True)[:] = answer[2]
+                answer = answer[0]
+            elif wanted:
+                raise TypeError("derivatives are wanted: answer (value, gradient) or (value, gradient, hessian)")
+            self.array(value, (1,), True)[0] = answer
+            return 0
+        except EvaluationFailed:
+            return 2
+        except Stop:
+            return 1
+        except BaseException as error:  # noqa: BLE001: an exception cannot pass through C
+            self.raised = error
+            return 1
+
+
+def relax(f: Callable[..., Any], x0: ArrayLike, neighbours: Sequence[Sequence[int]], *, progress: Progress = None,
+          **options: Any) -> Relaxed:
+    """Lowers f block by block. `f(block, place, points, derivatives)` answers the part of f that contains a block if it were
+    at `place` and all others as in `points`: the value; with derivatives 1 (value, gradient); with 2, when `second_order=1`,
+    (value, gradient, hessian). More is fine. The arrays are the solver's own and only valid in the call.
+    neighbours[i]: the blocks whose part of f contains block i."""
+    x = _points(x0)
+    if len(neighbours) != len(x):
+        raise ValueError(f"neighbours: {len(x)} rows are needed, not {len(neighbours)}")
+    starts = np.zeros(len(x) + 1, dtype=np.uintp)
+    starts[1:] = np.cumsum([len(row) for row in neighbours])
+    flat = indices(np.concatenate([np.asarray(row, dtype=np.int64) for row in neighbours]) if len(x) else [],
+                   name="neighbours")
+    blocks = raw.obc_sphere_optimizer_blocks()
+    call_init(raw.obc_sphere_optimizer_blocks_init, blocks)
+    blocks.dimension, blocks.count = x.shape[1], x.shape[0]
+    blocks.neighbour_start, blocks.neighbour = address(starts), address(flat)
+    chosen = filled(raw.obc_sphere_optimizer_relaxation_options, raw.obc_sphere_optimizer_relaxation_options_init, options,
+                    raw, "OBC_SPHERE_OPTIMIZER_")
+    part = _Part(f, (x.shape[0], x.shape[1]))
+    report = sized(raw.obc_sphere_optimizer_relaxation_result)
+    call(raw.obc_sphere_optimizer_relax, byref(blocks), byref(chosen), part.function, None, address(x), byref(report),
+         HOST, progress=progress)
+    if part.raised is not None:
+        raise part.raised
+    return Relaxed(x, report)
+
+
+def version() -> int:
+    """major * 10000 + minor * 100 + patch."""
+    return raw.obc_sphere_optimizer_version()

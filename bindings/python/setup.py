@@ -1,0 +1,69 @@
+"""Puts the shared libraries into the package. They are those of the folder named by ORBICUBE_LIBRARIES, or else built by
+Meson from the tree that this folder lies in. Without either the package has none, and uses those that are installed.
+
+TetGen's licence, the AGPL 3, binds those who link it: the library `tetrahedra` is only put in with ORBICUBE_TETGEN=1.
+"""
+
+import glob
+import os
+import shutil
+import subprocess
+
+from setuptools import Distribution, setup
+from setuptools.command.build_py import build_py
+
+try:
+    from setuptools.command.bdist_wheel import bdist_wheel
+except ImportError:
+    from wheel.bdist_wheel import bdist_wheel
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+TREE = os.path.dirname(os.path.dirname(HERE))
+
+
+def built_libraries(folder):
+    """The folder with the libraries, made in `folder` if it must be."""
+    named = os.environ.get("ORBICUBE_LIBRARIES")
+    if named:
+        return named.split(os.pathsep)[0]
+    if not os.path.exists(os.path.join(TREE, "capi", "meson.build")):
+        return None
+    build = os.path.join(folder, "orbicube-libraries")
+    if not os.path.exists(os.path.join(build, "build.ninja")):
+        subprocess.run(["meson", "setup", build, TREE, "--prefix", os.path.join(build, "prefix"), "--libdir", "lib", "-Dtests=false", "-Dexamples=false", "-Dcli=disabled",
+                        "-Ddefault_library=shared"] + (["-Dtetgen=disabled"] if not with_tetgen() else []), check=True)
+    subprocess.run(["ninja", "-C", build], check=True)
+    subprocess.run(["meson", "install", "-C", build, "--no-rebuild", "--quiet"], check=True)
+    return os.path.join(build, "prefix", "lib")
+
+
+def with_tetgen():
+    return os.environ.get("ORBICUBE_TETGEN") == "1"
+
+
+class WithLibraries(build_py):
+    def run(self):
+        super().run()
+        source = built_libraries(os.path.abspath(self.get_finalized_command("build").build_temp))
+        if source is None:
+            return
+        target = os.path.join(self.build_lib, "orbicube", "lib")
+        os.makedirs(target, exist_ok=True)
+        for path in glob.glob(os.path.join(source, "liborbicube-*.so.0")):
+            if with_tetgen() or "tetrahedra" not in path:
+                shutil.copy(os.path.realpath(path), os.path.join(target, os.path.basename(path)))
+
+
+class OfThisPlatform(Distribution):
+    def has_ext_modules(self):
+        return True
+
+
+class AnyPython(bdist_wheel):
+    """For any Python 3 on this platform: nothing is compiled against it."""
+
+    def get_tag(self):
+        return ("py3", "none", super().get_tag()[2])
+
+
+setup(distclass=OfThisPlatform, cmdclass={"build_py": WithLibraries, "bdist_wheel": AnyPython})

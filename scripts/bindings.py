@@ -1,0 +1,68 @@
+#!/usr/bin/env python3
+"""Writes the raw layers of the bindings, which are the C functions as they are, from api.json.
+
+    scripts/bindings.py           writes what changed: Python's modules, Rust's orbicube-sys, Julia's ccalls, layouts.c
+    scripts/bindings.py --check   changes nothing; fails when writing would change something
+
+The layers that people use (bindings/python/orbicube/*.py and so on) are written by hand on top of them.
+"""
+
+import argparse
+import glob
+import json
+import os
+import sys
+
+sys.dont_write_bytecode = True
+from raw import julia, layouts, python, rust  # noqa: E402
+from raw.c_types import Api  # noqa: E402
+
+# Folders with nothing in them but generated files: what lies there and is not written is out of date.
+OWNED = ["bindings/python/orbicube/raw/*.py*", "bindings/julia/src/raw/*.jl"]
+
+
+def generated_files(api):
+    result = {}
+    for writer in (python, rust, julia, layouts):
+        result.update(writer.files(api))
+    return result
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--root", default=os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    parser.add_argument("--check", action="store_true")
+    arguments = parser.parse_args()
+    with open(os.path.join(arguments.root, "api.json"), encoding="utf-8") as file:
+        wanted = generated_files(Api(json.load(file)))
+    problems = []
+    for pattern in OWNED:
+        for path in glob.glob(os.path.join(arguments.root, pattern)):
+            name = os.path.relpath(path, arguments.root)
+            if name not in wanted:
+                if arguments.check:
+                    problems.append(f"{name}: of no header; run scripts/bindings.py")
+                else:
+                    os.remove(path)
+                    print(f"removed {name}")
+    for name, text in wanted.items():
+        path = os.path.join(arguments.root, name)
+        old = None
+        if os.path.exists(path):
+            with open(path, encoding="utf-8") as file:
+                old = file.read()
+        if old == text:
+            continue
+        if arguments.check:
+            problems.append(f"{name}: not what the headers say; run scripts/bindings.py")
+            continue
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        print(f"wrote {name}")
+    if problems:
+        sys.exit("\n".join(problems))
+
+
+if __name__ == "__main__":
+    main()
