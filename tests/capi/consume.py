@@ -32,7 +32,7 @@ def expected_files(libraries, kind, version):
     expected = set()
     for library in libraries:
         dashed = "orbicube-" + library.replace("_", "-")
-        expected |= {f"include/orbicube/{library}.h", f"lib/pkgconfig/{dashed}.pc"}
+        expected |= {f"include/orbicube/{library}.h", f"include/orbicube/{library}.hpp", f"lib/pkgconfig/{dashed}.pc"}
         if kind != "static":
             expected |= {f"lib/lib{dashed}.so{end}" for end in ("", ".0", "." + version)}
         if kind != "shared":
@@ -99,7 +99,7 @@ def main():
     name = "orbicube-" + arguments.library.replace("_", "-")
     cpp = os.path.join(folder, "use.cpp")
     with open(cpp, "w", encoding="utf-8") as file:
-        file.write(f"#include <orbicube/{arguments.library}.h>\n"
+        file.write(f"#include <orbicube/{arguments.library}.hpp>\n"
                    f"int main() {{ return obc_{arguments.library}_version() > 0 ? 0 : 1; }}\n")
     printed = {}
     for static in (False, True):

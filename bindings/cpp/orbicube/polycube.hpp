@@ -1,0 +1,152 @@
+// Polycubes of closed surfaces, and certified maps to them; wraps orbicube/polycube.h.
+//
+//   auto map = orbicube::Polycube::compute(mesh).optimize_domain();
+#ifndef ORBICUBE_POLYCUBE_HPP
+#define ORBICUBE_POLYCUBE_HPP
+
+#include <vector>
+
+#include <orbicube/polycube.h>
+#include <orbicube/mesh.hpp>
+
+namespace orbicube {
+
+// A certified map.
+class Polycube {
+ public:
+  using Options = detail::Filled<obc_polycube_options, obc_polycube_options_init>;
+  using DomainOptions = detail::Filled<obc_polycube_domain_options, obc_polycube_domain_options_init>;
+  using CornerOptions = detail::Filled<obc_polycube_corner_options, obc_polycube_corner_options_init>;
+  using QuadsOptions = detail::Filled<obc_polycube_quads_options, obc_polycube_quads_options_init>;
+
+  explicit Polycube(obc_polycube* owned) noexcept : handle_(owned) {}
+  static Polycube compute(const Surface& surface, const Options& options = {}, Host* host = nullptr) {
+    return made(host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_compute(&surface, &options, detail::c(host), out, error);
+    });
+  }
+  // On the given polycube, with places of corners or without.
+  static Polycube compute_on(const Surface& surface, const Surface& polycube,
+                             const obc_polycube_places* places = nullptr, Host* host = nullptr) {
+    return made(host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_compute_on(&surface, &polycube, places, detail::c(host), out, error);
+    });
+  }
+  // A map made elsewhere; throws, with the reason, what is none.
+  static Polycube certify(const Surface& surface, Doubles polycube, Host* host = nullptr) {
+    detail::check_size(polycube.size(), 3 * surface.vertex_count, "polycube");
+    return made(host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_create(&surface, polycube.data(), detail::c(host), nullptr, out, error);
+    });
+  }
+  // One polycube for several shapes; made_for: the shape that it was made for.
+  static std::vector<Polycube> compute_common(View<const Surface> surfaces, const Options& options = {},
+                                              const DomainOptions& domain = {}, std::size_t* made_for = nullptr,
+                                              Host* host = nullptr) {
+    const std::vector<obc_surface> views(surfaces.begin(), surfaces.end());
+    std::vector<obc_polycube*> out(views.size(), nullptr);
+    detail::call(host, [&](obc_error* error) {
+      return obc_polycube_compute_common(views.data(), views.size(), &options, &domain, detail::c(host), made_for,
+                                         out.data(), error);
+    });
+    std::vector<Polycube> maps;
+    for (obc_polycube* map : out)
+      maps.emplace_back(map);
+    return maps;
+  }
+
+  Polycube optimize_domain(const DomainOptions& options = {}, obc_polycube_domain_report* report = nullptr,
+                           Host* host = nullptr) const {
+    if (report != nullptr) report->struct_size = sizeof *report;
+    return made(host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_optimize_domain(handle(), &options, detail::c(host), report, out, error);
+    });
+  }
+  Polycube optimize_corners(const CornerOptions& options = {}, obc_polycube_corner_report* report = nullptr,
+                            Host* host = nullptr) const {
+    if (report != nullptr) report->struct_size = sizeof *report;
+    return made(host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_optimize_corners(handle(), &options, detail::c(host), report, out, error);
+    });
+  }
+
+  std::size_t vertex_count() const noexcept { return obc_polycube_vertex_count(handle()); }
+  std::size_t triangle_count() const noexcept { return obc_polycube_triangle_count(handle()); }
+  std::size_t corner_count() const noexcept { return obc_polycube_corner_count(handle()); }
+  std::size_t patch_count() const noexcept { return obc_polycube_patch_count(handle()); }
+
+  // In space, and on the polycube, x y z a vertex; three vertices a triangle.
+  std::vector<double> positions() const {
+    std::vector<double> out(3 * vertex_count());
+    copy(out.data(), nullptr, nullptr);
+    return out;
+  }
+  std::vector<double> polycube() const {
+    std::vector<double> out(3 * vertex_count());
+    copy(nullptr, out.data(), nullptr);
+    return out;
+  }
+  std::vector<std::uint32_t> triangles() const {
+    std::vector<std::uint32_t> out(3 * triangle_count());
+    copy(nullptr, nullptr, out.data());
+    return out;
+  }
+  struct OfTriangles {
+    std::vector<std::uint8_t> labels;  // 0 to 5 for +x, -x, +y, -y, +z, -z
+    std::vector<std::uint32_t> patches, sources;
+  };
+  OfTriangles of_triangles() const {
+    const std::size_t n = triangle_count();
+    OfTriangles out{std::vector<std::uint8_t>(n), std::vector<std::uint32_t>(n), std::vector<std::uint32_t>(n)};
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_polycube_copy_triangles(handle(), out.labels.data(), out.patches.data(), out.sources.data(), error);
+    });
+    return out;
+  }
+  std::vector<double> energies() const {
+    std::vector<double> out(obc_polycube_energy_count(handle()));
+    detail::call(nullptr, [&](obc_error* error) { return obc_polycube_copy_energies(handle(), out.data(), error); });
+    return out;
+  }
+
+  struct Quads {
+    std::vector<double> positions, polycube;
+    std::vector<std::uint32_t> corners, patches;  // four vertices a quad, and its patch
+  };
+  Quads quads(const QuadsOptions& options = {}, Host* host = nullptr) const {
+    obc_polycube_quads* made_quads = nullptr;
+    detail::call(host, [&](obc_error* error) {
+      return obc_polycube_quads_create(handle(), &options, detail::c(host), &made_quads, error);
+    });
+    const detail::Handle<obc_polycube_quads, obc_polycube_quads_destroy> keeper(made_quads);
+    const std::size_t n = obc_polycube_quads_vertex_count(made_quads), m = obc_polycube_quads_quad_count(made_quads);
+    Quads out{std::vector<double>(3 * n), std::vector<double>(3 * n), std::vector<std::uint32_t>(4 * m),
+              std::vector<std::uint32_t>(m)};
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_polycube_quads_copy(made_quads, out.positions.data(), out.polycube.data(), out.corners.data(),
+                                     out.patches.data(), error);
+    });
+    return out;
+  }
+
+  obc_polycube* handle() const noexcept {
+    return handle_.get();
+  }  // for obc_polycube_graph_create and what else there is
+
+ private:
+  template <class F>
+  static Polycube made(Host* host, F&& f) {
+    obc_polycube* out = nullptr;
+    detail::call(host, [&](obc_error* error) { return f(&out, error); });
+    return Polycube(out);
+  }
+  void copy(double* positions, double* polycube, std::uint32_t* triangles) const {
+    detail::call(nullptr,
+                 [&](obc_error* error) { return obc_polycube_copy(handle(), positions, polycube, triangles, error); });
+  }
+  detail::Handle<obc_polycube, obc_polycube_destroy> handle_;
+};
+
+}  // namespace orbicube
+
+#endif

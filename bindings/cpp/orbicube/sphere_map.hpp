@@ -1,0 +1,158 @@
+// Bijective maps of closed surfaces to the sphere, and what they are for; wraps orbicube/sphere_map.h.
+//
+//   auto map = orbicube::sphere_map::compute(mesh);       // map.directions, map.report
+//   orbicube::sphere_map::Locator locator(mesh, map.directions);
+#ifndef ORBICUBE_SPHERE_MAP_HPP
+#define ORBICUBE_SPHERE_MAP_HPP
+
+#include <array>
+#include <vector>
+
+#include <orbicube/sphere_map.h>
+#include <orbicube/mesh.hpp>
+
+namespace orbicube::sphere_map {
+
+using Options = detail::Filled<obc_sphere_map_options, obc_sphere_map_options_init>;
+using Report = detail::Filled<obc_sphere_map_report, obc_sphere_map_report_init>;
+
+struct Map {
+  std::vector<double> directions;  // x y z a vertex
+  Report report;
+};
+
+namespace detail {
+using namespace orbicube::detail;
+template <class F>
+Mesh mesh(Host* host, F&& f) {
+  obc_mesh* out = nullptr;
+  call(host, [&](obc_error* error) { return f(&out, error); });
+  return Mesh(out);
+}
+}  // namespace detail
+
+inline Map compute(const Surface& surface, const Options& options = {}, Host* host = nullptr) {
+  Map map{std::vector<double>(3 * surface.vertex_count), {}};
+  detail::call(host, [&](obc_error* error) {
+    return obc_sphere_map_compute(&surface, &options, detail::c(host), map.directions.data(), &map.report, error);
+  });
+  return map;
+}
+inline Report measure(const Surface& surface, Doubles directions, const Options& options = {}, Host* host = nullptr) {
+  detail::check_size(directions.size(), 3 * surface.vertex_count, "directions");
+  Report report;
+  detail::call(host, [&](obc_error* error) {
+    return obc_sphere_map_measure(&surface, directions.data(), &options, detail::c(host), &report, error);
+  });
+  return report;
+}
+inline std::vector<float> round_to_float(const Surface& surface, Doubles directions, Host* host = nullptr) {
+  detail::check_size(directions.size(), 3 * surface.vertex_count, "directions");
+  std::vector<float> rounded(directions.size());
+  detail::call(host, [&](obc_error* error) {
+    return obc_sphere_map_round_to_float(&surface, directions.data(), detail::c(host), rounded.data(), error);
+  });
+  return rounded;
+}
+inline std::vector<double> vertex_normals(const Surface& surface, Host* host = nullptr) {
+  std::vector<double> normals(3 * surface.vertex_count);
+  detail::call(host, [&](obc_error* error) {
+    return obc_sphere_map_vertex_normals(&surface, detail::c(host), normals.data(), error);
+  });
+  return normals;
+}
+// grid: OBC_SPHERE_MAP_ICOSPHERE, ...
+inline Mesh grid(std::int32_t grid, std::size_t resolution, Host* host = nullptr) {
+  return detail::mesh(host, [&](obc_mesh** out, obc_error* error) {
+    return obc_sphere_map_grid(grid, resolution, detail::c(host), out, error);
+  });
+}
+
+// Where directions lie in a map. Any number of threads may use one.
+class Locator {
+ public:
+  Locator(const Surface& surface, Doubles directions, Host* host = nullptr) : vertex_count_(surface.vertex_count) {
+    detail::check_size(directions.size(), 3 * vertex_count_, "directions");
+    obc_sphere_map_locator* out = nullptr;
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_locator_create(&surface, directions.data(), detail::c(host), &out, error);
+    });
+    handle_.reset(out);
+  }
+  struct Places {
+    std::vector<std::uint32_t> triangles;
+    std::vector<double> weights;  // three a direction
+  };
+  Places locate(Doubles directions, Host* host = nullptr) const {
+    const std::size_t n = detail::rows(directions.size(), 3, "directions");
+    Places places{std::vector<std::uint32_t>(n), std::vector<double>(3 * n)};
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_locate(handle(), directions.data(), n, detail::c(host), places.triangles.data(),
+                                   places.weights.data(), error);
+    });
+    return places;
+  }
+  // Values of the vertices, interpolated; `unit` scales each result to length 1.
+  std::vector<double> sample(Doubles directions, Doubles values, bool unit = false, Host* host = nullptr) const {
+    const std::size_t n = detail::rows(directions.size(), 3, "directions");
+    const std::size_t components = detail::rows(values.size(), vertex_count_, "values");
+    std::vector<double> sampled(components * n);
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_sample(handle(), directions.data(), n, values.data(), components, unit ? 1 : 0,
+                                   detail::c(host), sampled.data(), error);
+    });
+    return sampled;
+  }
+  Mesh remesh(Doubles positions, std::int32_t grid, std::size_t resolution, Host* host = nullptr) const {
+    detail::check_size(positions.size(), 3 * vertex_count_, "positions");
+    return detail::mesh(host, [&](obc_mesh** out, obc_error* error) {
+      return obc_sphere_map_remesh(handle(), positions.data(), grid, resolution, detail::c(host), out, error);
+    });
+  }
+  obc_sphere_map_locator* handle() const noexcept { return handle_.get(); }
+
+ private:
+  std::size_t vertex_count_;
+  detail::Handle<obc_sphere_map_locator, obc_sphere_map_locator_destroy> handle_;
+};
+
+// The matrix, by rows, that takes directions nearest to others.
+inline std::array<double, 9> best_rotation(Doubles from, Doubles to) {
+  detail::check_size(to.size(), from.size(), "to");
+  std::array<double, 9> rotation{};
+  detail::call(nullptr, [&](obc_error* error) {
+    return obc_sphere_map_best_rotation(from.data(), to.data(), detail::rows(from.size(), 3, "from"), rotation.data(),
+                                        error);
+  });
+  return rotation;
+}
+
+// A smooth bijection of the sphere that carries landmarks onto landmarks.
+class Warp {
+ public:
+  Warp(Doubles from, Doubles to, Host* host = nullptr) {
+    detail::check_size(to.size(), from.size(), "to");
+    obc_sphere_map_warp* out = nullptr;
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_warp_create(from.data(), to.data(), detail::rows(from.size(), 3, "from"), detail::c(host),
+                                        &out, error);
+    });
+    handle_.reset(out);
+  }
+  std::vector<double> apply(Doubles directions, bool backward = false, Host* host = nullptr) const {
+    std::vector<double> moved(directions.size());
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_warp_apply(handle(), directions.data(), detail::rows(directions.size(), 3, "directions"),
+                                       backward ? 1 : 0, detail::c(host), moved.data(), error);
+    });
+    return moved;
+  }
+  obc_sphere_map_warp* handle() const noexcept { return handle_.get(); }
+
+ private:
+  detail::Handle<obc_sphere_map_warp, obc_sphere_map_warp_destroy> handle_;
+};
+
+}  // namespace orbicube::sphere_map
+
+#endif

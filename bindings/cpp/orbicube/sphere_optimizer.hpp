@@ -1,0 +1,178 @@
+// Minimises over products of unit spheres; wraps orbicube/sphere_optimizer.h.
+//
+//   auto result = orbicube::sphere_optimizer::minimize(f, x, 3);   // f(Doubles x, View<double> gradient) -> value
+#ifndef ORBICUBE_SPHERE_OPTIMIZER_HPP
+#define ORBICUBE_SPHERE_OPTIMIZER_HPP
+
+#include <vector>
+
+#include <orbicube/sphere_optimizer.h>
+#include <orbicube/base.hpp>
+
+namespace orbicube::sphere_optimizer {
+
+using Options = detail::Filled<obc_sphere_optimizer_options, obc_sphere_optimizer_options_init>;
+using Result = obc_sphere_optimizer_result;
+using RelaxationOptions =
+    detail::Filled<obc_sphere_optimizer_relaxation_options, obc_sphere_optimizer_relaxation_options_init>;
+using RelaxationResult = obc_sphere_optimizer_relaxation_result;
+
+inline const char* stop_name(std::int32_t stop) {
+  return obc_sphere_optimizer_stop_name(stop);
+}
+
+namespace detail {
+using namespace orbicube::detail;
+
+template <class F>
+struct Function {
+  F& f;
+  Caught caught;
+
+  template <class Call>
+  std::int32_t guarded(Call&& call) {
+    return caught.guard([&]() -> std::int32_t {
+      try {
+        call();
+        return OBC_SPHERE_OPTIMIZER_CONTINUE;
+      } catch (const EvaluationFailed&) {
+        return OBC_SPHERE_OPTIMIZER_FAILED;
+      } catch (const Stop&) {
+        return OBC_SPHERE_OPTIMIZER_STOP;
+      }
+    });
+  }
+  static std::int32_t all(const double* x, std::size_t count, std::size_t dimension, double* value, double* gradient,
+                          void* user) {
+    Function& self = *static_cast<Function*>(user);
+    const std::size_t n = count * dimension;
+    return self.guarded([&] { *value = self.f(Doubles(x, n), View<double>(gradient, n)); });
+  }
+  static std::int32_t one(std::size_t block, const double* place, const double* points, double* value, double* gradient,
+                          double* hessian, void* user) {
+    Function& self = *static_cast<Function*>(user);
+    return self.guarded([&] { *value = self.f(block, place, points, gradient, hessian); });
+  }
+};
+}  // namespace detail
+
+// f(Doubles x, View<double> gradient) fills the gradient and answers the value; x, blocks of `dimension` numbers, is
+// the start and receives the best point.
+template <class F>
+Result minimize(F&& f, View<double> x, std::size_t dimension, const Options& options = {}, Host* host = nullptr) {
+  using Called = detail::Function<std::remove_reference_t<F>>;
+  const std::size_t count = detail::rows(x.size(), dimension == 0 ? 1 : dimension, "x");
+  Called function{f, {}};
+  Result result = detail::sized<Result>();
+  obc_error error;
+  const obc_status status = obc_sphere_optimizer_minimize(count, dimension, &options, Called::all, &function, x.data(),
+                                                          &result, detail::c(host), &error);
+  function.caught.rethrow();
+  if (host != nullptr) host->rethrow();
+  if (status != OBC_OK) throw Error(error);
+  return result;
+}
+
+// Block by block. f(block, place, points, gradient, hessian), pointers as in obc_sphere_optimizer_block_function, fills
+// what is not NULL and answers the value. neighbours[i]: the blocks whose part of f contains block i.
+template <class F>
+RelaxationResult relax(F&& f, View<double> x, std::uint32_t dimension,
+                       const std::vector<std::vector<std::uint32_t>>& neighbours, const RelaxationOptions& options = {},
+                       Host* host = nullptr) {
+  using Called = detail::Function<std::remove_reference_t<F>>;
+  std::vector<std::size_t> start = {0};
+  std::vector<std::uint32_t> all;
+  for (const std::vector<std::uint32_t>& row : neighbours) {
+    all.insert(all.end(), row.begin(), row.end());
+    start.push_back(all.size());
+  }
+  detail::check_size(x.size(), neighbours.size() * dimension, "x");
+  detail::Filled<obc_sphere_optimizer_blocks, obc_sphere_optimizer_blocks_init> blocks;
+  blocks.dimension = dimension;
+  blocks.count = neighbours.size();
+  blocks.neighbour_start = start.data();
+  blocks.neighbour = all.data();
+  Called function{f, {}};
+  RelaxationResult result = detail::sized<RelaxationResult>();
+  obc_error error;
+  const obc_status status =
+      obc_sphere_optimizer_relax(&blocks, &options, Called::one, &function, x.data(), &result, detail::c(host), &error);
+  function.caught.rethrow();
+  if (host != nullptr) host->rethrow();
+  if (status != OBC_OK) throw Error(error);
+  return result;
+}
+
+// A run by questions and answers:
+//   while (solver.ask()) solver.tell(value, gradient);   // at solver.point()
+class Solver {
+ public:
+  Solver(Doubles x0, std::size_t dimension, const Options& options = {}, Host* host = nullptr) : n_(x0.size()) {
+    const std::size_t count = detail::rows(n_, dimension == 0 ? 1 : dimension, "x0");
+    obc_sphere_optimizer* out = nullptr;
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_optimizer_create(count, dimension, &options, x0.data(), detail::c(host), &out, error);
+    });
+    handle_.reset(out);
+  }
+  // Goes on with a run that was saved, of so many numbers.
+  static Solver load(const std::vector<unsigned char>& bytes, std::size_t size, Host* host = nullptr) {
+    Solver solver(size);
+    obc_sphere_optimizer* out = nullptr;
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_optimizer_load(bytes.data(), bytes.size(), detail::c(host), &out, error);
+    });
+    solver.handle_.reset(out);
+    return solver;
+  }
+
+  // Goes on to the next question; false when the run has ended.
+  bool ask() {
+    for (;;) {
+      const std::int32_t request = obc_sphere_optimizer_step(handle_.get(), &point_);
+      if (request < 0) throw Error(request, "sphere_optimizer: step");
+      if (request != OBC_SPHERE_OPTIMIZER_ITERATION) return request == OBC_SPHERE_OPTIMIZER_NEED_FG;
+    }
+  }
+  Doubles point() const { return {point_, n_}; }  // that is asked about, until the next ask
+  // Value and gradient there; NaN: there is none.
+  void tell(double value, Doubles gradient) {
+    detail::check_size(gradient.size(), n_, "gradient");
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_tell(handle_.get(), value, gradient.data(), error);
+    });
+  }
+  Result result() const {
+    Result result = detail::sized<Result>();
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_get_result(handle_.get(), &result, nullptr, error);
+    });
+    return result;
+  }
+  std::vector<double> best() const {
+    std::vector<double> x(n_);
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_get_result(handle_.get(), nullptr, x.data(), error);
+    });
+    return x;
+  }
+  std::vector<unsigned char> save() const {
+    std::vector<unsigned char> bytes(obc_sphere_optimizer_save_size(handle_.get()));
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_save(handle_.get(), bytes.data(), bytes.size(), error);
+    });
+    return bytes;
+  }
+  obc_sphere_optimizer* handle() const noexcept { return handle_.get(); }
+
+ private:
+  explicit Solver(std::size_t size) : n_(size) {}
+
+  std::size_t n_;
+  const double* point_ = nullptr;
+  detail::Handle<obc_sphere_optimizer, obc_sphere_optimizer_destroy> handle_;
+};
+
+}  // namespace orbicube::sphere_optimizer
+
+#endif
