@@ -11,6 +11,7 @@
 #include "mesh/predicates.h"
 #include "mesh/surface_check.h"
 #include "mesh/topology.h"
+#include "polycube/embedding.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -80,7 +81,7 @@ class Certifier {
     if (surface() && planes()) {
       const Connectivity connectivity(positions_.size(), triangles_, host_);
       charts(connectivity);
-      if (fans(connectivity) && outward() && embedded()) return std::move(result_);
+      if (fans(connectivity) && outward() && embedded(connectivity)) return std::move(result_);
     }
     return std::move(result_);
   }
@@ -191,7 +192,11 @@ class Certifier {
     return refuse("the polycube is inside out");
   }
 
-  bool embedded() {
+  bool embedded(const Connectivity& connectivity) {
+    constexpr std::size_t most_cells = 10'000'000;
+    const auto contact =
+        self_contact(positions_, triangles_, result_.labels, result_.charts, connectivity, most_cells, host_);
+    if (contact) return contact->empty() || refuse("the polycube meets itself, " + *contact);
     constexpr std::size_t most = 1;
     const auto pairs = mesh::intersecting_triangles(positions_, triangles_, host_, most);
     if (pairs.empty()) return true;

@@ -3,8 +3,8 @@
 // Valid means: the triangles are a closed, connected, oriented manifold; each lies exactly in an axis-aligned plane and
 // has area; around each vertex the triangles turn once (four quarter turns inside a face of the polycube, two in each
 // face along an edge, one, two or three in each face at a corner); no two triangles meet but in the vertices and edges
-// that they share; and the surface looks outward. Then the triangles are the boundary of a solid with axis-aligned
-// faces, and each of its points is covered once.
+// that they share (embedding.h); and the surface looks outward. Then the triangles are the boundary of a solid with
+// axis-aligned faces, and each of its points is covered once.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ struct Certificate {
   Array<Index> charts;      // of each triangle, numbered in the order of their first triangles
 };
 
-// `polycube` are the positions of the vertices of `triangles` on the polycube. O(n log n), and more where the boxes of
-// many triangles overlap. The same for any number of threads. Throws Error "invalid-argument" for an index that is out
-// of range or a position that is not finite, "cancelled".
+// `polycube` are the positions of the vertices of `triangles` on the polycube. O(n log n), unless the planes through
+// all corners cut its faces into more than ten million cells. The same for any number of threads. Throws Error
+// "invalid-argument" for an index that is out of range or a position that is not finite, "cancelled".
 Certificate certify(std::span<const Vector3> polycube, std::span<const Triangle> triangles, const base::Host& host);
 
 // The same for a map, which has the genus of its surface since the triangles are the same. Fills in its labels and

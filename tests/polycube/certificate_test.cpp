@@ -4,11 +4,14 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "base/error.h"
 #include "blocks.h"
+#include "mesh/intersections.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -104,6 +107,43 @@ TEST_CASE("A polycube that touches or crosses itself is refused") {
     INFO(shift, " ", c.reason);
     CHECK(c.valid() == (shift < 1));
   }
+}
+
+TEST_CASE("Polycubes meet themselves just when two of their triangles do") {
+  std::mt19937_64 random(5);
+  const auto number = [&](std::uint64_t count) { return static_cast<std::size_t>(random() % count); };
+  int apart = 0, meeting = 0;
+  for (int i = 0; i < 400; ++i) {
+    // Cells that have grown at random; then one face, with what hangs on it, goes to another plane.
+    std::vector<test::Cell> cells = {{0, 0, 0}};
+    while (cells.size() < 14) {
+      test::Cell next = cells[number(cells.size())];
+      next[number(3)] += number(2) == 0 ? 1 : -1;
+      if (std::find(cells.begin(), cells.end(), next) == cells.end()) cells.push_back(next);
+    }
+    mesh::Mesh m = blocks(cells);
+    const Certificate before = certificate_of(m);
+    if (!before.valid()) continue;
+    CHECK(mesh::intersecting_triangles(m.positions, m.triangles, host, 1).empty());
+    const auto chart = static_cast<Index>(number(before.patches));
+    const double shift = 0.5 * static_cast<double>(1 + number(6)) * (number(2) == 0 ? 1 : -1);
+    std::vector<std::uint8_t> moves(m.positions.size(), 0);
+    int axis = 0;
+    for (std::size_t t = 0; t < m.triangles.size(); ++t) {
+      if (before.charts[t] != chart) continue;
+      axis = axis_of(before.labels[t]);
+      for (const Index v : m.triangles[t])
+        moves[v] = 1;
+    }
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      if (moves[v] != 0) m.positions[v][axis] += shift;
+    const Certificate after = certificate_of(m);
+    if (!after.valid() && !mentions(after, "meets itself")) continue;  // a triangle is turned over
+    CHECK(after.valid() == mesh::intersecting_triangles(m.positions, m.triangles, host, 1).empty());
+    (after.valid() ? apart : meeting) += 1;
+  }
+  CHECK(apart > 20);
+  CHECK(meeting > 20);
 }
 
 TEST_CASE("An inside-out polycube is refused") {
