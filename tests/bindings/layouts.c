@@ -13,6 +13,7 @@
 #include <orbicube/sphere_optimizer.h>
 #include <orbicube/tetrahedra.h>
 #include <orbicube/trust_region.h>
+#include <orbicube/volume_map.h>
 
 #if UINTPTR_MAX == 0xFFFFFFFFFFFFFFFF
 _Static_assert(sizeof(obc_error) == 512, "obc_error");
@@ -452,5 +453,31 @@ _Static_assert(offsetof(obc_trust_region_result, iterations) == 48, "obc_trust_r
 _Static_assert(offsetof(obc_trust_region_result, restarts) == 56, "obc_trust_region_result.restarts");
 _Static_assert(offsetof(obc_trust_region_result, points) == 64, "obc_trust_region_result.points");
 _Static_assert(offsetof(obc_trust_region_result, rebuilds) == 72, "obc_trust_region_result.rebuilds");
+_Static_assert(sizeof(obc_volume_map_tangle) == 64, "obc_volume_map_tangle");
+_Static_assert(offsetof(obc_volume_map_tangle, struct_size) == 0, "obc_volume_map_tangle.struct_size");
+_Static_assert(offsetof(obc_volume_map_tangle, reserved) == 4, "obc_volume_map_tangle.reserved");
+_Static_assert(offsetof(obc_volume_map_tangle, positions) == 8, "obc_volume_map_tangle.positions");
+_Static_assert(offsetof(obc_volume_map_tangle, vertex_count) == 16, "obc_volume_map_tangle.vertex_count");
+_Static_assert(offsetof(obc_volume_map_tangle, tetrahedra) == 24, "obc_volume_map_tangle.tetrahedra");
+_Static_assert(offsetof(obc_volume_map_tangle, tetrahedron_count) == 32, "obc_volume_map_tangle.tetrahedron_count");
+_Static_assert(offsetof(obc_volume_map_tangle, rest) == 40, "obc_volume_map_tangle.rest");
+_Static_assert(offsetof(obc_volume_map_tangle, fixed) == 48, "obc_volume_map_tangle.fixed");
+_Static_assert(offsetof(obc_volume_map_tangle, ties) == 56, "obc_volume_map_tangle.ties");
+_Static_assert(sizeof(obc_volume_map_untangle_options) == 24, "obc_volume_map_untangle_options");
+_Static_assert(offsetof(obc_volume_map_untangle_options, struct_size) == 0, "obc_volume_map_untangle_options.struct_size");
+_Static_assert(offsetof(obc_volume_map_untangle_options, steps) == 4, "obc_volume_map_untangle_options.steps");
+_Static_assert(offsetof(obc_volume_map_untangle_options, polish_steps) == 8, "obc_volume_map_untangle_options.polish_steps");
+_Static_assert(offsetof(obc_volume_map_untangle_options, reserved) == 12, "obc_volume_map_untangle_options.reserved");
+_Static_assert(offsetof(obc_volume_map_untangle_options, volume_weight) == 16, "obc_volume_map_untangle_options.volume_weight");
+_Static_assert(sizeof(obc_volume_map_untangle_report) == 64, "obc_volume_map_untangle_report");
+_Static_assert(offsetof(obc_volume_map_untangle_report, struct_size) == 0, "obc_volume_map_untangle_report.struct_size");
+_Static_assert(offsetof(obc_volume_map_untangle_report, first_inverted) == 4, "obc_volume_map_untangle_report.first_inverted");
+_Static_assert(offsetof(obc_volume_map_untangle_report, inverted_before) == 8, "obc_volume_map_untangle_report.inverted_before");
+_Static_assert(offsetof(obc_volume_map_untangle_report, inverted) == 16, "obc_volume_map_untangle_report.inverted");
+_Static_assert(offsetof(obc_volume_map_untangle_report, steps) == 24, "obc_volume_map_untangle_report.steps");
+_Static_assert(offsetof(obc_volume_map_untangle_report, polish_steps) == 32, "obc_volume_map_untangle_report.polish_steps");
+_Static_assert(offsetof(obc_volume_map_untangle_report, least_determinant) == 40, "obc_volume_map_untangle_report.least_determinant");
+_Static_assert(offsetof(obc_volume_map_untangle_report, greatest_determinant) == 48, "obc_volume_map_untangle_report.greatest_determinant");
+_Static_assert(offsetof(obc_volume_map_untangle_report, energy) == 56, "obc_volume_map_untangle_report.energy");
 #endif
 typedef int not_empty;

@@ -1,0 +1,61 @@
+"""What <orbicube/volume_map.h> declares. Written by scripts/bindings.py; not to be edited."""
+import ctypes as _c
+
+from .._library import bind as _bind
+from .._library import Struct as _Struct
+
+
+class obc_volume_map_tangle(_Struct):
+    """A mesh to untangle: a view, kept by no function. Fill with _init, then set what there is. Coordinates are numbered
+    3 * vertex + axis."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("reserved", _c.c_int32),
+        ("positions", _c.c_void_p),
+        ("vertex_count", _c.c_size_t),
+        ("tetrahedra", _c.c_void_p),
+        ("tetrahedron_count", _c.c_size_t),
+        ("rest", _c.c_void_p),
+        ("fixed", _c.c_void_p),
+        ("ties", _c.c_void_p),
+    ]
+
+
+class obc_volume_map_untangle_options(_Struct):
+    """Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("steps", _c.c_int32),
+        ("polish_steps", _c.c_int32),
+        ("reserved", _c.c_int32),
+        ("volume_weight", _c.c_double),
+    ]
+
+
+class obc_volume_map_untangle_report(_Struct):
+    """Figures of a run. Determinants are those of the map from the wanted shapes, scaled so that 1 keeps the volume."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("first_inverted", _c.c_uint32),
+        ("inverted_before", _c.c_uint64),
+        ("inverted", _c.c_uint64),
+        ("steps", _c.c_uint64),
+        ("polish_steps", _c.c_uint64),
+        ("least_determinant", _c.c_double),
+        ("greatest_determinant", _c.c_double),
+        ("energy", _c.c_double),
+    ]
+
+
+_functions = [
+    ("obc_volume_map_tangle_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_volume_map_untangle_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_volume_map_untangle_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_volume_map_untangle", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_volume_map_version", _c.c_uint32, []),
+]
+
+
+def __getattr__(name):
+    """A function; the shared library is loaded when the first one is asked for."""
+    return _bind("volume_map", ["base", "mesh"], _functions, globals(), name)

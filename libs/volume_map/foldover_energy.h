@@ -1,0 +1,73 @@
+// The energy of a map of tetrahedra that is finite where they are inverted and drives them back (Garanzha, Kaporin,
+// Kudryavtseva, Protais, Ray and Sokolov 2021, "Foldover-free maps in 50 lines of code"), with its gradient and a
+// positive semidefinite part of its Hessian.
+//
+//   sum over elements of weight [ |J|^2 / chi^(2/3) + lambda (1 + D^2) / chi ],  D = det J,
+//   chi(D, eps) = (D + sqrt(eps^2 + D^2)) / 2.
+//
+// With eps = 0 chi is D: a barrier, infinite unless every element is positive. With p = 2/3, t = chi' / chi, a = vec J
+// and c = vec cof J the block of an element is
+//   2 / chi^p [I - p t (a c' + c a')] + [p (p + 1) t^2 |a|^2 / chi^p + 2 lambda / chi ((1 - D t)^2 + t^2)] c c',
+// the identity and two vectors: products with it need no matrix.
+#pragma once
+
+#include <span>
+
+#include "base/team.h"
+#include "volume_map/elements.h"
+
+namespace orbicube::volume_map {
+
+struct EnergyValue {
+  double energy;
+  double least_determinant;
+  std::size_t inverted;     // elements with D <= 0
+  double mean_determinant;  // by weights
+};
+
+class FoldoverEnergy {
+ public:
+  // Keeps views of elements and variables. 370 bytes an element. `lambda` is how much changes of volume count.
+  FoldoverEnergy(std::span<const Element> elements, const Variables& variables, double lambda, const base::Host& host);
+
+  // At values of all variables. With eps 0 infinite unless every element is positive.
+  EnergyValue value(std::span<const double> values, double eps);
+
+  // Sets where the Hessian is taken; the gradient goes to `gradient`, an entry a free variable.
+  void linearise(std::span<const double> values, double eps, std::span<double> gradient);
+  // The product of the Hessian's part with `direction`, both with an entry a free variable.
+  void multiply(std::span<const double> direction, std::span<double> product);
+  // `direction` times the inverse of its blocks, of each vertex's own coordinates and of each shared variable.
+  void precondition(std::span<const double> direction, std::span<double> result) const;
+
+  const Variables& variables() const { return variables_; }
+  const base::Team& team() const { return team_; }
+
+ private:
+  struct Curvature {
+    Eigen::Matrix3d jacobian, cofactors;
+    double identity, mixed, squared;  // factors of I, a c' + c a', c c'
+  };
+
+  template <class Body>
+  void for_elements(const char* phase, const Body& body) const;
+  void gather(std::span<double> sums);
+  void set_blocks();
+
+  std::span<const Element> elements_;
+  const Variables& variables_;
+  double lambda_;
+  double total_weight_ = 0;
+  const base::Host& host_;
+  base::Team team_;
+  Array<Curvature> curvature_;
+  Array<std::array<Vector3, 4>> force_;     // on the corners of each element
+  Array<Index> incident_begin_, incident_;  // of each vertex: 4 element + corner
+  Array<Vector3> positions_, forces_;       // of each vertex
+  Array<Eigen::Matrix3d> inverse_block_;    // of each vertex, 0 but for its own coordinates
+  Array<double> inverse_shared_;            // of each free variable that is not one vertex's own
+  Array<double> padded_;                    // a direction, with 0 for what stays
+  Array<EnergyValue> partial_;
+};
+
+}  // namespace orbicube::volume_map

@@ -1,0 +1,158 @@
+#include "volume_map/newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace orbicube::volume_map {
+namespace {
+constexpr std::size_t piece = 4096;
+}
+
+Newton::Newton(FoldoverEnergy& energy, std::span<const double> start, const base::Host& host)
+    : energy_(energy),
+      host_(host),
+      values_(start.begin(), start.end(), host.memory),
+      trial_(values_, host.memory),
+      gradient_(energy.variables().free(), 0, host.memory),
+      direction_(gradient_, host.memory),
+      residual_(gradient_, host.memory),
+      preconditioned_(gradient_, host.memory),
+      search_(gradient_, host.memory),
+      product_(gradient_, host.memory),
+      partial_((gradient_.size() + piece - 1) / piece, 0, host.memory) {
+  // Whether there are inverted elements does not depend on eps.
+  now_ = energy_.value(values_, 1);
+}
+
+void Newton::restart(std::span<const double> values) {
+  values_.assign(values.begin(), values.end());
+  trial_ = values_;
+  now_ = energy_.value(values_, 1);
+}
+
+double Newton::dot(std::span<const double> a, std::span<const double> b) {
+  energy_.team().run_pieces(a.size(), piece, [&](std::size_t begin, std::size_t end) {
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      sum += a[i] * b[i];
+    partial_[begin / piece] = sum;
+  });
+  double total = 0;
+  for (const double part : partial_)
+    total += part;
+  return total;
+}
+
+// Conjugate gradients (Hestenes and Stiefel 1952) for Hessian * direction = -gradient, from 0.
+void Newton::solve(const NewtonLimits& limits) {
+  const std::size_t count = gradient_.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    direction_[i] = 0;
+    residual_[i] = -gradient_[i];
+  }
+  energy_.precondition(residual_, preconditioned_);
+  search_ = preconditioned_;
+  double rz = dot(residual_, preconditioned_);
+  const double enough = limits.tolerance * limits.tolerance * rz;
+  for (int k = 0; k < limits.products && rz > enough; ++k) {
+    energy_.multiply(search_, product_);
+    const double curvature = dot(search_, product_);
+    if (!(curvature > 0) || !std::isfinite(curvature)) break;
+    const double length = rz / curvature;
+    for (std::size_t i = 0; i < count; ++i) {
+      direction_[i] += length * search_[i];
+      residual_[i] -= length * product_[i];
+    }
+    energy_.precondition(residual_, preconditioned_);
+    const double next = dot(residual_, preconditioned_);
+    const double beta = next / rz;
+    rz = next;
+    for (std::size_t i = 0; i < count; ++i)
+      search_[i] = preconditioned_[i] + beta * search_[i];
+  }
+}
+
+double Newton::step(double eps, const NewtonLimits& limits, EnergyValue& now) {
+  constexpr int most_halvings = 30;
+  constexpr double armijo = 1e-4;
+  ++steps_;
+  energy_.linearise(values_, eps, gradient_);
+  solve(limits);
+  const double slope = dot(gradient_, direction_);
+  if (!(slope < 0)) return 0;
+  double length = 1;
+  for (int k = 0; k < most_halvings; ++k, length *= 0.5) {
+    for (std::size_t i = 0; i < direction_.size(); ++i)
+      trial_[i] = values_[i] + length * direction_[i];
+    const EnergyValue there = energy_.value(trial_, eps);
+    if (there.energy <= now.energy + armijo * length * slope) {
+      std::swap(values_, trial_);
+      now = there;
+      return length;
+    }
+  }
+  return 0;
+}
+
+bool Newton::untangle(int most_steps, double most_eps, const NewtonLimits& limits) {
+  constexpr double least_eps = 1e-9;
+  constexpr double hopeless_eps = 1e-5;
+  constexpr int most_stuck = 8;
+  constexpr double collapsed = 0.01;
+  if (now_.inverted == 0) return true;
+  double& eps = eps_;
+  eps = std::min(most_eps, std::hypot(1e-3, 0.2 * now_.least_determinant));
+  int stuck = 0;
+  for (int k = 0; k < most_steps; ++k) {
+    host_.report("untangle", 0, 0, static_cast<double>(now_.inverted));
+    now_ = energy_.value(values_, eps);
+    const double before = now_.energy;
+    const double length = step(eps, limits, now_);
+    if (now_.inverted == 0) return true;
+    const double sigma = std::max(0.1, 1 - now_.energy / before);
+    const double least = now_.least_determinant;
+    const double m = std::hypot(least, eps);
+    eps *= least < 0 ? 1 - sigma * m / (std::abs(least) + m) : 1 - sigma;
+    eps = std::max(eps, least_eps);
+    stuck = length < 1e-6 ? stuck + 1 : 0;
+    if (stuck > most_stuck || (eps < hopeless_eps && k > 60)) return false;
+    if (std::abs(now_.mean_determinant) < collapsed && std::abs(least) < collapsed) return false;
+  }
+  return false;
+}
+
+void Newton::polish(int most_steps, double least_gain, const NewtonLimits& limits) {
+  constexpr double nearly_flat = 0.05;
+  constexpr double fall = 0.5;
+  const auto report = [&](int k) {
+    host_.report("polish", static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(most_steps), now_.energy);
+  };
+  int k = 0;
+  now_ = energy_.value(values_, 0);
+  if (eps_ > 0 && now_.least_determinant < nearly_flat) {
+    Array<double> best(values_, host_.memory);
+    double least = now_.energy;
+    for (double eps = eps_; k < most_steps / 2; ++k, eps *= fall) {
+      report(k);
+      now_ = energy_.value(values_, eps);
+      if (step(eps, limits, now_) == 0) break;
+      if (now_.inverted > 0) continue;
+      const double energy = energy_.value(values_, 0).energy;
+      if (energy < least) {
+        least = energy;
+        best = values_;
+      }
+      if (now_.least_determinant > nearly_flat) break;
+    }
+    values_ = best;
+    now_ = energy_.value(values_, 0);
+  }
+  for (; k < most_steps; ++k) {
+    report(k);
+    const double before = now_.energy;
+    step(0, limits, now_);
+    if (before - now_.energy < least_gain * before) return;
+  }
+}
+
+}  // namespace orbicube::volume_map

@@ -1,0 +1,163 @@
+// The foldover energy: values, gradient and the kept part of the Hessian against formulas written anew and differences.
+#include "volume_map/foldover_energy.h"
+
+#include <doctest/doctest.h>
+
+#include <Eigen/Dense>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "tangled_cases.h"
+
+using namespace orbicube;
+using namespace orbicube::volume_map;
+
+namespace {
+
+// Six of the cubes of a bar, every vertex pushed about; some coordinates tied, some fixed.
+struct Sample {
+  base::Host host;
+  test::BlockMesh mesh{test::bar(2), 2};
+  std::vector<Vector3> start;
+  std::vector<std::uint8_t> fixed;
+  std::vector<Index> ties;
+
+  explicit Sample(double push) : start(mesh.positions), fixed(3 * start.size(), 0), ties(3 * start.size(), no_index) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(-push, push);
+    for (Vector3& p : start)
+      p += Vector3(uniform(random), uniform(random), uniform(random));
+    for (std::size_t v = 0; v < start.size(); ++v) {
+      if (mesh.positions[v][2] == 0) ties[3 * v + 2] = 4;
+      if (mesh.positions[v][0] == 0) fixed[3 * v] = 1;
+    }
+  }
+};
+
+double weight_sum(const Array<Element>& elements) {
+  double sum = 0;
+  for (const Element& element : elements)
+    sum += element.weight;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("A rigid motion of the wanted shapes has the least energy, five times the weights") {
+  Sample s(0);
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Vector3(1, 2, 2) / 3).toRotationMatrix();
+  for (Vector3& p : s.start)
+    p = turn * p + Vector3(3, 4, 5);
+  const auto elements = elements_of(s.mesh.tetrahedra, s.mesh.positions, 1, s.host);
+  const Variables variables(s.start, {}, {}, s.host.memory);
+  FoldoverEnergy energy(elements, variables, 1, s.host);
+  const EnergyValue value = energy.value(variables.start(), 0);
+  CHECK(value.energy == doctest::Approx(5 * weight_sum(elements)).epsilon(1e-12));
+  CHECK(value.least_determinant == doctest::Approx(1).epsilon(1e-12));
+  CHECK(value.inverted == 0);
+  std::vector<double> gradient(variables.free());
+  energy.linearise(variables.start(), 0, gradient);
+  for (const double g : gradient)
+    CHECK(std::abs(g) < 1e-11);
+}
+
+TEST_CASE("Regular tetrahedra of a scale have that edge length") {
+  base::Host host;
+  const std::vector<Vector3> positions = {{0, 0, 0}, {1, 1, 0}, {0, 1, 1}, {1, 0, 1}};  // edges of sqrt(2)
+  const std::vector<Tetrahedron> tetrahedra = {{0, 1, 2, 3}};
+  const auto elements = elements_of(tetrahedra, {}, std::sqrt(2.0), host);
+  const Eigen::Matrix3d j = elements[0].jacobian(positions);
+  CHECK((j.transpose() * j - Eigen::Matrix3d::Identity()).norm() < 1e-14);
+  CHECK(j.determinant() == doctest::Approx(1));
+}
+
+TEST_CASE("The gradient is the derivative, with inverted elements too") {
+  Sample s(0.4);
+  const auto elements = elements_of(s.mesh.tetrahedra, s.mesh.positions, 1.3, s.host);
+  const Variables variables(s.start, s.fixed, s.ties, s.host.memory);
+  FoldoverEnergy energy(elements, variables, 0.7, s.host);
+  for (const double eps : {1.0, 0.3}) {
+    CHECK(energy.value(variables.start(), eps).inverted > 5);
+    std::vector<double> gradient(variables.free());
+    energy.linearise(variables.start(), eps, gradient);
+    for (std::size_t i = 0; i < variables.free(); ++i) {
+      std::vector<double> x(variables.start().begin(), variables.start().end());
+      // Differences of fourth order: an error of 1e-4 ^ 4 beside rounding of 1e-16 / 1e-4.
+      const double h = 1e-4;
+      double derivative = 0;
+      for (const auto& [by, factor] : {std::pair{1, 8.0}, {-1, -8.0}, {2, -1.0}, {-2, 1.0}}) {
+        x[i] = variables.start()[i] + by * h;
+        derivative += factor * energy.value(x, eps).energy / (12 * h);
+      }
+      CHECK(gradient[i] == doctest::Approx(derivative).epsilon(1e-6));
+    }
+  }
+}
+
+TEST_CASE("The Hessian's part is that of determinants that change linearly, where chi has no bend") {
+  Sample s(0.1);
+  const auto elements = elements_of(s.mesh.tetrahedra, s.mesh.positions, 1, s.host);
+  const Variables variables(s.start, s.fixed, s.ties, s.host.memory);
+  const double lambda = 0.7;
+  FoldoverEnergy energy(elements, variables, lambda, s.host);
+  REQUIRE(energy.value(variables.start(), 0).inverted == 0);
+  std::vector<double> gradient(variables.free()), direction(variables.size(), 0), product(variables.free());
+  energy.linearise(variables.start(), 0, gradient);
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (std::size_t i = 0; i < variables.free(); ++i)
+    direction[i] = uniform(random);
+  std::vector<Vector3> at(s.start.size()), along(s.start.size());
+  variables.expand(variables.start(), at);
+  variables.expand(direction, along);
+  const auto model = [&](double step) {
+    double sum = 0;
+    for (const Element& element : elements) {
+      const Eigen::Matrix3d j = element.jacobian(at), k = element.jacobian(along);
+      const double d = j.determinant() * (1 + step * (j.inverse() * k).trace());
+      sum += element.weight * ((j + step * k).squaredNorm() / std::pow(d, 2.0 / 3) + lambda * (1 + d * d) / d);
+    }
+    return sum;
+  };
+  const double h = 1e-3;
+  const double second = (-model(2 * h) + 16 * model(h) - 30 * model(0) + 16 * model(-h) - model(-2 * h)) / (12 * h * h);
+  energy.multiply(std::span(direction).first(variables.free()), product);
+  double curvature = 0;
+  for (std::size_t i = 0; i < variables.free(); ++i)
+    curvature += direction[i] * product[i];
+  CHECK(curvature == doctest::Approx(second).epsilon(1e-7));
+}
+
+TEST_CASE("The Hessian's part is symmetric and positive, and its blocks are inverted") {
+  Sample s(0.4);
+  const auto elements = elements_of(s.mesh.tetrahedra, s.mesh.positions, 1, s.host);
+  const Variables variables(s.start, s.fixed, s.ties, s.host.memory);
+  FoldoverEnergy energy(elements, variables, 1, s.host);
+  const auto n = static_cast<Eigen::Index>(variables.free());
+  std::vector<double> gradient(variables.free()), product(variables.free()), direction(variables.free(), 0);
+  energy.linearise(variables.start(), 0.05, gradient);
+  Eigen::MatrixXd matrix(n, n), inverse(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    direction[static_cast<std::size_t>(i)] = 1;
+    energy.multiply(direction, product);
+    matrix.col(i) = Eigen::Map<const Eigen::VectorXd>(product.data(), n);
+    energy.precondition(direction, product);
+    inverse.col(i) = Eigen::Map<const Eigen::VectorXd>(product.data(), n);
+    direction[static_cast<std::size_t>(i)] = 0;
+  }
+  CHECK((matrix - matrix.transpose()).norm() < 1e-12 * matrix.norm());
+  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
+  CHECK(values.minCoeff() > -1e-12 * values.maxCoeff());
+  for (std::size_t v = 0; v < variables.vertices(); ++v) {
+    std::vector<Eigen::Index> own;
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (variables.is_own(v, a)) own.push_back(variables.of(v, a));
+    }
+    const Eigen::MatrixXd block = matrix(own, own), reciprocal = inverse(own, own);
+    CHECK((block * reciprocal - Eigen::MatrixXd::Identity(block.rows(), block.cols())).norm() < 1e-6);
+  }
+  const auto tied = static_cast<Eigen::Index>(variables.of(0, 2));
+  REQUIRE(!variables.is_own(0, 2));
+  CHECK(inverse(tied, tied) > 0);
+}
