@@ -297,7 +297,7 @@ void run_frames(const FramesOptions& options, Session& session) {
               " s, from the start " + frame_field::start_name(outcome.start));
   session.say("  energy " + number(m.energy) + ", angles " + number(m.symmetric.mean) + " degrees on average, " +
               number(m.symmetric.p99) + " at 99 %, " + number(m.symmetric.largest) + " at most; " +
-              number(std::max(m.one_face_largest, m.several_best_largest)) + " degrees off the normals at most");
+              number(m.one_face_largest) + " degrees off the normals at most");
   session.say("  " + std::to_string(graph.edges.size()) + " singular edges on " + std::to_string(graph.curves()) +
               " curves with " + std::to_string(graph.nodes.size()) + " nodes; " +
               (local.locally_meshable() ? "locally meshable"
@@ -372,7 +372,8 @@ void add_frames(CLI::App& app, CommonOptions& common) {
   add_common_options(*verb, common);
   verb->footer(
       "A frame is a unit quaternion that rotates the axes of space to its own (active, Hamilton's product). At the\n"
-      "boundary one axis lies along the normal; tetrahedra with several boundary faces are aligned with one of them.");
+      "boundary one axis lies along the normal; tetrahedra with several boundary faces are aligned with one of them,\n"
+      "or with a direction between them or the edge that they share if neither can be met with the other.");
   verb->callback([options, &common] {
     Session session(common, "frames", options->input);
     session.run([&] { run_frames(*options, session); });

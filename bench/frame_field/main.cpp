@@ -56,7 +56,7 @@ struct Result {
   std::size_t edges = 0, quarter_turns = 0, curves = 0, nodes = 0;
   double length_share = 0;  // of the length of all inner edges
   bool valid = false;
-  double off_normals() const { return std::max(figures.one_face_largest, figures.several_best_largest); }
+  double off_normals() const { return figures.one_face_largest; }
 };
 
 Result analysed(const mesh::Mesh& solid, const Field& field, const base::Host& host) {

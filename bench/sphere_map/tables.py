@@ -161,10 +161,12 @@ def energy_picture(traces, path):
 
 def scaling_table(text):
     rows = [line.split() for line in text.splitlines()]
-    lines = ["| vertices | CPU s | us a vertex | peak memory, MB | bytes a vertex |", "|---|---|---|---|---|"]
-    lines += [f"| {n} | {s} | {us} | {mb} | {b} |" for n, _, s, us, mb, b in rows[1:-1]]
-    if any(row[1] != "yes" for row in rows[1:-1]):
-        raise SystemExit("tables.py: a map of the scaling table is not valid")
+    lines = ["| vertices | CPU s, one thread | us a vertex | peak memory, MB | bytes a vertex | s, one thread | s, two threads | gain |",
+             "|---|---|---|---|---|---|---|---|"]
+    for vertices, valid, cpu, each, peak, bytes_each, one, two, gain, same in rows[1:-1]:
+        if valid != "yes" or same != "yes":
+            raise SystemExit(f"tables.py: the map of {vertices} vertices is not valid, or not the same with two threads")
+        lines.append(f"| {vertices} | {cpu} | {each} | {peak} | {bytes_each} | {one} | {two} | {gain} |")
     return "\n".join(lines) + f"\n\nFitted: {text.splitlines()[-1]}.\n"
 
 
@@ -229,7 +231,7 @@ rounds over all vertices at the end change E in its fifth digit.
 
 {reconstruction}## Time and memory by size
 
-The default method on the shape that `orbicube make creature` makes, one thread (`bench-sphere-map scaling`):
+The default method on the shape that `orbicube make creature` makes (`bench-sphere-map scaling`), the same bits with one and with two threads:
 
 {scaling_table(scaling)}"""
     path = os.path.join(ROOT, "docs", "sphere_map_tables.md")

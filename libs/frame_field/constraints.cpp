@@ -42,6 +42,32 @@ std::size_t boundary_faces(std::span<const Vector3> positions, const mesh::Tetra
   return count;
 }
 
+// Other directions for the axis of a tetrahedron with several boundary faces: their normals; and where two of them
+// cannot both be met, because they are neither nearly alike nor nearly perpendicular, directions between them and that
+// of the edge where they meet, about which the frame may then turn.
+template <typename Add>
+void for_each_alternative(std::span<const BoundaryFace> faces, const Add& add) {
+  constexpr double alike = 0.996, perpendicular = 0.087;  // cosines of 5 and 85 degrees
+  for (std::size_t k = 1; k < faces.size(); ++k)
+    add(faces[k].normal);
+  const auto add_unit = [&](const Vector& v) {
+    const double length = std::hypot(v.x, v.y, v.z);
+    if (length > 1e-3) add(Vector{v.x / length, v.y / length, v.z / length});
+  };
+  for (std::size_t k = 1; k < faces.size(); ++k) {
+    for (std::size_t l = 0; l < k; ++l) {
+      const Vector& a = faces[k].normal;
+      Vector b = faces[l].normal;
+      const double cosine = a.x * b.x + a.y * b.y + a.z * b.z;
+      if (std::abs(cosine) > alike || std::abs(cosine) < perpendicular) continue;
+      if (cosine < 0) b = {-b.x, -b.y, -b.z};  // an axis has no sense
+      add_unit({a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x});
+      for (const double t : {0.25, 0.5, 0.75})
+        add_unit({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)});
+    }
+  }
+}
+
 }  // namespace
 
 Quaternion aligned(const Quaternion& frame, const Vector& n) {
@@ -127,8 +153,9 @@ Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> po
     const auto number = static_cast<Index>(result.list.size());
     result.of_node[i] = number;
     result.list.push_back(constraint);
-    for (std::size_t k = 1; k < count; ++k)
-      result.alternatives.push_back({number, faces[k].normal});
+    for_each_alternative({faces.data(), count}, [&](const Vector& direction) {
+      result.alternatives.push_back({number, direction});
+    });
   }
   return result;
 }

@@ -1,7 +1,9 @@
 // Which frames are not free: those with a face on the boundary have an axis along its normal, others may be given.
 //
 // A tetrahedron with several boundary faces is aligned with one of them exactly: the one with the greatest area to
-// begin with, and another of them when that makes the field smoother (smoothing.h).
+// begin with, and another of them when that makes the field smoother (smoothing.h). Where two of its normals are
+// neither nearly alike (5 degrees) nor nearly perpendicular, no frame has axes along both: then it may also be a
+// direction between them, or the edge that they share, that the axis lies along.
 //
 // What is given with a weight is not held but pulled at, like by a link of that weight to the nearest frame that has
 // what is given. It may lie on a tetrahedron that has a constraint too.
@@ -58,7 +60,7 @@ struct Constraints {
 
   Array<Constraint> list;  // in ascending order of nodes
   Array<Index> of_node;    // no_index for a free one
-  // Further normals of tetrahedra with several boundary faces, in ascending order of `constraint`.
+  // Further directions for tetrahedra with several boundary faces, in ascending order of `constraint`.
   struct Alternative {
     Index constraint;
     Vector direction;

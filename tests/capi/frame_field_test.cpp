@@ -81,7 +81,7 @@ TEST_CASE("A field computed through C is aligned, and its report agrees with mea
   REQUIRE(obc_frame_field_compute(&view, nullptr, nullptr, nullptr, frames.data(), &report, &error) == OBC_OK);
   CHECK(error.status == OBC_OK);
   CHECK(report.one_face_max < 1e-6);
-  CHECK(report.several_best_max < 1e-6);
+  CHECK(report.several_best_max < 45);  // half way between two normals of one tetrahedron at most
   CHECK(report.symmetric_max <= 62.80);
   CHECK(report.dead_ends == 0);
   CHECK(report.boundary_index_quarters == 4 * report.euler_characteristic);

@@ -1,15 +1,19 @@
 // Small solids of tetrahedra for tests: boxes, balls and rings of cubes cut in six.
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "mesh/mesh.h"
 #include "mesh/predicates.h"
+#include "mesh/tetrahedral_connectivity.h"
 #include "quaternion/quaternion.h"
 #include "quaternion/rotation.h"
 
@@ -105,6 +109,50 @@ inline quaternion::Quaternion random_rotation(std::mt19937_64& random) {
 inline Vector3 rotated(const quaternion::Quaternion& q, const Vector3& p) {
   const quaternion::Vector v = quaternion::rotate(q, {p[0], p[1], p[2]});
   return {v.x, v.y, v.z};
+}
+
+// Largest angle in degrees by which frames are off where the boundary wants an axis: along the normal; for a
+// tetrahedron with several faces along one of the normals, and where two of them are neither within 5 degrees of each
+// other nor of being perpendicular, also between them or along their edge.
+inline double off_boundary(const Solid& solid, const mesh::TetrahedralConnectivity& connectivity,
+                           std::span<const quaternion::Quaternion> field) {
+  const auto sine_to_axes = [](const quaternion::Quaternion& q, const Vector3& direction) {
+    double least = 1;
+    for (int axis = 0; axis < 3; ++axis)
+      least = std::min(least, rotated(q, Vector3::Unit(axis)).cross(direction).norm());
+    return least;
+  };
+  double worst = 0;
+  for (Index t = 0; t < solid.tetrahedra.size(); ++t) {
+    std::vector<Vector3> normals;
+    for (Index k = 0; k < 4; ++k) {
+      if (!connectivity.on_boundary(4 * t + k)) continue;
+      const mesh::Triangle v = connectivity.vertices(4 * t + k);
+      const auto& p = solid.positions;
+      normals.push_back((p[v[1]] - p[v[0]]).cross(p[v[2]] - p[v[0]]).normalized());
+    }
+    if (normals.empty()) continue;
+    double off = 1;
+    for (std::size_t i = 0; i < normals.size(); ++i) {
+      off = std::min(off, sine_to_axes(field[t], normals[i]));
+      for (std::size_t j = 0; j < i; ++j) {
+        const double cosine = normals[i].dot(normals[j]);
+        if (std::abs(cosine) > std::cos(5 * std::numbers::pi / 180) ||
+            std::abs(cosine) < std::cos(85 * std::numbers::pi / 180))
+          continue;
+        const Vector3 other = cosine < 0 ? Vector3(-normals[j]) : normals[j];
+        const Vector3 edge = normals[i].cross(other).normalized();
+        off = std::min(off, sine_to_axes(field[t], edge));
+        for (int axis = 0; axis < 3; ++axis) {
+          const Vector3 a = rotated(field[t], Vector3::Unit(axis));
+          // Between them, either way round.
+          if (normals[i].cross(a).dot(edge) * a.cross(other).dot(edge) >= 0) off = std::min(off, std::abs(a.dot(edge)));
+        }
+      }
+    }
+    worst = std::max(worst, std::asin(off) * 180 / std::numbers::pi);
+  }
+  return worst;
 }
 
 }  // namespace orbicube::test

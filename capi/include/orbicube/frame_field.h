@@ -103,7 +103,7 @@ typedef struct obc_frame_field_report {
   double plain_mean, plain_deviation, plain_median, plain_p99, plain_max;
   uint64_t inner_faces, boundary_faces, above_30; /* above_30: inner faces with a greater symmetric angle */
   /* Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
-   * several, for the best and for the worst of their faces. */
+   * several, for the best and for the worst of their faces (the best is not 0 where an axis lies between two normals). */
   double one_face_max, several_best_max, several_worst_max;
   /* Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
    * corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
