@@ -13,6 +13,7 @@
 #include "grid_choice.h"
 #include "mesh/measures.h"
 #include "morph_alignment.h"
+#include "morph_placement.h"
 #include "morph_states.h"
 #include "sphere_map/correspondence.h"
 #include "sphere_map/overlay.h"
@@ -39,6 +40,7 @@ struct MorphOptions {
   std::string landmarks;
   std::string grid = "both";
   std::string align = "rotation";
+  std::string place = "kept";
   double tolerance = 0.2;  // percent of the diagonal
   std::size_t steps = 0;
   double seconds = 2;
@@ -149,16 +151,18 @@ double area_distortion(std::span<const Triangle> triangles, std::span<const Vect
 }
 
 void morph(const MorphOptions& options, Session& session) {
-  session.options() = {{"output", options.output},   {"landmarks", options.landmarks}, {"align", options.align},
-                       {"grid", options.grid},       {"tolerance", options.tolerance}, {"steps", options.steps},
-                       {"seconds", options.seconds}, {"weld", options.weld},           {"polycube", options.polycube}};
+  session.options() = {{"output", options.output}, {"landmarks", options.landmarks},
+                       {"align", options.align},   {"place", options.place},
+                       {"grid", options.grid},     {"tolerance", options.tolerance},
+                       {"steps", options.steps},   {"seconds", options.seconds},
+                       {"weld", options.weld},     {"polycube", options.polycube}};
   require_writable(options.output);
   if (!is_gltf(options.output))
     throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
 #ifdef ORBICUBE_WITH_POLYCUBE
   if (options.polycube) {
-    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.corners, options.steps,
-                       options.seconds, options.weld},
+    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.place, options.corners,
+                       options.steps, options.seconds, options.weld},
                       session);
     return;
   }
@@ -191,6 +195,10 @@ void morph(const MorphOptions& options, Session& session) {
     states.push_back(std::move(carried.positions));
     if (i > 0) shape.figures["area_distortion"] = area_distortion(common.triangles, states[0], states[i]);
   }
+  std::vector<Json*> figures;
+  for (MorphShape& shape : shapes)
+    figures.push_back(&shape.figures);
+  place(options.place, common.triangles, states, figures);
   MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.steps};
   for (const MorphShape& shape : shapes)
     morph.names.push_back(std::filesystem::path(shape.path).stem().string());
@@ -253,6 +261,9 @@ void add_morph(CLI::App& app, CommonOptions& common) {
                    "how spheres are turned without landmarks (rotation): rotation, to where positions agree best; none")
       ->check(unnamed(CLI::IsMember({"rotation", "none"})))
       ->type_name("HOW");
+  verb->add_option("--place", options->place, placement_help)
+      ->check(unnamed(CLI::IsMember({"kept", "turned", "scaled"})))
+      ->type_name("HOW");
   verb->add_option("--grid", options->grid,
                    std::string("the one mesh (both): both, with the vertices of all shapes; first, with those of the "
                                "first; or ") +
@@ -272,8 +283,9 @@ void add_morph(CLI::App& app, CommonOptions& common) {
   verb->add_flag("--weld", options->weld, "join vertices at identical positions where a surface is not closed");
   add_common_options(*verb, common);
   verb->footer(
-      "Shapes should stand alike. Each is mapped to the sphere, and the spheres are turned until positions\n"
-      "agree best, or until landmarks meet; what is then at one direction corresponds.");
+      "Each shape is mapped to the sphere, and the spheres are turned until positions agree best (shapes should\n"
+      "then stand alike), or until landmarks meet; what is then at one direction corresponds. Shapes of other\n"
+      "sizes or other axes: --landmarks FILE --place scaled.");
   verb->callback([options, &common] {
     Session session(common, "morph", options->inputs.front());
     session.run([&] { morph(*options, session); });

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "mesh/predicates.h"
+#include "morph_placement.h"
 #include "morph_states.h"
 #include "polycube/inverse_map.h"
 #include "polycube/quad_mesh.h"
@@ -117,6 +118,10 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
     on_shape.triangles = common.triangles;
     shared.figures[i]["distance"] = json_of_distance(shared.meshes[i], on_shape, host);
   }
+  std::vector<Json*> figures;
+  for (Json& shape : shared.figures)
+    figures.push_back(&shape);
+  place(options.place, common.triangles, states, figures);
   MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.steps};
   for (const std::string& path : options.inputs)
     morph.names.push_back(std::filesystem::path(path).stem().string());

@@ -12,7 +12,8 @@ struct PolycubeMorphOptions {
   std::vector<std::string> inputs;
   std::string output;
   std::string landmarks;
-  std::string grid;  // "first", or "cells:N" for quads of the polycube's grid; "both" for as many as fit the shapes
+  std::string grid;   // "first", or "cells:N" for quads of the polycube's grid; "both" for as many as fit the shapes
+  std::string place;  // kept, turned or scaled (morph_placement.h)
   std::size_t corners = 0;
   std::size_t steps = 0;
   double seconds = 2;

@@ -62,8 +62,10 @@ void for_each_alternative(std::span<const BoundaryFace> faces, const Add& add) {
       if (std::abs(cosine) > alike || std::abs(cosine) < perpendicular) continue;
       if (cosine < 0) b = {-b.x, -b.y, -b.z};  // an axis has no sense
       add_unit({a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x});
-      for (const double t : {0.25, 0.5, 0.75})
+      for (int eighth = 1; eighth < 8; ++eighth) {
+        const double t = eighth / 8.0;
         add_unit({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.z + t * (b.z - a.z)});
+      }
     }
   }
 }

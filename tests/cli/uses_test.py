@@ -221,6 +221,37 @@ class Morphs(Uses):
         report, _ = self.report("morph", *shapes[:2], "-o", self.path("grid.gltf"), "--grid", "icosphere:3")
         self.assertEqual(report["vertices"], 642)
 
+    def test_a_shape_that_stands_elsewhere_is_brought_to_the_first(self):
+        a = self.made("creature", 1500)
+        positions, triangles = read_obj(a)
+        # A third turn about (1, 1, 1), 2.5 times as large, moved: x goes to 2.5 (z, x, y) + shift.
+        shift = (3, -1, 2)
+        moved = [tuple(2.5 * p[(c + 2) % 3] + shift[c] for c in range(3)) for p in positions]
+        b, landmarks = self.path("moved.obj"), self.path("pairs.txt")
+        with open(b, "w", encoding="ascii") as file:
+            file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in moved)
+            file.writelines("f {} {} {}\n".format(*(i + 1 for i in t)) for t in triangles)
+        with open(landmarks, "w", encoding="ascii") as file:
+            file.writelines(f"{i} {i}\n" for i in range(0, len(positions), 150))
+        size = max(abs(x) for p in positions for x in p)
+        arguments = ("morph", a, b, "-o", self.path("morph.glb"), "--grid", "first", "--landmarks", landmarks)
+        report, _ = self.report(*arguments, "--place", "scaled")
+        placement = report["shapes"][1]["placement"]
+        # The two maps are alike but not equal, so positions agree to the size of triangles, not to rounding.
+        self.assertAlmostEqual(placement["scale"], 1 / 2.5, delta=0.01)
+        for row, expected in zip(placement["rotation"], ((0, 1, 0), (0, 0, 1), (1, 0, 0))):
+            for value, wanted in zip(row, expected):
+                self.assertAlmostEqual(value, wanted, delta=0.02)
+        deltas = Glb(self.path("morph.glb"), texture=False).deltas
+        self.assertLess(math.sqrt(sum(x * x for d in deltas for x in d) / len(deltas)), 0.05 * size)
+        report, _ = self.report(*arguments, "--place", "turned")
+        placement = report["shapes"][1]["placement"]
+        self.assertEqual(placement["scale"], 1)
+        for c in range(3):
+            self.assertAlmostEqual(placement["rotation"][c][(c + 1) % 3], 1, delta=0.02)
+        report, _ = self.report(*arguments)
+        self.assertEqual(report["shapes"][1]["placement"], {"scale": 1, "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "shift": [0, 0, 0]})
+
     def test_a_shape_into_itself_is_itself(self):
         a = self.made("star", 2000)
         report, _ = self.report("morph", a, a, "-o", self.path("morph.glb"))
