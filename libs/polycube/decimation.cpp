@@ -238,4 +238,24 @@ void undo_labels(const Decimation& decimation, std::span<const std::array<double
   }
 }
 
+void take_left(const Decimation& decimation, std::span<const Vector3> from, Array<Vector3>& positions,
+               Array<Triangle>& triangles, Array<Index>& vertex_source, const base::Host& host) {
+  Array<Index> number(from.size(), no_index, host.memory);
+  positions.clear();
+  triangles.clear();
+  vertex_source.clear();
+  for (const Index t : decimation.left) {
+    Triangle triangle = decimation.triangles[t];
+    for (Index& v : triangle) {
+      if (number[v] == no_index) {
+        number[v] = static_cast<Index>(positions.size());
+        positions.push_back(from[v]);
+        vertex_source.push_back(v);
+      }
+      v = number[v];
+    }
+    triangles.push_back(triangle);
+  }
+}
+
 }  // namespace orbicube::polycube

@@ -58,6 +58,10 @@ struct Decimation {
 Decimation decimate(const Surface& surface, std::span<const AxisLabel> labels, std::size_t target,
                     const base::Host& host);
 
+// The vertices and triangles that a decimation has left, numbered anew, and what the vertices were.
+void take_left(const Decimation& decimation, std::span<const Vector3> from, Array<Vector3>& positions,
+               Array<Triangle>& triangles, Array<Index>& vertex_source, const base::Host& host);
+
 // Labels of the fine surface from those of the coarse one, where they are set: each triangle that comes back takes the
 // label of a neighbour that was there, the one that costs it less. That moves arcs over triangles and changes nothing
 // in how charts, arcs and corners hang together, as long as three charts at most meet at each vertex.

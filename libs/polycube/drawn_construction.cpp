@@ -14,6 +14,7 @@
 #include "polycube/inverse_map.h"
 #include "polycube/layout_guide.h"
 #include "polycube/layout_map.h"
+#include "polycube/map_improvement.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -290,6 +291,13 @@ Construction construct_on(std::span<const Vector3> positions, std::span<const Tr
       if (error.status() != base::Status::no_valid_result) throw;
       break;
     }
+  }
+  if (options.smoothing_rounds > 0) {
+    Array<Vector3> held(host.memory);
+    for (const CornerPlace& place : options.places)
+      held.push_back(target.corners[place.corner]);
+    best.distortion = improve_map(best.map, best.certificate,
+                                  {.rounds = options.smoothing_rounds, .domain = false, .held_corners = held}, host);
   }
   return best;
 }

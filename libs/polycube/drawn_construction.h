@@ -26,6 +26,8 @@ struct DrawingOptions {
   const ScatteredMap* from_model = nullptr;
   // Times that it is drawn again, along where the arcs of the last map have come to lie, as long as that gains.
   int redrawings = 3;
+  // Times that the map is then smoothed across edges (map_improvement.h), at most. Corners with places stay there.
+  int smoothing_rounds = 3;
 };
 
 // Of a closed, connected, oriented surface that looks outward. Positions of the result are on the very polycube of the

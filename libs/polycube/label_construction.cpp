@@ -55,27 +55,6 @@ struct SearchSurface {
   Array<Index> source;  // of each triangle, when it is a coarse one: its number in the input
 };
 
-// The vertices and triangles that a decimation has left.
-void take_left(const Decimation& decimation, std::span<const Vector3> from, Array<Vector3>& positions,
-               Array<Triangle>& triangles, Array<Index>& vertex_source, const base::Host& host) {
-  Array<Index> number(from.size(), no_index, host.memory);
-  positions.clear();
-  triangles.clear();
-  vertex_source.clear();
-  for (const Index t : decimation.left) {
-    Triangle triangle = decimation.triangles[t];
-    for (Index& v : triangle) {
-      if (number[v] == no_index) {
-        number[v] = static_cast<Index>(positions.size());
-        positions.push_back(from[v]);
-        vertex_source.push_back(v);
-      }
-      v = number[v];
-    }
-    triangles.push_back(triangle);
-  }
-}
-
 Surface framed(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Frame& frame,
                const base::Host& host) {
   Array<Vector3> seen(positions.size(), host.memory);

@@ -3,6 +3,8 @@
 // (optimal_domain.h), in turns.
 #pragma once
 
+#include <span>
+
 #include "polycube/certificate.h"
 #include "polycube/distortion.h"
 
@@ -11,10 +13,13 @@ namespace orbicube::polycube {
 struct ImprovementOptions {
   int rounds = 8;        // at most
   int newton_steps = 0;  // of all vertices at once, in all rounds; 0: as many as the count of triangles allows
+  bool domain = true;    // false: the polycube stays, to the bit
+  std::span<const Vector3> held_corners = {};  // places on the polycube; what is mapped there stays
 };
 
 // The map is certified, and so is the result; it has corners and faces of the same kind in the same order of planes.
-// Answers the distortion of the result, whose means over triangles do not add up to more than before.
+// Answers the distortion of the result, whose means over triangles do not add up to more than before; without `domain`
+// these means and those over the surface together.
 // Throws Error "cancelled".
 Distortion improve_map(SurfaceMap& map, Certificate& certificate, const ImprovementOptions& options,
                        const base::Host& host);

@@ -33,6 +33,9 @@ UnfoldedMap::UnfoldedMap(const SurfaceMap& map, const base::Host& host)
       motion(3 * map.triangles.size(), host.memory),
       image(map.positions.size(), Vector2d::Zero(), host.memory),
       corner_at(map.positions.size(), no_index, host.memory),
+      held(map.positions.size(), 0, host.memory),
+      tie_at(map.positions.size(), no_index, host.memory),
+      ties(host.memory),
       facets(host.memory),
       corners(host.memory),
       darts(host.memory) {
@@ -67,7 +70,7 @@ void UnfoldedMap::find_corners(const SurfaceMap& map) {
     surface.for_each_outgoing(v, [&](Index h) { edges += on_edge(h); });
     if (edges < 3) continue;
     corner_at[v] = static_cast<Index>(corners.size());
-    corners.push_back({v, map.polycube[v], 0, 0, 0, no_index, 0, Vector2d::Zero()});
+    corners.push_back({v, map.polycube[v], 0, 0, 0, no_index, 0, Vector2d::Zero(), false});
   }
   for (UnfoldedCorner& corner : corners)
     add_darts(map, corner);
@@ -173,6 +176,8 @@ Index UnfoldedMap::split_edge(Index h, double part) {
   const Index m = surface.split_edge(h, part);
   image.push_back(place);
   corner_at.push_back(no_index);
+  held.push_back(0);
+  tie_at.push_back(no_index);
   motion.resize(3 * surface.faces());
   const auto set = [&](Index face, const PlaneMotion& x, const PlaneMotion& y, const PlaneMotion& z) {
     motion[3 * face] = x;

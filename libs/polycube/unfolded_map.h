@@ -74,6 +74,18 @@ struct UnfoldedCorner {
   Index end;
   double angle;
   Vector2d direction;
+  bool held = false;  // stays at its vertex
+};
+
+// What draws a vertex to a place in its plane: weight times the squared distance, along one of the coordinates or both.
+struct PlaneTie {
+  Vector2d place;
+  std::array<double, 2> weight;
+
+  double energy(const Vector2d& at) const {
+    const Vector2d d = at - place;
+    return weight[0] * d.x() * d.x() + weight[1] * d.y() * d.y();
+  }
 };
 
 class UnfoldedMap {
@@ -84,6 +96,7 @@ class UnfoldedMap {
   // Where the half-edge starts, in the plane of its triangle.
   Vector2d at(Index h) const { return motion[h](image[surface.start(h)]); }
   bool is_corner(Index v) const { return corner_at[v] != no_index; }
+  bool is_free(Index v) const { return held[v] == 0 && tie_at[v] == no_index; }
   // From the plane of the half-edge's triangle to that of the triangle beyond it.
   PlaneMotion across(Index h) const;
 
@@ -102,6 +115,11 @@ class UnfoldedMap {
   Array<PlaneMotion> motion;  // of each half-edge: from the plane of its start to that of its triangle
   Array<Vector2d> image;      // of each vertex, in its plane
   Array<Index> corner_at;     // of each vertex: the number of the corner, or no_index
+  // Of each vertex: the coordinates in its plane that stay, 1 for the first and 2 for the second, and its tie, or
+  // no_index. Vertices with either are not taken out and do not become corners.
+  Array<std::uint8_t> held;
+  Array<Index> tie_at;
+  Array<PlaneTie> ties;
   Array<UnfoldedFacet> facets;
   Array<UnfoldedCorner> corners;
   Array<UnfoldedDart> darts;

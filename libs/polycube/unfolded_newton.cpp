@@ -23,9 +23,17 @@ class System {
     std::array<Vector2d, 3> fixed;
   };
 
-  System(Array<Element> elements, Array<Vector2d> place, const base::Host& host)
+  struct Tie {
+    Index variable;
+    PlaneTie tie;
+  };
+
+  System(Array<Element> elements, Array<Vector2d> place, Array<std::uint8_t> held, Array<Tie> ties,
+         const base::Host& host)
       : elements_(std::move(elements)),
         place_(std::move(place)),
+        held_(std::move(held)),
+        ties_(std::move(ties)),
         host_(host),
         system_(make_system()),
         places_(elements_.size(), host.memory),
@@ -46,8 +54,10 @@ class System {
   // Answers by which part of itself the energy fell; 0 when no step lowers it.
   double step() {
     const double before = assemble();
-    for (const std::uint32_t i : diagonal_)
-      system_.values()[i] *= 1 + 1e-9;
+    for (Index i = 0; i < diagonal_.size(); ++i) {
+      double& entry = system_.values()[diagonal_[i]];
+      entry = is_held(i) ? 1 : entry * (1 + 1e-9);
+    }
     host_.report(phase, 0, 0);
     if (!system_.factorize()) return 0;
     const Eigen::VectorXd x = -system_.solve(gradient_);
@@ -99,6 +109,9 @@ class System {
     return SparseSystem(2 * place_.size(), triplets);
   }
 
+  // Of a coordinate, whose row and column of the matrix are those of the identity then.
+  bool is_held(Index coordinate) const { return (held_[coordinate / 2] >> (coordinate % 2) & 1) != 0; }
+
   Vector2d at(const Element& e, std::size_t k, std::span<const Vector2d> place) const {
     return e.variable[k] == no_index ? e.fixed[k] : e.motion[k](place[e.variable[k]]);
   }
@@ -110,6 +123,8 @@ class System {
     double sum = 0;
     for (const Element& e : elements_)
       sum += e.weight * distortion(jacobian_of(e, place));
+    for (const Tie& t : ties_)
+      sum += t.tie.energy(place[t.variable]);
     return sum;
   }
 
@@ -137,12 +152,23 @@ class System {
       const Eigen::Matrix<double, 6, 6> block = e.weight * (b.transpose() * of.second * b);
       for (std::size_t r = 0; r < 6; ++r) {
         const auto row = static_cast<Eigen::Index>(r);
-        if (e.variable[r / 2] == no_index) continue;
-        gradient_[2 * e.variable[r / 2] + r % 2] += slope[row];
+        const Index coordinate = 2 * e.variable[r / 2] + static_cast<Index>(r % 2);
+        if (e.variable[r / 2] == no_index || is_held(coordinate)) continue;
+        gradient_[coordinate] += slope[row];
         for (std::size_t c = 0; c < 6; ++c) {
           const std::uint32_t place = places_[i][6 * r + c];
-          if (place != no_index) system_.values()[place] += block(row, static_cast<Eigen::Index>(c));
+          if (place == no_index || is_held(2 * e.variable[c / 2] + static_cast<Index>(c % 2))) continue;
+          system_.values()[place] += block(row, static_cast<Eigen::Index>(c));
         }
+      }
+    }
+    for (const auto& [variable, tie] : ties_) {
+      sum += tie.energy(place_[variable]);
+      for (Index k = 0; k < 2; ++k) {
+        const Index coordinate = 2 * variable + k;
+        if (is_held(coordinate)) continue;
+        gradient_[coordinate] += 2 * tie.weight[k] * (place_[variable][k] - tie.place[k]);
+        system_.values()[diagonal_[coordinate]] += 2 * tie.weight[k];
       }
     }
     return sum;
@@ -165,6 +191,8 @@ class System {
 
   Array<Element> elements_;
   Array<Vector2d> place_;  // of each variable vertex, in its plane
+  Array<std::uint8_t> held_;
+  Array<Tie> ties_;
   const base::Host& host_;
   SparseSystem system_;
   Array<std::array<std::uint32_t, 36>> places_;
@@ -180,10 +208,14 @@ int move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, double
   const EditableSurface& surface = map.surface;
   Array<Index> number(surface.vertices(), no_index, host.memory);
   Array<Vector2d> place(host.memory);
+  Array<std::uint8_t> held(host.memory);
+  Array<System::Tie> ties(host.memory);
   for (Index v = 0; v < surface.vertices(); ++v) {
     if (surface.outgoing(v) == no_index || map.is_corner(v)) continue;
     number[v] = static_cast<Index>(place.size());
+    if (map.tie_at[v] != no_index) ties.push_back({number[v], map.ties[map.tie_at[v]]});
     place.push_back(map.image[v]);
+    held.push_back(std::uint8_t{map.held[v]});
   }
   Array<System::Element> elements(host.memory);
   for (Index f = 0; f < surface.faces(); ++f) {
@@ -198,7 +230,7 @@ int move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, double
     }
     elements.push_back(e);
   }
-  System system(std::move(elements), std::move(place), host);
+  System system(std::move(elements), std::move(place), std::move(held), std::move(ties), host);
   int taken = 0;
   for (double gain = 1; taken < steps && gain >= least_gain; ++taken) {
     gain = system.step();

@@ -53,7 +53,7 @@ class Smoothing {
       for (Index k = 0; k < count; ++k) {
         if (k % 256 == 0) host_.report(phase, 0, 0);
         const Index v = i % 2 == 0 ? k : count - 1 - k;
-        if (surface_.outgoing(v) == no_index || map_.is_corner(v)) continue;
+        if (surface_.outgoing(v) == no_index || map_.is_corner(v) || map_.held[v] == 3) continue;
         star_.gather(map_, weights_, v);
         double before = 0, fallen = 0;
         map_.image[v] = star_.improved(map_.image[v], before, fallen);
@@ -112,6 +112,7 @@ class Smoothing {
     for (Index v = 0; v < surface_.vertices(); ++v) {
       if (v % 256 == 0) host_.report(phase, 0, 0);
       if (surface_.outgoing(v) == no_index || map_.is_corner(v) || surface_.source[v].corner[1] == no_index) continue;
+      if (!map_.is_free(v)) continue;
       const Index h = best_collapse(v);
       if (h == no_index) continue;
       map_.collapse(h);

@@ -25,6 +25,8 @@ TriangleWeights::TriangleWeights(const UnfoldedMap& map) {
 
 void UnfoldedStar::gather(const UnfoldedMap& map, const TriangleWeights& weights, Index vertex) {
   triangles.clear();
+  held = map.held[vertex];
+  tie = map.tie_at[vertex] == no_index ? nullptr : &map.ties[map.tie_at[vertex]];
   map.surface.for_each_outgoing(vertex, [&](Index h) {
     const Index n = EditableSurface::next(h), p = EditableSurface::previous(h);
     const PlaneMotion back = map.motion[h].inverse();
@@ -36,7 +38,7 @@ void UnfoldedStar::gather(const UnfoldedMap& map, const TriangleWeights& weights
 }
 
 double UnfoldedStar::energy(const Vector2d& place) const {
-  double sum = 0;
+  double sum = tie == nullptr ? 0 : tie->energy(place);
   for (const Corner& t : triangles)
     sum += t.weight * distortion(jacobian(t.rest, place, t.a, t.b));
   return sum;
@@ -64,6 +66,20 @@ Vector2d UnfoldedStar::improved(const Vector2d& place, double& before, double& g
       for (Eigen::Index s = 0; s < 2; ++s)
         hessian(r, s) += t.weight * hat.dot(of.second.block<2, 2>(2 * r, 2 * s) * hat);
     }
+  }
+  if (tie != nullptr) {
+    value += tie->energy(place);
+    for (Eigen::Index k = 0; k < 2; ++k) {
+      const double weight = tie->weight[static_cast<std::size_t>(k)];
+      gradient[k] += 2 * weight * (place[k] - tie->place[k]);
+      hessian(k, k) += 2 * weight;
+    }
+  }
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    if ((held >> k & 1) == 0) continue;
+    gradient[k] = 0;
+    hessian(0, 1) = hessian(1, 0) = 0;
+    hessian(k, k) = 1;
   }
   before = value;
   const double determinant = hessian.determinant();

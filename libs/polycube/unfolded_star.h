@@ -32,7 +32,7 @@ class UnfoldedStar {
 
   explicit UnfoldedStar(std::pmr::memory_resource* memory) : triangles(memory) {}
 
-  // In the order of EditableSurface::for_each_outgoing. Not for corners of the polycube.
+  // In the order of EditableSurface::for_each_outgoing, with what ties the vertex. Not for corners of the polycube.
   void gather(const UnfoldedMap& map, const TriangleWeights& weights, Index vertex);
   // With the vertex there; infinite unless all are positive.
   double energy(const Vector2d& place) const;
@@ -42,6 +42,8 @@ class UnfoldedStar {
   Vector2d improved(const Vector2d& place, double& before, double& gain) const;
 
   Array<Corner> triangles;
+  std::uint8_t held = 0;  // coordinates that stay in a step
+  const PlaneTie* tie = nullptr;
 };
 
 }  // namespace orbicube::polycube

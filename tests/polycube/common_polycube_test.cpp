@@ -11,7 +11,6 @@
 #include "blocks.h"
 #include "mesh/nearest.h"
 #include "polycube/drawn_construction.h"
-#include "polycube/map_smoothing.h"
 #include "shapes.h"
 
 using namespace orbicube;
@@ -166,31 +165,6 @@ TEST_CASE("Two shapes share the proportions that minimise the sum of their energ
   CHECK_THROWS(optimise_domain(maps, {.area_weight = -1}, host));
 }
 
-TEST_CASE("Smoothing makes a map less distorted, and it stays valid with its corners") {
-  const mesh::Mesh m = shape("sphere", 1000);
-  SurfaceMap map = construct(m.positions, m.triangles, {.method = Method::voxels, .corners = 8}, host).made.map;
-  // Stretched, so that there is something to do: all vertices of faces across z pulled to one side.
-  Vector3 low = map.polycube[0], high = low;
-  for (const Vector3& p : map.polycube) {
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  for (Vector3& p : map.polycube) {
-    const double part = (p[0] - low[0]) / (high[0] - low[0]);
-    if (part > 0 && part < 1) p[0] = low[0] + (high[0] - low[0]) * part * part;
-  }
-  REQUIRE(certify(map, host).valid());
-  const Array<Vector3> before = map.polycube;
-  const double distorted = energy_of(map, {}, host);
-  smooth_map(map, 100, host);
-  CHECK(certify(map, host).valid());
-  CHECK(energy_of(map, {}, host) < 0.9 * distorted);
-  const PatchGraph graph = make_patch_graph(map, host);
-  CHECK(graph.corners.size() == 8);
-  for (const Index v : graph.corner_vertices)
-    CHECK(map.polycube[v] == before[v]);
-}
-
 TEST_CASE("Shapes of a kind get one polycube that suits each nearly as well as its own") {
   const mesh::Mesh first = shape("creature", 1500), second = leaning(first);
   const std::vector<SurfaceSpan> shapes = {{first.positions, first.triangles}, {second.positions, second.triangles}};
@@ -198,7 +172,7 @@ TEST_CASE("Shapes of a kind get one polycube that suits each nearly as well as i
       construct_common(shapes, {.construction = {.corners = 24}, .domain = {}, .landmarks = {}}, host);
   REQUIRE(common.maps.size() == 2);
   CHECK(common.base < 2);
-  CHECK(common.tried == 2);
+  CHECK(common.tried >= 2);
   CHECK(std::is_sorted(common.energies.rbegin(), common.energies.rend()));
   double sum = 0;
   for (std::size_t i = 0; i < 2; ++i) {
@@ -214,7 +188,7 @@ TEST_CASE("Shapes of a kind get one polycube that suits each nearly as well as i
     CHECK(std::isfinite(common.own_energies[i]));
   }
   CHECK(sum == doctest::Approx(common.energies.back()).epsilon(1e-12));
-  CHECK(sum < 1.25 * (common.own_energies[0] + common.own_energies[1]));
+  CHECK(sum < 1.1 * (common.own_energies[0] + common.own_energies[1]));
 }
 
 TEST_CASE("Shapes of different genus have no polycube in common") {

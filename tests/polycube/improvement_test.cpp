@@ -8,6 +8,7 @@
 
 #include "mesh/topology.h"
 #include "polycube/map_improvement.h"
+#include "polycube/patch_graph.h"
 #include "polycube/polycube_edges.h"
 #include "polycube/unfolded_smoothing.h"
 #include "polycube/voxel_construction.h"
@@ -167,4 +168,37 @@ TEST_CASE("Improving never makes a map worse, and its proof is that of the map")
     CHECK(certificate.charts == made.map.charts);
     check_surface(m, made.map);
   }
+}
+
+TEST_CASE("Without other proportions the polycube stays to the bit, and corners that are held stay at their vertices") {
+  const mesh::Mesh m = shape("creature", 700);
+  const Construction made = by_voxels(m, 24);
+  const auto vertex_at = [](const SurfaceMap& map, const Vector3& place) {
+    return std::find(map.polycube.begin(), map.polycube.end(), place) - map.polycube.begin();
+  };
+  const PatchGraph graph = make_patch_graph(made.map, host);
+  std::size_t moved = 0;
+  for (const bool held : {false, true}) {
+    Construction next = made;
+    const Distortion after = improve_map(
+        next.map, next.certificate,
+        {.domain = false, .held_corners = held ? std::span<const Vector3>(graph.corners) : std::span<const Vector3>()},
+        host);
+    CHECK(after.angle_weighted_mean + after.area_weighted_mean <
+          made.distortion.angle_weighted_mean + made.distortion.area_weighted_mean);
+    CHECK(certify(next.map.polycube, next.map.triangles, host).valid());
+    const PatchGraph now = make_patch_graph(next.map, host);
+    CHECK(now.corners.size() == graph.corners.size());
+    for (const Vector3& corner : graph.corners) {
+      const auto before = vertex_at(made.map, corner), here = vertex_at(next.map, corner);
+      REQUIRE(here < static_cast<std::ptrdiff_t>(next.map.polycube.size()));
+      const bool same =
+          made.map.positions[static_cast<std::size_t>(before)] == next.map.positions[static_cast<std::size_t>(here)];
+      if (held)
+        CHECK(same);
+      else
+        moved += !same;
+    }
+  }
+  CHECK(moved > 0);
 }
