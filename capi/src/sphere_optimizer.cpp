@@ -298,6 +298,15 @@ obc_status obc_sphere_optimizer_get_result(const obc_sphere_optimizer* solver, o
   return capi::guarded(error, [&] { copy_result(capi::checked(solver).solver, result, x); });
 }
 
+obc_status obc_sphere_optimizer_get_shape(const obc_sphere_optimizer* solver, size_t* count, size_t* dimension,
+                                          obc_error* error) {
+  return capi::guarded(error, [&] {
+    const so::Shape& shape = capi::checked(solver).solver.shape();
+    if (count != nullptr) *count = shape.count;
+    if (dimension != nullptr) *dimension = shape.dimension;
+  });
+}
+
 size_t obc_sphere_optimizer_save_size(const obc_sphere_optimizer* solver) {
   return capi::save_size(solver);
 }

@@ -1,5 +1,7 @@
 """The raw layer of Rust: a module of orbicube-sys a library, with tests of the layouts."""
 
+import re
+
 from raw.c_types import in_order
 
 NUMBERS = {"char": "c_char", "int8_t": "i8", "uint8_t": "u8", "int16_t": "i16", "uint16_t": "u16", "int32_t": "i32",
@@ -48,10 +50,8 @@ def function_type(api, function):
 
 
 def comment(text, indent=""):
-    """As it stands in the header: C comments are no Markdown."""
-    if not text:
-        return ""
-    lines = ["```text"] + text.split("\n") + ["```"]
+    """What the header says, with what Markdown would take for its own escaped."""
+    lines = [re.sub(r"([\\\[\]<>*_`#])", r"\\\1", line.strip()) for line in text.split("\n")] if text else []
     return "".join(f"{indent}/// {line}".rstrip() + "\n" for line in lines)
 
 
@@ -80,8 +80,8 @@ def module(api, name):
     raw_types = [t for t in ("c_char", "c_void") if t in body]
     if raw_types:
         out.append(f"use std::os::raw::{{{', '.join(raw_types)}}};\n")
-    for owner, names in used.items():
-        out.append(f"use crate::{owner}::{{{', '.join(names)}}};\n")
+    out[2:2] = [f"use crate::{owner}::{names[0] if len(names) == 1 else '{' + ', '.join(names) + '}'};\n"
+                for owner, names in used.items()]
     return "".join(out) + "\n" + body
 
 

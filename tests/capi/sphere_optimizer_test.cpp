@@ -100,6 +100,20 @@ TEST_CASE("Block by block, with gradients or Hessians, the same energy is reache
   }
 }
 
+TEST_CASE("A run that was loaded knows its shape") {
+  const Handle saved = create();
+  std::vector<unsigned char> blob(obc_sphere_optimizer_save_size(saved.get()));
+  REQUIRE(obc_sphere_optimizer_save(saved.get(), blob.data(), blob.size(), nullptr) == OBC_OK);
+  obc_sphere_optimizer* loaded = nullptr;
+  REQUIRE(obc_sphere_optimizer_load(blob.data(), blob.size(), nullptr, &loaded, nullptr) == OBC_OK);
+  size_t count = 0, dimension = 0;
+  CHECK(obc_sphere_optimizer_get_shape(loaded, &count, &dimension, nullptr) == OBC_OK);
+  CHECK(count == charges);
+  CHECK(dimension == 3);
+  CHECK(obc_sphere_optimizer_get_shape(loaded, nullptr, nullptr, nullptr) == OBC_OK);
+  obc_sphere_optimizer_destroy(loaded);
+}
+
 TEST_CASE("Each allocation of create, load, minimise and relax fails in turn and nothing is leaked") {
   Handle saved = create();
   drive(saved.get(), 5);
@@ -309,6 +323,7 @@ TEST_CASE("Arguments that cannot be are refused") {
   CHECK(obc_sphere_optimizer_tell(nullptr, 0, nullptr, nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_optimizer_get_result(nullptr, nullptr, nullptr, nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_optimizer_save_size(nullptr) == 0);
+  CHECK(obc_sphere_optimizer_get_shape(nullptr, nullptr, nullptr, nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_optimizer_load("nothing", 7, nullptr, &solver, &error) == OBC_MALFORMED_FILE);
   obc_sphere_optimizer_destroy(nullptr);
 

@@ -115,14 +115,18 @@ class Solver {
     });
     handle_.reset(out);
   }
-  // Goes on with a run that was saved, of so many numbers.
-  static Solver load(const std::vector<unsigned char>& bytes, std::size_t size, Host* host = nullptr) {
-    Solver solver(size);
+  // Goes on with a run that was saved.
+  static Solver load(const std::vector<unsigned char>& bytes, Host* host = nullptr) {
+    Solver solver;
     obc_sphere_optimizer* out = nullptr;
     detail::call(host, [&](obc_error* error) {
       return obc_sphere_optimizer_load(bytes.data(), bytes.size(), detail::c(host), &out, error);
     });
     solver.handle_.reset(out);
+    std::size_t count = 0, dimension = 0;
+    detail::call(nullptr,
+                 [&](obc_error* error) { return obc_sphere_optimizer_get_shape(out, &count, &dimension, error); });
+    solver.n_ = count * dimension;
     return solver;
   }
 
@@ -166,9 +170,9 @@ class Solver {
   obc_sphere_optimizer* handle() const noexcept { return handle_.get(); }
 
  private:
-  explicit Solver(std::size_t size) : n_(size) {}
+  Solver() = default;
 
-  std::size_t n_;
+  std::size_t n_ = 0;
   const double* point_ = nullptr;
   detail::Handle<obc_sphere_optimizer, obc_sphere_optimizer_destroy> handle_;
 };

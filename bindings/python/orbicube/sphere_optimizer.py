@@ -35,24 +35,29 @@ class Solver(Run):
     """A run by questions and answers; x0, the points asked about and gradients have a row a sphere."""
 
     def __init__(self, x0: ArrayLike, *, _load: Optional[bytes] = None, **options: Any) -> None:
-        start = _points(x0)
         handle = ctypes.c_void_p()
         if _load is None:
+            start = _points(x0)
+            shape = start.shape
             chosen = filled(raw.obc_sphere_optimizer_options, raw.obc_sphere_optimizer_options_init, options, raw,
                             "OBC_SPHERE_OPTIMIZER_")
             call(raw.obc_sphere_optimizer_create, start.shape[0], start.shape[1], byref(chosen), address(start), None,
                  byref(handle))
         else:
             call(raw.obc_sphere_optimizer_load, _load, len(_load), None, byref(handle))
-        super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, start.size)
-        self._shape = start.shape
-        self._gradient, self._gradient_at = buffer(np.float64, start.size)
+            count, dimension = ctypes.c_size_t(), ctypes.c_size_t()
+            call(raw.obc_sphere_optimizer_get_shape, handle, byref(count), byref(dimension))
+            shape = (count.value, dimension.value)
+        size = shape[0] * shape[1]
+        super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, size)
+        self._shape = shape
+        self._gradient, self._gradient_at = buffer(np.float64, size)
         self._gradient_rows = self._gradient.reshape(self._shape)
 
     @classmethod
-    def load(cls, blob: bytes, shape: tuple[int, int]) -> Solver:
-        """Goes on with a run that was saved, of so many spheres in so many dimensions."""
-        return cls(np.empty(shape), _load=blob)
+    def load(cls, blob: bytes) -> Solver:
+        """Goes on with a run that was saved."""
+        return cls((), _load=blob)
 
     def _request(self) -> int:
         return self._step(self._handle, self._point_out)

@@ -126,6 +126,10 @@ OBC_API obc_status obc_sphere_optimizer_tell(obc_sphere_optimizer *solver, doubl
 OBC_API obc_status obc_sphere_optimizer_get_result(const obc_sphere_optimizer *solver,
                                                    obc_sphere_optimizer_result *result, double *x, obc_error *error);
 
+/* How many spheres, and of how many numbers each; each of count and dimension may be NULL. For runs that come from _load. */
+OBC_API obc_status obc_sphere_optimizer_get_shape(const obc_sphere_optimizer *solver, size_t *count, size_t *dimension,
+                                                  obc_error *error);
+
 /* A run as bytes, at any time between two calls: save_size gives their number, save writes them to blob (capacity at least
  * that). load makes a solver from them that goes on with the same bits, with the options of the saved run. For machines of
  * the same byte order. Errors: invalid argument, malformed file (damaged, or of another version). */

@@ -161,7 +161,7 @@ TEST_CASE("points on spheres, all at once and block by block") {
   while (solver.ask()) {
     const double value = height(solver.point(), gradient);
     solver.tell(value, gradient);
-    solver = sphere_optimizer::Solver::load(solver.save(), 6);
+    solver = sphere_optimizer::Solver::load(solver.save());
   }
   CHECK(solver.best() == x);
   std::vector<double> y = {1, 0, 0, 0, 1, 0};

@@ -97,7 +97,7 @@ class SameBits(unittest.TestCase):
         solver = sphere_optimizer.Solver(CHARGES)
         while (x := solver.ask()) is not None:
             solver.tell(*charges(x))
-            solver = sphere_optimizer.Solver.load(solver.save(), (12, 3))
+            solver = sphere_optimizer.Solver.load(solver.save())
         self.same("icosahedron", solver.result)
 
     def test_sparse_rows_in_three_forms(self):

@@ -102,6 +102,10 @@ const address_obc_sphere_optimizer_get_result = Ref(C_NULL)
 obc_sphere_optimizer_get_result(solver, result, x, error) =
     ccall(symbol(address_obc_sphere_optimizer_get_result, :sphere_optimizer, :obc_sphere_optimizer_get_result), Int32, (Ptr{Cvoid}, Ptr{obc_sphere_optimizer_result}, Ptr{Float64}, Ptr{obc_error}), solver, result, x, error)
 
+const address_obc_sphere_optimizer_get_shape = Ref(C_NULL)
+obc_sphere_optimizer_get_shape(solver, count, dimension, error) =
+    ccall(symbol(address_obc_sphere_optimizer_get_shape, :sphere_optimizer, :obc_sphere_optimizer_get_shape), Int32, (Ptr{Cvoid}, Ptr{Csize_t}, Ptr{Csize_t}, Ptr{obc_error}), solver, count, dimension, error)
+
 const address_obc_sphere_optimizer_save_size = Ref(C_NULL)
 obc_sphere_optimizer_save_size(solver) =
     ccall(symbol(address_obc_sphere_optimizer_save_size, :sphere_optimizer, :obc_sphere_optimizer_save_size), Csize_t, (Ptr{Cvoid},), solver)

@@ -107,6 +107,7 @@ _functions = [
     ("obc_sphere_optimizer_step", _c.c_int32, [_c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_tell", _c.c_int32, [_c.c_void_p, _c.c_double, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_get_result", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_optimizer_get_shape", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_save_size", _c.c_size_t, [_c.c_void_p]),
     ("obc_sphere_optimizer_save", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p]),
     ("obc_sphere_optimizer_load", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

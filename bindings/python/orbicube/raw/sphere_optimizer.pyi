@@ -110,6 +110,10 @@ def obc_sphere_optimizer_get_result(solver: Pointer, result: Pointer, x: Pointer
     CONVERGED, else the lowest point evaluated, and before that the start."""
     ...
 
+def obc_sphere_optimizer_get_shape(solver: Pointer, count: Pointer, dimension: Pointer, error: Pointer) -> int:
+    """How many spheres, and of how many numbers each; each of count and dimension may be NULL. For runs that come from _load."""
+    ...
+
 def obc_sphere_optimizer_save_size(solver: Pointer) -> int:
     """A run as bytes, at any time between two calls: save_size gives their number, save writes them to blob (capacity at least
     that). load makes a solver from them that goes on with the same bits, with the options of the saved run. For machines of

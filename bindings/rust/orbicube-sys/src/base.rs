@@ -4,93 +4,57 @@
 use std::os::raw::{c_char, c_void};
 
 pub const OBC_OK: i32 = 0;
-/// ```text
 /// NULL, NaN or a wrong size where that is not allowed, or an unknown option
-/// ```
 pub const OBC_INVALID_ARGUMENT: i32 = -1;
-/// ```text
 /// the file is not what its format asks for
-/// ```
 pub const OBC_MALFORMED_FILE: i32 = -2;
-/// ```text
 /// the surface has a boundary
-/// ```
 pub const OBC_NOT_CLOSED: i32 = -3;
-/// ```text
 /// edges, vertices or orientation are not those of one manifold
-/// ```
 pub const OBC_NOT_MANIFOLD: i32 = -4;
-/// ```text
 /// the method needs another genus
-/// ```
 pub const OBC_WRONG_GENUS: i32 = -5;
-/// ```text
 /// no area, no volume, or a cell without either
-/// ```
 pub const OBC_DEGENERATE: i32 = -6;
 pub const OBC_OUT_OF_MEMORY: i32 = -7;
-/// ```text
 /// the host's progress callback asked to stop
-/// ```
 pub const OBC_CANCELLED: i32 = -8;
-/// ```text
 /// a file could not be opened, read or written
-/// ```
 pub const OBC_IO: i32 = -9;
-/// ```text
 /// legal, but not something that this library does
-/// ```
 pub const OBC_UNSUPPORTED: i32 = -10;
-/// ```text
 /// the method ended without a result that can be certified
-/// ```
 pub const OBC_NO_VALID_RESULT: i32 = -11;
-/// ```text
 /// a defect of the library
-/// ```
 pub const OBC_INTERNAL: i32 = -12;
 
 pub type obc_status = i32;
 
-/// ```text
 /// Progress of a computation: its phase, how much of it is done (total is 0 where it is not known) and the best value of
-/// the objective so far (NaN where there is none). Answer 0 to go on, anything else to stop with OBC_CANCELLED. Called
+/// the objective so far (NaN where there is none). Answer 0 to go on, anything else to stop with OBC\_CANCELLED. Called
 /// on the thread that called the library, often enough to stop within 50 ms.
-/// ```
 pub type obc_progress_function = Option<unsafe extern "C" fn(phase: *const c_char, done: u64, total: u64, best: f64, user: *mut c_void) -> i32>;
 
-/// ```text
 /// One line for a log, without a line end.
-/// ```
 pub type obc_log_function = Option<unsafe extern "C" fn(line: *const c_char, user: *mut c_void)>;
 
-/// ```text
-/// A host's job system: calls task(i, context) once for every i in [0, count), on any threads, and returns when all of
+/// A host's job system: calls task(i, context) once for every i in \[0, count), on any threads, and returns when all of
 /// them are done. Results never depend on order or on the number of threads.
-/// ```
 pub type obc_parallel_for_function = Option<unsafe extern "C" fn(count: usize, task: Option<unsafe extern "C" fn(index: usize, context: *mut c_void)>, context: *mut c_void, user: *mut c_void)>;
 
-/// ```text
-/// Owned by the caller; filled when a function fails, cleared (status OBC_OK, empty texts) when it succeeds.
-/// ```
+/// Owned by the caller; filled when a function fails, cleared (status OBC\_OK, empty texts) when it succeeds.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_error {
     pub status: i32,
-    /// ```text
     /// one word, as the orbicube command prints it: "not-closed", "index-range", ...
-    /// ```
     pub kind: [c_char; 28],
-    /// ```text
     /// what is wrong and where; UTF-8, cut at the end if it is longer, always terminated
-    /// ```
     pub message: [c_char; 480],
 }
 
-/// ```text
-/// Memory for what the libraries allocate. allocate answers NULL on failure, which ends in OBC_OUT_OF_MEMORY; alignment is
+/// Memory for what the libraries allocate. allocate answers NULL on failure, which ends in OBC\_OUT\_OF\_MEMORY; alignment is
 /// a power of two. release gets the size and alignment of the allocation. Both may be called from several threads.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_allocator {
@@ -103,43 +67,27 @@ pub struct obc_allocator {
 #[derive(Clone, Copy)]
 pub struct obc_host {
     pub struct_size: u32,
-    /// ```text
-    /// 0: one a core; not used when parallel_for is given
-    /// ```
+    /// 0: one a core; not used when parallel\_for is given
     pub thread_count: u32,
-    /// ```text
     /// or NULL
-    /// ```
     pub progress: obc_progress_function,
     pub progress_user: *mut c_void,
-    /// ```text
     /// or NULL: silent
-    /// ```
     pub log: obc_log_function,
     pub log_user: *mut c_void,
-    /// ```text
     /// or NULL: threads of our own
-    /// ```
     pub parallel_for: obc_parallel_for_function,
     pub parallel_for_user: *mut c_void,
-    /// ```text
     /// or NULL; kept by handles until they are destroyed
-    /// ```
     pub allocator: *const obc_allocator,
 }
 
 extern "C" {
-    /// ```text
     /// Fills a host with the defaults: nothing lent, one thread a core.
-    /// ```
     pub fn obc_host_init(host: *mut obc_host, struct_size: usize) -> i32;
-    /// ```text
     /// Short English name of a status, such as "out of memory". Never NULL; a static string.
-    /// ```
     pub fn obc_status_name(status: i32) -> *const c_char;
-    /// ```text
-    /// Version of the base library, major * 10000 + minor * 100 + patch.
-    /// ```
+    /// Version of the base library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_base_version() -> u32;
 }
 

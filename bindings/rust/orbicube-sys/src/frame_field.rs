@@ -3,55 +3,33 @@
 
 use crate::base::{obc_error, obc_host};
 
-/// ```text
 /// several of these; of what they end in the best, region by region
-/// ```
 pub const OBC_FRAME_FIELD_AUTO: i32 = 0;
-/// ```text
 /// the axes of space
-/// ```
 pub const OBC_FRAME_FIELD_IDENTITY: i32 = 1;
-/// ```text
 /// the nearest boundary frame
-/// ```
 pub const OBC_FRAME_FIELD_PROPAGATED: i32 = 2;
-/// ```text
 /// harmonics that satisfy Laplace's equation, projected
-/// ```
 pub const OBC_FRAME_FIELD_HARMONIC: i32 = 3;
-/// ```text
 /// harmonic, then diffused and projected with falling times
-/// ```
 pub const OBC_FRAME_FIELD_DIFFUSION: i32 = 4;
-/// ```text
-/// the field in `frames`
-/// ```
+/// the field in \`frames\`
 pub const OBC_FRAME_FIELD_GIVEN: i32 = 5;
 
 pub const OBC_FRAME_FIELD_SMOOTH: i32 = 0;
-/// ```text
 /// identity inside, boundary frames held, matchings frozen: chapter 6 of the dissertation as printed
-/// ```
 pub const OBC_FRAME_FIELD_SEED: i32 = 1;
 
-/// ```text
 /// every inner face counts alike
-/// ```
 pub const OBC_FRAME_FIELD_UNIFORM: i32 = 0;
-/// ```text
 /// by area over the distance of the centres, scaled to mean 1
-/// ```
 pub const OBC_FRAME_FIELD_GEOMETRIC: i32 = 1;
 
 pub const OBC_FRAME_FIELD_NO_REPAIR: i32 = 0;
-/// ```text
 /// Third and half turns are zipped apart into quarter turns (Li et al. 2012), short loops and fragments collapse, and the
 /// frames around are smoothed to fit; kept where fewer edges and vertices are unmeshable.
-/// ```
 pub const OBC_FRAME_FIELD_REPAIR: i32 = 1;
-/// ```text
 /// The search starts from identity and stays among fields whose frames turn about one axis along each curve.
-/// ```
 pub const OBC_FRAME_FIELD_SINGLE_AXIS: i32 = 2;
 
 #[repr(C)]
@@ -60,9 +38,7 @@ pub struct obc_frame_field_singularities {
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// ```text
 /// A solid of tetrahedra: a view, kept by no function.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_solid {
@@ -72,94 +48,60 @@ pub struct obc_frame_field_solid {
     pub tetrahedron_count: usize,
 }
 
-/// ```text
-/// Fill with _init.
-/// ```
+/// Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_options {
     pub struct_size: u32,
-    /// ```text
-    /// OBC_FRAME_FIELD_AUTO, ...; auto by default
-    /// ```
+    /// OBC\_FRAME\_FIELD\_AUTO, ...; auto by default
     pub start: i32,
-    /// ```text
-    /// OBC_FRAME_FIELD_SMOOTH by default
-    /// ```
+    /// OBC\_FRAME\_FIELD\_SMOOTH by default
     pub method: i32,
-    /// ```text
-    /// OBC_FRAME_FIELD_UNIFORM by default
-    /// ```
+    /// OBC\_FRAME\_FIELD\_UNIFORM by default
     pub weighting: i32,
-    /// ```text
     /// 1: an axis along the normal of a boundary face, exactly; default 1
-    /// ```
     pub align_boundary: i32,
-    /// ```text
     /// of improvement by the start auto; default 2
-    /// ```
     pub rounds: u32,
-    /// ```text
     /// boundary edges that turn by more (radians) are followed by an axis; 0, the default: none
-    /// ```
     pub feature_angle: f64,
-    /// ```text
     /// smoothing ends with a step that gains less than this part of the energy; default 1e-6
-    /// ```
     pub relative_gain: f64,
-    /// ```text
-    /// OBC_FRAME_FIELD_NO_REPAIR, ...; none by default; not with the method seed
-    /// ```
+    /// OBC\_FRAME\_FIELD\_NO\_REPAIR, ...; none by default; not with the method seed
     pub repair: i32,
     pub reserved: i32,
 }
 
-/// ```text
-/// What the caller asks for. Fill with _init, then set what there is. Frames and directions must be of length 1. With weights,
+/// What the caller asks for. Fill with \_init, then set what there is. Frames and directions must be of length 1. With weights,
 /// which are positive and may be infinite, those with a finite one are not held but pulled at, like by so many neighbours that
 /// have what is wanted.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_constraints {
     pub struct_size: u32,
     pub reserved: i32,
-    /// ```text
     /// tetrahedra whose frame is held
-    /// ```
     pub frame_tetrahedra: *const u32,
-    /// ```text
     /// w x y z each
-    /// ```
     pub frames: *const f64,
     pub frame_count: usize,
-    /// ```text
     /// tetrahedra of whose frame one axis is held along a direction
-    /// ```
     pub axis_tetrahedra: *const u32,
-    /// ```text
     /// x y z each
-    /// ```
     pub axes: *const f64,
     pub axis_count: usize,
-    /// ```text
     /// one each, or NULL: all are held
-    /// ```
     pub frame_weights: *const f64,
     pub axis_weights: *const f64,
 }
 
-/// ```text
 /// Figures of a field. Angles in degrees; symmetric ones are up to the 24 rotations, at most 62.80; plain ones between the
 /// quaternions as they stand, at most 180. Over inner faces: mean, standard deviation, median, value at 99 per cent, largest.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_report {
     pub struct_size: u32,
-    /// ```text
-    /// that most of the field comes from; of _measure 0
-    /// ```
+    /// that most of the field comes from; of \_measure 0
     pub start: i32,
     pub energy: f64,
     pub symmetric_mean: f64,
@@ -172,205 +114,127 @@ pub struct obc_frame_field_report {
     pub plain_median: f64,
     pub plain_p99: f64,
     pub plain_max: f64,
-    /// ```text
-    /// above_30: inner faces with a greater symmetric angle
-    /// ```
+    /// above\_30: inner faces with a greater symmetric angle
     pub inner_faces: u64,
-    /// ```text
-    /// above_30: inner faces with a greater symmetric angle
-    /// ```
+    /// above\_30: inner faces with a greater symmetric angle
     pub boundary_faces: u64,
-    /// ```text
-    /// above_30: inner faces with a greater symmetric angle
-    /// ```
+    /// above\_30: inner faces with a greater symmetric angle
     pub above_30: u64,
-    /// ```text
     /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
     /// several, for the best and for the worst of their faces.
-    /// ```
     pub one_face_max: f64,
-    /// ```text
     /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
     /// several, for the best and for the worst of their faces.
-    /// ```
     pub several_best_max: f64,
-    /// ```text
     /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
     /// several, for the best and for the worst of their faces.
-    /// ```
     pub several_worst_max: f64,
-    /// ```text
     /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
     /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead_ends is 0 for every solid.
-    /// ```
+    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
     pub singular_edges: u64,
-    /// ```text
     /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
     /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead_ends is 0 for every solid.
-    /// ```
+    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
     pub singular_quarter: u64,
-    /// ```text
     /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
     /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead_ends is 0 for every solid.
-    /// ```
+    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
     pub singular_half: u64,
-    /// ```text
     /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
     /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead_ends is 0 for every solid.
-    /// ```
+    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
     pub singular_third: u64,
-    /// ```text
     /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
     /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead_ends is 0 for every solid.
-    /// ```
+    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
     pub singular_diagonal: u64,
     pub curves: u64,
     pub closed_curves: u64,
     pub nodes: u64,
     pub boundary_ends: u64,
     pub dead_ends: u64,
-    /// ```text
     /// of singular and of all inner edges
-    /// ```
     pub singular_length: f64,
-    /// ```text
     /// of singular and of all inner edges
-    /// ```
     pub edge_length: f64,
-    /// ```text
     /// four times the sum of the boundary cross field's indices
-    /// ```
     pub boundary_index_quarters: i64,
-    /// ```text
     /// of the boundary: equal to a quarter of that
-    /// ```
     pub euler_characteristic: i64,
     pub smoothing_steps: u64,
     pub solver_iterations: u64,
-    /// ```text
     /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
     /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
-    /// ```
     pub locally_meshable: u64,
-    /// ```text
     /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
     /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
-    /// ```
     pub improper_edges: u64,
-    /// ```text
     /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
     /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
-    /// ```
     pub turning_points: u64,
-    /// ```text
     /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
     /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
-    /// ```
     pub improper_nodes: u64,
-    /// ```text
     /// closed curves of at most six edges, and curves of one edge
-    /// ```
     pub fragments: u64,
-    /// ```text
-    /// With repairs: rounds, and what was there before them. The energy after them is `energy`.
-    /// ```
+    /// With repairs: rounds, and what was there before them. The energy after them is \`energy\`.
     pub repair_rounds: u64,
-    /// ```text
-    /// With repairs: rounds, and what was there before them. The energy after them is `energy`.
-    /// ```
+    /// With repairs: rounds, and what was there before them. The energy after them is \`energy\`.
     pub unmeshable_before: u64,
-    /// ```text
-    /// With repairs: rounds, and what was there before them. The energy after them is `energy`.
-    /// ```
+    /// With repairs: rounds, and what was there before them. The energy after them is \`energy\`.
     pub fragments_before: u64,
     pub energy_before_repair: f64,
 }
 
 extern "C" {
-    /// ```text
     /// Fill options, constraints and reports with the defaults, no constraints, and zeros.
-    /// ```
     pub fn obc_frame_field_options_init(options: *mut obc_frame_field_options, struct_size: usize) -> i32;
-    /// ```text
     /// Fill options, constraints and reports with the defaults, no constraints, and zeros.
-    /// ```
     pub fn obc_frame_field_constraints_init(constraints: *mut obc_frame_field_constraints, struct_size: usize) -> i32;
-    /// ```text
     /// Fill options, constraints and reports with the defaults, no constraints, and zeros.
-    /// ```
     pub fn obc_frame_field_report_init(report: *mut obc_frame_field_report, struct_size: usize) -> i32;
-    /// ```text
-    /// Computes a field of small energy. frames: 4 * tetrahedron_count doubles, read with the start given, and written on success
+    /// Computes a field of small energy. frames: 4 \* tetrahedron\_count doubles, read with the start given, and written on success
     /// only. options, constraints, host and report may be NULL. O(n), at most 1 KB a tetrahedron.
     /// Errors: invalid argument (NULL, NaN, index out of range, options), degenerate (a repeated vertex), not manifold (a face of
     /// three tetrahedra, neighbours on the same side of a face), out of memory, cancelled.
-    /// ```
     pub fn obc_frame_field_compute(solid: *const obc_frame_field_solid, options: *const obc_frame_field_options, constraints: *const obc_frame_field_constraints, host: *const obc_host, frames: *mut f64, report: *mut obc_frame_field_report, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Figures of any field: frames, 4 * tetrahedron_count doubles, normalised before use. host may be NULL. O(n).
-    /// Errors: as _compute.
-    /// ```
+    /// Figures of any field: frames, 4 \* tetrahedron\_count doubles, normalised before use. host may be NULL. O(n).
+    /// Errors: as \_compute.
     pub fn obc_frame_field_measure(solid: *const obc_frame_field_solid, frames: *const f64, host: *const obc_host, report: *mut obc_frame_field_report, error: *mut obc_error) -> i32;
-    /// ```text
-    /// How the frames on both sides of the faces match: 4 * tetrahedron_count numbers, that at 4 t + k for the face of
-    /// tetrahedron t opposite its corner k: the rotation of the cube (its number in obc_quaternion_cube_element) that, in its own
-    /// axes, brings frame t next to that of the neighbour; 0 on the boundary. Errors: as _compute. O(n).
-    /// ```
+    /// How the frames on both sides of the faces match: 4 \* tetrahedron\_count numbers, that at 4 t + k for the face of
+    /// tetrahedron t opposite its corner k: the rotation of the cube (its number in obc\_quaternion\_cube\_element) that, in its own
+    /// axes, brings frame t next to that of the neighbour; 0 on the boundary. Errors: as \_compute. O(n).
     pub fn obc_frame_field_matchings(solid: *const obc_frame_field_solid, frames: *const f64, host: *const obc_host, matchings: *mut u8, error: *mut obc_error) -> i32;
-    /// ```text
     /// The singular edges of a field and the curves that they form, in a handle. host may be NULL; its allocator must stay valid
-    /// until _destroy. Errors: as _compute. O(n).
-    /// ```
+    /// until \_destroy. Errors: as \_compute. O(n).
     pub fn obc_frame_field_singularities_create(solid: *const obc_frame_field_solid, frames: *const f64, host: *const obc_host, out: *mut *mut obc_frame_field_singularities, error: *mut obc_error) -> i32;
-    /// ```text
     /// The singular edges of a field and the curves that they form, in a handle. host may be NULL; its allocator must stay valid
-    /// until _destroy. Errors: as _compute. O(n).
-    /// ```
+    /// until \_destroy. Errors: as \_compute. O(n).
     pub fn obc_frame_field_singularities_destroy(singularities: *mut obc_frame_field_singularities);
-    /// ```text
     /// Numbers; 0 for NULL.
-    /// ```
     pub fn obc_frame_field_singular_edge_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// ```text
     /// Numbers; 0 for NULL.
-    /// ```
     pub fn obc_frame_field_singular_curve_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// ```text
     /// Numbers; 0 for NULL.
-    /// ```
     pub fn obc_frame_field_singular_node_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// ```text
     /// Copies to the caller's arrays, each of which may be NULL. Edges: two vertices each; their rotation of the cube around the
     /// edge; their turn, 1 where hexahedra would meet in threes, -1 in fives, 2 for half turns, 0 where they cannot. Curves:
-    /// curve_begin (curve count + 1) says where each begins in curve_edges (edge count), the edges in order along it. Nodes: their
+    /// curve\_begin (curve count + 1) says where each begins in curve\_edges (edge count), the edges in order along it. Nodes: their
     /// vertices. Errors: invalid argument.
-    /// ```
     pub fn obc_frame_field_singularities_copy(singularities: *const obc_frame_field_singularities, edge_vertices: *mut u32, edge_rotations: *mut u8, edge_turns: *mut i8, curve_begin: *mut usize, curve_edges: *mut u32, nodes: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Where the field cannot be that of a hexahedral mesh: singular edges that are no quarter turns about an axis, and inner
     /// vertices whose edges of threes and fives no hexahedral mesh has (turning points and nodes). Both counts are 0 when the field
     /// is locally meshable, and for NULL.
-    /// ```
     pub fn obc_frame_field_unmeshable_edge_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// ```text
     /// Where the field cannot be that of a hexahedral mesh: singular edges that are no quarter turns about an axis, and inner
     /// vertices whose edges of threes and fives no hexahedral mesh has (turning points and nodes). Both counts are 0 when the field
     /// is locally meshable, and for NULL.
-    /// ```
     pub fn obc_frame_field_unmeshable_vertex_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// ```text
     /// Copies them to the caller's arrays, each of which may be NULL: the edges as numbers of singular edges, the vertices as
     /// indices of the solid's, both ascending. Errors: invalid argument.
-    /// ```
     pub fn obc_frame_field_unmeshable_copy(singularities: *const obc_frame_field_singularities, edges: *mut u32, vertices: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Version of the library, major * 10000 + minor * 100 + patch.
-    /// ```
+    /// Version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_frame_field_version() -> u32;
 }
 

@@ -1,209 +1,127 @@
 //! What `<orbicube/gltf.h>` declares. Written by scripts/bindings.py; not to be edited.
 #![allow(non_camel_case_types, non_upper_case_globals)]
 
-use std::os::raw::{c_char, c_void};
 use crate::base::{obc_error, obc_host};
+use std::os::raw::{c_char, c_void};
 
-/// ```text
 /// A surface that was read.
-/// ```
 #[repr(C)]
 pub struct obc_gltf_surface {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// ```text
-/// Fill with _init.
-/// ```
+/// Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_gltf_read_options {
     pub struct_size: u32,
-    /// ```text
     /// 1: joins vertices at identical positions where triangles have no indices, or where the
-    ///                                surface is not closed as it stands (exporters split vertices along seams of normals and
-    ///                                texture coordinates); 0: vertices and their order are those of the file. Default 1
-    /// ```
+    /// surface is not closed as it stands (exporters split vertices along seams of normals and
+    /// texture coordinates); 0: vertices and their order are those of the file. Default 1
     pub weld_identical: i32,
-    /// ```text
     /// name of a morph target that is applied in full (base + delta, added as doubles), or NULL
-    /// ```
     pub morph_target: *const c_char,
 }
 
-/// ```text
-/// Another shape of the same surface, for obc_gltf_scene.
-/// ```
+/// Another shape of the same surface, for obc\_gltf\_scene.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_gltf_morph_target {
-    /// ```text
     /// UTF-8; stored in mesh.extras.targetNames, where engines look for it
-    /// ```
     pub name: *const c_char,
-    /// ```text
-    /// 3 * vertex_count: where the vertices are, not deltas; stored as obc_gltf_delta says
-    /// ```
+    /// 3 \* vertex\_count: where the vertices are, not deltas; stored as obc\_gltf\_delta says
     pub positions: *const f32,
 }
 
-/// ```text
-/// What to write. Fill with _init, then set what there is; nothing is kept after the call.
-/// ```
+/// What to write. Fill with \_init, then set what there is; nothing is kept after the call.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_gltf_scene {
     pub struct_size: u32,
-    /// ```text
-    /// 1: makes area-weighted normals when `normals` is NULL. Default 0
-    /// ```
+    /// 1: makes area-weighted normals when \`normals\` is NULL. Default 0
     pub smooth_normals: i32,
-    /// ```text
-    /// 3 * vertex_count; stored bit for bit
-    /// ```
+    /// 3 \* vertex\_count; stored bit for bit
     pub positions: *const f32,
     pub vertex_count: usize,
-    /// ```text
-    /// 3 * triangle_count
-    /// ```
+    /// 3 \* triangle\_count
     pub triangles: *const u32,
     pub triangle_count: usize,
-    /// ```text
-    /// 3 * vertex_count unit vectors, or NULL
-    /// ```
+    /// 3 \* vertex\_count unit vectors, or NULL
     pub normals: *const f32,
-    /// ```text
-    /// 2 * vertex_count, v going down, or NULL
-    /// ```
+    /// 2 \* vertex\_count, v going down, or NULL
     pub texture_coordinates: *const f32,
-    /// ```text
-    /// 4 * vertex_count: linear red, green, blue, opacity; or NULL
-    /// ```
+    /// 4 \* vertex\_count: linear red, green, blue, opacity; or NULL
     pub colors: *const u8,
-    /// ```text
     /// or NULL
-    /// ```
     pub morph_targets: *const obc_gltf_morph_target,
     pub morph_target_count: usize,
-    /// ```text
-    /// 2 * edge_count vertices, drawn as dark lines; or NULL
-    /// ```
+    /// 2 \* edge\_count vertices, drawn as dark lines; or NULL
     pub edges: *const u32,
     pub edge_count: usize,
-    /// ```text
-    /// of the node: world = translation + scale * position. Default 0
-    /// ```
+    /// of the node: world = translation + scale \* position. Default 0
     pub translation: [f64; 3],
-    /// ```text
     /// positive. Default 1
-    /// ```
     pub scale: f64,
-    /// ```text
     /// of the material: linear, 0 to 1. Default 0.8 grey, opaque
-    /// ```
     pub base_color: [f64; 4],
-    /// ```text
-    /// bytes of a PNG file, or NULL; needs texture_coordinates
-    /// ```
+    /// bytes of a PNG file, or NULL; needs texture\_coordinates
     pub texture: *const c_void,
     pub texture_size: usize,
-    /// ```text
-    /// 1: a checker pattern of 32 by 16 squares when `texture` is NULL. Default 0
-    /// ```
+    /// 1: a checker pattern of 32 by 16 squares when \`texture\` is NULL. Default 0
     pub checker_texture: i32,
-    /// ```text
     /// 1: morph targets have normals as well; needs normals. Default 0
-    /// ```
     pub morph_normals: i32,
-    /// ```text
     /// UTF-8, of node and mesh. Default "surface"
-    /// ```
     pub name: *const c_char,
-    /// ```text
     /// a JSON object that the scene carries, or NULL
-    /// ```
     pub extras: *const c_char,
-    /// ```text
     /// above 0: an animation from the surface to each morph target in turn and back to it,
-    ///                                        so many seconds from one to the next. Default 0: none
-    /// ```
+    /// so many seconds from one to the next. Default 0: none
     pub morph_seconds: f64,
 }
 
 extern "C" {
-    /// ```text
     /// The defaults, which the members' comments give.
-    /// ```
     pub fn obc_gltf_read_options_init(options: *mut obc_gltf_read_options, struct_size: usize) -> i32;
-    /// ```text
-    /// Reads the file at `path` (bytes as the system takes them). options and host may be NULL; the host's allocator must stay
-    /// valid until _surface_destroy. Errors: io, malformed file (its kind says how: truncated, parse, index-range,
+    /// Reads the file at \`path\` (bytes as the system takes them). options and host may be NULL; the host's allocator must stay
+    /// valid until \_surface\_destroy. Errors: io, malformed file (its kind says how: truncated, parse, index-range,
     /// accessor-range, unsafe-path, ...), unsupported, degenerate (a transform or welding flattens everything), out of memory,
     /// cancelled. O(n).
-    /// ```
     pub fn obc_gltf_read(path: *const c_char, options: *const obc_gltf_read_options, host: *const obc_host, out: *mut *mut obc_gltf_surface, error: *mut obc_error) -> i32;
-    /// ```text
-    /// The same from `size` bytes of a GLB or .gltf file, which are not kept; `folder` is where buffers in files of their own
+    /// The same from \`size\` bytes of a GLB or .gltf file, which are not kept; \`folder\` is where buffers in files of their own
     /// lie, NULL refuses them.
-    /// ```
     pub fn obc_gltf_read_memory(bytes: *const c_void, size: usize, folder: *const c_char, options: *const obc_gltf_read_options, host: *const obc_host, out: *mut *mut obc_gltf_surface, error: *mut obc_error) -> i32;
-    /// ```text
     /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
-    /// ```
     pub fn obc_gltf_surface_vertex_count(surface: *const obc_gltf_surface) -> usize;
-    /// ```text
     /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
-    /// ```
     pub fn obc_gltf_surface_triangle_count(surface: *const obc_gltf_surface) -> usize;
-    /// ```text
     /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
-    /// ```
     pub fn obc_gltf_surface_welded_vertex_count(surface: *const obc_gltf_surface) -> usize;
-    /// ```text
     /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
-    /// ```
     pub fn obc_gltf_surface_note_count(surface: *const obc_gltf_surface) -> usize;
-    /// ```text
     /// The index-th note, UTF-8, of the surface's; NULL when there is none.
-    /// ```
     pub fn obc_gltf_surface_note(surface: *const obc_gltf_surface, index: usize) -> *const c_char;
-    /// ```text
-    /// Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices below vertex_count, or NULL;
+    /// Copies positions (3 \* vertex\_count, or NULL) and triangles (3 \* triangle\_count indices below vertex\_count, or NULL;
     /// counter-clockwise seen from outside) to the caller's arrays. Errors: invalid argument.
-    /// ```
     pub fn obc_gltf_surface_copy(surface: *const obc_gltf_surface, positions: *mut f64, triangles: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Releases a surface; NULL is fine.
-    /// ```
     pub fn obc_gltf_surface_destroy(surface: *mut obc_gltf_surface);
-    /// ```text
     /// The defaults, which the members' comments give, and an empty surface.
-    /// ```
     pub fn obc_gltf_scene_init(scene: *mut obc_gltf_scene, struct_size: usize) -> i32;
-    /// ```text
-    /// Writes to `path`: .gltf with the buffer inside when it ends so, GLB otherwise. The file appears once it is whole; after
+    /// Writes to \`path\`: .gltf with the buffer inside when it ends so, GLB otherwise. The file appears once it is whole; after
     /// an error the old one is still there. host may be NULL. Errors: invalid argument (sizes, indices, numbers that are not
     /// finite, texts), unsupported (4 GiB or more), io, out of memory, cancelled. O(n).
-    /// ```
     pub fn obc_gltf_write(path: *const c_char, scene: *const obc_gltf_scene, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// ```text
-    /// A surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count.
-    /// ```
+    /// A surface alone, with smooth normals: positions 3 \* vertex\_count, triangles 3 \* triangle\_count.
     pub fn obc_gltf_write_surface(path: *const c_char, positions: *const f32, vertex_count: usize, triangles: *const u32, triangle_count: usize, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Morph targets to the bit. _delta is what is stored for a base and a wanted coordinate; _reconstructed is what a renderer
+    /// Morph targets to the bit. \_delta is what is stored for a base and a wanted coordinate; \_reconstructed is what a renderer
     /// makes of base and delta in float32, and is the wanted one whenever any delta gives it. Finite numbers.
-    /// ```
     pub fn obc_gltf_delta(base: f32, wanted: f32) -> f32;
-    /// ```text
-    /// Morph targets to the bit. _delta is what is stored for a base and a wanted coordinate; _reconstructed is what a renderer
+    /// Morph targets to the bit. \_delta is what is stored for a base and a wanted coordinate; \_reconstructed is what a renderer
     /// makes of base and delta in float32, and is the wanted one whenever any delta gives it. Finite numbers.
-    /// ```
     pub fn obc_gltf_reconstructed(base: f32, delta: f32) -> f32;
-    /// ```text
-    /// Version of this library, major * 10000 + minor * 100 + patch.
-    /// ```
+    /// Version of this library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_gltf_version() -> u32;
 }
 

@@ -1,40 +1,26 @@
 //! What `<orbicube/harmonics.h>` declares. Written by scripts/bindings.py; not to be edited.
 #![allow(non_camel_case_types, non_upper_case_globals)]
 
-use std::os::raw::{c_char};
 use crate::base::{obc_error, obc_host};
+use std::os::raw::{c_char};
 
-/// ```text
-/// dense when count * size^2 <= 5e8 or there are fewer samples than unknowns
-/// ```
+/// dense when count \* size^2 \<= 5e8 or there are fewer samples than unknowns
 pub const OBC_HARMONICS_AUTOMATIC: i32 = 0;
-/// ```text
-/// Householder QR with column pivoting: O(count * size^2) time
-/// ```
+/// Householder QR with column pivoting: O(count \* size^2) time
 pub const OBC_HARMONICS_DENSE: i32 = 1;
-/// ```text
-/// conjugate gradients on the normal equations, refined: O(count * size) time
-/// ```
+/// conjugate gradients on the normal equations, refined: O(count \* size) time
 pub const OBC_HARMONICS_ITERATIVE: i32 = 2;
 
-/// ```text
 /// .sh .shtools .txt: SHTOOLS; .coef: SPHARM-PDM
-/// ```
 pub const OBC_HARMONICS_BY_ENDING: i32 = 0;
-/// ```text
-/// lines "l, m, C, S" for 0 <= m <= l, one block a channel: C = a_lm / sqrt(4 pi),
-///                                   S = a_l,-m / sqrt(4 pi)
-/// ```
+/// lines "l, m, C, S" for 0 \<= m \<= l, one block a channel: C = a\_lm / sqrt(4 pi),
+/// S = a\_l,-m / sqrt(4 pi)
 pub const OBC_HARMONICS_SHTOOLS: i32 = 1;
-/// ```text
-/// three channels, "{ count,{x, y, z}, ...}": for m > 0 the cosine's (-1)^m sqrt 2 a_lm,
-///                                   then the sine's (-1)^m sqrt 2 a_l,-m
-/// ```
+/// three channels, "{ count,{x, y, z}, ...}": for m \> 0 the cosine's (-1)^m sqrt 2 a\_lm,
+/// then the sine's (-1)^m sqrt 2 a\_l,-m
 pub const OBC_HARMONICS_SPHARM_PDM: i32 = 2;
 
-/// ```text
 /// Coefficients that were read from a file; the degree is that of the file. Read-only: may be shared between threads.
-/// ```
 #[repr(C)]
 pub struct obc_harmonics_coefficients {
     _private: [u8; 0],
@@ -45,19 +31,13 @@ pub struct obc_harmonics_coefficients {
 #[derive(Clone, Copy)]
 pub struct obc_harmonics_fit_options {
     pub struct_size: u32,
-    /// ```text
     /// L, at most 1000; 16 by default
-    /// ```
     pub degree: u32,
-    /// ```text
-    /// OBC_HARMONICS_...; automatic by default
-    /// ```
+    /// OBC\_HARMONICS\_...; automatic by default
     pub method: i32,
     pub reserved: i32,
-    /// ```text
-    /// not negative; 0 by default. Adds smoothing * (mean density of the weights) * (integral of the squared
-    ///                        Laplacian of the fit) to what is minimised
-    /// ```
+    /// not negative; 0 by default. Adds smoothing \* (mean density of the weights) \* (integral of the squared
+    /// Laplacian of the fit) to what is minimised
     pub smoothing: f64,
 }
 
@@ -65,31 +45,19 @@ pub struct obc_harmonics_fit_options {
 #[derive(Clone, Copy)]
 pub struct obc_harmonics_fit_report {
     pub struct_size: u32,
-    /// ```text
     /// that was used: dense or iterative
-    /// ```
     pub method: i32,
-    /// ```text
     /// (L+1)^2
-    /// ```
     pub unknowns: u64,
-    /// ```text
-    /// how many combinations of them the samples determine: fewer than `unknowns` when the fit is
-    ///                           rank-deficient (the answer is then about the shortest of the best), 0 when the iterative method
-    ///                           found the fit too ill-conditioned to tell (degree above 40)
-    /// ```
+    /// how many combinations of them the samples determine: fewer than \`unknowns\` when the fit is
+    /// rank-deficient (the answer is then about the shortest of the best), 0 when the iterative method
+    /// found the fit too ill-conditioned to tell (degree above 40)
     pub rank: u64,
-    /// ```text
     /// estimate of the condition of the weighted basis matrix, within the rank
-    /// ```
     pub condition: f64,
-    /// ```text
     /// root of the weighted mean of |value - fit|^2
-    /// ```
     pub residual: f64,
-    /// ```text
     /// of the iterative method
-    /// ```
     pub iterations: u64,
 }
 
@@ -97,14 +65,10 @@ pub struct obc_harmonics_fit_report {
 #[derive(Clone, Copy)]
 pub struct obc_harmonics_align_options {
     pub struct_size: u32,
-    /// ```text
     /// 1: the values of three channels may be turned too, for shapes that lie differently in space;
-    ///                              0 by default
-    /// ```
+    /// 0 by default
     pub turn_values: i32,
-    /// ```text
     /// of the search over all rotations, 1 to 64; 12 by default
-    /// ```
     pub search_degree: u32,
     pub reserved: u32,
 }
@@ -114,139 +78,89 @@ pub struct obc_harmonics_align_options {
 pub struct obc_harmonics_alignment {
     pub struct_size: u32,
     pub reserved: u32,
-    /// ```text
-    /// R by rows: directions v of `moving` go to R v
-    /// ```
+    /// R by rows: directions v of \`moving\` go to R v
     pub rotation: [f64; 9],
-    /// ```text
-    /// Q by rows: values of `moving` are multiplied by Q; the identity without turn_values
-    /// ```
+    /// Q by rows: values of \`moving\` are multiplied by Q; the identity without turn\_values
     pub values: [f64; 9],
-    /// ```text
     /// of what is found, without degree 0: at most 1
-    /// ```
     pub correlation: f64,
 }
 
 extern "C" {
-    /// ```text
     /// Fills options with the defaults, and a report with zeros and its size.
-    /// ```
     pub fn obc_harmonics_fit_options_init(options: *mut obc_harmonics_fit_options, struct_size: usize) -> i32;
-    /// ```text
     /// Fills options with the defaults, and a report with zeros and its size.
-    /// ```
     pub fn obc_harmonics_fit_report_init(report: *mut obc_harmonics_fit_report, struct_size: usize) -> i32;
-    /// ```text
     /// (degree + 1)^2.
-    /// ```
     pub fn obc_harmonics_size(degree: u32) -> usize;
-    /// ```text
-    /// Y_lm of every direction: rows, count * (degree+1)^2 doubles, a direction after the other. host may be NULL.
-    /// O(count * degree^2).
-    /// Errors: OBC_INVALID_ARGUMENT (NULL, not finite, length zero, degree), OBC_CANCELLED, OBC_OUT_OF_MEMORY.
-    /// ```
+    /// Y\_lm of every direction: rows, count \* (degree+1)^2 doubles, a direction after the other. host may be NULL.
+    /// O(count \* degree^2).
+    /// Errors: OBC\_INVALID\_ARGUMENT (NULL, not finite, length zero, degree), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_evaluate(directions: *const f64, count: usize, degree: u32, host: *const obc_host, rows: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
-    /// The coefficients that fit values at scattered directions best: least squares with `weights`, one a direction and not
-    /// negative, or NULL for ones. For a surface, the weights of obc_harmonics_vertex_areas are the usual choice: each piece
+    /// The coefficients that fit values at scattered directions best: least squares with \`weights\`, one a direction and not
+    /// negative, or NULL for ones. For a surface, the weights of obc\_harmonics\_vertex\_areas are the usual choice: each piece
     /// counts by its own area.
     /// options, host and report may be NULL. coefficients: written on success only. A rank-deficient fit is no error: see
-    /// report->rank.
-    /// Errors: as obc_harmonics_evaluate.
-    /// ```
+    /// report-\>rank.
+    /// Errors: as obc\_harmonics\_evaluate.
     pub fn obc_harmonics_fit(directions: *const f64, weights: *const f64, values: *const f64, count: usize, channels: usize, options: *const obc_harmonics_fit_options, host: *const obc_host, coefficients: *mut f64, report: *mut obc_harmonics_fit_report, error: *mut obc_error) -> i32;
-    /// ```text
-    /// The functions at the directions: values, count * channels doubles; and unless gradients is NULL, their gradients on the
-    /// sphere of radius 1, tangent vectors, 3 * count * channels doubles. O(count * degree^2 * channels).
-    /// Errors: as obc_harmonics_evaluate.
-    /// ```
+    /// The functions at the directions: values, count \* channels doubles; and unless gradients is NULL, their gradients on the
+    /// sphere of radius 1, tangent vectors, 3 \* count \* channels doubles. O(count \* degree^2 \* channels).
+    /// Errors: as obc\_harmonics\_evaluate.
     pub fn obc_harmonics_synthesize(coefficients: *const f64, degree: u32, channels: usize, directions: *const f64, count: usize, host: *const obc_host, values: *mut f64, gradients: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
-    /// A third of the area of its triangles for each vertex: areas, vertex_count doubles. Triangles are three vertex indices
+    /// A third of the area of its triangles for each vertex: areas, vertex\_count doubles. Triangles are three vertex indices
     /// each. O(n).
-    /// Errors: OBC_INVALID_ARGUMENT, OBC_MALFORMED_FILE (kind index-range: no such vertex), OBC_OUT_OF_MEMORY.
-    /// ```
+    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_MALFORMED\_FILE (kind index-range: no such vertex), OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_vertex_areas(positions: *const f64, vertex_count: usize, triangles: *const u32, triangle_count: usize, host: *const obc_host, areas: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
     /// The norm of each degree, sqrt(sum over m and the channels of the squares): norms, degree + 1 doubles. It does not change
     /// when the sphere is turned, nor when the values of three channels are.
-    /// Errors: OBC_INVALID_ARGUMENT, OBC_OUT_OF_MEMORY.
-    /// ```
+    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_degree_norms(coefficients: *const f64, degree: u32, channels: usize, norms: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
-    /// The distance D_n(f, g) of the dissertation's section 3.3.3: the sum over the degrees from first to last of the squared
+    /// The distance D\_n(f, g) of the dissertation's section 3.3.3: the sum over the degrees from first to last of the squared
     /// difference of the norms; degrees that one of them does not have count as zero there. first = 0 is the dissertation's;
     /// with first = 1 it does not matter where the shapes lie.
-    /// Errors: as obc_harmonics_degree_norms.
-    /// ```
+    /// Errors: as obc\_harmonics\_degree\_norms.
     pub fn obc_harmonics_shape_distance(f: *const f64, f_degree: u32, g: *const f64, g_degree: u32, channels: usize, first: u32, last: u32, distance: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Filters in place: degrees from low to high stay, the others become zero, over `width` degrees outside of each end with a
-    /// raised cosine (0: at once). With keep_mean 1 degree 0 stays, which is where a shape lies.
-    /// Errors: as obc_harmonics_degree_norms.
-    /// ```
+    /// Filters in place: degrees from low to high stay, the others become zero, over \`width\` degrees outside of each end with a
+    /// raised cosine (0: at once). With keep\_mean 1 degree 0 stays, which is where a shape lies.
+    /// Errors: as obc\_harmonics\_degree\_norms.
     pub fn obc_harmonics_filter(coefficients: *mut f64, degree: u32, channels: usize, low: u32, high: u32, width: u32, keep_mean: i32, error: *mut obc_error) -> i32;
-    /// ```text
     /// The reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
     /// distance to the nearest point of B. O(n log n).
-    /// Errors: OBC_INVALID_ARGUMENT (NULL, no points, not finite), OBC_CANCELLED, OBC_OUT_OF_MEMORY.
-    /// ```
+    /// Errors: OBC\_INVALID\_ARGUMENT (NULL, no points, not finite), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_mean_distance(a: *const f64, a_count: usize, b: *const f64, b_count: usize, host: *const obc_host, distance: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
     /// The functions turned with the sphere: what each has at direction v, it has at R v afterwards. rotation: the matrix R by
     /// rows, 9 doubles. turned may be coefficients. The values are not turned: for a shape that turns in space, multiply the three
-    /// coefficients of each Y_lm by the matrix. O(degree^3).
-    /// Errors: OBC_INVALID_ARGUMENT (also: no rotation), OBC_CANCELLED, OBC_OUT_OF_MEMORY.
-    /// ```
+    /// coefficients of each Y\_lm by the matrix. O(degree^3).
+    /// Errors: OBC\_INVALID\_ARGUMENT (also: no rotation), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_rotate(coefficients: *const f64, degree: u32, channels: usize, rotation: *const f64, host: *const obc_host, turned: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
     /// Fills options with the defaults, and an alignment with zeros and its size.
-    /// ```
     pub fn obc_harmonics_align_options_init(options: *mut obc_harmonics_align_options, struct_size: usize) -> i32;
-    /// ```text
     /// Fills options with the defaults, and an alignment with zeros and its size.
-    /// ```
     pub fn obc_harmonics_alignment_init(alignment: *mut obc_harmonics_alignment, struct_size: usize) -> i32;
-    /// ```text
-    /// The rotation that brings `moving` best into line with `fixed`: it maximises the sum over the channels of the integral of
-    /// fixed(u) * (Q moving)(R^-1 u), without degree 0. Found on a grid of all rotations (Kostelec and Rockmore 2008, "FFTs on the
+    /// The rotation that brings \`moving\` best into line with \`fixed\`: it maximises the sum over the channels of the integral of
+    /// fixed(u) \* (Q moving)(R^-1 u), without degree 0. Found on a grid of all rotations (Kostelec and Rockmore 2008, "FFTs on the
     /// rotation group") and refined by Newton's method up to the lower of the two degrees. options and host may be NULL.
-    /// O(search_degree^4 + degree^3).
-    /// Errors: OBC_INVALID_ARGUMENT, OBC_NO_VALID_RESULT (one of them is constant), OBC_CANCELLED, OBC_OUT_OF_MEMORY.
-    /// ```
+    /// O(search\_degree^4 + degree^3).
+    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_NO\_VALID\_RESULT (one of them is constant), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_align(fixed: *const f64, fixed_degree: u32, moving: *const f64, moving_degree: u32, channels: usize, options: *const obc_harmonics_align_options, host: *const obc_host, alignment: *mut obc_harmonics_alignment, error: *mut obc_error) -> i32;
-    /// ```text
     /// Writes a file, whole or not at all; read again, every number is the same to its last bits.
-    /// Errors: OBC_INVALID_ARGUMENT, OBC_UNSUPPORTED (ending; channels other than 3 for SPHARM-PDM), OBC_IO,
-    /// OBC_OUT_OF_MEMORY. The message starts with the path.
-    /// ```
+    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_UNSUPPORTED (ending; channels other than 3 for SPHARM-PDM), OBC\_IO,
+    /// OBC\_OUT\_OF\_MEMORY. The message starts with the path.
     pub fn obc_harmonics_write(path: *const c_char, format: i32, coefficients: *const f64, degree: u32, channels: usize, error: *mut obc_error) -> i32;
-    /// ```text
-    /// host may be NULL; its allocator must stay valid until _destroy. Nothing in a file is trusted.
-    /// Errors: OBC_INVALID_ARGUMENT, OBC_MALFORMED_FILE (empty-file, bad-magic, parse, truncated, trailing-data, non-finite, with
-    /// the line), OBC_UNSUPPORTED, OBC_IO, OBC_CANCELLED, OBC_OUT_OF_MEMORY. The message starts with the path.
-    /// ```
+    /// host may be NULL; its allocator must stay valid until \_destroy. Nothing in a file is trusted.
+    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_MALFORMED\_FILE (empty-file, bad-magic, parse, truncated, trailing-data, non-finite, with
+    /// the line), OBC\_UNSUPPORTED, OBC\_IO, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY. The message starts with the path.
     pub fn obc_harmonics_read(path: *const c_char, format: i32, host: *const obc_host, coefficients: *mut *mut obc_harmonics_coefficients, error: *mut obc_error) -> i32;
-    /// ```text
     /// 0 for NULL.
-    /// ```
     pub fn obc_harmonics_coefficients_degree(coefficients: *const obc_harmonics_coefficients) -> u32;
-    /// ```text
     /// 0 for NULL.
-    /// ```
     pub fn obc_harmonics_coefficients_channels(coefficients: *const obc_harmonics_coefficients) -> usize;
-    /// ```text
-    /// Copies them out: (degree+1)^2 * channels doubles. Errors: OBC_INVALID_ARGUMENT.
-    /// ```
+    /// Copies them out: (degree+1)^2 \* channels doubles. Errors: OBC\_INVALID\_ARGUMENT.
     pub fn obc_harmonics_coefficients_copy(coefficients: *const obc_harmonics_coefficients, values: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
     /// NULL is fine.
-    /// ```
     pub fn obc_harmonics_coefficients_destroy(coefficients: *mut obc_harmonics_coefficients);
-    /// ```text
-    /// Version of the library, major * 10000 + minor * 100 + patch.
-    /// ```
+    /// Version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_harmonics_version() -> u32;
 }
 

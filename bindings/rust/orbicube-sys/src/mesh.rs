@@ -1,64 +1,46 @@
 //! What `<orbicube/mesh.h>` declares. Written by scripts/bindings.py; not to be edited.
 #![allow(non_camel_case_types, non_upper_case_globals)]
 
-use std::os::raw::{c_char, c_void};
 use crate::base::{obc_error, obc_host};
+use std::os::raw::{c_char, c_void};
 
 pub const OBC_MESH_OBJ: i32 = 0;
 pub const OBC_MESH_OFF: i32 = 1;
-/// ```text
 /// ASCII and binary of either byte order, triangle strips
-/// ```
 pub const OBC_MESH_PLY: i32 = 2;
-/// ```text
 /// ASCII and binary
-/// ```
 pub const OBC_MESH_STL: i32 = 3;
 pub const OBC_MESH_MEDIT: i32 = 4;
-/// ```text
 /// legacy, ASCII and binary
-/// ```
 pub const OBC_MESH_VTK: i32 = 5;
 
-/// ```text
 /// A mesh in the library's memory.
-/// ```
 #[repr(C)]
 pub struct obc_mesh {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// ```text
 /// A surface made ready for searching: trees of bounding boxes over its vertices and triangles.
-/// ```
 #[repr(C)]
 pub struct obc_mesh_search {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// ```text
 /// A surface as the caller holds it: a view, kept by no function.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_surface {
-    /// ```text
     /// x y z a vertex
-    /// ```
     pub positions: *const f64,
     pub vertex_count: usize,
-    /// ```text
     /// three vertex indices each, counter-clockwise seen from outside
-    /// ```
     pub triangles: *const u32,
     pub triangle_count: usize,
 }
 
-/// ```text
-/// Cells in the caller's arrays, for obc_mesh_create. Fill with _init, then set what there is.
-/// ```
+/// Cells in the caller's arrays, for obc\_mesh\_create. Fill with \_init, then set what there is.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_cells {
@@ -66,9 +48,7 @@ pub struct obc_mesh_cells {
     pub reserved: i32,
     pub positions: *const f64,
     pub vertex_count: usize,
-    /// ```text
     /// or NULL, as tetrahedra and hexahedra
-    /// ```
     pub triangles: *const u32,
     pub triangle_count: usize,
     pub tetrahedra: *const u32,
@@ -77,208 +57,118 @@ pub struct obc_mesh_cells {
     pub hexahedron_count: usize,
 }
 
-/// ```text
 /// How well shaped tetrahedra are. Ratios of inverted ones are negative, of flat ones 0; angles are in degrees.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_tetrahedron_quality_report {
-    /// ```text
     /// the first one of the smallest radius ratio; 2^32 - 1: there are none
-    /// ```
     pub struct_size: u32,
-    /// ```text
     /// the first one of the smallest radius ratio; 2^32 - 1: there are none
-    /// ```
     pub worst: u32,
-    /// ```text
     /// all, and those by their exact signs
-    /// ```
     pub tetrahedra: u64,
-    /// ```text
     /// all, and those by their exact signs
-    /// ```
     pub positive: u64,
-    /// ```text
     /// all, and those by their exact signs
-    /// ```
     pub flat: u64,
-    /// ```text
     /// all, and those by their exact signs
-    /// ```
     pub inverted: u64,
-    /// ```text
     /// of all together and of one; those of inverted ones negative
-    /// ```
     pub volume: f64,
-    /// ```text
     /// of all together and of one; those of inverted ones negative
-    /// ```
     pub smallest_volume: f64,
-    /// ```text
     /// of all together and of one; those of inverted ones negative
-    /// ```
     pub largest_volume: f64,
-    /// ```text
     /// at the edges; the mean of each one's smallest
-    /// ```
     pub smallest_dihedral: f64,
-    /// ```text
     /// at the edges; the mean of each one's smallest
-    /// ```
     pub largest_dihedral: f64,
-    /// ```text
     /// at the edges; the mean of each one's smallest
-    /// ```
     pub mean_smallest_dihedral: f64,
-    /// ```text
-    /// 3 * inradius / circumradius: 1 for a regular tetrahedron
-    /// ```
+    /// 3 \* inradius / circumradius: 1 for a regular tetrahedron
     pub smallest_radius_ratio: f64,
-    /// ```text
-    /// 3 * inradius / circumradius: 1 for a regular tetrahedron
-    /// ```
+    /// 3 \* inradius / circumradius: 1 for a regular tetrahedron
     pub mean_radius_ratio: f64,
-    /// ```text
     /// circumradius / shortest edge; infinite, and left out, for flat ones
-    /// ```
     pub largest_radius_edge: f64,
-    /// ```text
     /// circumradius / shortest edge; infinite, and left out, for flat ones
-    /// ```
     pub mean_radius_edge: f64,
     pub shortest_edge: f64,
     pub longest_edge: f64,
-    /// ```text
     /// six angles each, by 10 degrees; ratios by 0.05
-    /// ```
     pub dihedral_histogram: [u64; 18],
-    /// ```text
     /// six angles each, by 10 degrees; ratios by 0.05
-    /// ```
     pub radius_ratio_histogram: [u64; 20],
 }
 
-/// ```text
-/// Fill with _init.
-/// ```
+/// Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_read_options {
     pub struct_size: u32,
-    /// ```text
     /// 1: joins vertices at identical positions when the surface is not closed as it stands. STL, which
-    ///                              has no shared vertices, is always joined. Default 0
-    /// ```
+    /// has no shared vertices, is always joined. Default 0
     pub weld_identical: i32,
 }
 
-/// ```text
-/// Fill with _init.
-/// ```
+/// Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_write_options {
     pub struct_size: u32,
-    /// ```text
     /// 1: PLY, STL and VTK in binary; 0: as text. The other formats are text. Default 1
-    /// ```
     pub binary: i32,
 }
 
-/// ```text
 /// What kind of surface it is. The first place of a defect is given by vertices or faces, 2^32 - 1 where there is none.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_topology_report {
     pub struct_size: u32,
-    /// ```text
     /// 1: there are triangles and no boundary; else 0
-    /// ```
     pub closed: i32,
-    /// ```text
     /// 1: no non-manifold, duplicate or degenerate places; else 0
-    /// ```
     pub manifold: i32,
-    /// ```text
     /// 1: turning triangles round can make all edges consistent; else 0
-    /// ```
     pub orientable: i32,
     pub vertices: u64,
-    /// ```text
     /// in no triangle; they take no part in the other figures
-    /// ```
     pub unreferenced_vertices: u64,
     pub triangles: u64,
     pub edges: u64,
-    /// ```text
     /// connected through vertices
-    /// ```
     pub components: u64,
-    /// ```text
     /// with one triangle
-    /// ```
     pub boundary_edges: u64,
-    /// ```text
     /// connected parts of the boundary
-    /// ```
     pub boundary_loops: u64,
-    /// ```text
     /// in edges
-    /// ```
     pub longest_boundary_loop: u64,
-    /// ```text
     /// with three triangles or more
-    /// ```
     pub non_manifold_edges: u64,
-    /// ```text
     /// whose triangles form more than one fan
-    /// ```
     pub non_manifold_vertices: u64,
-    /// ```text
     /// that both of their triangles pass in the same direction
-    /// ```
     pub inconsistent_edges: u64,
-    /// ```text
     /// with a repeated corner; they have no edges
-    /// ```
     pub degenerate_faces: u64,
-    /// ```text
     /// with the corners of an earlier face, in any order
-    /// ```
     pub duplicate_faces: u64,
-    /// ```text
     /// whose three different corners lie on one line, exactly
-    /// ```
     pub zero_area_faces: u64,
-    /// ```text
     /// at the very position of an earlier vertex
-    /// ```
     pub coincident_vertices: u64,
-    /// ```text
     /// vertices - edges + triangles
-    /// ```
     pub euler_characteristic: i64,
-    /// ```text
     /// of a closed, connected, orientable manifold; -1 for others
-    /// ```
     pub genus: i64,
-    /// ```text
     /// bounding box of the triangles
-    /// ```
     pub low: [f64; 3],
-    /// ```text
     /// bounding box of the triangles
-    /// ```
     pub high: [f64; 3],
-    /// ```text
-    /// volume < 0: looks inward. Infinite beyond the range of double
-    /// ```
+    /// volume \< 0: looks inward. Infinite beyond the range of double
     pub area: f64,
-    /// ```text
-    /// volume < 0: looks inward. Infinite beyond the range of double
-    /// ```
+    /// volume \< 0: looks inward. Infinite beyond the range of double
     pub volume: f64,
     pub first_boundary_edge: [u32; 2],
     pub first_non_manifold_edge: [u32; 2],
@@ -286,226 +176,138 @@ pub struct obc_mesh_topology_report {
     pub first_duplicate_faces: [u32; 2],
     pub first_coincident_vertices: [u32; 2],
     pub first_non_manifold_vertex: u32,
-    /// ```text
     /// not connected with the first vertex
-    /// ```
     pub first_vertex_apart: u32,
     pub first_degenerate_face: u32,
     pub first_zero_area_face: u32,
 }
 
-/// ```text
-/// What obc_mesh_orient did.
-/// ```
+/// What obc\_mesh\_orient did.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_orient_report {
     pub struct_size: u32,
-    /// ```text
     /// 1: the closed surface looked inward, and all triangles were turned; else 0
-    /// ```
     pub turned_outward: i32,
-    /// ```text
     /// before that, to agree with their neighbours
-    /// ```
     pub triangles_turned: u64,
 }
 
 extern "C" {
-    /// ```text
     /// A mesh of nothing.
-    /// ```
     pub fn obc_mesh_cells_init(cells: *mut obc_mesh_cells, struct_size: usize) -> i32;
-    /// ```text
-    /// A mesh with copies of the arrays. host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument,
+    /// A mesh with copies of the arrays. host may be NULL; its allocator must stay valid until \_destroy. Errors: invalid argument,
     /// out of memory. O(n).
-    /// ```
     pub fn obc_mesh_create(cells: *const obc_mesh_cells, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// ```text
-    /// A closed surface by name ("creature", "torus", "cube", "sphere", "bracket", ...; obc_mesh_shape_name lists them) of about
-    /// `triangle_count` triangles, two units in size; the seed varies it. Errors: invalid argument, out of memory, cancelled. O(n).
-    /// ```
+    /// A closed surface by name ("creature", "torus", "cube", "sphere", "bracket", ...; obc\_mesh\_shape\_name lists them) of about
+    /// \`triangle\_count\` triangles, two units in size; the seed varies it. Errors: invalid argument, out of memory, cancelled. O(n).
     pub fn obc_mesh_make(shape: *const c_char, triangle_count: usize, seed: u64, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Name of the index-th shape that obc_mesh_make knows, a static string; NULL beyond the last one.
-    /// ```
+    /// Name of the index-th shape that obc\_mesh\_make knows, a static string; NULL beyond the last one.
     pub fn obc_mesh_shape_name(index: usize) -> *const c_char;
-    /// ```text
     /// Releases a mesh; NULL is fine.
-    /// ```
     pub fn obc_mesh_destroy(mesh: *mut obc_mesh);
-    /// ```text
     /// Numbers of a mesh; 0 for NULL.
-    /// ```
     pub fn obc_mesh_vertex_count(mesh: *const obc_mesh) -> usize;
-    /// ```text
     /// Numbers of a mesh; 0 for NULL.
-    /// ```
     pub fn obc_mesh_triangle_count(mesh: *const obc_mesh) -> usize;
-    /// ```text
     /// Numbers of a mesh; 0 for NULL.
-    /// ```
     pub fn obc_mesh_tetrahedron_count(mesh: *const obc_mesh) -> usize;
-    /// ```text
     /// Numbers of a mesh; 0 for NULL.
-    /// ```
     pub fn obc_mesh_hexahedron_count(mesh: *const obc_mesh) -> usize;
-    /// ```text
     /// Copies to the caller's arrays, each of which may be NULL. Errors: invalid argument.
-    /// ```
     pub fn obc_mesh_copy(mesh: *const obc_mesh, positions: *mut f64, triangles: *mut u32, tetrahedra: *mut u32, hexahedra: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// A view of the mesh's own positions and triangles, valid until the mesh is destroyed. Errors: invalid argument.
-    /// ```
     pub fn obc_mesh_surface(mesh: *const obc_mesh, surface: *mut obc_surface, error: *mut obc_error) -> i32;
-    /// ```text
     /// Whether the tetrahedra and hexahedra fill a solid: distinct, positive by exact predicates (hexahedra at each corner), meeting
-    /// in whole faces, no face of three cells, no edge where parts only touch. OBC_OK, also without cells; or degenerate or not
+    /// in whole faces, no face of three cells, no edge where parts only touch. OBC\_OK, also without cells; or degenerate or not
     /// manifold with the kind (inverted-cell, degenerate-cell, duplicate-cell, non-manifold-face, non-manifold-edge) and the
     /// first place; out of memory, cancelled. O(n log n).
-    /// ```
     pub fn obc_mesh_check_cells(mesh: *const obc_mesh, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// ```text
     /// The surface of the solid that the cells fill, looking outward, as a mesh of its own with the same vertices: the faces of one
     /// cell only, those of hexahedra cut in two. Errors: invalid argument, not manifold (a face of three cells), out of memory,
     /// cancelled. O(n log n).
-    /// ```
     pub fn obc_mesh_boundary(mesh: *const obc_mesh, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// ```text
     /// An empty report that knows its size.
-    /// ```
     pub fn obc_mesh_tetrahedron_quality_report_init(report: *mut obc_mesh_tetrahedron_quality_report, struct_size: usize) -> i32;
-    /// ```text
     /// Measures the tetrahedra of a mesh, whatever they are. Errors: invalid argument, cancelled. O(n).
-    /// ```
     pub fn obc_mesh_tetrahedron_quality(mesh: *const obc_mesh, host: *const obc_host, report: *mut obc_mesh_tetrahedron_quality_report, error: *mut obc_error) -> i32;
-    /// ```text
     /// The defaults, which the members' comments give.
-    /// ```
     pub fn obc_mesh_read_options_init(options: *mut obc_mesh_read_options, struct_size: usize) -> i32;
-    /// ```text
-    /// Reads the file at `path` (bytes as the system takes them), its format by its ending: .obj .off .ply .stl .mesh .vtk.
+    /// Reads the file at \`path\` (bytes as the system takes them), its format by its ending: .obj .off .ply .stl .mesh .vtk.
     /// Vertices keep their order unless they are joined; faces of more corners are cut into triangles; cells are checked as by
-    /// obc_mesh_check_cells. options and host may be NULL; the host's allocator must stay valid until _destroy. Nothing in a file
+    /// obc\_mesh\_check\_cells. options and host may be NULL; the host's allocator must stay valid until \_destroy. Nothing in a file
     /// is trusted; memory is bounded by a multiple of its size. Errors: io, malformed file (the kind says how: truncated, parse,
     /// index-range, non-finite, ...; the message where), the kinds of cells, unsupported, out of memory, cancelled. O(size).
-    /// ```
     pub fn obc_mesh_read(path: *const c_char, options: *const obc_mesh_read_options, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// ```text
-    /// The same from `size` bytes of a file of the format OBC_MESH_...; they are not kept.
-    /// ```
+    /// The same from \`size\` bytes of a file of the format OBC\_MESH\_...; they are not kept.
     pub fn obc_mesh_read_memory(bytes: *const c_void, size: usize, format: i32, options: *const obc_mesh_read_options, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// ```text
     /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
     /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
     /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
-    /// ```
     pub fn obc_mesh_format(mesh: *const obc_mesh) -> *const c_char;
-    /// ```text
     /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
     /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
     /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
-    /// ```
     pub fn obc_mesh_polygon_count(mesh: *const obc_mesh) -> usize;
-    /// ```text
     /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
     /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
     /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
-    /// ```
     pub fn obc_mesh_welded_vertex_count(mesh: *const obc_mesh) -> usize;
-    /// ```text
     /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
     /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
     /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
-    /// ```
     pub fn obc_mesh_note(mesh: *const obc_mesh, index: usize) -> *const c_char;
-    /// ```text
     /// The defaults, which the members' comments give.
-    /// ```
     pub fn obc_mesh_write_options_init(options: *mut obc_mesh_write_options, struct_size: usize) -> i32;
-    /// ```text
-    /// Writes to `path`, the format by its ending: triangles to OBJ, OFF, PLY and STL, cells too to MEDIT and VTK. What is read
+    /// Writes to \`path\`, the format by its ending: triangles to OBJ, OFF, PLY and STL, cells too to MEDIT and VTK. What is read
     /// again is the same mesh to the bit, but for STL, which has float32. The file appears once it is whole; after an error the
     /// old one is still there. options and host may be NULL. Errors: invalid argument, unsupported (the ending, or cells that the
     /// format cannot hold), io, out of memory, cancelled. O(n).
-    /// ```
     pub fn obc_mesh_write(path: *const c_char, mesh: *const obc_mesh, options: *const obc_mesh_write_options, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// ```text
     /// The same for a surface in the caller's arrays.
-    /// ```
     pub fn obc_mesh_write_surface(path: *const c_char, surface: *const obc_surface, options: *const obc_mesh_write_options, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// ```text
     /// An empty report that knows its size.
-    /// ```
     pub fn obc_mesh_topology_report_init(report: *mut obc_mesh_topology_report, struct_size: usize) -> i32;
-    /// ```text
     /// Examines any set of triangles. host may be NULL. Errors: invalid argument, out of memory, cancelled. O(n log n) time, O(n)
     /// for bounded valence (0.1 s for a million triangles), up to 100 bytes a triangle.
-    /// ```
     pub fn obc_mesh_topology(surface: *const obc_surface, host: *const obc_host, report: *mut obc_mesh_topology_report, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Whether the surface is what sphere maps need: closed, connected, manifold, consistently oriented, of genus 0. OBC_OK, or not
-    /// closed, not manifold, wrong genus or degenerate with the kind and the first place in `error`; invalid argument, out of
-    /// memory, cancelled. Costs what obc_mesh_topology costs.
-    /// ```
+    /// Whether the surface is what sphere maps need: closed, connected, manifold, consistently oriented, of genus 0. OBC\_OK, or not
+    /// closed, not manifold, wrong genus or degenerate with the kind and the first place in \`error\`; invalid argument, out of
+    /// memory, cancelled. Costs what obc\_mesh\_topology costs.
     pub fn obc_mesh_check_closed_genus_zero(surface: *const obc_surface, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// ```text
     /// An empty report that knows its size.
-    /// ```
     pub fn obc_mesh_orient_report_init(report: *mut obc_mesh_orient_report, struct_size: usize) -> i32;
-    /// ```text
     /// Turns triangles in place so that neighbours agree, the fewer of each part, and then all of them when the surface is closed
     /// and its volume negative. report may be NULL. Errors: invalid argument, not manifold (non-orientable; nothing is changed
     /// then), out of memory, cancelled. O(n).
-    /// ```
     pub fn obc_mesh_orient(positions: *const f64, vertex_count: usize, triangles: *mut u32, triangle_count: usize, host: *const obc_host, report: *mut obc_mesh_orient_report, error: *mut obc_error) -> i32;
-    /// ```text
-    /// For each vertex the lowest vertex at its very position (-0 is 0), vertex_count entries. Errors: invalid argument, out of
+    /// For each vertex the lowest vertex at its very position (-0 is 0), vertex\_count entries. Errors: invalid argument, out of
     /// memory, cancelled. O(n).
-    /// ```
     pub fn obc_mesh_first_at_same_position(positions: *const f64, vertex_count: usize, host: *const obc_host, first: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Pairs of triangles that have more in common than the vertices they share by number, decided by exact predicates: the first
-    /// `capacity` pairs in ascending order, two entries each, the lower triangle first; *count is how many were written. Triangles
+    /// \`capacity\` pairs in ascending order, two entries each, the lower triangle first; \*count is how many were written. Triangles
     /// without area are left out. Works on the host's threads. Errors: invalid argument, out of memory, cancelled. O(n log n +
     /// pairs whose boxes overlap).
-    /// ```
     pub fn obc_mesh_intersections(surface: *const obc_surface, host: *const obc_host, pairs: *mut u32, capacity: usize, count: *mut usize, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Copies the surface. host may be NULL; its allocator must stay valid until _destroy. Squares of the coordinates must be in
+    /// Copies the surface. host may be NULL; its allocator must stay valid until \_destroy. Squares of the coordinates must be in
     /// the range of double. Errors: invalid argument, out of memory, cancelled. O(n log n), about 200 bytes a triangle.
-    /// ```
     pub fn obc_mesh_search_create(surface: *const obc_surface, host: *const obc_host, out: *mut *mut obc_mesh_search, error: *mut obc_error) -> i32;
-    /// ```text
     /// Releases a search; NULL is fine.
-    /// ```
     pub fn obc_mesh_search_destroy(search: *mut obc_mesh_search);
-    /// ```text
-    /// For each of `count` points (3 * count doubles) the nearest vertex, the lowest of equals. Errors: invalid argument (also: a
+    /// For each of \`count\` points (3 \* count doubles) the nearest vertex, the lowest of equals. Errors: invalid argument (also: a
     /// point that is not finite, no vertices). O(log n) a point on average.
-    /// ```
     pub fn obc_mesh_search_vertices(search: *const obc_mesh_search, points: *const f64, count: usize, vertices: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
-    /// For each of `count` points the nearest point of the surface: its triangle (the lowest of equals), its weights at the
-    /// triangle's corners (3 * count, none negative, sum 1), its position (3 * count) and its distance; each array may be NULL.
+    /// For each of \`count\` points the nearest point of the surface: its triangle (the lowest of equals), its weights at the
+    /// triangle's corners (3 \* count, none negative, sum 1), its position (3 \* count) and its distance; each array may be NULL.
     /// Errors: invalid argument (also: a point that is not finite, no triangles). O(log n) a point on average.
-    /// ```
     pub fn obc_mesh_search_surface(search: *const obc_mesh_search, points: *const f64, count: usize, triangles: *mut u32, weights: *mut f64, positions: *mut f64, distances: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
     /// Sign of (b - a) x (c - a): 1 when the triangle a, b, c of the plane is counter-clockwise.
-    /// ```
     pub fn obc_mesh_orientation_2d(a: *const f64, b: *const f64, c: *const f64) -> i32;
-    /// ```text
-    /// Sign of det[b - a, c - a, d - a]: 1 when the tetrahedron a, b, c, d has positive volume.
-    /// ```
+    /// Sign of det\[b - a, c - a, d - a\]: 1 when the tetrahedron a, b, c, d has positive volume.
     pub fn obc_mesh_orientation_3d(a: *const f64, b: *const f64, c: *const f64, d: *const f64) -> i32;
-    /// ```text
-    /// Sign of det[p, q, r]: 1 when p, q, r are counter-clockwise seen from outside a sphere around the origin.
-    /// ```
+    /// Sign of det\[p, q, r\]: 1 when p, q, r are counter-clockwise seen from outside a sphere around the origin.
     pub fn obc_mesh_orientation_from_origin(p: *const f64, q: *const f64, r: *const f64) -> i32;
-    /// ```text
-    /// Version of this library, major * 10000 + minor * 100 + patch.
-    /// ```
+    /// Version of this library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_mesh_version() -> u32;
 }
 

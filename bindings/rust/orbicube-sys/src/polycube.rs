@@ -1,528 +1,328 @@
 //! What `<orbicube/polycube.h>` declares. Written by scripts/bindings.py; not to be edited.
 #![allow(non_camel_case_types, non_upper_case_globals)]
 
-use std::os::raw::{c_char};
 use crate::base::{obc_error, obc_host};
-use crate::mesh::{obc_surface};
+use crate::mesh::obc_surface;
+use std::os::raw::{c_char};
 
-/// ```text
 /// by labels, and by voxels unless the first map is nearly an isometry; the one of the valid maps with
-///                               the least sum of both distortions (means over triangles), fewer corners if about equal
-/// ```
+/// the least sum of both distortions (means over triangles), fewer corners if about equal
 pub const OBC_POLYCUBE_AUTO: i32 = 0;
-/// ```text
 /// axis labels of triangles (Livesu, Vining, Sheffer, Gregson and Scateni 2013, "PolyCut"; Garanzha
-///                               et al. 2021, "Foldover-free maps in 50 lines of code")
-/// ```
+/// et al. 2021, "Foldover-free maps in 50 lines of code")
 pub const OBC_POLYCUBE_LABELS: i32 = 1;
-/// ```text
 /// voxels of the surface's genus, simplified to the corners allowed, drawn on the surface
-/// ```
 pub const OBC_POLYCUBE_VOXELS: i32 = 2;
 
-/// ```text
-/// mean over the surface of angle + area_weight * area
-/// ```
+/// mean over the surface of angle + area\_weight \* area
 pub const OBC_POLYCUBE_SURFACE_MEAN: i32 = 0;
-/// ```text
 /// mean over triangles of the same
-/// ```
 pub const OBC_POLYCUBE_FACE_MEAN: i32 = 1;
-/// ```text
-/// harmonic energy + area_weight * area stretching, over the area
-/// ```
+/// harmonic energy + area\_weight \* area stretching, over the area
 pub const OBC_POLYCUBE_HARMONIC: i32 = 2;
 
-/// ```text
 /// How the best place of a corner is looked for: by values alone (the dissertation's section 4.4.2), or by gradients, in
 /// fewer evaluations.
-/// ```
 pub const OBC_POLYCUBE_TRUST_REGION: i32 = 0;
-/// ```text
 /// How the best place of a corner is looked for: by values alone (the dissertation's section 4.4.2), or by gradients, in
 /// fewer evaluations.
-/// ```
 pub const OBC_POLYCUBE_GRADIENT: i32 = 1;
 
-/// ```text
 /// A certified polycube map.
-/// ```
 #[repr(C)]
 pub struct obc_polycube {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// ```text
 /// The polycube of a map without its triangles: corners, the straight edges between them, and patches (its faces), as a graph
 /// whose dual has a node a patch and a link an edge. Copies all; the map may be destroyed.
-/// ```
 #[repr(C)]
 pub struct obc_polycube_graph {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// ```text
 /// A mesh of quads on the surface, from a regular grid on the polycube: every vertex inside a patch, or inside an edge, has four.
-/// ```
 #[repr(C)]
 pub struct obc_polycube_quads {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// ```text
-/// What certification finds. Fill struct_size.
-/// ```
+/// What certification finds. Fill struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_certificate {
     pub struct_size: u32,
-    /// ```text
     /// 1 or 0
-    /// ```
     pub valid: i32,
-    /// ```text
     /// of the polycube; 0 when its triangles are no closed surface
-    /// ```
     pub genus: i64,
-    /// ```text
     /// vertices where three faces of the polycube or more meet
-    /// ```
     pub corners: usize,
-    /// ```text
     /// faces of the polycube: connected triangles in one plane
-    /// ```
     pub patches: usize,
-    /// ```text
     /// what is wrong and where, UTF-8, ends with 0; empty when valid
-    /// ```
     pub reason: [c_char; 256],
 }
 
-/// ```text
-/// How a polycube is looked for. Fill with _init.
-/// ```
+/// How a polycube is looked for. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_options {
     pub struct_size: u32,
-    /// ```text
-    /// OBC_POLYCUBE_...; auto by default
-    /// ```
+    /// OBC\_POLYCUBE\_...; auto by default
     pub construction: i32,
-    /// ```text
     /// of the polycube at most, or 8 + 8 g for g handles if that is more; 0: any number. Default 0
-    /// ```
     pub corners: usize,
-    /// ```text
     /// of what labels choose at random. Default 0
-    /// ```
     pub seed: u64,
 }
 
-/// ```text
-/// Fill with _init.
-/// ```
+/// Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_domain_options {
     pub struct_size: u32,
-    /// ```text
-    /// OBC_POLYCUBE_SURFACE_MEAN or another. Default OBC_POLYCUBE_SURFACE_MEAN
-    /// ```
+    /// OBC\_POLYCUBE\_SURFACE\_MEAN or another. Default OBC\_POLYCUBE\_SURFACE\_MEAN
     pub measure: i32,
-    /// ```text
     /// of areas beside angles, not negative. Default 1
-    /// ```
     pub area_weight: f64,
 }
 
-/// ```text
-/// What was found. Fill struct_size. The means are those of the result, each 1 for an isometry: `angle` the harmonic energy of a
-/// triangle over its area on the polycube, `area` (r + 1/r) / 2 for the ratio r of areas, at equal areas of the whole.
-/// ```
+/// What was found. Fill struct\_size. The means are those of the result, each 1 for an isometry: \`angle\` the harmonic energy of a
+/// triangle over its area on the polycube, \`area\` (r + 1/r) / 2 for the ratio r of areas, at equal areas of the whole.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_domain_report {
     pub struct_size: u32,
-    /// ```text
     /// 1: to the tolerance, or as far as rounding allows
-    /// ```
     pub converged: i32,
-    /// ```text
     /// of the map that was given; of the result, not more
-    /// ```
     pub energy_before: f64,
-    /// ```text
     /// of the map that was given; of the result, not more
-    /// ```
     pub energy: f64,
-    /// ```text
     /// of the energy with its gradient
-    /// ```
     pub evaluations: u64,
-    /// ```text
     /// planes of faces, along all three axes
-    /// ```
     pub layers: usize,
-    /// ```text
     /// rectangles between neighbouring layers, each evaluated at once
-    /// ```
     pub cells: usize,
-    /// ```text
     /// triangles across layers, each evaluated for itself
-    /// ```
     pub crossing: usize,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub angle_mean: f64,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub area_mean: f64,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub angle_weighted_mean: f64,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub area_weighted_mean: f64,
 }
 
-/// ```text
-/// Fill with _init.
-/// ```
+/// Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_corner_options {
     pub struct_size: u32,
-    /// ```text
-    /// OBC_POLYCUBE_TRUST_REGION or OBC_POLYCUBE_GRADIENT. Default OBC_POLYCUBE_TRUST_REGION
-    /// ```
+    /// OBC\_POLYCUBE\_TRUST\_REGION or OBC\_POLYCUBE\_GRADIENT. Default OBC\_POLYCUBE\_TRUST\_REGION
     pub method: i32,
-    /// ```text
     /// of areas beside angles, not negative. Default 1
-    /// ```
     pub area_weight: f64,
-    /// ```text
     /// 1: the best proportions in turn (the dissertation's Algorithm 3); 0: the polycube stays. Default 0
-    /// ```
     pub domain: i32,
-    /// ```text
     /// at most, 1 or more. Default 6
-    /// ```
     pub rounds: i32,
 }
 
-/// ```text
-/// What was found. Fill struct_size. Energies are means over the surface of angle + area_weight * area, as in the domain report.
-/// ```
+/// What was found. Fill struct\_size. Energies are means over the surface of angle + area\_weight \* area, as in the domain report.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_corner_report {
     pub struct_size: u32,
-    /// ```text
     /// 1: another round gains next to nothing; 0: the rounds were used up
-    /// ```
     pub converged: i32,
-    /// ```text
     /// of the map that was given; of the result, not more
-    /// ```
     pub energy_before: f64,
-    /// ```text
     /// of the map that was given; of the result, not more
-    /// ```
     pub energy: f64,
-    /// ```text
     /// of a corner's surroundings, each time solved for the least distortion
-    /// ```
     pub evaluations: u64,
-    /// ```text
     /// the same in maps: triangles that were solved, over those of the map
-    /// ```
     pub map_evaluations: f64,
-    /// ```text
     /// of corners, over all rounds; corners with room to move, in the first round
-    /// ```
     pub moves: usize,
-    /// ```text
     /// of corners, over all rounds; corners with room to move, in the first round
-    /// ```
     pub movable: usize,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub angle_mean: f64,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub area_mean: f64,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub angle_weighted_mean: f64,
-    /// ```text
     /// over triangles; over the surface
-    /// ```
     pub area_weighted_mean: f64,
 }
 
-/// ```text
-/// Places of corners, for obc_polycube_compute_on: corner i is vertex corners[i] of the polycube; it is to be at vertex
-/// vertices[i] of the surface or, where that is UINT32_MAX or vertices is NULL, at the point of the surface that is nearest to
-/// points[3 i], [3 i + 1], [3 i + 2].
-/// ```
+/// Places of corners, for obc\_polycube\_compute\_on: corner i is vertex corners\[i\] of the polycube; it is to be at vertex
+/// vertices\[i\] of the surface or, where that is UINT32\_MAX or vertices is NULL, at the point of the surface that is nearest to
+/// points\[3 i\], \[3 i + 1\], \[3 i + 2\].
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_places {
     pub corners: *const u32,
-    /// ```text
     /// or NULL
-    /// ```
     pub vertices: *const u32,
-    /// ```text
     /// or NULL, when all have vertices
-    /// ```
     pub points: *const f64,
     pub count: usize,
 }
 
-/// ```text
-/// How fine. Fill with _init.
-/// ```
+/// How fine. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_polycube_quads_options {
     pub struct_size: u32,
-    /// ```text
     /// about so many; each rectangle between neighbouring planes of patches has one at least. Default 10000
-    /// ```
     pub quads: usize,
-    /// ```text
     /// of cells on the polycube, rather than their number, unless it is 0. Default 0
-    /// ```
     pub edge_length: f64,
 }
 
 extern "C" {
-    /// ```text
-    /// Certifies a map made elsewhere: `surface` in space, `polycube` where its vertices are to be on the polycube (x y z a vertex of
+    /// Certifies a map made elsewhere: \`surface\` in space, \`polycube\` where its vertices are to be on the polycube (x y z a vertex of
     /// the surface). The handle holds a copy. certificate may be NULL; it is filled whether the map is valid or not.
-    /// host may be NULL; its allocator must stay valid until _destroy.
+    /// host may be NULL; its allocator must stay valid until \_destroy.
     /// Errors: invalid argument (an index out of range, a position that is not finite), no valid result (the message is the reason),
     /// out of memory, cancelled. O(n log n) unless the boxes of many triangles overlap.
-    /// ```
     pub fn obc_polycube_create(surface: *const obc_surface, polycube: *const f64, host: *const obc_host, certificate: *mut obc_polycube_certificate, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// ```text
     /// The defaults, which the members' comments give.
-    /// ```
     pub fn obc_polycube_options_init(options: *mut obc_polycube_options, struct_size: usize) -> i32;
-    /// ```text
     /// Finds a polycube of a closed surface of any genus, and a map to it. Edges are split where that is needed; the vertices of
     /// the surface come first. The polycube has about the size of the surface. What is tried depends on the surface and the options
     /// alone, never on time.
-    /// options and host may be NULL; the host's allocator must stay valid until _destroy. Memory for systems of linear equations is
+    /// options and host may be NULL; the host's allocator must stay valid until \_destroy. Memory for systems of linear equations is
     /// not the host's. Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no
     /// triangles); no valid result with what became of each attempt; out of memory, cancelled.
-    /// ```
     pub fn obc_polycube_compute(surface: *const obc_surface, options: *const obc_polycube_options, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// ```text
     /// The defaults, which the members' comments give.
-    /// ```
     pub fn obc_polycube_domain_options_init(options: *mut obc_polycube_domain_options, struct_size: usize) -> i32;
-    /// ```text
     /// The polycube with the best proportions: distances between the planes of its faces that minimise the map's distortion, vertices
     /// going with the planes beside them (the dissertation's section 4.3, by a projected gradient method over the logarithms of the
-    /// distances). Combinatorics, order of the planes and total area stay. The result is certified again; it is a copy of `map` to
+    /// distances). Combinatorics, order of the planes and total area stay. The result is certified again; it is a copy of \`map\` to
     /// the bit when nothing better is found.
-    /// options, host and report may be NULL; the host's allocator must stay valid until _destroy of *out. `map` stays as it is.
+    /// options, host and report may be NULL; the host's allocator must stay valid until \_destroy of \*out. \`map\` stays as it is.
     /// Errors: invalid argument, out of memory, cancelled. O(n log n), mostly for certifying.
-    /// ```
     pub fn obc_polycube_optimize_domain(map: *const obc_polycube, options: *const obc_polycube_domain_options, host: *const obc_host, report: *mut obc_polycube_domain_report, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// ```text
     /// The defaults, which the members' comments give.
-    /// ```
     pub fn obc_polycube_corner_options_init(options: *mut obc_polycube_corner_options, struct_size: usize) -> i32;
-    /// ```text
     /// A less distorted map to the same polycube: what of the surface goes to its corners moves, in the map's own unfolding around
     /// each, and with it the polycube's edges on the surface and all between (the dissertation's section 4.4). Edges of triangles
-    /// are split where the polycube's are drawn; added vertices that serve none any more may go. Certified again; a copy of `map`
+    /// are split where the polycube's are drawn; added vertices that serve none any more may go. Certified again; a copy of \`map\`
     /// to the bit when nothing better is found. options, host and report may be NULL; the host's allocator must stay valid until
-    /// _destroy of *out. Memory for linear systems is not the host's. Errors: invalid argument, out of memory, cancelled.
-    /// ```
+    /// \_destroy of \*out. Memory for linear systems is not the host's. Errors: invalid argument, out of memory, cancelled.
     pub fn obc_polycube_optimize_corners(map: *const obc_polycube, options: *const obc_polycube_corner_options, host: *const obc_host, report: *mut obc_polycube_corner_report, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// ```text
     /// The energies of the optimisation that a map comes from: before it, then after each iteration; they never rise. The number of
     /// them, 0 for NULL and for maps that come from none.
-    /// ```
     pub fn obc_polycube_energy_count(map: *const obc_polycube) -> usize;
-    /// ```text
     /// Copies them to the caller's array, which may be NULL. Errors: invalid argument.
-    /// ```
     pub fn obc_polycube_copy_energies(map: *const obc_polycube, energies: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
     /// Releases a map; NULL is fine.
-    /// ```
     pub fn obc_polycube_destroy(map: *mut obc_polycube);
-    /// ```text
     /// Numbers of a map; 0 for NULL. Vertices: those of the surface, then those added.
-    /// ```
     pub fn obc_polycube_vertex_count(map: *const obc_polycube) -> usize;
-    /// ```text
     /// Numbers of a map; 0 for NULL. Vertices: those of the surface, then those added.
-    /// ```
     pub fn obc_polycube_triangle_count(map: *const obc_polycube) -> usize;
-    /// ```text
     /// Numbers of a map; 0 for NULL. Vertices: those of the surface, then those added.
-    /// ```
     pub fn obc_polycube_corner_count(map: *const obc_polycube) -> usize;
-    /// ```text
     /// Numbers of a map; 0 for NULL. Vertices: those of the surface, then those added.
-    /// ```
     pub fn obc_polycube_patch_count(map: *const obc_polycube) -> usize;
-    /// ```text
-    /// What found the map: OBC_POLYCUBE_LABELS or OBC_POLYCUBE_VOXELS; -1 for a map made elsewhere, and for NULL.
-    /// ```
+    /// What found the map: OBC\_POLYCUBE\_LABELS or OBC\_POLYCUBE\_VOXELS; -1 for a map made elsewhere, and for NULL.
     pub fn obc_polycube_construction(map: *const obc_polycube) -> i32;
-    /// ```text
     /// Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices come
     /// first, to the bit and in its order), polycube positions (x y z a vertex), triangles (three vertices each). Errors: invalid
     /// argument.
-    /// ```
     pub fn obc_polycube_copy(map: *const obc_polycube, positions: *mut f64, polycube: *mut f64, triangles: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x,
     /// +y, -y, +z, -z), the number of its face of the polycube, and the surface's triangle that it lies in. Errors: invalid
     /// argument.
-    /// ```
     pub fn obc_polycube_copy_triangles(map: *const obc_polycube, labels: *mut u8, patches: *mut u32, sources: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Copies where each vertex comes from, three entries a vertex, each array may be NULL: vertices of one triangle of the surface
-    /// (UINT32_MAX where fewer than three are needed) and their weights, which are positive (0 where not needed) and sum up to 1 but
+    /// (UINT32\_MAX where fewer than three are needed) and their weights, which are positive (0 where not needed) and sum up to 1 but
     /// for rounding. Errors: invalid argument.
-    /// ```
     pub fn obc_polycube_copy_sources(map: *const obc_polycube, corners: *mut u32, weights: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
     /// Maps a surface to a polycube that is given by its triangles, each in an axis-aligned plane. It is drawn on the surface, as
-    /// OBC_POLYCUBE_VOXELS does with its own: where it stands, its box stretched to that of the surface, or where the places say.
+    /// OBC\_POLYCUBE\_VOXELS does with its own: where it stands, its box stretched to that of the surface, or where the places say.
     /// The handle's polycube has the very coordinates of the one given. places and host may be NULL; the host's allocator must stay
-    /// valid until _destroy. Errors: those of obc_polycube_compute; invalid argument for places that do not exist or are given
+    /// valid until \_destroy. Errors: those of obc\_polycube\_compute; invalid argument for places that do not exist or are given
     /// twice; unsupported when the polycube is none, with the reason; wrong genus when the surface has another.
-    /// ```
     pub fn obc_polycube_compute_on(surface: *const obc_surface, polycube: *const obc_surface, places: *const obc_polycube_places, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// ```text
     /// One polycube for several shapes of one genus and kind (the dissertation's section 4.5): the polycube of each is drawn
     /// on all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps
     /// between shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube,
-    /// domain for the energy; both and host may be NULL. out is an array of `count` handles, in the order of the surfaces, all NULL
-    /// after an error; made_for may be NULL or gets the number of the shape that the polycube was made for. obc_polycube_copy_energies
-    /// of each handle gives the sums, which never rise. Errors: those of obc_polycube_compute, and wrong genus.
-    /// ```
+    /// domain for the energy; both and host may be NULL. out is an array of \`count\` handles, in the order of the surfaces, all NULL
+    /// after an error; made\_for may be NULL or gets the number of the shape that the polycube was made for. obc\_polycube\_copy\_energies
+    /// of each handle gives the sums, which never rise. Errors: those of obc\_polycube\_compute, and wrong genus.
     pub fn obc_polycube_compute_common(surfaces: *const obc_surface, count: usize, options: *const obc_polycube_options, domain: *const obc_polycube_domain_options, host: *const obc_host, made_for: *mut usize, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// ```text
-    /// obc_polycube_optimize_domain for several maps to one and the same polycube: the proportions with the least sum of energies.
-    /// out is an array of `count` handles, all NULL after an error. Errors: invalid argument (among them maps to different
+    /// obc\_polycube\_optimize\_domain for several maps to one and the same polycube: the proportions with the least sum of energies.
+    /// out is an array of \`count\` handles, all NULL after an error. Errors: invalid argument (among them maps to different
     /// polycubes), out of memory, cancelled.
-    /// ```
     pub fn obc_polycube_optimize_common_domain(maps: *const *const obc_polycube, count: usize, options: *const obc_polycube_domain_options, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// ```text
-    /// host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument, out of memory, cancelled.
-    /// ```
+    /// host may be NULL; its allocator must stay valid until \_destroy. Errors: invalid argument, out of memory, cancelled.
     pub fn obc_polycube_graph_create(map: *const obc_polycube, host: *const obc_host, out: *mut *mut obc_polycube_graph, error: *mut obc_error) -> i32;
-    /// ```text
     /// Releases a graph; NULL is fine.
-    /// ```
     pub fn obc_polycube_graph_destroy(graph: *mut obc_polycube_graph);
-    /// ```text
     /// Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
     /// from both ends.
-    /// ```
     pub fn obc_polycube_graph_corner_count(graph: *const obc_polycube_graph) -> usize;
-    /// ```text
     /// Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
     /// from both ends.
-    /// ```
     pub fn obc_polycube_graph_edge_count(graph: *const obc_polycube_graph) -> usize;
-    /// ```text
     /// Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
     /// from both ends.
-    /// ```
     pub fn obc_polycube_graph_patch_count(graph: *const obc_polycube_graph) -> usize;
-    /// ```text
     /// Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
     /// from both ends.
-    /// ```
     pub fn obc_polycube_graph_loop_count(graph: *const obc_polycube_graph) -> usize;
-    /// ```text
     /// Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
     /// from both ends.
-    /// ```
     pub fn obc_polycube_graph_link_count(graph: *const obc_polycube_graph) -> usize;
-    /// ```text
     /// Copies to the caller's arrays, each of which may be NULL, as in all these functions. Of each corner its position (x y z) and
     /// its vertex of the map. Errors: invalid argument.
-    /// ```
     pub fn obc_polycube_graph_copy_corners(graph: *const obc_polycube_graph, positions: *mut f64, vertices: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Of each edge: its two corners, the patches on the left and on the right of the way from the first to the second, seen from
     /// outside, and whether the solid has one right angle there (1, convex) or three (0, concave).
-    /// ```
     pub fn obc_polycube_graph_copy_edges(graph: *const obc_polycube_graph, corners: *mut u32, patches: *mut u32, convex: *mut u8, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Of each patch, which has the number that obc_polycube_copy_triangles gives: the direction it looks in (0 to 5 for +x, -x, +y,
+    /// Of each patch, which has the number that obc\_polycube\_copy\_triangles gives: the direction it looks in (0 to 5 for +x, -x, +y,
     /// -y, +z, -z), the coordinate of its plane, and where its loops begin among all loops: first the one around it, then those
-    /// around its holes; loop_starts has an entry more than there are patches.
-    /// ```
+    /// around its holes; loop\_starts has an entry more than there are patches.
     pub fn obc_polycube_graph_copy_patches(graph: *const obc_polycube_graph, labels: *mut u8, coordinates: *mut f64, loop_starts: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Of each loop where it begins among all darts, with an entry more than there are loops, and its darts, counter-clockwise around
     /// the patch: dart 2 e is edge e from its first corner to its second, dart 2 e + 1 the way back. Each dart is in one loop.
-    /// ```
     pub fn obc_polycube_graph_copy_loops(graph: *const obc_polycube_graph, starts: *mut u32, darts: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// The dual graph: where the neighbours of each patch begin, with an entry more than there are patches, and the patches that
     /// share an edge with it, ascending.
-    /// ```
     pub fn obc_polycube_graph_copy_dual(graph: *const obc_polycube_graph, starts: *mut u32, neighbours: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// The defaults, which the members' comments give.
-    /// ```
     pub fn obc_polycube_quads_options_init(options: *mut obc_polycube_quads_options, struct_size: usize) -> i32;
-    /// ```text
     /// Makes the grid, with integer numbers of cells between neighbouring planes, and takes its vertices to the surface, each
     /// in the triangle that has it by exact arithmetic. Depends on the polycube alone, but for positions: maps to one polycube give
-    /// the same quads. options and host may be NULL; the host's allocator must stay valid until _destroy. Errors: invalid argument
+    /// the same quads. options and host may be NULL; the host's allocator must stay valid until \_destroy. Errors: invalid argument
     /// (among them more than 10^8 quads), out of memory, cancelled.
-    /// ```
     pub fn obc_polycube_quads_create(map: *const obc_polycube, options: *const obc_polycube_quads_options, host: *const obc_host, out: *mut *mut obc_polycube_quads, error: *mut obc_error) -> i32;
-    /// ```text
     /// Releases quads; NULL is fine.
-    /// ```
     pub fn obc_polycube_quads_destroy(quads: *mut obc_polycube_quads);
-    /// ```text
     /// Numbers; 0 for NULL.
-    /// ```
     pub fn obc_polycube_quads_vertex_count(quads: *const obc_polycube_quads) -> usize;
-    /// ```text
     /// Numbers; 0 for NULL.
-    /// ```
     pub fn obc_polycube_quads_quad_count(quads: *const obc_polycube_quads) -> usize;
-    /// ```text
     /// Copies to the caller's arrays, each of which may be NULL: of each vertex its position on the surface and on the polycube (x y
     /// z), of each quad its four vertices, counter-clockwise seen from outside, and its patch. Errors: invalid argument.
-    /// ```
     pub fn obc_polycube_quads_copy(quads: *const obc_polycube_quads, positions: *mut f64, polycube: *mut f64, corners: *mut u32, patches: *mut u32, error: *mut obc_error) -> i32;
-    /// ```text
     /// Of each vertex the triangle of the map that it is in and its weights at the three corners, none negative, with the sum 1.
-    /// ```
     pub fn obc_polycube_quads_copy_sources(quads: *const obc_polycube_quads, triangles: *mut u32, weights: *mut f64, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Version of this library, major * 10000 + minor * 100 + patch.
-    /// ```
+    /// Version of this library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_polycube_version() -> u32;
 }
 
