@@ -121,13 +121,13 @@ pub struct obc_frame_field_report {
     /// above\_30: inner faces with a greater symmetric angle
     pub above_30: u64,
     /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
-    /// several, for the best and for the worst of their faces.
+    /// several, for the best and for the worst of their faces (the best is not 0 where an axis lies between two normals).
     pub one_face_max: f64,
     /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
-    /// several, for the best and for the worst of their faces.
+    /// several, for the best and for the worst of their faces (the best is not 0 where an axis lies between two normals).
     pub several_best_max: f64,
     /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
-    /// several, for the best and for the worst of their faces.
+    /// several, for the best and for the worst of their faces (the best is not 0 where an axis lies between two normals).
     pub several_worst_max: f64,
     /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
     /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through

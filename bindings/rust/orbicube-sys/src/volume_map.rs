@@ -3,124 +3,80 @@
 
 use crate::base::{obc_error, obc_host};
 
-/// ```text
-/// A mesh to untangle: a view, kept by no function. Fill with _init, then set what there is. Coordinates are numbered
-/// 3 * vertex + axis.
-/// ```
+/// A mesh to untangle: a view, kept by no function. Fill with \_init, then set what there is. Coordinates are numbered
+/// 3 \* vertex + axis.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_tangle {
     pub struct_size: u32,
     pub reserved: i32,
-    /// ```text
     /// x y z a vertex: where they are
-    /// ```
     pub positions: *const f64,
     pub vertex_count: usize,
-    /// ```text
     /// four vertices each; those of negative volume are inverted
-    /// ```
     pub tetrahedra: *const u32,
     pub tetrahedron_count: usize,
-    /// ```text
     /// x y z a vertex, where each tetrahedron is positive and has the shape that it should have, of
-    ///                                  any size; NULL: all should be regular and of one size
-    /// ```
+    /// any size; NULL: all should be regular and of one size
     pub rest: *const f64,
-    /// ```text
     /// one a coordinate, not 0 where it stays as it is; NULL: all are free
-    /// ```
     pub fixed: *const u8,
-    /// ```text
-    /// one a coordinate: its group, a number below 3 * vertex_count, all of which are to be equal, or
-    ///                                  UINT32_MAX; NULL: none. A group with a fixed coordinate is fixed, any other starts at its mean
-    /// ```
+    /// one a coordinate: its group, a number below 3 \* vertex\_count, all of which are to be equal, or
+    /// UINT32\_MAX; NULL: none. A group with a fixed coordinate is fixed, any other starts at its mean
     pub ties: *const u32,
 }
 
-/// ```text
-/// Fill with _init.
-/// ```
+/// Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_untangle_options {
     pub struct_size: u32,
-    /// ```text
     /// of Newton's method at most, in each of three attempts, until no tetrahedron is inverted. Default 500
-    /// ```
     pub steps: i32,
-    /// ```text
     /// then at most so many that lower the distortion and keep all positive. Default 20
-    /// ```
     pub polish_steps: i32,
     pub reserved: i32,
-    /// ```text
     /// how much changes of volume count beside those of angles, above 0. Default 1
-    /// ```
     pub volume_weight: f64,
 }
 
-/// ```text
 /// Figures of a run. Determinants are those of the map from the wanted shapes, scaled so that 1 keeps the volume.
-/// ```
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_untangle_report {
     pub struct_size: u32,
-    /// ```text
-    /// UINT32_MAX when there is none
-    /// ```
+    /// UINT32\_MAX when there is none
     pub first_inverted: u32,
-    /// ```text
     /// tetrahedra that are not positive, by exact arithmetic
-    /// ```
     pub inverted_before: u64,
-    /// ```text
     /// tetrahedra that are not positive, by exact arithmetic
-    /// ```
     pub inverted: u64,
-    /// ```text
     /// taken
-    /// ```
     pub steps: u64,
-    /// ```text
     /// taken
-    /// ```
     pub polish_steps: u64,
     pub least_determinant: f64,
     pub greatest_determinant: f64,
-    /// ```text
-    /// mean of |J|^2 / D^(2/3) + volume_weight (1 + D^2) / D; 5 at least with weight 1
-    /// ```
+    /// mean of |J|^2 / D^(2/3) + volume\_weight (1 + D^2) / D; 5 at least with weight 1
     pub energy: f64,
 }
 
 extern "C" {
-    /// ```text
     /// A mesh of nothing; the defaults, which the members' comments give; zeros.
-    /// ```
     pub fn obc_volume_map_tangle_init(tangle: *mut obc_volume_map_tangle, struct_size: usize) -> i32;
-    /// ```text
     /// A mesh of nothing; the defaults, which the members' comments give; zeros.
-    /// ```
     pub fn obc_volume_map_untangle_options_init(options: *mut obc_volume_map_untangle_options, struct_size: usize) -> i32;
-    /// ```text
     /// A mesh of nothing; the defaults, which the members' comments give; zeros.
-    /// ```
     pub fn obc_volume_map_untangle_report_init(report: *mut obc_volume_map_untangle_report, struct_size: usize) -> i32;
-    /// ```text
     /// Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
     /// same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
-    /// tangle->positions. About 500 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
+    /// tangle-\>positions. About 500 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
     /// Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
     /// all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
     /// malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
     /// rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled.
-    /// ```
     pub fn obc_volume_map_untangle(tangle: *const obc_volume_map_tangle, options: *const obc_volume_map_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_volume_map_untangle_report, error: *mut obc_error) -> i32;
-    /// ```text
-    /// Version of this library, major * 10000 + minor * 100 + patch.
-    /// ```
+    /// Version of this library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_volume_map_version() -> u32;
 }
 
