@@ -9,6 +9,20 @@ NUMBERS = {"char": "c_char", "int8_t": "i8", "uint8_t": "u8", "int16_t": "i16", 
            "void": "c_void"}
 KEYWORDS = {"type", "box", "fn", "in", "loop", "match", "mod", "move", "ref", "self", "static", "use", "where", "yield"}
 FOLDER = "bindings/rust/orbicube-sys/src/"
+NOT_DEFAULT = {"tetrahedra"}  # TetGen's licence, the AGPL 3, binds programs that use it
+MANIFEST = """# Written by scripts/bindings.py; not to be edited.
+[package]
+name = "orbicube-sys"
+version = "0.1.0"
+edition = "2021"
+rust-version = "1.63"
+description = "The C functions of the Orbicube libraries: maps of surfaces to spheres and polycubes, frame fields, solvers"
+license = "Apache-2.0"
+readme = "README.md"
+links = "orbicube"
+build = "build.rs"
+include = ["/src", "/build.rs", "/README.md"]
+"""
 
 
 def safe(name):
@@ -101,5 +115,24 @@ def layout_tests(api, library):
             "    #[test]\n    fn structs_lie_in_memory_as_in_c() {\n" + rows + "    }\n}\n")
 
 
+def root(api):
+    modules = "".join(("" if name == "base" else f'#[cfg(feature = "{name}")]\n') + f"pub mod {name};\n" for name in api.libraries)
+    return ("//! The C functions of the Orbicube libraries as they are, a module and a cargo feature a library, written from the C\n"
+            "//! headers by scripts/bindings.py. The documentation is that of the headers. People use the crate `orbicube`.\n\n" + modules)
+
+
+def manifest(api):
+    """A feature a library; those whose licences bind programs that use them are not among the default ones."""
+    features = {name: [used for used in library["uses"] if used != "base"]
+                for name, library in api.libraries.items() if name != "base"}
+    default = ", ".join(f'"{name}"' for name in features if name not in NOT_DEFAULT)
+    rows = "".join(f"{name} = [{', '.join(repr(used) for used in uses)}]\n".replace("'", '"')
+                   for name, uses in features.items())
+    return MANIFEST + f"\n[features]\ndefault = [{default}]\n{rows}"
+
+
 def files(api):
-    return {FOLDER + name + ".rs": module(api, name) for name in api.libraries}
+    result = {FOLDER + name + ".rs": module(api, name) for name in api.libraries}
+    result[FOLDER + "lib.rs"] = root(api)
+    result["bindings/rust/orbicube-sys/Cargo.toml"] = manifest(api)
+    return result

@@ -1,0 +1,170 @@
+//! Bijective, low-distortion maps of closed genus-0 surfaces to the unit sphere, and what they are for.
+//!
+//! ```
+//! use orbicube::{mesh::Mesh, sphere_map, Host};
+//! let shape = Mesh::make("creature", 500, 0, &mut Host::new())?;
+//! let (directions, report) = sphere_map::compute(shape.surface(), &Default::default(), &mut Host::new())?;
+//! assert_eq!(report.bijective, 1);
+//! let locator = sphere_map::Locator::new(shape.surface(), &directions, &mut Host::new())?;
+//! let places = locator.locate(&[[0.0, 0.0, 1.0]], &mut Host::new())?;
+//! # let _ = places;
+//! # Ok::<(), orbicube::Error>(())
+//! ```
+
+use crate::call::{call, checked, expect_length, rows, Error, Host};
+use crate::mesh::{Mesh, Surface};
+use crate::sys::sphere_map::*;
+
+filled!(/// Options, with their defaults.
+    Options, obc_sphere_map_options, obc_sphere_map_options_init);
+filled!(/// Figures of a map.
+    Report, obc_sphere_map_report, obc_sphere_map_report_init);
+filled!(/// Distances between two surfaces.
+    Distance, obc_sphere_map_distance, obc_sphere_map_distance_init);
+
+/// Unit vectors, x y z a vertex, and the figures of the map.
+pub fn compute(surface: Surface, options: &Options, host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
+    let mut directions = vec![0.0; 3 * surface.vertex_count()];
+    let mut report = Report::default();
+    call(host, |host, error| unsafe {
+        obc_sphere_map_compute(&surface.c, &options.0, host, directions.as_mut_ptr(), &mut report.0, error)
+    })?;
+    Ok((directions, report))
+}
+
+/// Figures of any map; a bad one is no error.
+pub fn measure(surface: Surface, directions: &[f64], options: &Options, host: &mut Host) -> Result<Report, Error> {
+    expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
+    let mut report = Report::default();
+    call(host, |host, error| unsafe {
+        obc_sphere_map_measure(&surface.c, directions.as_ptr(), &options.0, host, &mut report.0, error)
+    })?;
+    Ok(report)
+}
+
+/// Dilatation and area ratio of each triangle.
+pub fn face_distortion(surface: Surface, directions: &[f64], host: &mut Host) -> Result<(Vec<f64>, Vec<f64>), Error> {
+    expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
+    let (mut dilatation, mut ratio) = (vec![0.0; surface.triangle_count()], vec![0.0; surface.triangle_count()]);
+    call(host, |host, error| unsafe {
+        obc_sphere_map_face_distortion(&surface.c, directions.as_ptr(), host, dilatation.as_mut_ptr(), ratio.as_mut_ptr(), error)
+    })?;
+    Ok((dilatation, ratio))
+}
+
+/// The map in 32-bit floats, repaired where rounding turns triangles over.
+pub fn round_to_float(surface: Surface, directions: &[f64], host: &mut Host) -> Result<Vec<f32>, Error> {
+    expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
+    let mut rounded = vec![0.0; directions.len()];
+    call(host, |host, error| unsafe {
+        obc_sphere_map_round_to_float(&surface.c, directions.as_ptr(), host, rounded.as_mut_ptr(), error)
+    })?;
+    Ok(rounded)
+}
+
+pub fn vertex_normals(surface: Surface, host: &mut Host) -> Result<Vec<f64>, Error> {
+    let mut normals = vec![0.0; 3 * surface.vertex_count()];
+    call(host, |host, error| unsafe { obc_sphere_map_vertex_normals(&surface.c, host, normals.as_mut_ptr(), error) })?;
+    Ok(normals)
+}
+
+/// A regular triangulation of the sphere: `OBC_SPHERE_MAP_ICOSPHERE`, ...
+pub fn grid(grid: i32, resolution: usize, host: &mut Host) -> Result<Mesh, Error> {
+    Mesh::made(host, |host, out, error| unsafe { obc_sphere_map_grid(grid, resolution, host, out, error) })
+}
+
+/// Distances from points of one surface to the other, and back.
+pub fn surface_distance(first: Surface, second: Surface, host: &mut Host) -> Result<Distance, Error> {
+    let mut distance = Distance::default();
+    call(host, |host, error| unsafe {
+        obc_sphere_map_surface_distance(&first.c, &second.c, host, &mut distance.0, error)
+    })?;
+    Ok(distance)
+}
+
+handle!(Handle, obc_sphere_map_locator, obc_sphere_map_locator_destroy);
+
+/// The inverse of a map: which triangle a direction lies in.
+pub struct Locator {
+    handle: Handle,
+    vertex_count: usize,
+}
+
+// Used by any number of threads at once, as the header says.
+unsafe impl Send for Locator {}
+unsafe impl Sync for Locator {}
+
+impl Locator {
+    pub fn new(surface: Surface, directions: &[f64], host: &mut Host) -> Result<Locator, Error> {
+        expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
+        let mut out = std::ptr::null_mut();
+        call(host, |host, error| unsafe {
+            obc_sphere_map_locator_create(&surface.c, directions.as_ptr(), host, &mut out, error)
+        })?;
+        Ok(Locator { handle: Handle::own(out), vertex_count: surface.vertex_count() })
+    }
+    /// The triangle of each direction, and its weights at the corners.
+    pub fn locate(&self, directions: &[[f64; 3]], host: &mut Host) -> Result<Vec<(u32, [f64; 3])>, Error> {
+        let n = directions.len();
+        let (mut triangles, mut weights) = (vec![0; n], vec![[0.0; 3]; n]);
+        call(host, |host, error| unsafe {
+            obc_sphere_map_locate(self.handle.as_ptr(), directions.as_ptr() as *const f64, n, host, triangles.as_mut_ptr(),
+                                  weights.as_mut_ptr() as *mut f64, error)
+        })?;
+        Ok(triangles.into_iter().zip(weights).collect())
+    }
+    /// Values of the vertices, interpolated where each direction lies; `unit` scales each result to length 1.
+    pub fn sample(&self, directions: &[[f64; 3]], values: &[f64], unit: bool, host: &mut Host) -> Result<Vec<f64>, Error> {
+        let components = rows(values.len(), self.vertex_count, "values")?;
+        let mut sampled = vec![0.0; components * directions.len()];
+        call(host, |host, error| unsafe {
+            obc_sphere_map_sample(self.handle.as_ptr(), directions.as_ptr() as *const f64, directions.len(), values.as_ptr(),
+                                  components, i32::from(unit), host, sampled.as_mut_ptr(), error)
+        })?;
+        Ok(sampled)
+    }
+    /// The surface on a regular triangulation.
+    pub fn remesh(&self, positions: &[f64], grid: i32, resolution: usize, host: &mut Host) -> Result<Mesh, Error> {
+        expect_length(positions.len(), 3 * self.vertex_count, "positions")?;
+        Mesh::made(host, |host, out, error| unsafe {
+            obc_sphere_map_remesh(self.handle.as_ptr(), positions.as_ptr(), grid, resolution, host, out, error)
+        })
+    }
+}
+
+/// The matrix, by rows, that takes directions nearest to others.
+pub fn best_rotation(from: &[[f64; 3]], to: &[[f64; 3]]) -> Result<[f64; 9], Error> {
+    expect_length(to.len(), from.len(), "to")?;
+    let mut rotation = [0.0; 9];
+    checked(|error| unsafe {
+        obc_sphere_map_best_rotation(from.as_ptr() as *const f64, to.as_ptr() as *const f64, from.len(), rotation.as_mut_ptr(),
+                                     error)
+    })?;
+    Ok(rotation)
+}
+
+handle!(/// A smooth bijection of the sphere that carries landmarks onto landmarks.
+    Warp, obc_sphere_map_warp, obc_sphere_map_warp_destroy);
+// Used by any number of threads at once, as the header says.
+unsafe impl Send for Warp {}
+unsafe impl Sync for Warp {}
+
+impl Warp {
+    pub fn new(from: &[[f64; 3]], to: &[[f64; 3]], host: &mut Host) -> Result<Warp, Error> {
+        expect_length(to.len(), from.len(), "to")?;
+        let mut out = std::ptr::null_mut();
+        call(host, |host, error| unsafe {
+            obc_sphere_map_warp_create(from.as_ptr() as *const f64, to.as_ptr() as *const f64, from.len(), host, &mut out, error)
+        })?;
+        Ok(Warp::own(out))
+    }
+    /// Where each direction goes, or comes from.
+    pub fn apply(&self, directions: &[[f64; 3]], backward: bool, host: &mut Host) -> Result<Vec<[f64; 3]>, Error> {
+        let mut moved = vec![[0.0; 3]; directions.len()];
+        call(host, |host, error| unsafe {
+            obc_sphere_map_warp_apply(self.as_ptr(), directions.as_ptr() as *const f64, directions.len(), i32::from(backward),
+                                      host, moved.as_mut_ptr() as *mut f64, error)
+        })?;
+        Ok(moved)
+    }
+}

@@ -1,0 +1,203 @@
+//! Minimises f over products of unit spheres: directions, quaternions, unit eigenvectors.
+//!
+//! ```
+//! let mut x = [1.0, 0.0, 0.0];
+//! let report = orbicube::sphere_optimizer::minimize(
+//!     |x: &[f64], gradient: &mut [f64]| {
+//!         gradient.copy_from_slice(&[0.0, 0.0, 1.0]);
+//!         x[2]
+//!     },
+//!     &mut x, 3, &Default::default(),
+//! )?;
+//! assert!((report.value + 1.0).abs() < 1e-12);
+//! # Ok::<(), orbicube::Error>(())
+//! ```
+
+use std::os::raw::c_void;
+use std::slice;
+
+use crate::call::{checked, expect_length, pointer, rows, text, Caught, Error, Evaluation};
+use crate::sys::sphere_optimizer::*;
+
+filled!(/// Options, with their defaults.
+    Options, obc_sphere_optimizer_options, obc_sphere_optimizer_options_init);
+sized!(/// How a run ended, with all figures.
+    Report, obc_sphere_optimizer_result);
+filled!(/// Options of [`relax`], with their defaults.
+    RelaxationOptions, obc_sphere_optimizer_relaxation_options, obc_sphere_optimizer_relaxation_options_init);
+sized!(/// How a relaxation ended.
+    RelaxationReport, obc_sphere_optimizer_relaxation_result);
+
+impl Report {
+    pub fn converged(&self) -> bool {
+        self.stop == OBC_SPHERE_OPTIMIZER_CONVERGED
+    }
+    /// Why the run ended, such as "converged".
+    pub fn stop_name(&self) -> String {
+        text(unsafe { obc_sphere_optimizer_stop_name(self.stop) })
+    }
+}
+
+struct Function<F> {
+    f: F,
+    dimension: usize,
+    length: usize,
+    caught: Caught,
+}
+
+unsafe extern "C" fn all<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E>(
+    x: *const f64, count: usize, dimension: usize, value: *mut f64, gradient: *mut f64, user: *mut c_void,
+) -> i32 {
+    let Function { f, caught, .. } = &mut *(user as *mut Function<F>);
+    let n = count * dimension;
+    caught.guard(|| f(slice::from_raw_parts(x, n), slice::from_raw_parts_mut(gradient, n)).into().code(&mut *value))
+}
+
+/// The least value of `f` that is found from `x`: blocks of `dimension` numbers. `f` fills the gradient and answers the value,
+/// or an [`Evaluation`].
+pub fn minimize<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E>(
+    f: F, x: &mut [f64], dimension: usize, options: &Options,
+) -> Result<Report, Error> {
+    let count = rows(x.len(), dimension, "x")?;
+    let mut function = Function { f, dimension, length: x.len(), caught: Caught::default() };
+    let mut report = Report::default();
+    let result = checked(|error| unsafe {
+        obc_sphere_optimizer_minimize(count, dimension, &options.0, Some(all::<E, F>),
+                                      &mut function as *mut Function<F> as *mut c_void, x.as_mut_ptr(), &mut report.0,
+                                      std::ptr::null(), error)
+    });
+    function.caught.resume();
+    result.map(|_| report)
+}
+
+/// What a block's part of f is asked for.
+pub struct Part<'a> {
+    pub block: usize,
+    /// Where the block would be.
+    pub place: &'a [f64],
+    /// Where all blocks are.
+    pub points: &'a [f64],
+    /// To be filled, where it is asked for: the gradient with respect to the block.
+    pub gradient: Option<&'a mut [f64]>,
+    /// Likewise second derivatives, by rows; only with `second_order`.
+    pub hessian: Option<&'a mut [f64]>,
+}
+
+unsafe extern "C" fn one<E: Into<Evaluation>, F: FnMut(Part<'_>) -> E>(
+    block: usize, place: *const f64, points: *const f64, value: *mut f64, gradient: *mut f64, hessian: *mut f64,
+    user: *mut c_void,
+) -> i32 {
+    let Function { f, dimension, length, caught } = &mut *(user as *mut Function<F>);
+    let d = *dimension;
+    caught.guard(|| {
+        let part = Part {
+            block,
+            place: slice::from_raw_parts(place, d),
+            points: slice::from_raw_parts(points, *length),
+            gradient: if gradient.is_null() { None } else { Some(slice::from_raw_parts_mut(gradient, d)) },
+            hessian: if hessian.is_null() { None } else { Some(slice::from_raw_parts_mut(hessian, d * d)) },
+        };
+        f(part).into().code(&mut *value)
+    })
+}
+
+/// Lowers f block by block; `neighbours[i]` are the blocks whose part of f contains block i.
+pub fn relax<E: Into<Evaluation>, F: FnMut(Part<'_>) -> E>(
+    f: F, x: &mut [f64], dimension: usize, neighbours: &[Vec<u32>], options: &RelaxationOptions,
+) -> Result<RelaxationReport, Error> {
+    expect_length(x.len(), neighbours.len() * dimension, "x")?;
+    let mut start = vec![0];
+    let mut flat = vec![];
+    for row in neighbours {
+        flat.extend_from_slice(row);
+        start.push(flat.len());
+    }
+    let mut blocks: obc_sphere_optimizer_blocks = unsafe { std::mem::zeroed() };
+    unsafe { obc_sphere_optimizer_blocks_init(&mut blocks, std::mem::size_of::<obc_sphere_optimizer_blocks>()) };
+    blocks.dimension = u32::try_from(dimension).map_err(|_| Error::invalid("dimension"))?;
+    blocks.count = neighbours.len();
+    blocks.neighbour_start = start.as_ptr();
+    blocks.neighbour = pointer(&flat);
+    let mut function = Function { f, dimension, length: x.len(), caught: Caught::default() };
+    let mut report = RelaxationReport::default();
+    let result = checked(|error| unsafe {
+        obc_sphere_optimizer_relax(&blocks, &options.0, Some(one::<E, F>), &mut function as *mut Function<F> as *mut c_void,
+                                   x.as_mut_ptr(), &mut report.0, std::ptr::null(), error)
+    });
+    function.caught.resume();
+    result.map(|_| report)
+}
+
+handle!(Handle, obc_sphere_optimizer, obc_sphere_optimizer_destroy);
+
+/// A run by questions and answers: `while let Some(x) = solver.ask()? { ... solver.tell(value, &gradient)?; }`
+pub struct Solver {
+    handle: Handle,
+    n: usize,
+}
+
+// As of trust_region.
+unsafe impl Send for Solver {}
+
+impl Solver {
+    pub fn new(x0: &[f64], dimension: usize, options: &Options) -> Result<Solver, Error> {
+        let count = rows(x0.len(), dimension, "x0")?;
+        let mut out = std::ptr::null_mut();
+        checked(|error| unsafe {
+            obc_sphere_optimizer_create(count, dimension, &options.0, x0.as_ptr(), std::ptr::null(), &mut out, error)
+        })?;
+        Ok(Solver { handle: Handle::own(out), n: x0.len() })
+    }
+    /// Goes on with a run that was saved.
+    pub fn load(bytes: &[u8]) -> Result<Solver, Error> {
+        let mut out = std::ptr::null_mut();
+        checked(|error| unsafe {
+            obc_sphere_optimizer_load(bytes.as_ptr() as *const c_void, bytes.len(), std::ptr::null(), &mut out, error)
+        })?;
+        let handle = Handle::own(out);
+        let (mut count, mut dimension) = (0, 0);
+        checked(|error| unsafe { obc_sphere_optimizer_get_shape(handle.as_ptr(), &mut count, &mut dimension, error) })?;
+        Ok(Solver { handle, n: count * dimension })
+    }
+    /// The point at which f and its gradient are wanted next; `None` when the run has ended.
+    pub fn ask(&mut self) -> Result<Option<&[f64]>, Error> {
+        let mut x = std::ptr::null();
+        loop {
+            match unsafe { obc_sphere_optimizer_step(self.handle.as_ptr(), &mut x) } {
+                OBC_SPHERE_OPTIMIZER_ITERATION => {}
+                OBC_SPHERE_OPTIMIZER_NEED_FG => return Ok(Some(unsafe { slice::from_raw_parts(x, self.n) })),
+                OBC_SPHERE_OPTIMIZER_DONE => return Ok(None),
+                status => return Err(Error { status, kind: "internal".into(), message: "step".into() }),
+            }
+        }
+    }
+    /// Value and gradient at the point asked about; what is not finite: there is none.
+    pub fn tell(&mut self, value: f64, gradient: &[f64]) -> Result<(), Error> {
+        expect_length(gradient.len(), self.n, "gradient")?;
+        checked(|error| unsafe { obc_sphere_optimizer_tell(self.handle.as_ptr(), value, gradient.as_ptr(), error) })
+    }
+    /// What is known now.
+    pub fn report(&self) -> Result<Report, Error> {
+        let mut report = Report::default();
+        checked(|error| unsafe {
+            obc_sphere_optimizer_get_result(self.handle.as_ptr(), &mut report.0, std::ptr::null_mut(), error)
+        })?;
+        Ok(report)
+    }
+    /// The lowest point so far, or the one that met the tolerance.
+    pub fn best(&self) -> Result<Vec<f64>, Error> {
+        let mut x = vec![0.0; self.n];
+        checked(|error| unsafe {
+            obc_sphere_optimizer_get_result(self.handle.as_ptr(), std::ptr::null_mut(), x.as_mut_ptr(), error)
+        })?;
+        Ok(x)
+    }
+    /// The run as bytes, from which [`Solver::load`] goes on to the same bits.
+    pub fn save(&self) -> Result<Vec<u8>, Error> {
+        let mut bytes = vec![0; unsafe { obc_sphere_optimizer_save_size(self.handle.as_ptr()) }];
+        checked(|error| unsafe {
+            obc_sphere_optimizer_save(self.handle.as_ptr(), bytes.as_mut_ptr() as *mut c_void, bytes.len(), error)
+        })?;
+        Ok(bytes)
+    }
+}

@@ -1,0 +1,42 @@
+//! Closed surfaces filled with tetrahedra by TetGen, whose licence, the AGPL 3, binds programs that use this feature.
+
+use crate::call::{call, checked, Error, Host};
+use crate::mesh::Surface;
+use crate::sys::tetrahedra::*;
+
+filled!(/// Options, with their defaults.
+    Options, obc_tetrahedra_options, obc_tetrahedra_options_init);
+
+/// Positions (the surface's first), tetrahedra, the boundary and where its triangles come from.
+#[derive(Clone, Debug, Default)]
+pub struct Solid {
+    pub positions: Vec<f64>,
+    pub tetrahedra: Vec<u32>,
+    pub boundary: Vec<u32>,
+    pub boundary_source: Vec<u32>,
+    pub parts: usize,
+    pub cavities: usize,
+}
+
+handle!(Handle, obc_tetrahedra, obc_tetrahedra_destroy);
+
+pub fn fill(surface: Surface, options: &Options, host: &mut Host) -> Result<Solid, Error> {
+    let mut out = std::ptr::null_mut();
+    call(host, |host, error| unsafe { obc_tetrahedra_fill(&surface.c, &options.0, host, &mut out, error) })?;
+    let handle = Handle::own(out);
+    let out = handle.as_ptr();
+    let mut solid = Solid::default();
+    unsafe {
+        solid.positions.resize(3 * obc_tetrahedra_vertex_count(out), 0.0);
+        solid.tetrahedra.resize(4 * obc_tetrahedra_count(out), 0);
+        solid.boundary.resize(3 * obc_tetrahedra_boundary_count(out), 0);
+        solid.boundary_source.resize(obc_tetrahedra_boundary_count(out), 0);
+        solid.parts = obc_tetrahedra_part_count(out);
+        solid.cavities = obc_tetrahedra_cavity_count(out);
+        checked(|error| {
+            obc_tetrahedra_copy(out, solid.positions.as_mut_ptr(), solid.tetrahedra.as_mut_ptr(), solid.boundary.as_mut_ptr(),
+                                solid.boundary_source.as_mut_ptr(), error)
+        })?;
+    }
+    Ok(solid)
+}
