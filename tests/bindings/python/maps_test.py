@@ -130,7 +130,8 @@ class Meshes(unittest.TestCase):
             mesh.orientation_3d([0, 0, math.nan], [1, 0, 0], [0, 1, 0], [0, 0, 1])
 
     def test_ten_million_vertices_pass_without_a_copy(self):
-        """In a process of its own, whose greatest size is known: with an array of 240 MB it grows by the 80 MB of the answer."""
+        """In a process of its own, whose greatest size is known: with an array of 240 MB it grows by the 80 MB of the answer,
+        which the library makes in its own memory first, and not by a copy of what it is given."""
         program = """if True:
             import resource, numpy as np
             from orbicube import mesh
@@ -141,7 +142,7 @@ class Meshes(unittest.TestCase):
             before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
             areas = harmonics.vertex_areas((positions, triangles))
             after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-            assert areas.nbytes == 80_000_000 and after - before < 120_000, (before, after)  # KiB
+            assert areas.nbytes == 80_000_000 and after - before < 200_000, (before, after)  # KiB; a copy: over 312_000
         """
         subprocess.run([sys.executable, "-c", program], check=True)
 
