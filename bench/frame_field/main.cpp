@@ -2,8 +2,9 @@
 //
 //   bench-frame-field targets FOLDER   the meshes of the table below that FOLDER has: default options against the best
 //                                      energy known, and the harmonic start alone for its time
-//   bench-frame-field fields FILE...   method seed and the default on each mesh: all figures, tab-separated, for
-//                                      tables.py
+//   bench-frame-field fields FILE...   the default and method seed on each mesh, the latter also with the default's
+//   frames
+//                                      at the boundary: all figures, tab-separated, for tables.py
 //   bench-frame-field scaling [FILE...]  iterations and time by size, on a ball made here and on meshes cut into eight
 //   bench-frame-field repairs FOLDER   on the meshes of the table: what is not meshable and E, before repairs and after
 //
@@ -15,7 +16,9 @@
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
 #include "bench/measuring.h"
@@ -130,17 +133,35 @@ void targets(const std::filesystem::path& folder) {
 
 // A line of figures for each mesh and method, and one of the parts of inner faces with an angle of at most 1, 2, ...
 // degrees. Columns: see FIELDS in tables.py.
+// The frames of a field at the boundary, to be held.
+std::vector<GivenFrame> boundary_frames(const mesh::Mesh& solid, const Field& field, const base::Host& host) {
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
+  std::vector<GivenFrame> frames;
+  for (Index t = 0; t < field.size(); ++t) {
+    bool outer = false;
+    for (Index k = 0; k < 4; ++k)
+      outer = outer || connectivity.on_boundary(4 * t + k);
+    if (outer) frames.push_back({t, field[t]});
+  }
+  return frames;
+}
+
 void fields(std::span<char* const> files) {
   const base::Host host = one_thread();
   for (const std::filesystem::path path : files) {
     const mesh::Mesh solid = mesh::read_mesh(path, {}, base::Host());
-    for (const bool seed : {true, false}) {
+    std::vector<GivenFrame> boundary;
+    for (const std::string_view what : {"default", "seed", "seed, boundary of default"}) {
       const double begin = cpu_seconds();
-      const Outcome outcome =
-          compute(solid.positions, solid.tetrahedra, {.method = seed ? Method::seed : Method::smooth}, {}, host);
+      const Outcome outcome = compute(
+          solid.positions, solid.tetrahedra, {.method = what == "default" ? Method::smooth : Method::seed},
+          {.frames = what.ends_with("default") ? std::span<const GivenFrame>(boundary) : std::span<const GivenFrame>(),
+           .axes = {}},
+          host);
       const double seconds = cpu_seconds() - begin;
+      if (what == "default") boundary = boundary_frames(solid, outcome.field, host);
       const Result r = analysed(solid, outcome.field, host);
-      const std::string name = path.stem().string() + (seed ? "\tseed" : "\tdefault");
+      const std::string name = path.stem().string() + "\t" + std::string(what);
       std::printf("field\t%s\t%zu\t%zu\t%.6g", name.c_str(), solid.tetrahedra.size(), r.figures.inner_faces,
                   r.figures.energy);
       for (const AngleStatistics& a : {r.figures.symmetric, r.figures.plain})
