@@ -7,16 +7,19 @@
 
 #include "any_genus_surface.h"
 #include "checked_file.h"
+#include "feature_file.h"
 #include "given_polycube_file.h"
 #include "mesh/file.h"
 #include "mesh/write.h"
 #include "polycube/construction.h"
 #include "polycube/drawn_construction.h"
+#include "polycube/features.h"
 #include "polycube/optimal_corners.h"
 #include "polycube/optimal_domain.h"
 #include "polycube_outputs.h"
 #include "shared_polycube.h"
 #include "surface_file.h"
+#include "text.h"
 #include "verbs.h"
 
 namespace orbicube::cli {
@@ -36,6 +39,8 @@ struct PolycubeOptions {
   std::string measure = "surface";
   std::string corner_search = "trust-region";
   double area_weight = 1;
+  std::string features;
+  double sharp_edges = 0;
   bool text = false;
   bool weld = false;
   PolycubeOutputs outputs;
@@ -195,6 +200,32 @@ base::Array<double> optimise_corners(const PolycubeOptions& options, polycube::C
   return std::move(found.energies);
 }
 
+// Points and curves in their places, and sharp edges on edges of the polycube.
+void meet_features(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+  const double start = session.seconds();
+  Features features;
+  if (!options.features.empty()) features = read_features(options.features, session.host());
+  polycube::FeatureFit found = about(options.features.empty() ? options.input : options.features, Role::input, [&] {
+    return polycube::meet_features(
+        made.map, {.points = features.points, .curves = features.curves, .sharp_angle = options.sharp_edges},
+        session.host());
+  });
+  session.figures()["features"] = {{"distortion_before", distortion_figures(made.distortion)},
+                                   {"points", features.points.size()},
+                                   {"curves", features.curves.size()},
+                                   {"distances_before", found.distances_before},
+                                   {"distances", found.distances},
+                                   {"sharp_length", found.sharp_length},
+                                   {"sharp_on_edges_before", found.sharp_before},
+                                   {"sharp_on_edges", found.sharp},
+                                   {"seconds", session.seconds() - start}};
+  if (found.sharp_length > 0)
+    session.say("  sharp edges on edges of the polycube: " + number(100 * found.sharp / found.sharp_length) +
+                " % of their length, before " + number(100 * found.sharp_before / found.sharp_length) + " %");
+  made.certificate = std::move(found.certificate);
+  made.distortion = found.distortion;
+}
+
 void polycube(const PolycubeOptions& options, Session& session) {
   require_writable(options.output);
   require_exact_format(options.output);
@@ -202,18 +233,26 @@ void polycube(const PolycubeOptions& options, Session& session) {
     require_writable(options.surface);
     require_exact_format(options.surface);
   }
-  session.options() = {{"output", options.output},   {"surface", options.surface}, {"construct", options.construct},
-                       {"corners", options.corners}, {"text", options.text},       {"weld", options.weld},
-                       {"from", options.from},       {"places", options.places},   {"optimise", options.optimise}};
+  session.options() = {{"output", options.output},
+                       {"surface", options.surface},
+                       {"construct", options.construct},
+                       {"corners", options.corners},
+                       {"text", options.text},
+                       {"weld", options.weld},
+                       {"from", options.from},
+                       {"places", options.places},
+                       {"optimise", options.optimise},
+                       {"features", options.features},
+                       {"sharp_edges", options.sharp_edges}};
   if (!options.optimise.empty())
     session.options().update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
   check_polycube_outputs(options.outputs, session);
   if (options.inputs.size() > 1) {
-    if (!options.from.empty() || !options.optimise.empty())
+    if (!options.from.empty() || !options.optimise.empty() || !options.features.empty() || options.sharp_edges > 0)
       throw Failure(Exit::wrong_input, "", "usage",
-                    "--from and --optimise are for one surface; several share a polycube of their own, at its best "
-                    "proportions");
+                    "--from, --optimise, --features and --sharp-edges are for one surface; several share a polycube of "
+                    "their own, at its best proportions");
     session.options()["inputs"] = options.inputs;
     session.options()["landmarks"] = options.landmarks;
     common_polycube(options, session);
@@ -232,6 +271,7 @@ void polycube(const PolycubeOptions& options, Session& session) {
     energies = optimise_domain(options, made, session);
   else if (!options.optimise.empty())
     energies = optimise_corners(options, made, session);
+  if (!options.features.empty() || options.sharp_edges > 0) meet_features(options, made, session);
   const double optimised = session.seconds();
   const polycube::SurfaceMap& map = made.map;
   write_exactly(options.output, map.polycube, map.triangles, options.text, session);
@@ -317,6 +357,18 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
   verb->add_option("--area-weight", options->area_weight, "of areas beside angles there (1)")
       ->check(unnamed(CLI::NonNegativeNumber))
       ->type_name("W");
+  verb->add_option(
+          "--features", options->features,
+          "what of the surface must be where on the polycube: JSON, {\"points\": [{\"vertex\": 17, \"place\": [x, "
+          "y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, y, z]}, ...]}; with a "
+          "\"weight\" near there")
+      ->type_name("FILE");
+  verb->add_option(
+          "--sharp-edges", options->sharp_edges,
+          "edges of the surface that bend by so many degrees go to edges of the polycube that are near; 0: none "
+          "(0)")
+      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->type_name("DEGREES");
   verb->add_option(
           "--landmarks", options->landmarks,
           "for several surfaces: points that belong together, a line each, with a vertex number (from 0) or x y z "

@@ -1,4 +1,4 @@
-// The C functions for a polycube's best proportions and corners.
+// The C functions for a polycube's best proportions and corners, and for features.
 #include "orbicube/polycube.h"
 
 #include <doctest/doctest.h>
@@ -151,44 +151,58 @@ TEST_CASE("Corners in better places, certified, and with the best proportions in
   obc_mesh_destroy(mesh);
 }
 
-TEST_CASE("Each allocation of better corners that fails ends in out of memory, and each report may cancel") {
-  // Each side of the cube as four squares, so that there is room for corners, and the surface a ball.
+namespace {
+
+// Each side of a cube as four squares, so that there is room for corners, and the surface a ball.
+struct Ball {
   std::vector<double> polycube, positions;
   std::vector<std::uint32_t> faces;
-  constexpr int n = 2;
-  std::vector<int> number((n + 1) * (n + 1) * (n + 1), -1);
-  const auto vertex = [&](const int(&at)[3]) {
-    int& own = number[static_cast<std::size_t>((at[0] * (n + 1) + at[1]) * (n + 1) + at[2])];
-    if (own < 0) {
-      own = static_cast<int>(polycube.size() / 3);
-      const double x = at[0] - 0.5 * n, y = at[1] - 0.5 * n, z = at[2] - 0.5 * n;
-      const double length = std::sqrt(x * x + y * y + z * z);
-      polycube.insert(polycube.end(), {x, y, z});
-      positions.insert(positions.end(), {x / length, (y + 0.1 * x) / length, z / length});
-    }
-    return static_cast<std::uint32_t>(own);
-  };
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const int side : {0, n}) {
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-          const auto corner = [&](int u, int v) {
-            int at[3];
-            at[axis] = side;
-            at[(axis + (side > 0 ? 1 : 2)) % 3] = i + u;
-            at[(axis + (side > 0 ? 2 : 1)) % 3] = j + v;
-            return vertex(at);
-          };
-          const std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
-          faces.insert(faces.end(), {a, b, c, a, c, d});
+
+  Ball() {
+    constexpr int n = 2;
+    std::vector<int> number((n + 1) * (n + 1) * (n + 1), -1);
+    const auto vertex = [&](const int(&at)[3]) {
+      int& own = number[static_cast<std::size_t>((at[0] * (n + 1) + at[1]) * (n + 1) + at[2])];
+      if (own < 0) {
+        own = static_cast<int>(polycube.size() / 3);
+        const double x = at[0] - 0.5 * n, y = at[1] - 0.5 * n, z = at[2] - 0.5 * n;
+        const double length = std::sqrt(x * x + y * y + z * z);
+        polycube.insert(polycube.end(), {x, y, z});
+        positions.insert(positions.end(), {x / length, (y + 0.1 * x) / length, z / length});
+      }
+      return static_cast<std::uint32_t>(own);
+    };
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const int side : {0, n}) {
+        for (int i = 0; i < n; ++i) {
+          for (int j = 0; j < n; ++j) {
+            const auto corner = [&](int u, int v) {
+              int at[3];
+              at[axis] = side;
+              at[(axis + (side > 0 ? 1 : 2)) % 3] = i + u;
+              at[(axis + (side > 0 ? 2 : 1)) % 3] = j + v;
+              return vertex(at);
+            };
+            const std::uint32_t a = corner(0, 0), b = corner(1, 0), c = corner(1, 1), d = corner(0, 1);
+            faces.insert(faces.end(), {a, b, c, a, c, d});
+          }
         }
       }
     }
   }
-  const obc_surface surface = {positions.data(), positions.size() / 3, faces.data(), faces.size() / 3};
-  obc_polycube* map = nullptr;
-  obc_error error;
-  REQUIRE(obc_polycube_create(&surface, polycube.data(), nullptr, nullptr, &map, &error) == OBC_OK);
+  obc_polycube* map() const {
+    const obc_surface surface = {positions.data(), positions.size() / 3, faces.data(), faces.size() / 3};
+    obc_polycube* result = nullptr;
+    obc_error error;
+    REQUIRE(obc_polycube_create(&surface, polycube.data(), nullptr, nullptr, &result, &error) == OBC_OK);
+    return result;
+  }
+};
+
+}  // namespace
+
+TEST_CASE("Each allocation of better corners that fails ends in out of memory, and each report may cancel") {
+  obc_polycube* const map = Ball().map();
   obc_polycube_corner_options options;
   obc_polycube_corner_options_init(&options, sizeof options);
   options.rounds = 1;
@@ -201,5 +215,122 @@ TEST_CASE("Each allocation of better corners that fails ends in out of memory, a
   CHECK(test::cancel_everywhere(call).problem == "");
   options.method = OBC_POLYCUBE_GRADIENT;
   check_every_end(call);
+  obc_polycube_destroy(map);
+}
+
+TEST_CASE("Points and curves in their places on the polycube, and what cannot be there") {
+  const Ball ball;
+  obc_polycube* const map = ball.map();
+  obc_error error;
+  // The middles of the sides, and those of their edges, by where they are.
+  const auto vertex_at = [&](double x, double y, double z) {
+    for (std::uint32_t v = 0; v < ball.polycube.size() / 3; ++v)
+      if (ball.polycube[3 * v] == x && ball.polycube[3 * v + 1] == y && ball.polycube[3 * v + 2] == z) return v;
+    return UINT32_MAX;
+  };
+  obc_polycube_feature_options options;
+  REQUIRE(obc_polycube_feature_options_init(&options, sizeof options) == OBC_OK);
+  CHECK(options.point_count == 0);
+  CHECK(options.curve_count == 0);
+  CHECK(options.sharp_angle == 0);
+  const std::vector<std::uint32_t> points = {vertex_at(0, 0, 1), vertex_at(1, 0, 0)};
+  const std::vector<double> places = {0.25, 0.125, 1, 1, 0.25, 0};
+  std::vector<double> weights = {0, 10};
+  const std::vector<std::uint32_t> starts = {0, 3},
+                                   vertices = {vertex_at(-1, 0, -1), vertex_at(0, 0, -1), vertex_at(1, 0, -1)};
+  const std::vector<double> line = {-1, 0.125, -1, 1, 0.125, -1};
+  options.point_count = 2;
+  options.points = points.data();
+  options.places = places.data();
+  options.point_weights = weights.data();
+  options.curve_count = 1;
+  options.curve_starts = starts.data();
+  options.curve_vertices = vertices.data();
+  options.curve_lines = line.data();
+  obc_polycube_feature_report report{};
+  report.struct_size = sizeof report;
+  obc_polycube* made = nullptr;
+  REQUIRE(obc_polycube_meet_features(map, &options, nullptr, &report, &made, &error) == OBC_OK);
+  CHECK(obc_polycube_corner_count(made) == 8);
+  CHECK(obc_polycube_patch_count(made) == 6);
+  std::vector<double> polycube(3 * obc_polycube_vertex_count(made));
+  REQUIRE(obc_polycube_copy(made, nullptr, polycube.data(), nullptr, &error) == OBC_OK);
+  const auto at = [&](std::uint32_t v) { return &polycube[3 * v]; };
+  CHECK(std::equal(places.begin(), places.begin() + 3, at(points[0])));
+  CHECK(at(points[1])[0] == 1);
+  CHECK(at(points[1])[1] > 0.05);
+  CHECK(std::equal(line.begin(), line.begin() + 3, at(vertices[0])));
+  CHECK(std::equal(line.begin() + 3, line.end(), at(vertices[2])));
+  CHECK(at(vertices[1])[1] == 0.125);
+  CHECK(report.distance_before > 0.25);
+  CHECK(report.distance < 0.2);
+  CHECK(report.angle_mean >= 1);
+  CHECK(report.sharp_length == 0);
+  obc_polycube_destroy(made);
+
+  const auto status = [&] { return obc_polycube_meet_features(map, &options, nullptr, nullptr, &made, &error); };
+  const std::vector<double> nowhere = {0, 0, 0, 1, 0.25, 0};
+  options.places = nowhere.data();
+  CHECK(status() == OBC_INVALID_ARGUMENT);
+  CHECK(made == nullptr);
+  CHECK(std::string(error.message).find("not on the polycube") != std::string::npos);
+  options.places = nullptr;
+  CHECK(status() == OBC_INVALID_ARGUMENT);
+  // Two vertices of a triangle cannot change places while the third stays.
+  const auto is_corner = [&](std::uint32_t v) {
+    return std::abs(ball.polycube[3 * v]) + std::abs(ball.polycube[3 * v + 1]) + std::abs(ball.polycube[3 * v + 2]) ==
+           3;
+  };
+  const std::uint32_t* t = ball.faces.data();
+  while (std::any_of(t, t + 3, is_corner))
+    t += 3;
+  std::vector<double> swapped;
+  for (const std::uint32_t v : {t[1], t[0], t[2]})
+    swapped.insert(swapped.end(), &ball.polycube[3 * v], &ball.polycube[3 * v] + 3);
+  options.point_count = 3;
+  options.points = t;
+  options.places = swapped.data();
+  options.point_weights = nullptr;
+  options.curve_count = 0;
+  CHECK(status() == OBC_NO_VALID_RESULT);
+  CHECK(made == nullptr);
+  options.curve_count = 1;
+  options.curve_lines = nullptr;
+  CHECK(status() == OBC_INVALID_ARGUMENT);
+  options.curve_count = 0;
+  options.sharp_angle = -1;
+  CHECK(status() == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_meet_features(nullptr, nullptr, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_meet_features(map, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_feature_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
+  // Nothing asked for is met by the map as it is.
+  REQUIRE(obc_polycube_meet_features(map, nullptr, nullptr, nullptr, &made, &error) == OBC_OK);
+  std::vector<double> same(ball.polycube.size());
+  REQUIRE(obc_polycube_copy(made, nullptr, same.data(), nullptr, &error) == OBC_OK);
+  CHECK(same == ball.polycube);
+  obc_polycube_destroy(made);
+  obc_polycube_destroy(map);
+}
+
+TEST_CASE("Each allocation for features that fails ends in out of memory, and each report may cancel") {
+  const Ball ball;
+  obc_polycube* const map = ball.map();
+  obc_polycube_feature_options options;
+  obc_polycube_feature_options_init(&options, sizeof options);
+  // A side's middle, in which four edges meet that are sharp.
+  std::uint32_t middle = 0;
+  while (ball.polycube[3 * middle] != 0 || ball.polycube[3 * middle + 1] != 0)
+    ++middle;
+  const double place[3] = {0.125, 0.25, ball.polycube[3 * middle + 2]};
+  options.point_count = 1;
+  options.points = &middle;
+  options.places = place;
+  options.sharp_angle = 30;
+  check_every_end([&](const obc_host& host) {
+    obc_polycube* made = nullptr;
+    const obc_status status = obc_polycube_meet_features(map, &options, &host, nullptr, &made, nullptr);
+    obc_polycube_destroy(made);
+    return status;
+  });
   obc_polycube_destroy(map);
 }

@@ -5,6 +5,7 @@
 """
 import base64
 import json
+import math
 import os
 from fractions import Fraction
 
@@ -184,6 +185,42 @@ class Polycube(InFolder):
         self.assertEqual({len(face) for face in rectangles}, {4})
         done = run("polycube", path, "-o", out, "--from", mesh)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_features_come_to_their_places(self):
+        ball, domain, out = self.made("sphere", 800), self.path("domain.json"), self.path("out.obj")
+        report, wanted = self.path("report.json"), self.path("features.json")
+        self.assertEqual(run("polycube", ball, "-o", out, "--domain", domain, "--corners", 8).returncode, 0)
+        before = read_obj(out)[0]
+        low, high = ([f(p[k] for p in before) for k in range(3)] for f in (min, max))
+        middle = [(a + b) / 2 for a, b in zip(low, high)]
+        top = [middle[0] + 0.1 * (high[0] - low[0]), middle[1], high[2]]
+        count = len(read_obj(ball)[0])
+        nearest = min(range(count), key=lambda v: math.dist(before[v], (middle[0], middle[1], high[2])))
+        with open(wanted, "w", encoding="utf-8") as file:
+            json.dump({"points": [{"vertex": nearest, "place": top}]}, file)
+        done = run("polycube", ball, "-o", out, "--from", domain, "--features", wanted, "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        positions, triangles = read_obj(out)
+        self.assertEqual(tuple(positions[nearest]), tuple(top))
+        self.assertNotIn(None, [looks_along(positions, t) for t in triangles])
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)["features"]
+        self.assertEqual((figures["points"], figures["distances"]), (1, [0]))
+        self.assertGreater(figures["distances_before"][0], 0)
+        bracket = self.made("bracket", 1500)
+        done = run("polycube", bracket, "-o", out, "--sharp-edges", 60, "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)["features"]
+        self.assertGreater(figures["sharp_on_edges"], 0.7 * figures["sharp_length"])
+        os.remove(out)
+        for kind, text in (("parse", "[]"), ("parse", '{"points": [{}]}'), ("parse", '{"curves": [{"vertices": 1}]}'),
+                           ("invalid-argument", '{"points": [{"vertex": 0, "place": [9, 9, 9]}]}')):
+            with open(wanted, "w", encoding="utf-8") as file:
+                file.write(text)
+            done = run("polycube", ball, "-o", out, "--from", domain, "--features", wanted)
+            self.assertEqual((done.returncode, kind_of(done.stderr, wanted)), (2, kind))
+            self.assertFalse(os.path.exists(out))
 
     def test_polycubes_that_do_not_fit_or_are_none_are_refused(self):
         ball, ring = self.made("sphere", 800), self.made("torus", 800)

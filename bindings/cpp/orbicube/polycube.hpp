@@ -17,6 +17,7 @@ class Polycube {
   using Options = detail::Filled<obc_polycube_options, obc_polycube_options_init>;
   using DomainOptions = detail::Filled<obc_polycube_domain_options, obc_polycube_domain_options_init>;
   using CornerOptions = detail::Filled<obc_polycube_corner_options, obc_polycube_corner_options_init>;
+  using FeatureOptions = detail::Filled<obc_polycube_feature_options, obc_polycube_feature_options_init>;
   using QuadsOptions = detail::Filled<obc_polycube_quads_options, obc_polycube_quads_options_init>;
 
   explicit Polycube(obc_polycube* owned) noexcept : handle_(owned) {}
@@ -67,6 +68,14 @@ class Polycube {
     if (report != nullptr) report->struct_size = sizeof *report;
     return made(host, [&](obc_polycube** out, obc_error* error) {
       return obc_polycube_optimize_corners(handle(), &options, detail::c(host), report, out, error);
+    });
+  }
+  // What must be mapped where; throws when something cannot be.
+  Polycube meet_features(const FeatureOptions& options, obc_polycube_feature_report* report = nullptr,
+                         Host* host = nullptr) const {
+    if (report != nullptr) report->struct_size = sizeof *report;
+    return made(host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_meet_features(handle(), &options, detail::c(host), report, out, error);
     });
   }
 

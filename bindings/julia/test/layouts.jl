@@ -27,6 +27,8 @@ const layouts = [
     (Orbicube.Raw.obc_polycube_domain_report, 88, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
     (Orbicube.Raw.obc_polycube_corner_options, 24, [0, 4, 8, 16, 20]),
     (Orbicube.Raw.obc_polycube_corner_report, 88, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
+    (Orbicube.Raw.obc_polycube_feature_options, 88, [0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
+    (Orbicube.Raw.obc_polycube_feature_report, 80, [0, 8, 16, 24, 32, 40, 48, 56, 64, 72]),
     (Orbicube.Raw.obc_polycube_places, 32, [0, 8, 16, 24]),
     (Orbicube.Raw.obc_polycube_quads_options, 24, [0, 8, 16]),
     (Orbicube.Raw.obc_projected_gradient_problem, 88, [0, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),

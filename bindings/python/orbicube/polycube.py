@@ -110,6 +110,31 @@ class Polycube:
              progress=progress, threads=threads)
         return Polycube(handle, report)
 
+    def meet_features(self, vertices: ArrayLike = (), places: ArrayLike = (), *, weights: Optional[ArrayLike] = None,
+                      curves: Sequence[tuple[Any, ...]] = (), sharp_angle: float = 0, progress: Progress = None,
+                      threads: int = 0) -> Polycube:
+        """The same polycube with vertices in places on it, each curve (vertices, from, to and perhaps a weight) along a
+        line, and sharp edges on its edges. Without weights all of that is met exactly."""
+        chosen = filled(raw.obc_polycube_feature_options, raw.obc_polycube_feature_options_init,
+                        {"sharp_angle": sharp_angle})
+        report, handle = sized(raw.obc_polycube_feature_report), ctypes.c_void_p()
+        points = indices(vertices, name="vertices")
+        kept: list[Any] = [points, doubles(places, 3, len(points), "places")]
+        chosen.point_count, chosen.points, chosen.places = len(points), address(points), address(kept[1])
+        if weights is not None:
+            kept.append(doubles(weights, rows=len(points), name="weights"))
+            chosen.point_weights = address(kept[-1])
+        if curves:
+            rows = [indices(curve[0], name="curves") for curve in curves]
+            kept += [np.concatenate(rows), np.cumsum([0] + [len(row) for row in rows], dtype=np.uint32),
+                     doubles([[curve[1], curve[2]] for curve in curves]),
+                     doubles([curve[3] if len(curve) > 3 else 0 for curve in curves])]
+            chosen.curve_count = len(rows)
+            chosen.curve_vertices, chosen.curve_starts, chosen.curve_lines, chosen.curve_weights = map(address, kept[-4:])
+        call(raw.obc_polycube_meet_features, self._handle, byref(chosen), HOST, byref(report), byref(handle),
+             progress=progress, threads=threads)
+        return Polycube(handle, report)
+
     def graph(self, *, progress: Progress = None) -> Graph:
         return Graph(self, progress=progress)
 

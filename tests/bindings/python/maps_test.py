@@ -350,6 +350,14 @@ class Cubes(unittest.TestCase):
         np.testing.assert_allclose(
             np.einsum("ij,ijk->ik", quads.weights, better.positions[better.triangles[quads.triangles]]), quads.positions,
             atol=1e-12)
+        # A vertex in the middle of a triangle beside it, and curved edges of the surface on edges of the polycube.
+        triangle = next(t for t in better.triangles if t[0] < len(shape))
+        place = better.polycube[triangle].mean(axis=0)
+        met = better.meet_features([triangle[0]], [place], sharp_angle=60)
+        np.testing.assert_allclose(met.polycube[triangle[0]], place, atol=1e-12)
+        self.assertGreater(met.report.sharp, 0.5 * met.report.sharp_length)
+        with self.assertRaises(orbicube.InvalidArgument):
+            better.meet_features([0], [place + 100])
         again = polycube.certify((cube.positions, cube.triangles), cube.polycube)
         self.assertEqual(again.corner_count, cube.corner_count)
         with self.assertRaises(orbicube.NoValidResult):

@@ -77,6 +77,35 @@ mutable struct obc_polycube_corner_report <: CStruct
     obc_polycube_corner_report() = zeroed!(new())
 end
 
+mutable struct obc_polycube_feature_options <: CStruct
+    struct_size::UInt32
+    point_count::Csize_t
+    points::Ptr{UInt32}
+    places::Ptr{Float64}
+    point_weights::Ptr{Float64}
+    curve_count::Csize_t
+    curve_starts::Ptr{UInt32}
+    curve_vertices::Ptr{UInt32}
+    curve_lines::Ptr{Float64}
+    curve_weights::Ptr{Float64}
+    sharp_angle::Float64
+    obc_polycube_feature_options() = zeroed!(new())
+end
+
+mutable struct obc_polycube_feature_report <: CStruct
+    struct_size::UInt32
+    distance_before::Float64
+    distance::Float64
+    sharp_length::Float64
+    sharp_before::Float64
+    sharp::Float64
+    angle_mean::Float64
+    area_mean::Float64
+    angle_weighted_mean::Float64
+    area_weighted_mean::Float64
+    obc_polycube_feature_report() = zeroed!(new())
+end
+
 struct obc_polycube_places
     corners::Ptr{UInt32}
     vertices::Ptr{UInt32}
@@ -118,6 +147,14 @@ obc_polycube_corner_options_init(options, struct_size) =
 const address_obc_polycube_optimize_corners = Ref(C_NULL)
 obc_polycube_optimize_corners(map, options, host, report, out, error) =
     ccall(symbol(address_obc_polycube_optimize_corners, :polycube, :obc_polycube_optimize_corners), Int32, (Ptr{Cvoid}, Ptr{obc_polycube_corner_options}, Ptr{obc_host}, Ptr{obc_polycube_corner_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), map, options, host, report, out, error)
+
+const address_obc_polycube_feature_options_init = Ref(C_NULL)
+obc_polycube_feature_options_init(options, struct_size) =
+    ccall(symbol(address_obc_polycube_feature_options_init, :polycube, :obc_polycube_feature_options_init), Int32, (Ptr{obc_polycube_feature_options}, Csize_t), options, struct_size)
+
+const address_obc_polycube_meet_features = Ref(C_NULL)
+obc_polycube_meet_features(map, options, host, report, out, error) =
+    ccall(symbol(address_obc_polycube_meet_features, :polycube, :obc_polycube_meet_features), Int32, (Ptr{Cvoid}, Ptr{obc_polycube_feature_options}, Ptr{obc_host}, Ptr{obc_polycube_feature_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), map, options, host, report, out, error)
 
 const address_obc_polycube_energy_count = Ref(C_NULL)
 obc_polycube_energy_count(map) =

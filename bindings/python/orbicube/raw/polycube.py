@@ -95,6 +95,41 @@ class obc_polycube_corner_report(_Struct):
     ]
 
 
+class obc_polycube_feature_options(_Struct):
+    """What must be mapped where. Weights are those of squared distances in parts of the polycube's area, beside a distortion that is 2
+    for an isometry; 0, or no weights, is for what must be met exactly. Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("point_count", _c.c_size_t),
+        ("points", _c.c_void_p),
+        ("places", _c.c_void_p),
+        ("point_weights", _c.c_void_p),
+        ("curve_count", _c.c_size_t),
+        ("curve_starts", _c.c_void_p),
+        ("curve_vertices", _c.c_void_p),
+        ("curve_lines", _c.c_void_p),
+        ("curve_weights", _c.c_void_p),
+        ("sharp_angle", _c.c_double),
+    ]
+
+
+class obc_polycube_feature_report(_Struct):
+    """What was reached. Fill struct_size. Distances on the polycube, the largest of all features; the length of sharp edges on the
+    surface, and what of it lay and lies on edges of the polycube."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("distance_before", _c.c_double),
+        ("distance", _c.c_double),
+        ("sharp_length", _c.c_double),
+        ("sharp_before", _c.c_double),
+        ("sharp", _c.c_double),
+        ("angle_mean", _c.c_double),
+        ("area_mean", _c.c_double),
+        ("angle_weighted_mean", _c.c_double),
+        ("area_weighted_mean", _c.c_double),
+    ]
+
+
 class obc_polycube_places(_Struct):
     """Places of corners, for obc_polycube_compute_on: corner i is vertex corners[i] of the polycube; it is to be at vertex
     vertices[i] of the surface or, where that is UINT32_MAX or vertices is NULL, at the point of the surface that is nearest to
@@ -124,6 +159,8 @@ _functions = [
     ("obc_polycube_optimize_domain", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_corner_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_polycube_optimize_corners", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_feature_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_polycube_meet_features", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_energy_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_polycube_copy_energies", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_destroy", None, [_c.c_void_p]),

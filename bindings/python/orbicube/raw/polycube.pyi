@@ -74,6 +74,33 @@ class obc_polycube_corner_report(Struct):
     area_weighted_mean: float
     def __init__(self, struct_size: int = ..., converged: int = ..., energy_before: float = ..., energy: float = ..., evaluations: int = ..., map_evaluations: float = ..., moves: int = ..., movable: int = ..., angle_mean: float = ..., area_mean: float = ..., angle_weighted_mean: float = ..., area_weighted_mean: float = ...) -> None: ...
 
+class obc_polycube_feature_options(Struct):
+    struct_size: int
+    point_count: int
+    points: Pointer
+    places: Pointer
+    point_weights: Pointer
+    curve_count: int
+    curve_starts: Pointer
+    curve_vertices: Pointer
+    curve_lines: Pointer
+    curve_weights: Pointer
+    sharp_angle: float
+    def __init__(self, struct_size: int = ..., point_count: int = ..., points: Pointer = ..., places: Pointer = ..., point_weights: Pointer = ..., curve_count: int = ..., curve_starts: Pointer = ..., curve_vertices: Pointer = ..., curve_lines: Pointer = ..., curve_weights: Pointer = ..., sharp_angle: float = ...) -> None: ...
+
+class obc_polycube_feature_report(Struct):
+    struct_size: int
+    distance_before: float
+    distance: float
+    sharp_length: float
+    sharp_before: float
+    sharp: float
+    angle_mean: float
+    area_mean: float
+    angle_weighted_mean: float
+    area_weighted_mean: float
+    def __init__(self, struct_size: int = ..., distance_before: float = ..., distance: float = ..., sharp_length: float = ..., sharp_before: float = ..., sharp: float = ..., angle_mean: float = ..., area_mean: float = ..., angle_weighted_mean: float = ..., area_weighted_mean: float = ...) -> None: ...
+
 class obc_polycube_places(Struct):
     corners: Pointer
     vertices: Pointer
@@ -88,11 +115,10 @@ class obc_polycube_quads_options(Struct):
     def __init__(self, struct_size: int = ..., quads: int = ..., edge_length: float = ...) -> None: ...
 
 def obc_polycube_create(surface: Pointer, polycube: Pointer, host: Pointer, certificate: Pointer, out: Pointer, error: Pointer) -> int:
-    """Certifies a map made elsewhere: `surface` in space, `polycube` where its vertices are to be on the polycube (x y z a vertex of
-    the surface). The handle holds a copy. certificate may be NULL; it is filled whether the map is valid or not.
-    host may be NULL; its allocator must stay valid until _destroy.
-    Errors: invalid argument (an index out of range, a position that is not finite), no valid result (the message is the reason),
-    out of memory, cancelled. O(n log n) unless the boxes of many triangles overlap."""
+    """Certifies a map made elsewhere: `surface` in space, `polycube` where its vertices are to be on the polycube (x y z a vertex).
+    certificate may be NULL; it is filled whether the map is valid or not. Errors: invalid argument (an index out of range, a
+    position that is not finite), no valid result (the message is the reason), out of memory, cancelled. O(n log n) unless there
+    are thousands of corners."""
     ...
 
 def obc_polycube_options_init(options: Pointer, struct_size: int) -> int:
@@ -103,9 +129,8 @@ def obc_polycube_compute(surface: Pointer, options: Pointer, host: Pointer, out:
     """Finds a polycube of a closed surface of any genus, and a map to it. Edges are split where that is needed; the vertices of
     the surface come first. The polycube has about the size of the surface. What is tried depends on the surface and the options
     alone, never on time.
-    options and host may be NULL; the host's allocator must stay valid until _destroy. Memory for systems of linear equations is
-    not the host's. Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no
-    triangles); no valid result with what became of each attempt; out of memory, cancelled."""
+    Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no triangles); no valid
+    result with what became of each attempt; out of memory, cancelled."""
     ...
 
 def obc_polycube_domain_options_init(options: Pointer, struct_size: int) -> int:
@@ -116,9 +141,8 @@ def obc_polycube_optimize_domain(map: Pointer, options: Pointer, host: Pointer, 
     """The polycube with the best proportions: distances between the planes of its faces that minimise the map's distortion, vertices
     going with the planes beside them (the dissertation's section 4.3, by a projected gradient method over the logarithms of the
     distances). Combinatorics, order of the planes and total area stay. The result is certified again; it is a copy of `map` to
-    the bit when nothing better is found.
-    options, host and report may be NULL; the host's allocator must stay valid until _destroy of *out. `map` stays as it is.
-    Errors: invalid argument, out of memory, cancelled. O(n log n), mostly for certifying."""
+    the bit when nothing better is found. report may be NULL, here and below. Errors: invalid argument, out of memory, cancelled.
+    O(n log n)."""
     ...
 
 def obc_polycube_corner_options_init(options: Pointer, struct_size: int) -> int:
@@ -129,13 +153,22 @@ def obc_polycube_optimize_corners(map: Pointer, options: Pointer, host: Pointer,
     """A less distorted map to the same polycube: what of the surface goes to its corners moves, in the map's own unfolding around
     each, and with it the polycube's edges on the surface and all between (the dissertation's section 4.4). Edges of triangles
     are split where the polycube's are drawn; added vertices that serve none any more may go. Certified again; a copy of `map`
-    to the bit when nothing better is found. options, host and report may be NULL; the host's allocator must stay valid until
-    _destroy of *out. Memory for linear systems is not the host's. Errors: invalid argument, out of memory, cancelled."""
+    to the bit when nothing better is found. Errors: invalid argument, out of memory, cancelled."""
+    ...
+
+def obc_polycube_feature_options_init(options: Pointer, struct_size: int) -> int:
+    """The defaults, which the members' comments give."""
+    ...
+
+def obc_polycube_meet_features(map: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
+    """A map to the same polycube with features in their places, and all else as little distorted as that allows. Certified again.
+    Errors: invalid argument (a place that is not on the polycube, a vertex with two); no valid result, with what cannot be met;
+    out of memory, cancelled."""
     ...
 
 def obc_polycube_energy_count(map: Pointer) -> int:
-    """The energies of the optimisation that a map comes from: before it, then after each iteration; they never rise. The number of
-    them, 0 for NULL and for maps that come from none."""
+    """The energies of the optimisation that a map comes from: before it, then after each iteration; 0 for NULL and maps that come from
+    none."""
     ...
 
 def obc_polycube_copy_energies(map: Pointer, energies: Pointer, error: Pointer) -> int:
@@ -167,38 +200,36 @@ def obc_polycube_construction(map: Pointer) -> int:
     ...
 
 def obc_polycube_copy(map: Pointer, positions: Pointer, polycube: Pointer, triangles: Pointer, error: Pointer) -> int:
-    """Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices come
-    first, to the bit and in its order), polycube positions (x y z a vertex), triangles (three vertices each). Errors: invalid
-    argument."""
+    """Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices first, to
+    the bit), polycube positions, triangles (three vertices each). Errors: invalid argument."""
     ...
 
 def obc_polycube_copy_triangles(map: Pointer, labels: Pointer, patches: Pointer, sources: Pointer, error: Pointer) -> int:
-    """Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x,
-    +y, -y, +z, -z), the number of its face of the polycube, and the surface's triangle that it lies in. Errors: invalid
-    argument."""
+    """Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x, +y,
+    -y, +z, -z), its face of the polycube, and the surface's triangle that it lies in. Errors: invalid argument."""
     ...
 
 def obc_polycube_copy_sources(map: Pointer, corners: Pointer, weights: Pointer, error: Pointer) -> int:
     """Copies where each vertex comes from, three entries a vertex, each array may be NULL: vertices of one triangle of the surface
-    (UINT32_MAX where fewer than three are needed) and their weights, which are positive (0 where not needed) and sum up to 1 but
-    for rounding. Errors: invalid argument."""
+    (UINT32_MAX where fewer than three are needed) and their weights, positive (0 where not needed) with the sum 1. Errors:
+    invalid argument."""
     ...
 
 def obc_polycube_compute_on(surface: Pointer, polycube: Pointer, places: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
     """Maps a surface to a polycube that is given by its triangles, each in an axis-aligned plane. It is drawn on the surface, as
     OBC_POLYCUBE_VOXELS does with its own: where it stands, its box stretched to that of the surface, or where the places say.
-    The handle's polycube has the very coordinates of the one given. places and host may be NULL; the host's allocator must stay
-    valid until _destroy. Errors: those of obc_polycube_compute; invalid argument for places that do not exist or are given
-    twice; unsupported when the polycube is none, with the reason; wrong genus when the surface has another."""
+    The handle's polycube has the very coordinates of the one given; the map is smoothed across its edges. places may be NULL.
+    Errors: those of obc_polycube_compute; invalid argument for places that do not exist or are given twice; unsupported when the
+    polycube is none, with the reason; wrong genus when the surface has another."""
     ...
 
 def obc_polycube_compute_common(surfaces: Pointer, count: int, options: Pointer, domain: Pointer, host: Pointer, made_for: Pointer, out: Pointer, error: Pointer) -> int:
-    """One polycube for several shapes of one genus and kind (the dissertation's section 4.5): the polycube of each is drawn
-    on all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps
-    between shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube,
-    domain for the energy; both and host may be NULL. out is an array of `count` handles, in the order of the surfaces, all NULL
-    after an error; made_for may be NULL or gets the number of the shape that the polycube was made for. obc_polycube_copy_energies
-    of each handle gives the sums, which never rise. Errors: those of obc_polycube_compute, and wrong genus."""
+    """One polycube for several shapes of one genus and kind (the dissertation's section 4.5): several polycubes of each are drawn on
+    all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps between
+    shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube, domain
+    for the energy. out is an array of `count` handles, in the order of the surfaces, all NULL after an error; made_for may be NULL
+    or gets the number of the shape that the polycube was made for. obc_polycube_copy_energies of each handle gives the sums,
+    which never rise. Errors: those of obc_polycube_compute, and wrong genus."""
     ...
 
 def obc_polycube_optimize_common_domain(maps: Pointer, count: int, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
@@ -208,7 +239,7 @@ def obc_polycube_optimize_common_domain(maps: Pointer, count: int, options: Poin
     ...
 
 def obc_polycube_graph_create(map: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument, out of memory, cancelled."""
+    """Errors: invalid argument, out of memory, cancelled."""
     ...
 
 def obc_polycube_graph_destroy(graph: Pointer) -> None:
@@ -273,8 +304,7 @@ def obc_polycube_quads_options_init(options: Pointer, struct_size: int) -> int:
 def obc_polycube_quads_create(map: Pointer, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
     """Makes the grid, with integer numbers of cells between neighbouring planes, and takes its vertices to the surface, each
     in the triangle that has it by exact arithmetic. Depends on the polycube alone, but for positions: maps to one polycube give
-    the same quads. options and host may be NULL; the host's allocator must stay valid until _destroy. Errors: invalid argument
-    (among them more than 10^8 quads), out of memory, cancelled."""
+    the same quads. Errors: invalid argument (among them more than 10^8 quads), out of memory, cancelled."""
     ...
 
 def obc_polycube_quads_destroy(quads: Pointer) -> None:

@@ -165,6 +165,49 @@ pub struct obc_polycube_corner_report {
     pub area_weighted_mean: f64,
 }
 
+/// What must be mapped where. Weights are those of squared distances in parts of the polycube's area, beside a distortion that is 2
+/// for an isometry; 0, or no weights, is for what must be met exactly. Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_polycube_feature_options {
+    pub struct_size: u32,
+    /// points: vertices of the map and their places on its polycube (x y z). Default 0
+    pub point_count: usize,
+    pub points: *const u32,
+    pub places: *const f64,
+    pub point_weights: *const f64,
+    /// curves: of each where its vertices begin (an entry more than curves), and a line along an axis
+    /// in a face or an edge (x y z twice) with ends for the first and last vertex. Default 0
+    pub curve_count: usize,
+    pub curve_starts: *const u32,
+    pub curve_vertices: *const u32,
+    pub curve_lines: *const f64,
+    pub curve_weights: *const f64,
+    /// where the surface bends by so many degrees, edges go to edges of the polycube nearby; 0: none. Default 0
+    pub sharp_angle: f64,
+}
+
+/// What was reached. Fill struct\_size. Distances on the polycube, the largest of all features; the length of sharp edges on the
+/// surface, and what of it lay and lies on edges of the polycube.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_polycube_feature_report {
+    pub struct_size: u32,
+    pub distance_before: f64,
+    pub distance: f64,
+    pub sharp_length: f64,
+    pub sharp_before: f64,
+    pub sharp: f64,
+    /// over triangles; over the surface
+    pub angle_mean: f64,
+    /// over triangles; over the surface
+    pub area_mean: f64,
+    /// over triangles; over the surface
+    pub angle_weighted_mean: f64,
+    /// over triangles; over the surface
+    pub area_weighted_mean: f64,
+}
+
 /// Places of corners, for obc\_polycube\_compute\_on: corner i is vertex corners\[i\] of the polycube; it is to be at vertex
 /// vertices\[i\] of the surface or, where that is UINT32\_MAX or vertices is NULL, at the point of the surface that is nearest to
 /// points\[3 i\], \[3 i + 1\], \[3 i + 2\].
@@ -191,40 +234,42 @@ pub struct obc_polycube_quads_options {
 }
 
 extern "C" {
-    /// Certifies a map made elsewhere: \`surface\` in space, \`polycube\` where its vertices are to be on the polycube (x y z a vertex of
-    /// the surface). The handle holds a copy. certificate may be NULL; it is filled whether the map is valid or not.
-    /// host may be NULL; its allocator must stay valid until \_destroy.
-    /// Errors: invalid argument (an index out of range, a position that is not finite), no valid result (the message is the reason),
-    /// out of memory, cancelled. O(n log n) unless the boxes of many triangles overlap.
+    /// Certifies a map made elsewhere: \`surface\` in space, \`polycube\` where its vertices are to be on the polycube (x y z a vertex).
+    /// certificate may be NULL; it is filled whether the map is valid or not. Errors: invalid argument (an index out of range, a
+    /// position that is not finite), no valid result (the message is the reason), out of memory, cancelled. O(n log n) unless there
+    /// are thousands of corners.
     pub fn obc_polycube_create(surface: *const obc_surface, polycube: *const f64, host: *const obc_host, certificate: *mut obc_polycube_certificate, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
     /// The defaults, which the members' comments give.
     pub fn obc_polycube_options_init(options: *mut obc_polycube_options, struct_size: usize) -> i32;
     /// Finds a polycube of a closed surface of any genus, and a map to it. Edges are split where that is needed; the vertices of
     /// the surface come first. The polycube has about the size of the surface. What is tried depends on the surface and the options
     /// alone, never on time.
-    /// options and host may be NULL; the host's allocator must stay valid until \_destroy. Memory for systems of linear equations is
-    /// not the host's. Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no
-    /// triangles); no valid result with what became of each attempt; out of memory, cancelled.
+    /// Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no triangles); no valid
+    /// result with what became of each attempt; out of memory, cancelled.
     pub fn obc_polycube_compute(surface: *const obc_surface, options: *const obc_polycube_options, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
     /// The defaults, which the members' comments give.
     pub fn obc_polycube_domain_options_init(options: *mut obc_polycube_domain_options, struct_size: usize) -> i32;
     /// The polycube with the best proportions: distances between the planes of its faces that minimise the map's distortion, vertices
     /// going with the planes beside them (the dissertation's section 4.3, by a projected gradient method over the logarithms of the
     /// distances). Combinatorics, order of the planes and total area stay. The result is certified again; it is a copy of \`map\` to
-    /// the bit when nothing better is found.
-    /// options, host and report may be NULL; the host's allocator must stay valid until \_destroy of \*out. \`map\` stays as it is.
-    /// Errors: invalid argument, out of memory, cancelled. O(n log n), mostly for certifying.
+    /// the bit when nothing better is found. report may be NULL, here and below. Errors: invalid argument, out of memory, cancelled.
+    /// O(n log n).
     pub fn obc_polycube_optimize_domain(map: *const obc_polycube, options: *const obc_polycube_domain_options, host: *const obc_host, report: *mut obc_polycube_domain_report, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
     /// The defaults, which the members' comments give.
     pub fn obc_polycube_corner_options_init(options: *mut obc_polycube_corner_options, struct_size: usize) -> i32;
     /// A less distorted map to the same polycube: what of the surface goes to its corners moves, in the map's own unfolding around
     /// each, and with it the polycube's edges on the surface and all between (the dissertation's section 4.4). Edges of triangles
     /// are split where the polycube's are drawn; added vertices that serve none any more may go. Certified again; a copy of \`map\`
-    /// to the bit when nothing better is found. options, host and report may be NULL; the host's allocator must stay valid until
-    /// \_destroy of \*out. Memory for linear systems is not the host's. Errors: invalid argument, out of memory, cancelled.
+    /// to the bit when nothing better is found. Errors: invalid argument, out of memory, cancelled.
     pub fn obc_polycube_optimize_corners(map: *const obc_polycube, options: *const obc_polycube_corner_options, host: *const obc_host, report: *mut obc_polycube_corner_report, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// The energies of the optimisation that a map comes from: before it, then after each iteration; they never rise. The number of
-    /// them, 0 for NULL and for maps that come from none.
+    /// The defaults, which the members' comments give.
+    pub fn obc_polycube_feature_options_init(options: *mut obc_polycube_feature_options, struct_size: usize) -> i32;
+    /// A map to the same polycube with features in their places, and all else as little distorted as that allows. Certified again.
+    /// Errors: invalid argument (a place that is not on the polycube, a vertex with two); no valid result, with what cannot be met;
+    /// out of memory, cancelled.
+    pub fn obc_polycube_meet_features(map: *const obc_polycube, options: *const obc_polycube_feature_options, host: *const obc_host, report: *mut obc_polycube_feature_report, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
+    /// The energies of the optimisation that a map comes from: before it, then after each iteration; 0 for NULL and maps that come from
+    /// none.
     pub fn obc_polycube_energy_count(map: *const obc_polycube) -> usize;
     /// Copies them to the caller's array, which may be NULL. Errors: invalid argument.
     pub fn obc_polycube_copy_energies(map: *const obc_polycube, energies: *mut f64, error: *mut obc_error) -> i32;
@@ -240,36 +285,34 @@ extern "C" {
     pub fn obc_polycube_patch_count(map: *const obc_polycube) -> usize;
     /// What found the map: OBC\_POLYCUBE\_LABELS or OBC\_POLYCUBE\_VOXELS; -1 for a map made elsewhere, and for NULL.
     pub fn obc_polycube_construction(map: *const obc_polycube) -> i32;
-    /// Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices come
-    /// first, to the bit and in its order), polycube positions (x y z a vertex), triangles (three vertices each). Errors: invalid
-    /// argument.
+    /// Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices first, to
+    /// the bit), polycube positions, triangles (three vertices each). Errors: invalid argument.
     pub fn obc_polycube_copy(map: *const obc_polycube, positions: *mut f64, polycube: *mut f64, triangles: *mut u32, error: *mut obc_error) -> i32;
-    /// Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x,
-    /// +y, -y, +z, -z), the number of its face of the polycube, and the surface's triangle that it lies in. Errors: invalid
-    /// argument.
+    /// Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x, +y,
+    /// -y, +z, -z), its face of the polycube, and the surface's triangle that it lies in. Errors: invalid argument.
     pub fn obc_polycube_copy_triangles(map: *const obc_polycube, labels: *mut u8, patches: *mut u32, sources: *mut u32, error: *mut obc_error) -> i32;
     /// Copies where each vertex comes from, three entries a vertex, each array may be NULL: vertices of one triangle of the surface
-    /// (UINT32\_MAX where fewer than three are needed) and their weights, which are positive (0 where not needed) and sum up to 1 but
-    /// for rounding. Errors: invalid argument.
+    /// (UINT32\_MAX where fewer than three are needed) and their weights, positive (0 where not needed) with the sum 1. Errors:
+    /// invalid argument.
     pub fn obc_polycube_copy_sources(map: *const obc_polycube, corners: *mut u32, weights: *mut f64, error: *mut obc_error) -> i32;
     /// Maps a surface to a polycube that is given by its triangles, each in an axis-aligned plane. It is drawn on the surface, as
     /// OBC\_POLYCUBE\_VOXELS does with its own: where it stands, its box stretched to that of the surface, or where the places say.
-    /// The handle's polycube has the very coordinates of the one given. places and host may be NULL; the host's allocator must stay
-    /// valid until \_destroy. Errors: those of obc\_polycube\_compute; invalid argument for places that do not exist or are given
-    /// twice; unsupported when the polycube is none, with the reason; wrong genus when the surface has another.
+    /// The handle's polycube has the very coordinates of the one given; the map is smoothed across its edges. places may be NULL.
+    /// Errors: those of obc\_polycube\_compute; invalid argument for places that do not exist or are given twice; unsupported when the
+    /// polycube is none, with the reason; wrong genus when the surface has another.
     pub fn obc_polycube_compute_on(surface: *const obc_surface, polycube: *const obc_surface, places: *const obc_polycube_places, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// One polycube for several shapes of one genus and kind (the dissertation's section 4.5): the polycube of each is drawn
-    /// on all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps
-    /// between shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube,
-    /// domain for the energy; both and host may be NULL. out is an array of \`count\` handles, in the order of the surfaces, all NULL
-    /// after an error; made\_for may be NULL or gets the number of the shape that the polycube was made for. obc\_polycube\_copy\_energies
-    /// of each handle gives the sums, which never rise. Errors: those of obc\_polycube\_compute, and wrong genus.
+    /// One polycube for several shapes of one genus and kind (the dissertation's section 4.5): several polycubes of each are drawn on
+    /// all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps between
+    /// shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube, domain
+    /// for the energy. out is an array of \`count\` handles, in the order of the surfaces, all NULL after an error; made\_for may be NULL
+    /// or gets the number of the shape that the polycube was made for. obc\_polycube\_copy\_energies of each handle gives the sums,
+    /// which never rise. Errors: those of obc\_polycube\_compute, and wrong genus.
     pub fn obc_polycube_compute_common(surfaces: *const obc_surface, count: usize, options: *const obc_polycube_options, domain: *const obc_polycube_domain_options, host: *const obc_host, made_for: *mut usize, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
     /// obc\_polycube\_optimize\_domain for several maps to one and the same polycube: the proportions with the least sum of energies.
     /// out is an array of \`count\` handles, all NULL after an error. Errors: invalid argument (among them maps to different
     /// polycubes), out of memory, cancelled.
     pub fn obc_polycube_optimize_common_domain(maps: *const *const obc_polycube, count: usize, options: *const obc_polycube_domain_options, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
-    /// host may be NULL; its allocator must stay valid until \_destroy. Errors: invalid argument, out of memory, cancelled.
+    /// Errors: invalid argument, out of memory, cancelled.
     pub fn obc_polycube_graph_create(map: *const obc_polycube, host: *const obc_host, out: *mut *mut obc_polycube_graph, error: *mut obc_error) -> i32;
     /// Releases a graph; NULL is fine.
     pub fn obc_polycube_graph_destroy(graph: *mut obc_polycube_graph);
@@ -308,8 +351,7 @@ extern "C" {
     pub fn obc_polycube_quads_options_init(options: *mut obc_polycube_quads_options, struct_size: usize) -> i32;
     /// Makes the grid, with integer numbers of cells between neighbouring planes, and takes its vertices to the surface, each
     /// in the triangle that has it by exact arithmetic. Depends on the polycube alone, but for positions: maps to one polycube give
-    /// the same quads. options and host may be NULL; the host's allocator must stay valid until \_destroy. Errors: invalid argument
-    /// (among them more than 10^8 quads), out of memory, cancelled.
+    /// the same quads. Errors: invalid argument (among them more than 10^8 quads), out of memory, cancelled.
     pub fn obc_polycube_quads_create(map: *const obc_polycube, options: *const obc_polycube_quads_options, host: *const obc_host, out: *mut *mut obc_polycube_quads, error: *mut obc_error) -> i32;
     /// Releases quads; NULL is fine.
     pub fn obc_polycube_quads_destroy(quads: *mut obc_polycube_quads);
@@ -394,6 +436,33 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).area_mean) } as usize - start as usize, 64, "obc_polycube_corner_report.area_mean");
         assert_eq!(unsafe { addr_of!((*start).angle_weighted_mean) } as usize - start as usize, 72, "obc_polycube_corner_report.angle_weighted_mean");
         assert_eq!(unsafe { addr_of!((*start).area_weighted_mean) } as usize - start as usize, 80, "obc_polycube_corner_report.area_weighted_mean");
+        assert_eq!((size_of::<obc_polycube_feature_options>(), align_of::<obc_polycube_feature_options>()), (88, 8));
+        let it = MaybeUninit::<obc_polycube_feature_options>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_polycube_feature_options.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).point_count) } as usize - start as usize, 8, "obc_polycube_feature_options.point_count");
+        assert_eq!(unsafe { addr_of!((*start).points) } as usize - start as usize, 16, "obc_polycube_feature_options.points");
+        assert_eq!(unsafe { addr_of!((*start).places) } as usize - start as usize, 24, "obc_polycube_feature_options.places");
+        assert_eq!(unsafe { addr_of!((*start).point_weights) } as usize - start as usize, 32, "obc_polycube_feature_options.point_weights");
+        assert_eq!(unsafe { addr_of!((*start).curve_count) } as usize - start as usize, 40, "obc_polycube_feature_options.curve_count");
+        assert_eq!(unsafe { addr_of!((*start).curve_starts) } as usize - start as usize, 48, "obc_polycube_feature_options.curve_starts");
+        assert_eq!(unsafe { addr_of!((*start).curve_vertices) } as usize - start as usize, 56, "obc_polycube_feature_options.curve_vertices");
+        assert_eq!(unsafe { addr_of!((*start).curve_lines) } as usize - start as usize, 64, "obc_polycube_feature_options.curve_lines");
+        assert_eq!(unsafe { addr_of!((*start).curve_weights) } as usize - start as usize, 72, "obc_polycube_feature_options.curve_weights");
+        assert_eq!(unsafe { addr_of!((*start).sharp_angle) } as usize - start as usize, 80, "obc_polycube_feature_options.sharp_angle");
+        assert_eq!((size_of::<obc_polycube_feature_report>(), align_of::<obc_polycube_feature_report>()), (80, 8));
+        let it = MaybeUninit::<obc_polycube_feature_report>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_polycube_feature_report.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).distance_before) } as usize - start as usize, 8, "obc_polycube_feature_report.distance_before");
+        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 16, "obc_polycube_feature_report.distance");
+        assert_eq!(unsafe { addr_of!((*start).sharp_length) } as usize - start as usize, 24, "obc_polycube_feature_report.sharp_length");
+        assert_eq!(unsafe { addr_of!((*start).sharp_before) } as usize - start as usize, 32, "obc_polycube_feature_report.sharp_before");
+        assert_eq!(unsafe { addr_of!((*start).sharp) } as usize - start as usize, 40, "obc_polycube_feature_report.sharp");
+        assert_eq!(unsafe { addr_of!((*start).angle_mean) } as usize - start as usize, 48, "obc_polycube_feature_report.angle_mean");
+        assert_eq!(unsafe { addr_of!((*start).area_mean) } as usize - start as usize, 56, "obc_polycube_feature_report.area_mean");
+        assert_eq!(unsafe { addr_of!((*start).angle_weighted_mean) } as usize - start as usize, 64, "obc_polycube_feature_report.angle_weighted_mean");
+        assert_eq!(unsafe { addr_of!((*start).area_weighted_mean) } as usize - start as usize, 72, "obc_polycube_feature_report.area_weighted_mean");
         assert_eq!((size_of::<obc_polycube_places>(), align_of::<obc_polycube_places>()), (32, 8));
         let it = MaybeUninit::<obc_polycube_places>::uninit();
         let start = it.as_ptr();
