@@ -41,6 +41,9 @@ struct Pull {
   }
 };
 
+// A sharp edge is not worth a triangle that is as distorted as that, 2 being an isometry.
+constexpr double most_distorted = 3000;
+
 class Fit {
  public:
   Fit(SurfaceMap& map, const FeatureOptions& options, const base::Host& host)
@@ -271,7 +274,8 @@ class Fit {
       star_.gather(unfolded, *weights_, v);
       star_.tie = nullptr;
       const Vector2d there = pull.target(unfolded.image[v]);
-      if (star_.positive(there) && star_.energy(there) <= most_worse * star_.energy(unfolded.image[v])) {
+      const bool sound = star_.positive(there) && star_.energy(there) <= most_worse * star_.energy(unfolded.image[v]);
+      if (sound && !(pull.optional && worst_at(there) > most_distorted)) {
         unfolded.image[v] = there;
         unfolded.held[v] = pull.mask();
         unfolded.tie_at[v] = no_index;
@@ -282,6 +286,14 @@ class Fit {
     }
     unfolded.follow_corners();
     return left;
+  }
+
+  // Of the triangles around the vertex that was gathered.
+  double worst_at(const Vector2d& place) const {
+    double worst = 0;
+    for (const UnfoldedStar::Corner& t : star_.triangles)
+      worst = std::max(worst, distortion(jacobian(t.rest, place, t.a, t.b)));
+    return worst;
   }
 
   void draw_near(UnfoldedMap& unfolded) {
@@ -331,16 +343,21 @@ class Fit {
   // did.
   bool put_exactly(SurfaceMap& made) const {
     bool changed = false;
+    const double rounding = 1e-9 * std::sqrt(weights_->area);
     Array<std::uint8_t> in_plane(made.positions.size(), 0, host_.memory);  // by axes of the faces at a vertex
     for (std::size_t t = 0; t < made.triangles.size(); ++t)
       for (const Index v : made.triangles[t])
         in_plane[v] |= static_cast<std::uint8_t>(1U << axis_of(made.labels[t]));
     for (const Pull& pull : pulls_) {
-      if (!pull.pinned) continue;
+      // On edges of the polycube folding has put vertices exactly; sharp edges are nowhere else.
+      if (!pull.pinned || pull.optional) continue;
       for (int k = 0; k < 3; ++k) {
         double& now = made.polycube[pull.vertex][k];
         if ((in_plane[pull.vertex] >> k & 1) != 0 || (pull.on_line() && k == pull.axis) || now == pull.in_space[k])
           continue;
+        if (std::abs(now - pull.in_space[k]) > rounding)
+          throw base::Error("no-valid-result", "vertex " + std::to_string(pull.vertex) +
+                                                   " comes to its place on the wrong side of a corner of the polycube");
         now = pull.in_space[k];
         changed = true;
       }
