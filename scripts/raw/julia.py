@@ -73,7 +73,18 @@ def layouts(api):
             f"const layouts = [\n{rows}]\n")
 
 
+def libraries(api):
+    """In an order in which they can be loaded."""
+    order = []
+    for name in api.libraries:
+        order += [used for used in api.used(name) + [name] if used not in order]
+    rows = "".join(f"    :{name} => Symbol[{', '.join(':' + used for used in api.used(name))}],\n" for name in order)
+    return ("# Each library with those that it uses. Written by scripts/bindings.py; not to be edited.\n"
+            f"const libraries = [\n{rows}]\n")
+
+
 def files(api):
     result = {FOLDER + f"src/raw/{name}.jl": module(api, name) for name in api.libraries}
+    result[FOLDER + "src/raw/libraries.jl"] = libraries(api)
     result[FOLDER + "test/layouts.jl"] = layouts(api)
     return result

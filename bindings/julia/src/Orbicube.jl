@@ -1,0 +1,19 @@
+"""
+Orbicube: maps of surfaces to spheres and polycubes, harmonics, frame fields, and the solvers underneath. `Orbicube.Raw` has the C
+functions as they are.
+"""
+module Orbicube
+
+export OrbicubeError, EvaluationFailed, StopRun
+export TrustRegion, ProjectedGradient, SphereOptimizer, optimize, least_squares, only_fg!, project
+export minimizer, converged, iterations, f_calls, stop_reason, report
+export Run, ask!, tell!, result, multipliers, save, load
+export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
+export Locator, locate, sample, remesh, fit_harmonics, synthesize, PolycubeMap, polycube, frame_field
+
+include("raw.jl")
+include("call.jl")
+include("solvers.jl")
+include("maps.jl")
+
+end

@@ -1,0 +1,373 @@
+# The solvers: optimize with functions, as in Optim; and by questions and answers.
+
+abstract type Method end
+
+"Minimises without derivatives, within bounds. Options are the members of `obc_trust_region_options`."
+struct TrustRegion{O} <: Method
+    options::O
+end
+TrustRegion(; options...) = TrustRegion(values(options))
+
+"Minimises with gradients, subject to bounds and `A x = b`. Options are the members of `obc_projected_gradient_options`."
+struct ProjectedGradient{O} <: Method
+    options::O
+end
+ProjectedGradient(; options...) = ProjectedGradient(values(options))
+
+"Minimises with gradients over unit vectors, the columns of x. Options are the members of `obc_sphere_optimizer_options`."
+struct SphereOptimizer{O} <: Method
+    options::O
+end
+SphereOptimizer(; options...) = SphereOptimizer(values(options))
+
+"How a run ended; ask it with `minimizer`, `minimum`, `converged`, `iterations`, `f_calls`, `stop_reason` and `report`."
+struct Result{X,R}
+    x::X
+    report::R
+    stop::String
+end
+minimizer(result::Result) = result.x
+Base.minimum(result::Result) = result.report.value
+converged(result::Result) = result.stop == "converged"
+iterations(result::Result) = Int(result.report.iterations)
+f_calls(result::Result) = Int(result.report.evaluations)
+stop_reason(result::Result) = result.stop
+report(result::Result) = result.report
+Base.show(io::IO, result::Result) = print(io, "Result: ", result.stop, " after ", f_calls(result), " evaluations, minimum ",
+                                          minimum(result), " at ", minimizer(result))
+
+"A function that answers the value and fills the gradient: `fg!(G, x)`."
+struct ValueAndGradient{F}
+    fg!::F
+end
+only_fg!(fg!) = ValueAndGradient(fg!)
+
+# -- what C calls --------------------------------------------------------------------------------------------------------------
+
+mutable struct Called{F,N}
+    f::F
+    x::Array{Float64,N}       # what the function is given, ours to the end of the run
+    output::Array{Float64,N}  # what it fills
+    caught::Caught
+end
+
+function answered(f, called::Called)::Int32
+    try
+        f()
+        Int32(0)
+    catch error
+        error isa EvaluationFailed && return Int32(2)
+        error isa StopRun && return Int32(1)
+        keep!(called.caught, error)
+    end
+end
+
+function value_called(x::Ptr{Float64}, n::Csize_t, output::Ptr{Float64}, called::Called)::Int32
+    unsafe_copyto!(pointer(called.x), x, n)
+    answered(() -> unsafe_store!(output, convert(Float64, called.f(called.x))), called)
+end
+
+function residuals_called(x::Ptr{Float64}, n::Csize_t, output::Ptr{Float64}, called::Called)::Int32
+    unsafe_copyto!(pointer(called.x), x, n)
+    answered(called) do
+        called.f(called.output, called.x)
+        unsafe_copyto!(output, pointer(called.output), length(called.output))
+    end
+end
+
+function gradient_called(x::Ptr{Float64}, n::Csize_t, value::Ptr{Float64}, gradient::Ptr{Float64}, called::Called)::Int32
+    unsafe_copyto!(pointer(called.x), x, n)
+    answered(called) do
+        unsafe_store!(value, convert(Float64, called.f(called.output, called.x)))
+        unsafe_copyto!(gradient, pointer(called.output), length(called.output))
+    end
+end
+
+spheres_called(x::Ptr{Float64}, count::Csize_t, dimension::Csize_t, value::Ptr{Float64}, gradient::Ptr{Float64},
+               called::Called)::Int32 = gradient_called(x, count * dimension, value, gradient, called)
+
+value_function(::C) where {C} = @cfunction(value_called, Int32, (Ptr{Float64}, Csize_t, Ptr{Float64}, Ref{C}))
+residuals_function(::C) where {C} = @cfunction(residuals_called, Int32, (Ptr{Float64}, Csize_t, Ptr{Float64}, Ref{C}))
+gradient_function(::C) where {C} =
+    @cfunction(gradient_called, Int32, (Ptr{Float64}, Csize_t, Ptr{Float64}, Ptr{Float64}, Ref{C}))
+spheres_function(::C) where {C} =
+    @cfunction(spheres_called, Int32, (Ptr{Float64}, Csize_t, Csize_t, Ptr{Float64}, Ptr{Float64}, Ref{C}))
+
+# -- problems ------------------------------------------------------------------------------------------------------------------
+
+entries(value::Nothing, n) = nothing
+entries(value::Real, n) = fill(Float64(value), n)
+function entries(value, n)
+    array = doubles(value)
+    expect(length(array), n, "bounds, scale or sign")
+    array
+end
+place(value::Nothing) = Ptr{Float64}(C_NULL)
+place(value) = pointer(value)
+
+# A C struct with the arrays that it points at.
+struct Problem{T}
+    c::T
+    kept::Vector{Any}
+end
+
+function trust_region_problem(n, residuals; lower=nothing, upper=nothing, scale=nothing, sign=nothing)
+    c = filled(Raw.obc_trust_region_problem, Raw.obc_trust_region_problem_init, NamedTuple())
+    kept = Any[entries(lower, n), entries(upper, n), entries(scale, n), entries(sign, residuals)]
+    c.n, c.residuals = n, residuals
+    c.lower, c.upper, c.scale, c.sign = place.(kept)
+    Problem(c, kept)
+end
+
+function projected_gradient_problem(n; lower=nothing, upper=nothing, A=nothing, b=nothing)
+    c = filled(Raw.obc_projected_gradient_problem, Raw.obc_projected_gradient_problem_init, NamedTuple())
+    kept = Any[entries(lower, n), entries(upper, n)]
+    c.n = n
+    c.lower, c.upper = place.(kept)
+    if A !== nothing
+        size(A, 2) == n || throw(DimensionMismatch("A: $n columns are needed, not $(size(A))"))
+        start, column, value = Csize_t[0], UInt32[], Float64[]
+        for i in 1:size(A, 1)
+            for j in 1:n
+                if A[i, j] != 0
+                    push!(column, j - 1)
+                    push!(value, A[i, j])
+                end
+            end
+            push!(start, length(column))
+        end
+        right = entries(b, size(A, 1))
+        append!(kept, Any[start, column, value, right])
+        c.m = size(A, 1)
+        c.row_start, c.column, c.value, c.b = pointer(start), pointer(column), pointer(value), pointer(right)
+    end
+    Problem(c, kept)
+end
+
+function finished(f, called, result, x, name)
+    error = Raw.obc_error()
+    status = GC.@preserve called f(error)
+    rethrown(called.caught)
+    check(status, error)
+    Result(x, result, text(name(result.stop)))
+end
+
+# -- optimize ------------------------------------------------------------------------------------------------------------------
+
+"""
+    optimize(f, x0, TrustRegion(); lower, upper, scale)
+    optimize(only_fg!(fg!), x0, ProjectedGradient(); lower, upper, A, b)
+    optimize(f, g!, x0, ProjectedGradient(); ...)
+    optimize(only_fg!(fg!), x0, SphereOptimizer())
+
+The least value that is found from x0. `fg!(G, x)` fills the gradient and answers the value; `g!(G, x)` only fills it. The x that
+functions are given is used again. For ProjectedGradient also `optimize(..., lower, upper, x0, method)`, as in Optim.
+"""
+function optimize(f, x0::AbstractVector, method::TrustRegion; problem...)
+    x = Vector{Float64}(x0)
+    options = filled(Raw.obc_trust_region_options, Raw.obc_trust_region_options_init, method.options, "OBC_TRUST_REGION_")
+    set = trust_region_problem(length(x), 0; problem...)
+    called = Called(f, similar(x), similar(x), Caught())
+    result = sized(Raw.obc_trust_region_result)
+    finished(called, result, x, Raw.obc_trust_region_stop_name) do error
+        GC.@preserve set Raw.obc_trust_region_minimize(set.c, options, value_function(called), pointer_from_objref(called), x,
+                                                       result, C_NULL, error)
+    end
+end
+
+"""
+    least_squares(r!, count, x0, TrustRegion(); lower, upper, scale, sign)
+
+The least sum of squares of `count` residuals, which `r!(R, x)` fills, with signs 1 or -1 if they are given.
+"""
+function least_squares(r!, count::Integer, x0::AbstractVector, method::TrustRegion=TrustRegion(); problem...)
+    count > 0 || throw(ArgumentError("no residuals"))
+    x = Vector{Float64}(x0)
+    options = filled(Raw.obc_trust_region_options, Raw.obc_trust_region_options_init, method.options, "OBC_TRUST_REGION_")
+    set = trust_region_problem(length(x), count; problem...)
+    called = Called(r!, similar(x), Vector{Float64}(undef, count), Caught())
+    result = sized(Raw.obc_trust_region_result)
+    finished(called, result, x, Raw.obc_trust_region_stop_name) do error
+        GC.@preserve set Raw.obc_trust_region_minimize(set.c, options, residuals_function(called), pointer_from_objref(called), x,
+                                                       result, C_NULL, error)
+    end
+end
+
+function optimize(f::ValueAndGradient, x0::AbstractVector, method::ProjectedGradient; problem...)
+    x = Vector{Float64}(x0)
+    options = filled(Raw.obc_projected_gradient_options, Raw.obc_projected_gradient_options_init, method.options,
+                     "OBC_PROJECTED_GRADIENT_")
+    set = projected_gradient_problem(length(x); problem...)
+    called = Called(f.fg!, similar(x), similar(x), Caught())
+    result = sized(Raw.obc_projected_gradient_result)
+    finished(called, result, x, Raw.obc_projected_gradient_stop_name) do error
+        GC.@preserve set Raw.obc_projected_gradient_minimize(set.c, options, gradient_function(called),
+                                                             pointer_from_objref(called), x, result, C_NULL, error)
+    end
+end
+
+function optimize(f::ValueAndGradient, x0::AbstractMatrix, method::SphereOptimizer)
+    x = Matrix{Float64}(x0)
+    options = filled(Raw.obc_sphere_optimizer_options, Raw.obc_sphere_optimizer_options_init, method.options,
+                     "OBC_SPHERE_OPTIMIZER_")
+    called = Called(f.fg!, similar(x), similar(x), Caught())
+    result = sized(Raw.obc_sphere_optimizer_result)
+    finished(called, result, x, Raw.obc_sphere_optimizer_stop_name) do error
+        Raw.obc_sphere_optimizer_minimize(size(x, 2), size(x, 1), options, spheres_function(called),
+                                          pointer_from_objref(called), x, result, C_NULL, error)
+    end
+end
+
+both(f, g!) = only_fg!((G, x) -> (g!(G, x); f(x)))
+optimize(f, g!, x0::AbstractArray, method::Union{ProjectedGradient,SphereOptimizer}; problem...) =
+    optimize(both(f, g!), x0, method; problem...)
+optimize(f, g!, lower::AbstractVector, upper::AbstractVector, x0::AbstractVector, method::ProjectedGradient; problem...) =
+    optimize(both(f, g!), x0, method; lower=lower, upper=upper, problem...)
+optimize(f, lower::AbstractVector, upper::AbstractVector, x0::AbstractVector, method::Union{TrustRegion,ProjectedGradient};
+         problem...) = optimize(f, x0, method; lower=lower, upper=upper, problem...)
+
+"The point of the set that is nearest to y, and the multipliers of the rows."
+function project(y::AbstractVector; threads=0, progress=nothing, problem...)
+    set = projected_gradient_problem(length(y); problem...)
+    point = Vector{Float64}(y)
+    x, multipliers = similar(point), Vector{Float64}(undef, set.c.m)
+    result = sized(Raw.obc_projected_gradient_result)
+    hosted(threads=threads, progress=progress) do host, error
+        GC.@preserve set Raw.obc_projected_gradient_project(set.c, point, x, multipliers, result, host, error)
+    end
+    x, multipliers
+end
+
+# -- by questions and answers --------------------------------------------------------------------------------------------------
+
+"""
+    Run(x0, method; ...)                    the arguments of optimize; residuals=count for least squares
+    while (x = ask!(run)) !== nothing
+        tell!(run, f(x))                    or tell!(run, residuals), or tell!(run, value, gradient)
+    end
+    result(run)
+
+A run whose evaluations are made by whatever program. `save(run)` gives bytes, `load(bytes, x0, method; ...)` goes on from them.
+"""
+mutable struct Run{M,N}
+    handle::Ptr{Cvoid}
+    set::Any
+    x::Array{Float64,N}
+    outputs::Int
+end
+
+start(x0, ::TrustRegion; residuals=0, problem...) = trust_region_problem(length(x0), residuals; problem...)
+start(x0, ::ProjectedGradient; problem...) = projected_gradient_problem(length(x0); problem...)
+start(x0, ::SphereOptimizer) = nothing
+
+function opened(handle, set, x, method::M, outputs) where {M}
+    run = Run{M,ndims(x)}(handle, set, x, outputs)
+    finalizer(run) do it
+        M <: TrustRegion ? Raw.obc_trust_region_destroy(it.handle) :
+        M <: ProjectedGradient ? Raw.obc_projected_gradient_destroy(it.handle) : Raw.obc_sphere_optimizer_destroy(it.handle)
+    end
+end
+
+function Run(x0::AbstractArray, method::Method; residuals=0, problem...)
+    x = Array{Float64}(x0)
+    set = residuals > 0 ? start(x, method; residuals=residuals, problem...) : start(x, method; problem...)
+    out = Ref(C_NULL)
+    if method isa TrustRegion
+        options = filled(Raw.obc_trust_region_options, Raw.obc_trust_region_options_init, method.options, "OBC_TRUST_REGION_")
+        checked(error -> GC.@preserve set Raw.obc_trust_region_create(set.c, options, x, C_NULL, out, error))
+    elseif method isa ProjectedGradient
+        options = filled(Raw.obc_projected_gradient_options, Raw.obc_projected_gradient_options_init, method.options,
+                         "OBC_PROJECTED_GRADIENT_")
+        checked(error -> GC.@preserve set Raw.obc_projected_gradient_create(set.c, options, x, C_NULL, out, error))
+    else
+        options = filled(Raw.obc_sphere_optimizer_options, Raw.obc_sphere_optimizer_options_init, method.options,
+                         "OBC_SPHERE_OPTIMIZER_")
+        checked(error -> Raw.obc_sphere_optimizer_create(size(x, 2), size(x, 1), options, x, C_NULL, out, error))
+    end
+    opened(out[], set, x, method, max(residuals, 1))
+end
+
+"Goes on with a run that was saved, of the same problem; of x0 only the size counts."
+function load(bytes::Vector{UInt8}, x0::AbstractArray, method::Method; residuals=0, problem...)
+    x = Array{Float64}(x0)
+    set = residuals > 0 ? start(x, method; residuals=residuals, problem...) : start(x, method; problem...)
+    out = Ref(C_NULL)
+    if method isa TrustRegion
+        checked(error -> GC.@preserve set Raw.obc_trust_region_load(set.c, bytes, length(bytes), C_NULL, out, error))
+    elseif method isa ProjectedGradient
+        checked(error -> GC.@preserve set Raw.obc_projected_gradient_load(set.c, bytes, length(bytes), C_NULL, out, error))
+    else
+        checked(error -> Raw.obc_sphere_optimizer_load(bytes, length(bytes), C_NULL, out, error))
+        count, dimension = Ref(Csize_t(0)), Ref(Csize_t(0))
+        checked(error -> Raw.obc_sphere_optimizer_get_shape(out[], count, dimension, error))
+        x = Matrix{Float64}(undef, dimension[], count[])
+    end
+    opened(out[], set, x, method, max(residuals, 1))
+end
+
+step!(run::Run{<:TrustRegion}, x) = Raw.obc_trust_region_step(run.handle, x, C_NULL)
+step!(run::Run{<:ProjectedGradient}, x) = Raw.obc_projected_gradient_step(run.handle, x)
+step!(run::Run{<:SphereOptimizer}, x) = Raw.obc_sphere_optimizer_step(run.handle, x)
+
+"The point that is asked about, a copy; `nothing` when the run has ended."
+function ask!(run::Run)
+    x = Ref(Ptr{Float64}(C_NULL))
+    GC.@preserve run while true
+        request = step!(run, x) # of every solver: 1 evaluate, 2 a new iterate, 3 done
+        request == 1 && return copy(unsafe_wrap(Array, x[], size(run.x)))
+        request == 3 && return nothing
+        request < 0 && throw(OrbicubeError(request, "internal", "step"))
+    end
+end
+
+"What there is at the point asked about; what is not finite: nothing."
+function tell!(run::Run{<:TrustRegion}, outputs)
+    values = outputs isa Real ? Float64[outputs] : doubles(outputs)
+    expect(length(values), run.outputs, "outputs")
+    GC.@preserve run checked(error -> Raw.obc_trust_region_tell(run.handle, values, error))
+end
+function tell!(run::Run, value::Real, gradient::AbstractArray)
+    slope = doubles(gradient)
+    expect(length(slope), length(run.x), "gradient")
+    GC.@preserve run checked() do error
+        run isa Run{<:ProjectedGradient} ? Raw.obc_projected_gradient_tell(run.handle, value, slope, error) :
+        Raw.obc_sphere_optimizer_tell(run.handle, value, slope, error)
+    end
+end
+
+"What is known now."
+function result(run::Run{M}) where {M}
+    x = similar(run.x)
+    GC.@preserve run if M <: TrustRegion
+        report = sized(Raw.obc_trust_region_result)
+        checked(error -> Raw.obc_trust_region_get_result(run.handle, report, x, C_NULL, error))
+        Result(x, report, text(Raw.obc_trust_region_stop_name(report.stop)))
+    elseif M <: ProjectedGradient
+        report = sized(Raw.obc_projected_gradient_result)
+        checked(error -> Raw.obc_projected_gradient_get_result(run.handle, report, x, error))
+        Result(x, report, text(Raw.obc_projected_gradient_stop_name(report.stop)))
+    else
+        report = sized(Raw.obc_sphere_optimizer_result)
+        checked(error -> Raw.obc_sphere_optimizer_get_result(run.handle, report, x, error))
+        Result(x, report, text(Raw.obc_sphere_optimizer_stop_name(report.stop)))
+    end
+end
+
+"The multipliers of the rows at the current iterate."
+function multipliers(run::Run{<:ProjectedGradient})
+    found = Vector{Float64}(undef, run.set.c.m)
+    GC.@preserve run checked(error -> Raw.obc_projected_gradient_multipliers(run.handle, found, error))
+    found
+end
+
+"The run as bytes."
+function save(run::Run{M}) where {M}
+    GC.@preserve run begin
+        size, write = M <: TrustRegion ? (Raw.obc_trust_region_save_size, Raw.obc_trust_region_save) :
+                      M <: ProjectedGradient ? (Raw.obc_projected_gradient_save_size, Raw.obc_projected_gradient_save) :
+                      (Raw.obc_sphere_optimizer_save_size, Raw.obc_sphere_optimizer_save)
+        bytes = Vector{UInt8}(undef, size(run.handle))
+        checked(error -> write(run.handle, bytes, length(bytes), error))
+        bytes
+    end
+end
