@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """What the C headers declare, for everything that must agree with them.
 
-    scripts/api.py              writes api.json and capi/abi/<library>.map from capi/include/orbicube/*.h
+    scripts/api.py              writes api.json and capi/abi/<library>.map from capi/include/orbicube/*.h, and by
+                                scripts/bindings.py what other languages see of them
     scripts/api.py --check      changes nothing; fails when writing would change something
     scripts/api.py --abi-check  fails when the headers changed what capi/abi/released.json records without a new soname
     scripts/api.py --release    records what the headers declare as capi/abi/released.json
@@ -18,6 +19,7 @@ import argparse
 import json
 import os
 import re
+import subprocess
 import sys
 
 from c_header import Header, HeaderError
@@ -264,6 +266,9 @@ def main():
             print(f"wrote {path}")
     if problems:
         sys.exit("\n".join(problems))
+    bindings = os.path.join(root, "scripts", "bindings.py")
+    if not (arguments.check or arguments.abi_check or arguments.release) and os.path.exists(bindings):
+        subprocess.run([sys.executable, bindings, "--root", root], check=True)
 
 
 if __name__ == "__main__":
