@@ -112,8 +112,9 @@ def stub(api, name):
     for callback in library["callbacks"]:
         out.append(f"\n{callback['name']}: Any\n")
     for struct in in_order(library["structs"], api):
-        fields = "".join(f"    {f['name']}: {hint(api, f)}\n" for f in struct["fields"])
-        arguments = "".join(f", {f['name']}: {hint(api, f)} = ..." for f in struct["fields"])
+        hints = {f["name"]: hint(api, f).replace("Pointer", "Any") for f in struct["fields"]}  # read and written as a number
+        fields = "".join(f"    {name}: {kind}\n" for name, kind in hints.items())
+        arguments = "".join(f", {name}: {kind} = ..." for name, kind in hints.items())
         out.append(f"\nclass {struct['name']}(Struct):\n{fields}    def __init__(self{arguments}) -> None: ...\n")
     for function in library["functions"]:
         arguments = ", ".join(f"{safe(p['name'])}: {hint(api, p)}" for p in parameters(function))

@@ -104,6 +104,12 @@ def meshio_cells(mesh: Any, kind: str, corners: int) -> Any:
     return np.concatenate(found) if found else np.empty((0, corners), dtype=np.uint32)
 
 
+def memory_of(where: int, count: int) -> Any:
+    """Doubles that lie elsewhere; nothing keeps that memory alive."""
+    memory: Any = (ctypes.c_double * count).from_address(where)
+    return np.frombuffer(memory)
+
+
 def buffer(kind: Any, count: int) -> tuple[Any, int]:
     """An array of our own and where it lies, for what is written to it again and again."""
     array = np.zeros(count, dtype=np.dtype(kind))

@@ -112,7 +112,7 @@ class _Lent:
 
     def __init__(self, progress: Progress, threads: int) -> None:
         self.raised: Optional[BaseException] = None
-        self.progress = bar() if progress is True else progress or None
+        self.progress: Any = bar() if progress is True else progress or None
         self.host = raw.obc_host()
         raw.obc_host_init(byref(self.host), sizeof(self.host))
         self.host.thread_count = threads
@@ -150,13 +150,14 @@ class _Lent:
 def bar() -> Optional[Callable[[str, int, int, float], Any]]:
     """A progress bar of tqdm, a phase after the other; None where tqdm is not installed."""
     try:
-        from tqdm.auto import tqdm
+        from tqdm.auto import tqdm  # type: ignore[import-untyped]
     except ImportError:
         return None
 
     class Bar:
         def __init__(self) -> None:
-            self.phase, self.bar = "", None
+            self.phase = ""
+            self.bar: Any = None
 
         def __call__(self, phase: str, done: int, total: int, best: float) -> None:
             if phase != self.phase or self.bar is None:

@@ -9,7 +9,7 @@ from typing import Any, Optional
 
 import numpy as np
 
-from ._arrays import Doubles, address
+from ._arrays import Doubles, address, memory_of
 from ._call import Progress, bar, call, sized, text
 
 NEED, ITERATION, DONE = 1, 2, 3  # of every solver
@@ -41,7 +41,8 @@ class Run:
     """A handle of a solver, and the arrays that go in and out of it."""
 
     def __init__(self, raw: Any, prefix: str, handle: int, size: int) -> None:
-        self._raw, self._prefix, self._handle, self._size = raw, prefix, handle, size
+        self._raw, self._prefix, self._size = raw, prefix, size
+        self._handle: Optional[int] = handle
         self._finalizer = weakref.finalize(self, self._function("destroy"), handle)
         self._step = self._function("step")
         self._tell = self._function("tell")
@@ -57,8 +58,7 @@ class Run:
         """What the solver has there, copied: its memory changes with the next step."""
         seen = self._views.get((where, shape))
         if seen is None:
-            count = int(np.prod(shape))
-            seen = np.frombuffer((ctypes.c_double * count).from_address(where)).reshape(shape)
+            seen = memory_of(where, int(np.prod(shape))).reshape(shape)
             self._views[(where, shape)] = seen
         return seen.copy()
 

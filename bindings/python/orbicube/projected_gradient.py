@@ -16,7 +16,7 @@ from typing import Any, Callable, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, buffer, doubles, indices
+from ._arrays import Doubles, address, buffer, doubles, indices, memory_of
 from ._call import HOST, Progress, Stop, call, call_init, filled, sized, text
 from ._solver import DONE, EvaluationFailed, Result, Run, reporter
 from .raw import projected_gradient as raw
@@ -53,8 +53,7 @@ class _Problem:
 
     def projected(self, y: int, n: int, x: int, _: Any) -> int:
         try:
-            given = np.frombuffer((ctypes.c_double * n).from_address(y)).copy()
-            np.frombuffer((ctypes.c_double * n).from_address(x))[:] = self.function(given)
+            memory_of(x, n)[:] = self.function(memory_of(y, n).copy())
             return 0
         except BaseException as error:  # noqa: BLE001: raised again by the solver's caller
             self.raised = error

@@ -16,7 +16,7 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, buffer, doubles, indices
+from ._arrays import Doubles, address, buffer, indices, memory_of
 from ._call import HOST, Progress, Stop, call, call_init, filled, sized, text
 from ._solver import DONE, EvaluationFailed, Result, Run, reporter
 from .raw import sphere_optimizer as raw
@@ -122,8 +122,7 @@ class _Part:
         key = (where, shape, writeable)
         found = self.arrays.get(key)
         if found is None:
-            count = int(np.prod(shape))
-            found = np.frombuffer((ctypes.c_double * count).from_address(where)).reshape(shape)
+            found = memory_of(where, int(np.prod(shape))).reshape(shape)
             found.flags.writeable = writeable
             self.arrays[key] = found
         return found

@@ -32,20 +32,20 @@ class obc_error(Struct):
 class obc_allocator(Struct):
     allocate: Any
     release: Any
-    user: Pointer
-    def __init__(self, allocate: Any = ..., release: Any = ..., user: Pointer = ...) -> None: ...
+    user: Any
+    def __init__(self, allocate: Any = ..., release: Any = ..., user: Any = ...) -> None: ...
 
 class obc_host(Struct):
     struct_size: int
     thread_count: int
     progress: Any
-    progress_user: Pointer
+    progress_user: Any
     log: Any
-    log_user: Pointer
+    log_user: Any
     parallel_for: Any
-    parallel_for_user: Pointer
-    allocator: Pointer
-    def __init__(self, struct_size: int = ..., thread_count: int = ..., progress: Any = ..., progress_user: Pointer = ..., log: Any = ..., log_user: Pointer = ..., parallel_for: Any = ..., parallel_for_user: Pointer = ..., allocator: Pointer = ...) -> None: ...
+    parallel_for_user: Any
+    allocator: Any
+    def __init__(self, struct_size: int = ..., thread_count: int = ..., progress: Any = ..., progress_user: Any = ..., log: Any = ..., log_user: Any = ..., parallel_for: Any = ..., parallel_for_user: Any = ..., allocator: Any = ...) -> None: ...
 
 def obc_host_init(host: Pointer, struct_size: int) -> int:
     """Fills a host with the defaults: nothing lent, one thread a core."""

@@ -21,11 +21,11 @@ OBC_FRAME_FIELD_REPAIR: int
 OBC_FRAME_FIELD_SINGLE_AXIS: int
 
 class obc_frame_field_solid(Struct):
-    positions: Pointer
+    positions: Any
     vertex_count: int
-    tetrahedra: Pointer
+    tetrahedra: Any
     tetrahedron_count: int
-    def __init__(self, positions: Pointer = ..., vertex_count: int = ..., tetrahedra: Pointer = ..., tetrahedron_count: int = ...) -> None: ...
+    def __init__(self, positions: Any = ..., vertex_count: int = ..., tetrahedra: Any = ..., tetrahedron_count: int = ...) -> None: ...
 
 class obc_frame_field_options(Struct):
     struct_size: int
@@ -43,15 +43,15 @@ class obc_frame_field_options(Struct):
 class obc_frame_field_constraints(Struct):
     struct_size: int
     reserved: int
-    frame_tetrahedra: Pointer
-    frames: Pointer
+    frame_tetrahedra: Any
+    frames: Any
     frame_count: int
-    axis_tetrahedra: Pointer
-    axes: Pointer
+    axis_tetrahedra: Any
+    axes: Any
     axis_count: int
-    frame_weights: Pointer
-    axis_weights: Pointer
-    def __init__(self, struct_size: int = ..., reserved: int = ..., frame_tetrahedra: Pointer = ..., frames: Pointer = ..., frame_count: int = ..., axis_tetrahedra: Pointer = ..., axes: Pointer = ..., axis_count: int = ..., frame_weights: Pointer = ..., axis_weights: Pointer = ...) -> None: ...
+    frame_weights: Any
+    axis_weights: Any
+    def __init__(self, struct_size: int = ..., reserved: int = ..., frame_tetrahedra: Any = ..., frames: Any = ..., frame_count: int = ..., axis_tetrahedra: Any = ..., axes: Any = ..., axis_count: int = ..., frame_weights: Any = ..., axis_weights: Any = ...) -> None: ...
 
 class obc_frame_field_report(Struct):
     struct_size: int

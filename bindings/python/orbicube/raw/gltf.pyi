@@ -11,34 +11,34 @@ class obc_gltf_read_options(Struct):
 
 class obc_gltf_morph_target(Struct):
     name: bytes | None
-    positions: Pointer
-    def __init__(self, name: bytes | None = ..., positions: Pointer = ...) -> None: ...
+    positions: Any
+    def __init__(self, name: bytes | None = ..., positions: Any = ...) -> None: ...
 
 class obc_gltf_scene(Struct):
     struct_size: int
     smooth_normals: int
-    positions: Pointer
+    positions: Any
     vertex_count: int
-    triangles: Pointer
+    triangles: Any
     triangle_count: int
-    normals: Pointer
-    texture_coordinates: Pointer
-    colors: Pointer
-    morph_targets: Pointer
+    normals: Any
+    texture_coordinates: Any
+    colors: Any
+    morph_targets: Any
     morph_target_count: int
-    edges: Pointer
+    edges: Any
     edge_count: int
     translation: Any
     scale: float
     base_color: Any
-    texture: Pointer
+    texture: Any
     texture_size: int
     checker_texture: int
     morph_normals: int
     name: bytes | None
     extras: bytes | None
     morph_seconds: float
-    def __init__(self, struct_size: int = ..., smooth_normals: int = ..., positions: Pointer = ..., vertex_count: int = ..., triangles: Pointer = ..., triangle_count: int = ..., normals: Pointer = ..., texture_coordinates: Pointer = ..., colors: Pointer = ..., morph_targets: Pointer = ..., morph_target_count: int = ..., edges: Pointer = ..., edge_count: int = ..., translation: Any = ..., scale: float = ..., base_color: Any = ..., texture: Pointer = ..., texture_size: int = ..., checker_texture: int = ..., morph_normals: int = ..., name: bytes | None = ..., extras: bytes | None = ..., morph_seconds: float = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., smooth_normals: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., normals: Any = ..., texture_coordinates: Any = ..., colors: Any = ..., morph_targets: Any = ..., morph_target_count: int = ..., edges: Any = ..., edge_count: int = ..., translation: Any = ..., scale: float = ..., base_color: Any = ..., texture: Any = ..., texture_size: int = ..., checker_texture: int = ..., morph_normals: int = ..., name: bytes | None = ..., extras: bytes | None = ..., morph_seconds: float = ...) -> None: ...
 
 def obc_gltf_read_options_init(options: Pointer, struct_size: int) -> int:
     """The defaults, which the members' comments give."""

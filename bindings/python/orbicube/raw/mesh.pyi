@@ -11,24 +11,24 @@ OBC_MESH_MEDIT: int
 OBC_MESH_VTK: int
 
 class obc_surface(Struct):
-    positions: Pointer
+    positions: Any
     vertex_count: int
-    triangles: Pointer
+    triangles: Any
     triangle_count: int
-    def __init__(self, positions: Pointer = ..., vertex_count: int = ..., triangles: Pointer = ..., triangle_count: int = ...) -> None: ...
+    def __init__(self, positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ...) -> None: ...
 
 class obc_mesh_cells(Struct):
     struct_size: int
     reserved: int
-    positions: Pointer
+    positions: Any
     vertex_count: int
-    triangles: Pointer
+    triangles: Any
     triangle_count: int
-    tetrahedra: Pointer
+    tetrahedra: Any
     tetrahedron_count: int
-    hexahedra: Pointer
+    hexahedra: Any
     hexahedron_count: int
-    def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Pointer = ..., vertex_count: int = ..., triangles: Pointer = ..., triangle_count: int = ..., tetrahedra: Pointer = ..., tetrahedron_count: int = ..., hexahedra: Pointer = ..., hexahedron_count: int = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., tetrahedra: Any = ..., tetrahedron_count: int = ..., hexahedra: Any = ..., hexahedron_count: int = ...) -> None: ...
 
 class obc_mesh_tetrahedron_quality_report(Struct):
     struct_size: int

@@ -77,16 +77,16 @@ class obc_polycube_corner_report(Struct):
 class obc_polycube_feature_options(Struct):
     struct_size: int
     point_count: int
-    points: Pointer
-    places: Pointer
-    point_weights: Pointer
+    points: Any
+    places: Any
+    point_weights: Any
     curve_count: int
-    curve_starts: Pointer
-    curve_vertices: Pointer
-    curve_lines: Pointer
-    curve_weights: Pointer
+    curve_starts: Any
+    curve_vertices: Any
+    curve_lines: Any
+    curve_weights: Any
     sharp_angle: float
-    def __init__(self, struct_size: int = ..., point_count: int = ..., points: Pointer = ..., places: Pointer = ..., point_weights: Pointer = ..., curve_count: int = ..., curve_starts: Pointer = ..., curve_vertices: Pointer = ..., curve_lines: Pointer = ..., curve_weights: Pointer = ..., sharp_angle: float = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., point_count: int = ..., points: Any = ..., places: Any = ..., point_weights: Any = ..., curve_count: int = ..., curve_starts: Any = ..., curve_vertices: Any = ..., curve_lines: Any = ..., curve_weights: Any = ..., sharp_angle: float = ...) -> None: ...
 
 class obc_polycube_feature_report(Struct):
     struct_size: int
@@ -102,11 +102,11 @@ class obc_polycube_feature_report(Struct):
     def __init__(self, struct_size: int = ..., distance_before: float = ..., distance: float = ..., sharp_length: float = ..., sharp_before: float = ..., sharp: float = ..., angle_mean: float = ..., area_mean: float = ..., angle_weighted_mean: float = ..., area_weighted_mean: float = ...) -> None: ...
 
 class obc_polycube_places(Struct):
-    corners: Pointer
-    vertices: Pointer
-    points: Pointer
+    corners: Any
+    vertices: Any
+    points: Any
     count: int
-    def __init__(self, corners: Pointer = ..., vertices: Pointer = ..., points: Pointer = ..., count: int = ...) -> None: ...
+    def __init__(self, corners: Any = ..., vertices: Any = ..., points: Any = ..., count: int = ...) -> None: ...
 
 class obc_polycube_quads_options(Struct):
     struct_size: int

@@ -36,15 +36,15 @@ class obc_projected_gradient_problem(Struct):
     struct_size: int
     n: int
     m: int
-    lower: Pointer
-    upper: Pointer
-    row_start: Pointer
-    column: Pointer
-    value: Pointer
-    b: Pointer
+    lower: Any
+    upper: Any
+    row_start: Any
+    column: Any
+    value: Any
+    b: Any
     project: Any
-    project_user: Pointer
-    def __init__(self, struct_size: int = ..., n: int = ..., m: int = ..., lower: Pointer = ..., upper: Pointer = ..., row_start: Pointer = ..., column: Pointer = ..., value: Pointer = ..., b: Pointer = ..., project: Any = ..., project_user: Pointer = ...) -> None: ...
+    project_user: Any
+    def __init__(self, struct_size: int = ..., n: int = ..., m: int = ..., lower: Any = ..., upper: Any = ..., row_start: Any = ..., column: Any = ..., value: Any = ..., b: Any = ..., project: Any = ..., project_user: Any = ...) -> None: ...
 
 class obc_projected_gradient_options(Struct):
     struct_size: int

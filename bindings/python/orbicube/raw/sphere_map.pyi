@@ -24,8 +24,8 @@ class obc_sphere_map_options(Struct):
     area_weight: float
     seed: int
     trace: Any
-    trace_user: Pointer
-    def __init__(self, struct_size: int = ..., method: int = ..., angle_weight: float = ..., area_weight: float = ..., seed: int = ..., trace: Any = ..., trace_user: Pointer = ...) -> None: ...
+    trace_user: Any
+    def __init__(self, struct_size: int = ..., method: int = ..., angle_weight: float = ..., area_weight: float = ..., seed: int = ..., trace: Any = ..., trace_user: Any = ...) -> None: ...
 
 class obc_sphere_map_report(Struct):
     struct_size: int

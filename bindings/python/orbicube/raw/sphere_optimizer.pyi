@@ -58,9 +58,9 @@ class obc_sphere_optimizer_blocks(Struct):
     struct_size: int
     dimension: int
     count: int
-    neighbour_start: Pointer
-    neighbour: Pointer
-    def __init__(self, struct_size: int = ..., dimension: int = ..., count: int = ..., neighbour_start: Pointer = ..., neighbour: Pointer = ...) -> None: ...
+    neighbour_start: Any
+    neighbour: Any
+    def __init__(self, struct_size: int = ..., dimension: int = ..., count: int = ..., neighbour_start: Any = ..., neighbour: Any = ...) -> None: ...
 
 class obc_sphere_optimizer_relaxation_options(Struct):
     struct_size: int

@@ -9,11 +9,11 @@ class obc_tetrahedra_options(Struct):
     quality: float
     max_volume: float
     edge_length: float
-    size_positions: Pointer
-    size_lengths: Pointer
+    size_positions: Any
+    size_lengths: Any
     size_count: int
     size_growth: float
-    def __init__(self, struct_size: int = ..., keep_surface: int = ..., quality: float = ..., max_volume: float = ..., edge_length: float = ..., size_positions: Pointer = ..., size_lengths: Pointer = ..., size_count: int = ..., size_growth: float = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., keep_surface: int = ..., quality: float = ..., max_volume: float = ..., edge_length: float = ..., size_positions: Any = ..., size_lengths: Any = ..., size_count: int = ..., size_growth: float = ...) -> None: ...
 
 def obc_tetrahedra_options_init(options: Pointer, struct_size: int) -> int:
     """The defaults, which the members' comments give."""

@@ -33,11 +33,11 @@ class obc_trust_region_problem(Struct):
     struct_size: int
     n: int
     residuals: int
-    lower: Pointer
-    upper: Pointer
-    scale: Pointer
-    sign: Pointer
-    def __init__(self, struct_size: int = ..., n: int = ..., residuals: int = ..., lower: Pointer = ..., upper: Pointer = ..., scale: Pointer = ..., sign: Pointer = ...) -> None: ...
+    lower: Any
+    upper: Any
+    scale: Any
+    sign: Any
+    def __init__(self, struct_size: int = ..., n: int = ..., residuals: int = ..., lower: Any = ..., upper: Any = ..., scale: Any = ..., sign: Any = ...) -> None: ...
 
 class obc_trust_region_options(Struct):
     struct_size: int

@@ -6,14 +6,14 @@ from .._library import Pointer, Struct
 class obc_volume_map_tangle(Struct):
     struct_size: int
     reserved: int
-    positions: Pointer
+    positions: Any
     vertex_count: int
-    tetrahedra: Pointer
+    tetrahedra: Any
     tetrahedron_count: int
-    rest: Pointer
-    fixed: Pointer
-    ties: Pointer
-    def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Pointer = ..., vertex_count: int = ..., tetrahedra: Pointer = ..., tetrahedron_count: int = ..., rest: Pointer = ..., fixed: Pointer = ..., ties: Pointer = ...) -> None: ...
+    rest: Any
+    fixed: Any
+    ties: Any
+    def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Any = ..., vertex_count: int = ..., tetrahedra: Any = ..., tetrahedron_count: int = ..., rest: Any = ..., fixed: Any = ..., ties: Any = ...) -> None: ...
 
 class obc_volume_map_untangle_options(Struct):
     struct_size: int
