@@ -5,10 +5,13 @@
 //     bench-polycube domain [--corners N] files...
 //     bench-polycube corners [--corners N] files...
 //     bench-polycube common [--corners N] files...
+//     bench-polycube factors [--corners N] files...
+//     bench-polycube tables FILE:CORNERS...
 //
 // Without files, shapes made by the project. METHOD: auto, labels or voxels. -v prints what became of each attempt, -o
 // keeps NAME.surface.ply and NAME.polycube.ply for judging. `domain` is about proportions, see domain.h, `corners`
-// about corners, see corners.h, `common` about one polycube for all files.
+// about corners, see corners.h, `common` about one polycube for all files, `factors` about systems of equations,
+// factors.h, and `tables` is for tables.py.
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -21,11 +24,13 @@
 #include "common.h"
 #include "corners.h"
 #include "domain.h"
+#include "factors.h"
 #include "mesh/make_shape.h"
 #include "mesh/orient.h"
 #include "mesh/read.h"
 #include "mesh/write.h"
 #include "polycube/construction.h"
+#include "tables.h"
 
 using namespace orbicube;
 
@@ -97,6 +102,14 @@ int main(int argc, char** argv) {
   }
   if (!files.empty() && files.front() == "common") {
     bench::compare_common(std::span(files).subspan(1), options.corners, host);
+    return 0;
+  }
+  if (!files.empty() && files.front() == "tables") {
+    bench::measure_tables(std::span(files).subspan(1), host);
+    return 0;
+  }
+  if (!files.empty() && files.front() == "factors") {
+    bench::measure_factors(std::span(files).subspan(1), options.corners, host);
     return 0;
   }
   if (!files.empty() && files.front() == "corners") {

@@ -128,17 +128,21 @@ class CommonConstruction {
     }
   }
 
-  // Each shape's own polycube drawn on all shapes, and those of coarse shapes by each construction.
+  // Each shape's own polycube drawn on all shapes, and those of coarse shapes by each construction, which takes time in
+  // proportion to the square of the number of shapes.
   void try_polycubes() {
+    constexpr std::size_t most_drawings = 48;
+    const auto name_of = [](std::size_t i) { return "polycube of shape " + std::to_string(i); };
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+      if (own_[i]) try_polycube(name_of(i), i, *own_[i], coarse_shapes_[i].whole);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
-      const std::string shape = "polycube of shape " + std::to_string(i);
-      if (own_[i]) try_polycube(shape, i, *own_[i], coarse_shapes_[i].whole);
       for (const Method method : {Method::labels, Method::voxels}) {
         ConstructionOptions options = options_.construction;
         if (options.method != Method::automatic && options.method != method) continue;
         if (coarse_shapes_[i].whole && own_methods_[i] == method) continue;  // that is its own
+        if (tried_ * shapes_.size() >= most_drawings) return;
         options.method = method;
-        const std::string name = shape + (method == Method::labels ? " by labels" : " by voxels");
+        const std::string name = name_of(i) + (method == Method::labels ? " by labels" : " by voxels");
         attempt(name, [&] {
           const SurfaceMap map = construct(coarse_[i].positions, coarse_[i].triangles, options, host_).made.map;
           try_polycube(name, i, map, true);

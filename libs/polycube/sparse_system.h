@@ -6,6 +6,9 @@
 #include <algorithm>
 
 #include "polycube/surface_map.h"
+#ifdef ORBICUBE_POLYCUBE_CHOLMOD
+#include "polycube/cholmod_factor.h"
+#endif
 
 namespace orbicube::polycube {
 
@@ -40,8 +43,14 @@ class SparseSystem {
   Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return solver_.solve(right); }
 
  private:
+#ifdef ORBICUBE_POLYCUBE_CHOLMOD
+  using Factor = CholmodFactor;
+#else
+  using Factor = Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>>;
+#endif
+
   Matrix matrix_;
-  Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> solver_;
+  Factor solver_;
 };
 
 }  // namespace orbicube::polycube

@@ -1,0 +1,56 @@
+#include "tables.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "bench/measuring.h"
+#include "map_files.h"
+#include "polycube/optimal_corners.h"
+
+namespace orbicube::bench {
+namespace {
+
+using namespace orbicube::polycube;
+
+void measure(const std::string& file, std::size_t corners, const base::Host& host) {
+  const std::string name = stem_of(file);
+  double start = cpu_seconds();
+  const SurfaceMap map = make_map(file, Method::automatic, corners, host);
+  const double constructed = cpu_seconds() - start;
+  const Distortion before = measure_distortion(map, host);
+  const std::size_t had = certify(map.polycube, map.triangles, host).corners;
+  start = cpu_seconds();
+  SurfaceMap proportioned = map;
+  optimise_domain(proportioned, {}, host);
+  const double domain = cpu_seconds() - start;
+  for (const double weight : {1.0, 0.1, 0.5, 1.5}) {
+    SurfaceMap best = map;
+    start = cpu_seconds();
+    const OptimalCorners found =
+        optimise_corners(best, {.method = CornerMethod::gradient, .area_weight = weight, .domain = true}, host);
+    const Distortion& after = found.distortion;
+    if (weight == 1)
+      std::printf("map\t%s\t%zu\t%zu\t%zu\t%.4f\t%.4f\t%.4f\t%.4f\t%.2f\t%.3f\t%.2f\n", name.c_str(),
+                  map.triangles.size(), corners, had, before.angle_mean, before.area_mean, after.angle_mean,
+                  after.area_mean, constructed, domain, cpu_seconds() - start);
+    std::printf("weight\t%s\t%g\t%.4f\t%.4f\t%.5f\t%.5f\n", name.c_str(), weight, after.angle_mean, after.area_mean,
+                found.energies.front(), found.energies.back());
+    std::fflush(stdout);
+  }
+}
+
+}  // namespace
+
+void measure_tables(std::span<const std::string> files, const base::Host& host) {
+  for (const std::string& entry : files) {
+    const std::size_t colon = entry.rfind(':');
+    try {
+      base::require(colon != std::string::npos, "FILE:CORNERS is wanted");
+      measure(entry.substr(0, colon), std::strtoul(entry.c_str() + colon + 1, nullptr, 10), host);
+    } catch (const base::Error& error) {
+      std::printf("failed\t%s\t%s: %s\n", entry.c_str(), error.kind(), error.what());
+    }
+  }
+}
+
+}  // namespace orbicube::bench
