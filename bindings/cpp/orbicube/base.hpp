@@ -4,6 +4,9 @@
 // Each header orbicube/<library>.hpp wraps orbicube/<library>.h, whose comments say what the functions do. Options are
 // the C structs with their defaults filled in; reports are the C structs. The C functions can be used beside: handle()
 // gives what they take.
+//
+// All of it is in the inline namespace `api`: the libraries' own C++ has classes of the same names, and in programs that
+// link the static libraries the linker must tell the ones from the others.
 #ifndef ORBICUBE_BASE_HPP
 #define ORBICUBE_BASE_HPP
 
@@ -21,6 +24,7 @@
 #include <orbicube/base.h>
 
 namespace orbicube {
+inline namespace api {
 
 // What a library refused or failed at.
 class Error : public std::runtime_error {
@@ -206,6 +210,7 @@ struct EvaluationFailed {};
 // Thrown by a user's function: the run ends as cancelled, with the best point so far.
 struct Stop {};
 
+}  // namespace api
 }  // namespace orbicube
 
 #endif

@@ -7,7 +7,9 @@
 #include <orbicube/frame_field.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::frame_field {
+namespace orbicube {
+inline namespace api {
+namespace frame_field {
 
 using Options = detail::Filled<obc_frame_field_options, obc_frame_field_options_init>;
 using Constraints = detail::Filled<obc_frame_field_constraints, obc_frame_field_constraints_init>;
@@ -90,6 +92,8 @@ struct Singularities {
   }
 };
 
-}  // namespace orbicube::frame_field
+}  // namespace frame_field
+}  // namespace api
+}  // namespace orbicube
 
 #endif

@@ -7,7 +7,9 @@
 #include <orbicube/gltf.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::gltf {
+namespace orbicube {
+inline namespace api {
+namespace gltf {
 
 using ReadOptions = detail::Filled<obc_gltf_read_options, obc_gltf_read_options_init>;
 using Scene = detail::Filled<obc_gltf_scene, obc_gltf_scene_init>;  // views of the caller's arrays
@@ -47,6 +49,8 @@ inline void write(const std::string& path, View<const float> positions, Indices 
   });
 }
 
-}  // namespace orbicube::gltf
+}  // namespace gltf
+}  // namespace api
+}  // namespace orbicube
 
 #endif

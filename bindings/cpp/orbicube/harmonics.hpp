@@ -7,7 +7,9 @@
 #include <orbicube/harmonics.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::harmonics {
+namespace orbicube {
+inline namespace api {
+namespace harmonics {
 
 using FitOptions = detail::Filled<obc_harmonics_fit_options, obc_harmonics_fit_options_init>;
 using FitReport = detail::Filled<obc_harmonics_fit_report, obc_harmonics_fit_report_init>;
@@ -127,6 +129,8 @@ inline Coefficients read(const std::string& path, std::int32_t format = OBC_HARM
   return found;
 }
 
-}  // namespace orbicube::harmonics
+}  // namespace harmonics
+}  // namespace api
+}  // namespace orbicube
 
 #endif

@@ -11,6 +11,7 @@
 #include <orbicube/base.hpp>
 
 namespace orbicube {
+inline namespace api {
 
 // A surface that lies elsewhere: in arrays, or in a Mesh.
 struct Surface : obc_surface {
@@ -202,6 +203,7 @@ class Search {
 };
 
 }  // namespace mesh
+}  // namespace api
 }  // namespace orbicube
 
 #endif

@@ -10,6 +10,7 @@
 #include <orbicube/mesh.hpp>
 
 namespace orbicube {
+inline namespace api {
 
 // A certified map.
 class Polycube {
@@ -156,6 +157,7 @@ class Polycube {
   detail::Handle<obc_polycube, obc_polycube_destroy> handle_;
 };
 
+}  // namespace api
 }  // namespace orbicube
 
 #endif

@@ -14,7 +14,9 @@
 #include <orbicube/projected_gradient.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::projected_gradient {
+namespace orbicube {
+inline namespace api {
+namespace projected_gradient {
 
 using Options = detail::Filled<obc_projected_gradient_options, obc_projected_gradient_options_init>;
 using Result = obc_projected_gradient_result;
@@ -234,6 +236,8 @@ class Solver {
   const double* point_ = nullptr;
 };
 
-}  // namespace orbicube::projected_gradient
+}  // namespace projected_gradient
+}  // namespace api
+}  // namespace orbicube
 
 #endif

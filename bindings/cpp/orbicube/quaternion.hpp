@@ -7,7 +7,9 @@
 #include <orbicube/quaternion.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::quaternion {
+namespace orbicube {
+inline namespace api {
+namespace quaternion {
 
 using Quaternion = std::array<double, 4>;  // w x y z
 using Vector = std::array<double, 3>;
@@ -110,6 +112,8 @@ inline std::uint32_t symmetric_matching(const Quaternion& from, const Quaternion
   return obc_quaternion_symmetric_matching(from.data(), to.data());
 }
 
-}  // namespace orbicube::quaternion
+}  // namespace quaternion
+}  // namespace api
+}  // namespace orbicube
 
 #endif

@@ -11,7 +11,9 @@
 #include <orbicube/sphere_map.h>
 #include <orbicube/mesh.hpp>
 
-namespace orbicube::sphere_map {
+namespace orbicube {
+inline namespace api {
+namespace sphere_map {
 
 using Options = detail::Filled<obc_sphere_map_options, obc_sphere_map_options_init>;
 using Report = detail::Filled<obc_sphere_map_report, obc_sphere_map_report_init>;
@@ -153,6 +155,8 @@ class Warp {
   detail::Handle<obc_sphere_map_warp, obc_sphere_map_warp_destroy> handle_;
 };
 
-}  // namespace orbicube::sphere_map
+}  // namespace sphere_map
+}  // namespace api
+}  // namespace orbicube
 
 #endif

@@ -9,7 +9,9 @@
 #include <orbicube/sphere_optimizer.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::sphere_optimizer {
+namespace orbicube {
+inline namespace api {
+namespace sphere_optimizer {
 
 using Options = detail::Filled<obc_sphere_optimizer_options, obc_sphere_optimizer_options_init>;
 using Result = obc_sphere_optimizer_result;
@@ -177,6 +179,8 @@ class Solver {
   detail::Handle<obc_sphere_optimizer, obc_sphere_optimizer_destroy> handle_;
 };
 
-}  // namespace orbicube::sphere_optimizer
+}  // namespace sphere_optimizer
+}  // namespace api
+}  // namespace orbicube
 
 #endif

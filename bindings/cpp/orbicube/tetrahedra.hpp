@@ -8,7 +8,9 @@
 #include <orbicube/tetrahedra.h>
 #include <orbicube/mesh.hpp>
 
-namespace orbicube::tetrahedra {
+namespace orbicube {
+inline namespace api {
+namespace tetrahedra {
 
 using Options = detail::Filled<obc_tetrahedra_options, obc_tetrahedra_options_init>;
 
@@ -37,6 +39,8 @@ inline Solid fill(const Surface& surface, const Options& options = {}, Host* hos
   return solid;
 }
 
-}  // namespace orbicube::tetrahedra
+}  // namespace tetrahedra
+}  // namespace api
+}  // namespace orbicube
 
 #endif

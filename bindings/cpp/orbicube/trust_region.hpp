@@ -11,7 +11,9 @@
 #include <orbicube/trust_region.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::trust_region {
+namespace orbicube {
+inline namespace api {
+namespace trust_region {
 
 using Options = detail::Filled<obc_trust_region_options, obc_trust_region_options_init>;
 using Result = obc_trust_region_result;
@@ -180,6 +182,8 @@ class Solver {
   detail::Handle<obc_trust_region, obc_trust_region_destroy> handle_;
 };
 
-}  // namespace orbicube::trust_region
+}  // namespace trust_region
+}  // namespace api
+}  // namespace orbicube
 
 #endif

@@ -7,7 +7,9 @@
 #include <orbicube/volume_map.h>
 #include <orbicube/base.hpp>
 
-namespace orbicube::volume_map {
+namespace orbicube {
+inline namespace api {
+namespace volume_map {
 
 using UntangleOptions = detail::Filled<obc_volume_map_untangle_options, obc_volume_map_untangle_options_init>;
 using UntangleReport = detail::Filled<obc_volume_map_untangle_report, obc_volume_map_untangle_report_init>;
@@ -36,6 +38,8 @@ inline Untangled untangle(const Tangle& tangle, const UntangleOptions& options =
   return result;
 }
 
-}  // namespace orbicube::volume_map
+}  // namespace volume_map
+}  // namespace api
+}  // namespace orbicube
 
 #endif
