@@ -5,8 +5,8 @@
 // the C structs with their defaults filled in; reports are the C structs. The C functions can be used beside: handle()
 // gives what they take.
 //
-// All of it is in the inline namespace `api`: the libraries' own C++ has classes of the same names, and in programs that
-// link the static libraries the linker must tell the ones from the others.
+// All of it is in the inline namespace `api`: the libraries' own C++ has classes of the same names, and in programs
+// that link the static libraries the linker must tell the ones from the others.
 #ifndef ORBICUBE_BASE_HPP
 #define ORBICUBE_BASE_HPP
 
