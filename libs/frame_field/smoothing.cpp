@@ -60,6 +60,22 @@ double energy_and_force(const DualGraph& graph, const Constraints& constraints, 
   return total;
 }
 
+// Tetrahedra with several boundary faces keep the direction that the field has, or take the one nearest to it: a field
+// that was smoothed before is one for the directions that were chosen then.
+void adopt_directions(Constraints& constraints, const Field& field) {
+  for (Constraints::Alternative& alternative : constraints.alternatives) {
+    Constraint& constraint = constraints.list[alternative.constraint];
+    const auto cosine = [&](const Vector& direction) {
+      const Vector local = quaternion::rotate(conjugate(field[constraint.node]), direction);
+      return std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)});
+    };
+    if (cosine(alternative.direction) > cosine(constraint.direction) + 1e-9) {
+      std::swap(constraint.direction, alternative.direction);
+      constraint.frame = aligned(constraint.frame, constraint.direction);
+    }
+  }
+}
+
 // Aligns tetrahedra with several boundary faces with the face for which their links are worth least, if that is less.
 bool choose_normals(const DualGraph& graph, Constraints& constraints, Field& field) {
   bool changed = false;
@@ -170,6 +186,7 @@ SmoothingResult smooth(const DualGraph& graph, std::span<const CoarseGraph> hier
   Array<Solver::Value> force(n, host.memory), turn(n, host.memory);
   Array<double> partial(chunk_count(n), 0.0, host.memory);
   Field trial(n, host.memory);
+  if (options.choose_normals) adopt_directions(constraints, field);
   Array<Solver::Tangent> tangents = axes_of(constraints, host.memory);
   Solver solver(graph, hierarchy, tangents, host);
   Array<float> mass(host.memory);
