@@ -107,6 +107,8 @@ EnergyValue FoldoverEnergy::value(std::span<const double> values, double eps) {
     total.inverted += part.inverted;
     total.mean_determinant += part.mean_determinant / total_weight_;
   }
+  for (std::size_t v = 0; v < pulls_.size(); ++v)
+    total.energy += pulls_[v].value(positions_[v]);
   if (!std::isfinite(total.energy)) total.energy = std::numeric_limits<double>::infinity();
   return total;
 }
@@ -136,7 +138,10 @@ void FoldoverEnergy::linearise(std::span<const double> values, double eps, std::
         force_[i][k].noalias() = derivative * element.gradient[k];
     }
   });
-  gather(gradient);
+  // positions_ stay as they are until the next product.
+  gather(gradient, [&](std::size_t v) -> Vector3 {
+    return 2 * (pulls_[v].square * (positions_[v] - pulls_[v].at) - pulls_[v].linear);
+  });
   set_blocks();
 }
 
@@ -156,14 +161,16 @@ void FoldoverEnergy::multiply(std::span<const double> direction, std::span<doubl
         force_[i][k].noalias() = answer * element.gradient[k];
     }
   });
-  gather(product);
+  gather(product, [&](std::size_t v) -> Vector3 { return 2 * (pulls_[v].square * positions_[v]); });
 }
 
-// Adds up what the elements around each vertex say, in their order.
-void FoldoverEnergy::gather(std::span<double> sums) {
+// Adds up what the elements around each vertex say, in their order, and what it has of its own where there are pulls.
+template <class Own>
+void FoldoverEnergy::gather(std::span<double> sums, const Own& own) {
   team_.run_pieces(forces_.size(), piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       Vector3 sum = Vector3::Zero();
+      if (!pulls_.empty()) sum = own(v);
       for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i)
         sum += force_[incident_[i] / 4][incident_[i] % 4];
       forces_[v] = sum;
@@ -176,6 +183,7 @@ void FoldoverEnergy::set_blocks() {
   team_.run_pieces(forces_.size(), piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
+      if (!pulls_.empty()) block = 2 * pulls_[v].square;
       for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
         const Curvature& h = curvature_[incident_[i] / 4];
         const Vector3& g = elements_[incident_[i] / 4].gradient[incident_[i] % 4];

@@ -18,6 +18,30 @@
 
 namespace orbicube::volume_map {
 
+// What a vertex is pulled to: the quadratic d' square d - 2 linear' d + constant of d = position - at.
+struct Pull {
+  Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+  Vector3 linear = Vector3::Zero(), at = Vector3::Zero();
+  double constant = 0;
+
+  // weight times the square of the distance to the plane through q with the unit normal n.
+  void to_plane(const Vector3& n, const Vector3& q, double weight) {
+    const double distance = n.dot(q - at);
+    square += weight * n * n.transpose();
+    linear += weight * distance * n;
+    constant += weight * distance * distance;
+  }
+  void to_point(const Vector3& q, double weight) {
+    square.diagonal().array() += weight;
+    linear += weight * (q - at);
+    constant += weight * (q - at).squaredNorm();
+  }
+  double value(const Vector3& position) const {
+    const Vector3 d = position - at;
+    return d.dot(square * d) - 2 * linear.dot(d) + constant;
+  }
+};
+
 struct EnergyValue {
   double energy;
   double least_determinant;
@@ -29,6 +53,9 @@ class FoldoverEnergy {
  public:
   // Keeps views of elements and variables. 370 bytes an element. `lambda` is how much changes of volume count.
   FoldoverEnergy(std::span<const Element> elements, const Variables& variables, double lambda, const base::Host& host);
+
+  // Added to the energy from now on: one for each vertex, or none. Keeps a view.
+  void set_pulls(std::span<const Pull> pulls) { pulls_ = pulls; }
 
   // At values of all variables. With eps 0 infinite unless every element is positive.
   EnergyValue value(std::span<const double> values, double eps);
@@ -51,10 +78,12 @@ class FoldoverEnergy {
 
   template <class Body>
   void for_elements(const char* phase, const Body& body) const;
-  void gather(std::span<double> sums);
+  template <class Own>
+  void gather(std::span<double> sums, const Own& own);
   void set_blocks();
 
   std::span<const Element> elements_;
+  std::span<const Pull> pulls_;
   const Variables& variables_;
   double lambda_;
   double total_weight_ = 0;

@@ -94,11 +94,12 @@ double Newton::step(double eps, const NewtonLimits& limits, EnergyValue& now) {
   return 0;
 }
 
-bool Newton::untangle(int most_steps, double most_eps, const NewtonLimits& limits) {
+bool Newton::untangle(int most_steps, double most_eps, int patience, const NewtonLimits& limits) {
   constexpr double least_eps = 1e-9;
   constexpr double hopeless_eps = 1e-5;
   constexpr int most_stuck = 8;
   constexpr double collapsed = 0.01;
+  constexpr double little = 1e-3;
   if (now_.inverted == 0) return true;
   double& eps = eps_;
   eps = std::min(most_eps, std::hypot(1e-3, 0.2 * now_.least_determinant));
@@ -107,8 +108,14 @@ bool Newton::untangle(int most_steps, double most_eps, const NewtonLimits& limit
     host_.report("untangle", 0, 0, static_cast<double>(now_.inverted));
     now_ = energy_.value(values_, eps);
     const double before = now_.energy;
-    const double length = step(eps, limits, now_);
+    double length = step(eps, limits, now_);
     if (now_.inverted == 0) return true;
+    for (int i = 1; i < patience && k + 1 < most_steps && length > 0; ++i, ++k) {
+      const double last = now_.energy;
+      length = step(eps, limits, now_);
+      if (now_.inverted == 0) return true;
+      if (last - now_.energy < little * last) break;
+    }
     const double sigma = std::max(0.1, 1 - now_.energy / before);
     const double least = now_.least_determinant;
     const double m = std::hypot(least, eps);

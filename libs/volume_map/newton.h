@@ -26,7 +26,8 @@ class Newton {
   // determinant asks for, but at most `most_eps`, towards 0. Answers whether it got there, in floating point. Gives up
   // where eps is next to nothing, and where everything has collapsed: above 0.4 that may be the least energy unless the
   // boundary is held.
-  bool untangle(int most_steps, double most_eps, const NewtonLimits& limits);
+  // At each eps at most `patience` steps are made, until one gains little.
+  bool untangle(int most_steps, double most_eps, int patience, const NewtonLimits& limits);
   // Lowers the energy of a map without inverted elements, and keeps it so, in at most so many steps, or until a step
   // gains less than `least_gain` of the energy. Where elements are nearly flat, which would stop a barrier, the eps
   // with which untangle() ended goes on falling first, and the best positive map on that way is kept.

@@ -90,10 +90,10 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
   Array<double> best(newton.values().begin(), newton.values().end(), host.memory);
   std::size_t fewest = newton.now().inverted;
   bool first = true;
-  for (const double most_eps : {std::numeric_limits<double>::infinity(), 0.4, 0.05}) {
+  for (const auto& [most_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
     if (!first) newton.restart(variables.start());
     first = false;
-    const bool done = newton.untangle(options.steps, most_eps, {});
+    const bool done = newton.untangle(options.steps, most_eps, patience, {});
     if (newton.now().inverted < fewest) {
       fewest = newton.now().inverted;
       best.assign(newton.values().begin(), newton.values().end());

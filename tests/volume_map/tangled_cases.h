@@ -161,7 +161,7 @@ inline TangledCase twisted(int blocks, int n, double angle) {
 }
 
 // A bent, rounded and turned solid of blocks whose boundary faces are to become planes; where these lie is free but for
-// one along each axis. It starts where it is.
+// one along each axis. It starts where it is, with each face pressed into its mean plane.
 inline TangledCase polycube_start(const std::vector<Block>& blocks, int n, double roundness, double bend, double turn) {
   const BlockMesh mesh(blocks, n);
   TangledCase result{"polycube", mesh.tetrahedra, {}, {}, {}, mesh.planes};
@@ -170,12 +170,18 @@ inline TangledCase polycube_start(const std::vector<Block>& blocks, int n, doubl
   result.start = result.rest;
   result.fixed.assign(3 * mesh.positions.size(), 0);
   std::array<Index, 3> held{no_index, no_index, no_index};
+  std::array<double, 3> sum{}, count{};
   for (std::size_t i = 0; i < result.fixed.size(); ++i) {
     if (mesh.planes[i] == no_index) continue;
     if (held[i % 3] == no_index) held[i % 3] = mesh.planes[i];
     if (mesh.planes[i] != held[i % 3]) continue;
+    sum[i % 3] += result.start[i / 3][static_cast<Eigen::Index>(i % 3)];
+    ++count[i % 3];
+  }
+  for (std::size_t i = 0; i < result.fixed.size(); ++i) {
+    if (mesh.planes[i] == no_index || mesh.planes[i] != held[i % 3]) continue;
     result.fixed[i] = 1;
-    result.start[i / 3][static_cast<Eigen::Index>(i % 3)] = 0;
+    result.start[i / 3][static_cast<Eigen::Index>(i % 3)] = sum[i % 3] / count[i % 3];
   }
   return result;
 }

@@ -1,0 +1,84 @@
+// orbicube hex: a hexahedral mesh of a solid.
+#include <map>
+#include <memory>
+#include <string>
+
+#include "polycube_solid.h"
+#include "text.h"
+#include "verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+const std::map<std::string, volume_map::Padding> paddings = {{"auto", volume_map::Padding::automatic},
+                                                             {"with", volume_map::Padding::with},
+                                                             {"without", volume_map::Padding::without}};
+
+struct HexVerb {
+  PolycubeSolidOptions solid;
+  std::string output;
+  std::size_t cells = 10000;
+  std::string padding = "auto";
+  bool text = false;
+};
+
+void run_hex(const HexVerb& verb, Session& session) {
+  require_cells_writable(verb.output);
+  session.options() = {{"output", verb.output}, {"cells", verb.cells}, {"padding", verb.padding}, {"text", verb.text}};
+  session.options().update(json_of(verb.solid));
+  const PolycubeSolidInput input = read_polycube_solid(verb.solid, session);
+  const double start = session.seconds();
+  volume_map::HexResult result = about(verb.output, Role::output, [&] {
+    return volume_map::make_hexahedra(input.view(), {.cells = verb.cells, .padding = paddings.at(verb.padding)},
+                                      session.host());
+  });
+  const volume_map::HexQuality quality = result.quality;
+  session.figures().update(Json{{"output", verb.output},
+                                {"vertices", result.mesh.positions.size()},
+                                {"hexahedra", result.mesh.hexahedra.size()},
+                                {"boundary_quads", result.mesh.quads.size()},
+                                {"padded", result.padded},
+                                {"scaled_jacobian_min", quality.least_scaled_jacobian},
+                                {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
+                                {"volume", quality.volume},
+                                {"off_surface", result.off_surface},
+                                {"tetrahedra", result.tetrahedra},
+                                {"inverted_at_start", result.inverted_at_start},
+                                {"steps", result.steps},
+                                {"seconds_compute", session.seconds() - start}});
+  mesh::Mesh cells(session.host().memory);
+  cells.positions = std::move(result.mesh.positions);
+  cells.hexahedra = std::move(result.mesh.hexahedra);
+  write_cells_exactly(verb.output, cells, verb.text, session.host());
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+  session.say("wrote " + verb.output + ": " + std::to_string(cells.hexahedra.size()) +
+              " hexahedra, each certified to be positive");
+  session.say("  scaled Jacobians " + number(quality.least_scaled_jacobian) + " at least, " +
+              number(quality.mean_scaled_jacobian) + " on average; " + std::to_string(input.made.certificate.corners) +
+              " corners of the polycube");
+}
+
+}  // namespace
+
+void add_hex(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("hex", "make a hexahedral mesh of a solid");
+  const auto options = std::make_shared<HexVerb>();
+  add_polycube_solid_options(*verb, options->solid);
+  verb->add_option("-o,--output", options->output, "hexahedra to write: .mesh .vtk")->required()->type_name("OUT");
+  verb->add_option("--cells", options->cells, "about so many hexahedra (10000)")
+      ->check(unnamed(CLI::Range(1, 10'000'000)))
+      ->type_name("N");
+  verb->add_option("--padding", options->padding,
+                   "a layer of hexahedra at the boundary: auto, what turns out better (the default), with or without")
+      ->check(unnamed(CLI::IsMember({"auto", "with", "without"})))
+      ->type_name("P");
+  verb->add_flag("--text", options->text, "text rather than binary VTK");
+  add_common_options(*verb, common);
+  verb->callback([options, &common] {
+    Session session(common, "hex", options->solid.input);
+    session.run([&] { run_hex(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,45 @@
+// A solid with a polycube map of its surface, made of a file: what the verbs hex and volume start from.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "mesh/mesh.h"
+#include "polycube/construction.h"
+#include "session.h"
+#include "volume_map/hex_meshing.h"
+
+namespace orbicube::cli {
+
+struct PolycubeSolidOptions {
+  std::string input;
+  std::size_t corners = 60;
+  std::size_t triangles = 6000;
+  bool weld = false;
+};
+
+void add_polycube_solid_options(CLI::App& verb, PolycubeSolidOptions& options);
+Json json_of(const PolycubeSolidOptions& options);
+
+struct PolycubeSolidInput {
+  base::Array<mesh::Vector3> positions;
+  base::Array<mesh::Tetrahedron> tetrahedra;
+  base::Array<mesh::Triangle> surface;
+  polycube::Construction made;
+  mesh::Mesh fine;  // the surface of the file, where `surface` is coarser
+
+  volume_map::PolycubeSolid view() const {
+    return {positions, tetrahedra, surface, made.map, fine.positions, fine.triangles};
+  }
+};
+
+// Of a surface, which is filled with tetrahedra (in builds with TetGen), or of a solid of tetrahedra, which keeps them.
+// Surfaces of more than twice as many triangles as the options say are made coarser first. Figures go to the session.
+PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Session& session);
+
+// Written beside its place, read again and compared: what was certified is what the file holds.
+void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, const base::Host& host);
+// Throws Failure unless cells can be written to such a file, there.
+void require_cells_writable(const std::string& path);
+
+}  // namespace orbicube::cli

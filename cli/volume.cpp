@@ -1,0 +1,69 @@
+// orbicube volume: a one-to-one map of a solid to a polycube.
+#include <memory>
+#include <string>
+
+#include "polycube_solid.h"
+#include "surface_file.h"
+#include "verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+struct VolumeVerb {
+  PolycubeSolidOptions solid;
+  std::string output;
+  std::string source;
+  bool text = false;
+};
+
+void run_volume(const VolumeVerb& verb, Session& session) {
+  require_cells_writable(verb.output);
+  if (!verb.source.empty()) require_cells_writable(verb.source);
+  session.options() = {{"output", verb.output}, {"source", verb.source}, {"text", verb.text}};
+  session.options().update(json_of(verb.solid));
+  const PolycubeSolidInput input = read_polycube_solid(verb.solid, session);
+  const double start = session.seconds();
+  volume_map::VolumeMap map =
+      about(verb.output, Role::output, [&] { return volume_map::map_to_polycube(input.view(), session.host()); });
+  session.figures().update(Json{{"output", verb.output},
+                                {"source", verb.source},
+                                {"vertices", map.source.size()},
+                                {"tetrahedra", map.tetrahedra.size()},
+                                {"inverted_at_start", map.inverted_at_start},
+                                {"steps", map.steps},
+                                {"seconds_compute", session.seconds() - start}});
+  mesh::Mesh cells(session.host().memory);
+  cells.tetrahedra = std::move(map.tetrahedra);
+  cells.positions = std::move(map.image);
+  write_cells_exactly(verb.output, cells, verb.text, session.host());
+  if (!verb.source.empty()) {
+    cells.positions = std::move(map.source);
+    write_cells_exactly(verb.source, cells, verb.text, session.host());
+  }
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+  session.say("wrote " + verb.output + ": " + std::to_string(cells.tetrahedra.size()) +
+              " tetrahedra on a polycube with " + std::to_string(input.made.certificate.corners) +
+              " corners, one to one; " + std::to_string(map.inverted_at_start) + " were inverted at the start");
+  if (!verb.source.empty()) session.say("wrote " + verb.source);
+}
+
+}  // namespace
+
+void add_volume(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("volume", "map a solid to a polycube, one to one");
+  const auto options = std::make_shared<VolumeVerb>();
+  add_polycube_solid_options(*verb, options->solid);
+  verb->add_option("-o,--output", options->output, "the solid's tetrahedra on the polycube: .mesh .vtk")
+      ->required()
+      ->type_name("OUT");
+  verb->add_option("--source", options->source, "the same tetrahedra in space")->type_name("OUT2");
+  verb->add_flag("--text", options->text, "text rather than binary VTK");
+  add_common_options(*verb, common);
+  verb->callback([options, &common] {
+    Session session(common, "volume", options->solid.input);
+    session.run([&] { run_volume(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,14 @@
+// Harmonic coordinates inside a mesh of tetrahedra whose boundary is given: the start of a map, which may have inverted
+// tetrahedra.
+#pragma once
+
+#include "volume_map/elements.h"
+
+namespace orbicube::volume_map {
+
+// Moves the vertices that are not `held` (an entry a vertex) to the minimum of the sum of weight |J|^2 over elements,
+// by conjugate gradients. O(n) an iteration, 1000 at most.
+void make_harmonic(std::span<const Element> elements, std::span<const std::uint8_t> held, std::span<Vector3> positions,
+                   const base::Host& host);
+
+}  // namespace orbicube::volume_map

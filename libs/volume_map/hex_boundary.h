@@ -1,0 +1,37 @@
+// Where the vertices on the boundary of a mesh of hexahedra may go: on the surface, in one face of the polycube, along
+// a sharp edge, or nowhere.
+#pragma once
+
+#include "volume_map/foldover_energy.h"
+#include "volume_map/hex_mesh.h"
+#include "volume_map/surface_target.h"
+
+namespace orbicube::volume_map {
+
+class HexBoundary {
+ public:
+  enum class Kind : std::uint8_t { inside, surface, patch, line, point };
+
+  // Keeps references. By the faces of the polycube around each vertex of the boundary.
+  HexBoundary(const HexMesh& mesh, const SurfaceTarget& target, const base::Host& host);
+
+  Kind kind(Index vertex) const { return places_[vertex].kind; }
+  std::span<const Index> vertices() const { return vertices_; }  // of the boundary
+  // The nearest place that a vertex of the boundary may have, with the normal there, or the direction of its line.
+  TargetPoint project(Index vertex, const Vector3& p) const;
+  // Adds what pulls the vertex to where it may be: to the tangent plane, to the line, or to its point.
+  void pull(Index vertex, const Vector3& p, double weight, Pull& to) const;
+
+ private:
+  struct Place {
+    Kind kind = Kind::inside;
+    Index first = no_index, second = no_index;  // faces
+    Vector3 point = Vector3::Zero();
+  };
+
+  const SurfaceTarget& target_;
+  Array<Place> places_;
+  Array<Index> vertices_;
+};
+
+}  // namespace orbicube::volume_map

@@ -1,0 +1,150 @@
+#include "volume_map/hex_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace orbicube::volume_map {
+namespace {
+
+class Search {
+ public:
+  Search(HexMesh& mesh, const HexBoundary& boundary, const base::Host& host)
+      : mesh_(mesh),
+        boundary_(boundary),
+        host_(host),
+        begin_(mesh.positions.size() + 1, 0, host.memory),
+        around_(8 * mesh.hexahedra.size(), host.memory) {
+    for (const Hexahedron& h : mesh.hexahedra) {
+      for (const Index v : h)
+        ++begin_[v + 1];
+    }
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
+      begin_[v + 1] += begin_[v];
+    Array<Index> next(begin_, host.memory);
+    for (Index i = 0; i < mesh.hexahedra.size(); ++i) {
+      for (const Index v : mesh.hexahedra[i])
+        around_[next[v]++] = i;
+    }
+  }
+
+  // Vertices that are on the surface by as much as their hexahedra allow. Answers how many are not there.
+  std::size_t snap() {
+    constexpr double floor = 0.15;
+    std::size_t left = 0, count = 0;
+    for (const Index v : boundary_.vertices()) {
+      if (count++ % 64 == 0) host_.report("snap", count, boundary_.vertices().size());
+      Vector3& x = mesh_.positions[v];
+      const Vector3 from = x;
+      const Vector3 to = boundary_.project(v, from).position;
+      if (from == to) continue;
+      const double before = std::min(worst_around(v, -2), floor);
+      bool done = false;
+      for (const double part : {1.0, 0.5, 0.25}) {
+        x = part == 1 ? to : Vector3(from + part * (to - from));
+        if (worst_around(v, before) >= before) {
+          done = part == 1;
+          break;
+        }
+        x = from;
+      }
+      left += !done;
+    }
+    return left;
+  }
+
+  void improve(const HexSearchOptions& options) {
+    std::mt19937_64 random(1);
+    const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };
+    Array<std::pair<double, Index>> order(mesh_.hexahedra.size(), host_.memory);
+    Array<Index> vertices(host_.memory);
+    const auto most =
+        std::min(order.size(),
+                 std::max<std::size_t>(30, static_cast<std::size_t>(options.part * static_cast<double>(order.size()))));
+    double radius = 0.2;
+    for (int pass = 0; pass < options.passes; ++pass, radius = std::max(0.01, 0.93 * radius)) {
+      for (Index i = 0; i < order.size(); ++i) {
+        if (i % 1024 == 0)
+          host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
+        order[i] = {quality(i, -2), i};
+      }
+      std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end());
+      vertices.clear();
+      for (std::size_t i = 0; i < most; ++i) {
+        for (const Index v : mesh_.hexahedra[order[i].second])
+          vertices.push_back(v);
+      }
+      std::sort(vertices.begin(), vertices.end());
+      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+      for (const Index v : vertices) {
+        host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
+        Vector3& x = mesh_.positions[v];
+        double worst = worst_around(v, -2);
+        const double edge = shortest_edge(v);
+        for (int trial = 0; trial < 8; ++trial) {
+          const Vector3 from = x;
+          const double reach = radius * edge * (trial < 4 ? 1 : 0.2);
+          // In this order: arguments of a call have none.
+          const double a = uniform(), b = uniform(), c = uniform();
+          x = from + reach * Vector3(a, b, c);
+          if (boundary_.kind(v) != HexBoundary::Kind::inside) x = boundary_.project(v, x).position;
+          const double now = worst_around(v, worst);
+          if (now > worst + 1e-6)
+            worst = now;
+          else
+            x = from;
+        }
+      }
+    }
+  }
+
+ private:
+  // Not computed to the end where it is at most `enough`.
+  double quality(Index hexahedron, double enough) const {
+    const Hexahedron& h = mesh_.hexahedra[hexahedron];
+    const double corners = scaled_jacobian(mesh_.positions, h);
+    if (corners <= enough) return corners;
+    // Coefficients are below the corners' in good hexahedra too; they are to be positive, no more.
+    return std::min(corners, 6 * least_bezier(mesh_.positions, h));
+  }
+  double worst_around(Index v, double enough) const {
+    double worst = 1;
+    for (Index i = begin_[v]; i < begin_[v + 1]; ++i) {
+      worst = std::min(worst, quality(around_[i], enough));
+      if (worst <= enough) return enough == worst ? worst : std::min(worst, enough);
+    }
+    return worst;
+  }
+  double shortest_edge(Index v) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (Index i = begin_[v]; i < begin_[v + 1]; ++i) {
+      const Hexahedron& h = mesh_.hexahedra[around_[i]];
+      for (std::size_t k = 0; k < 8; ++k) {
+        if (h[k] != v) continue;
+        for (const std::uint8_t n : corner_neighbours[k])
+          least = std::min(least, (mesh_.positions[h[n]] - mesh_.positions[v]).norm());
+      }
+    }
+    return least;
+  }
+
+  HexMesh& mesh_;
+  const HexBoundary& boundary_;
+  const base::Host& host_;
+  Array<Index> begin_, around_;  // hexahedra around each vertex
+};
+
+}  // namespace
+
+std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
+                             const base::Host& host) {
+  Search search(mesh, boundary, host);
+  for (int k = 0; k < 3; ++k)
+    search.snap();
+  search.improve(options);
+  search.snap();
+  return search.snap();
+}
+
+}  // namespace orbicube::volume_map

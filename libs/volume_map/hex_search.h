@@ -1,0 +1,20 @@
+// The end of making hexahedra better: vertices of the boundary put onto the surface, and the worst hexahedra improved
+// by trying places for their vertices.
+#pragma once
+
+#include "volume_map/hex_boundary.h"
+
+namespace orbicube::volume_map {
+
+struct HexSearchOptions {
+  int passes = 60;
+  double part = 0.02;  // of the hexahedra, the worst ones
+};
+
+// Everything is judged by the scaled Jacobian and the Bernstein coefficients of whole hexahedra: no change makes the
+// worst around a vertex worse, but for what puts it onto the surface, which may lower it to 0.15. Answers how many
+// vertices of the boundary could not be put onto the surface. The same in every run. Throws Error "cancelled".
+std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
+                             const base::Host& host);
+
+}  // namespace orbicube::volume_map

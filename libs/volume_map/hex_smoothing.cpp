@@ -1,0 +1,220 @@
+#include "volume_map/hex_smoothing.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "mesh/nearest.h"
+#include "volume_map/newton.h"
+
+namespace orbicube::volume_map {
+namespace {
+
+// The edges of a hexahedron along each of its three directions, and the direction of each corner's three edges.
+constexpr std::array<std::array<std::array<std::uint8_t, 2>, 4>, 3> edges_along = {
+    {{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}}, {{{1, 2}, {0, 3}, {5, 6}, {4, 7}}}, {{{0, 4}, {1, 5}, {2, 6}, {3, 7}}}}};
+constexpr std::array<std::array<std::uint8_t, 3>, 8> direction_of_edge = {
+    {{0, 1, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {0, 1, 2}}};
+constexpr double padding_length = 0.6;  // across the layer at the boundary
+
+class Smoothing {
+ public:
+  Smoothing(HexMesh& mesh, const HexBoundary& boundary, const SurfaceTarget& target, const HexSmoothingOptions& options,
+            const base::Host& host)
+      : mesh_(mesh),
+        boundary_(boundary),
+        options_(options),
+        host_(host),
+        anchor_(mesh.positions, host.memory),
+        elements_(8 * mesh.hexahedra.size(), host.memory),
+        pulls_(mesh.positions.size(), Pull(), host.memory),
+        samples_(host.memory),
+        variables_(mesh.positions, {}, {}, host.memory) {
+    for (std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
+      const Hexahedron& h = mesh.hexahedra[i];
+      for (std::size_t k = 0; k < 8; ++k) {
+        const auto& n = corner_neighbours[k];
+        elements_[8 * i + k].corner = {h[k], h[n[0]], h[n[1]], h[n[2]]};
+        elements_[8 * i + k].weight = 1;
+      }
+    }
+    // Vertices and centers of the surface, so many that a look at all of them is quick.
+    constexpr std::size_t most_samples = 30000;
+    const auto& triangles = target.triangles();
+    const std::size_t all = target.positions().size() + triangles.size();
+    const std::size_t stride = (all + most_samples - 1) / most_samples;
+    for (std::size_t i = 0; i < all; i += stride) {
+      if (i < target.positions().size()) {
+        samples_.push_back(target.positions()[i]);
+        continue;
+      }
+      const mesh::Triangle& t = triangles[i - target.positions().size()];
+      samples_.push_back((target.positions()[t[0]] + target.positions()[t[1]] + target.positions()[t[2]]) / 3);
+    }
+  }
+
+  bool run() {
+    constexpr double volume_weight = 0.1;
+    set_shapes(0);
+    FoldoverEnergy energy(elements_, variables_, volume_weight, host_);
+    energy.set_pulls(pulls_);
+    Newton newton(energy, variables_.start(), host_);
+    const bool positive = untangle(energy, newton);
+    variables_.expand(newton.values(), mesh_.positions);
+    if (!positive) return false;
+    for (int round = 0; round < options_.rounds; ++round) {
+      host_.report("smooth", static_cast<std::uint64_t>(round), static_cast<std::uint64_t>(options_.rounds));
+      const double progress = std::min(1.0, round / (0.5 * options_.rounds));
+      set_shapes(std::min(1.0, round / 6.0));
+      if (round >= 4) set_weights();
+      set_pulls(20 * std::pow(50.0, progress));
+      if (round % 2 == 0) find_uncovered();
+      add_uncovered();
+      EnergyValue now = energy.value(newton.values(), 0);
+      for (int k = 0; k < 2; ++k) {
+        const double before = now.energy;
+        newton.step(0, {.products = 60, .tolerance = 3e-2}, now);
+        if (now.energy > before * (1 - 1e-5)) break;
+      }
+      variables_.expand(newton.values(), mesh_.positions);
+    }
+    return true;
+  }
+
+ private:
+  bool untangle(FoldoverEnergy& energy, Newton& newton) {
+    double eps = 0;
+    for (int k = 0; k < options_.untangling_steps; ++k) {
+      host_.report("untangle", static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(options_.untangling_steps));
+      variables_.expand(newton.values(), mesh_.positions);
+      set_pulls(20);
+      EnergyValue now = energy.value(newton.values(), 1);
+      if (now.inverted == 0) return true;
+      if (k == 0) eps = std::clamp(std::hypot(1e-3, 0.2 * now.least_determinant), 1e-3, 1.0);
+      now = energy.value(newton.values(), eps);
+      const double before = now.energy;
+      newton.step(eps, {.products = 80}, now);
+      const double sigma = std::max(0.1, 1 - now.energy / before);
+      const double least = now.least_determinant, m = std::hypot(least, eps);
+      eps = std::max(eps * (least < 0 ? 1 - sigma * m / (std::abs(least) + m) : 1 - sigma), 1e-9);
+    }
+    variables_.expand(newton.values(), mesh_.positions);
+    return energy.value(newton.values(), 1).inverted == 0;
+  }
+
+  // Every hexahedron is to be a box: a cube of edges 1 to begin with, then with its own mean lengths.
+  void set_shapes(double own) {
+    for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
+      const Hexahedron& h = mesh_.hexahedra[i];
+      const bool padding = i + options_.padding >= mesh_.hexahedra.size();
+      std::array<double, 3> length;
+      for (std::size_t d = 0; d < 3; ++d) {
+        double mean = 0;
+        for (const auto& e : edges_along[d])
+          mean += 0.25 * (mesh_.positions[h[e[1]]] - mesh_.positions[h[e[0]]]).norm();
+        const double wanted = d == 2 && padding ? padding_length : 1;
+        length[d] = own * std::clamp(mean, 0.15, 3.0) + (1 - own) * wanted;
+      }
+      for (std::size_t k = 0; k < 8; ++k) {
+        auto& g = elements_[8 * i + k].gradient;
+        g[0].setZero();
+        for (std::size_t l = 0; l < 3; ++l) {
+          g[l + 1] = Vector3::Unit(static_cast<Eigen::Index>(l)) / length[direction_of_edge[k][l]];
+          g[0] -= g[l + 1];
+        }
+      }
+    }
+  }
+
+  // The worst corners count most.
+  void set_weights() {
+    constexpr double enough = 0.65, most = 60;
+    for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
+      for (std::size_t k = 0; k < 8; ++k) {
+        const double ratio = enough / std::max(0.02, corner_jacobian(mesh_.positions, mesh_.hexahedra[i], k));
+        elements_[8 * i + k].weight = std::clamp(ratio * ratio, 1.0, most);
+      }
+    }
+  }
+
+  void set_pulls(double weight) {
+    constexpr double stay = 0.02, anchor = 0.1;
+    constexpr std::size_t piece = 256;
+    std::fill(pulls_.begin(), pulls_.end(), Pull());
+    const auto vertices = boundary_.vertices();
+    host_.parallel_for((vertices.size() + piece - 1) / piece, [&](std::size_t p) {
+      for (std::size_t i = p * piece; i < std::min(vertices.size(), (p + 1) * piece); ++i) {
+        const Index v = vertices[i];
+        Pull& pull = pulls_[v];
+        pull.at = mesh_.positions[v];
+        boundary_.pull(v, mesh_.positions[v], weight, pull);
+        pull.to_point(mesh_.positions[v], stay);
+        const auto kind = boundary_.kind(v);
+        if (kind == HexBoundary::Kind::surface || kind == HexBoundary::Kind::patch) pull.to_point(anchor_[v], anchor);
+      }
+    });
+  }
+
+  // What of the surface the boundary is not at, and where it is nearest to that.
+  void find_uncovered() {
+    Array<mesh::Triangle> halves(host_.memory);
+    for (const Quad& q : mesh_.quads) {
+      halves.push_back({q[0], q[1], q[2]});
+      halves.push_back({q[0], q[2], q[3]});
+      halves.push_back({q[0], q[1], q[3]});
+      halves.push_back({q[1], q[2], q[3]});
+    }
+    const mesh::SurfaceSearch search(mesh_.positions, halves, host_);
+    uncovered_.resize(samples_.size());
+    constexpr std::size_t piece = 256;
+    host_.parallel_for((samples_.size() + piece - 1) / piece, [&](std::size_t p) {
+      for (std::size_t i = p * piece; i < std::min(samples_.size(), (p + 1) * piece); ++i) {
+        const mesh::SurfacePoint found = search.nearest(samples_[i]);
+        uncovered_[i] = {halves[found.triangle], found.weights, found.position, found.distance};
+      }
+    });
+    host_.report("smooth", 0, 0);
+  }
+
+  void add_uncovered() {
+    constexpr double near = 0.1, weight = 20;
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      const Uncovered& u = uncovered_[i];
+      if (u.distance < near) continue;
+      const Vector3 n = (samples_[i] - u.position) / u.distance;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double w = u.weights[static_cast<Eigen::Index>(k)];
+        if (w < 1e-3) continue;
+        const Index v = u.vertices[k];
+        const double move = std::min(1.0, u.distance) * w / u.weights.squaredNorm();
+        pulls_[v].to_plane(n, mesh_.positions[v] + move * n, weight * w);
+      }
+    }
+  }
+
+  struct Uncovered {
+    mesh::Triangle vertices;
+    Vector3 weights, position;
+    double distance;
+  };
+
+  HexMesh& mesh_;
+  const HexBoundary& boundary_;
+  const HexSmoothingOptions& options_;
+  const base::Host& host_;
+  Array<Vector3> anchor_;
+  Array<Element> elements_;
+  Array<Pull> pulls_;
+  Array<Vector3> samples_;
+  Array<Uncovered> uncovered_{host_.memory};
+  Variables variables_;
+};
+
+}  // namespace
+
+bool smooth_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const SurfaceTarget& target,
+                      const HexSmoothingOptions& options, const base::Host& host) {
+  return Smoothing(mesh, boundary, target, options, host).run();
+}
+
+}  // namespace orbicube::volume_map

@@ -1,0 +1,20 @@
+// Hexahedra made better: first until the eight tetrahedra at the corners of each are positive, then towards right
+// angles, with the boundary on the surface and the surface on the boundary.
+#pragma once
+
+#include "volume_map/hex_boundary.h"
+
+namespace orbicube::volume_map {
+
+struct HexSmoothingOptions {
+  int untangling_steps = 80;
+  int rounds = 40;          // of two steps each, all corners positive
+  std::size_t padding = 0;  // so many of the last hexahedra are the layer at the boundary
+};
+
+// Lengths of cells are about 1. Answers whether all corners are positive, in floating point. Vertices end near the
+// surface, not on it (hex_search.h). The same for any number of threads. Throws Error "cancelled".
+bool smooth_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const SurfaceTarget& target,
+                      const HexSmoothingOptions& options, const base::Host& host);
+
+}  // namespace orbicube::volume_map

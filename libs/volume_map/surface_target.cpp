@@ -1,0 +1,161 @@
+#include "volume_map/surface_target.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "mesh/connectivity.h"
+
+namespace orbicube::volume_map {
+namespace {
+
+constexpr double sharp_angle = 40 * std::numbers::pi / 180;
+
+Vector3 twice_area(std::span<const Vector3> positions, const mesh::Triangle& t) {
+  return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
+}
+
+}  // namespace
+
+SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Vector3> fine_positions,
+                             std::span<const mesh::Triangle> fine_triangles, double scale, const base::Host& host)
+    : positions_(host.memory),
+      triangles_(host.memory),
+      normals_(host.memory),
+      whole_(host.memory),
+      lines_(host.memory) {
+  const bool fine = !fine_triangles.empty();
+  if (fine) {
+    positions_.assign(fine_positions.begin(), fine_positions.end());
+    triangles_.assign(fine_triangles.begin(), fine_triangles.end());
+  } else {
+    positions_ = map.positions;
+    triangles_ = map.triangles;
+  }
+  for (Vector3& p : positions_)
+    p *= scale;
+  Index patch_count = 0;
+  if (!fine) {
+    const mesh::Connectivity connectivity(positions_.size(), triangles_, host);
+    // How much of the border between two faces is sharp.
+    struct Border {
+      std::array<Index, 2> patches;
+      double length, sharp;
+    };
+    Array<Border> borders(host.memory);
+    Array<Line> all(host.memory);
+    for (Index h = 0; h < 3 * triangles_.size(); ++h) {
+      const Index other = connectivity.opposite(h);
+      patch_count = std::max(patch_count, map.charts[h / 3] + 1);
+      if (other == no_index || other < h) continue;
+      Index a = map.charts[h / 3], b = map.charts[other / 3];
+      if (a == b) continue;
+      if (a > b) std::swap(a, b);
+      const Vector3 p = positions_[connectivity.start(h)], q = positions_[connectivity.end(h)];
+      const Vector3 m = twice_area(positions_, triangles_[h / 3]), n = twice_area(positions_, triangles_[other / 3]);
+      const bool is_sharp = std::atan2(m.cross(n).norm(), m.dot(n)) > sharp_angle;
+      borders.push_back({{a, b}, (q - p).norm(), is_sharp ? (q - p).norm() : 0});
+      all.push_back({{a, b}, p, q});
+    }
+    std::sort(borders.begin(), borders.end(), [](const Border& x, const Border& y) { return x.patches < y.patches; });
+    std::sort(all.begin(), all.end(), [](const Line& x, const Line& y) {
+      return std::pair(x.patches, std::array{x.start[0], x.start[1], x.start[2]}) <
+             std::pair(y.patches, std::array{y.start[0], y.start[1], y.start[2]});
+    });
+    for (std::size_t i = 0; i < borders.size();) {
+      std::size_t end = i;
+      double length = 0, sharp_length = 0;
+      for (; end < borders.size() && borders[end].patches == borders[i].patches; ++end) {
+        length += borders[end].length;
+        sharp_length += borders[end].sharp;
+      }
+      if (sharp_length > 0.6 * length)
+        lines_.insert(lines_.end(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                      all.begin() + static_cast<std::ptrdiff_t>(end));
+      i = end;
+    }
+  }
+  // Normals of vertices: of all triangles around, or of those of the same face where faces are kept apart.
+  const bool apart = has_sharp_edges();
+  normals_.resize(triangles_.size());
+  struct Corner {
+    Index vertex, patch, triangle, corner;
+  };
+  Array<Corner> corners(host.memory);
+  for (Index i = 0; i < triangles_.size(); ++i) {
+    for (Index k = 0; k < 3; ++k)
+      corners.push_back({triangles_[i][k], apart ? map.charts[i] : 0, i, k});
+  }
+  std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) {
+    return std::array{x.vertex, x.patch, x.triangle, x.corner} < std::array{y.vertex, y.patch, y.triangle, y.corner};
+  });
+  host.report("target", 0, 0);
+  for (std::size_t i = 0; i < corners.size();) {
+    std::size_t end = i;
+    Vector3 sum = Vector3::Zero();
+    for (; end < corners.size() && corners[end].vertex == corners[i].vertex && corners[end].patch == corners[i].patch;
+         ++end)
+      sum += twice_area(positions_, triangles_[corners[end].triangle]);
+    const Vector3 normal = sum.norm() > 0 ? Vector3(sum.normalized()) : Vector3(Vector3::UnitX());
+    for (; i < end; ++i)
+      normals_[corners[i].triangle][corners[i].corner] = normal;
+  }
+  whole_.triangles = triangles_;
+  whole_.search = std::make_unique<mesh::SurfaceSearch>(positions_, whole_.triangles, host);
+  if (!apart) return;
+  patches_.reserve(patch_count);
+  for (Index i = 0; i < patch_count; ++i)
+    patches_.emplace_back(host.memory);
+  for (Index i = 0; i < triangles_.size(); ++i) {
+    Part& part = patches_[map.charts[i]];
+    part.triangles.push_back(triangles_[i]);
+    part.sources.push_back(i);
+  }
+  for (Part& part : patches_)
+    part.search = std::make_unique<mesh::SurfaceSearch>(positions_, part.triangles, host);
+}
+
+TargetPoint SurfaceTarget::on(const Part& part, const Vector3& p) const {
+  const mesh::SurfacePoint found = part.search->nearest(p);
+  const Index triangle = part.sources.empty() ? found.triangle : part.sources[found.triangle];
+  const auto& n = normals_[triangle];
+  const Vector3 normal = found.weights[0] * n[0] + found.weights[1] * n[1] + found.weights[2] * n[2];
+  return {found.position, normal.norm() > 1e-9 ? Vector3(normal.normalized()) : n[0]};
+}
+
+TargetPoint SurfaceTarget::nearest(const Vector3& p) const {
+  return on(whole_, p);
+}
+
+TargetPoint SurfaceTarget::nearest_on(Index patch, const Vector3& p) const {
+  return on(patches_[patch], p);
+}
+
+bool SurfaceTarget::sharp(Index patch, Index other) const {
+  const std::array<Index, 2> key{std::min(patch, other), std::max(patch, other)};
+  const auto at = std::lower_bound(lines_.begin(), lines_.end(), key,
+                                   [](const Line& line, const std::array<Index, 2>& k) { return line.patches < k; });
+  return at != lines_.end() && at->patches == key;
+}
+
+TargetPoint SurfaceTarget::nearest_on_line(Index patch, Index other, const Vector3& p) const {
+  const std::array<Index, 2> key{std::min(patch, other), std::max(patch, other)};
+  auto at = std::lower_bound(lines_.begin(), lines_.end(), key,
+                             [](const Line& line, const std::array<Index, 2>& k) { return line.patches < k; });
+  TargetPoint best{p, Vector3::UnitX()};
+  double least = std::numeric_limits<double>::infinity();
+  for (; at != lines_.end() && at->patches == key; ++at) {
+    const Vector3 along = at->end - at->start;
+    const double square = along.squaredNorm();
+    const double t = square > 0 ? std::clamp(along.dot(p - at->start) / square, 0.0, 1.0) : 0;
+    const Vector3 q = at->start + t * along;
+    if (!((q - p).squaredNorm() < least)) continue;
+    least = (q - p).squaredNorm();
+    best = {q, square > 0 ? Vector3(along / std::sqrt(square)) : Vector3(Vector3::UnitX())};
+  }
+  return best;
+}
+
+}  // namespace orbicube::volume_map

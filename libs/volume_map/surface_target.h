@@ -1,0 +1,62 @@
+// The surface that a mesh of hexahedra is to follow: the nearest point of the whole, of one face of the polycube, or of
+// its sharp edges.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "mesh/nearest.h"
+#include "polycube/patch_graph.h"
+#include "polycube/surface_map.h"
+#include "volume_map/variables.h"
+
+namespace orbicube::volume_map {
+
+struct TargetPoint {
+  Vector3 position;
+  Vector3 normal;  // of the surface, smooth but for sharp edges; of a line its direction
+};
+
+class SurfaceTarget {
+ public:
+  // `map` with positions times `scale`. Faces of the polycube whose edges are mostly sharp in space (more than
+  // 40 degrees) are kept apart, and these edges are lines. `fine`, if it has triangles, is the surface that counts in
+  // place of the map's own, which then is a coarse one; nothing is sharp then.
+  SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Vector3> fine_positions,
+                std::span<const mesh::Triangle> fine_triangles, double scale, const base::Host& host);
+
+  std::span<const Vector3> positions() const { return positions_; }
+  std::span<const mesh::Triangle> triangles() const { return triangles_; }
+  bool has_sharp_edges() const { return !lines_.empty(); }
+
+  // The edges of the polycube that are sharp between two of its faces.
+  bool sharp(Index patch, Index other) const;
+
+  TargetPoint nearest(const Vector3& p) const;
+  TargetPoint nearest_on(Index patch, const Vector3& p) const;
+  // On the sharp edges between these two faces. There must be some.
+  TargetPoint nearest_on_line(Index patch, Index other, const Vector3& p) const;
+
+ private:
+  // Triangles of one face, or of all, with their search.
+  struct Part {
+    explicit Part(std::pmr::memory_resource* memory) : triangles(memory), sources(memory) {}
+    Array<mesh::Triangle> triangles;
+    Array<Index> sources;
+    std::unique_ptr<mesh::SurfaceSearch> search;
+  };
+  struct Line {
+    std::array<Index, 2> patches;
+    Vector3 start, end;
+  };
+  TargetPoint on(const Part& part, const Vector3& p) const;
+
+  Array<Vector3> positions_;
+  Array<mesh::Triangle> triangles_;
+  Array<std::array<Vector3, 3>> normals_;  // at the corners of each triangle
+  Part whole_;
+  std::vector<Part> patches_;
+  Array<Line> lines_;  // sorted by patches, the lower one first
+};
+
+}  // namespace orbicube::volume_map

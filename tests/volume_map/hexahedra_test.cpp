@@ -1,0 +1,148 @@
+// Hexahedra: certificates against samples, and meshes of solids that are valid, conforming and on the surface.
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <random>
+#include <set>
+
+#include "block_solid.h"
+#include "mesh/cells.h"
+#include "mesh/make_shape.h"
+#include "mesh/nearest.h"
+#include "volume_map/coarse_surface.h"
+
+using namespace orbicube;
+using namespace orbicube::volume_map;
+
+namespace {
+
+constexpr std::array<std::array<int, 3>, 8> corners = {
+    {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
+constexpr Hexahedron whole = {0, 1, 2, 3, 4, 5, 6, 7};
+
+std::vector<Vector3> cube(double push, std::mt19937_64& random) {
+  std::uniform_real_distribution<double> uniform(-push, push);
+  std::vector<Vector3> result;
+  for (const auto& c : corners)
+    result.push_back(Vector3(c[0] + uniform(random), c[1] + uniform(random), c[2] + uniform(random)));
+  return result;
+}
+
+// Of the trilinear map, by differences of its definition.
+double determinant(const std::vector<Vector3>& p, const Vector3& at) {
+  Eigen::Matrix3d j = Eigen::Matrix3d::Zero();
+  for (std::size_t k = 0; k < 8; ++k) {
+    for (Eigen::Index d = 0; d < 3; ++d) {
+      double slope = 1;
+      for (Eigen::Index e = 0; e < 3; ++e) {
+        const bool high = corners[k][static_cast<std::size_t>(e)] == 1;
+        slope *= e == d ? (high ? 1 : -1) : (high ? at[e] : 1 - at[e]);
+      }
+      j.col(d) += slope * p[k];
+    }
+  }
+  return j.determinant();
+}
+
+}  // namespace
+
+TEST_CASE("Bernstein coefficients are those of the trilinear map's determinant") {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (int run = 0; run < 20; ++run) {
+    const auto p = cube(0.4, random);
+    const auto f = bezier_coefficients(p, whole);
+    const Vector3 at(uniform(random), uniform(random), uniform(random));
+    const auto bernstein = [](int i, double t) {
+      return i == 0 ? (1 - t) * (1 - t) : i == 1 ? 2 * t * (1 - t) : t * t;
+    };
+    double sum = 0;
+    for (int i = 0; i < 27; ++i)
+      sum += f[static_cast<std::size_t>(i)] * bernstein(i % 3, at[0]) * bernstein(i / 3 % 3, at[1]) *
+             bernstein(i / 9, at[2]);
+    CHECK(sum == doctest::Approx(determinant(p, at)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("What is called certainly positive is so, and what is not has a reason") {
+  std::mt19937_64 random(2);
+  int positive = 0;
+  for (int run = 0; run < 1000; ++run) {
+    const auto p = cube(0.45, random);
+    double least = 1;
+    constexpr int steps = 10;
+    for (int i = 0; i <= steps; ++i) {
+      for (int j = 0; j <= steps; ++j) {
+        for (int k = 0; k <= steps; ++k)
+          least = std::min(least, determinant(p, Vector3(i, j, k) / steps));
+      }
+    }
+    const bool certain = certainly_positive(p, whole);
+    if (certain) CHECK(least > 0);
+    if (least > 0.05) CHECK(certain);
+    positive += certain;
+  }
+  CHECK(positive > 30);
+}
+
+TEST_CASE("Measures of a box and of what is inverted") {
+  std::mt19937_64 random(3);
+  auto p = cube(0, random);
+  const std::vector<Hexahedron> cells = {whole};
+  HexQuality q = measure_hexahedra(p, cells, base::Host());
+  CHECK(q.valid());
+  CHECK(q.least_scaled_jacobian == 1);
+  CHECK(q.mean_scaled_jacobian == 1);
+  CHECK(q.volume == doctest::Approx(1));
+  CHECK(least_bezier(p, whole) == doctest::Approx(1));
+  p[6] = Vector3(0.1, 0.1, 0.1);
+  q = measure_hexahedra(p, cells, base::Host());
+  CHECK(!q.valid());
+  CHECK(q.inverted == 1);
+  CHECK(q.first_bad == 0);
+}
+
+TEST_CASE("A bent solid gets a valid hexahedral mesh on its surface, the same for any number of threads") {
+  test::BlockSolid block(test::angle, 3, 0.8, 0.4);
+  block.cut(7);
+  REQUIRE(block.certificate == "");
+  for (const Padding padding : {Padding::with, Padding::without}) {
+    std::vector<Vector3> first;
+    for (const unsigned threads : {1U, 3U}) {
+      base::Host host;
+      host.thread_count = threads;
+      const HexResult result = make_hexahedra(block.solid(), {.cells = 400, .padding = padding, .rounds = 10}, host);
+      CHECK(result.quality.valid());
+      CHECK(result.padded == (padding == Padding::with));
+      CHECK(result.quality.least_scaled_jacobian > 0.2);
+      CHECK(result.mesh.hexahedra.size() > 150);
+      CHECK(result.mesh.hexahedra.size() < 800);
+      mesh::Mesh m;
+      m.positions = result.mesh.positions;
+      m.hexahedra = result.mesh.hexahedra;
+      mesh::require_valid_cells(m, host);
+      const auto boundary = mesh::boundary_triangles(m, host);
+      CHECK(boundary.size() == 2 * result.mesh.quads.size());
+      const mesh::SurfaceSearch search(block.positions, block.surface, host);
+      std::size_t off = 0;
+      std::set<Index> outer;
+      for (const Quad& q : result.mesh.quads)
+        outer.insert(q.begin(), q.end());
+      for (const Index v : outer)
+        off += search.nearest(m.positions[v]).distance > 1e-9;
+      CHECK(off <= result.off_surface);
+      if (first.empty()) first.assign(m.positions.begin(), m.positions.end());
+      CHECK(std::equal(first.begin(), first.end(), m.positions.begin(), m.positions.end()));
+    }
+  }
+}
+
+TEST_CASE("A coarse surface has fewer triangles and vertices of the fine one") {
+  const base::Host host;
+  const mesh::Mesh fine = mesh::make_shape("blob", {.triangles = 3000}, host);
+  const CoarseSurface coarse = coarse_surface(fine.positions, fine.triangles, 800, host);
+  CHECK(coarse.triangles.size() <= 820);
+  CHECK(coarse.triangles.size() == 2 * coarse.positions.size() - 4);
+  const CoarseSurface same = coarse_surface(fine.positions, fine.triangles, 5000, host);
+  CHECK(same.triangles.size() == fine.triangles.size());
+}

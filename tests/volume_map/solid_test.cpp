@@ -1,0 +1,141 @@
+// Solids mapped to polycubes: nothing inverted, the boundary on the polycube; and the steps on the way there.
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "base/error.h"
+#include "block_solid.h"
+#include "mesh/predicates.h"
+#include "volume_map/boundary_refinement.h"
+#include "volume_map/elements.h"
+#include "volume_map/freeing_splits.h"
+#include "volume_map/integer_domain.h"
+#include "volume_map/untangle.h"
+
+using namespace orbicube;
+using namespace orbicube::volume_map;
+
+namespace {
+
+template <class Positions, class Cells>
+double volume_of(const Positions& positions, const Cells& cells) {
+  double sum = 0;
+  for (const Tetrahedron& t : cells)
+    sum += six_volumes(positions, t) / 6;
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "After splits each tetrahedron has at most a face in common with the boundary, and nothing else has changed") {
+  const test::BlockSolid block(test::angle, 1, 0, 0);
+  Array<Vector3> positions(block.positions.begin(), block.positions.end());
+  Array<Tetrahedron> tetrahedra(block.tetrahedra.begin(), block.tetrahedra.end());
+  const base::Host host;
+  const std::size_t outer = block.map.positions.size();
+  const std::size_t added = split_for_freedom(positions, tetrahedra, host);
+  CHECK(added > 0);
+  CHECK(positions.size() == block.positions.size() + added);
+  CHECK(count_inverted(tetrahedra, positions, host).count == 0);
+  CHECK(volume_of(positions, tetrahedra) == doctest::Approx(3));
+  std::set<std::set<Index>> faces;
+  for (const mesh::Triangle& t : block.surface)
+    faces.insert({t[0], t[1], t[2]});
+  for (const Tetrahedron& t : tetrahedra) {
+    std::set<Index> on_boundary;
+    for (const Index v : t) {
+      if (v < outer) on_boundary.insert(v);
+    }
+    CHECK(on_boundary.size() < 4);
+    if (on_boundary.size() == 3) CHECK(faces.count(on_boundary) == 1);
+  }
+}
+
+TEST_CASE("A solid is cut where its surface is") {
+  test::BlockSolid block(test::angle, 2, 0.5, 0.3);
+  REQUIRE(block.certificate == "");
+  for (const std::size_t triangle : {0, 17, 30})
+    block.cut(triangle);
+  REQUIRE(block.certificate == "");
+  const base::Host host;
+  const RefinedSolid refined = refine_boundary(block.positions, block.tetrahedra, block.surface, block.map, host);
+  CHECK(count_inverted(refined.tetrahedra, refined.positions, host).count == 0);
+  CHECK(volume_of(refined.positions, refined.tetrahedra) ==
+        doctest::Approx(volume_of(block.positions, block.tetrahedra)));
+  CHECK(std::equal(block.map.positions.begin(), block.map.positions.end(), refined.positions.begin()));
+  // Each triangle of the map is a face of one tetrahedron.
+  std::map<std::set<Index>, int> uses;
+  for (const Tetrahedron& t : refined.tetrahedra) {
+    for (std::size_t k = 0; k < 4; ++k) {
+      std::set<Index> face(t.begin(), t.end());
+      face.erase(t[k]);
+      ++uses[face];
+    }
+  }
+  std::size_t once = 0;
+  for (const auto& [face, count] : uses) {
+    CHECK(count <= 2);
+    once += count == 1;
+  }
+  CHECK(once == block.map.triangles.size());
+  for (const mesh::Triangle& t : block.map.triangles)
+    CHECK(uses.at({t[0], t[1], t[2]}) == 1);
+}
+
+TEST_CASE("Planes of a polycube get integers near to their places, and cells as they are asked for") {
+  const test::BlockSolid block({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}}, 2, 0, 0);
+  const base::Host host;
+  const auto graph = polycube::make_patch_graph(block.map, host);
+  const IntegerDomain domain(graph, 0.25, host);
+  CHECK(domain.size(0) == 12);
+  CHECK(domain.size(1) == 8);
+  CHECK(domain.size(2) == 4);
+  CHECK(domain.cells() == 4 * 64);
+  CHECK(domain.faces() == 18 * 16);
+  CHECK(domain.inside({11, 7, 0}));
+  CHECK(!domain.inside({7, 4, 0}));
+  CHECK(!domain.inside({12, 0, 0}));
+  CHECK(domain.place(Vector3(2, 1, 0.5)) == Vector3(8, 4, 2));
+  const IntegerDomain coarse(graph, 100, host);
+  CHECK(coarse.cells() == 3);  // one between neighbouring planes
+  for (const std::size_t wanted : {100, 1000, 20000}) {
+    const auto cells = static_cast<double>(domain_of_cells(graph, wanted, false, host).cells());
+    CHECK(cells > 0.6 * static_cast<double>(wanted));
+    CHECK(cells < 1.6 * static_cast<double>(wanted));
+    const IntegerDomain padded = domain_of_cells(graph, wanted, true, host);
+    CHECK(static_cast<double>(padded.cells() + padded.faces()) < 1.6 * static_cast<double>(wanted));
+  }
+  CHECK_THROWS_AS(IntegerDomain(graph, 0, host), base::Error);
+  CHECK_THROWS_AS(IntegerDomain(graph, 1e-4, host), base::Error);
+}
+
+TEST_CASE("A bent solid is mapped to its polycube one to one, the same for any number of threads") {
+  test::BlockSolid block(test::angle, 3, 0.8, 0.4);
+  block.cut(5);
+  REQUIRE(block.certificate == "");
+  std::vector<Vector3> first;
+  for (const unsigned threads : {1U, 3U}) {
+    base::Host host;
+    host.thread_count = threads;
+    const VolumeMap map = map_to_polycube(block.solid(), host);
+    CHECK(count_inverted(map.tetrahedra, map.image, host).count == 0);
+    CHECK(count_inverted(map.tetrahedra, map.source, host).count == 0);
+    CHECK(volume_of(map.image, map.tetrahedra) == doctest::Approx(3).epsilon(1e-12));
+    for (std::size_t v = 0; v < block.map.positions.size(); ++v)
+      CHECK(map.source[v] == block.map.positions[v]);
+    for (std::size_t i = 0; i < block.map.triangles.size(); ++i) {
+      const int axis = polycube::axis_of(block.map.labels[i]);
+      for (const Index v : block.map.triangles[i])
+        CHECK(map.image[v][axis] == block.map.polycube[v][axis]);
+    }
+    if (first.empty()) first.assign(map.image.begin(), map.image.end());
+    CHECK(std::equal(first.begin(), first.end(), map.image.begin(), map.image.end()));
+  }
+}
+
+TEST_CASE("A surface that is not the boundary is refused") {
+  test::BlockSolid block(test::angle, 2, 0, 0);
+  block.tetrahedra.pop_back();
+  CHECK_THROWS_AS(map_to_polycube(block.solid(), base::Host()), base::Error);
+}
