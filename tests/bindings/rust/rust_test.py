@@ -29,16 +29,21 @@ def main():
             environment[variable] = beside
     has_tetrahedra = os.path.exists(os.path.join(libraries, "liborbicube-tetrahedra.so"))
 
-    def run(*command, cwd=RUST, **more):
+    def run(*command, cwd=RUST, without=(), **more):
         print("$", *command, flush=True)
         subprocess.run([cargo if word == "cargo" else word for word in command], check=True, cwd=cwd,
-                       env={**environment, **more})
+                       env={name: value for name, value in {**environment, **more}.items() if name not in without})
 
     run("cargo", "--version")
     run("cargo", "test", "--quiet", *(["--all-features"] if has_tetrahedra else []))
     # One library alone links nothing but itself and base.
     run("cargo", "test", "--quiet", "-p", "orbicube", "--lib", "--no-default-features", "--features", "trust_region")
     run("cargo", "run", "--quiet", "--example", "solvers")
+
+    # A library that Meson builds from the tree, and that is linked statically.
+    run("cargo", "run", "--quiet", "-j1", "-p", "orbicube", "--example", "smallest", "--no-default-features", "--features",
+        "trust_region", without=("ORBICUBE_LIBRARIES", "LD_LIBRARY_PATH"), ORBICUBE_FROM_TREE="1",
+        CARGO_TARGET_DIR=os.path.join(target, "from-tree"))
 
     # The page's programs, as documentation tests.
     run("cargo", "build", "--quiet", "-p", "orbicube")
