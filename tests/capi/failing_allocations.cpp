@@ -135,20 +135,21 @@ std::int32_t count_report(const char*, std::uint64_t, std::uint64_t, double, voi
 
 namespace orbicube::test {
 
-Outcome fail_each_allocation(const Call& call) {
+Outcome fail_each_allocation(const Call& call, std::size_t each_until) {
   Outcome outcome;
+  std::size_t failing = 0;
   const obc_host host = counting_host();
   wrong_release = false;
   for (bool disturbed = true; disturbed && outcome.problem.empty(); ++outcome.runs) {
     const std::size_t before = live_blocks.load();
     shared().failed = false;
-    shared().until_failure = outcome.runs;
+    shared().until_failure = failing;
     const obc_status status = call(host);
     shared().until_failure = never;
     disturbed = shared().failed;
     const bool unnoticed = disturbed && !shared().could_throw && status == OBC_OK;
-    outcome.problem =
-        problem_of_run(outcome.runs, status, disturbed && !unnoticed ? OBC_OUT_OF_MEMORY : OBC_OK, before);
+    outcome.problem = problem_of_run(failing, status, disturbed && !unnoticed ? OBC_OUT_OF_MEMORY : OBC_OK, before);
+    failing += failing < each_until ? 1 : 7;
   }
   return outcome;
 }

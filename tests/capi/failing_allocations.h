@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 
@@ -25,8 +26,10 @@ using Call = std::function<obc_status(const obc_host& host)>;
 // ... until a run has fewer. Each disturbed run must answer OBC_OUT_OF_MEMORY, the last one OBC_OK, and after each
 // every block must be released, the host's with the size and alignment it was allocated with. An allocation that cannot
 // throw (new (std::nothrow), with which the standard library asks for memory that it can do without) may fail
-// unnoticed. The host has one thread, so that the order of allocations is always the same.
-Outcome fail_each_allocation(const Call& call);
+// unnoticed. The host has one thread, so that the order of allocations is always the same. Past the first `each_until`
+// allocations only every seventh fails: a long call comes to the same places again and again, and each run repeats all
+// that went before.
+Outcome fail_each_allocation(const Call& call, std::size_t each_until = SIZE_MAX);
 
 // Runs `call` with a progress callback that stops at its n-th call, for n = 0, 1, 2, ... until a run has fewer reports.
 // Each stopped run must answer OBC_CANCELLED without another report, the last one OBC_OK, and after each every block

@@ -24,8 +24,8 @@ inline std::vector<double> sphere() {
 }
 
 // Each allocation fails and each report cancels, in turn.
-inline void check_every_end(const Call& call) {
-  const Outcome memory = fail_each_allocation(call);
+inline void check_every_end(const Call& call, std::size_t each_until = SIZE_MAX) {
+  const Outcome memory = fail_each_allocation(call, each_until);
   CHECK(memory.problem == "");
   CHECK(memory.runs > 10);
   const Outcome cancelled = cancel_everywhere(call);

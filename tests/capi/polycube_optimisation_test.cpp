@@ -214,7 +214,7 @@ TEST_CASE("Each allocation of better corners that fails ends in out of memory, a
   };
   CHECK(test::cancel_everywhere(call).problem == "");
   options.method = OBC_POLYCUBE_GRADIENT;
-  check_every_end(call);
+  check_every_end(call, 300);
   obc_polycube_destroy(map);
 }
 

@@ -216,7 +216,7 @@ TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a
     obc_polycube_destroy(made);
     return status;
   };
-  check_every_end(call);
+  check_every_end(call, 300);
 }
 
 TEST_CASE("Two boxes share a polycube with the proportions that suit both") {
