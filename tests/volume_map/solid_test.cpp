@@ -55,7 +55,7 @@ TEST_CASE(
 TEST_CASE("A solid is cut where its surface is") {
   test::BlockSolid block(test::angle, 2, 0.5, 0.3);
   REQUIRE(block.certificate == "");
-  for (const std::size_t triangle : {0, 17, 30})
+  for (const std::size_t triangle : {0U, 17U, 30U})
     block.cut(triangle);
   REQUIRE(block.certificate == "");
   const base::Host host;
@@ -99,7 +99,7 @@ TEST_CASE("Planes of a polycube get integers near to their places, and cells as 
   CHECK(domain.place(Vector3(2, 1, 0.5)) == Vector3(8, 4, 2));
   const IntegerDomain coarse(graph, 100, host);
   CHECK(coarse.cells() == 3);  // one between neighbouring planes
-  for (const std::size_t wanted : {100, 1000, 20000}) {
+  for (const std::size_t wanted : {100U, 1000U, 20000U}) {
     const auto cells = static_cast<double>(domain_of_cells(graph, wanted, false, host).cells());
     CHECK(cells > 0.6 * static_cast<double>(wanted));
     CHECK(cells < 1.6 * static_cast<double>(wanted));
