@@ -76,7 +76,7 @@ void adopt_directions(Constraints& constraints, const Field& field) {
   }
 }
 
-// Aligns tetrahedra with several boundary faces with the face for which their links are worth least, if that is less.
+// Gives tetrahedra with several boundary faces the one of their directions for which their links are worth least.
 bool choose_normals(const DualGraph& graph, Constraints& constraints, Field& field) {
   bool changed = false;
   for (Constraints::Alternative& alternative : constraints.alternatives) {

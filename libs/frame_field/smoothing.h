@@ -18,7 +18,7 @@ namespace orbicube::frame_field {
 struct SmoothingOptions {
   double relative_gain = 1e-5;  // ends when a step lowers the energy by less than this part of it
   std::uint32_t max_steps = 50;
-  bool choose_normals = true;  // tetrahedra with several boundary faces may change the one that they are aligned with
+  bool choose_normals = true;  // tetrahedra with several boundary faces may change the direction of their axis
 };
 
 struct SmoothingResult {
