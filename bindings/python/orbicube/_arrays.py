@@ -14,8 +14,7 @@ Indices = NDArray[np.uint32]
 
 def doubles(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "array") -> Doubles:
     """C-contiguous doubles; with `columns`, of so many a row (flat arrays too), with `rows`, so many of them."""
-    array = np.ascontiguousarray(values, dtype=np.float64)
-    return _shaped(array, columns, rows, name)
+    return _shaped(_plain(values, np.float64), columns, rows, name)
 
 
 def indices(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "indices") -> Indices:
@@ -27,12 +26,27 @@ def indices(values: Any, columns: Optional[int] = None, rows: Optional[int] = No
         raise TypeError(f"{name}: integers are needed, not {array.dtype}")
     if array.dtype != np.uint32 and (array.min() < 0 or array.max() > 0xFFFFFFFF):
         raise ValueError(f"{name}: from {array.min()} to {array.max()}, not within 0 to 2^32 - 1")
-    return _shaped(np.ascontiguousarray(array, dtype=np.uint32), columns, rows, name)
+    return _shaped(_plain(array, np.uint32), columns, rows, name)
+
+
+def _plain(values: Any, kind: Any) -> Any:
+    """As C has arrays: contiguous, and at an address that suits the type, which parts of records and of files need not."""
+    return np.require(np.ascontiguousarray(values, dtype=kind), requirements="A")
 
 
 def floats(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "array") -> Any:
     """The same of 32-bit floats, for files of engines."""
-    return _shaped(np.ascontiguousarray(values, dtype=np.float32), columns, rows, name)
+    return _shaped(_plain(values, np.float32), columns, rows, name)
+
+
+def put(into: Any, values: Any, name: str) -> None:
+    """Into an array of our own: as many numbers as it has, in its shape or flat; nothing is broadcast."""
+    array = np.asarray(values, dtype=np.float64)
+    if array.shape != into.shape:
+        if array.size != into.size or (array.ndim > 1 and into.ndim > 1):
+            raise ValueError(f"{name}: {' by '.join(map(str, into.shape))} numbers are needed, not shape {array.shape}")
+        array = array.reshape(into.shape)
+    into[...] = array
 
 
 def _shaped(array: Any, columns: Optional[int], rows: Optional[int], name: str) -> Any:
@@ -52,13 +66,15 @@ def address(array: Any) -> Optional[int]:
 
 
 def view(kind: Any, where: Optional[int], shape: tuple[int, ...], owner: Any) -> Any:
-    """A read-only array over memory of a library, without a copy; it keeps `owner`, who holds that memory, alive."""
+    """A read-only array over memory of a library, without a copy; it keeps `owner`, who holds that memory, alive. The owner
+    must not hold the array: Python's collector does not see cycles through arrays."""
     count = int(np.prod(shape))
     if not where or count == 0:
-        return np.empty(shape, dtype=np.dtype(kind))
-    memory = (kind * count).from_address(where)
-    memory.owner = owner
-    array = np.frombuffer(memory, dtype=np.dtype(kind)).reshape(shape)
+        array = np.empty(shape, dtype=np.dtype(kind))
+    else:
+        memory = (kind * count).from_address(where)
+        memory.owner = owner
+        array = np.frombuffer(memory, dtype=np.dtype(kind)).reshape(shape)
     array.flags.writeable = False
     return array
 

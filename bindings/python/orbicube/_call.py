@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import signal
 import threading
 from ctypes import byref, sizeof
@@ -57,7 +58,9 @@ class Unsupported(Error):
 
 
 class NoValidResult(Error):
-    """The method ended without a result that can be certified."""
+    """The method ended without a result that can be certified. `best`: what there is of one, where a function says so."""
+
+    best: Any = None
 
 
 class Stop(Exception):
@@ -86,22 +89,42 @@ class _Host:
 HOST = _Host()
 
 
-def call(function: Any, *arguments: Any, progress: Progress = None, threads: int = 0) -> None:
-    """Calls a function whose last parameter is obc_error, which is added here; HOST stands for the host."""
+class Handle(ctypes.c_void_p):
+    """What a library hands out, released with the last reference to it: an owner and the arrays over its memory hold it, so
+    that no cycle arises that runs through an array, which Python's collector would not see."""
+
+    def __init__(self, destroy: Any) -> None:
+        super().__init__()
+        self._destroy = destroy
+
+    def __del__(self) -> None:
+        self.close()
+
+    def close(self) -> None:
+        """Releases it now."""
+        if self.value:
+            self._destroy(self.value)
+            self.value = None
+
+
+def call(function: Any, *arguments: Any, progress: Progress = None, threads: int = 0,
+         raised: Optional[list[BaseException]] = None) -> None:
+    """Calls a function whose last parameter is obc_error, which is added here; HOST stands for the host. What another
+    callback puts into `raised` stops the work at the next report, and is raised in the end."""
     error = raw.obc_error()
     if HOST not in arguments:
         status = function(*arguments, byref(error))
         if status:
             raise exception(status, error)
         return
-    lent = _Lent(progress, threads)
+    lent = _Lent(progress, threads, [] if raised is None else raised)
     try:
         host = byref(lent.host)
         status = function(*[host if argument is HOST else argument for argument in arguments], byref(error))
     finally:
         lent.close()
-    if lent.raised is not None:
-        raise lent.raised
+    if lent.raised:
+        raise lent.raised[0]
     if status:
         raise exception(status, error)
 
@@ -110,8 +133,10 @@ class _Lent:
     """A host for one call. In the main thread SIGINT is taken note of while the call lasts, since an exception cannot pass
     through C: the next report of progress stops the work, and the exception of the former handler is raised after it."""
 
-    def __init__(self, progress: Progress, threads: int) -> None:
-        self.raised: Optional[BaseException] = None
+    def __init__(self, progress: Progress, threads: int, raised: list[BaseException]) -> None:
+        if not 0 <= threads < 2**32:
+            raise ValueError(f"threads={threads}: a number of threads is needed, or 0")
+        self.raised = raised
         self.progress: Any = bar() if progress is True else progress or None
         self.host = raw.obc_host()
         raw.obc_host_init(byref(self.host), sizeof(self.host))
@@ -128,16 +153,16 @@ class _Lent:
         try:
             self.former(number, frame)
         except BaseException as error:  # noqa: BLE001: whatever it is, it is raised when the call has ended
-            self.raised = error
+            self.raised.append(error)
 
     def report(self, phase: bytes, done: int, total: int, best: float, _: Any) -> int:
-        if self.raised is None and self.progress is not None:
+        if not self.raised and self.progress is not None:
             try:
                 if self.progress(phase.decode("utf-8", "replace"), done, total, best):
                     return 1
             except BaseException as error:  # noqa: BLE001
-                self.raised = error
-        return 0 if self.raised is None else 1
+                self.raised.append(error)
+        return 1 if self.raised else 0
 
     def close(self) -> None:
         if self.former is not None:
@@ -189,6 +214,8 @@ def filled(kind: type[S], init: Any, given: dict[str, Any], module: Any = None, 
                 raise ValueError(f"{name}={value!r}: there is no {constant}")
             value = getattr(module, constant)
         setattr(options, name, value)
+        if isinstance(value, int) and getattr(options, name) != value:  # ctypes drops what does not fit
+            raise ValueError(f"{name}={value}: out of range")
     return options
 
 
@@ -206,9 +233,10 @@ def sized(kind: type[S]) -> S:
 
 
 def path_bytes(path: Any) -> bytes:
-    import os
-
-    return os.fsencode(path)
+    name = os.fsencode(path)
+    if b"\0" in name:
+        raise ValueError("embedded null byte in a path")
+    return name
 
 
 def text(value: Optional[bytes]) -> Optional[str]:

@@ -5,12 +5,13 @@ from __future__ import annotations
 import ctypes
 import weakref
 from ctypes import byref
-from typing import Any, Optional
+from typing import Any, Callable, Optional
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, memory_of
-from ._call import Progress, bar, call, sized, text
+from ._arrays import Doubles, address, buffer, memory_of, put
+from ._call import Progress, Stop, bar, call, sized, text
 
 NEED, ITERATION, DONE = 1, 2, 3  # of every solver
 
@@ -38,10 +39,10 @@ class Result:
 
 
 class Run:
-    """A handle of a solver, and the arrays that go in and out of it."""
+    """A handle of a solver, and the arrays that go in and out of it. Points have the given shape."""
 
-    def __init__(self, raw: Any, prefix: str, handle: int, size: int) -> None:
-        self._raw, self._prefix, self._size = raw, prefix, size
+    def __init__(self, raw: Any, prefix: str, handle: int, shape: tuple[int, ...]) -> None:
+        self._raw, self._prefix, self._shape, self._size = raw, prefix, shape, int(np.prod(shape))
         self._handle: Optional[int] = handle
         self._finalizer = weakref.finalize(self, self._function("destroy"), handle)
         self._step = self._function("step")
@@ -63,16 +64,45 @@ class Run:
         return seen.copy()
 
     def _request(self) -> int:
+        return self._step(self._handle, self._point_out)
+
+    def _answer(self, answer: Any) -> None:
+        """Tells what a function of the user has answered."""
         raise NotImplementedError
 
-    def _next(self, progress: Any = None, limit: int = 0) -> int:
+    def _failed(self) -> None:
+        """Tells that there is no value."""
+        raise NotImplementedError
+
+    def ask(self) -> Optional[Doubles]:
+        """The point that is asked about next; None when the run has ended."""
+        return None if self._next() == DONE else self._copied(self._point.value or 0, self._shape)
+
+    def run(self, f: Callable[[Doubles], Any], progress: Progress = None) -> Result:
+        """Asks f, which answers what `tell` takes, until the run has ended."""
+        report = bar() if progress is True else progress or None
+        try:
+            while self._next(report) != DONE:
+                try:
+                    self._answer(f(self._copied(self._point.value or 0, self._shape)))
+                except EvaluationFailed:
+                    self._failed()
+                except Stop:
+                    self.stopped = True
+                    break
+        finally:
+            if hasattr(report, "close"):
+                report.close()
+        return self.result
+
+    def _next(self, progress: Any = None) -> int:
         """Goes on to the next question; with a progress function that answers something, as if done."""
         while True:
             request = self._request()
             if request == ITERATION:
                 if progress is not None:
                     report = self._report()
-                    if progress("minimize", int(report.evaluations), limit, float(report.value)):
+                    if progress("minimize", int(report.evaluations), 0, float(report.value)):
                         self.stopped = True
                         return DONE
                 continue
@@ -91,16 +121,13 @@ class Run:
     @property
     def result(self) -> Result:
         """What is known now, at any time."""
-        x = np.empty(self._size)
+        x = np.empty(self._shape)
         report = sized(getattr(self._raw, self._prefix + "_result"))
         call(self._function("get_result"), self._handle, byref(report), *self._result_arguments(address(x)))
         if self.stopped:
             report.stop = getattr(self._raw, self._prefix.upper() + "_CANCELLED")
         stop = text(self._function("stop_name")(report.stop)) or ""
-        return Result(self._shaped(x), report, stop)
-
-    def _shaped(self, x: Doubles) -> Doubles:
-        return x
+        return Result(x, report, stop)
 
     def save(self) -> bytes:
         """The run as bytes, from which `load` goes on to the same bits."""
@@ -115,5 +142,26 @@ class Run:
         self._handle = None
 
 
-def reporter(progress: Progress) -> Any:
-    return bar() if progress is True else progress or None
+class GradientRun(Run):
+    """A run that asks for a value and the gradient."""
+
+    def __init__(self, raw: Any, prefix: str, handle: int, shape: tuple[int, ...]) -> None:
+        super().__init__(raw, prefix, handle, shape)
+        flat, self._gradient_at = buffer(np.float64, self._size)
+        self._gradient = flat.reshape(shape)
+
+    def tell(self, value: Optional[float], gradient: Optional[ArrayLike]) -> None:
+        """Value and gradient at the point asked about; None, NaN or infinity: there is none."""
+        if value is None or gradient is None:
+            call(self._tell, self._handle, float("nan"), None)
+            return
+        put(self._gradient, gradient, "gradient")
+        status = self._tell(self._handle, value, self._gradient_at, None)
+        if status:
+            call(self._tell, self._handle, value, self._gradient_at)
+
+    def _answer(self, answer: Any) -> None:
+        self.tell(*answer)
+
+    def _failed(self) -> None:
+        self.tell(None, None)

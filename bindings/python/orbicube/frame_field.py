@@ -5,8 +5,6 @@ A solid is (positions, tetrahedra), or an object with such attributes. Frames ar
 
 from __future__ import annotations
 
-import ctypes
-import weakref
 from ctypes import byref
 from typing import Any, Optional
 
@@ -14,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Doubles, Indices, address, doubles, indices, solid_of
-from ._call import HOST, Progress, call, call_init, filled
+from ._call import HOST, Handle, Progress, call, call_init, filled
 from .raw import frame_field as raw
 
 
@@ -90,10 +88,9 @@ class Singularities:
     order), nodes, and where no hexahedral mesh has such a field: unmeshable_edges, unmeshable_vertices."""
 
     def __init__(self, solid: Any, frames: ArrayLike, *, progress: Progress = None) -> None:
-        given, handle = _Solid(solid), ctypes.c_void_p()
+        given, handle = _Solid(solid), Handle(raw.obc_frame_field_singularities_destroy)
         field = given.frames(frames)
         call(raw.obc_frame_field_singularities_create, given.pointer, address(field), HOST, byref(handle), progress=progress)
-        keeper = weakref.finalize(self, raw.obc_frame_field_singularities_destroy, handle.value)
         edges = raw.obc_frame_field_singular_edge_count(handle)
         curves = raw.obc_frame_field_singular_curve_count(handle)
         self.edges: Indices = np.empty((edges, 2), dtype=np.uint32)
@@ -107,7 +104,7 @@ class Singularities:
         self.unmeshable_edges: Indices = np.empty(raw.obc_frame_field_unmeshable_edge_count(handle), dtype=np.uint32)
         self.unmeshable_vertices: Indices = np.empty(raw.obc_frame_field_unmeshable_vertex_count(handle), dtype=np.uint32)
         call(raw.obc_frame_field_unmeshable_copy, handle, address(self.unmeshable_edges), address(self.unmeshable_vertices))
-        keeper()
+        handle.close()
 
 
 def version() -> int:

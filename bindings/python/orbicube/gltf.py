@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Indices, address, floats, indices, surface_of
-from ._call import HOST, Progress, call, filled, path_bytes, text
+from ._call import HOST, Handle, Progress, call, filled, path_bytes, text
 from .raw import gltf as raw
 
 
@@ -27,7 +27,7 @@ class Surface:
         self.welded_vertex_count, self.notes = welded_vertex_count, notes
 
 
-def _taken(handle: ctypes.c_void_p) -> Surface:
+def _taken(handle: Handle) -> Surface:
     try:
         positions = np.empty((raw.obc_gltf_surface_vertex_count(handle), 3))
         triangles = np.empty((raw.obc_gltf_surface_triangle_count(handle), 3), dtype=np.uint32)
@@ -35,7 +35,7 @@ def _taken(handle: ctypes.c_void_p) -> Surface:
         notes = [text(raw.obc_gltf_surface_note(handle, i)) or "" for i in range(raw.obc_gltf_surface_note_count(handle))]
         return Surface(positions, triangles, raw.obc_gltf_surface_welded_vertex_count(handle), notes)
     finally:
-        raw.obc_gltf_surface_destroy(handle)
+        handle.close()
 
 
 def _options(weld_identical: bool, morph_target: Optional[str]) -> Any:
@@ -48,7 +48,7 @@ def _options(weld_identical: bool, morph_target: Optional[str]) -> Any:
 def read(path: Any, *, weld_identical: bool = True, morph_target: Optional[str] = None,
          progress: Progress = None) -> Surface:
     """Reads .glb and .gltf; with the name of a morph target, that shape of it."""
-    handle, options = ctypes.c_void_p(), _options(weld_identical, morph_target)
+    handle, options = Handle(raw.obc_gltf_surface_destroy), _options(weld_identical, morph_target)
     call(raw.obc_gltf_read, path_bytes(path), byref(options), HOST, byref(handle), progress=progress)
     return _taken(handle)
 
@@ -56,7 +56,7 @@ def read(path: Any, *, weld_identical: bool = True, morph_target: Optional[str] 
 def read_memory(data: bytes, folder: Any = None, *, weld_identical: bool = True, morph_target: Optional[str] = None,
                 progress: Progress = None) -> Surface:
     """The same from bytes; buffers in files of their own lie in `folder`, None refuses them."""
-    handle, options = ctypes.c_void_p(), _options(weld_identical, morph_target)
+    handle, options = Handle(raw.obc_gltf_surface_destroy), _options(weld_identical, morph_target)
     call(raw.obc_gltf_read_memory, data, len(data), None if folder is None else path_bytes(folder), byref(options), HOST,
          byref(handle), progress=progress)
     return _taken(handle)
@@ -87,10 +87,12 @@ def write(path: Any, surface: Any, *, morph_targets: Optional[Mapping[str, Array
     if texture_coordinates is not None:
         scene.texture_coordinates = keep(texture_coordinates, floats(texture_coordinates, 2, n, "texture_coordinates"))
     if colors is not None:
-        array = np.ascontiguousarray(colors, dtype=np.uint8)
-        if array.shape != (n, 4):
-            raise ValueError(f"colors: shape ({n}, 4) is needed, not {array.shape}")
-        scene.colors = keep(colors, array)
+        given = np.asarray(colors)
+        if given.shape != (n, 4):
+            raise ValueError(f"colors: shape ({n}, 4) is needed, not {given.shape}")
+        if given.dtype.kind not in "iu" or (given.size and (given.min() < 0 or given.max() > 255)):
+            raise ValueError("colors: integers from 0 to 255 are needed")
+        scene.colors = keep(colors, np.ascontiguousarray(given, dtype=np.uint8))
     if edges is not None:
         pairs = indices(edges, 2, name="edges")
         scene.edges, scene.edge_count = keep(edges, pairs), len(pairs)

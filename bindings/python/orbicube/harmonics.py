@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, address, doubles, surface_of
-from ._call import HOST, Progress, call, call_init, filled, path_bytes
+from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes
 from .raw import harmonics as raw
 
 
@@ -163,14 +163,14 @@ def write(path: Any, coefficients: ArrayLike, format: str = "by-ending") -> None
 
 def read(path: Any, format: str = "by-ending", *, progress: Progress = None) -> Doubles:
     """Coefficients from such a file."""
-    handle = ctypes.c_void_p()
+    handle = Handle(raw.obc_harmonics_coefficients_destroy)
     call(raw.obc_harmonics_read, path_bytes(path), _format(format), HOST, byref(handle), progress=progress)
     try:
         degree = raw.obc_harmonics_coefficients_degree(handle)
         values = np.empty(((degree + 1) ** 2, raw.obc_harmonics_coefficients_channels(handle)))
         call(raw.obc_harmonics_coefficients_copy, handle, address(values))
     finally:
-        raw.obc_harmonics_coefficients_destroy(handle)
+        handle.close()
     return values
 
 

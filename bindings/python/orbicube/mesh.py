@@ -10,7 +10,6 @@ A surface is (positions, triangles), or any object with such attributes: a Mesh,
 from __future__ import annotations
 
 import ctypes
-import weakref
 from ctypes import byref
 from typing import Any, Optional
 
@@ -18,7 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import DOUBLE, INDEX, Doubles, Indices, address, doubles, indices, surface_of, view
-from ._call import HOST, Progress, call, call_init, filled, path_bytes, text
+from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, text
 from .raw import mesh as raw
 
 __all__ = ["Mesh", "Search", "check_cells", "check_closed_genus_zero", "first_at_same_position", "intersections", "make",
@@ -56,18 +55,17 @@ class Mesh:
                 kept.append(array)
                 setattr(cells, name, address(array))
                 setattr(cells, one + "_count", len(array))
-        handle = ctypes.c_void_p()
+        handle = Handle(raw.obc_mesh_destroy)
         call(raw.obc_mesh_create, byref(cells), HOST, byref(handle))
         del kept
         self._take(handle)
 
-    def _take(self, handle: ctypes.c_void_p) -> None:
-        self._handle = handle.value
-        weakref.finalize(self, raw.obc_mesh_destroy, handle.value)
+    def _take(self, handle: Handle) -> None:
+        self._handle = handle
         surface = raw.obc_surface()
         call(raw.obc_mesh_surface, self._handle, byref(surface))
-        self.positions: Doubles = view(DOUBLE, surface.positions, (surface.vertex_count, 3), self)
-        self.triangles: Indices = view(INDEX, surface.triangles, (surface.triangle_count, 3), self)
+        self.positions: Doubles = view(DOUBLE, surface.positions, (surface.vertex_count, 3), handle)
+        self.triangles: Indices = view(INDEX, surface.triangles, (surface.triangle_count, 3), handle)
 
     def __len__(self) -> int:
         return len(self.positions)
@@ -116,12 +114,12 @@ class Mesh:
 
     def boundary(self, *, progress: Progress = None) -> Mesh:
         """The surface of the solid that the cells fill, with the same vertices."""
-        handle = ctypes.c_void_p()
+        handle = Handle(raw.obc_mesh_destroy)
         call(raw.obc_mesh_boundary, self._handle, HOST, byref(handle), progress=progress)
         return adopt(handle)
 
 
-def adopt(handle: ctypes.c_void_p) -> Mesh:
+def adopt(handle: Handle) -> Mesh:
     """A Mesh that owns a handle."""
     mesh = Mesh.__new__(Mesh)
     mesh._take(handle)
@@ -138,13 +136,13 @@ def handle_of(mesh: Any) -> Any:
         return Mesh(mesh.points, *[meshio_cells(mesh, kind, corners)
                                    for kind, corners in (("triangle", 3), ("tetra", 4), ("hexahedron", 8))])
     if hasattr(mesh, "positions") and hasattr(mesh, "tetrahedra"):
-        return Mesh(mesh.positions, getattr(mesh, "triangles", None), mesh.tetrahedra)
+        return Mesh(mesh.positions, getattr(mesh, "triangles", None), mesh.tetrahedra, getattr(mesh, "hexahedra", None))
     return Mesh(*surface_of(mesh))
 
 
 def make(shape: str, triangle_count: int = 10000, seed: int = 0, *, progress: Progress = None) -> Mesh:
     """A closed surface by name, see `shape_names`."""
-    handle = ctypes.c_void_p()
+    handle = Handle(raw.obc_mesh_destroy)
     call(raw.obc_mesh_make, shape.encode(), triangle_count, seed, HOST, byref(handle), progress=progress)
     return adopt(handle)
 
@@ -160,7 +158,7 @@ def shape_names() -> list[str]:
 def read(path: Any, *, progress: Progress = None, **options: Any) -> Mesh:
     """Reads .obj .off .ply .stl .mesh .vtk. Option: weld_identical."""
     chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, options)
-    handle = ctypes.c_void_p()
+    handle = Handle(raw.obc_mesh_destroy)
     call(raw.obc_mesh_read, path_bytes(path), byref(chosen), HOST, byref(handle), progress=progress)
     return adopt(handle)
 
@@ -168,7 +166,9 @@ def read(path: Any, *, progress: Progress = None, **options: Any) -> Mesh:
 def read_memory(data: bytes, format: str, *, progress: Progress = None, **options: Any) -> Mesh:
     """The same from bytes; format is obj, off, ply, stl, medit or vtk."""
     chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, options)
-    handle = ctypes.c_void_p()
+    if format not in ("obj", "off", "ply", "stl", "medit", "vtk"):
+        raise ValueError(f"format {format!r}: one of obj, off, ply, stl, medit, vtk")
+    handle = Handle(raw.obc_mesh_destroy)
     call(raw.obc_mesh_read_memory, data, len(data), getattr(raw, "OBC_MESH_" + format.upper()), byref(chosen), HOST,
          byref(handle), progress=progress)
     return adopt(handle)
@@ -241,10 +241,8 @@ class Search:
     """A surface made ready for searching."""
 
     def __init__(self, surface: Any, *, progress: Progress = None) -> None:
-        given, handle = Surface(surface), ctypes.c_void_p()
-        call(raw.obc_mesh_search_create, given.pointer, HOST, byref(handle), progress=progress)
-        self._handle = handle.value
-        weakref.finalize(self, raw.obc_mesh_search_destroy, handle.value)
+        given, self._handle = Surface(surface), Handle(raw.obc_mesh_search_destroy)
+        call(raw.obc_mesh_search_create, given.pointer, HOST, byref(self._handle), progress=progress)
 
     def vertices(self, points: ArrayLike) -> Indices:
         """The vertex nearest to each point."""

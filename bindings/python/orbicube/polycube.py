@@ -8,7 +8,6 @@
 from __future__ import annotations
 
 import ctypes
-import weakref
 from ctypes import byref
 from typing import Any, Optional, Sequence
 
@@ -16,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Doubles, Indices, address, doubles, indices
-from ._call import HOST, Progress, call, filled, sized
+from ._call import HOST, Handle, Progress, call, filled, sized
 from .mesh import Surface
 from .raw import mesh as raw_mesh
 from .raw import polycube as raw
@@ -25,9 +24,8 @@ from .raw import polycube as raw
 class Polycube:
     """A certified map. `report` is that of the optimisation that it comes from, if it comes from one."""
 
-    def __init__(self, handle: ctypes.c_void_p, report: Any = None) -> None:
-        self._handle, self.report = handle.value, report
-        weakref.finalize(self, raw.obc_polycube_destroy, handle.value)
+    def __init__(self, handle: Handle, report: Any = None) -> None:
+        self._handle, self.report = handle, report
 
     def __repr__(self) -> str:
         return f"Polycube({self.corner_count} corners, {self.patch_count} patches, {self.vertex_count} vertices)"
@@ -96,7 +94,7 @@ class Polycube:
 
     def optimize_domain(self, *, progress: Progress = None, threads: int = 0, **options: Any) -> Polycube:
         """The best distances between the planes. Options: measure ("surface-mean", "face-mean", "harmonic"), area_weight."""
-        chosen, report, handle = _domain(options), sized(raw.obc_polycube_domain_report), ctypes.c_void_p()
+        chosen, report, handle = _domain(options), sized(raw.obc_polycube_domain_report), Handle(raw.obc_polycube_destroy)
         call(raw.obc_polycube_optimize_domain, self._handle, byref(chosen), HOST, byref(report), byref(handle),
              progress=progress, threads=threads)
         return Polycube(handle, report)
@@ -105,7 +103,7 @@ class Polycube:
         """Better places of the corners on the surface. Options: method ("trust-region", "gradient"), area_weight, domain,
         rounds."""
         chosen = filled(raw.obc_polycube_corner_options, raw.obc_polycube_corner_options_init, options, raw, "OBC_POLYCUBE_")
-        report, handle = sized(raw.obc_polycube_corner_report), ctypes.c_void_p()
+        report, handle = sized(raw.obc_polycube_corner_report), Handle(raw.obc_polycube_destroy)
         call(raw.obc_polycube_optimize_corners, self._handle, byref(chosen), HOST, byref(report), byref(handle),
              progress=progress, threads=threads)
         return Polycube(handle, report)
@@ -117,7 +115,7 @@ class Polycube:
         line, and sharp edges on its edges. Without weights all of that is met exactly."""
         chosen = filled(raw.obc_polycube_feature_options, raw.obc_polycube_feature_options_init,
                         {"sharp_angle": sharp_angle})
-        report, handle = sized(raw.obc_polycube_feature_report), ctypes.c_void_p()
+        report, handle = sized(raw.obc_polycube_feature_report), Handle(raw.obc_polycube_destroy)
         points = indices(vertices, name="vertices")
         kept: list[Any] = [points, doubles(places, 3, len(points), "places")]
         chosen.point_count, chosen.points, chosen.places = len(points), address(points), address(kept[1])
@@ -147,9 +145,8 @@ class Graph:
     """Corners, straight edges and patches of a polycube, without its triangles."""
 
     def __init__(self, map: Polycube, *, progress: Progress = None) -> None:
-        handle = ctypes.c_void_p()
+        handle = Handle(raw.obc_polycube_graph_destroy)
         call(raw.obc_polycube_graph_create, map._handle, HOST, byref(handle), progress=progress)
-        keeper = weakref.finalize(self, raw.obc_polycube_graph_destroy, handle.value)
         corners, edges = raw.obc_polycube_graph_corner_count(handle), raw.obc_polycube_graph_edge_count(handle)
         patches, loops = raw.obc_polycube_graph_patch_count(handle), raw.obc_polycube_graph_loop_count(handle)
         links = raw.obc_polycube_graph_link_count(handle)
@@ -171,7 +168,7 @@ class Graph:
         call(raw.obc_polycube_graph_copy_loops, handle, address(self.loop_starts), address(self.darts))
         self.dual_starts, self.dual_neighbours = numbers(patches + 1), numbers(links)
         call(raw.obc_polycube_graph_copy_dual, handle, address(self.dual_starts), address(self.dual_neighbours))
-        keeper()
+        handle.close()
 
 
 class Quads:
@@ -180,9 +177,8 @@ class Quads:
 
     def __init__(self, map: Polycube, options: dict[str, Any], progress: Progress) -> None:
         chosen = filled(raw.obc_polycube_quads_options, raw.obc_polycube_quads_options_init, options)
-        handle = ctypes.c_void_p()
+        handle = Handle(raw.obc_polycube_quads_destroy)
         call(raw.obc_polycube_quads_create, map._handle, byref(chosen), HOST, byref(handle), progress=progress)
-        keeper = weakref.finalize(self, raw.obc_polycube_quads_destroy, handle.value)
         n, m = raw.obc_polycube_quads_vertex_count(handle), raw.obc_polycube_quads_quad_count(handle)
         self.positions, self.polycube = np.empty((n, 3)), np.empty((n, 3))
         self.quads, self.patches = np.empty((m, 4), np.uint32), np.empty(m, np.uint32)
@@ -190,7 +186,7 @@ class Quads:
              address(self.patches))
         self.triangles, self.weights = np.empty(n, np.uint32), np.empty((n, 3))
         call(raw.obc_polycube_quads_copy_sources, handle, address(self.triangles), address(self.weights))
-        keeper()
+        handle.close()
 
 
 def _options(options: dict[str, Any]) -> Any:
@@ -204,14 +200,14 @@ def _domain(options: dict[str, Any]) -> Any:
 def compute(surface: Any, *, progress: Progress = None, threads: int = 0, **options: Any) -> Polycube:
     """A polycube of a closed surface of any genus, and a map to it. Options: construction ("auto", "labels", "voxels"),
     corners, seed."""
-    given, chosen, handle = Surface(surface), _options(options), ctypes.c_void_p()
+    given, chosen, handle = Surface(surface), _options(options), Handle(raw.obc_polycube_destroy)
     call(raw.obc_polycube_compute, given.pointer, byref(chosen), HOST, byref(handle), progress=progress, threads=threads)
     return Polycube(handle)
 
 
 def certify(surface: Any, polycube: ArrayLike, *, progress: Progress = None) -> Polycube:
     """A map made elsewhere, if it is one; NoValidResult says why not."""
-    given, handle = Surface(surface), ctypes.c_void_p()
+    given, handle = Surface(surface), Handle(raw.obc_polycube_destroy)
     places = doubles(polycube, 3, len(given.positions), "polycube")
     call(raw.obc_polycube_create, given.pointer, address(places), HOST, None, byref(handle), progress=progress)
     return Polycube(handle)
@@ -220,7 +216,7 @@ def certify(surface: Any, polycube: ArrayLike, *, progress: Progress = None) -> 
 def compute_on(surface: Any, polycube: Any, *, corners: Optional[ArrayLike] = None, vertices: Optional[ArrayLike] = None,
                points: Optional[ArrayLike] = None, progress: Progress = None, threads: int = 0) -> Polycube:
     """Maps a surface to the given polycube; corners of it are put at vertices of the surface, or nearest to points."""
-    given, target, handle = Surface(surface), Surface(polycube), ctypes.c_void_p()
+    given, target, handle = Surface(surface), Surface(polycube), Handle(raw.obc_polycube_destroy)
     places = raw.obc_polycube_places()
     kept: list[Any] = []
     if corners is not None:
@@ -237,25 +233,44 @@ def compute_on(surface: Any, polycube: Any, *, corners: Optional[ArrayLike] = No
     return Polycube(handle)
 
 
+class _Handles:
+    """Several at once: an array that C fills."""
+
+    def __init__(self, count: int) -> None:
+        self.array = (ctypes.c_void_p * count)()
+
+    def maps(self) -> list[Polycube]:
+        made = []
+        for i, value in enumerate(self.array):
+            handle = Handle(raw.obc_polycube_destroy)
+            handle.value, self.array[i] = value, None
+            made.append(Polycube(handle))
+        return made
+
+    def __del__(self) -> None:
+        for value in self.array:
+            raw.obc_polycube_destroy(value)
+
+
 def compute_common(surfaces: Sequence[Any], *, domain: Optional[dict[str, Any]] = None, progress: Progress = None,
                    threads: int = 0, **options: Any) -> tuple[list[Polycube], int]:
     """One polycube for several shapes: a map each, and the number of the shape that it was made for."""
     given, chosen, energy = [Surface(surface) for surface in surfaces], _options(options), _domain(domain or {})
     array = (raw_mesh.obc_surface * len(given))(*[surface.struct for surface in given])
-    handles, made_for = (ctypes.c_void_p * len(given))(), ctypes.c_size_t()
-    call(raw.obc_polycube_compute_common, array, len(given), byref(chosen), byref(energy), HOST, byref(made_for), handles,
-         progress=progress, threads=threads)
-    return [Polycube(ctypes.c_void_p(handle)) for handle in handles], made_for.value
+    handles, made_for = _Handles(len(given)), ctypes.c_size_t()
+    call(raw.obc_polycube_compute_common, array, len(given), byref(chosen), byref(energy), HOST, byref(made_for),
+         handles.array, progress=progress, threads=threads)
+    return handles.maps(), made_for.value
 
 
 def optimize_common_domain(maps: Sequence[Polycube], *, progress: Progress = None, threads: int = 0,
                            **options: Any) -> list[Polycube]:
     """The proportions with the least sum of energies of maps to one polycube."""
     chosen = _domain(options)
-    given, handles = (ctypes.c_void_p * len(maps))(*[map._handle for map in maps]), (ctypes.c_void_p * len(maps))()
-    call(raw.obc_polycube_optimize_common_domain, given, len(maps), byref(chosen), HOST, handles, progress=progress,
+    given, handles = (ctypes.c_void_p * len(maps))(*[map._handle.value for map in maps]), _Handles(len(maps))
+    call(raw.obc_polycube_optimize_common_domain, given, len(maps), byref(chosen), HOST, handles.array, progress=progress,
          threads=threads)
-    return [Polycube(ctypes.c_void_p(handle)) for handle in handles]
+    return handles.maps()
 
 
 def version() -> int:

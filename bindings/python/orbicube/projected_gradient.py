@@ -16,9 +16,9 @@ from typing import Any, Callable, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, buffer, doubles, indices, memory_of
+from ._arrays import Doubles, address, doubles, indices, memory_of, put
 from ._call import HOST, Progress, Stop, call, call_init, filled, sized, text
-from ._solver import DONE, EvaluationFailed, Result, Run, reporter
+from ._solver import EvaluationFailed, GradientRun, Result
 from .raw import projected_gradient as raw
 
 __all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "minimize", "project", "version"]
@@ -53,7 +53,7 @@ class _Problem:
 
     def projected(self, y: int, n: int, x: int, _: Any) -> int:
         try:
-            memory_of(x, n)[:] = self.function(memory_of(y, n).copy())
+            put(memory_of(x, n), self.function(memory_of(y, n).copy()), "project")
             return 0
         except BaseException as error:  # noqa: BLE001: raised again by the solver's caller
             self.raised = error
@@ -87,7 +87,7 @@ def _rows(A: Any, n: int) -> tuple[Any, Any, Any]:
     return starts, columns, values
 
 
-class Solver(Run):
+class Solver(GradientRun):
     """A run by questions and answers."""
 
     def __init__(self, x0: ArrayLike, *, lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
@@ -104,8 +104,7 @@ class Solver(Run):
                  byref(handle))
         else:
             call(raw.obc_projected_gradient_load, byref(self._problem.struct), _load, len(_load), None, byref(handle))
-        super().__init__(raw, "obc_projected_gradient", handle.value or 0, start.size)
-        self._gradient, self._gradient_at = buffer(np.float64, start.size)
+        super().__init__(raw, "obc_projected_gradient", handle.value or 0, start.shape)
 
     @classmethod
     def load(cls, blob: bytes, x0: ArrayLike, *, lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
@@ -115,23 +114,9 @@ class Solver(Run):
         return cls(x0, lower=lower, upper=upper, A=A, b=b, project=project, _load=blob)
 
     def _request(self) -> int:
-        request = self._step(self._handle, self._point_out)
+        request = super()._request()
         self._problem.check()
         return request
-
-    def ask(self) -> Optional[Doubles]:
-        """The point at which f and its gradient are wanted next; None when the run has ended."""
-        return None if self._next() == DONE else self._copied(self._point.value or 0, (self._size,))
-
-    def tell(self, value: Optional[float], gradient: Optional[ArrayLike]) -> None:
-        """Value and gradient at the point asked for; None, NaN or infinity: there is none."""
-        if value is None or gradient is None:
-            call(self._tell, self._handle, float("nan"), None)
-            return
-        self._gradient[:] = gradient
-        status = self._tell(self._handle, value, self._gradient_at, None)
-        if status:
-            call(self._tell, self._handle, value, self._gradient_at)
 
     @property
     def multipliers(self) -> Doubles:
@@ -146,21 +131,6 @@ class Solver(Run):
         found = np.empty(self._problem.struct.m)
         call(raw.obc_projected_gradient_certificate, self._handle, address(found))
         return found
-
-    def run(self, f: Callable[[Doubles], tuple[float, ArrayLike]], progress: Progress = None) -> Result:
-        """Asks f, which answers its value and gradient, until the run has ended."""
-        report = reporter(progress)
-        while self._next(report) != DONE:
-            try:
-                self.tell(*f(self._copied(self._point.value or 0, (self._size,))))
-            except EvaluationFailed:
-                self.tell(None, None)
-            except Stop:
-                self.stopped = True
-                break
-        if hasattr(report, "close"):
-            report.close()
-        return self.result
 
 
 def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *, lower: Optional[ArrayLike] = None,

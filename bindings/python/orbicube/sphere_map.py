@@ -10,7 +10,6 @@ A surface is (positions, triangles), or any object with such attributes: a Mesh,
 from __future__ import annotations
 
 import ctypes
-import weakref
 from ctypes import byref
 from typing import Any, Callable, Optional
 
@@ -18,8 +17,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Doubles, Indices, address, doubles
-from ._call import HOST, Cancelled, NoValidResult, Progress, call, call_init, filled, path_bytes
+from ._call import HOST, Cancelled, Handle, NoValidResult, Progress, call, call_init, filled, path_bytes
 from .mesh import Mesh, Surface, adopt
+from .raw import mesh as raw_mesh
 from .raw import sphere_map as raw
 
 
@@ -63,9 +63,7 @@ def compute(surface: Any, *, trace: Optional[Callable[[int, int, float], Any]] =
         chosen.trace = raw.obc_sphere_map_trace_function(told)
     directions = np.empty((len(given.positions), 3))
     call(raw.obc_sphere_map_compute, given.pointer, byref(chosen), HOST, address(directions), byref(report),
-         threads=threads, progress=progress)
-    if raised:
-        raise raised[0]
+         threads=threads, progress=progress, raised=raised)
     return SphereMap(directions, report)
 
 
@@ -116,12 +114,10 @@ class Locator:
     """The inverse of a map: which triangle a direction lies in."""
 
     def __init__(self, surface: Any, directions: ArrayLike, *, progress: Progress = None) -> None:
-        given, handle = Surface(surface), ctypes.c_void_p()
+        given, self._handle = Surface(surface), Handle(raw.obc_sphere_map_locator_destroy)
         self._vertex_count = len(given.positions)
         places = doubles(directions, 3, self._vertex_count, "directions")
-        call(raw.obc_sphere_map_locator_create, given.pointer, address(places), HOST, byref(handle), progress=progress)
-        self._handle = handle.value
-        weakref.finalize(self, raw.obc_sphere_map_locator_destroy, handle.value)
+        call(raw.obc_sphere_map_locator_create, given.pointer, address(places), HOST, byref(self._handle), progress=progress)
 
     def locate(self, directions: ArrayLike, *, threads: int = 0, progress: Progress = None) -> tuple[Indices, Doubles]:
         """The triangle of each direction, and its weights at the corners."""
@@ -143,7 +139,7 @@ class Locator:
 
     def remesh(self, positions: ArrayLike, grid: str, resolution: int, *, progress: Progress = None) -> Mesh:
         """The surface on a regular triangulation: "icosphere", "cube", "latitude" or "octahedron"."""
-        places, handle = doubles(positions, 3, self._vertex_count, "positions"), ctypes.c_void_p()
+        places, handle = doubles(positions, 3, self._vertex_count, "positions"), Handle(raw_mesh.obc_mesh_destroy)
         call(raw.obc_sphere_map_remesh, self._handle, address(places), _grid(grid), resolution, HOST, byref(handle),
              progress=progress)
         return adopt(handle)
@@ -174,7 +170,7 @@ def vertex_normals(surface: Any, *, progress: Progress = None) -> Doubles:
 
 def grid(name: str, resolution: int, *, progress: Progress = None) -> Mesh:
     """A regular triangulation of the sphere."""
-    handle = ctypes.c_void_p()
+    handle = Handle(raw_mesh.obc_mesh_destroy)
     call(raw.obc_sphere_map_grid, _grid(name), resolution, HOST, byref(handle), progress=progress)
     return adopt(handle)
 
@@ -206,7 +202,7 @@ def _pixels(pixels: ArrayLike, layout: str, resolution: int) -> Doubles:
 
 def image_surface(pixels: ArrayLike, layout: str, resolution: int, *, progress: Progress = None) -> tuple[Mesh, float]:
     """The closed surface of a geometry image, and the greatest distance between pixels that are one vertex."""
-    array, handle, gap = _pixels(pixels, layout, resolution), ctypes.c_void_p(), ctypes.c_double()
+    array, handle, gap = _pixels(pixels, layout, resolution), Handle(raw_mesh.obc_mesh_destroy), ctypes.c_double()
     call(raw.obc_sphere_map_image_surface, address(array), _grid(layout), resolution, HOST, byref(handle), byref(gap),
          progress=progress)
     return adopt(handle), gap.value
@@ -242,11 +238,9 @@ class Warp:
     """A smooth bijection of the sphere that carries landmarks onto landmarks."""
 
     def __init__(self, start: ArrayLike, end: ArrayLike, *, progress: Progress = None) -> None:
-        a, handle = doubles(start, 3, name="start"), ctypes.c_void_p()
+        a, self._handle = doubles(start, 3, name="start"), Handle(raw.obc_sphere_map_warp_destroy)
         b = doubles(end, 3, len(a), "end")
-        call(raw.obc_sphere_map_warp_create, address(a), address(b), len(a), HOST, byref(handle), progress=progress)
-        self._handle = handle.value
-        weakref.finalize(self, raw.obc_sphere_map_warp_destroy, handle.value)
+        call(raw.obc_sphere_map_warp_create, address(a), address(b), len(a), HOST, byref(self._handle), progress=progress)
 
     def apply(self, directions: ArrayLike, backward: bool = False, *, threads: int = 0,
               progress: Progress = None) -> Doubles:
@@ -261,7 +255,7 @@ class Warp:
 def overlay(first: Any, first_directions: ArrayLike, second: Any, second_directions: ArrayLike, *,
             progress: Progress = None) -> tuple[Mesh, Indices]:
     """One triangulation of the sphere with the vertices of two maps, and where those of the second are in it."""
-    a, b, handle = Surface(first), Surface(second), ctypes.c_void_p()
+    a, b, handle = Surface(first), Surface(second), Handle(raw_mesh.obc_mesh_destroy)
     places_a = doubles(first_directions, 3, len(a.positions), "first_directions")
     places_b = doubles(second_directions, 3, len(b.positions), "second_directions")
     where = np.empty(len(b.positions), dtype=np.uint32)

@@ -16,9 +16,9 @@ from typing import Any, Callable, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, buffer, indices, memory_of
+from ._arrays import Doubles, address, indices, memory_of, put
 from ._call import HOST, Progress, Stop, call, call_init, filled, sized, text
-from ._solver import DONE, EvaluationFailed, Result, Run, reporter
+from ._solver import EvaluationFailed, GradientRun, Result
 from .raw import sphere_optimizer as raw
 
 __all__ = ["EvaluationFailed", "Relaxed", "Result", "Solver", "Stop", "minimize", "relax", "version"]
@@ -31,7 +31,7 @@ def _points(x0: ArrayLike) -> Doubles:
     return array
 
 
-class Solver(Run):
+class Solver(GradientRun):
     """A run by questions and answers; x0, the points asked about and gradients have a row a sphere."""
 
     def __init__(self, x0: ArrayLike, *, _load: Optional[bytes] = None, **options: Any) -> None:
@@ -48,51 +48,12 @@ class Solver(Run):
             count, dimension = ctypes.c_size_t(), ctypes.c_size_t()
             call(raw.obc_sphere_optimizer_get_shape, handle, byref(count), byref(dimension))
             shape = (count.value, dimension.value)
-        size = shape[0] * shape[1]
-        super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, size)
-        self._shape = shape
-        self._gradient, self._gradient_at = buffer(np.float64, size)
-        self._gradient_rows = self._gradient.reshape(self._shape)
+        super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, shape)
 
     @classmethod
     def load(cls, blob: bytes) -> Solver:
         """Goes on with a run that was saved."""
         return cls((), _load=blob)
-
-    def _request(self) -> int:
-        return self._step(self._handle, self._point_out)
-
-    def _shaped(self, x: Doubles) -> Doubles:
-        return x.reshape(self._shape)
-
-    def ask(self) -> Optional[Doubles]:
-        """The point at which f and its gradient are wanted next; None when the run has ended."""
-        return None if self._next() == DONE else self._copied(self._point.value or 0, self._shape)
-
-    def tell(self, value: Optional[float], gradient: Optional[ArrayLike]) -> None:
-        """Value and gradient at the point asked for; None, NaN or infinity: there is none."""
-        if value is None or gradient is None:
-            call(self._tell, self._handle, float("nan"), None)
-            return
-        self._gradient_rows[:] = gradient
-        status = self._tell(self._handle, value, self._gradient_at, None)
-        if status:
-            call(self._tell, self._handle, value, self._gradient_at)
-
-    def run(self, f: Callable[[Doubles], tuple[float, ArrayLike]], progress: Progress = None) -> Result:
-        """Asks f, which answers its value and gradient, until the run has ended."""
-        report = reporter(progress)
-        while self._next(report) != DONE:
-            try:
-                self.tell(*f(self._copied(self._point.value or 0, self._shape)))
-            except EvaluationFailed:
-                self.tell(None, None)
-            except Stop:
-                self.stopped = True
-                break
-        if hasattr(report, "close"):
-            report.close()
-        return self.result
 
 
 def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *, progress: Progress = None,
@@ -114,7 +75,7 @@ class _Part:
 
     def __init__(self, f: Any, shape: tuple[int, int]) -> None:
         self.f, self.shape, self.dimension = f, shape, shape[1]
-        self.raised: Optional[BaseException] = None
+        self.raised: list[BaseException] = []
         self.arrays: dict[Any, Any] = {}
         self.function = raw.obc_sphere_optimizer_block_function(self.asked)
 
@@ -135,9 +96,9 @@ class _Part:
             answer = self.f(block, self.array(place, (d,), False), self.array(points, self.shape, False), wanted)
             if isinstance(answer, tuple):
                 if gradient:
-                    self.array(gradient, (d,), True)[:] = answer[1]
+                    put(self.array(gradient, (d,), True), answer[1], "gradient")
                 if hessian:
-                    self.array(hessian, (d, d), True)[:] = answer[2]
+                    put(self.array(hessian, (d, d), True), answer[2], "hessian")
                 answer = answer[0]
             elif wanted:
                 raise TypeError("derivatives are wanted: answer (value, gradient) or (value, gradient, hessian)")
@@ -148,7 +109,7 @@ class _Part:
         except Stop:
             return 1
         except BaseException as error:  # noqa: BLE001: an exception cannot pass through C
-            self.raised = error
+            self.raised.append(error)
             return 1
 
 
@@ -174,9 +135,7 @@ def relax(f: Callable[..., Any], x0: ArrayLike, neighbours: Sequence[Sequence[in
     part = _Part(f, (x.shape[0], x.shape[1]))
     report = sized(raw.obc_sphere_optimizer_relaxation_result)
     call(raw.obc_sphere_optimizer_relax, byref(blocks), byref(chosen), part.function, None, address(x), byref(report),
-         HOST, progress=progress)
-    if part.raised is not None:
-        raise part.raised
+         HOST, progress=progress, raised=part.raised)
     return Relaxed(x, report)
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Indices, address, doubles
-from ._call import HOST, Progress, call, filled
+from ._call import HOST, Handle, Progress, call, filled
 from .mesh import Surface
 from .raw import tetrahedra as raw
 
@@ -28,7 +28,7 @@ class Solid:
 def fill(surface: Any, *, size_positions: Optional[ArrayLike] = None, size_lengths: Optional[ArrayLike] = None,
          progress: Progress = None, **options: Any) -> Solid:
     """Fills a closed surface. Options: keep_surface, quality, max_volume, edge_length, size_growth."""
-    given, handle = Surface(surface), ctypes.c_void_p()
+    given, handle = Surface(surface), Handle(raw.obc_tetrahedra_destroy)
     chosen = filled(raw.obc_tetrahedra_options, raw.obc_tetrahedra_options_init, options)
     places = lengths = None
     if size_positions is not None:
@@ -45,7 +45,7 @@ def fill(surface: Any, *, size_positions: Optional[ArrayLike] = None, size_lengt
         return Solid(positions, tetrahedra, boundary, source, raw.obc_tetrahedra_part_count(handle),
                      raw.obc_tetrahedra_cavity_count(handle))
     finally:
-        raw.obc_tetrahedra_destroy(handle)
+        handle.close()
 
 
 def check_surface(surface: Any, *, threads: int = 0, progress: Progress = None) -> None:

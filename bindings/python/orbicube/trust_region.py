@@ -22,9 +22,9 @@ from typing import Any, Callable, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, buffer, doubles
+from ._arrays import Doubles, address, buffer, doubles, put
 from ._call import Progress, Stop, call, call_init, filled
-from ._solver import DONE, EvaluationFailed, Result, Run, reporter
+from ._solver import DONE, EvaluationFailed, Result, Run
 from .raw import trust_region as raw
 
 __all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "version"]
@@ -60,7 +60,7 @@ class Solver(Run):
         else:
             call(raw.obc_trust_region_load, byref(problem), _load, len(_load), None, byref(handle))
         del kept
-        super().__init__(raw, "obc_trust_region", handle.value or 0, start.size)
+        super().__init__(raw, "obc_trust_region", handle.value or 0, start.shape)
         self._count = ctypes.c_size_t()
         self._count_out = byref(self._count)
         self._outputs, self._outputs_at = buffer(np.float64, max(1, residuals))
@@ -78,12 +78,6 @@ class Solver(Run):
     def _result_arguments(self, x: Optional[int]) -> list[Any]:
         return [x, None]
 
-    def ask(self) -> Optional[Doubles]:
-        """The point at which f, or the residuals, are wanted next; None when the run has ended."""
-        if self._next() == DONE:
-            return None
-        return self._copied(self._point.value or 0, (self._size,))
-
     def ask_all(self) -> Optional[Doubles]:
         """All points that may be evaluated at the same time, as rows; tell of each in order. None: the run has ended."""
         if self._next() == DONE:
@@ -95,10 +89,16 @@ class Solver(Run):
         if outputs is None:
             call(self._tell, self._handle, None)
             return
-        self._outputs[:] = outputs
+        put(self._outputs, outputs, "outputs")
         status = self._tell(self._handle, self._outputs_at, None)
         if status:
             call(self._tell, self._handle, self._outputs_at)
+
+    def _answer(self, answer: Any) -> None:
+        self.tell(answer)
+
+    def _failed(self) -> None:
+        self.tell(None)
 
     def give(self, points: ArrayLike, outputs: ArrayLike) -> None:
         """Evaluations made before, rows of points with their outputs; before the first `ask`."""
@@ -112,21 +112,6 @@ class Solver(Run):
         outputs = np.empty(self._outputs.size)
         call(raw.obc_trust_region_get_result, self._handle, None, None, address(outputs))
         return outputs
-
-    def run(self, f: Callable[[Doubles], Any], progress: Progress = None) -> Result:
-        """Asks f until the run has ended."""
-        report, limit = reporter(progress), 0
-        while self._next(report, limit) != DONE:
-            try:
-                self.tell(f(self._copied(self._point.value or 0, (self._size,))))
-            except EvaluationFailed:
-                self.tell(None)
-            except Stop:
-                self.stopped = True
-                break
-        if hasattr(report, "close"):
-            report.close()
-        return self.result
 
 
 def minimize(f: Callable[[Doubles], float], x0: ArrayLike, *, lower: Optional[ArrayLike] = None,

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, address, doubles, indices, solid_of
-from ._call import HOST, Progress, call, call_init, filled
+from ._call import HOST, NoValidResult, Progress, call, call_init, filled
 from .raw import volume_map as raw
 
 
@@ -21,7 +21,8 @@ def untangle(solid: Any, *, rest: Optional[ArrayLike] = None, fixed: Optional[Ar
              **options: Any) -> tuple[Doubles, raw.obc_volume_map_untangle_report]:
     """Moves vertices until every tetrahedron is positive: positions, and a report. rest: positions where each has the shape
     that it should have. fixed: a flag a coordinate, shape (n, 3), or a vertex, shape (n,). ties: a group a coordinate, of which
-    all are to be equal, or 2^32 - 1. Options: steps, polish_steps, volume_weight."""
+    all are to be equal, or 2^32 - 1. Options: steps, polish_steps, volume_weight. When some stay inverted, the NoValidResult has the
+    best that was found, positions and report, as its member `best`."""
     positions, tetrahedra = solid_of(solid)
     tangle = raw.obc_volume_map_tangle()
     call_init(raw.obc_volume_map_tangle_init, tangle)
@@ -43,8 +44,12 @@ def untangle(solid: Any, *, rest: Optional[ArrayLike] = None, fixed: Optional[Ar
     report = raw.obc_volume_map_untangle_report()
     call_init(raw.obc_volume_map_untangle_report_init, report)
     result = np.empty_like(positions)
-    call(raw.obc_volume_map_untangle, byref(tangle), byref(chosen), HOST, address(result), byref(report), threads=threads,
-         progress=progress)
+    try:
+        call(raw.obc_volume_map_untangle, byref(tangle), byref(chosen), HOST, address(result), byref(report),
+             threads=threads, progress=progress)
+    except NoValidResult as error:
+        error.best = (result, report)
+        raise
     return result, report
 
 
