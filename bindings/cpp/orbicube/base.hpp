@@ -91,7 +91,7 @@ class Host {
     host_.progress_user = this;
     return *this;
   }
-  // Called with a line for a log.
+  // Called with a line for a log. What it throws is thrown again by the function that was called, when that has ended.
   Host& on_log(std::function<void(const char*)> function) {
     log_ = std::move(function);
     host_.log = write;
@@ -185,6 +185,19 @@ struct Destroy {
 };
 template <class T, auto destroy>
 using Handle = std::unique_ptr<T, Destroy<destroy>>;
+
+// Calls f(&out, error), which answers a status. What it hands out is owned at once: the host's log may have thrown
+// while the work went on to its end.
+template <class T, auto destroy, class F>
+Handle<T, destroy> take(Host* host, F&& f) {
+  T* out = nullptr;
+  obc_error error;
+  const obc_status status = f(&out, &error);
+  Handle<T, destroy> owned(out);
+  if (host != nullptr) host->rethrow();
+  if (status != OBC_OK) throw Error(error);
+  return owned;
+}
 
 // A C struct with its defaults.
 template <class T, auto init>

@@ -33,6 +33,7 @@ struct Field {
 // `start`: frames for the start OBC_FRAME_FIELD_GIVEN.
 inline Field compute(const Solid& solid, const Options& options = {}, const Constraints& constraints = {},
                      Doubles start = {}, Host* host = nullptr) {
+  if (!start.empty()) detail::check_size(start.size(), 4 * solid.tetrahedron_count, "start");
   Field field{std::vector<double>(start.begin(), start.end()), {}};
   field.frames.resize(4 * solid.tetrahedron_count);
   detail::call(host, [&](obc_error* error) {
@@ -68,11 +69,11 @@ struct Singularities {
 
   Singularities(const Solid& solid, Doubles frames, Host* host = nullptr) {
     detail::check_size(frames.size(), 4 * solid.tetrahedron_count, "frames");
-    obc_frame_field_singularities* out = nullptr;
-    detail::call(host, [&](obc_error* error) {
-      return obc_frame_field_singularities_create(&solid, frames.data(), detail::c(host), &out, error);
-    });
-    const detail::Handle<obc_frame_field_singularities, obc_frame_field_singularities_destroy> handle(out);
+    const auto handle = detail::take<obc_frame_field_singularities, obc_frame_field_singularities_destroy>(
+        host, [&](obc_frame_field_singularities** made, obc_error* error) {
+          return obc_frame_field_singularities_create(&solid, frames.data(), detail::c(host), made, error);
+        });
+    const obc_frame_field_singularities* const out = handle.get();
     const std::size_t n = obc_frame_field_singular_edge_count(out);
     edges.resize(2 * n);
     rotations.resize(n);

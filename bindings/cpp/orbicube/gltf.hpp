@@ -22,10 +22,11 @@ struct Surface {
 };
 
 inline Surface read(const std::string& path, const ReadOptions& options = {}, Host* host = nullptr) {
-  obc_gltf_surface* out = nullptr;
-  detail::call(host,
-               [&](obc_error* error) { return obc_gltf_read(path.c_str(), &options, detail::c(host), &out, error); });
-  const detail::Handle<obc_gltf_surface, obc_gltf_surface_destroy> handle(out);
+  const auto handle =
+      detail::take<obc_gltf_surface, obc_gltf_surface_destroy>(host, [&](obc_gltf_surface** made, obc_error* error) {
+        return obc_gltf_read(path.c_str(), &options, detail::c(host), made, error);
+      });
+  const obc_gltf_surface* const out = handle.get();
   Surface surface;
   surface.positions.resize(3 * obc_gltf_surface_vertex_count(out));
   surface.triangles.resize(3 * obc_gltf_surface_triangle_count(out));

@@ -119,10 +119,11 @@ inline void write(const std::string& path, const Coefficients& of, std::int32_t 
   });
 }
 inline Coefficients read(const std::string& path, std::int32_t format = OBC_HARMONICS_BY_ENDING, Host* host = nullptr) {
-  obc_harmonics_coefficients* out = nullptr;
-  detail::call(
-      host, [&](obc_error* error) { return obc_harmonics_read(path.c_str(), format, detail::c(host), &out, error); });
-  const detail::Handle<obc_harmonics_coefficients, obc_harmonics_coefficients_destroy> handle(out);
+  const auto handle = detail::take<obc_harmonics_coefficients, obc_harmonics_coefficients_destroy>(
+      host, [&](obc_harmonics_coefficients** made, obc_error* error) {
+        return obc_harmonics_read(path.c_str(), format, detail::c(host), made, error);
+      });
+  const obc_harmonics_coefficients* const out = handle.get();
   Coefficients found(obc_harmonics_coefficients_degree(out), obc_harmonics_coefficients_channels(out));
   detail::call(nullptr,
                [&](obc_error* error) { return obc_harmonics_coefficients_copy(out, found.values.data(), error); });

@@ -113,9 +113,7 @@ class Mesh {
  private:
   template <class F>
   static obc_mesh* made(Host* host, F&& f) {
-    obc_mesh* out = nullptr;
-    detail::call(host, [&](obc_error* error) { return f(&out, error); });
-    return out;
+    return detail::take<obc_mesh, obc_mesh_destroy>(host, std::forward<F>(f)).release();
   }
   detail::Handle<obc_mesh, obc_mesh_destroy> handle_;
 };
@@ -169,12 +167,11 @@ inline std::vector<std::uint32_t> intersections(const Surface& surface, std::siz
 // A surface made ready for searching.
 class Search {
  public:
-  explicit Search(const Surface& surface, Host* host = nullptr) {
-    obc_mesh_search* out = nullptr;
-    detail::call(host,
-                 [&](obc_error* error) { return obc_mesh_search_create(&surface, detail::c(host), &out, error); });
-    handle_.reset(out);
-  }
+  explicit Search(const Surface& surface, Host* host = nullptr)
+      : handle_(
+            detail::take<obc_mesh_search, obc_mesh_search_destroy>(host, [&](obc_mesh_search** out, obc_error* error) {
+              return obc_mesh_search_create(&surface, detail::c(host), out, error);
+            })) {}
   struct Nearest {
     std::vector<std::uint32_t> triangles;
     std::vector<double> weights, positions, distances;

@@ -46,15 +46,20 @@ class Polycube {
                                               const DomainOptions& domain = {}, std::size_t* made_for = nullptr,
                                               Host* host = nullptr) {
     const std::vector<obc_surface> views(surfaces.begin(), surfaces.end());
-    std::vector<obc_polycube*> out(views.size(), nullptr);
-    detail::call(host, [&](obc_error* error) {
-      return obc_polycube_compute_common(views.data(), views.size(), &options, &domain, detail::c(host), made_for,
-                                         out.data(), error);
+    return made_together(views.size(), host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_compute_common(views.data(), views.size(), &options, &domain, detail::c(host), made_for, out,
+                                         error);
     });
-    std::vector<Polycube> maps;
-    for (obc_polycube* map : out)
-      maps.emplace_back(map);
-    return maps;
+  }
+  // The proportions with the least sum of energies of maps to one polycube.
+  static std::vector<Polycube> optimize_common_domain(View<const Polycube> maps, const DomainOptions& options = {},
+                                                      Host* host = nullptr) {
+    std::vector<const obc_polycube*> given;
+    for (const Polycube& map : maps)
+      given.push_back(map.handle());
+    return made_together(given.size(), host, [&](obc_polycube** out, obc_error* error) {
+      return obc_polycube_optimize_common_domain(given.data(), given.size(), &options, detail::c(host), out, error);
+    });
   }
 
   Polycube optimize_domain(const DomainOptions& options = {}, obc_polycube_domain_report* report = nullptr,
@@ -124,11 +129,11 @@ class Polycube {
     std::vector<std::uint32_t> corners, patches;  // four vertices a quad, and its patch
   };
   Quads quads(const QuadsOptions& options = {}, Host* host = nullptr) const {
-    obc_polycube_quads* made_quads = nullptr;
-    detail::call(host, [&](obc_error* error) {
-      return obc_polycube_quads_create(handle(), &options, detail::c(host), &made_quads, error);
-    });
-    const detail::Handle<obc_polycube_quads, obc_polycube_quads_destroy> keeper(made_quads);
+    const auto keeper = detail::take<obc_polycube_quads, obc_polycube_quads_destroy>(
+        host, [&](obc_polycube_quads** out, obc_error* error) {
+          return obc_polycube_quads_create(handle(), &options, detail::c(host), out, error);
+        });
+    const obc_polycube_quads* const made_quads = keeper.get();
     const std::size_t n = obc_polycube_quads_vertex_count(made_quads), m = obc_polycube_quads_quad_count(made_quads);
     Quads out{std::vector<double>(3 * n), std::vector<double>(3 * n), std::vector<std::uint32_t>(4 * m),
               std::vector<std::uint32_t>(m)};
@@ -145,10 +150,21 @@ class Polycube {
 
  private:
   template <class F>
+  static std::vector<Polycube> made_together(std::size_t count, Host* host, F&& f) {
+    std::vector<obc_polycube*> out(count, nullptr);
+    std::vector<Polycube> maps;
+    maps.reserve(count);  // before there is something to lose
+    obc_error error;
+    const obc_status status = f(out.data(), &error);
+    for (obc_polycube* map : out)
+      maps.emplace_back(map);
+    if (host != nullptr) host->rethrow();
+    if (status != OBC_OK) throw Error(error);
+    return maps;
+  }
+  template <class F>
   static Polycube made(Host* host, F&& f) {
-    obc_polycube* out = nullptr;
-    detail::call(host, [&](obc_error* error) { return f(&out, error); });
-    return Polycube(out);
+    return Polycube(detail::take<obc_polycube, obc_polycube_destroy>(host, std::forward<F>(f)).release());
   }
   void copy(double* positions, double* polycube, std::uint32_t* triangles) const {
     detail::call(nullptr,

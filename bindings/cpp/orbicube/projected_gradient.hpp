@@ -145,10 +145,11 @@ inline std::vector<double> project(Doubles y, View<double> x, const Problem& pro
 
 // A run by questions and answers:
 //   while (solver.ask()) solver.tell(value, gradient);   // at solver.point()
+// A host that it is given must outlive it; what the host's functions throw comes out of ask().
 class Solver {
  public:
   Solver(Doubles x0, const Problem& problem = {}, const Options& options = {}, Host* host = nullptr)
-      : problem_(std::make_unique<detail::Filled>(problem, x0.size())) {
+      : problem_(std::make_unique<detail::Filled>(problem, x0.size())), host_(host) {
     obc_projected_gradient* out = nullptr;
     const obc_projected_gradient_problem& filled = *problem_;
     call(host, [&](obc_error* error) {
@@ -159,7 +160,7 @@ class Solver {
   // Goes on with a run that was saved, of the same problem.
   static Solver load(const std::vector<unsigned char>& bytes, std::size_t unknowns, const Problem& problem = {},
                      Host* host = nullptr) {
-    Solver solver(std::make_unique<detail::Filled>(problem, unknowns));
+    Solver solver(std::make_unique<detail::Filled>(problem, unknowns), host);
     obc_projected_gradient* out = nullptr;
     const obc_projected_gradient_problem& filled = *solver.problem_;
     solver.call(host, [&](obc_error* error) {
@@ -174,6 +175,7 @@ class Solver {
     for (;;) {
       const std::int32_t request = obc_projected_gradient_step(handle_.get(), &point_);
       problem_->caught.rethrow();
+      if (host_ != nullptr) host_->rethrow();
       if (request < 0) throw Error(request, "projected_gradient: step");
       if (request != OBC_PROJECTED_GRADIENT_ITERATION) return request == OBC_PROJECTED_GRADIENT_NEED_FG;
     }
@@ -221,7 +223,7 @@ class Solver {
   obc_projected_gradient* handle() const noexcept { return handle_.get(); }
 
  private:
-  explicit Solver(std::unique_ptr<detail::Filled> problem) : problem_(std::move(problem)) {}
+  Solver(std::unique_ptr<detail::Filled> problem, Host* host) : problem_(std::move(problem)), host_(host) {}
   template <class F>
   void call(Host* host, F&& f) {
     obc_error error;
@@ -232,6 +234,7 @@ class Solver {
   }
 
   std::unique_ptr<detail::Filled> problem_;
+  Host* host_;
   detail::Handle<obc_projected_gradient, obc_projected_gradient_destroy> handle_;
   const double* point_ = nullptr;
 };

@@ -27,9 +27,7 @@ namespace detail {
 using namespace orbicube::detail;
 template <class F>
 Mesh mesh(Host* host, F&& f) {
-  obc_mesh* out = nullptr;
-  call(host, [&](obc_error* error) { return f(&out, error); });
-  return Mesh(out);
+  return Mesh(take<obc_mesh, obc_mesh_destroy>(host, std::forward<F>(f)).release());
 }
 }  // namespace detail
 
@@ -75,11 +73,10 @@ class Locator {
  public:
   Locator(const Surface& surface, Doubles directions, Host* host = nullptr) : vertex_count_(surface.vertex_count) {
     detail::check_size(directions.size(), 3 * vertex_count_, "directions");
-    obc_sphere_map_locator* out = nullptr;
-    detail::call(host, [&](obc_error* error) {
-      return obc_sphere_map_locator_create(&surface, directions.data(), detail::c(host), &out, error);
-    });
-    handle_.reset(out);
+    handle_ = detail::take<obc_sphere_map_locator, obc_sphere_map_locator_destroy>(
+        host, [&](obc_sphere_map_locator** out, obc_error* error) {
+          return obc_sphere_map_locator_create(&surface, directions.data(), detail::c(host), out, error);
+        });
   }
   struct Places {
     std::vector<std::uint32_t> triangles;
@@ -134,12 +131,11 @@ class Warp {
  public:
   Warp(Doubles from, Doubles to, Host* host = nullptr) {
     detail::check_size(to.size(), from.size(), "to");
-    obc_sphere_map_warp* out = nullptr;
-    detail::call(host, [&](obc_error* error) {
-      return obc_sphere_map_warp_create(from.data(), to.data(), detail::rows(from.size(), 3, "from"), detail::c(host),
-                                        &out, error);
-    });
-    handle_.reset(out);
+    handle_ = detail::take<obc_sphere_map_warp, obc_sphere_map_warp_destroy>(
+        host, [&](obc_sphere_map_warp** out, obc_error* error) {
+          return obc_sphere_map_warp_create(from.data(), to.data(), detail::rows(from.size(), 3, "from"),
+                                            detail::c(host), out, error);
+        });
   }
   std::vector<double> apply(Doubles directions, bool backward = false, Host* host = nullptr) const {
     std::vector<double> moved(directions.size());

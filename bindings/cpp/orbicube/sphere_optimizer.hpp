@@ -107,9 +107,11 @@ RelaxationResult relax(F&& f, View<double> x, std::uint32_t dimension,
 
 // A run by questions and answers:
 //   while (solver.ask()) solver.tell(value, gradient);   // at solver.point()
+// A host that it is given must outlive it; what the host's functions throw comes out of ask().
 class Solver {
  public:
-  Solver(Doubles x0, std::size_t dimension, const Options& options = {}, Host* host = nullptr) : n_(x0.size()) {
+  Solver(Doubles x0, std::size_t dimension, const Options& options = {}, Host* host = nullptr)
+      : n_(x0.size()), host_(host) {
     const std::size_t count = detail::rows(n_, dimension == 0 ? 1 : dimension, "x0");
     obc_sphere_optimizer* out = nullptr;
     detail::call(host, [&](obc_error* error) {
@@ -120,6 +122,7 @@ class Solver {
   // Goes on with a run that was saved.
   static Solver load(const std::vector<unsigned char>& bytes, Host* host = nullptr) {
     Solver solver;
+    solver.host_ = host;
     obc_sphere_optimizer* out = nullptr;
     detail::call(host, [&](obc_error* error) {
       return obc_sphere_optimizer_load(bytes.data(), bytes.size(), detail::c(host), &out, error);
@@ -136,6 +139,7 @@ class Solver {
   bool ask() {
     for (;;) {
       const std::int32_t request = obc_sphere_optimizer_step(handle_.get(), &point_);
+      if (host_ != nullptr) host_->rethrow();
       if (request < 0) throw Error(request, "sphere_optimizer: step");
       if (request != OBC_SPHERE_OPTIMIZER_ITERATION) return request == OBC_SPHERE_OPTIMIZER_NEED_FG;
     }
@@ -175,6 +179,7 @@ class Solver {
   Solver() = default;
 
   std::size_t n_ = 0;
+  Host* host_ = nullptr;
   const double* point_ = nullptr;
   detail::Handle<obc_sphere_optimizer, obc_sphere_optimizer_destroy> handle_;
 };

@@ -21,10 +21,11 @@ struct Solid {
 };
 
 inline Solid fill(const Surface& surface, const Options& options = {}, Host* host = nullptr) {
-  obc_tetrahedra* out = nullptr;
-  detail::call(host,
-               [&](obc_error* error) { return obc_tetrahedra_fill(&surface, &options, detail::c(host), &out, error); });
-  const detail::Handle<obc_tetrahedra, obc_tetrahedra_destroy> handle(out);
+  const auto handle =
+      detail::take<obc_tetrahedra, obc_tetrahedra_destroy>(host, [&](obc_tetrahedra** made, obc_error* error) {
+        return obc_tetrahedra_fill(&surface, &options, detail::c(host), made, error);
+      });
+  const obc_tetrahedra* const out = handle.get();
   Solid solid;
   solid.positions.resize(3 * obc_tetrahedra_vertex_count(out));
   solid.tetrahedra.resize(4 * obc_tetrahedra_count(out));

@@ -101,11 +101,12 @@ Result least_squares(F&& f, View<double> x, std::size_t residuals, const Problem
 
 // A run by questions and answers:
 //   while (solver.ask()) solver.tell(f(solver.point()));
+// A host that it is given must outlive it; what the host's functions throw comes out of ask().
 class Solver {
  public:
   Solver(Doubles x0, std::size_t residuals = 0, const Problem& problem = {}, const Options& options = {},
          Host* host = nullptr)
-      : n_(x0.size()), outputs_(residuals == 0 ? 1 : residuals) {
+      : n_(x0.size()), outputs_(residuals == 0 ? 1 : residuals), host_(host) {
     const detail::Filled filled(problem, n_, residuals);
     obc_trust_region* out = nullptr;
     detail::call(host, [&](obc_error* error) {
@@ -116,7 +117,7 @@ class Solver {
   // Goes on with a run that was saved, of the same problem.
   static Solver load(const std::vector<unsigned char>& bytes, std::size_t unknowns, std::size_t residuals = 0,
                      const Problem& problem = {}, Host* host = nullptr) {
-    Solver solver(unknowns, residuals == 0 ? 1 : residuals);
+    Solver solver(unknowns, residuals == 0 ? 1 : residuals, host);
     const detail::Filled filled(problem, unknowns, residuals);
     obc_trust_region* out = nullptr;
     detail::call(host, [&](obc_error* error) {
@@ -130,6 +131,7 @@ class Solver {
   bool ask() {
     for (;;) {
       const std::int32_t request = obc_trust_region_step(handle_.get(), &points_, &count_);
+      if (host_ != nullptr) host_->rethrow();
       if (request < 0) throw Error(request, "trust_region: step");
       if (request != OBC_TRUST_REGION_ITERATION) return request == OBC_TRUST_REGION_NEED_VALUES;
     }
@@ -175,9 +177,10 @@ class Solver {
   obc_trust_region* handle() const noexcept { return handle_.get(); }
 
  private:
-  Solver(std::size_t n, std::size_t outputs) : n_(n), outputs_(outputs) {}
+  Solver(std::size_t n, std::size_t outputs, Host* host) : n_(n), outputs_(outputs), host_(host) {}
 
   std::size_t n_, outputs_, count_ = 0;
+  Host* host_;
   const double* points_ = nullptr;
   detail::Handle<obc_trust_region, obc_trust_region_destroy> handle_;
 };

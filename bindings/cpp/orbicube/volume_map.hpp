@@ -29,12 +29,20 @@ struct Untangled {
   UntangleReport report;
 };
 
-// Moves vertices until every tetrahedron is positive.
-inline Untangled untangle(const Tangle& tangle, const UntangleOptions& options = {}, Host* host = nullptr) {
+// Moves vertices until every tetrahedron is positive. Where some stay inverted it throws an Error with the status
+// OBC_NO_VALID_RESULT, and *best, if it is given, is the best that was found.
+inline Untangled untangle(const Tangle& tangle, const UntangleOptions& options = {}, Host* host = nullptr,
+                          Untangled* best = nullptr) {
   Untangled result{std::vector<double>(3 * tangle.vertex_count), {}};
-  detail::call(host, [&](obc_error* error) {
-    return obc_volume_map_untangle(&tangle, &options, detail::c(host), result.positions.data(), &result.report, error);
-  });
+  try {
+    detail::call(host, [&](obc_error* error) {
+      return obc_volume_map_untangle(&tangle, &options, detail::c(host), result.positions.data(), &result.report,
+                                     error);
+    });
+  } catch (const Error& error) {
+    if (best != nullptr && error.status() == OBC_NO_VALID_RESULT) *best = std::move(result);
+    throw;
+  }
   return result;
 }
 

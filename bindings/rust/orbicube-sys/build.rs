@@ -17,8 +17,10 @@ fn main() {
         .filter(|name| name != "default")
         .collect();
     let wanted: Vec<&str> = features.iter().map(String::as_str).collect();
-    if let Some(folder) = env::var_os("ORBICUBE_LIBRARIES") {
-        println!("cargo:rustc-link-search=native={}", Path::new(&folder).display());
+    if let Some(folders) = env::var_os("ORBICUBE_LIBRARIES") {
+        for folder in env::split_paths(&folders) {
+            println!("cargo:rustc-link-search=native={}", folder.display());
+        }
         for name in wanted.iter().copied().chain(["base"]) {
             println!("cargo:rustc-link-lib=dylib={}", dashed(name));
         }

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 #include <vector>
@@ -20,6 +21,7 @@
 #include <orbicube/sphere_map.hpp>
 #include <orbicube/sphere_optimizer.hpp>
 #include <orbicube/trust_region.hpp>
+#include <orbicube/volume_map.hpp>
 
 using namespace orbicube;
 
@@ -255,4 +257,76 @@ TEST_CASE("quaternions, frames and a polycube") {
   const auto positions = map.positions(), places = map.polycube();
   const auto triangles = map.triangles();
   CHECK(Polycube::certify(Surface(positions, triangles), places).corner_count() == 8);
+}
+
+namespace {
+
+// Memory that is counted.
+struct Counted {
+  std::size_t in_use = 0;
+  obc_allocator allocator = {[](std::size_t size, std::size_t alignment, void* user) -> void* {
+                               static_cast<Counted*>(user)->in_use += size;
+                               return ::operator new(size, std::align_val_t(alignment));
+                             },
+                             [](void* pointer, std::size_t size, std::size_t alignment, void* user) {
+                               static_cast<Counted*>(user)->in_use -= size;
+                               ::operator delete(pointer, std::align_val_t(alignment));
+                             },
+                             this};
+};
+
+}  // namespace
+
+TEST_CASE("what a log throws comes out in the end, and what was made meanwhile is released") {
+  Counted memory;
+  Host host;
+  host.threads(1).on_log([](const char*) { throw Mine("log"); });
+  host.c().allocator = &memory.allocator;
+  const Mesh cube = Mesh::make("cube", 300);
+  CHECK_THROWS_AS(Polycube::compute(cube, {}, &host), Mine);
+  const std::vector<Surface> both(2, cube);
+  CHECK_THROWS_AS(Polycube::compute_common(both, {}, {}, nullptr, &host), Mine);
+  CHECK(memory.in_use == 0);
+
+  host.on_log([](const char*) {});
+  const auto maps = Polycube::compute_common(both, {}, {}, nullptr, &host);
+  CHECK(Polycube::optimize_common_domain(maps, {}, &host).size() == 2);
+  CHECK(memory.in_use > 0);
+}
+
+TEST_CASE("what a progress function throws comes out of the questions of a solver") {
+  Host host;
+  host.on_progress([](const Progress&) -> bool { throw Mine("progress"); });
+  trust_region::Solver solver(std::array<double, 2>{-1.2, 1}, 0, {}, {}, &host);
+  const auto run = [&] {
+    while (solver.ask())
+      solver.tell(std::pow(solver.point()[0], 2));
+  };
+  CHECK_THROWS_AS(run(), Mine);
+}
+
+TEST_CASE("inverted tetrahedra are turned right, or the best is handed out with the error") {
+  // Four tetrahedra around a vertex that has left the one that they fill.
+  const std::vector<double> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 2, 2};
+  const std::vector<std::uint32_t> cells = {0, 1, 2, 4, 0, 2, 3, 4, 0, 3, 1, 4, 1, 3, 2, 4};
+  std::vector<std::uint8_t> fixed(12, 1);
+  fixed.resize(15);
+  volume_map::Tangle tangle(positions, cells);
+  tangle.fixed = fixed.data();
+  const auto right = volume_map::untangle(tangle);
+  CHECK(right.report.inverted_before > 0);
+  CHECK(right.report.inverted == 0);
+  CHECK(std::equal(positions.begin(), positions.begin() + 12, right.positions.begin()));
+
+  fixed.assign(15, 1);
+  volume_map::Untangled best;
+  CHECK_THROWS_AS(volume_map::untangle(tangle, {}, nullptr, &best), Error);
+  CHECK(best.positions == positions);
+  CHECK(best.report.inverted == right.report.inverted_before);
+}
+
+TEST_CASE("frames to start from are one a tetrahedron") {
+  const std::vector<double> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, too_few = {1, 0, 0};
+  const std::vector<std::uint32_t> cells = {0, 1, 2, 3};
+  CHECK_THROWS_AS(frame_field::compute(frame_field::Solid(corners, cells), {}, {}, too_few), Error);
 }

@@ -24,6 +24,9 @@ impl Error {
     pub(crate) fn invalid(message: impl Into<String>) -> Error {
         Error { status: OBC_INVALID_ARGUMENT, kind: "invalid-argument".into(), message: message.into() }
     }
+    pub(crate) fn out_of_memory() -> Error {
+        Error { status: OBC_OUT_OF_MEMORY, kind: "out-of-memory".into(), message: "an allocation failed".into() }
+    }
     /// Whether the progress closure asked to stop.
     pub fn is_cancelled(&self) -> bool {
         self.status == OBC_CANCELLED

@@ -25,11 +25,14 @@ pub struct Coefficients {
 
 impl Coefficients {
     pub fn new(degree: u32, channels: usize, values: Vec<f64>) -> Result<Coefficients, Error> {
-        expect_length(values.len(), (degree as usize + 1).pow(2) * channels, "coefficients")?;
+        expect_length(values.len(), size(degree, channels)?, "coefficients")?;
         Ok(Coefficients { degree, channels, values })
     }
-    fn zeros(degree: u32, channels: usize) -> Coefficients {
-        Coefficients { degree, channels, values: vec![0.0; (degree as usize + 1).pow(2) * channels] }
+    fn zeros(degree: u32, channels: usize) -> Result<Coefficients, Error> {
+        let (mut values, size) = (vec![], size(degree, channels)?);
+        values.try_reserve_exact(size).map_err(|_| Error::out_of_memory())?;
+        values.resize(size, 0.0);
+        Ok(Coefficients { degree, channels, values })
     }
     pub fn degree(&self) -> u32 {
         self.degree
@@ -63,7 +66,7 @@ impl Coefficients {
     }
     /// Turned with the sphere by a matrix, by rows.
     pub fn rotate(&self, rotation: &[f64; 9], host: &mut Host) -> Result<Coefficients, Error> {
-        let mut turned = Coefficients::zeros(self.degree, self.channels);
+        let mut turned = Coefficients::zeros(self.degree, self.channels)?;
         call(host, |host, error| unsafe {
             obc_harmonics_rotate(self.values.as_ptr(), self.degree, self.channels, rotation.as_ptr(), host,
                                  turned.values.as_mut_ptr(), error)
@@ -90,11 +93,17 @@ impl Coefficients {
         let handle = Handle::own(out);
         let mut found = unsafe {
             Coefficients::zeros(obc_harmonics_coefficients_degree(handle.as_ptr()),
-                                obc_harmonics_coefficients_channels(handle.as_ptr()))
+                                obc_harmonics_coefficients_channels(handle.as_ptr()))?
         };
         checked(|error| unsafe { obc_harmonics_coefficients_copy(handle.as_ptr(), found.values.as_mut_ptr(), error) })?;
         Ok(found)
     }
+}
+
+/// How many numbers; an error where no computer has so many.
+fn size(degree: u32, channels: usize) -> Result<usize, Error> {
+    (degree as usize + 1).checked_pow(2).and_then(|count| count.checked_mul(channels))
+        .ok_or_else(|| Error::invalid(format!("degree {degree} with {channels} channels")))
 }
 
 handle!(Handle, obc_harmonics_coefficients, obc_harmonics_coefficients_destroy);
@@ -107,7 +116,7 @@ pub fn fit(directions: &[f64], weights: &[f64], values: &[f64], channels: usize,
     if !weights.is_empty() {
         expect_length(weights.len(), n, "weights")?;
     }
-    let (mut fitted, mut report) = (Coefficients::zeros(options.degree, channels), FitReport::default());
+    let (mut fitted, mut report) = (Coefficients::zeros(options.degree, channels)?, FitReport::default());
     call(host, |host, error| unsafe {
         obc_harmonics_fit(directions.as_ptr(), pointer(weights), values.as_ptr(), n, channels, &options.0, host,
                           fitted.values.as_mut_ptr(), &mut report.0, error)

@@ -8,7 +8,7 @@
 //! # Ok::<(), orbicube::Error>(())
 //! ```
 
-use crate::call::{call, checked, expect_length, Error, Host};
+use crate::call::{call, checked, expect_length, pointer, Error, Host};
 use crate::mesh::Surface;
 use crate::sys::base::{obc_error, obc_host};
 use crate::sys::polycube::*;
@@ -21,6 +21,8 @@ filled!(/// Options of the best corners.
     CornerOptions, obc_polycube_corner_options, obc_polycube_corner_options_init);
 filled!(/// How fine quads are.
     QuadsOptions, obc_polycube_quads_options, obc_polycube_quads_options_init);
+sized!(/// What was reached with features.
+    FeatureReport, obc_polycube_feature_report);
 sized!(/// What the best proportions are like.
     DomainReport, obc_polycube_domain_report);
 sized!(/// What the best corners are like.
@@ -47,6 +49,59 @@ pub struct Quads {
     pub polycube: Vec<f64>,
     pub corners: Vec<[u32; 4]>,
     pub patches: Vec<u32>,
+    /// Of each vertex the triangle of the map that it is in, and its weights there.
+    pub triangles: Vec<u32>,
+    pub weights: Vec<[f64; 3]>,
+}
+
+/// Where each vertex of a map comes from: vertices of one triangle of the surface (`u32::MAX` where fewer are needed), weights.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Sources {
+    pub corners: Vec<[u32; 3]>,
+    pub weights: Vec<[f64; 3]>,
+}
+
+/// Where a corner of a given polycube is to be on the surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Place {
+    Vertex(u32),
+    /// At the nearest point of the surface.
+    Near([f64; 3]),
+}
+
+/// What must be mapped where. Weights are those of squared distances; 0 means that it must be met exactly.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Features {
+    /// Vertices of the map, their places on the polycube, and weights.
+    pub points: Vec<(u32, [f64; 3], f64)>,
+    pub curves: Vec<Curve>,
+    /// Where the surface bends by so many degrees, edges go to edges of the polycube nearby; 0: none.
+    pub sharp_angle: f64,
+}
+
+/// Vertices along a curve of the surface, and a line along an axis on the polycube that they are to be on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Curve {
+    pub vertices: Vec<u32>,
+    pub line: [[f64; 3]; 2],
+    pub weight: f64,
+}
+
+/// Corners, straight edges and patches of a polycube, without its triangles; `obc_polycube_graph_...` in C tells of each.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Graph {
+    pub corner_positions: Vec<[f64; 3]>,
+    pub corner_vertices: Vec<u32>,
+    pub edge_corners: Vec<[u32; 2]>,
+    /// On the left and on the right.
+    pub edge_patches: Vec<[u32; 2]>,
+    pub edge_convex: Vec<bool>,
+    pub patch_labels: Vec<u8>,
+    pub patch_coordinates: Vec<f64>,
+    /// Of each patch its loops, the first around it, each the darts of its edges.
+    pub patch_loops: Vec<Vec<Vec<u32>>>,
+    /// Of each patch those that share an edge with it.
+    pub neighbours: Vec<Vec<u32>>,
 }
 
 impl Polycube {
@@ -62,6 +117,23 @@ impl Polycube {
     pub fn compute_on(surface: Surface, polycube: Surface, host: &mut Host) -> Result<Polycube, Error> {
         Polycube::made(host, |host, out, error| unsafe {
             obc_polycube_compute_on(&surface.c, &polycube.c, std::ptr::null(), host, out, error)
+        })
+    }
+    /// The same with places of corners, each a vertex of the given polycube.
+    pub fn compute_on_places(surface: Surface, polycube: Surface, places: &[(u32, Place)], host: &mut Host) -> Result<Polycube, Error> {
+        let corners: Vec<u32> = places.iter().map(|place| place.0).collect();
+        let (vertices, points): (Vec<u32>, Vec<[f64; 3]>) = places.iter().map(|place| match place.1 {
+            Place::Vertex(vertex) => (vertex, [0.0; 3]),
+            Place::Near(point) => (u32::MAX, point),
+        }).unzip();
+        let places = obc_polycube_places {
+            corners: pointer(&corners),
+            vertices: pointer(&vertices),
+            points: pointer(&points) as *const f64,
+            count: corners.len(),
+        };
+        Polycube::made(host, |host, out, error| unsafe {
+            obc_polycube_compute_on(&surface.c, &polycube.c, &places, host, out, error)
         })
     }
     /// A map made elsewhere; an error, with the reason, for what is none.
@@ -81,6 +153,45 @@ impl Polycube {
                                         out.as_mut_ptr(), error)
         })?;
         Ok((out.into_iter().map(Polycube::own).collect(), made_for))
+    }
+    /// The proportions with the least sum of energies of maps to one polycube.
+    pub fn optimize_common_domain(maps: &[&Polycube], options: &DomainOptions, host: &mut Host) -> Result<Vec<Polycube>, Error> {
+        let given: Vec<_> = maps.iter().map(|map| map.as_ptr() as *const obc_polycube).collect();
+        let mut out = vec![std::ptr::null_mut(); given.len()];
+        call(host, |host, error| unsafe {
+            obc_polycube_optimize_common_domain(given.as_ptr(), given.len(), &options.0, host, out.as_mut_ptr(), error)
+        })?;
+        Ok(out.into_iter().map(Polycube::own).collect())
+    }
+    /// The same polycube with features in their places; an error says what cannot be met.
+    pub fn meet_features(&self, features: &Features, host: &mut Host) -> Result<(Polycube, FeatureReport), Error> {
+        let mut c: obc_polycube_feature_options = unsafe { std::mem::zeroed() };
+        unsafe { obc_polycube_feature_options_init(&mut c, std::mem::size_of::<obc_polycube_feature_options>()) };
+        let points: Vec<u32> = features.points.iter().map(|point| point.0).collect();
+        let places: Vec<[f64; 3]> = features.points.iter().map(|point| point.1).collect();
+        let point_weights: Vec<f64> = features.points.iter().map(|point| point.2).collect();
+        c.point_count = points.len();
+        c.points = pointer(&points);
+        c.places = pointer(&places) as *const f64;
+        c.point_weights = pointer(&point_weights);
+        let (mut starts, mut vertices) = (vec![0], vec![]);
+        for curve in &features.curves {
+            vertices.extend_from_slice(&curve.vertices);
+            starts.push(u32::try_from(vertices.len()).map_err(|_| Error::invalid("curves: too many vertices"))?);
+        }
+        let lines: Vec<[[f64; 3]; 2]> = features.curves.iter().map(|curve| curve.line).collect();
+        let curve_weights: Vec<f64> = features.curves.iter().map(|curve| curve.weight).collect();
+        c.curve_count = features.curves.len();
+        c.curve_starts = starts.as_ptr();
+        c.curve_vertices = vertices.as_ptr(); // not NULL, even of nothing
+        c.curve_lines = pointer(&lines) as *const f64;
+        c.curve_weights = pointer(&curve_weights);
+        c.sharp_angle = features.sharp_angle;
+        let mut report = FeatureReport::default();
+        let map = Polycube::made(host, |host, out, error| unsafe {
+            obc_polycube_meet_features(self.as_ptr(), &c, host, &mut report.0, out, error)
+        })?;
+        Ok((map, report))
     }
     /// The best distances between the planes.
     pub fn optimize_domain(&self, options: &DomainOptions, host: &mut Host) -> Result<(Polycube, DomainReport), Error> {
@@ -128,6 +239,58 @@ impl Polycube {
         })?;
         Ok(out)
     }
+    /// What found the map: `OBC_POLYCUBE_LABELS` or `OBC_POLYCUBE_VOXELS`; none for a map made elsewhere.
+    pub fn construction(&self) -> Option<i32> {
+        let found = unsafe { obc_polycube_construction(self.as_ptr()) };
+        if found < 0 { None } else { Some(found) }
+    }
+    pub fn sources(&self) -> Result<Sources, Error> {
+        let n = self.vertex_count();
+        let mut out = Sources { corners: vec![[0; 3]; n], weights: vec![[0.0; 3]; n] };
+        checked(|error| unsafe {
+            obc_polycube_copy_sources(self.as_ptr(), out.corners.as_mut_ptr() as *mut u32, out.weights.as_mut_ptr() as *mut f64, error)
+        })?;
+        Ok(out)
+    }
+    pub fn graph(&self, host: &mut Host) -> Result<Graph, Error> {
+        let mut out = std::ptr::null_mut();
+        call(host, |host, error| unsafe { obc_polycube_graph_create(self.as_ptr(), host, &mut out, error) })?;
+        let handle = GraphHandle::own(out);
+        let out = handle.as_ptr();
+        let (corners, edges, patches, loops, links) = unsafe {
+            (obc_polycube_graph_corner_count(out), obc_polycube_graph_edge_count(out), obc_polycube_graph_patch_count(out),
+             obc_polycube_graph_loop_count(out), obc_polycube_graph_link_count(out))
+        };
+        let mut graph = Graph {
+            corner_positions: vec![[0.0; 3]; corners],
+            corner_vertices: vec![0; corners],
+            edge_corners: vec![[0; 2]; edges],
+            edge_patches: vec![[0; 2]; edges],
+            patch_labels: vec![0; patches],
+            patch_coordinates: vec![0.0; patches],
+            ..Graph::default()
+        };
+        let (mut convex, mut loops_of, mut begin, mut darts) = (vec![0u8; edges], vec![0u32; patches + 1], vec![0u32; loops + 1], vec![0u32; 2 * edges]);
+        let (mut dual, mut neighbours) = (vec![0u32; patches + 1], vec![0u32; links]);
+        checked(|error| unsafe {
+            obc_polycube_graph_copy_corners(out, graph.corner_positions.as_mut_ptr() as *mut f64, graph.corner_vertices.as_mut_ptr(), error)
+        })?;
+        checked(|error| unsafe {
+            obc_polycube_graph_copy_edges(out, graph.edge_corners.as_mut_ptr() as *mut u32, graph.edge_patches.as_mut_ptr() as *mut u32,
+                                          convex.as_mut_ptr(), error)
+        })?;
+        checked(|error| unsafe {
+            obc_polycube_graph_copy_patches(out, graph.patch_labels.as_mut_ptr(), graph.patch_coordinates.as_mut_ptr(),
+                                            loops_of.as_mut_ptr(), error)
+        })?;
+        checked(|error| unsafe { obc_polycube_graph_copy_loops(out, begin.as_mut_ptr(), darts.as_mut_ptr(), error) })?;
+        checked(|error| unsafe { obc_polycube_graph_copy_dual(out, dual.as_mut_ptr(), neighbours.as_mut_ptr(), error) })?;
+        graph.edge_convex = convex.iter().map(|&flag| flag != 0).collect();
+        let loops = parts(&begin, &darts);
+        graph.patch_loops = loops_of.windows(2).map(|ends| loops[ends[0] as usize..ends[1] as usize].to_vec()).collect();
+        graph.neighbours = parts(&dual, &neighbours);
+        Ok(graph)
+    }
     /// Of the optimisation that it comes from; they never rise.
     pub fn energies(&self) -> Result<Vec<f64>, Error> {
         let mut out = vec![0.0; unsafe { obc_polycube_energy_count(self.as_ptr()) }];
@@ -140,13 +303,22 @@ impl Polycube {
         let handle = QuadsHandle::own(out);
         let out = handle.as_ptr();
         let (n, m) = unsafe { (obc_polycube_quads_vertex_count(out), obc_polycube_quads_quad_count(out)) };
-        let mut quads = Quads { positions: vec![0.0; 3 * n], polycube: vec![0.0; 3 * n], corners: vec![[0; 4]; m], patches: vec![0; m] };
+        let mut quads = Quads { positions: vec![0.0; 3 * n], polycube: vec![0.0; 3 * n], corners: vec![[0; 4]; m], patches: vec![0; m],
+                                triangles: vec![0; n], weights: vec![[0.0; 3]; n] };
         checked(|error| unsafe {
             obc_polycube_quads_copy(out, quads.positions.as_mut_ptr(), quads.polycube.as_mut_ptr(),
                                     quads.corners.as_mut_ptr() as *mut u32, quads.patches.as_mut_ptr(), error)
+        })?;
+        checked(|error| unsafe {
+            obc_polycube_quads_copy_sources(out, quads.triangles.as_mut_ptr(), quads.weights.as_mut_ptr() as *mut f64, error)
         })?;
         Ok(quads)
     }
 }
 
+fn parts(starts: &[u32], of: &[u32]) -> Vec<Vec<u32>> {
+    starts.windows(2).map(|ends| of[ends[0] as usize..ends[1] as usize].to_vec()).collect()
+}
+
+handle!(GraphHandle, obc_polycube_graph, obc_polycube_graph_destroy);
 handle!(QuadsHandle, obc_polycube_quads, obc_polycube_quads_destroy);

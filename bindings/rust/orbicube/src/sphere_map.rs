@@ -11,7 +11,9 @@
 //! # Ok::<(), orbicube::Error>(())
 //! ```
 
-use crate::call::{call, checked, expect_length, rows, Error, Host};
+use std::os::raw::c_void;
+
+use crate::call::{call, checked, expect_length, rows, Caught, Error, Host};
 use crate::mesh::{Mesh, Surface};
 use crate::sys::sphere_map::*;
 
@@ -22,12 +24,44 @@ filled!(/// Figures of a map.
 filled!(/// Distances between two surfaces.
     Distance, obc_sphere_map_distance, obc_sphere_map_distance_init);
 
-/// Unit vectors, x y z a vertex, and the figures of the map.
+/// Unit vectors, x y z a vertex, and the figures of the map. The member `trace` of the options is not used: [`compute_traced`].
 pub fn compute(surface: Surface, options: &Options, host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
+    computed(surface, plain(options), host)
+}
+
+/// The same; `trace` is told of the course of the method `OBC_SPHERE_MAP_SEED`: iterations, vertices, energy.
+pub fn compute_traced<F: FnMut(u64, u64, f64)>(surface: Surface, options: &Options, trace: F,
+                                               host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
+    struct Trace<F> {
+        f: F,
+        caught: Caught,
+    }
+    unsafe extern "C" fn traced<F: FnMut(u64, u64, f64)>(iterations: u64, vertices: u64, energy: f64, user: *mut c_void) {
+        let Trace { f, caught } = &mut *(user as *mut Trace<F>);
+        caught.guard(|| {
+            f(iterations, vertices, energy);
+            0
+        });
+    }
+    let mut trace = Trace { f: trace, caught: Caught::default() };
+    let mut options = plain(options);
+    options.trace = Some(traced::<F>);
+    options.trace_user = &mut trace as *mut Trace<F> as *mut c_void;
+    let result = computed(surface, options, host);
+    trace.caught.resume();
+    result
+}
+
+/// Without what safe code could set to anything.
+fn plain(options: &Options) -> obc_sphere_map_options {
+    obc_sphere_map_options { trace: None, trace_user: std::ptr::null_mut(), ..options.0 }
+}
+
+fn computed(surface: Surface, options: obc_sphere_map_options, host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
     let mut directions = vec![0.0; 3 * surface.vertex_count()];
     let mut report = Report::default();
     call(host, |host, error| unsafe {
-        obc_sphere_map_compute(&surface.c, &options.0, host, directions.as_mut_ptr(), &mut report.0, error)
+        obc_sphere_map_compute(&surface.c, &options, host, directions.as_mut_ptr(), &mut report.0, error)
     })?;
     Ok((directions, report))
 }
@@ -35,9 +69,9 @@ pub fn compute(surface: Surface, options: &Options, host: &mut Host) -> Result<(
 /// Figures of any map; a bad one is no error.
 pub fn measure(surface: Surface, directions: &[f64], options: &Options, host: &mut Host) -> Result<Report, Error> {
     expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
-    let mut report = Report::default();
+    let (mut report, options) = (Report::default(), plain(options));
     call(host, |host, error| unsafe {
-        obc_sphere_map_measure(&surface.c, directions.as_ptr(), &options.0, host, &mut report.0, error)
+        obc_sphere_map_measure(&surface.c, directions.as_ptr(), &options, host, &mut report.0, error)
     })?;
     Ok(report)
 }

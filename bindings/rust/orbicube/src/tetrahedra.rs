@@ -1,6 +1,6 @@
 //! Closed surfaces filled with tetrahedra by TetGen, whose licence, the AGPL 3, binds programs that use this feature.
 
-use crate::call::{call, checked, Error, Host};
+use crate::call::{call, checked, pointer, Error, Host};
 use crate::mesh::Surface;
 use crate::sys::tetrahedra::*;
 
@@ -21,8 +21,20 @@ pub struct Solid {
 handle!(Handle, obc_tetrahedra, obc_tetrahedra_destroy);
 
 pub fn fill(surface: Surface, options: &Options, host: &mut Host) -> Result<Solid, Error> {
+    fill_sized(surface, options, &[], host)
+}
+
+/// With lengths of edges wanted at places. The members of the options that say so in C are not used.
+pub fn fill_sized(surface: Surface, options: &Options, sizes: &[([f64; 3], f64)], host: &mut Host) -> Result<Solid, Error> {
+    let (places, lengths): (Vec<[f64; 3]>, Vec<f64>) = sizes.iter().copied().unzip();
+    let options = obc_tetrahedra_options {
+        size_positions: pointer(&places) as *const f64,
+        size_lengths: pointer(&lengths),
+        size_count: lengths.len(),
+        ..options.0
+    };
     let mut out = std::ptr::null_mut();
-    call(host, |host, error| unsafe { obc_tetrahedra_fill(&surface.c, &options.0, host, &mut out, error) })?;
+    call(host, |host, error| unsafe { obc_tetrahedra_fill(&surface.c, &options, host, &mut out, error) })?;
     let handle = Handle::own(out);
     let out = handle.as_ptr();
     let mut solid = Solid::default();

@@ -1,6 +1,7 @@
 //! Maps of tetrahedral meshes without inverted tetrahedra.
 
 use crate::call::{call, expect_length, pointer, rows, Error, Host};
+use crate::sys::base::OBC_NO_VALID_RESULT;
 use crate::sys::volume_map::*;
 
 filled!(/// Options, with their defaults.
@@ -23,6 +24,23 @@ pub struct Tangle<'a> {
 
 /// Moves vertices until every tetrahedron is positive.
 pub fn untangle(tangle: &Tangle, options: &UntangleOptions, host: &mut Host) -> Result<(Vec<f64>, UntangleReport), Error> {
+    let (result, report, outcome) = best_of(tangle, options, host)?;
+    outcome.map(|_| (result, report))
+}
+
+/// The same; where some stay inverted, the best that was found, and the error beside it.
+pub fn untangle_best(tangle: &Tangle, options: &UntangleOptions,
+                     host: &mut Host) -> Result<(Vec<f64>, UntangleReport, Option<Error>), Error> {
+    match best_of(tangle, options, host)? {
+        (result, report, Ok(())) => Ok((result, report, None)),
+        (result, report, Err(error)) if error.status == OBC_NO_VALID_RESULT => Ok((result, report, Some(error))),
+        (_, _, Err(error)) => Err(error),
+    }
+}
+
+type Best = (Vec<f64>, UntangleReport, Result<(), Error>);
+
+fn best_of(tangle: &Tangle, options: &UntangleOptions, host: &mut Host) -> Result<Best, Error> {
     let n = tangle.positions.len();
     let mut c: obc_volume_map_tangle = unsafe { std::mem::zeroed() };
     unsafe { obc_volume_map_tangle_init(&mut c, std::mem::size_of::<obc_volume_map_tangle>()) };
@@ -39,8 +57,8 @@ pub fn untangle(tangle: &Tangle, options: &UntangleOptions, host: &mut Host) -> 
     c.fixed = pointer(tangle.fixed);
     c.ties = pointer(tangle.ties);
     let (mut result, mut report) = (vec![0.0; n], UntangleReport::default());
-    call(host, |host, error| unsafe {
+    let outcome = call(host, |host, error| unsafe {
         obc_volume_map_untangle(&c, &options.0, host, result.as_mut_ptr(), &mut report.0, error)
-    })?;
-    Ok((result, report))
+    });
+    Ok((result, report, outcome))
 }

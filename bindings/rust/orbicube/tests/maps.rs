@@ -137,3 +137,148 @@ fn quaternions_frames_and_polycubes() {
     assert!(better.quads(&Default::default(), &mut host()).unwrap().corners.len() > 5000);
     assert_eq!(better.of_triangles().unwrap().labels.len(), better.triangle_count());
 }
+
+#[test]
+fn all_that_is_known_of_a_polycube() {
+    use orbicube::polycube::{Curve, Features, Place};
+    let cube = Mesh::make("cube", 600, 0, &mut host()).unwrap();
+    let map = Polycube::compute(cube.surface(), &Default::default(), &mut host()).unwrap();
+    assert!(map.construction().is_some());
+    let (positions, polycube, triangles) = map.arrays();
+    let at = |v: u32| [polycube[3 * v as usize], polycube[3 * v as usize + 1], polycube[3 * v as usize + 2]];
+
+    let graph = map.graph(&mut host()).unwrap();
+    assert_eq!((graph.corner_vertices.len(), graph.edge_corners.len(), graph.patch_labels.len()), (8, 12, 6));
+    assert!(graph.edge_convex.iter().all(|&convex| convex));
+    for (vertex, position) in graph.corner_vertices.iter().zip(&graph.corner_positions) {
+        assert_eq!(at(*vertex), *position);
+    }
+    let mut darts: Vec<u32> = graph.patch_loops.iter().flatten().flatten().copied().collect();
+    darts.sort_unstable();
+    assert_eq!(darts, (0..24).collect::<Vec<u32>>());
+    assert!(graph.neighbours.iter().all(|neighbours| neighbours.len() == 4));
+
+    let sources = map.sources().unwrap();
+    for (i, (corners, weights)) in sources.corners.iter().zip(&sources.weights).enumerate() {
+        for k in 0..3 {
+            let sum: f64 = (0..3).filter(|&j| corners[j] != u32::MAX).map(|j| weights[j] * cube.positions()[3 * corners[j] as usize + k]).sum();
+            assert!((sum - positions[3 * i + k]).abs() < 1e-12); // a cube of size one, weights with the sum one
+        }
+    }
+    let quads = map.quads(&Default::default(), &mut host()).unwrap();
+    for (i, (&triangle, weights)) in quads.triangles.iter().zip(&quads.weights).enumerate() {
+        let corners = &triangles[3 * triangle as usize..3 * triangle as usize + 3];
+        for k in 0..3 {
+            let sum: f64 = (0..3).map(|j| weights[j] * polycube[3 * corners[j] as usize + k]).sum();
+            assert!((sum - quads.polycube[3 * i + k]).abs() < 1e-12);
+        }
+    }
+
+    // A vertex to another place of its patch, the others around it following.
+    let kinds = map.of_triangles().unwrap();
+    let inner = (0..map.vertex_count() as u32).find(|&v| {
+        let around: Vec<u32> = (0..kinds.patches.len()).filter(|&t| triangles[3 * t..3 * t + 3].contains(&v)).map(|t| kinds.patches[t]).collect();
+        around.iter().all(|&patch| patch == around[0])
+    }).unwrap();
+    let triangle = (0..kinds.patches.len()).find(|&t| triangles[3 * t..3 * t + 3].contains(&inner)).unwrap();
+    let mut place = [0.0; 3];
+    for &v in &triangles[3 * triangle..3 * triangle + 3] {
+        for k in 0..3 {
+            place[k] += at(v)[k] / 3.0;
+        }
+    }
+    place[kinds.labels[triangle] as usize / 2] = at(inner)[kinds.labels[triangle] as usize / 2]; // in the plane to the bit
+    let features = Features { points: vec![(inner, place, 0.0)], ..Default::default() };
+    let (met, report) = map.meet_features(&features, &mut host()).unwrap();
+    assert!(report.distance < 1e-12 && report.distance_before > 1e-3);
+    assert_eq!(met.corner_count(), 8);
+    let there = met.arrays().1;
+    assert!((0..3).all(|k| (there[3 * inner as usize + k] - place[k]).abs() < 1e-12));
+    let away = Features { points: vec![(inner, [100.0; 3], 0.0)], ..Default::default() };
+    assert_eq!(map.meet_features(&away, &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
+    // A curve of an edge of the polycube lies on it already.
+    let ends = [graph.corner_positions[graph.edge_corners[0][0] as usize], graph.corner_positions[graph.edge_corners[0][1] as usize]];
+    let axis = (0..3).find(|&k| ends[0][k] != ends[1][k]).unwrap();
+    let mut along: Vec<u32> = (0..map.vertex_count() as u32).filter(|&v| (0..3).all(|k| k == axis || at(v)[k] == ends[0][k])).collect();
+    along.sort_by(|&v, &w| ((at(v)[axis] - ends[0][axis]).abs()).partial_cmp(&(at(w)[axis] - ends[0][axis]).abs()).unwrap());
+    assert!(along.len() > 2);
+    let curve = Curve { vertices: along, line: ends, weight: 0.0 };
+    let (_, report) = map.meet_features(&Features { curves: vec![curve], ..Default::default() }, &mut host()).unwrap();
+    assert!(report.distance < 1e-12);
+
+    // Given to another surface, with a corner where it was and another near a point.
+    let box_ = Surface::new(&polycube, &triangles).unwrap();
+    let places = [(graph.corner_vertices[0], Place::Vertex(graph.corner_vertices[0])),
+                  (graph.corner_vertices[1], Place::Near([positions[3 * graph.corner_vertices[1] as usize],
+                                                          positions[3 * graph.corner_vertices[1] as usize + 1],
+                                                          positions[3 * graph.corner_vertices[1] as usize + 2]]))];
+    let surface = Surface::new(&positions, &triangles).unwrap();
+    let placed = Polycube::compute_on_places(surface, box_, &places, &mut host()).unwrap();
+    assert_eq!((placed.corner_count(), placed.construction()), (8, None));
+    assert_eq!(placed.graph(&mut host()).unwrap().corner_positions.len(), 8);
+    let unknown = [(u32::MAX - 1, Place::Near([0.0; 3]))];
+    assert!(Polycube::compute_on_places(surface, box_, &unknown, &mut host()).is_err());
+
+    let (maps, made_for) = Polycube::compute_common(&[cube.surface(), cube.surface()], &Default::default(), &Default::default(), &mut host()).unwrap();
+    assert!(made_for < 2);
+    let better = Polycube::optimize_common_domain(&[&maps[0], &maps[1]], &Default::default(), &mut host()).unwrap();
+    let energies = better[0].energies().unwrap();
+    assert!(energies.windows(2).all(|pair| pair[1] <= pair[0]));
+    assert!(Polycube::optimize_common_domain(&[], &Default::default(), &mut host()).is_err());
+}
+
+#[test]
+fn what_stays_tangled_is_handed_out_with_the_error() {
+    let positions = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0];
+    let tangle = volume_map::Tangle { positions: &positions, tetrahedra: &[0, 1, 2, 3], fixed: &[1; 12], ..Default::default() };
+    let (best, report, error) = volume_map::untangle_best(&tangle, &Default::default(), &mut host()).unwrap();
+    assert_eq!((best, report.inverted), (positions.to_vec(), 1));
+    assert_eq!(error.unwrap().status, sys::base::OBC_NO_VALID_RESULT);
+    assert!(volume_map::untangle(&tangle, &Default::default(), &mut host()).is_err());
+    let wrong = volume_map::Tangle { ties: &[7; 3], ..tangle };
+    assert_eq!(volume_map::untangle_best(&wrong, &Default::default(), &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
+}
+
+#[test]
+fn pointers_that_safe_code_sets_are_not_followed() {
+    unsafe extern "C" fn never(_: u64, _: u64, _: f64, _: *mut std::os::raw::c_void) {
+        std::process::abort();
+    }
+    let shape = Mesh::make("sphere", 300, 0, &mut host()).unwrap();
+    let mut options = sphere_map::Options::default();
+    options.method = sys::sphere_map::OBC_SPHERE_MAP_SEED;
+    options.trace = Some(never);
+    options.trace_user = 1 as *mut _;
+    let (directions, _) = sphere_map::compute(shape.surface(), &options, &mut host()).unwrap();
+    sphere_map::measure(shape.surface(), &directions, &options, &mut host()).unwrap();
+
+    let mut told = 0;
+    let traced = sphere_map::compute_traced(shape.surface(), &options, |_, _, _| told += 1, &mut host()).unwrap();
+    assert_eq!(traced.0, directions);
+    assert!(told > 0);
+    let panic = catch_unwind(AssertUnwindSafe(|| {
+        let _ = sphere_map::compute_traced(shape.surface(), &options, |_, _, _| panic!("traced"), &mut host());
+    }));
+    assert_eq!(panic.unwrap_err().downcast_ref::<&str>(), Some(&"traced"));
+
+    #[cfg(feature = "tetrahedra")]
+    {
+        use orbicube::tetrahedra::{fill, fill_sized, Options};
+        let mut options = Options::default();
+        options.size_positions = 8 as *const f64;
+        options.size_lengths = 8 as *const f64;
+        options.size_count = 1000;
+        let plain = fill(shape.surface(), &options, &mut host()).unwrap();
+        let fine = fill_sized(shape.surface(), &options, &[([0.0; 3], 0.05)], &mut host()).unwrap();
+        assert!(fine.tetrahedra.len() > plain.tetrahedra.len());
+    }
+}
+
+#[test]
+fn sizes_beyond_all_memory_are_errors() {
+    assert!(harmonics::Coefficients::new(u32::MAX, 3, vec![]).is_err());
+    assert!(harmonics::Coefficients::new(u32::MAX, usize::MAX, vec![]).is_err());
+    let mut options = harmonics::FitOptions::default();
+    options.degree = u32::MAX;
+    assert!(harmonics::fit(&[0.0, 0.0, 1.0], &[], &[1.0], 1, &options, &mut host()).is_err());
+}
