@@ -144,9 +144,8 @@ typedef struct obc_polycube_feature_options {
   size_t point_count;            /* points: vertices of the map and their places on its polycube (x y z). Default 0 */
   const uint32_t *points;
   const double *places, *point_weights;
-  size_t curve_count;            /* curves: of each where its vertices, two at least, begin (an entry more than curves), and a
-                                    line along an axis in a face or an edge (x y z twice) for them, from the first vertex to the
-                                    last. Default 0 */
+  size_t curve_count;            /* curves: of each where its vertices, two or more, begin (an entry more than curves), and a line
+                                    along an axis in a face or an edge (x y z twice) for the first to the last. Default 0 */
   const uint32_t *curve_starts, *curve_vertices;
   const double *curve_lines, *curve_weights;
   double sharp_angle; /* where the surface bends by so many degrees, edges go to edges of the polycube nearby; 0: none. Default 0 */

@@ -176,8 +176,8 @@ pub struct obc_polycube_feature_options {
     pub points: *const u32,
     pub places: *const f64,
     pub point_weights: *const f64,
-    /// curves: of each where its vertices begin (an entry more than curves), and a line along an axis
-    /// in a face or an edge (x y z twice) with ends for the first and last vertex. Default 0
+    /// curves: of each where its vertices, two or more, begin (an entry more than curves), and a line
+    /// along an axis in a face or an edge (x y z twice) for the first to the last. Default 0
     pub curve_count: usize,
     pub curve_starts: *const u32,
     pub curve_vertices: *const u32,
