@@ -15,15 +15,22 @@
 #include "polycube/label_search.h"
 #include "polycube/label_smoothing.h"
 #include "polycube/labelled_map.h"
+#include "polycube/labelled_target.h"
+#include "polycube/map_improvement.h"
 #include "polycube/map_refinement.h"
 #include "polycube/normal_flow.h"
+#include "polycube/normal_turning.h"
 #include "polycube/refinement.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr std::array coarse_to_fine = {0.08, 0.04, 0.02, 0.01};
-constexpr std::array smoothing_steps = {0, 2};
+constexpr std::array coarse_to_fine = {0.08, 0.04, 0.028, 0.02, 0.014, 0.01};
+// Normals that labels agree with: as they are, of the surface smoothed, or turned towards the axes where it bends.
+enum class Normals { plain, smoothed, turned };
+constexpr std::array all_normals = {Normals::plain, Normals::smoothed, Normals::turned};
+constexpr int smoothing_steps = 2;
+constexpr double turning_length = 0.03;
 constexpr std::array when_none_is_valid = {0.03, 0.015, 0.007, 0.0035};
 constexpr double first_smoothing_time = 1e-4;
 constexpr int sweeps = 5;
@@ -32,6 +39,13 @@ constexpr int repair_passes = 60;
 // What all labellings together may cost: changes of labels that have no signs of arcs, and steps of Gauss-Newton for
 // their maps. What works takes few of either.
 constexpr std::size_t most_changes = 150, most_map_steps = 1500;
+
+// The product of both means over the surface; what has less is not compared with more.
+constexpr double nearly_isometric = 1.03;
+
+// Maps in which a few triangles stay turned over are drawn on the surface instead.
+constexpr std::size_t most_turned_over = 60;
+constexpr int rounds_after_drawing = 4;
 
 // Labellings are tried on a surface of so many triangles, when the input has more than is coarse enough.
 constexpr std::size_t search_triangles = 5000;
@@ -74,6 +88,8 @@ class LabelConstruction {
         fine_(framed(positions, triangles, frame_, host)),
         search_(positions, triangles, host),
         coarse_(fine_is_coarse() ? framed(positions, triangles, frame_, host) : decimated()),
+        smoothed_(host.memory),
+        turned_(host.memory),
         candidates_(host.memory) {
     frame_.rotation = best_alignment(fine_, options.seed, host);
     fine_ = framed(positions_, triangles_, frame_, host);
@@ -82,12 +98,12 @@ class LabelConstruction {
 
   Construction run() {
     for (const double compactness : coarse_to_fine) {
-      for (const int smoothing : smoothing_steps)
-        try_labels(compactness, smoothing);
+      for (const Normals normals : all_normals)
+        if (!good_enough()) try_labels(compactness, normals);
     }
     for (const double compactness : when_none_is_valid) {
-      for (const int smoothing : smoothing_steps) {
-        if (candidates_.empty()) try_labels(compactness, smoothing);
+      for (const Normals normals : all_normals) {
+        if (candidates_.empty()) try_labels(compactness, normals);
       }
     }
     std::stable_sort(candidates_.begin(), candidates_.end(),
@@ -110,7 +126,8 @@ class LabelConstruction {
   struct Candidate {
     double score;
     double compactness;
-    int smoothing;
+    Normals normals;
+    bool drawn;
     Array<AxisLabel> labels;  // of the search surface
     SurfaceMap map;
     Certificate certificate;
@@ -122,6 +139,11 @@ class LabelConstruction {
     std::size_t count;
   };
 
+  bool good_enough() const {
+    return std::any_of(candidates_.begin(), candidates_.end(),
+                       [](const Candidate& c) { return c.score < nearly_isometric; });
+  }
+
   bool fine_is_coarse() const { return triangles_.size() <= coarse_enough; }
 
   Surface decimated() {
@@ -132,62 +154,89 @@ class LabelConstruction {
     return framed(search_.positions, search_.triangles, frame_, host_);
   }
 
-  Array<Vector3> normals(int smoothing) const {
-    if (smoothing == 0) return Array<Vector3>(coarse_.normals, host_.memory);
-    Array<Vector3> flowed(coarse_.positions, host_.memory);
-    flow(coarse_, first_smoothing_time, smoothing, flowed, host_);
-    return unit_normals(flowed, coarse_.triangles, host_);
+  // Made when they are first asked for.
+  std::span<const Vector3> normals_for(Normals kind) {
+    if (kind == Normals::plain) return coarse_.normals;
+    Array<Vector3>& known = kind == Normals::turned ? turned_ : smoothed_;
+    if (known.empty() && kind == Normals::turned) known = turned_normals(coarse_, turning_length, host_);
+    if (known.empty()) {
+      Array<Vector3> flowed(coarse_.positions, host_.memory);
+      flow(coarse_, first_smoothing_time, smoothing_steps, flowed, host_);
+      known = unit_normals(flowed, coarse_.triangles, host_);
+    }
+    return known;
   }
 
   // `detail` goes to the log only.
-  void fail(double compactness, int smoothing, std::size_t corners, const std::string& reason,
+  void fail(double compactness, Normals normals, std::size_t corners, const std::string& reason,
             const std::string& detail) {
-    host_.log(name_of(compactness, smoothing, corners) + reason + (detail.empty() ? "" : ", " + detail));
+    host_.log(name_of(compactness, normals, corners) + reason + (detail.empty() ? "" : ", " + detail));
     auto same = std::find_if(failures_.begin(), failures_.end(), [&](const Failure& f) { return f.reason == reason; });
     if (same == failures_.end()) same = failures_.insert(failures_.end(), {reason, "", 0});
     same->corners += (same->count++ > 0 ? ", " : "") + std::to_string(corners);
   }
 
-  static std::string name_of(double compactness, int smoothing, std::size_t corners) {
-    return "compactness " + std::to_string(compactness) + ", " + std::to_string(smoothing) + " steps of smoothing, " +
-           std::to_string(corners) + " corners: ";
+  static std::string name_of(double compactness, Normals normals, std::size_t corners) {
+    const char* const kind = normals == Normals::plain ? "" : normals == Normals::smoothed ? "smoothed, " : "turned, ";
+    return "compactness " + std::to_string(compactness) + ", " + kind + std::to_string(corners) + " corners: ";
   }
 
-  void try_labels(double compactness, int smoothing) {
+  void try_labels(double compactness, Normals normals) {
     ++tried_;
-    LabelCosts costs = label_costs(coarse_, normals(smoothing), compactness, host_);
+    LabelCosts costs = label_costs(coarse_, normals_for(normals), compactness, host_);
     Array<AxisLabel> labels(coarse_.triangles.size(), host_.memory);
     for (Index i = 0; i < labels.size(); ++i)
       labels[i] = best_label(costs, i);
     expand_labels(coarse_, costs, {}, sweeps, labels, host_);
     LabelFaults faults = repair_labels(coarse_, costs, repair_passes, labels, host_);
     const auto refuse = [&](const std::string& reason, const std::string& detail = {}) {
-      fail(compactness, smoothing, faults.corners, reason, detail);
+      fail(compactness, normals, faults.corners, reason, detail);
     };
     if (faults.total() > 0) return refuse("faults of labels could not be repaired");
     // What is changed in the search loses corners, but not that many.
     const auto far_above = [&] { return options_.corners > 0 && faults.corners > 2 * options_.corners; };
     if (far_above()) return refuse("more corners than the budget");
-    const double conflict = search_labels(coarse_, costs, options_.seed, changes_left_, labels, host_);
+    const double conflict =
+        search_labels(coarse_, costs, options_.corners, options_.seed, changes_left_, labels, host_);
     faults = find_faults(coarse_, find_charts(coarse_, labels, host_));
-    if (conflict > 0) return refuse("no signs of arcs make the labels those of a polycube");
     if (options_.corners > 0 && faults.corners > options_.corners) return refuse("more corners than the budget");
+    if (conflict > 0) return refuse("no signs of arcs make the labels those of a polycube");
     const auto same = [&](const Candidate& other) { return other.labels == labels; };
     if (std::any_of(candidates_.begin(), candidates_.end(), same)) return;
     SurfaceMap map = unrefined(search_.positions, search_.triangles, labels, host_);
     LabelledMapOptions map_options;
     map_options.seed = options_.seed;
+    map_options.enough = most_turned_over;
     if (steps_left_ == 0) return refuse("not tried after so many others");
     map_options.untangling_steps =
         static_cast<int>(std::min<std::size_t>(steps_left_, static_cast<std::size_t>(map_options.untangling_steps)));
     LabelledMapOutcome outcome = make_labelled_map(map, frame_, map_options, {}, host_);
     steps_left_ -= std::min(steps_left_, outcome.steps);
-    if (!outcome.valid()) return refuse("triangles stay turned over or parts meet", outcome.reason);
+    const bool drawn = !outcome.valid();
+    if (drawn && !draw(map, outcome)) return refuse("triangles stay turned over or parts meet", outcome.reason);
     const Distortion d = measure_distortion(map, host_);
-    host_.log(name_of(compactness, smoothing, faults.corners) + "angle " + std::to_string(d.angle_weighted_mean) +
+    host_.log(name_of(compactness, normals, faults.corners) + "angle " + std::to_string(d.angle_weighted_mean) +
               ", area " + std::to_string(d.area_weighted_mean));
-    candidates_.push_back({d.angle_weighted_mean * d.area_weighted_mean, compactness, smoothing, std::move(labels),
+    candidates_.push_back({d.angle_weighted_mean * d.area_weighted_mean, compactness, normals, drawn, std::move(labels),
                            std::move(map), std::move(outcome.certificate)});
+  }
+
+  // A valid map instead of one with some triangles turned over; whether there is one.
+  bool draw(SurfaceMap& map, LabelledMapOutcome& outcome) const {
+    if (outcome.turned_over > most_turned_over) return false;
+    try {
+      Construction made = draw_labelled(search_.positions, search_.triangles, map, host_);
+      improve_map(made.map, made.certificate, {.rounds = rounds_after_drawing}, host_);
+      map = std::move(made.map);
+      outcome.certificate = std::move(made.certificate);
+      return true;
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result && error.status() != base::Status::unsupported &&
+          error.status() != base::Status::invalid_argument)
+        throw;
+      outcome.reason += "; drawn: " + std::string(error.what());
+      return false;
+    }
   }
 
   // Where the candidate's map has the planes of the given triangles of the whole surface's map.
@@ -209,8 +258,20 @@ class LabelConstruction {
   }
 
   void fail_whole(const Candidate& candidate, const std::string& detail) {
-    fail(candidate.compactness, candidate.smoothing, candidate.certificate.corners, "lost on the whole surface",
-         detail);
+    fail(candidate.compactness, candidate.normals, candidate.certificate.corners, "lost on the whole surface", detail);
+  }
+
+  // On the polycube of the candidate, drawn along its map.
+  void draw_whole(const Candidate& candidate, Construction& result) {
+    const PatchGraph target = make_patch_graph(candidate.map, host_);
+    DrawingOptions drawing;
+    drawing.model = &candidate.map;
+    drawing.redrawings = 0;
+    drawing.smoothing_rounds = 0;
+    Construction made = construct_on(positions_, triangles_, target, candidate.certificate.genus, drawing, host_);
+    result.map = std::move(made.map);
+    result.certificate = std::move(made.certificate);
+    result.distortion = made.distortion;
   }
 
   // The map of the whole surface.
@@ -229,6 +290,10 @@ class LabelConstruction {
       result.map = std::move(candidate.map);
       result.certificate = std::move(candidate.certificate);
       result.distortion = measure_distortion(result.map, host_);
+      return true;
+    }
+    if (candidate.drawn) {
+      draw_whole(candidate, result);
       return true;
     }
     const LabelCosts costs = label_costs(fine_, fine_.normals, candidate.compactness, host_);
@@ -282,6 +347,7 @@ class LabelConstruction {
   Surface fine_;
   SearchSurface search_;
   Surface coarse_;
+  Array<Vector3> smoothed_, turned_;  // normals of the coarse surface
   Array<Candidate> candidates_;
   std::size_t tried_ = 0;
   std::size_t changes_left_ = most_changes, steps_left_ = most_map_steps;

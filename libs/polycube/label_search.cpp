@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "polycube/chart_order.h"
 #include "polycube/label_repair.h"
 #include "polycube/starts.h"
 
@@ -13,6 +14,8 @@ constexpr int most_steps = 8;
 constexpr std::size_t changes_a_step = 8;
 constexpr double largest_chart = 0.06;  // of the whole area: larger ones keep their labels
 constexpr double energy_weight = 4;     // what worse labels cost beside conflicts
+constexpr double order_weight = 0.2;    // and an arc that runs in a circle
+constexpr double corner_weight = 0.25;  // and a corner above the budget
 constexpr int rounds_of_the_start = 4;
 constexpr int sweeps = 2;
 constexpr int repair_passes = 25;
@@ -24,8 +27,8 @@ struct Conflict {
   Array<Index> charts;  // where it is, and beside
 };
 
-Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels, std::uint64_t seed,
-                       const base::Host& host) {
+Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels, std::size_t most_corners,
+                       std::uint64_t seed, const base::Host& host) {
   const Charts charts = find_charts(surface, labels, host);
   TiedMap map(surface, charts, host);
   poisson_start(map, rounds_of_the_start, host);
@@ -40,9 +43,22 @@ Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels
   }
   for (const Index c : signs.bad_charts)
     near[c] = 2;
+  if (signs.consistent()) {
+    for (const Index a : arcs_without_order(charts, network, signs, host)) {
+      const Arc& arc = network.arcs[a];
+      result.size += order_weight;
+      for (const Index v : {arc.first, arc.last})
+        for (const Index c : network.corners[network.corner_of_vertex[v]].chart)
+          near[c] = 2;
+    }
+  }
   for (const Arc& arc : network.arcs) {
     if (near[arc.left] == 2 && near[arc.right] == 0) near[arc.right] = 1;
     if (near[arc.right] == 2 && near[arc.left] == 0) near[arc.left] = 1;
+  }
+  if (most_corners > 0 && network.corners.size() > most_corners) {
+    if (result.size == 0) std::fill(near.begin(), near.end(), std::uint8_t{2});
+    result.size += corner_weight * static_cast<double>(network.corners.size() - most_corners);
   }
   Array<std::pair<double, Index>> order(host.memory);
   for (Index c = 0; c < near.size(); ++c) {
@@ -71,9 +87,9 @@ bool drop_chart(const Surface& surface, const Charts& charts, Index chart, Label
 
 }  // namespace
 
-double search_labels(const Surface& surface, LabelCosts& costs, std::uint64_t seed, std::size_t& most_changes,
-                     std::span<AxisLabel> labels, const base::Host& host) {
-  Conflict now = find_conflict(surface, labels, seed, host);
+double search_labels(const Surface& surface, LabelCosts& costs, std::size_t most_corners, std::uint64_t seed,
+                     std::size_t& most_changes, std::span<AxisLabel> labels, const base::Host& host) {
+  Conflict now = find_conflict(surface, labels, most_corners, seed, host);
   const double energy = label_energy(surface, costs, labels);
   double reached = now.size;
   for (int step = 0; step < most_steps && now.size > 0; ++step) {
@@ -89,7 +105,7 @@ double search_labels(const Surface& surface, LabelCosts& costs, std::uint64_t se
       trial_costs.boundary = costs.boundary;
       Array<AxisLabel> trial(labels.begin(), labels.end(), host.memory);
       if (!drop_chart(surface, charts, now.charts[i], trial_costs, trial, host)) continue;
-      Conflict found = find_conflict(surface, trial, seed, host);
+      Conflict found = find_conflict(surface, trial, most_corners, seed, host);
       // Bans do not count: energies are those of the labels themselves.
       const double score = found.size + energy_weight * (label_energy(surface, costs, trial) - energy);
       if (score >= least) continue;

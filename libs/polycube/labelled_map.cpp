@@ -58,6 +58,7 @@ class LabelledMap {
     }
     // Each of these finds maps that the others do not.
     for (const double first_eps : {0.0, 0.01, 0.001}) {
+      if (outcome_.turned_over <= options_.enough) break;
       map_.value = poisson_;
       place_charts(map_, network_, signs_, host_);
       spread_vertices(map_, network_, host_);
@@ -92,16 +93,27 @@ class LabelledMap {
 
   bool make(Untangling& untangling, double first_eps, int steps) {
     if (!untangling.untangle({std::min(steps, options_.untangling_steps), first_eps, 1})) {
+      keep_best(untangling.turned_over());
       outcome_.reason = std::to_string(untangling.turned_over()) + " triangles stay turned over";
       return false;
     }
     untangling.polish(options_.polishing_steps, options_.area_weight);
-    result_.polycube.resize(result_.positions.size());
-    for (Index v = 0; v < result_.positions.size(); ++v)
-      result_.polycube[v] = map_.position(v) / frame_.scale;
+    store_map();
     outcome_.certificate = certify(result_, host_);
     outcome_.reason = outcome_.certificate.reason;
     return outcome_.valid();
+  }
+
+  void keep_best(std::size_t turned_over) {
+    if (turned_over >= outcome_.turned_over) return;
+    outcome_.turned_over = turned_over;
+    store_map();
+  }
+
+  void store_map() {
+    result_.polycube.resize(result_.positions.size());
+    for (Index v = 0; v < result_.positions.size(); ++v)
+      result_.polycube[v] = map_.position(v) / frame_.scale;
   }
 
   SurfaceMap& result_;

@@ -1,6 +1,8 @@
 // The polycube map that a labelled surface stands for, or why there is none.
 #pragma once
 
+#include <limits>
+
 #include "polycube/certificate.h"
 
 namespace orbicube::polycube {
@@ -22,6 +24,8 @@ struct LabelledMapOptions {
   int untangling_steps = 150;
   int polishing_steps = 25;
   double area_weight = 1;  // how much changes of area count beside those of angles
+  // A map with no more triangles turned over than that is left as it is, rather than started from elsewhere.
+  std::size_t enough = 0;
   std::uint64_t seed = 0;
 };
 
@@ -30,7 +34,9 @@ struct LabelledMapOutcome {
 
   bool valid() const { return reason.empty(); }
 
-  std::string reason;       // why there is no map
+  std::string reason;  // why there is no map
+  // In the map that is left when none is valid: the one with the fewest.
+  std::size_t turned_over = std::numeric_limits<std::size_t>::max();
   std::size_t steps = 0;    // of Gauss-Newton that it took
   Certificate certificate;  // of the map
 };

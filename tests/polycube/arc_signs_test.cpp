@@ -10,6 +10,7 @@
 
 #include "blocks.h"
 #include "polycube/certificate.h"
+#include "polycube/chart_order.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -129,4 +130,27 @@ TEST_CASE("The labels of a cube seen in a mirror are those of no polycube") {
   const ArcSigns signs = find_arc_signs(l.charts, l.surface, network, wanted, 1, host);
   CHECK(!signs.consistent());
   CHECK(signs.violation > 0);
+}
+
+TEST_CASE("Charts of a polycube have an order, and none when an arc runs the other way than those beside it") {
+  for (const mesh::Mesh& m : shapes()) {
+    const Labelled l(m);
+    const ArcNetwork network(l.surface, l.charts, host);
+    ArcSigns signs(host.memory);
+    for (const Arc& arc : network.arcs)
+      signs.convex.push_back(l.is_convex(network, arc));
+    CHECK(arcs_without_order(l.charts, network, signs, host).empty());
+  }
+  const Labelled cube(blocks(box_without({1, 1, 1})));
+  const ArcNetwork network(cube.surface, cube.charts, host);
+  REQUIRE(network.arcs.size() == 12);
+  for (Index turned = 0; turned < 12; ++turned) {
+    ArcSigns signs(host.memory);
+    signs.convex.assign(12, 1);
+    signs.convex[turned] = 0;
+    const Array<Index> left = arcs_without_order(cube.charts, network, signs, host);
+    CHECK(left.size() == 4);  // those along its axis
+    for (const Index a : left)
+      CHECK(network.arcs[a].axis == network.arcs[turned].axis);
+  }
 }

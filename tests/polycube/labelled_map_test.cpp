@@ -10,7 +10,10 @@
 #include "mesh/topology.h"
 #include "polycube/distortion.h"
 #include "polycube/label_construction.h"
+#include "polycube/label_search.h"
 #include "polycube/labelled_map.h"
+#include "polycube/labelled_target.h"
+#include "polycube/normal_turning.h"
 #include "polycube/random.h"
 #include "polycube/refinement.h"
 #include "polycube/untangling.h"
@@ -82,6 +85,99 @@ TEST_CASE("Scrambled positions are untangled") {
       map.polycube[v] = tied.position(v);
     CHECK(certify(map, host).valid());
     CHECK(measure_distortion(map, host).area_mean < 1.001);  // see above
+  }
+}
+
+TEST_CASE("A map with triangles turned over is drawn anew, with its corners where they are") {
+  for (const std::vector<test::Cell>& cells :
+       {box_without({2, 2, 2}), box_without({3, 3, 1}, {{2, 2, 0}}), box_without({5, 5, 1}, {{2, 2, 0}})}) {
+    const mesh::Mesh m = blocks(cells);
+    const Certificate own = certify(m.positions, m.triangles, host);
+    SurfaceMap map = unrefined(m.positions, m.triangles, own.labels, host);
+    map.polycube.assign(m.positions.begin(), m.positions.end());
+    const Surface surface(Array<Vector3>(map.positions), Array<Triangle>(map.triangles), host);
+    const Charts charts = find_charts(surface, map.labels, host);
+    // One vertex inside a face goes past its neighbours.
+    Index moved = 0;
+    while (charts.valence[moved] > 0)
+      ++moved;
+    const Index h = surface.connectivity.outgoing(moved);
+    map.polycube[moved] += 3 * (map.positions[surface.end(h)] - map.positions[moved]);
+    REQUIRE(!certify(map, host).valid());
+    const Construction drawn = draw_labelled(m.positions, m.triangles, map, host);
+    CHECK(drawn.certificate.valid());
+    CHECK(drawn.certificate.corners == own.corners);
+    CHECK(drawn.certificate.patches == own.patches);
+    CHECK(drawn.certificate.genus == own.genus);
+    CHECK(std::equal(m.positions.begin(), m.positions.end(), drawn.map.positions.begin()));
+    for (Index v = 0; v < m.positions.size(); ++v)
+      if (charts.is_corner(v)) CHECK(drawn.map.polycube[v] == m.positions[v]);
+  }
+}
+
+TEST_CASE("Faces that meet cannot be drawn") {
+  const mesh::Mesh m = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));
+  SurfaceMap map = unrefined(m.positions, m.triangles, certify(m.positions, m.triangles, host).labels, host);
+  map.polycube.assign(m.positions.begin(), m.positions.end());
+  for (Vector3& p : map.polycube)
+    if (p[2] > 0.5) p[2] = -p[2];  // the top below the bottom
+  try {
+    draw_labelled(m.positions, m.triangles, map, host);
+    FAIL("the solid is inside out");
+  } catch (const base::Error& error) {
+    CHECK(error.kind() == std::string("unsupported"));
+  }
+}
+
+TEST_CASE("Normals of a bent bar are turned towards the axes, those of a straight one stay") {
+  const auto lean = [](const Array<Vector3>& normals, const Surface& surface) {
+    double sum = 0;
+    for (Index t = 0; t < normals.size(); ++t) {
+      const Vector3 s = normals[t].cwiseProduct(normals[t]);
+      sum += surface.areas[t] / surface.area * (s[0] * s[1] + s[1] * s[2] + s[2] * s[0]);
+    }
+    return sum;
+  };
+  const mesh::Mesh m = blocks(box_without({2, 2, 20}));
+  const Frame frame = unit_frame(m.positions, m.triangles);
+  Array<Vector3> straight(host.memory), bent(host.memory);
+  for (const Vector3& p : m.positions) {
+    straight.push_back(frame(p));
+    // A quarter of a circle of radius 40 / pi, ends along z and x.
+    const double radius = 40 / std::acos(-1.0), angle = p[2] / radius;
+    bent.push_back(frame({radius - (radius - p[0]) * std::cos(angle), p[1], (radius - p[0]) * std::sin(angle)}));
+  }
+  const Surface bar(std::move(straight), Array<Triangle>(m.triangles), host);
+  const Array<Vector3> same = turned_normals(bar, 0.03, host);
+  for (Index t = 0; t < same.size(); ++t)
+    CHECK((same[t] - bar.normals[t]).norm() < 1e-9);
+  const Surface bow(std::move(bent), Array<Triangle>(m.triangles), host);
+  const Array<Vector3> turned = turned_normals(bow, 0.03, host);
+  CHECK(lean(bow.normals, bow) > 0.05);
+  CHECK(lean(turned, bow) < 0.2 * lean(bow.normals, bow));
+  for (const Vector3& n : turned)
+    CHECK(n.norm() == doctest::Approx(1));
+}
+
+TEST_CASE("Labels lose their smallest charts until a budget of corners is kept") {
+  std::vector<test::Cell> cells = box_without({6, 6, 2});
+  cells.push_back({2, 2, 2});
+  const mesh::Mesh m = blocks(cells);
+  Array<Vector3> positions(host.memory);
+  const Frame frame = unit_frame(m.positions, m.triangles);
+  for (const Vector3& p : m.positions)
+    positions.push_back(frame(p));
+  const Surface surface(std::move(positions), Array<Triangle>(m.triangles), host);
+  for (const std::size_t budget : {std::size_t{0}, std::size_t{8}}) {
+    LabelCosts costs = label_costs(surface, surface.normals, 0.001, host);
+    Array<AxisLabel> labels = certify(m.positions, m.triangles, host).labels;
+    REQUIRE(find_faults(surface, find_charts(surface, labels, host)).corners == 16);
+    std::size_t most_changes = 100;
+    CHECK(search_labels(surface, costs, budget, 0, most_changes, labels, host) == 0);
+    const LabelFaults faults = find_faults(surface, find_charts(surface, labels, host));
+    CHECK(faults.total() == 0);
+    CHECK(faults.corners == (budget == 0 ? 16 : 8));
+    CHECK((most_changes == 100) == (budget == 0));
   }
 }
 
