@@ -43,6 +43,9 @@ constexpr std::size_t most_changes = 150, most_map_steps = 1500;
 // The product of both means over the surface; what has less is not compared with more.
 constexpr double nearly_isometric = 1.03;
 
+// The part of the area in which labels may differ that are not tried beside others with as many corners.
+constexpr double alike_below = 0.03;
+
 // Maps in which a few triangles stay turned over are drawn on the surface instead.
 constexpr std::size_t most_turned_over = 60;
 constexpr int rounds_after_drawing = 4;
@@ -181,6 +184,14 @@ class LabelConstruction {
     return "compactness " + std::to_string(compactness) + ", " + kind + std::to_string(corners) + " corners: ";
   }
 
+  // Labels of one polycube, most likely.
+  bool alike(std::span<const AxisLabel> a, std::span<const AxisLabel> b) const {
+    double different = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (a[i] != b[i]) different += coarse_.areas[i];
+    return different <= alike_below * coarse_.area;
+  }
+
   void try_labels(double compactness, Normals normals) {
     ++tried_;
     LabelCosts costs = label_costs(coarse_, normals_for(normals), compactness, host_);
@@ -201,7 +212,9 @@ class LabelConstruction {
     faults = find_faults(coarse_, find_charts(coarse_, labels, host_));
     if (options_.corners > 0 && faults.corners > options_.corners) return refuse("more corners than the budget");
     if (conflict > 0) return refuse("no signs of arcs make the labels those of a polycube");
-    const auto same = [&](const Candidate& other) { return other.labels == labels; };
+    const auto same = [&](const Candidate& c) {
+      return c.certificate.corners == faults.corners && alike(c.labels, labels);
+    };
     if (std::any_of(candidates_.begin(), candidates_.end(), same)) return;
     SurfaceMap map = unrefined(search_.positions, search_.triangles, labels, host_);
     LabelledMapOptions map_options;
