@@ -9,11 +9,15 @@ export TrustRegion, ProjectedGradient, SphereOptimizer, optimize, least_squares,
 export minimizer, converged, iterations, f_calls, stop_reason, report
 export Run, ask!, tell!, result, multipliers, save, load
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
-export Locator, locate, sample, remesh, fit_harmonics, synthesize, PolycubeMap, polycube, frame_field
+export Locator, locate, sample, remesh, fit_harmonics, synthesize, frame_field
+export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, meet_features
+export energies, polycube_graph, polycube_quads, untangle
 
 include("raw.jl")
 include("call.jl")
 include("solvers.jl")
 include("maps.jl")
+include("polycubes.jl")
+include("volumes.jl")
 
 end

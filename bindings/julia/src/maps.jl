@@ -1,4 +1,4 @@
-# Meshes, maps to the sphere and to polycubes, harmonics, frame fields. Positions are matrices with a column a vertex, cells have a
+# Meshes, maps to the sphere, harmonics, frame fields. Positions are matrices with a column a vertex, cells have a
 # column each and count from 1, as Julia does.
 
 "A surface in arrays: positions (3 by n) and triangles (3 by m), counter-clockwise seen from outside, counted from 1."
@@ -157,40 +157,6 @@ function synthesize(a::AbstractMatrix, directions::AbstractMatrix; host...)
         Raw.obc_harmonics_synthesize(given, degree_of(a), size(a, 1), at, n, lent, values, C_NULL, error)
     end
     values
-end
-
-"A polycube map: positions in space and on the polycube (3 by n), triangles (from 1), and numbers of corners and patches."
-struct PolycubeMap
-    positions::Matrix{Float64}
-    polycube::Matrix{Float64}
-    triangles::Matrix{Int}
-    corners::Int
-    patches::Int
-end
-
-"A polycube of a closed surface; with optimize_domain the one with the best proportions. Options: construction, corners, seed."
-function polycube(surface::Surface; optimize_domain=true, threads=0, progress=nothing, options...)
-    chosen = filled(Raw.obc_polycube_options, Raw.obc_polycube_options_init, values(options), "OBC_POLYCUBE_")
-    out, better = Ref(C_NULL), Ref(C_NULL)
-    try
-        with_surface(surface; threads=threads, progress=progress) do view, lent, error
-            Raw.obc_polycube_compute(view, chosen, lent, out, error)
-        end
-        if optimize_domain
-            hosted(threads=threads, progress=progress) do lent, error
-                Raw.obc_polycube_optimize_domain(out[], C_NULL, lent, C_NULL, better, error)
-            end
-        end
-        map = optimize_domain ? better[] : out[]
-        n = Raw.obc_polycube_vertex_count(map)
-        places, cube = Matrix{Float64}(undef, 3, n), Matrix{Float64}(undef, 3, n)
-        faces = Matrix{UInt32}(undef, 3, Raw.obc_polycube_triangle_count(map))
-        checked(error -> Raw.obc_polycube_copy(map, places, cube, faces, error))
-        PolycubeMap(places, cube, Int.(faces) .+ 1, Raw.obc_polycube_corner_count(map), Raw.obc_polycube_patch_count(map))
-    finally
-        Raw.obc_polycube_destroy(out[])
-        Raw.obc_polycube_destroy(better[])
-    end
 end
 
 """

@@ -136,6 +136,7 @@ function projected_gradient_problem(n; lower=nothing, upper=nothing, A=nothing, 
             end
             push!(start, length(column))
         end
+        b === nothing && throw(ArgumentError("A without b"))
         right = entries(b, size(A, 1))
         append!(kept, Any[start, column, value, right])
         c.m = size(A, 1)
@@ -258,7 +259,8 @@ end
 
 start(x0, ::TrustRegion; residuals=0, problem...) = trust_region_problem(length(x0), residuals; problem...)
 start(x0, ::ProjectedGradient; problem...) = projected_gradient_problem(length(x0); problem...)
-start(x0, ::SphereOptimizer) = nothing
+start(x0::AbstractMatrix, ::SphereOptimizer) = nothing
+start(x0, ::SphereOptimizer) = throw(DimensionMismatch("x0: a column a sphere is needed, not $(size(x0))"))
 
 function opened(handle, set, x, method::M, outputs) where {M}
     run = Run{M,ndims(x)}(handle, set, x, outputs)
@@ -326,7 +328,7 @@ function tell!(run::Run{<:TrustRegion}, outputs)
     expect(length(values), run.outputs, "outputs")
     GC.@preserve run checked(error -> Raw.obc_trust_region_tell(run.handle, values, error))
 end
-function tell!(run::Run, value::Real, gradient::AbstractArray)
+function tell!(run::Run{<:Union{ProjectedGradient,SphereOptimizer}}, value::Real, gradient::AbstractArray)
     slope = doubles(gradient)
     expect(length(slope), length(run.x), "gradient")
     GC.@preserve run checked() do error

@@ -116,6 +116,10 @@ end
     @test_throws ArgumentError optimize(sum, [0.0], TrustRegion(radius=1))
     @test_throws DimensionMismatch optimize(sum, [0.0], TrustRegion(); lower=[1.0, 2])
     @test_throws OrbicubeError tell!(Run([0.0], TrustRegion()), 1.0)
+    @test_throws MethodError tell!(Run([0.0], TrustRegion()), 1.0, [1.0]) # another solver's answer
+    @test_throws DimensionMismatch Run([1.0, 0], SphereOptimizer())
+    @test_throws DimensionMismatch Run(zeros(2, 2, 2), SphereOptimizer())
+    @test_throws ArgumentError Run([0.0, 0], ProjectedGradient(); A=[1 1])
 end
 
 @testset "the shape of Optim" begin
@@ -170,4 +174,79 @@ end
     @test (cube.corners, cube.patches) == (8, 6)
     frames, field = frame_field([0.0 1 0 0; 0 0 1 0; 0 0 0 1], reshape([1, 2, 3, 4], 4, 1))
     @test size(frames) == (4, 1) && sum(abs2, frames) ≈ 1
+end
+
+@testset "polycubes" begin
+    shape = make_surface("cube", 600)
+    map = polycube(shape; optimize_domain=false)
+    @test map.report === nothing && isempty(energies(map))
+    better = optimize_domain(map; measure=:face_mean)
+    @test better.report.energy <= better.report.energy_before && all(diff(energies(better)) .<= 0)
+    @test optimize_corners(map; method=:gradient, rounds=1).corners == 8
+    @test certify_polycube(Surface(map.positions, map.triangles), map.polycube).patches == 6
+    error = try certify_polycube(shape, zeros(3, size(Orbicube.positions(shape), 2))); nothing catch e; e end
+    @test error.status == Orbicube.Raw.OBC_NO_VALID_RESULT
+
+    graph = polycube_graph(map)
+    @test length(graph.corner_vertices) == 8 && size(graph.edge_corners, 2) == 12 && all(graph.edge_convex)
+    @test graph.corner_positions == map.polycube[:, graph.corner_vertices]
+    @test sort(reduce(vcat, reduce(vcat, graph.loops))) == 1:24
+    @test all(length.(graph.neighbours) .== 4)
+    mesh = polycube_quads(map; quads=200)
+    at = [sum(mesh.weights[k, i] * map.polycube[:, map.triangles[k, mesh.triangles[i]]] for k in 1:3) for i in axes(mesh.weights, 2)]
+    @test maximum(maximum(abs, at[i] - mesh.polycube[:, i]) for i in eachindex(at)) < 1e-12
+    @test maximum(mesh.quads) == size(mesh.positions, 2) && sort(unique(mesh.patches)) == 1:6
+
+    # A vertex within a patch to the middle of a triangle beside it.
+    on_corner_planes(v) = count(k -> minimum(abs.(graph.corner_positions[k, :] .- map.polycube[k, v])) < 1e-9, 1:3)
+    vertex = findfirst(v -> on_corner_planes(v) == 1, axes(map.polycube, 2))
+    face = findfirst(t -> vertex in map.triangles[:, t], axes(map.triangles, 2))
+    place = sum(map.polycube[:, v] for v in map.triangles[:, face]) / 3
+    plane = findfirst(k -> minimum(abs.(graph.corner_positions[k, :] .- map.polycube[k, vertex])) < 1e-9, 1:3)
+    place[plane] = map.polycube[plane, vertex]
+    met = meet_features(map; vertices=[vertex], places=reshape(place, 3, 1))
+    @test maximum(abs, met.polycube[:, vertex] - place) < 1e-12 && met.report.distance_before > 1e-3
+    @test_throws OrbicubeError meet_features(map; vertices=[vertex], places=fill(100.0, 3, 1))
+    @test_throws DimensionMismatch meet_features(map; vertices=[vertex])
+    ends = graph.edge_corners[:, 1]
+    along = findall(v -> count(map.polycube[:, v] .== graph.corner_positions[:, ends[1]] .== graph.corner_positions[:, ends[2]]) == 2,
+                    axes(map.polycube, 2))
+    sort!(along, by=v -> sum(abs, map.polycube[:, v] - graph.corner_positions[:, ends[1]]))
+    curve = (along, graph.corner_positions[:, ends[1]], graph.corner_positions[:, ends[2]])
+    @test meet_features(map; curves=[curve]).report.distance < 1e-12
+
+    surface = Surface(map.positions, map.triangles)
+    placed = polycube_on(surface, map; corners=graph.corner_vertices[1:2], vertices=[graph.corner_vertices[1], 0],
+                         points=map.positions[:, graph.corner_vertices[1:2]])
+    @test placed.corners == 8 && polycube_on(shape, map).corners == 8
+    @test_throws OrbicubeError polycube_on(surface, map; corners=[size(map.positions, 2) + 1], points=zeros(3, 1))
+    maps, made_for = common_polycube([shape, shape])
+    @test length(maps) == 2 && made_for in 1:2
+    @test all(m -> m.corners == 8, optimize_domain(maps))
+    @test_throws OrbicubeError common_polycube(Surface[])
+    told = Ref(0)
+    cancelled = try polycube(make_surface("bracket", 3000); progress=(_...) -> (told[] += 1) < 3) catch e; e end
+    @test cancelled.status == Orbicube.Raw.OBC_CANCELLED && told[] == 3
+    map = placed = maps = met = better = nothing
+    GC.gc()
+end
+
+@testset "inverted tetrahedra" begin
+    # Four around a vertex that has left the one that they fill.
+    places = [0.0 1 0 0 2; 0 0 1 0 2; 0 0 0 1 2]
+    cells = [1 1 1 2; 2 3 4 4; 3 4 2 3; 5 5 5 5]
+    fixed = [true, true, true, true, false]
+    moved, report = untangle(places, cells; fixed=fixed)
+    @test report.inverted_before > 0 && report.inverted == 0
+    @test moved[:, 1:4] == places[:, 1:4] && all(moved[:, 5] .> 0) && sum(moved[:, 5]) < 1
+    ties = zeros(Int, 3, 5)
+    ties[:, 5] .= 7
+    tied = untangle(places, cells; fixed=repeat(fixed', 3), ties=ties)[1]
+    @test tied[1, 5] == tied[2, 5] == tied[3, 5]
+    @test_throws OrbicubeError untangle(places, cells; fixed=trues(5))
+    best, report = untangle(places, cells; fixed=trues(5), keep_best=true)
+    @test best == places && report.inverted == report.inverted_before
+    @test_throws DimensionMismatch untangle(places, cells; fixed=trues(3))
+    @test_throws ArgumentError untangle(places, cells .+ 1)
+    @test_throws OrbicubeError untangle(places, cells; steps=-1, keep_best=true)
 end
