@@ -125,7 +125,7 @@ def blended(folder):
         "--cells", 9000, "--corners", 60)
     shapes = []
     for i, name in ((1, "horse"), (2, "cow")):
-        positions, faces = read_quads(quads.replace(".obj", f"-{i}.obj"))
+        positions, faces = raster.read_obj(quads.replace(".obj", f"-{i}.obj"))
         turned = positions @ np.array(UPRIGHT[name], dtype=float).T
         size = np.sqrt(quad_areas(turned, faces).sum())
         shapes.append((turned - turned.mean(axis=0)) / size)
@@ -138,18 +138,6 @@ def blended(folder):
     return ["## Figure 4.10: shapes blended over a common polycube", "",
             "Horse and cow (no goat is at hand), each vertex of the polycube's grid of quads at the weighted mean of its two places.", "",
             write("figure_4_10", panels)]
-
-
-def read_quads(path):
-    positions, quads = [], []
-    with open(path, encoding="ascii") as file:
-        for line in file:
-            words = line.split()
-            if words[0] == "v":
-                positions.append([float(word) for word in words[1:]])
-            elif words[0] == "f":
-                quads.append([int(word) - 1 for word in words[1:]])
-    return np.array(positions), np.array(quads)
 
 
 def quad_areas(positions, quads):

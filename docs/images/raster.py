@@ -9,15 +9,16 @@ FINER = 2   # samples a pixel, each way
 
 
 def read_obj(path):
-    positions, triangles = [], []
+    """Positions, and faces of one number of corners."""
+    positions, faces = [], []
     with open(path, encoding="ascii") as file:
         for line in file:
             words = line.split()
             if words[:1] == ["v"]:
                 positions.append([float(word) for word in words[1:4]])
             elif words[:1] == ["f"]:
-                triangles.append([int(word) - 1 for word in words[1:4]])
-    return np.array(positions), np.array(triangles)
+                faces.append([int(word) - 1 for word in words[1:]])
+    return np.array(positions), np.array(faces)
 
 
 def panel(positions, triangles, color, turn=0.6, tilt=0.25, edges=True):

@@ -14,21 +14,9 @@ import tempfile
 import numpy as np
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from raster import panel, without_margins, write_png  # noqa: E402
+from raster import panel, read_obj, without_margins, write_png  # noqa: E402
 
 COLOR = np.array([0.62, 0.72, 0.85])
-
-
-def read_quads(path):
-    positions, quads = [], []
-    with open(path, encoding="ascii") as file:
-        for line in file:
-            words = line.split()
-            if words[0] == "v":
-                positions.append([float(word) for word in words[1:]])
-            elif words[0] == "f":
-                quads.append([int(word) - 1 for word in words[1:]])
-    return np.array(positions), np.array(quads)
 
 
 def picture(positions, quads):
@@ -51,7 +39,7 @@ def main(command, target):
                            check=True)
         subprocess.run([command, "polycube", *shapes, "-o", os.path.join(folder, "out.obj"), "--quads", quads, "--cells", "3000",
                         "--corners", "60", "--quiet"], check=True)
-        (first, faces), (second, same) = (read_quads(quads.replace(".obj", f"-{i}.obj")) for i in (1, 2))
+        (first, faces), (second, same) = (read_obj(quads.replace(".obj", f"-{i}.obj")) for i in (1, 2))
     assert np.array_equal(faces, same)
     panels = [picture(x, faces) for x in (first, (first + second) / 2, second)]
     write_png(target, without_margins(np.concatenate(panels, axis=1)))
