@@ -1,6 +1,7 @@
 #include "orbicube/harmonics.h"
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <span>
 
@@ -149,6 +150,8 @@ obc_status obc_harmonics_vertex_areas(const double* positions, size_t vertex_cou
     const auto all = harmonics::vertex_areas(vectors(positions, vertex_count, "positions is NULL"),
                                              {reinterpret_cast<const harmonics::Triangle*>(triangles), triangle_count},
                                              adapter.host());
+    for (const double area : all)
+      capi::require(std::isfinite(area), "a position is not finite, or an area beyond the range of double");
     std::copy(all.begin(), all.end(), areas);
   });
 }

@@ -200,10 +200,14 @@ obc_mesh_tetrahedron_quality_report to_report(const mesh::TetrahedronQuality& q)
 }
 
 // Finite points to look for.
+// Squares of distances must be in the range of double.
+constexpr double largest_searched = 1e150;
+
 std::span<const Vector3> queries(const double* points, std::size_t count) {
   const auto result = view<Vector3>(points, count, "points");
   for (const Vector3& p : result)
-    capi::require(p.allFinite(), "a point is not finite");
+    capi::require(p.allFinite() && p.cwiseAbs().maxCoeff() <= largest_searched,
+                  "a point is not finite, or beyond 1e150");
   return result;
 }
 
@@ -474,6 +478,8 @@ obc_status obc_mesh_search_create(const obc_surface* surface, const obc_host* ho
     *out = nullptr;
     const Surface s(surface);
     mesh::require_valid_surface(s.positions, s.triangles, capi::HostAdapter(host).host());
+    for (const Vector3& p : s.positions)
+      capi::require(p.cwiseAbs().maxCoeff() <= largest_searched, "a coordinate is beyond 1e150");
     *out = new obc_mesh_search(host, s.positions, s.triangles);
   });
 }

@@ -55,10 +55,16 @@ SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory
     double length = 0;
     for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
       length = std::hypot(length, value_[k]);
+    // So that neither the row over its length nor squares of what belongs to it leave the range of double.
+    if (length > 0 && !(length >= 1e-150 && length <= 1e150))
+      throw base::Error("invalid-argument",
+                        "row " + std::to_string(i) + " of A is shorter than 1e-150 or longer than 1e150");
     scale_[i] = length > 0 ? 1 / length : 1;
     for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
       value_[k] *= scale_[i];
     rhs_[i] = problem.rhs[i] * scale_[i];
+    if (!std::isfinite(rhs_[i]))
+      throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] over its row is beyond the range of double");
   }
 
   for (const std::uint32_t j : column_)

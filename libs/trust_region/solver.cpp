@@ -95,6 +95,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
     require(std::isfinite(start[i]), "the start must be finite");
     best_[i] = start[i];
     largest = std::max(largest, std::abs(start[i] / (problem.scale.empty() ? 1.0 : problem.scale[i])));
+    require(largest <= 1e150, "the start over its scale is beyond 1e150");
   }
   if (options_.max_evaluations == 0) options_.max_evaluations = 500 * (problem.n + 1);
   if (options_.radius_begin == 0) options_.radius_begin = std::max(0.1 * largest, options_.radius_end);

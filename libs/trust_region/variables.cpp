@@ -40,7 +40,7 @@ Variables::Variables(const Problem& problem, std::pmr::memory_resource* memory)
     require(full_lower_[i] < std::numeric_limits<double>::infinity() &&
                 full_upper_[i] > -std::numeric_limits<double>::infinity(),
             "a lower bound is infinity or an upper bound -infinity");
-    require(full_scale_[i] > 0 && std::isfinite(full_scale_[i]), "a scale must be positive and finite");
+    require(full_scale_[i] >= 1e-150 && full_scale_[i] <= 1e150, "a scale must be from 1e-150 to 1e150");
     if (full_lower_[i] < full_upper_[i]) free_.push_back(static_cast<std::uint32_t>(i));
   }
   lower_.resize(free_.size());
@@ -50,6 +50,9 @@ Variables::Variables(const Problem& problem, std::pmr::memory_resource* memory)
     scale_[k] = full_scale_[free_[k]];
     lower_[k] = full_lower_[free_[k]] / scale_[k];
     upper_[k] = full_upper_[free_[k]] / scale_[k];
+    require(std::isfinite(lower_[k]) == std::isfinite(full_lower_[free_[k]]) &&
+                std::isfinite(upper_[k]) == std::isfinite(full_upper_[free_[k]]),
+            "a bound over its scale is beyond the range of double");
     bounded_ = bounded_ || std::isfinite(lower_[k]) || std::isfinite(upper_[k]);
   }
   if (!bounded_) {

@@ -256,8 +256,8 @@ OBC_API obc_status obc_mesh_intersections(const obc_surface *surface, const obc_
 /* A surface made ready for searching: trees of bounding boxes over its vertices and triangles. */
 typedef struct obc_mesh_search obc_mesh_search;
 
-/* Copies the surface. host may be NULL; its allocator must stay valid until _destroy. Squares of the coordinates must be in
- * the range of double. Errors: invalid argument, out of memory, cancelled. O(n log n), about 200 bytes a triangle. */
+/* Copies the surface. host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument (also: a coordinate
+ * beyond 1e150, here and in points), out of memory, cancelled. O(n log n), about 200 bytes a triangle. */
 OBC_API obc_status obc_mesh_search_create(const obc_surface *surface, const obc_host *host, obc_mesh_search **out,
                                           obc_error *error);
 

@@ -82,7 +82,7 @@ typedef struct obc_trust_region_problem {
   size_t residuals;    /* m, or 0: a scalar f */
   const double *lower; /* n entries, or NULL: none; infinities allowed; equal bounds fix an unknown */
   const double *upper;
-  const double *scale; /* n typical magnitudes of the unknowns, or NULL: 1. Radii are lengths of (x - y) / scale */
+  const double *scale; /* n typical magnitudes of the unknowns, 1e-150 to 1e150, or NULL: 1. Radii are lengths of (x - y) / scale */
   const double *sign;  /* m entries, 1 or -1, or NULL: 1. With a -1, f may have no minimum: give bounds or a target */
 } obc_trust_region_problem;
 
@@ -123,7 +123,7 @@ OBC_API obc_status obc_trust_region_problem_init(obc_trust_region_problem *probl
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_trust_region_options_init(obc_trust_region_options *options, size_t struct_size);
 
-/* Makes a solver that starts at x0 (n entries), moved into the bounds. options and host may be NULL; what the host points at
+/* Makes a solver that starts at x0 (n entries, x0 / scale within 1e150), moved into the bounds. options and host may be NULL; what the host points at
  * must stay valid until _destroy. Errors: invalid argument, out of memory. */
 OBC_API obc_status obc_trust_region_create(const obc_trust_region_problem *problem,
                                            const obc_trust_region_options *options, const double *x0,

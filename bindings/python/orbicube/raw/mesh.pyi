@@ -266,8 +266,8 @@ def obc_mesh_intersections(surface: Pointer, host: Pointer, pairs: Pointer, capa
     ...
 
 def obc_mesh_search_create(surface: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Copies the surface. host may be NULL; its allocator must stay valid until _destroy. Squares of the coordinates must be in
-    the range of double. Errors: invalid argument, out of memory, cancelled. O(n log n), about 200 bytes a triangle."""
+    """Copies the surface. host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument (also: a coordinate
+    beyond 1e150, here and in points), out of memory, cancelled. O(n log n), about 200 bytes a triangle."""
     ...
 
 def obc_mesh_search_destroy(search: Pointer) -> None:

@@ -76,7 +76,7 @@ def obc_trust_region_options_init(options: Pointer, struct_size: int) -> int:
     ...
 
 def obc_trust_region_create(problem: Pointer, options: Pointer, x0: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Makes a solver that starts at x0 (n entries), moved into the bounds. options and host may be NULL; what the host points at
+    """Makes a solver that starts at x0 (n entries, x0 / scale within 1e150), moved into the bounds. options and host may be NULL; what the host points at
     must stay valid until _destroy. Errors: invalid argument, out of memory."""
     ...
 

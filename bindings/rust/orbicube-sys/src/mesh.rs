@@ -289,8 +289,8 @@ extern "C" {
     /// without area are left out. Works on the host's threads. Errors: invalid argument, out of memory, cancelled. O(n log n +
     /// pairs whose boxes overlap).
     pub fn obc_mesh_intersections(surface: *const obc_surface, host: *const obc_host, pairs: *mut u32, capacity: usize, count: *mut usize, error: *mut obc_error) -> i32;
-    /// Copies the surface. host may be NULL; its allocator must stay valid until \_destroy. Squares of the coordinates must be in
-    /// the range of double. Errors: invalid argument, out of memory, cancelled. O(n log n), about 200 bytes a triangle.
+    /// Copies the surface. host may be NULL; its allocator must stay valid until \_destroy. Errors: invalid argument (also: a coordinate
+    /// beyond 1e150, here and in points), out of memory, cancelled. O(n log n), about 200 bytes a triangle.
     pub fn obc_mesh_search_create(surface: *const obc_surface, host: *const obc_host, out: *mut *mut obc_mesh_search, error: *mut obc_error) -> i32;
     /// Releases a search; NULL is fine.
     pub fn obc_mesh_search_destroy(search: *mut obc_mesh_search);

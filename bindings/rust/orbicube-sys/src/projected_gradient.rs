@@ -70,7 +70,7 @@ pub struct obc_projected_gradient_problem {
     /// n entries, or NULL: none; infinities allowed
     pub lower: *const f64,
     pub upper: *const f64,
-    /// m + 1 offsets into column and value: A by rows
+    /// m + 1 offsets into column and value: A by rows, each zero or of length 1e-150 to 1e150
     pub row_start: *const usize,
     /// entries of the same column in a row are summed
     pub column: *const u32,

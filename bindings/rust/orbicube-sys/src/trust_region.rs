@@ -64,7 +64,7 @@ pub struct obc_trust_region_problem {
     /// n entries, or NULL: none; infinities allowed; equal bounds fix an unknown
     pub lower: *const f64,
     pub upper: *const f64,
-    /// n typical magnitudes of the unknowns, or NULL: 1. Radii are lengths of (x - y) / scale
+    /// n typical magnitudes of the unknowns, 1e-150 to 1e150, or NULL: 1. Radii are lengths of (x - y) / scale
     pub scale: *const f64,
     /// m entries, 1 or -1, or NULL: 1. With a -1, f may have no minimum: give bounds or a target
     pub sign: *const f64,
@@ -125,7 +125,7 @@ extern "C" {
     pub fn obc_trust_region_problem_init(problem: *mut obc_trust_region_problem, struct_size: usize) -> i32;
     /// The defaults, which the members' comments give.
     pub fn obc_trust_region_options_init(options: *mut obc_trust_region_options, struct_size: usize) -> i32;
-    /// Makes a solver that starts at x0 (n entries), moved into the bounds. options and host may be NULL; what the host points at
+    /// Makes a solver that starts at x0 (n entries, x0 / scale within 1e150), moved into the bounds. options and host may be NULL; what the host points at
     /// must stay valid until \_destroy. Errors: invalid argument, out of memory.
     pub fn obc_trust_region_create(problem: *const obc_trust_region_problem, options: *const obc_trust_region_options, x0: *const f64, host: *const obc_host, out: *mut *mut obc_trust_region, error: *mut obc_error) -> i32;
     /// Gives evaluations made before, \`count\` points (count x n, row by row, within the bounds) with their outputs (count, or
