@@ -26,10 +26,10 @@ void run_hex(const HexVerb& verb, Session& session) {
   require_cells_writable(verb.output);
   session.options() = {{"output", verb.output}, {"cells", verb.cells}, {"padding", verb.padding}, {"text", verb.text}};
   session.options().update(json_of(verb.solid));
-  const PolycubeSolidInput input = read_polycube_solid(verb.solid, session);
+  const PolycubeSolidInput input = read_polycube_solid(verb.solid, Inside::nothing, session);
   const double start = session.seconds();
   volume_map::HexResult result = about(verb.output, Role::output, [&] {
-    return volume_map::make_hexahedra(input.view(), {.cells = verb.cells, .padding = paddings.at(verb.padding)},
+    return volume_map::make_hexahedra(input.boundary(), {.cells = verb.cells, .padding = paddings.at(verb.padding)},
                                       session.host());
   });
   const volume_map::HexQuality quality = result.quality;
@@ -42,9 +42,6 @@ void run_hex(const HexVerb& verb, Session& session) {
                                 {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
                                 {"volume", quality.volume},
                                 {"off_surface", result.off_surface},
-                                {"tetrahedra", result.tetrahedra},
-                                {"inverted_at_start", result.inverted_at_start},
-                                {"steps", result.steps},
                                 {"seconds_compute", session.seconds() - start}});
   mesh::Mesh cells(session.host().memory);
   cells.positions = std::move(result.mesh.positions);

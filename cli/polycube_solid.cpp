@@ -8,13 +8,12 @@
 
 #include "any_genus_surface.h"
 #include "checked_file.h"
-#include "mesh/cells.h"
 #include "mesh/file.h"
 #include "mesh/measures.h"
-#include "mesh/topology.h"
 #include "mesh/write.h"
 #include "surface_file.h"
 #include "volume_map/coarse_surface.h"
+#include "volume_map/solid_boundary.h"
 #ifdef ORBICUBE_WITH_TETRAHEDRA
 #include "tetrahedra/tetrahedra.h"
 #endif
@@ -22,36 +21,26 @@
 namespace orbicube::cli {
 namespace {
 
-// The tetrahedra of a file, with the vertices of their boundary first.
-void take_tetrahedra(mesh::Mesh& solid, PolycubeSolidInput& result, Session& session) {
-  const base::Host& host = session.host();
+void take_tetrahedra(const mesh::Mesh& solid, PolycubeSolidInput& result, Session& session) {
   if (!solid.hexahedra.empty()) throw base::Error("unsupported", "a mesh of hexahedra already");
-  mesh::require_valid_cells(solid, host);
-  result.surface = mesh::boundary_triangles(solid, host);
-  base::Array<mesh::Index> number(solid.positions.size(), mesh::no_index, host.memory);
-  const auto take = [&](mesh::Index& v) {
-    if (number[v] == mesh::no_index) {
-      number[v] = static_cast<mesh::Index>(result.positions.size());
-      result.positions.push_back(solid.positions[v]);
-    }
-    v = number[v];
-  };
-  for (mesh::Triangle& t : result.surface) {
-    for (mesh::Index& v : t)
-      take(v);
-  }
-  const std::size_t outer = result.positions.size();
-  result.tetrahedra = solid.tetrahedra;
-  for (mesh::Tetrahedron& t : result.tetrahedra) {
-    for (mesh::Index& v : t)
-      take(v);
-  }
-  const mesh::Topology topology = mesh::topology(std::span(result.positions).first(outer), result.surface, host);
-  mesh::require_closed_manifold(topology);
-  if (topology.components != 1) {
-    throw base::Error("not-connected", "the boundary has " + std::to_string(topology.components) +
-                                           " components: pieces or cavities, which have no common polycube");
-  }
+  volume_map::BoundaryFirst first = volume_map::boundary_first(solid, session.host());
+  result.positions = std::move(first.positions);
+  result.tetrahedra = std::move(first.tetrahedra);
+  result.surface = std::move(first.surface);
+}
+
+// So many triangles of a surface are mapped.
+std::size_t target_of(const PolycubeSolidOptions& options, const mesh::Mesh& surface) {
+  return surface.triangles.size() > 2 * options.triangles ? options.triangles : surface.triangles.size();
+}
+
+void take_surface(const PolycubeSolidOptions& options, mesh::Mesh&& surface, PolycubeSolidInput& result,
+                  Session& session) {
+  volume_map::CoarseSurface coarse =
+      volume_map::coarse_surface(surface.positions, surface.triangles, target_of(options, surface), session.host());
+  result.positions = std::move(coarse.positions);
+  result.surface = std::move(coarse.triangles);
+  if (result.surface.size() < surface.triangles.size()) result.fine = std::move(surface);
 }
 
 #ifdef ORBICUBE_WITH_TETRAHEDRA
@@ -69,8 +58,7 @@ double largest_volume(const volume_map::CoarseSurface& surface, const base::Host
 // Fills the surface, or a coarser one of about so many triangles; a finer one where that meets itself.
 void fill(const PolycubeSolidOptions& options, mesh::Mesh&& surface, PolycubeSolidInput& result, Session& session) {
   const base::Host& host = session.host();
-  std::size_t target = options.triangles;
-  if (surface.triangles.size() <= 2 * target) target = surface.triangles.size();
+  std::size_t target = target_of(options, surface);
   while (true) {
     volume_map::CoarseSurface coarse = volume_map::coarse_surface(surface.positions, surface.triangles, target, host);
     try {
@@ -110,7 +98,7 @@ Json json_of(const PolycubeSolidOptions& options) {
   return {{"corners", options.corners}, {"triangles", options.triangles}, {"weld", options.weld}};
 }
 
-PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Session& session) {
+PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Inside inside, Session& session) {
   const base::Host& host = session.host();
   const auto format = mesh::format_of_path(options.input);
   const double start = session.seconds();
@@ -123,7 +111,11 @@ PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Sess
     cells = !input.mesh.tetrahedra.empty() || !input.mesh.hexahedra.empty();
     if (cells) about(options.input, Role::input, [&] { take_tetrahedra(input.mesh, result, session); });
   }
-  if (!cells) {
+  if (!cells && inside == Inside::nothing) {
+    AnyGenusSurface surface = read_any_genus_surface(options.input, options.weld, session);
+    session.figures()["input"] = surface.figures;
+    about(options.input, Role::input, [&] { take_surface(options, std::move(surface.mesh), result, session); });
+  } else if (!cells) {
 #ifdef ORBICUBE_WITH_TETRAHEDRA
     AnyGenusSurface surface = read_any_genus_surface(options.input, options.weld, session);
     session.figures()["input"] = surface.figures;

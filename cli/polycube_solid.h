@@ -8,6 +8,7 @@
 #include "polycube/construction.h"
 #include "session.h"
 #include "volume_map/hex_meshing.h"
+#include "volume_map/volume_map.h"
 
 namespace orbicube::cli {
 
@@ -28,14 +29,16 @@ struct PolycubeSolidInput {
   polycube::Construction made;
   mesh::Mesh fine;  // the surface of the file, where `surface` is coarser
 
-  volume_map::PolycubeSolid view() const {
-    return {positions, tetrahedra, surface, made.map, fine.positions, fine.triangles};
-  }
+  volume_map::PolycubeSolid solid() const { return {positions, tetrahedra, surface, made.map}; }
+  volume_map::PolycubeSurface boundary() const { return {made.map, fine.positions, fine.triangles}; }
 };
 
-// Of a surface, which is filled with tetrahedra (in builds with TetGen), or of a solid of tetrahedra, which keeps them.
-// Surfaces of more than twice as many triangles as the options say are made coarser first. Figures go to the session.
-PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Session& session);
+enum class Inside { tetrahedra, nothing };
+
+// Of a surface, which is filled with tetrahedra where these are wanted (in builds with TetGen), or of a solid of
+// tetrahedra, which keeps them. Surfaces of more than twice as many triangles as the options say are made coarser
+// first. Figures go to the session.
+PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Inside inside, Session& session);
 
 // Written beside its place, read again and compared: what was certified is what the file holds.
 void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, const base::Host& host);

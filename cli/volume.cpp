@@ -21,10 +21,10 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   if (!verb.source.empty()) require_cells_writable(verb.source);
   session.options() = {{"output", verb.output}, {"source", verb.source}, {"text", verb.text}};
   session.options().update(json_of(verb.solid));
-  const PolycubeSolidInput input = read_polycube_solid(verb.solid, session);
+  const PolycubeSolidInput input = read_polycube_solid(verb.solid, Inside::tetrahedra, session);
   const double start = session.seconds();
   volume_map::VolumeMap map =
-      about(verb.output, Role::output, [&] { return volume_map::map_to_polycube(input.view(), session.host()); });
+      about(verb.output, Role::output, [&] { return volume_map::map_to_polycube(input.solid(), session.host()); });
   session.figures().update(Json{{"output", verb.output},
                                 {"source", verb.source},
                                 {"vertices", map.source.size()},

@@ -11,9 +11,11 @@
 // the identity and two vectors: products with it need no matrix.
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "base/team.h"
+#include "volume_map/block_system.h"
 #include "volume_map/elements.h"
 
 namespace orbicube::volume_map {
@@ -51,7 +53,7 @@ struct EnergyValue {
 
 class FoldoverEnergy {
  public:
-  // Keeps views of elements and variables. 370 bytes an element. `lambda` is how much changes of volume count.
+  // Keeps views of elements and variables. About 600 bytes an element. `lambda` is how much changes of volume count.
   FoldoverEnergy(std::span<const Element> elements, const Variables& variables, double lambda, const base::Host& host);
 
   // Added to the energy from now on: one for each vertex, or none. Keeps a view.
@@ -62,6 +64,9 @@ class FoldoverEnergy {
 
   // Sets where the Hessian is taken; the gradient goes to `gradient`, an entry a free variable.
   void linearise(std::span<const double> values, double eps, std::span<double> gradient);
+  // Where the Hessian's part times `direction` is -gradient, by conjugate gradients: at most so many steps, or until
+  // the preconditioned residual is `tolerance` of what it was.
+  void solve(std::span<const double> gradient, int most_steps, double tolerance, std::span<double> direction);
   // The product of the Hessian's part with `direction`, both with an entry a free variable.
   void multiply(std::span<const double> direction, std::span<double> product);
   // `direction` times the inverse of its blocks, of each vertex's own coordinates and of each shared variable.
@@ -81,6 +86,10 @@ class FoldoverEnergy {
   template <class Own>
   void gather(std::span<double> sums, const Own& own);
   void set_blocks();
+  void set_system();
+  void solve_by_products(std::span<const double> gradient, int most_steps, double tolerance,
+                         std::span<double> direction);
+  double dot(std::span<const double> a, std::span<const double> b);
 
   std::span<const Element> elements_;
   std::span<const Pull> pulls_;
@@ -97,6 +106,9 @@ class FoldoverEnergy {
   Array<double> inverse_shared_;            // of each free variable that is not one vertex's own
   Array<double> padded_;                    // a direction, with 0 for what stays
   Array<EnergyValue> partial_;
+  // The matrix, where no variable is shared by vertices; otherwise products do without one.
+  std::optional<BlockSystem> system_;
+  Array<double> residual_, preconditioned_, search_, product_, partial_dot_;  // of free variables
 };
 
 }  // namespace orbicube::volume_map

@@ -6,7 +6,10 @@
 namespace orbicube::volume_map {
 
 HexBoundary::HexBoundary(const HexMesh& mesh, const SurfaceTarget& target, const base::Host& host)
-    : target_(target), places_(mesh.positions.size(), Place(), host.memory), vertices_(host.memory) {
+    : target_(target),
+      lifts_(mesh.positions.size(), 0, host.memory),
+      places_(mesh.positions.size(), Place(), host.memory),
+      vertices_(host.memory) {
   // Faces at vertices, sorted by vertex.
   Array<std::array<Index, 2>> around(host.memory);
   for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
@@ -43,17 +46,58 @@ HexBoundary::HexBoundary(const HexMesh& mesh, const SurfaceTarget& target, const
   }
 }
 
+void HexBoundary::lift(std::span<const Vector3> positions, std::span<const Quad> quads,
+                       std::span<const Index> quad_patches, const base::Host& host) {
+  constexpr double most = 0.15;   // lifts beyond are not curvature
+  constexpr double nearby = 0.6;  // what is farther away is another part of the surface
+  constexpr double part = 0.5;
+  constexpr std::size_t piece = 64;
+  // The four points of Gauss on each quad.
+  constexpr double low = 0.2113248654051871, high = 1 - low;
+  Array<double> gap(quads.size(), 0, host.memory);
+  host.parallel_for((quads.size() + piece - 1) / piece, [&](std::size_t p) {
+    for (std::size_t i = p * piece; i < std::min(quads.size(), (p + 1) * piece); ++i) {
+      const Quad& q = quads[i];
+      for (const auto& [u, v] : {std::array{low, low}, {high, low}, {low, high}, {high, high}}) {
+        const Vector3 x = (1 - v) * ((1 - u) * positions[q[0]] + u * positions[q[1]]) +
+                          v * ((1 - u) * positions[q[3]] + u * positions[q[2]]);
+        const TargetPoint at = target_.has_sharp_edges() ? target_.nearest_on(quad_patches[i], x) : target_.nearest(x);
+        const Vector3 to = at.position - x;
+        if (to.norm() < nearby) gap[i] += 0.25 * to.dot(at.normal);
+      }
+    }
+  });
+  host.report("lift", 0, 0);
+  Array<double> sum(lifts_.size(), 0, host.memory);
+  Array<Index> count(lifts_.size(), 0, host.memory);
+  for (std::size_t i = 0; i < quads.size(); ++i) {
+    for (const Index v : quads[i]) {
+      sum[v] += gap[i];
+      ++count[v];
+    }
+  }
+  for (const Index v : vertices_) {
+    const Kind k = places_[v].kind;
+    if (count[v] == 0 || (k != Kind::surface && k != Kind::patch)) continue;
+    lifts_[v] = std::clamp(lifts_[v] + part * sum[v] / count[v], -most, most);
+  }
+}
+
 TargetPoint HexBoundary::project(Index vertex, const Vector3& p) const {
   const Place& place = places_[vertex];
+  const auto lifted = [&](TargetPoint at) {
+    at.position += lifts_[vertex] * at.normal;
+    return at;
+  };
   switch (place.kind) {
     case Kind::patch:
-      return target_.nearest_on(place.first, p);
+      return lifted(target_.nearest_on(place.first, p));
     case Kind::line:
       return target_.nearest_on_line(place.first, place.second, p);
     case Kind::point:
       return {place.point, Vector3::Zero()};
     default:
-      return target_.nearest(p);
+      return lifted(target_.nearest(p));
   }
 }
 

@@ -1,5 +1,6 @@
 // Where the vertices on the boundary of a mesh of hexahedra may go: on the surface, in one face of the polycube, along
-// a sharp edge, or nowhere.
+// a sharp edge, or nowhere. Where the surface is curved, flat quads between vertices on it would all be on one side;
+// vertices are lifted off it by so much that half of what lies between is outside.
 #pragma once
 
 #include "volume_map/foldover_energy.h"
@@ -17,6 +18,10 @@ class HexBoundary {
 
   Kind kind(Index vertex) const { return places_[vertex].kind; }
   std::span<const Index> vertices() const { return vertices_; }  // of the boundary
+  // Changes lifts by half of what is between the quads around a vertex and the surface, on average: after some rounds
+  // the mesh encloses the volume that the surface does.
+  void lift(std::span<const Vector3> positions, std::span<const Quad> quads, std::span<const Index> quad_patches,
+            const base::Host& host);
   // The nearest place that a vertex of the boundary may have, with the normal there, or the direction of its line.
   TargetPoint project(Index vertex, const Vector3& p) const;
   // Adds what pulls the vertex to where it may be: to the tangent plane, to the line, or to its point.
@@ -30,6 +35,7 @@ class HexBoundary {
   };
 
   const SurfaceTarget& target_;
+  Array<double> lifts_;  // of each vertex, outward, in cells
   Array<Place> places_;
   Array<Index> vertices_;
 };

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "polycube/inverse_map.h"
+#include "volume_map/harmonic_start.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -32,58 +33,27 @@ class Corners {
   std::array<int, 3> size_{};
 };
 
-// Where each corner of the grid is in space, by the tetrahedron in which it lies deepest.
-Array<Vector3> inverse_at_corners(const Corners& corners, const SolidMap& solid, const base::Host& host) {
-  Array<Vector3> places(corners.count(), Vector3::Zero(), host.memory);
-  Array<double> depth(corners.count(), -std::numeric_limits<double>::infinity(), host.memory);
-  for (std::size_t i = 0; i < solid.tetrahedra.size(); ++i) {
-    if (i % 1024 == 0) host.report("grid", i, solid.tetrahedra.size());
-    const Tetrahedron& t = solid.tetrahedra[i];
-    Vector3 low = solid.image[t[0]], high = low;
-    Eigen::Matrix3d edges;
-    for (std::size_t k = 1; k < 4; ++k) {
-      low = low.cwiseMin(solid.image[t[k]]);
-      high = high.cwiseMax(solid.image[t[k]]);
-      edges.col(static_cast<Eigen::Index>(k) - 1) = solid.image[t[k]] - solid.image[t[0]];
-    }
-    Cell first{}, last{}, c{};
-    bool any = true;
-    for (std::size_t a = 0; a < 3; ++a) {
-      constexpr double margin = 1e-6;
-      const auto e = static_cast<Eigen::Index>(a);
-      first[a] = std::max(0, static_cast<int>(std::ceil(low[e] - margin)));
-      last[a] = std::min(corners.size(a) - 1, static_cast<int>(std::floor(high[e] + margin)));
-      any = any && first[a] <= last[a];
-    }
-    if (!any) continue;
-    const Eigen::Matrix3d inverse = edges.inverse();
-    for (c[0] = first[0]; c[0] <= last[0]; ++c[0]) {
-      for (c[1] = first[1]; c[1] <= last[1]; ++c[1]) {
-        for (c[2] = first[2]; c[2] <= last[2]; ++c[2]) {
-          const Vector3 w = inverse * (Vector3(c[0], c[1], c[2]) - solid.image[t[0]]);
-          const Eigen::Vector4d weights(1 - w.sum(), w[0], w[1], w[2]);
-          const double least = weights.minCoeff();
-          double& best = depth[corners(c)];
-          if (!(least > best)) continue;
-          best = least;
-          Vector3& place = places[corners(c)];
-          place.setZero();
-          for (std::size_t k = 0; k < 4; ++k)
-            place += weights[static_cast<Eigen::Index>(k)] * solid.source[t[k]];
-        }
-      }
+// Vertices inside at the mean of their neighbours, by conjugate gradients on the corners of the hexahedra.
+void place_inner(HexMesh& mesh, std::span<const std::uint8_t> outer, const base::Host& host) {
+  Array<Element> elements(8 * mesh.hexahedra.size(), host.memory);
+  for (std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
+    for (std::size_t k = 0; k < 8; ++k) {
+      const Hexahedron& h = mesh.hexahedra[i];
+      const auto& n = corner_neighbours[k];
+      Element& e = elements[8 * i + k];
+      e.corner = {h[k], h[n[0]], h[n[1]], h[n[2]]};
+      e.gradient = {-Vector3::Ones(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+      e.weight = 1;
     }
   }
-  return places;
+  make_harmonic(elements, outer, mesh.positions, host);
 }
 
 }  // namespace
 
-HexMesh sample_hexahedra(const IntegerDomain& domain, const SolidMap& solid, const polycube::SurfaceMap& surface,
-                         const base::Host& host) {
+HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap& surface, const base::Host& host) {
   HexMesh mesh(host.memory);
   const Corners corners(domain);
-  const Array<Vector3> places = inverse_at_corners(corners, solid, host);
   Array<Index> vertex(corners.count(), no_index, host.memory);
   Array<Cell> corner_of_vertex(host.memory);
   constexpr std::array<std::array<int, 3>, 8> offsets = {
@@ -103,7 +73,7 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const SolidMap& solid, con
           Index& v = vertex[corners(corner)];
           if (v == no_index) {
             v = static_cast<Index>(mesh.positions.size());
-            mesh.positions.push_back(places[corners(corner)]);
+            mesh.positions.push_back(Vector3(corner[0], corner[1], corner[2]));
             corner_of_vertex.push_back(corner);
           }
           h[k] = v;
@@ -127,8 +97,8 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const SolidMap& solid, con
   // The boundary by the map of the surface: vertices, then centers of faces.
   polycube::SurfaceMap image(host.memory);
   image.positions = surface.positions;
-  image.polycube.assign(solid.image.begin(),
-                        solid.image.begin() + static_cast<std::ptrdiff_t>(surface.positions.size()));
+  for (const Vector3& p : surface.polycube)
+    image.polycube.push_back(domain.place(p));
   image.triangles = surface.triangles;
   image.labels = surface.labels;
   Array<std::uint8_t> outer(mesh.positions.size(), 0, host.memory);
@@ -147,8 +117,15 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const SolidMap& solid, con
   const polycube::LocatedPoints located = polycube::locate(image, points, host);
   if (std::find(located.triangles.begin(), located.triangles.end(), no_index) != located.triangles.end())
     throw base::Error("no-valid-result", "a cell of the grid lies on no triangle of the boundary");
-  for (std::size_t i = 0; i < boundary.size(); ++i)
+  Vector3 center = Vector3::Zero();
+  for (std::size_t i = 0; i < boundary.size(); ++i) {
     mesh.positions[boundary[i]] = polycube::interpolate(image, located.triangles[i], located.weights[i]);
+    center += mesh.positions[boundary[i]] / static_cast<double>(boundary.size());
+  }
+  for (Index v = 0; v < outer.size(); ++v) {
+    if (outer[v] == 0) mesh.positions[v] = center;
+  }
+  place_inner(mesh, outer, host);
   mesh.quad_patches.resize(mesh.quads.size());
   for (std::size_t i = 0; i < mesh.quads.size(); ++i)
     mesh.quad_patches[i] = surface.charts[located.triangles[boundary.size() + i]];

@@ -1,5 +1,5 @@
-// Hexahedral meshes of solids through their polycubes: the solid is mapped to a polycube with integer planes, the grid
-// there is taken back, padded, and made better; what is answered is certified.
+// Hexahedral meshes of solids through the polycubes of their surfaces: the grid of a polycube with integer planes is
+// taken back by the map of the surface, filled, padded, and made better; what is answered is certified.
 #pragma once
 
 #include <string>
@@ -9,13 +9,10 @@
 
 namespace orbicube::volume_map {
 
-// A solid of tetrahedra with a polycube map of its surface.
-struct PolycubeSolid {
-  std::span<const Vector3> positions;  // those of the surface that the map was made of come first
-  std::span<const Tetrahedron> tetrahedra;
-  std::span<const mesh::Triangle> surface;  // that surface: the boundary of the tetrahedra, looking outward
-  const polycube::SurfaceMap& map;          // certified
-  // The surface that is to be followed, where the one above is a coarse version of it; may be empty.
+// A polycube map of a surface.
+struct PolycubeSurface {
+  const polycube::SurfaceMap& map;  // certified
+  // The surface that is to be followed, where the map is of a coarse version of it; may be empty.
   std::span<const Vector3> fine_positions = {};
   std::span<const mesh::Triangle> fine_triangles = {};
 };
@@ -34,25 +31,12 @@ struct HexResult {
   HexMesh mesh;
   HexQuality quality;
   bool padded = false;
-  std::size_t tetrahedra = 0, inverted_at_start = 0, steps = 0;  // of the map of the solid
   std::size_t off_surface = 0;  // vertices of the boundary that could not be put onto the surface
 };
 
 // Every hexahedron of the result has positive corners by exact signs and a trilinear map that is certainly positive;
 // the mesh is conforming, with the components and the genus of the surface. The same for any number of threads. Throws
 // Error "no-valid-result" with what failed and where, "invalid-argument", "cancelled".
-HexResult make_hexahedra(const PolycubeSolid& solid, const HexOptions& options, const base::Host& host);
-
-// The same tetrahedra in space, cut where the map cuts the surface, and on the polycube, with its own planes.
-struct VolumeMap {
-  explicit VolumeMap(std::pmr::memory_resource* memory) : source(memory), image(memory), tetrahedra(memory) {}
-
-  Array<Vector3> source, image;
-  Array<Tetrahedron> tetrahedra;
-  std::size_t inverted_at_start = 0, steps = 0;
-};
-
-// One to one, by exact signs and the certificate of the boundary. Throws the same.
-VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host);
+HexResult make_hexahedra(const PolycubeSurface& surface, const HexOptions& options, const base::Host& host);
 
 }  // namespace orbicube::volume_map

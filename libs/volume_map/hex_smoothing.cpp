@@ -19,7 +19,7 @@ constexpr double padding_length = 0.6;  // across the layer at the boundary
 
 class Smoothing {
  public:
-  Smoothing(HexMesh& mesh, const HexBoundary& boundary, const SurfaceTarget& target, const HexSmoothingOptions& options,
+  Smoothing(HexMesh& mesh, HexBoundary& boundary, const SurfaceTarget& target, const HexSmoothingOptions& options,
             const base::Host& host)
       : mesh_(mesh),
         boundary_(boundary),
@@ -67,6 +67,7 @@ class Smoothing {
       const double progress = std::min(1.0, round / (0.5 * options_.rounds));
       set_shapes(std::min(1.0, round / 6.0));
       if (round >= 4) set_weights();
+      if (round >= 4 && round % 2 == 0) boundary_.lift(mesh_.positions, mesh_.quads, mesh_.quad_patches, host_);
       set_pulls(20 * std::pow(50.0, progress));
       if (round % 2 == 0) find_uncovered();
       add_uncovered();
@@ -83,18 +84,21 @@ class Smoothing {
 
  private:
   bool untangle(FoldoverEnergy& energy, Newton& newton) {
+    // Of eps, a step. The start is near to a mesh without inverted corners, so that more than 0.1 is safe.
+    constexpr double least_fall = 0.5;
     double eps = 0;
     for (int k = 0; k < options_.untangling_steps; ++k) {
-      host_.report("untangle", static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(options_.untangling_steps));
       variables_.expand(newton.values(), mesh_.positions);
       set_pulls(20);
       EnergyValue now = energy.value(newton.values(), 1);
+      host_.report("untangle", static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(options_.untangling_steps),
+                   static_cast<double>(now.inverted));
       if (now.inverted == 0) return true;
       if (k == 0) eps = std::clamp(std::hypot(1e-3, 0.2 * now.least_determinant), 1e-3, 1.0);
       now = energy.value(newton.values(), eps);
       const double before = now.energy;
       newton.step(eps, {.products = 80}, now);
-      const double sigma = std::max(0.1, 1 - now.energy / before);
+      const double sigma = std::max(least_fall, 1 - now.energy / before);
       const double least = now.least_determinant, m = std::hypot(least, eps);
       eps = std::max(eps * (least < 0 ? 1 - sigma * m / (std::abs(least) + m) : 1 - sigma), 1e-9);
     }
@@ -177,7 +181,7 @@ class Smoothing {
   }
 
   void add_uncovered() {
-    constexpr double near = 0.1, weight = 20;
+    constexpr double near = 0.1, weight = 20, most = 4;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Uncovered& u = uncovered_[i];
       if (u.distance < near) continue;
@@ -187,7 +191,7 @@ class Smoothing {
         if (w < 1e-3) continue;
         const Index v = u.vertices[k];
         const double move = std::min(1.0, u.distance) * w / u.weights.squaredNorm();
-        pulls_[v].to_plane(n, mesh_.positions[v] + move * n, weight * w);
+        pulls_[v].to_plane(n, mesh_.positions[v] + move * n, weight * w * std::min(most, u.distance / near));
       }
     }
   }
@@ -199,7 +203,7 @@ class Smoothing {
   };
 
   HexMesh& mesh_;
-  const HexBoundary& boundary_;
+  HexBoundary& boundary_;
   const HexSmoothingOptions& options_;
   const base::Host& host_;
   Array<Vector3> anchor_;
@@ -212,7 +216,7 @@ class Smoothing {
 
 }  // namespace
 
-bool smooth_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const SurfaceTarget& target,
+bool smooth_hexahedra(HexMesh& mesh, HexBoundary& boundary, const SurfaceTarget& target,
                       const HexSmoothingOptions& options, const base::Host& host) {
   return Smoothing(mesh, boundary, target, options, host).run();
 }

@@ -14,7 +14,7 @@ struct HexSmoothingOptions {
 
 // Lengths of cells are about 1. Answers whether all corners are positive, in floating point. Vertices end near the
 // surface, not on it (hex_search.h). The same for any number of threads. Throws Error "cancelled".
-bool smooth_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const SurfaceTarget& target,
+bool smooth_hexahedra(HexMesh& mesh, HexBoundary& boundary, const SurfaceTarget& target,
                       const HexSmoothingOptions& options, const base::Host& host);
 
 }  // namespace orbicube::volume_map

@@ -4,22 +4,13 @@
 #include <cmath>
 
 namespace orbicube::volume_map {
-namespace {
-constexpr std::size_t piece = 4096;
-}
-
 Newton::Newton(FoldoverEnergy& energy, std::span<const double> start, const base::Host& host)
     : energy_(energy),
       host_(host),
       values_(start.begin(), start.end(), host.memory),
       trial_(values_, host.memory),
       gradient_(energy.variables().free(), 0, host.memory),
-      direction_(gradient_, host.memory),
-      residual_(gradient_, host.memory),
-      preconditioned_(gradient_, host.memory),
-      search_(gradient_, host.memory),
-      product_(gradient_, host.memory),
-      partial_((gradient_.size() + piece - 1) / piece, 0, host.memory) {
+      direction_(gradient_, host.memory) {
   // Whether there are inverted elements does not depend on eps.
   now_ = energy_.value(values_, 1);
 }
@@ -30,55 +21,15 @@ void Newton::restart(std::span<const double> values) {
   now_ = energy_.value(values_, 1);
 }
 
-double Newton::dot(std::span<const double> a, std::span<const double> b) {
-  energy_.team().run_pieces(a.size(), piece, [&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (std::size_t i = begin; i < end; ++i)
-      sum += a[i] * b[i];
-    partial_[begin / piece] = sum;
-  });
-  double total = 0;
-  for (const double part : partial_)
-    total += part;
-  return total;
-}
-
-// Conjugate gradients (Hestenes and Stiefel 1952) for Hessian * direction = -gradient, from 0.
-void Newton::solve(const NewtonLimits& limits) {
-  const std::size_t count = gradient_.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    direction_[i] = 0;
-    residual_[i] = -gradient_[i];
-  }
-  energy_.precondition(residual_, preconditioned_);
-  search_ = preconditioned_;
-  double rz = dot(residual_, preconditioned_);
-  const double enough = limits.tolerance * limits.tolerance * rz;
-  for (int k = 0; k < limits.products && rz > enough; ++k) {
-    energy_.multiply(search_, product_);
-    const double curvature = dot(search_, product_);
-    if (!(curvature > 0) || !std::isfinite(curvature)) break;
-    const double length = rz / curvature;
-    for (std::size_t i = 0; i < count; ++i) {
-      direction_[i] += length * search_[i];
-      residual_[i] -= length * product_[i];
-    }
-    energy_.precondition(residual_, preconditioned_);
-    const double next = dot(residual_, preconditioned_);
-    const double beta = next / rz;
-    rz = next;
-    for (std::size_t i = 0; i < count; ++i)
-      search_[i] = preconditioned_[i] + beta * search_[i];
-  }
-}
-
 double Newton::step(double eps, const NewtonLimits& limits, EnergyValue& now) {
   constexpr int most_halvings = 30;
   constexpr double armijo = 1e-4;
   ++steps_;
   energy_.linearise(values_, eps, gradient_);
-  solve(limits);
-  const double slope = dot(gradient_, direction_);
+  energy_.solve(gradient_, limits.products, limits.tolerance, direction_);
+  double slope = 0;
+  for (std::size_t i = 0; i < gradient_.size(); ++i)
+    slope += gradient_[i] * direction_[i];
   if (!(slope < 0)) return 0;
   double length = 1;
   for (int k = 0; k < most_halvings; ++k, length *= 0.5) {

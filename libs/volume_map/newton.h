@@ -1,5 +1,4 @@
-// Steps of Newton's method on the foldover energy: directions by conjugate gradients with the blocks of vertices as
-// preconditioner, lengths by halving.
+// Steps of Newton's method on the foldover energy: directions by conjugate gradients, lengths by halving.
 #pragma once
 
 #include "volume_map/foldover_energy.h"
@@ -7,7 +6,7 @@
 namespace orbicube::volume_map {
 
 struct NewtonLimits {
-  int products = 150;       // with the Hessian, a step
+  int products = 150;       // with the Hessian, a step: of conjugate gradients
   double tolerance = 1e-2;  // of the preconditioned residual, relative
 };
 
@@ -38,17 +37,13 @@ class Newton {
   std::size_t steps() const { return steps_; }
 
  private:
-  void solve(const NewtonLimits& limits);
-  double dot(std::span<const double> a, std::span<const double> b);
-
   FoldoverEnergy& energy_;
   const base::Host& host_;
   EnergyValue now_{};
   std::size_t steps_ = 0;
   double eps_ = 0;
   Array<double> values_, trial_;
-  Array<double> gradient_, direction_, residual_, preconditioned_, search_, product_;  // of free variables
-  Array<double> partial_;
+  Array<double> gradient_, direction_;  // of free variables
 };
 
 }  // namespace orbicube::volume_map

@@ -37,45 +37,30 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
   for (Vector3& p : positions_)
     p *= scale;
   Index patch_count = 0;
-  if (!fine) {
-    const mesh::Connectivity connectivity(positions_.size(), triangles_, host);
-    // How much of the border between two faces is sharp.
-    struct Border {
-      std::array<Index, 2> patches;
-      double length, sharp;
-    };
-    Array<Border> borders(host.memory);
-    Array<Line> all(host.memory);
-    for (Index h = 0; h < 3 * triangles_.size(); ++h) {
-      const Index other = connectivity.opposite(h);
-      patch_count = std::max(patch_count, map.charts[h / 3] + 1);
-      if (other == no_index || other < h) continue;
-      Index a = map.charts[h / 3], b = map.charts[other / 3];
-      if (a == b) continue;
-      if (a > b) std::swap(a, b);
-      const Vector3 p = positions_[connectivity.start(h)], q = positions_[connectivity.end(h)];
-      const Vector3 m = twice_area(positions_, triangles_[h / 3]), n = twice_area(positions_, triangles_[other / 3]);
-      const bool is_sharp = std::atan2(m.cross(n).norm(), m.dot(n)) > sharp_angle;
-      borders.push_back({{a, b}, (q - p).norm(), is_sharp ? (q - p).norm() : 0});
-      all.push_back({{a, b}, p, q});
-    }
-    std::sort(borders.begin(), borders.end(), [](const Border& x, const Border& y) { return x.patches < y.patches; });
-    std::sort(all.begin(), all.end(), [](const Line& x, const Line& y) {
-      return std::pair(x.patches, std::array{x.start[0], x.start[1], x.start[2]}) <
-             std::pair(y.patches, std::array{y.start[0], y.start[1], y.start[2]});
-    });
-    for (std::size_t i = 0; i < borders.size();) {
-      std::size_t end = i;
-      double length = 0, sharp_length = 0;
-      for (; end < borders.size() && borders[end].patches == borders[i].patches; ++end) {
-        length += borders[end].length;
-        sharp_length += borders[end].sharp;
+  for (const Index chart : map.charts)
+    patch_count = std::max(patch_count, chart + 1);
+  Array<Index> charts(map.charts, host.memory);
+  find_lines(map.positions, map.triangles, charts, scale, host);
+  if (fine && has_sharp_edges()) {
+    // Each triangle belongs to the face that the coarse surface has beside its center; lines are where faces meet that
+    // have a sharp edge in common there.
+    charts.resize(triangles_.size());
+    const mesh::SurfaceSearch search(map.positions, map.triangles, host);
+    constexpr std::size_t piece = 256;
+    host.parallel_for((triangles_.size() + piece - 1) / piece, [&](std::size_t p) {
+      for (std::size_t i = p * piece; i < std::min(triangles_.size(), (p + 1) * piece); ++i) {
+        const mesh::Triangle& t = fine_triangles[i];
+        charts[i] = map.charts[search.nearest((fine_positions[t[0]] + fine_positions[t[1]] + fine_positions[t[2]]) / 3)
+                                   .triangle];
       }
-      if (sharp_length > 0.6 * length)
-        lines_.insert(lines_.end(), all.begin() + static_cast<std::ptrdiff_t>(i),
-                      all.begin() + static_cast<std::ptrdiff_t>(end));
-      i = end;
-    }
+    });
+    host.report("target", 0, 0);
+    const Array<Line> coarse(lines_, host.memory);
+    find_lines(fine_positions, fine_triangles, charts, scale, host);
+    std::erase_if(lines_, [&](const Line& line) {
+      return !std::binary_search(coarse.begin(), coarse.end(), line,
+                                 [](const Line& x, const Line& y) { return x.patches < y.patches; });
+    });
   }
   // Normals of vertices: of all triangles around, or of those of the same face where faces are kept apart.
   const bool apart = has_sharp_edges();
@@ -86,7 +71,7 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
   Array<Corner> corners(host.memory);
   for (Index i = 0; i < triangles_.size(); ++i) {
     for (Index k = 0; k < 3; ++k)
-      corners.push_back({triangles_[i][k], apart ? map.charts[i] : 0, i, k});
+      corners.push_back({triangles_[i][k], apart ? charts[i] : 0, i, k});
   }
   std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) {
     return std::array{x.vertex, x.patch, x.triangle, x.corner} < std::array{y.vertex, y.patch, y.triangle, y.corner};
@@ -109,12 +94,57 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
   for (Index i = 0; i < patch_count; ++i)
     patches_.emplace_back(host.memory);
   for (Index i = 0; i < triangles_.size(); ++i) {
-    Part& part = patches_[map.charts[i]];
+    Part& part = patches_[charts[i]];
     part.triangles.push_back(triangles_[i]);
     part.sources.push_back(i);
   }
   for (Part& part : patches_)
     part.search = std::make_unique<mesh::SurfaceSearch>(positions_, part.triangles, host);
+}
+
+// The edges between faces whose border is mostly sharp, sorted.
+void SurfaceTarget::find_lines(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                               std::span<const Index> charts, double scale, const base::Host& host) {
+  const mesh::Connectivity connectivity(positions.size(), triangles, host);
+  // How much of the border between two faces is sharp.
+  struct Border {
+    std::array<Index, 2> patches;
+    double length, sharp;
+  };
+  Array<Border> borders(host.memory);
+  Array<Line> all(host.memory);
+  for (Index h = 0; h < 3 * triangles.size(); ++h) {
+    const Index other = connectivity.opposite(h);
+    if (other == no_index || other < h) continue;
+    Index a = charts[h / 3], b = charts[other / 3];
+    if (a == b) continue;
+    if (a > b) std::swap(a, b);
+    const Vector3 p = positions[connectivity.start(h)], q = positions[connectivity.end(h)];
+    const Vector3 m = twice_area(positions, triangles[h / 3]), n = twice_area(positions, triangles[other / 3]);
+    const bool is_sharp = std::atan2(m.cross(n).norm(), m.dot(n)) > sharp_angle;
+    borders.push_back({{a, b}, (q - p).norm(), is_sharp ? (q - p).norm() : 0});
+    all.push_back({{a, b}, scale * p, scale * q});
+  }
+  std::sort(borders.begin(), borders.end(), [](const Border& x, const Border& y) {
+    return std::pair(x.patches, std::pair(x.length, x.sharp)) < std::pair(y.patches, std::pair(y.length, y.sharp));
+  });
+  std::sort(all.begin(), all.end(), [](const Line& x, const Line& y) {
+    return std::pair(x.patches, std::array{x.start[0], x.start[1], x.start[2]}) <
+           std::pair(y.patches, std::array{y.start[0], y.start[1], y.start[2]});
+  });
+  lines_.clear();
+  for (std::size_t i = 0; i < borders.size();) {
+    std::size_t end = i;
+    double length = 0, sharp_length = 0;
+    for (; end < borders.size() && borders[end].patches == borders[i].patches; ++end) {
+      length += borders[end].length;
+      sharp_length += borders[end].sharp;
+    }
+    if (sharp_length > 0.6 * length)
+      lines_.insert(lines_.end(), all.begin() + static_cast<std::ptrdiff_t>(i),
+                    all.begin() + static_cast<std::ptrdiff_t>(end));
+    i = end;
+  }
 }
 
 TargetPoint SurfaceTarget::on(const Part& part, const Vector3& p) const {

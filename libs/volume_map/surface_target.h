@@ -21,7 +21,7 @@ class SurfaceTarget {
  public:
   // `map` with positions times `scale`. Faces of the polycube whose edges are mostly sharp in space (more than
   // 40 degrees) are kept apart, and these edges are lines. `fine`, if it has triangles, is the surface that counts in
-  // place of the map's own, which then is a coarse one; nothing is sharp then.
+  // place of the map's own, which then is a coarse one and tells where the faces are.
   SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Vector3> fine_positions,
                 std::span<const mesh::Triangle> fine_triangles, double scale, const base::Host& host);
 
@@ -50,6 +50,8 @@ class SurfaceTarget {
     Vector3 start, end;
   };
   TargetPoint on(const Part& part, const Vector3& p) const;
+  void find_lines(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                  std::span<const Index> charts, double scale, const base::Host& host);
 
   Array<Vector3> positions_;
   Array<mesh::Triangle> triangles_;

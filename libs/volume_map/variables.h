@@ -34,6 +34,7 @@ class Variables {
   bool is_free(std::size_t vertex, std::size_t axis) const { return of(vertex, axis) < free_; }
   // Whether the coordinate is free and has its variable for itself.
   bool is_own(std::size_t vertex, std::size_t axis) const { return of(vertex, axis) < own_; }
+  bool any_shared() const { return own_ < free_; }
   // Of all variables.
   std::span<const double> start() const { return start_; }
 

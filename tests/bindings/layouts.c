@@ -502,5 +502,27 @@ _Static_assert(offsetof(obc_volume_map_untangle_report, polish_steps) == 32, "ob
 _Static_assert(offsetof(obc_volume_map_untangle_report, least_determinant) == 40, "obc_volume_map_untangle_report.least_determinant");
 _Static_assert(offsetof(obc_volume_map_untangle_report, greatest_determinant) == 48, "obc_volume_map_untangle_report.greatest_determinant");
 _Static_assert(offsetof(obc_volume_map_untangle_report, energy) == 56, "obc_volume_map_untangle_report.energy");
+_Static_assert(sizeof(obc_volume_map_solid_options) == 24, "obc_volume_map_solid_options");
+_Static_assert(offsetof(obc_volume_map_solid_options, struct_size) == 0, "obc_volume_map_solid_options.struct_size");
+_Static_assert(offsetof(obc_volume_map_solid_options, reserved) == 4, "obc_volume_map_solid_options.reserved");
+_Static_assert(offsetof(obc_volume_map_solid_options, corners) == 8, "obc_volume_map_solid_options.corners");
+_Static_assert(offsetof(obc_volume_map_solid_options, seed) == 16, "obc_volume_map_solid_options.seed");
+_Static_assert(sizeof(obc_volume_map_hexes_options) == 48, "obc_volume_map_hexes_options");
+_Static_assert(offsetof(obc_volume_map_hexes_options, struct_size) == 0, "obc_volume_map_hexes_options.struct_size");
+_Static_assert(offsetof(obc_volume_map_hexes_options, padding) == 4, "obc_volume_map_hexes_options.padding");
+_Static_assert(offsetof(obc_volume_map_hexes_options, cells) == 8, "obc_volume_map_hexes_options.cells");
+_Static_assert(offsetof(obc_volume_map_hexes_options, corners) == 16, "obc_volume_map_hexes_options.corners");
+_Static_assert(offsetof(obc_volume_map_hexes_options, triangles) == 24, "obc_volume_map_hexes_options.triangles");
+_Static_assert(offsetof(obc_volume_map_hexes_options, seed) == 32, "obc_volume_map_hexes_options.seed");
+_Static_assert(offsetof(obc_volume_map_hexes_options, rounds) == 40, "obc_volume_map_hexes_options.rounds");
+_Static_assert(offsetof(obc_volume_map_hexes_options, reserved) == 44, "obc_volume_map_hexes_options.reserved");
+_Static_assert(sizeof(obc_volume_map_hexes_report) == 48, "obc_volume_map_hexes_report");
+_Static_assert(offsetof(obc_volume_map_hexes_report, struct_size) == 0, "obc_volume_map_hexes_report.struct_size");
+_Static_assert(offsetof(obc_volume_map_hexes_report, padded) == 4, "obc_volume_map_hexes_report.padded");
+_Static_assert(offsetof(obc_volume_map_hexes_report, least_scaled_jacobian) == 8, "obc_volume_map_hexes_report.least_scaled_jacobian");
+_Static_assert(offsetof(obc_volume_map_hexes_report, mean_scaled_jacobian) == 16, "obc_volume_map_hexes_report.mean_scaled_jacobian");
+_Static_assert(offsetof(obc_volume_map_hexes_report, volume) == 24, "obc_volume_map_hexes_report.volume");
+_Static_assert(offsetof(obc_volume_map_hexes_report, polycube_corners) == 32, "obc_volume_map_hexes_report.polycube_corners");
+_Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 40, "obc_volume_map_hexes_report.off_surface");
 #endif
 typedef int not_empty;

@@ -51,6 +51,18 @@ struct Box {
     }
   }
 
+  obc_mesh* mesh() const {
+    obc_mesh_cells cells;
+    REQUIRE(obc_mesh_cells_init(&cells, sizeof cells) == OBC_OK);
+    cells.positions = rest.data();
+    cells.vertex_count = rest.size() / 3;
+    cells.tetrahedra = tetrahedra.data();
+    cells.tetrahedron_count = tetrahedra.size() / 4;
+    obc_mesh* result = nullptr;
+    REQUIRE(obc_mesh_create(&cells, nullptr, &result, nullptr) == OBC_OK);
+    return result;
+  }
+
   obc_volume_map_tangle tangle() const {
     obc_volume_map_tangle t;
     REQUIRE(obc_volume_map_tangle_init(&t, sizeof t) == OBC_OK);
@@ -63,6 +75,31 @@ struct Box {
     return t;
   }
 };
+
+// Its surface, with what keeps it.
+struct BoxSurface {
+  obc_mesh* mesh = nullptr;
+  obc_surface surface{};
+
+  BoxSurface() {
+    obc_mesh* const solid = Box().mesh();
+    REQUIRE(obc_mesh_boundary(solid, nullptr, &mesh, nullptr) == OBC_OK);
+    obc_mesh_destroy(solid);
+    REQUIRE(obc_mesh_surface(mesh, &surface, nullptr) == OBC_OK);
+  }
+  BoxSurface(const BoxSurface&) = delete;
+  BoxSurface& operator=(const BoxSurface&) = delete;
+  ~BoxSurface() { obc_mesh_destroy(mesh); }
+};
+
+obc_volume_map_hexes_options few_hexes() {
+  obc_volume_map_hexes_options options;
+  REQUIRE(obc_volume_map_hexes_options_init(&options, sizeof options) == OBC_OK);
+  options.cells = 12;
+  options.padding = OBC_VOLUME_MAP_PADDING_WITHOUT;
+  options.rounds = 1;
+  return options;
+}
 
 }  // namespace
 
@@ -177,6 +214,143 @@ TEST_CASE("Each progress report may cancel") {
   std::vector<double> result(box.start.size());
   const test::Outcome outcome = test::cancel_everywhere([&](const obc_host& host) {
     return obc_volume_map_untangle(&tangle, nullptr, &host, result.data(), nullptr, nullptr);
+  });
+  CHECK(outcome.problem == "");
+  CHECK(outcome.runs > 3);
+}
+
+TEST_CASE("A box is filled with hexahedra that fill it") {
+  const BoxSurface box;
+  obc_volume_map_hexes_options options = few_hexes();
+  options.cells = 100;
+  options.rounds = 10;
+  obc_volume_map_hexes_report report{};
+  report.struct_size = sizeof report;
+  obc_volume_map_hexes* hexes = nullptr;
+  obc_error error;
+  REQUIRE(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, &report, &hexes, &error) == OBC_OK);
+  const std::size_t vertices = obc_volume_map_hexes_vertex_count(hexes), count = obc_volume_map_hexes_count(hexes);
+  const std::size_t quads = obc_volume_map_hexes_quad_count(hexes);
+  CHECK(count > 50);
+  CHECK(report.padded == 0);
+  CHECK(report.polycube_corners == 8);
+  CHECK(report.volume == doctest::Approx(12).epsilon(1e-6));
+  CHECK(report.least_scaled_jacobian > 0.9);
+  std::vector<double> positions(3 * vertices);
+  std::vector<std::uint32_t> cells(8 * count), outer(4 * quads), faces(quads);
+  REQUIRE(obc_volume_map_hexes_copy(hexes, positions.data(), cells.data(), outer.data(), faces.data(), &error) ==
+          OBC_OK);
+  obc_volume_map_hexes_destroy(hexes);
+  obc_mesh_cells given;
+  REQUIRE(obc_mesh_cells_init(&given, sizeof given) == OBC_OK);
+  given.positions = positions.data();
+  given.vertex_count = vertices;
+  given.hexahedra = cells.data();
+  given.hexahedron_count = count;
+  obc_mesh *mesh = nullptr, *boundary = nullptr;
+  REQUIRE(obc_mesh_create(&given, nullptr, &mesh, &error) == OBC_OK);
+  CHECK(obc_mesh_check_cells(mesh, nullptr, &error) == OBC_OK);
+  REQUIRE(obc_mesh_boundary(mesh, nullptr, &boundary, &error) == OBC_OK);
+  CHECK(obc_mesh_triangle_count(boundary) == 2 * quads);
+  obc_mesh_destroy(boundary);
+  obc_mesh_destroy(mesh);
+  CHECK(*std::max_element(faces.begin(), faces.end()) == 5);
+}
+
+TEST_CASE("A box of tetrahedra is mapped to a polycube, every tetrahedron positive on both sides") {
+  const Box box;
+  obc_volume_map_solid* solid = nullptr;
+  obc_error error;
+  REQUIRE(obc_volume_map_solid_compute(box.rest.data(), box.rest.size() / 3, box.tetrahedra.data(),
+                                       box.tetrahedra.size() / 4, nullptr, nullptr, &solid, &error) == OBC_OK);
+  std::vector<double> source(3 * obc_volume_map_solid_vertex_count(solid)), image(source.size());
+  std::vector<std::uint32_t> cells(4 * obc_volume_map_solid_tetrahedron_count(solid));
+  REQUIRE(obc_volume_map_solid_copy(solid, source.data(), image.data(), cells.data(), &error) == OBC_OK);
+  obc_volume_map_solid_destroy(solid);
+  CHECK(cells.size() >= box.tetrahedra.size());
+  for (std::size_t t = 0; t < cells.size(); t += 4) {
+    for (const double* x : {source.data(), image.data()}) {
+      CHECK(obc_mesh_orientation_3d(x + 3 * cells[t], x + 3 * cells[t + 1], x + 3 * cells[t + 2],
+                                    x + 3 * cells[t + 3]) == 1);
+    }
+  }
+}
+
+TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
+  const BoxSurface box;
+  const Box solid_box;
+  obc_volume_map_hexes* hexes = nullptr;
+  obc_volume_map_solid* solid = nullptr;
+  obc_error error;
+  CHECK(obc_volume_map_hexes_compute(nullptr, nullptr, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_volume_map_hexes_compute(&box.surface, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  obc_volume_map_hexes_options options = few_hexes();
+  options.padding = 3;
+  CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  options = few_hexes();
+  options.cells = 0;
+  CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  obc_surface opened = box.surface;
+  --opened.triangle_count;
+  CHECK(obc_volume_map_hexes_compute(&opened, nullptr, nullptr, nullptr, &hexes, &error) == OBC_NOT_CLOSED);
+  CHECK(obc_volume_map_solid_compute(nullptr, 4, solid_box.tetrahedra.data(), 1, nullptr, nullptr, &solid, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_volume_map_solid_compute(solid_box.rest.data(), 1, solid_box.tetrahedra.data(), 1, nullptr, nullptr, &solid,
+                                     &error) != OBC_OK);
+  const std::vector<std::uint32_t> inverted = {0, 1, 3, 9};
+  CHECK(obc_volume_map_solid_compute(solid_box.rest.data(), solid_box.rest.size() / 3, inverted.data(), 1, nullptr,
+                                     nullptr, &solid, &error) != OBC_OK);
+  CHECK(hexes == nullptr);
+  CHECK(solid == nullptr);
+  CHECK(obc_volume_map_hexes_copy(nullptr, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_volume_map_solid_copy(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_volume_map_hexes_count(nullptr) + obc_volume_map_hexes_vertex_count(nullptr) +
+            obc_volume_map_hexes_quad_count(nullptr) + obc_volume_map_solid_vertex_count(nullptr) +
+            obc_volume_map_solid_tetrahedron_count(nullptr) ==
+        0);
+  obc_volume_map_hexes_destroy(nullptr);
+  obc_volume_map_solid_destroy(nullptr);
+}
+
+TEST_CASE("Each allocation that fails while hexahedra are made ends in out of memory") {
+  const BoxSurface box;
+  const obc_volume_map_hexes_options options = few_hexes();
+  const test::Outcome outcome = test::fail_each_allocation(
+      [&](const obc_host& host) {
+        obc_volume_map_hexes* hexes = nullptr;
+        const obc_status status = obc_volume_map_hexes_compute(&box.surface, &options, &host, nullptr, &hexes, nullptr);
+        obc_volume_map_hexes_destroy(hexes);
+        return status;
+      },
+      50);
+  CHECK(outcome.problem == "");
+  CHECK(outcome.runs > 10);
+}
+
+TEST_CASE("Each allocation that fails while a solid is mapped ends in out of memory") {
+  const Box box;
+  const test::Outcome outcome = test::fail_each_allocation(
+      [&](const obc_host& host) {
+        obc_volume_map_solid* solid = nullptr;
+        const obc_status status =
+            obc_volume_map_solid_compute(box.rest.data(), box.rest.size() / 3, box.tetrahedra.data(),
+                                         box.tetrahedra.size() / 4, nullptr, &host, &solid, nullptr);
+        obc_volume_map_solid_destroy(solid);
+        return status;
+      },
+      50);
+  CHECK(outcome.problem == "");
+  CHECK(outcome.runs > 10);
+}
+
+TEST_CASE("Each report while hexahedra are made may cancel") {
+  const BoxSurface box;
+  const obc_volume_map_hexes_options options = few_hexes();
+  const test::Outcome outcome = test::cancel_everywhere([&](const obc_host& host) {
+    obc_volume_map_hexes* hexes = nullptr;
+    const obc_status status = obc_volume_map_hexes_compute(&box.surface, &options, &host, nullptr, &hexes, nullptr);
+    obc_volume_map_hexes_destroy(hexes);
+    return status;
   });
   CHECK(outcome.problem == "");
   CHECK(outcome.runs > 3);

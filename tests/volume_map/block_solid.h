@@ -9,6 +9,7 @@
 #include "polycube/certificate.h"
 #include "tangled_cases.h"
 #include "volume_map/hex_meshing.h"
+#include "volume_map/volume_map.h"
 
 namespace orbicube::volume_map::test {
 

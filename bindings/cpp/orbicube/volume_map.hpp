@@ -1,11 +1,11 @@
-// Maps of tetrahedral meshes without inverted tetrahedra; wraps orbicube/volume_map.h.
+// Maps of tetrahedral meshes without inverted tetrahedra, and hexahedral meshes; wraps orbicube/volume_map.h.
 #ifndef ORBICUBE_VOLUME_MAP_HPP
 #define ORBICUBE_VOLUME_MAP_HPP
 
 #include <vector>
 
 #include <orbicube/volume_map.h>
-#include <orbicube/base.hpp>
+#include <orbicube/mesh.hpp>
 
 namespace orbicube {
 inline namespace api {
@@ -43,6 +43,65 @@ inline Untangled untangle(const Tangle& tangle, const UntangleOptions& options =
     if (best != nullptr && error.status() == OBC_NO_VALID_RESULT) *best = std::move(result);
     throw;
   }
+  return result;
+}
+
+using SolidOptions = detail::Filled<obc_volume_map_solid_options, obc_volume_map_solid_options_init>;
+using HexesOptions = detail::Filled<obc_volume_map_hexes_options, obc_volume_map_hexes_options_init>;
+
+// A solid on the polycube of its boundary, one to one.
+struct Solid {
+  std::vector<double> positions, polycube;  // x y z a vertex, in space and on the polycube
+  std::vector<std::uint32_t> tetrahedra;
+};
+
+inline Solid map_to_polycube(Doubles positions, Indices tetrahedra, const SolidOptions& options = {},
+                             Host* host = nullptr) {
+  const std::size_t vertices = detail::rows(positions.size(), 3, "positions");
+  const std::size_t cells = detail::rows(tetrahedra.size(), 4, "tetrahedra");
+  obc_volume_map_solid* made = nullptr;
+  detail::call(host, [&](obc_error* error) {
+    return obc_volume_map_solid_compute(positions.data(), vertices, tetrahedra.data(), cells, &options, detail::c(host),
+                                        &made, error);
+  });
+  const detail::Handle<obc_volume_map_solid, obc_volume_map_solid_destroy> keeper(made);
+  Solid result;
+  result.positions.resize(3 * obc_volume_map_solid_vertex_count(made));
+  result.polycube.resize(result.positions.size());
+  result.tetrahedra.resize(4 * obc_volume_map_solid_tetrahedron_count(made));
+  detail::call(nullptr, [&](obc_error* error) {
+    return obc_volume_map_solid_copy(made, result.positions.data(), result.polycube.data(), result.tetrahedra.data(),
+                                     error);
+  });
+  return result;
+}
+
+// A certified mesh of hexahedra.
+struct Hexes {
+  std::vector<double> positions;          // x y z a vertex
+  std::vector<std::uint32_t> hexahedra;   // eight vertices each
+  std::vector<std::uint32_t> quads;       // four vertices each, of the boundary
+  std::vector<std::uint32_t> quad_faces;  // of the polycube
+  obc_volume_map_hexes_report report;
+};
+
+// Fills a closed surface with hexahedra.
+inline Hexes fill_with_hexahedra(const Surface& surface, const HexesOptions& options = {}, Host* host = nullptr) {
+  Hexes result;
+  result.report = detail::sized<obc_volume_map_hexes_report>();
+  obc_volume_map_hexes* made = nullptr;
+  detail::call(host, [&](obc_error* error) {
+    return obc_volume_map_hexes_compute(&surface, &options, detail::c(host), &result.report, &made, error);
+  });
+  const detail::Handle<obc_volume_map_hexes, obc_volume_map_hexes_destroy> keeper(made);
+  result.positions.resize(3 * obc_volume_map_hexes_vertex_count(made));
+  result.hexahedra.resize(8 * obc_volume_map_hexes_count(made));
+  result.quads.resize(4 * obc_volume_map_hexes_quad_count(made));
+  result.quad_faces.resize(obc_volume_map_hexes_quad_count(made));
+  detail::call(nullptr, [&](obc_error* error) {
+    return obc_volume_map_hexes_copy(made, result.positions.data(), result.hexahedra.data(), result.quads.data(),
+                                     result.quad_faces.data(), error);
+  });
   return result;
 }
 

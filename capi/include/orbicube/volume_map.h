@@ -1,9 +1,10 @@
-/* Orbicube volume map: maps of tetrahedral meshes without inverted tetrahedra.
+/* Orbicube volume map: maps of tetrahedral meshes without inverted tetrahedra, and hexahedral meshes.
  *
  * Inverted tetrahedra are turned right by the method of Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov (2021,
  * "Foldover-free maps in 50 lines of code", ACM Transactions on Graphics 40(4)): an energy that is finite where tetrahedra
  * are inverted is lowered by Newton's method while a parameter drives them back; docs/volume_map.md tells how. What leaves
- * this library is certified: the exact sign of each tetrahedron's volume is positive.
+ * this library is certified: the exact sign of each tetrahedron's volume is positive, and hexahedra have a trilinear map that
+ * is certainly positive everywhere.
  *
  * Arrays: as in <orbicube/mesh.h>. Inputs are not kept after a call.
  *
@@ -60,7 +61,7 @@ OBC_API obc_status obc_volume_map_untangle_report_init(obc_volume_map_untangle_r
 
 /* Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
  * same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
- * tangle->positions. About 500 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
+ * tangle->positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
  * Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
  * all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
  * malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
@@ -68,6 +69,89 @@ OBC_API obc_status obc_volume_map_untangle_report_init(obc_volume_map_untangle_r
 OBC_API obc_status obc_volume_map_untangle(const obc_volume_map_tangle *tangle,
                                            const obc_volume_map_untangle_options *options, const obc_host *host,
                                            double *result, obc_volume_map_untangle_report *report, obc_error *error);
+
+/* ---- solids on polycubes --------------------------------------------------------------------------------------------- */
+
+/* A map of a solid to a polycube, one to one. */
+typedef struct obc_volume_map_solid obc_volume_map_solid;
+
+/* Fill with _init. */
+typedef struct obc_volume_map_solid_options {
+  uint32_t struct_size;
+  int32_t reserved;
+  size_t corners; /* of the polycube at most, as in obc_polycube_options. Default 60 */
+  uint64_t seed;  /* of what is chosen at random. Default 0 */
+} obc_volume_map_solid_options;
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_volume_map_solid_options_init(obc_volume_map_solid_options *options, size_t struct_size);
+
+/* Finds a polycube of the boundary of a solid and a map of the solid to it: every tetrahedron is positive, on the polycube and
+ * in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
+ * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
+ * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
+ * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed (kind not-connected: pieces or
+ * cavities); no valid result with what stood in the way; out of memory, cancelled. */
+OBC_API obc_status obc_volume_map_solid_compute(const double *positions, size_t vertex_count, const uint32_t *tetrahedra,
+                                                size_t tetrahedron_count, const obc_volume_map_solid_options *options,
+                                                const obc_host *host, obc_volume_map_solid **out, obc_error *error);
+/* NULL is fine, here and in the functions that count (0). */
+OBC_API void obc_volume_map_solid_destroy(obc_volume_map_solid *solid);
+OBC_API size_t obc_volume_map_solid_vertex_count(const obc_volume_map_solid *solid);
+OBC_API size_t obc_volume_map_solid_tetrahedron_count(const obc_volume_map_solid *solid);
+/* x y z a vertex in space, and on the polycube; four vertices a tetrahedron. Each may be NULL. Errors: invalid argument. */
+OBC_API obc_status obc_volume_map_solid_copy(const obc_volume_map_solid *solid, double *positions, double *polycube,
+                                             uint32_t *tetrahedra, obc_error *error);
+
+/* ---- hexahedra ------------------------------------------------------------------------------------------------------- */
+
+/* A mesh of hexahedra, certified. */
+typedef struct obc_volume_map_hexes obc_volume_map_hexes;
+
+/* A layer of hexahedra along the boundary: what turns out better, with it, without it. */
+enum { OBC_VOLUME_MAP_PADDING_AUTO = 0, OBC_VOLUME_MAP_PADDING_WITH = 1, OBC_VOLUME_MAP_PADDING_WITHOUT = 2 };
+/* Fill with _init. */
+typedef struct obc_volume_map_hexes_options {
+  uint32_t struct_size;
+  int32_t padding;  /* OBC_VOLUME_MAP_PADDING_...; auto by default */
+  size_t cells;     /* about so many hexahedra, 1 to 10 million. Default 10000 */
+  size_t corners;   /* of the polycube at most, as in obc_polycube_options. Default 60 */
+  size_t triangles; /* a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000 */
+  uint64_t seed;    /* of what the polycube chooses at random. Default 0 */
+  int32_t rounds;   /* of smoothing. Default 40 */
+  int32_t reserved;
+} obc_volume_map_hexes_options;
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_options *options, size_t struct_size);
+
+/* What was made. Fill struct_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
+ * three edges there over the product of their lengths: 1 for a box. */
+typedef struct obc_volume_map_hexes_report {
+  uint32_t struct_size;
+  int32_t padded; /* 1: with a layer along the boundary */
+  double least_scaled_jacobian, mean_scaled_jacobian;
+  double volume;           /* of the trilinear hexahedra */
+  size_t polycube_corners; /* of the polycube of the surface */
+  size_t off_surface;      /* vertices of the boundary that could not be put where they belong */
+} obc_volume_map_hexes_report;
+
+/* Fills a closed surface with hexahedra: connected, oriented, looking outward, of any genus. They meet in whole faces, the
+ * boundary has the genus of the surface, each hexahedron has positive corners by exact signs and a trilinear map that is
+ * certainly positive. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+ * Errors: invalid argument; not closed, not manifold, degenerate, malformed file; no valid result with what stood in the way;
+ * out of memory, cancelled. */
+OBC_API obc_status obc_volume_map_hexes_compute(const obc_surface *surface, const obc_volume_map_hexes_options *options,
+                                                const obc_host *host, obc_volume_map_hexes_report *report,
+                                                obc_volume_map_hexes **out, obc_error *error);
+/* NULL is fine, here and in the functions that count (0). */
+OBC_API void obc_volume_map_hexes_destroy(obc_volume_map_hexes *hexes);
+OBC_API size_t obc_volume_map_hexes_vertex_count(const obc_volume_map_hexes *hexes);
+OBC_API size_t obc_volume_map_hexes_count(const obc_volume_map_hexes *hexes);
+OBC_API size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes *hexes);
+/* x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
+ * counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
+ * argument. */
+OBC_API obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes *hexes, double *positions, uint32_t *hexahedra,
+                                             uint32_t *quads, uint32_t *quad_faces, obc_error *error);
 
 /* Version of this library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_volume_map_version(void);

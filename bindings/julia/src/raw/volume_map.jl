@@ -1,5 +1,9 @@
 # What <orbicube/volume_map.h> declares. Written by scripts/bindings.py; not to be edited.
 
+const OBC_VOLUME_MAP_PADDING_AUTO = Int32(0)
+const OBC_VOLUME_MAP_PADDING_WITH = Int32(1)
+const OBC_VOLUME_MAP_PADDING_WITHOUT = Int32(2)
+
 mutable struct obc_volume_map_tangle <: CStruct
     struct_size::UInt32
     reserved::Int32
@@ -35,6 +39,37 @@ mutable struct obc_volume_map_untangle_report <: CStruct
     obc_volume_map_untangle_report() = zeroed!(new())
 end
 
+mutable struct obc_volume_map_solid_options <: CStruct
+    struct_size::UInt32
+    reserved::Int32
+    corners::Csize_t
+    seed::UInt64
+    obc_volume_map_solid_options() = zeroed!(new())
+end
+
+mutable struct obc_volume_map_hexes_options <: CStruct
+    struct_size::UInt32
+    padding::Int32
+    cells::Csize_t
+    corners::Csize_t
+    triangles::Csize_t
+    seed::UInt64
+    rounds::Int32
+    reserved::Int32
+    obc_volume_map_hexes_options() = zeroed!(new())
+end
+
+mutable struct obc_volume_map_hexes_report <: CStruct
+    struct_size::UInt32
+    padded::Int32
+    least_scaled_jacobian::Float64
+    mean_scaled_jacobian::Float64
+    volume::Float64
+    polycube_corners::Csize_t
+    off_surface::Csize_t
+    obc_volume_map_hexes_report() = zeroed!(new())
+end
+
 const address_obc_volume_map_tangle_init = Ref(C_NULL)
 obc_volume_map_tangle_init(tangle, struct_size) =
     ccall(symbol(address_obc_volume_map_tangle_init, :volume_map, :obc_volume_map_tangle_init), Int32, (Ptr{obc_volume_map_tangle}, Csize_t), tangle, struct_size)
@@ -50,6 +85,58 @@ obc_volume_map_untangle_report_init(report, struct_size) =
 const address_obc_volume_map_untangle = Ref(C_NULL)
 obc_volume_map_untangle(tangle, options, host, result, report, error) =
     ccall(symbol(address_obc_volume_map_untangle, :volume_map, :obc_volume_map_untangle), Int32, (Ptr{obc_volume_map_tangle}, Ptr{obc_volume_map_untangle_options}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_volume_map_untangle_report}, Ptr{obc_error}), tangle, options, host, result, report, error)
+
+const address_obc_volume_map_solid_options_init = Ref(C_NULL)
+obc_volume_map_solid_options_init(options, struct_size) =
+    ccall(symbol(address_obc_volume_map_solid_options_init, :volume_map, :obc_volume_map_solid_options_init), Int32, (Ptr{obc_volume_map_solid_options}, Csize_t), options, struct_size)
+
+const address_obc_volume_map_solid_compute = Ref(C_NULL)
+obc_volume_map_solid_compute(positions, vertex_count, tetrahedra, tetrahedron_count, options, host, out, error) =
+    ccall(symbol(address_obc_volume_map_solid_compute, :volume_map, :obc_volume_map_solid_compute), Int32, (Ptr{Float64}, Csize_t, Ptr{UInt32}, Csize_t, Ptr{obc_volume_map_solid_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), positions, vertex_count, tetrahedra, tetrahedron_count, options, host, out, error)
+
+const address_obc_volume_map_solid_destroy = Ref(C_NULL)
+obc_volume_map_solid_destroy(solid) =
+    ccall(symbol(address_obc_volume_map_solid_destroy, :volume_map, :obc_volume_map_solid_destroy), Cvoid, (Ptr{Cvoid},), solid)
+
+const address_obc_volume_map_solid_vertex_count = Ref(C_NULL)
+obc_volume_map_solid_vertex_count(solid) =
+    ccall(symbol(address_obc_volume_map_solid_vertex_count, :volume_map, :obc_volume_map_solid_vertex_count), Csize_t, (Ptr{Cvoid},), solid)
+
+const address_obc_volume_map_solid_tetrahedron_count = Ref(C_NULL)
+obc_volume_map_solid_tetrahedron_count(solid) =
+    ccall(symbol(address_obc_volume_map_solid_tetrahedron_count, :volume_map, :obc_volume_map_solid_tetrahedron_count), Csize_t, (Ptr{Cvoid},), solid)
+
+const address_obc_volume_map_solid_copy = Ref(C_NULL)
+obc_volume_map_solid_copy(solid, positions, polycube, tetrahedra, error) =
+    ccall(symbol(address_obc_volume_map_solid_copy, :volume_map, :obc_volume_map_solid_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{Float64}, Ptr{UInt32}, Ptr{obc_error}), solid, positions, polycube, tetrahedra, error)
+
+const address_obc_volume_map_hexes_options_init = Ref(C_NULL)
+obc_volume_map_hexes_options_init(options, struct_size) =
+    ccall(symbol(address_obc_volume_map_hexes_options_init, :volume_map, :obc_volume_map_hexes_options_init), Int32, (Ptr{obc_volume_map_hexes_options}, Csize_t), options, struct_size)
+
+const address_obc_volume_map_hexes_compute = Ref(C_NULL)
+obc_volume_map_hexes_compute(surface, options, host, report, out, error) =
+    ccall(symbol(address_obc_volume_map_hexes_compute, :volume_map, :obc_volume_map_hexes_compute), Int32, (Ptr{obc_surface}, Ptr{obc_volume_map_hexes_options}, Ptr{obc_host}, Ptr{obc_volume_map_hexes_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surface, options, host, report, out, error)
+
+const address_obc_volume_map_hexes_destroy = Ref(C_NULL)
+obc_volume_map_hexes_destroy(hexes) =
+    ccall(symbol(address_obc_volume_map_hexes_destroy, :volume_map, :obc_volume_map_hexes_destroy), Cvoid, (Ptr{Cvoid},), hexes)
+
+const address_obc_volume_map_hexes_vertex_count = Ref(C_NULL)
+obc_volume_map_hexes_vertex_count(hexes) =
+    ccall(symbol(address_obc_volume_map_hexes_vertex_count, :volume_map, :obc_volume_map_hexes_vertex_count), Csize_t, (Ptr{Cvoid},), hexes)
+
+const address_obc_volume_map_hexes_count = Ref(C_NULL)
+obc_volume_map_hexes_count(hexes) =
+    ccall(symbol(address_obc_volume_map_hexes_count, :volume_map, :obc_volume_map_hexes_count), Csize_t, (Ptr{Cvoid},), hexes)
+
+const address_obc_volume_map_hexes_quad_count = Ref(C_NULL)
+obc_volume_map_hexes_quad_count(hexes) =
+    ccall(symbol(address_obc_volume_map_hexes_quad_count, :volume_map, :obc_volume_map_hexes_quad_count), Csize_t, (Ptr{Cvoid},), hexes)
+
+const address_obc_volume_map_hexes_copy = Ref(C_NULL)
+obc_volume_map_hexes_copy(hexes, positions, hexahedra, quads, quad_faces, error) =
+    ccall(symbol(address_obc_volume_map_hexes_copy, :volume_map, :obc_volume_map_hexes_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), hexes, positions, hexahedra, quads, quad_faces, error)
 
 const address_obc_volume_map_version = Ref(C_NULL)
 obc_volume_map_version() =

@@ -4,6 +4,10 @@ import ctypes as _c
 from .._library import bind as _bind
 from .._library import Struct as _Struct
 
+OBC_VOLUME_MAP_PADDING_AUTO = 0
+OBC_VOLUME_MAP_PADDING_WITH = 1
+OBC_VOLUME_MAP_PADDING_WITHOUT = 2
+
 
 class obc_volume_map_tangle(_Struct):
     """A mesh to untangle: a view, kept by no function. Fill with _init, then set what there is. Coordinates are numbered
@@ -47,11 +51,62 @@ class obc_volume_map_untangle_report(_Struct):
     ]
 
 
+class obc_volume_map_solid_options(_Struct):
+    """Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("reserved", _c.c_int32),
+        ("corners", _c.c_size_t),
+        ("seed", _c.c_uint64),
+    ]
+
+
+class obc_volume_map_hexes_options(_Struct):
+    """Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("padding", _c.c_int32),
+        ("cells", _c.c_size_t),
+        ("corners", _c.c_size_t),
+        ("triangles", _c.c_size_t),
+        ("seed", _c.c_uint64),
+        ("rounds", _c.c_int32),
+        ("reserved", _c.c_int32),
+    ]
+
+
+class obc_volume_map_hexes_report(_Struct):
+    """What was made. Fill struct_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
+    three edges there over the product of their lengths: 1 for a box."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("padded", _c.c_int32),
+        ("least_scaled_jacobian", _c.c_double),
+        ("mean_scaled_jacobian", _c.c_double),
+        ("volume", _c.c_double),
+        ("polycube_corners", _c.c_size_t),
+        ("off_surface", _c.c_size_t),
+    ]
+
+
 _functions = [
     ("obc_volume_map_tangle_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_volume_map_untangle_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_volume_map_untangle_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_volume_map_untangle", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_volume_map_solid_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_volume_map_solid_compute", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_volume_map_solid_destroy", None, [_c.c_void_p]),
+    ("obc_volume_map_solid_vertex_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_volume_map_solid_tetrahedron_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_volume_map_solid_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_volume_map_hexes_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_volume_map_hexes_compute", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_volume_map_hexes_destroy", None, [_c.c_void_p]),
+    ("obc_volume_map_hexes_vertex_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_volume_map_hexes_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_volume_map_hexes_quad_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_volume_map_hexes_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_volume_map_version", _c.c_uint32, []),
 ]
 

@@ -3,6 +3,10 @@ from typing import Any
 
 from .._library import Pointer, Struct
 
+OBC_VOLUME_MAP_PADDING_AUTO: int
+OBC_VOLUME_MAP_PADDING_WITH: int
+OBC_VOLUME_MAP_PADDING_WITHOUT: int
+
 class obc_volume_map_tangle(Struct):
     struct_size: int
     reserved: int
@@ -35,6 +39,34 @@ class obc_volume_map_untangle_report(Struct):
     energy: float
     def __init__(self, struct_size: int = ..., first_inverted: int = ..., inverted_before: int = ..., inverted: int = ..., steps: int = ..., polish_steps: int = ..., least_determinant: float = ..., greatest_determinant: float = ..., energy: float = ...) -> None: ...
 
+class obc_volume_map_solid_options(Struct):
+    struct_size: int
+    reserved: int
+    corners: int
+    seed: int
+    def __init__(self, struct_size: int = ..., reserved: int = ..., corners: int = ..., seed: int = ...) -> None: ...
+
+class obc_volume_map_hexes_options(Struct):
+    struct_size: int
+    padding: int
+    cells: int
+    corners: int
+    triangles: int
+    seed: int
+    rounds: int
+    reserved: int
+    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., reserved: int = ...) -> None: ...
+
+class obc_volume_map_hexes_report(Struct):
+    struct_size: int
+    padded: int
+    least_scaled_jacobian: float
+    mean_scaled_jacobian: float
+    volume: float
+    polycube_corners: int
+    off_surface: int
+    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ...) -> None: ...
+
 def obc_volume_map_tangle_init(tangle: Pointer, struct_size: int) -> int:
     """A mesh of nothing; the defaults, which the members' comments give; zeros."""
     ...
@@ -50,11 +82,74 @@ def obc_volume_map_untangle_report_init(report: Pointer, struct_size: int) -> in
 def obc_volume_map_untangle(tangle: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer) -> int:
     """Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
     same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
-    tangle->positions. About 500 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
+    tangle->positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
     Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
     all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
     malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
     rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled."""
+    ...
+
+def obc_volume_map_solid_options_init(options: Pointer, struct_size: int) -> int:
+    """The defaults, which the members' comments give."""
+    ...
+
+def obc_volume_map_solid_compute(positions: Pointer, vertex_count: int, tetrahedra: Pointer, tetrahedron_count: int, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
+    """Finds a polycube of the boundary of a solid and a map of the solid to it: every tetrahedron is positive, on the polycube and
+    in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
+    meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
+    host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
+    Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed (kind not-connected: pieces or
+    cavities); no valid result with what stood in the way; out of memory, cancelled."""
+    ...
+
+def obc_volume_map_solid_destroy(solid: Pointer) -> None:
+    """NULL is fine, here and in the functions that count (0)."""
+    ...
+
+def obc_volume_map_solid_vertex_count(solid: Pointer) -> int:
+    """NULL is fine, here and in the functions that count (0)."""
+    ...
+
+def obc_volume_map_solid_tetrahedron_count(solid: Pointer) -> int:
+    """NULL is fine, here and in the functions that count (0)."""
+    ...
+
+def obc_volume_map_solid_copy(solid: Pointer, positions: Pointer, polycube: Pointer, tetrahedra: Pointer, error: Pointer) -> int:
+    """x y z a vertex in space, and on the polycube; four vertices a tetrahedron. Each may be NULL. Errors: invalid argument."""
+    ...
+
+def obc_volume_map_hexes_options_init(options: Pointer, struct_size: int) -> int:
+    """The defaults, which the members' comments give."""
+    ...
+
+def obc_volume_map_hexes_compute(surface: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
+    """Fills a closed surface with hexahedra: connected, oriented, looking outward, of any genus. They meet in whole faces, the
+    boundary has the genus of the surface, each hexahedron has positive corners by exact signs and a trilinear map that is
+    certainly positive. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+    Errors: invalid argument; not closed, not manifold, degenerate, malformed file; no valid result with what stood in the way;
+    out of memory, cancelled."""
+    ...
+
+def obc_volume_map_hexes_destroy(hexes: Pointer) -> None:
+    """NULL is fine, here and in the functions that count (0)."""
+    ...
+
+def obc_volume_map_hexes_vertex_count(hexes: Pointer) -> int:
+    """NULL is fine, here and in the functions that count (0)."""
+    ...
+
+def obc_volume_map_hexes_count(hexes: Pointer) -> int:
+    """NULL is fine, here and in the functions that count (0)."""
+    ...
+
+def obc_volume_map_hexes_quad_count(hexes: Pointer) -> int:
+    """NULL is fine, here and in the functions that count (0)."""
+    ...
+
+def obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_faces: Pointer, error: Pointer) -> int:
+    """x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
+    counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
+    argument."""
     ...
 
 def obc_volume_map_version() -> int:

@@ -2,6 +2,28 @@
 #![allow(non_camel_case_types, non_upper_case_globals)]
 
 use crate::base::{obc_error, obc_host};
+use crate::mesh::obc_surface;
+
+/// A layer of hexahedra along the boundary: what turns out better, with it, without it.
+pub const OBC_VOLUME_MAP_PADDING_AUTO: i32 = 0;
+/// A layer of hexahedra along the boundary: what turns out better, with it, without it.
+pub const OBC_VOLUME_MAP_PADDING_WITH: i32 = 1;
+/// A layer of hexahedra along the boundary: what turns out better, with it, without it.
+pub const OBC_VOLUME_MAP_PADDING_WITHOUT: i32 = 2;
+
+/// A map of a solid to a polycube, one to one.
+#[repr(C)]
+pub struct obc_volume_map_solid {
+    _private: [u8; 0],
+    _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
+}
+
+/// A mesh of hexahedra, certified.
+#[repr(C)]
+pub struct obc_volume_map_hexes {
+    _private: [u8; 0],
+    _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
+}
 
 /// A mesh to untangle: a view, kept by no function. Fill with \_init, then set what there is. Coordinates are numbered
 /// 3 \* vertex + axis.
@@ -61,6 +83,56 @@ pub struct obc_volume_map_untangle_report {
     pub energy: f64,
 }
 
+/// Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_volume_map_solid_options {
+    pub struct_size: u32,
+    pub reserved: i32,
+    /// of the polycube at most, as in obc\_polycube\_options. Default 60
+    pub corners: usize,
+    /// of what is chosen at random. Default 0
+    pub seed: u64,
+}
+
+/// Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_volume_map_hexes_options {
+    pub struct_size: u32,
+    /// OBC\_VOLUME\_MAP\_PADDING\_...; auto by default
+    pub padding: i32,
+    /// about so many hexahedra, 1 to 10 million. Default 10000
+    pub cells: usize,
+    /// of the polycube at most, as in obc\_polycube\_options. Default 60
+    pub corners: usize,
+    /// a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000
+    pub triangles: usize,
+    /// of what the polycube chooses at random. Default 0
+    pub seed: u64,
+    /// of smoothing. Default 40
+    pub rounds: i32,
+    pub reserved: i32,
+}
+
+/// What was made. Fill struct\_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
+/// three edges there over the product of their lengths: 1 for a box.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_volume_map_hexes_report {
+    pub struct_size: u32,
+    /// 1: with a layer along the boundary
+    pub padded: i32,
+    pub least_scaled_jacobian: f64,
+    pub mean_scaled_jacobian: f64,
+    /// of the trilinear hexahedra
+    pub volume: f64,
+    /// of the polycube of the surface
+    pub polycube_corners: usize,
+    /// vertices of the boundary that could not be put where they belong
+    pub off_surface: usize,
+}
+
 extern "C" {
     /// A mesh of nothing; the defaults, which the members' comments give; zeros.
     pub fn obc_volume_map_tangle_init(tangle: *mut obc_volume_map_tangle, struct_size: usize) -> i32;
@@ -70,12 +142,49 @@ extern "C" {
     pub fn obc_volume_map_untangle_report_init(report: *mut obc_volume_map_untangle_report, struct_size: usize) -> i32;
     /// Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
     /// same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
-    /// tangle-\>positions. About 500 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
+    /// tangle-\>positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
     /// Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
     /// all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
     /// malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
     /// rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled.
     pub fn obc_volume_map_untangle(tangle: *const obc_volume_map_tangle, options: *const obc_volume_map_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_volume_map_untangle_report, error: *mut obc_error) -> i32;
+    /// The defaults, which the members' comments give.
+    pub fn obc_volume_map_solid_options_init(options: *mut obc_volume_map_solid_options, struct_size: usize) -> i32;
+    /// Finds a polycube of the boundary of a solid and a map of the solid to it: every tetrahedron is positive, on the polycube and
+    /// in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
+    /// meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
+    /// host must stay valid until \_destroy. Minutes for a hundred thousand tetrahedra.
+    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed (kind not-connected: pieces or
+    /// cavities); no valid result with what stood in the way; out of memory, cancelled.
+    pub fn obc_volume_map_solid_compute(positions: *const f64, vertex_count: usize, tetrahedra: *const u32, tetrahedron_count: usize, options: *const obc_volume_map_solid_options, host: *const obc_host, out: *mut *mut obc_volume_map_solid, error: *mut obc_error) -> i32;
+    /// NULL is fine, here and in the functions that count (0).
+    pub fn obc_volume_map_solid_destroy(solid: *mut obc_volume_map_solid);
+    /// NULL is fine, here and in the functions that count (0).
+    pub fn obc_volume_map_solid_vertex_count(solid: *const obc_volume_map_solid) -> usize;
+    /// NULL is fine, here and in the functions that count (0).
+    pub fn obc_volume_map_solid_tetrahedron_count(solid: *const obc_volume_map_solid) -> usize;
+    /// x y z a vertex in space, and on the polycube; four vertices a tetrahedron. Each may be NULL. Errors: invalid argument.
+    pub fn obc_volume_map_solid_copy(solid: *const obc_volume_map_solid, positions: *mut f64, polycube: *mut f64, tetrahedra: *mut u32, error: *mut obc_error) -> i32;
+    /// The defaults, which the members' comments give.
+    pub fn obc_volume_map_hexes_options_init(options: *mut obc_volume_map_hexes_options, struct_size: usize) -> i32;
+    /// Fills a closed surface with hexahedra: connected, oriented, looking outward, of any genus. They meet in whole faces, the
+    /// boundary has the genus of the surface, each hexahedron has positive corners by exact signs and a trilinear map that is
+    /// certainly positive. options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
+    /// Errors: invalid argument; not closed, not manifold, degenerate, malformed file; no valid result with what stood in the way;
+    /// out of memory, cancelled.
+    pub fn obc_volume_map_hexes_compute(surface: *const obc_surface, options: *const obc_volume_map_hexes_options, host: *const obc_host, report: *mut obc_volume_map_hexes_report, out: *mut *mut obc_volume_map_hexes, error: *mut obc_error) -> i32;
+    /// NULL is fine, here and in the functions that count (0).
+    pub fn obc_volume_map_hexes_destroy(hexes: *mut obc_volume_map_hexes);
+    /// NULL is fine, here and in the functions that count (0).
+    pub fn obc_volume_map_hexes_vertex_count(hexes: *const obc_volume_map_hexes) -> usize;
+    /// NULL is fine, here and in the functions that count (0).
+    pub fn obc_volume_map_hexes_count(hexes: *const obc_volume_map_hexes) -> usize;
+    /// NULL is fine, here and in the functions that count (0).
+    pub fn obc_volume_map_hexes_quad_count(hexes: *const obc_volume_map_hexes) -> usize;
+    /// x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
+    /// counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
+    /// argument.
+    pub fn obc_volume_map_hexes_copy(hexes: *const obc_volume_map_hexes, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_faces: *mut u32, error: *mut obc_error) -> i32;
     /// Version of this library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_volume_map_version() -> u32;
 }
@@ -120,5 +229,33 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).least_determinant) } as usize - start as usize, 40, "obc_volume_map_untangle_report.least_determinant");
         assert_eq!(unsafe { addr_of!((*start).greatest_determinant) } as usize - start as usize, 48, "obc_volume_map_untangle_report.greatest_determinant");
         assert_eq!(unsafe { addr_of!((*start).energy) } as usize - start as usize, 56, "obc_volume_map_untangle_report.energy");
+        assert_eq!((size_of::<obc_volume_map_solid_options>(), align_of::<obc_volume_map_solid_options>()), (24, 8));
+        let it = MaybeUninit::<obc_volume_map_solid_options>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_solid_options.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_volume_map_solid_options.reserved");
+        assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 8, "obc_volume_map_solid_options.corners");
+        assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 16, "obc_volume_map_solid_options.seed");
+        assert_eq!((size_of::<obc_volume_map_hexes_options>(), align_of::<obc_volume_map_hexes_options>()), (48, 8));
+        let it = MaybeUninit::<obc_volume_map_hexes_options>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_hexes_options.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).padding) } as usize - start as usize, 4, "obc_volume_map_hexes_options.padding");
+        assert_eq!(unsafe { addr_of!((*start).cells) } as usize - start as usize, 8, "obc_volume_map_hexes_options.cells");
+        assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 16, "obc_volume_map_hexes_options.corners");
+        assert_eq!(unsafe { addr_of!((*start).triangles) } as usize - start as usize, 24, "obc_volume_map_hexes_options.triangles");
+        assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 32, "obc_volume_map_hexes_options.seed");
+        assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 40, "obc_volume_map_hexes_options.rounds");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 44, "obc_volume_map_hexes_options.reserved");
+        assert_eq!((size_of::<obc_volume_map_hexes_report>(), align_of::<obc_volume_map_hexes_report>()), (48, 8));
+        let it = MaybeUninit::<obc_volume_map_hexes_report>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_hexes_report.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).padded) } as usize - start as usize, 4, "obc_volume_map_hexes_report.padded");
+        assert_eq!(unsafe { addr_of!((*start).least_scaled_jacobian) } as usize - start as usize, 8, "obc_volume_map_hexes_report.least_scaled_jacobian");
+        assert_eq!(unsafe { addr_of!((*start).mean_scaled_jacobian) } as usize - start as usize, 16, "obc_volume_map_hexes_report.mean_scaled_jacobian");
+        assert_eq!(unsafe { addr_of!((*start).volume) } as usize - start as usize, 24, "obc_volume_map_hexes_report.volume");
+        assert_eq!(unsafe { addr_of!((*start).polycube_corners) } as usize - start as usize, 32, "obc_volume_map_hexes_report.polycube_corners");
+        assert_eq!(unsafe { addr_of!((*start).off_surface) } as usize - start as usize, 40, "obc_volume_map_hexes_report.off_surface");
     }
 }

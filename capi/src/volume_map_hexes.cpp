@@ -1,0 +1,183 @@
+// The C functions of volume_map for solids on polycubes and hexahedral meshes.
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "capi/src/entry.h"
+#include "capi/src/polycube_surface.h"
+#include "mesh/cells.h"
+#include "orbicube/volume_map.h"
+#include "polycube/construction.h"
+#include "volume_map/coarse_surface.h"
+#include "volume_map/hex_meshing.h"
+#include "volume_map/solid_boundary.h"
+#include "volume_map/volume_map.h"
+
+using namespace orbicube;
+using mesh::Tetrahedron;
+using mesh::Triangle;
+using mesh::Vector3;
+
+struct obc_volume_map_solid {
+  explicit obc_volume_map_solid(const obc_host* host) : adapter(host), map(adapter.host().memory) {}
+
+  capi::HostAdapter adapter;
+  volume_map::VolumeMap map;
+};
+
+struct obc_volume_map_hexes {
+  explicit obc_volume_map_hexes(const obc_host* host) : adapter(host), made(adapter.host().memory) {}
+
+  capi::HostAdapter adapter;
+  volume_map::HexResult made;
+};
+
+namespace {
+
+obc_volume_map_solid_options default_solid_options() {
+  obc_volume_map_solid_options o{};
+  o.struct_size = sizeof o;
+  o.corners = 60;
+  return o;
+}
+
+obc_volume_map_hexes_options default_hexes_options() {
+  const volume_map::HexOptions defaults;
+  obc_volume_map_hexes_options o{};
+  o.struct_size = sizeof o;
+  o.padding = static_cast<std::int32_t>(defaults.padding);
+  o.cells = defaults.cells;
+  o.corners = 60;
+  o.triangles = 6000;
+  o.rounds = defaults.rounds;
+  return o;
+}
+
+template <class From>
+void copy_out(const From& from, void* to) {
+  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof from[0]);
+}
+
+}  // namespace
+
+obc_status obc_volume_map_solid_options_init(obc_volume_map_solid_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_solid_options());
+}
+
+obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_count, const uint32_t* tetrahedra,
+                                        size_t tetrahedron_count, const obc_volume_map_solid_options* options,
+                                        const obc_host* host, obc_volume_map_solid** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    capi::require(positions != nullptr || vertex_count == 0, "positions is NULL");
+    capi::require(tetrahedra != nullptr || tetrahedron_count == 0, "tetrahedra is NULL");
+    constexpr std::size_t most = UINT32_MAX / 4;
+    capi::require(vertex_count < most && tetrahedron_count < most, "too many vertices or tetrahedra");
+    const obc_volume_map_solid_options o = capi::copy_versioned(options, default_solid_options());
+    auto made = std::make_unique<obc_volume_map_solid>(host);
+    const base::Host& h = made->adapter.host();
+    mesh::Mesh solid(h.memory);
+    const auto* const places = reinterpret_cast<const Vector3*>(positions);
+    const auto* const cells = reinterpret_cast<const Tetrahedron*>(tetrahedra);
+    solid.positions.assign(places, places + vertex_count);
+    solid.tetrahedra.assign(cells, cells + tetrahedron_count);
+    const volume_map::BoundaryFirst first = volume_map::boundary_first(solid, h);
+    const polycube::BestConstruction best =
+        polycube::construct(first.outer_positions(), first.surface, {.corners = o.corners, .seed = o.seed}, h);
+    made->map = volume_map::map_to_polycube({first.positions, first.tetrahedra, first.surface, best.made.map}, h);
+    *out = made.release();
+  });
+}
+
+void obc_volume_map_solid_destroy(obc_volume_map_solid* solid) {
+  delete solid;
+}
+
+size_t obc_volume_map_solid_vertex_count(const obc_volume_map_solid* solid) {
+  return solid != nullptr ? solid->map.source.size() : 0;
+}
+
+size_t obc_volume_map_solid_tetrahedron_count(const obc_volume_map_solid* solid) {
+  return solid != nullptr ? solid->map.tetrahedra.size() : 0;
+}
+
+obc_status obc_volume_map_solid_copy(const obc_volume_map_solid* solid, double* positions, double* polycube,
+                                     uint32_t* tetrahedra, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(solid != nullptr, "solid is NULL");
+    copy_out(solid->map.source, positions);
+    copy_out(solid->map.image, polycube);
+    copy_out(solid->map.tetrahedra, tetrahedra);
+  });
+}
+
+obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_hexes_options());
+}
+
+obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_volume_map_hexes_options* options,
+                                        const obc_host* host, obc_volume_map_hexes_report* report,
+                                        obc_volume_map_hexes** out, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    const capi::SurfaceView s(surface);
+    const obc_volume_map_hexes_options o = capi::copy_versioned(options, default_hexes_options());
+    capi::require(o.padding >= OBC_VOLUME_MAP_PADDING_AUTO && o.padding <= OBC_VOLUME_MAP_PADDING_WITHOUT,
+                  "options->padding is none of the constants");
+    auto made = std::make_unique<obc_volume_map_hexes>(host);
+    const base::Host& h = made->adapter.host();
+    capi::require_one_surface(s, h);
+    const bool coarser = o.triangles > 0 && s.triangles.size() / 2 > o.triangles;
+    const volume_map::CoarseSurface coarse =
+        volume_map::coarse_surface(s.positions, s.triangles, coarser ? o.triangles : s.triangles.size(), h);
+    const polycube::BestConstruction best =
+        polycube::construct(coarse.positions, coarse.triangles, {.corners = o.corners, .seed = o.seed}, h);
+    volume_map::PolycubeSurface mapped{best.made.map};
+    if (coarse.triangles.size() < s.triangles.size()) {
+      mapped.fine_positions = s.positions;
+      mapped.fine_triangles = s.triangles;
+    }
+    made->made = volume_map::make_hexahedra(
+        mapped, {.cells = o.cells, .padding = static_cast<volume_map::Padding>(o.padding), .rounds = o.rounds}, h);
+    obc_volume_map_hexes_report r{};
+    r.struct_size = sizeof r;
+    r.padded = made->made.padded ? 1 : 0;
+    r.least_scaled_jacobian = made->made.quality.least_scaled_jacobian;
+    r.mean_scaled_jacobian = made->made.quality.mean_scaled_jacobian;
+    r.volume = made->made.quality.volume;
+    r.polycube_corners = best.made.certificate.corners;
+    r.off_surface = made->made.off_surface;
+    capi::write_versioned(report, r);
+    *out = made.release();
+  });
+}
+
+void obc_volume_map_hexes_destroy(obc_volume_map_hexes* hexes) {
+  delete hexes;
+}
+
+size_t obc_volume_map_hexes_vertex_count(const obc_volume_map_hexes* hexes) {
+  return hexes != nullptr ? hexes->made.mesh.positions.size() : 0;
+}
+
+size_t obc_volume_map_hexes_count(const obc_volume_map_hexes* hexes) {
+  return hexes != nullptr ? hexes->made.mesh.hexahedra.size() : 0;
+}
+
+size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes* hexes) {
+  return hexes != nullptr ? hexes->made.mesh.quads.size() : 0;
+}
+
+obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes* hexes, double* positions, uint32_t* hexahedra,
+                                     uint32_t* quads, uint32_t* quad_faces, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(hexes != nullptr, "hexes is NULL");
+    const volume_map::HexMesh& mesh = hexes->made.mesh;
+    copy_out(mesh.positions, positions);
+    copy_out(mesh.hexahedra, hexahedra);
+    copy_out(mesh.quads, quads);
+    copy_out(mesh.quad_patches, quad_faces);
+  });
+}
