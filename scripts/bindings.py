@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Writes the raw layers of the bindings, which are the C functions as they are, from api.json.
 
-    scripts/bindings.py           writes what changed: Python's modules, Rust's orbicube-sys, Julia's ccalls, layouts.c
+    scripts/bindings.py           writes what changed: Python's modules, Rust's orbicube-sys, Julia's ccalls,
+                                   JavaScript's layouts and types, layouts.c
     scripts/bindings.py --check   changes nothing; fails when writing would change something
 
 The layers that people use (bindings/python/orbicube/*.py and so on) are written by hand on top of them.
@@ -14,16 +15,17 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
-from raw import julia, layouts, python, rust  # noqa: E402
+from raw import javascript, julia, layouts, python, rust  # noqa: E402
 from raw.c_types import Api  # noqa: E402
 
 # Folders with nothing in them but generated files: what lies there and is not written is out of date.
-OWNED = ["bindings/python/orbicube/raw/*.py*", "bindings/julia/src/raw/*.jl", "bindings/rust/orbicube-sys/src/*.rs"]
+OWNED = ["bindings/python/orbicube/raw/*.py*", "bindings/julia/src/raw/*.jl", "bindings/rust/orbicube-sys/src/*.rs",
+         "bindings/js/raw/*"]
 
 
 def generated_files(api):
     result = {}
-    for writer in (python, rust, julia, layouts):
+    for writer in (python, rust, julia, javascript, layouts):
         result.update(writer.files(api))
     return result
 

@@ -105,7 +105,7 @@ void OutputFile::write(std::span<const std::byte> bytes) {
 }
 
 void OutputFile::write(std::string_view text) {
-  write(std::as_bytes(std::span(text)));
+  write(std::as_bytes(std::span(text.data(), text.size())));
 }
 
 void OutputFile::commit() {

@@ -36,7 +36,7 @@ void emit_glb(std::string text, const BinaryBuffer& buffer, const Sink& sink) {
     throw base::Error("unsupported", "a GLB file of 4 GiB or more");
   for (const std::uint64_t word : {magic, version, total, std::uint64_t{text.size()}, json_chunk})
     sink(little_endian(word));
-  sink(std::as_bytes(std::span(text)));
+  sink(std::as_bytes(std::span(text.data(), text.size())));
   for (const std::uint64_t word : {buffer.size(), binary_chunk})
     sink(little_endian(word));
   buffer.emit(sink);

@@ -30,7 +30,7 @@ class BinaryWriter {
     buffer_.insert(buffer_.end(), raw.begin(), raw.end());
   }
   void put_text(std::string_view text) {
-    const auto bytes = std::as_bytes(std::span(text));
+    const auto bytes = std::as_bytes(std::span(text.data(), text.size()));
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
   }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <compare>
 
 namespace orbicube::polycube {
 namespace {
@@ -53,19 +54,19 @@ class Grid {
     Place place;
     int axis;
     Index chart;
-    auto operator<=>(const Cell&) const = default;
+    std::strong_ordering operator<=>(const Cell&) const = default;
   };
   // The edge of the grid from the place on, along the axis.
   struct Edge {
     Place place;
     int axis;
     Index chart;
-    auto operator<=>(const Edge&) const = default;
+    std::strong_ordering operator<=>(const Edge&) const = default;
   };
   struct Vertex {
     Place place;
     unsigned quadrant;  // one of 12
-    auto operator<=>(const Vertex&) const = default;
+    std::strong_ordering operator<=>(const Vertex&) const = default;
   };
 
   bool on_edge(Index h) const { return charts_[h / 3] != charts_[connectivity_.opposite(h) / 3]; }

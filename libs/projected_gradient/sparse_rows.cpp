@@ -1,12 +1,32 @@
 #include "projected_gradient/sparse_rows.h"
 
+#include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "base/error.h"
 #include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
+namespace {
+
+// The same bits with every C library, as those of std::hypot are not. No square is out of range.
+double length_of(std::span<const double> row) {
+  double largest = 0;
+  for (const double x : row)
+    largest = std::max(largest, std::abs(x));
+  if (largest == 0 || !std::isfinite(largest)) return largest;
+  const int exponent = std::ilogb(largest);
+  double sum = 0;
+  for (const double x : row) {
+    const double scaled = std::scalbn(x, -exponent);
+    sum += scaled * scaled;
+  }
+  return std::scalbn(std::sqrt(sum), exponent);
+}
+
+}  // namespace
 
 SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory)
     : row_start_(memory),
@@ -52,9 +72,7 @@ SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory
     row_start_[i + 1] = column_.size();
     if (!std::isfinite(problem.rhs[i]))
       throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] is not finite");
-    double length = 0;
-    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
-      length = std::hypot(length, value_[k]);
+    const double length = length_of({value_.data() + row_start_[i], row_start_[i + 1] - row_start_[i]});
     // So that neither the row over its length nor squares of what belongs to it leave the range of double.
     if (length > 0 && !(length >= 1e-150 && length <= 1e150))
       throw base::Error("invalid-argument",

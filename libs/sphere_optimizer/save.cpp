@@ -39,7 +39,7 @@ Options Solver::options_of(std::span<const std::byte> blob) {
 
 Shape Solver::shape_of(std::span<const std::byte> blob) {
   const Description saved = saved_run.description(blob);
-  return {saved.count, saved.dimension};
+  return {static_cast<std::size_t>(saved.count), static_cast<std::size_t>(saved.dimension)};
 }
 
 void Solver::load(std::span<const std::byte> blob) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "base/error.h"
@@ -38,7 +39,7 @@ const Options& checked(const Options& options) {
 const Shape& checked(const Shape& shape) {
   require(shape.count >= 1, "there must be a sphere");
   require(shape.dimension >= 2, "spheres must be in two dimensions at least");
-  constexpr std::size_t most = std::size_t{1} << 40;
+  constexpr auto most = static_cast<std::size_t>(std::min<std::uint64_t>(1ULL << 40U, PTRDIFF_MAX / sizeof(double)));
   require(shape.count < most / shape.dimension, "there are too many unknowns");
   return shape;
 }

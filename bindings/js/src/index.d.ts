@@ -1,0 +1,332 @@
+import type { RawFunctions } from './raw/raw.js';
+export { OrbicubeWorker } from './client.js';
+
+/** Fulfilled once the module can be used; nothing else can be used before. */
+export const ready: Promise<void>;
+
+/** What a library could not do. */
+export class OrbicubeError extends Error {
+  /** A word as "not-closed". */
+  readonly kind: string;
+  /** That of C, negative. */
+  readonly status: number;
+}
+
+/** Throw it in a function that a solver calls where it has no value. */
+export class EvaluationFailed extends Error {}
+/** Throw it in a function that a solver calls to end the run. */
+export class StopRun extends Error {}
+
+export type Numbers = ArrayLike<number>;
+
+export interface Progress {
+  phase: string;
+  done: number;
+  /** 0 where it is not known. */
+  total: number;
+  /** Of the objective so far, NaN where there is none. */
+  best: number;
+}
+
+/** What a computation is lent. */
+export interface Host {
+  /** Answer false to cancel. */
+  onProgress?: (at: Progress) => boolean | void;
+  signal?: AbortSignal;
+}
+
+// ---- solvers ---------------------------------------------------------------------------------------------------------------
+
+export interface RunResult {
+  x: Float64Array;
+  value: number;
+  /** Why it ended, as "converged". */
+  stop: string;
+  converged: boolean;
+  evaluations: number;
+  /** All members of the result of C, in camel case. */
+  report: Record<string, number>;
+}
+
+declare class Run {
+  readonly result: RunResult;
+  /** Bytes from which load() goes on to the same bits. */
+  save(): Uint8Array;
+  close(): void;
+}
+
+/** One number for all unknowns, or one each. */
+export type Each = number | Numbers;
+
+export interface TrustRegionProblem {
+  residuals?: number;
+  lower?: Each;
+  upper?: Each;
+  scale?: Each;
+  sign?: Each;
+}
+
+export interface TrustRegionOptions extends TrustRegionProblem {
+  method?: 'twoRadii' | 'seed';
+  start?: 'automatic' | 'chain' | 'cross';
+  points?: number;
+  radiusBegin?: number;
+  radiusEnd?: number;
+  target?: number;
+  noiseAbsolute?: number;
+  noiseRelative?: number;
+  restarts?: number;
+  maxEvaluations?: number;
+}
+
+export class TrustRegion extends Run {
+  constructor(x0: Numbers, options?: TrustRegionOptions);
+  static load(saved: Uint8Array, x0: Numbers, problem?: TrustRegionProblem): TrustRegion;
+  ask(): Float64Array | null;
+  askAll(): Float64Array[] | null;
+  tell(outputs: number | Numbers | null): void;
+  give(points: Numbers[], outputs: number[] | number[][]): void;
+  run(f: (x: Float64Array) => number | Numbers, host?: Host): RunResult;
+}
+
+export namespace trustRegion {
+  function minimize(f: (x: Float64Array) => number, x0: Numbers, options?: TrustRegionOptions & Host): RunResult;
+  function leastSquares(f: (x: Float64Array) => Numbers, x0: Numbers, count: number, options?: TrustRegionOptions & Host): RunResult;
+}
+
+/** Writes the gradient and answers the value. */
+export type WithGradient = (x: Float64Array, gradient: Float64Array) => number;
+
+export interface ProjectedGradientProblem {
+  lower?: Each;
+  upper?: Each;
+  /** Rows of linear equations A x = b. */
+  A?: Numbers[];
+  b?: Numbers;
+}
+
+export interface ProjectedGradientOptions extends ProjectedGradientProblem {
+  method?: 'face' | 'seed';
+  lineSearch?: 'largestOfLast' | 'average';
+  memory?: number;
+  history?: number;
+  averageWeight?: number;
+  gradientTolerance?: number;
+  target?: number;
+  maxEvaluations?: number;
+  maxIterations?: number;
+}
+
+export class ProjectedGradient extends Run {
+  constructor(x0: Numbers, options?: ProjectedGradientOptions);
+  static load(saved: Uint8Array, x0: Numbers, problem?: ProjectedGradientProblem): ProjectedGradient;
+  readonly multipliers: Float64Array;
+  ask(): Float64Array | null;
+  tell(value: number, gradient?: Numbers): void;
+  run(f: WithGradient, host?: Host): RunResult;
+}
+
+export namespace projectedGradient {
+  function minimize(f: WithGradient, x0: Numbers, options?: ProjectedGradientOptions & Host): RunResult;
+  function project(y: Numbers, problem: ProjectedGradientProblem): { x: Float64Array; stop: string; report: Record<string, number> };
+}
+
+export interface SphereOptimizerOptions {
+  /** Numbers of a unit vector, 3 if it is not said. */
+  dimension?: number;
+  method?: 'limitedMemory' | 'barzilaiBorwein' | 'seed';
+  memory?: number;
+  history?: number;
+  gradientTolerance?: number;
+  target?: number;
+  maxEvaluations?: number;
+  maxIterations?: number;
+}
+
+export class SphereOptimizer extends Run {
+  constructor(x0: Numbers, options?: SphereOptimizerOptions);
+  static load(saved: Uint8Array, x0: Numbers): SphereOptimizer;
+  ask(): Float64Array | null;
+  tell(value: number, gradient?: Numbers): void;
+  run(f: WithGradient, host?: Host): RunResult;
+}
+
+export namespace sphereOptimizer {
+  function minimize(f: WithGradient, x0: Numbers, options?: SphereOptimizerOptions & Host): RunResult;
+}
+
+// ---- surfaces --------------------------------------------------------------------------------------------------------------
+
+/** x y z a vertex, and three vertices a triangle, counter-clockwise seen from outside. */
+export interface Surface {
+  positions: Float64Array;
+  triangles: Uint32Array;
+}
+
+export type SurfaceLike = Mesh | { positions: Numbers; triangles: Numbers };
+export type Format = 'obj' | 'off' | 'ply' | 'stl' | 'medit' | 'vtk';
+
+export class Mesh implements Surface {
+  private constructor();
+  static read(bytes: Uint8Array | ArrayBuffer, format: Format, options?: { weldIdentical?: boolean } & Host): Mesh;
+  static make(shape: string, triangles: number, options?: { seed?: number } & Host): Mesh;
+  static from(surface: { positions: Numbers; triangles: Numbers }): Mesh;
+  static readonly shapes: string[];
+  readonly vertexCount: number;
+  readonly triangleCount: number;
+  /** A view of the library's memory, which ends when that memory grows. */
+  readonly positions: Float64Array;
+  readonly triangles: Uint32Array;
+  /** Copies that stay. */
+  readonly arrays: Surface;
+  readonly format: string;
+  readonly notes: string[];
+  close(): void;
+}
+
+/** The format that the name of a file asks for. */
+export function formatOf(name: string): Format;
+export function writeMesh(surface: SurfaceLike, ending: 'obj' | 'off' | 'ply' | 'stl' | 'mesh' | 'vtk', options?: { binary?: boolean } & Host): Uint8Array;
+export function topology(surface: SurfaceLike, host?: Host): Record<string, number> & { low: number[]; high: number[] };
+export function checkClosedGenusZero(surface: SurfaceLike, host?: Host): void;
+export function orient(surface: { positions: Numbers; triangles: Numbers }, host?: Host): Uint32Array;
+
+/** An array in the module's memory, which calls take without a copy. */
+export class HeapArray<Type extends 'float64' | 'float32' | 'uint32' | 'uint8' = 'float64'> {
+  constructor(type: Type, length: number);
+  readonly length: number;
+  readonly array: { float64: Float64Array; float32: Float32Array; uint32: Uint32Array; uint8: Uint8Array }[Type];
+  close(): void;
+}
+
+// ---- maps ------------------------------------------------------------------------------------------------------------------
+
+export interface SphereMapOptions {
+  method?: 'balanced' | 'angleArea' | 'isometric' | 'stretch' | 'conformal' | 'seed';
+  angleWeight?: number;
+  areaWeight?: number;
+  seed?: number;
+}
+
+export interface SphereMapReport {
+  bijective: number;
+  mirrored: number;
+  flipped: number;
+  degenerate: number;
+  zeroAreaFaces: number;
+  degree: number;
+  energyAngle: number;
+  energyArea: number;
+  energy: number;
+  dilatationLargest: number;
+  dilatationMean: number;
+  areaRatioSmallest: number;
+  areaRatioLargest: number;
+  stretchEfficiency: number;
+  isometricMean: number;
+}
+
+export interface SphereMapResult {
+  /** Unit vectors in the order of the vertices. */
+  directions: Float64Array;
+  report: SphereMapReport;
+}
+
+export function sphereMap(surface: SurfaceLike, options?: SphereMapOptions & Host & { out?: Float64Array }): SphereMapResult;
+export function measure(surface: SurfaceLike, directions: Numbers, options?: SphereMapOptions & Host): SphereMapReport;
+export function faceDistortion(surface: SurfaceLike, directions: Numbers, host?: Host): { dilatation: Float64Array; areaRatio: Float64Array };
+export function roundToFloat(surface: SurfaceLike, directions: Numbers, host?: Host): Float32Array;
+export function vertexNormals(surface: SurfaceLike, host?: Host): Float64Array;
+export function bestRotation(from: Numbers, to: Numbers): Float64Array;
+
+export type Grid = 'icosphere' | 'cube' | 'latitude' | 'octahedron';
+export function grid(kind: Grid, resolution: number, host?: Host): Mesh;
+
+export class Locator {
+  constructor(surface: SurfaceLike, directions: Numbers, host?: Host);
+  locate(directions: Numbers, host?: Host): { triangles: Uint32Array; weights: Float64Array };
+  sample(directions: Numbers, values: Numbers, options?: { unit?: boolean } & Host): Float64Array;
+  remesh(positions: Numbers, grid: Grid, resolution: number, host?: Host): Mesh;
+  close(): void;
+}
+
+export function overlay(first: SurfaceLike, firstDirections: Numbers, second: SurfaceLike, secondDirections: Numbers, host?: Host):
+  { mesh: Mesh; secondVertex: Uint32Array };
+
+export interface PolycubeOptions {
+  construction?: 'auto' | 'labels' | 'voxels';
+  /** At most; 0: any number. */
+  corners?: number;
+  seed?: number;
+}
+
+export interface DomainOptions {
+  measure?: 'surfaceMean' | 'faceMean' | 'harmonic';
+  areaWeight?: number;
+}
+
+export class Polycube {
+  private constructor();
+  readonly corners: number;
+  readonly patches: number;
+  readonly vertexCount: number;
+  readonly triangleCount: number;
+  readonly arrays: Surface & { polycube: Float64Array };
+  readonly triangleParts: { labels: Uint8Array; patches: Uint32Array; sources: Uint32Array };
+  optimizeDomain(options?: DomainOptions & Host): Polycube;
+  /** A mesh of about so many quads, the same for maps to one polycube: where its vertices are on surface and polycube. */
+  quads(count?: number, host?: Host): { positions: Float64Array; polycube: Float64Array; corners: Uint32Array; patches: Uint32Array };
+  close(): void;
+}
+
+export function polycube(surface: SurfaceLike, options?: PolycubeOptions & Host): Polycube;
+export function commonPolycube(surfaces: SurfaceLike[], options?: PolycubeOptions & DomainOptions & Host): Polycube[];
+
+// ---- files for engines -----------------------------------------------------------------------------------------------------
+
+export interface Scene {
+  positions: Numbers;
+  triangles: Numbers;
+  normals?: Numbers;
+  /** Where the vertices are, not deltas. */
+  morphTargets?: { name: string; positions: Numbers }[];
+  textureCoordinates?: Numbers;
+  colors?: Numbers;
+  edges?: Numbers;
+  translation?: number[];
+  scale?: number;
+  baseColor?: number[];
+  /** A PNG file. */
+  texture?: Uint8Array;
+  checker?: boolean;
+  smoothNormals?: boolean;
+  morphNormals?: boolean;
+  name?: string;
+  extras?: string | object;
+  morphSeconds?: number;
+}
+
+export function writeGlb(scene: Scene, host?: Host): Uint8Array;
+export function readGltf(bytes: Uint8Array | ArrayBuffer, options?: { weldIdentical?: boolean; morphTarget?: string } & Host):
+  Surface & { notes: string[] };
+
+export interface MorphedShapes {
+  first: Float64Array;
+  second: Float64Array;
+  directions: Float64Array;
+  triangles: Uint32Array;
+}
+
+export function morph(first: SurfaceLike, firstDirections: Float64Array, second: SurfaceLike, secondDirections: Float64Array, host?: Host): MorphedShapes;
+/** The map turned so that the straight way from the shape to its sphere is a short one. */
+export function facing(surface: SurfaceLike, directions: Float64Array, host?: Host): Float64Array;
+export function sphereGlb(surface: SurfaceLike, directions: Float64Array, options?: { name?: string } & Host): Uint8Array;
+export function boxOf(positions: Numbers): { centre: number[]; halfSize: number };
+export function normalised(positions: Numbers, box?: { centre: number[]; halfSize: number }): Float64Array;
+export function octahedronCoordinates(directions: Float64Array): Float32Array;
+
+/** The C functions as they are, and the memory they work on. */
+export const c: RawFunctions & { readonly memory: ArrayBuffer; malloc(size: number): number; free(address: number): void };
+
+/** major * 10000 + minor * 100 + patch. */
+export function version(): number;

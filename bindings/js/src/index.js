@@ -1,0 +1,27 @@
+// Orbicube in JavaScript: everything that docs/javascript.md shows.
+import * as trustRegion from './trust_region.js';
+import * as projectedGradient from './projected_gradient.js';
+import * as sphereOptimizer from './sphere_optimizer.js';
+import { module, raw } from './module.js';
+
+export { OrbicubeError } from './errors.js';
+export { HeapArray, ready } from './module.js';
+export { EvaluationFailed, StopRun } from './solver.js';
+export { trustRegion, projectedGradient, sphereOptimizer };
+export { TrustRegion } from './trust_region.js';
+export { ProjectedGradient } from './projected_gradient.js';
+export { SphereOptimizer } from './sphere_optimizer.js';
+export { Mesh, checkClosedGenusZero, formatOf, orient, topology, writeMesh } from './mesh.js';
+export { Locator, bestRotation, faceDistortion, grid, measure, overlay, roundToFloat, sphereMap, vertexNormals } from './sphere_map.js';
+export { Polycube, commonPolycube, polycube } from './polycube.js';
+export { readGltf, writeGlb } from './gltf.js';
+export { boxOf, facing, morph, normalised, octahedronCoordinates, sphereGlb } from './morph.js';
+export { OrbicubeWorker } from './client.js';
+
+/** The C functions as they are, by their names, and the memory they work on: raw/raw.d.ts. */
+export const c = new Proxy({}, {
+  get: (_, name) => (name === 'memory' ? module().HEAPU8.buffer : module()[`_${name}`]),
+});
+
+/** major * 10000 + minor * 100 + patch of the libraries. */
+export const version = () => raw('obc_base_version');

@@ -1,0 +1,245 @@
+// The page: a mesh goes to the worker, its map comes back, the viewer shows the way between, and a GLB can be had of it.
+import { OrbicubeWorker } from './orbicube/client.js';
+import { Viewer } from './viewer.js';
+
+const find = (id) => document.getElementById(id);
+const number = new Intl.NumberFormat('en', { maximumFractionDigits: 3 });
+const worker = new OrbicubeWorker();
+const viewer = new Viewer(find('view'));
+
+let shape = null; // {name, surface, box, sphere, polycube}
+let control = null; // of the work at hand
+let playing = 0;
+
+// ---- what is said --------------------------------------------------------------------------------------------------------
+
+function say(text, bad = false) {
+  find('status').textContent = text;
+  find('status').classList.toggle('bad', bad);
+}
+
+function figures(rows) {
+  find('figures').replaceChildren(...Object.entries(rows).flatMap(([name, value]) => {
+    const [term, figure] = [document.createElement('dt'), document.createElement('dd')];
+    term.textContent = name;
+    figure.textContent = typeof value === 'number' ? number.format(value) : value;
+    return [term, figure];
+  }));
+}
+
+const causes = {
+  'wrong-genus': 'It has handles, and only surfaces without any go to a sphere. A polycube takes it.',
+  boundary: 'The surface has holes: only closed ones have a sphere map.',
+  'not-closed': 'The surface has holes: only closed ones have a sphere map.',
+};
+
+/** Runs one piece of work with progress and a way to end it; null when that was taken. */
+async function working(title, body) {
+  control?.abort();
+  const mine = control = new AbortController();
+  find('work').hidden = false;
+  find('phase').textContent = title;
+  find('progress').removeAttribute('value');
+  document.body.setAttribute('aria-busy', 'true');
+  const onProgress = ({ phase, done, total }) => {
+    if (mine !== control) return;
+    find('phase').textContent = `${title}: ${phase}`;
+    if (total > 0) find('progress').value = done / total;
+    else find('progress').removeAttribute('value');
+  };
+  try {
+    return await body({ signal: mine.signal, onProgress });
+  } catch (problem) {
+    if (problem.name === 'AbortError') {
+      if (mine === control) say('Cancelled.');
+    } else {
+      say(`${causes[problem.kind] ?? ''} ${problem.message}`.trim(), true);
+    }
+    return null;
+  } finally {
+    if (mine === control) {
+      control = null;
+      find('work').hidden = true;
+      document.body.removeAttribute('aria-busy');
+    }
+  }
+}
+
+// ---- shapes and their maps -----------------------------------------------------------------------------------------------
+
+const chosen = (name) => document.querySelector(`input[name="${name}"]:checked`).value;
+
+/** The middle of the box, and half its longest side or more, so that all of it is seen from everywhere. */
+function boxOf(positions) {
+  const low = [Infinity, Infinity, Infinity];
+  const high = [-Infinity, -Infinity, -Infinity];
+  positions.forEach((x, i) => {
+    low[i % 3] = Math.min(low[i % 3], x);
+    high[i % 3] = Math.max(high[i % 3], x);
+  });
+  const sides = high.map((x, k) => x - low[k]);
+  return { centre: low.map((x, k) => (x + high[k]) / 2), half: Math.max(...sides, 0.75 * Math.hypot(...sides)) / 2 || 1 };
+}
+
+const placed = (positions, { centre, half }) => Float32Array.from(positions, (x, i) => (x - centre[i % 3]) / half);
+
+function ready(on) {
+  for (const id of ['slider', 'play', 'download']) find(id).disabled = !on;
+  find('slider').setAttribute('aria-label', `From the shape to its ${chosen('target')}`);
+  find('to').textContent = chosen('target');
+}
+
+/** What is shown now: positions of the shape, where they go, and the triangles of both. */
+function shown() {
+  const map = shape?.[chosen('target')];
+  if (!map) return null;
+  if (chosen('target') === 'sphere') {
+    return { from: placed(shape.surface.positions, shape.box), to: map.directions, triangles: shape.surface.triangles, kind: 1 };
+  }
+  return { from: placed(map.positions, shape.box), to: placed(map.polycube, boxOf(map.polycube)), triangles: map.triangles, kind: 2 };
+}
+
+function tell() {
+  const { vertices, triangles } = { vertices: shape.surface.positions.length / 3, triangles: shape.surface.triangles.length / 3 };
+  const rows = { vertices, triangles };
+  if (chosen('target') === 'sphere' && shape.sphere) {
+    const { report } = shape.sphere;
+    rows['turned over'] = report.flipped;
+    rows['dilatation, mean'] = report.dilatationMean;
+    rows['dilatation, largest'] = report.dilatationLargest;
+  }
+  if (chosen('target') === 'polycube' && shape.polycube) {
+    rows['corners of the polycube'] = shape.polycube.corners;
+    rows['vertices added'] = shape.polycube.positions.length / 3 - vertices;
+  }
+  figures(rows);
+}
+
+async function show() {
+  if (!shape) return;
+  const target = chosen('target');
+  stop();
+  setShare(0);
+  ready(false);
+  if (!shape[target]) {
+    const { surface } = shape;
+    // Until there is a map, the shape alone.
+    const alone = placed(surface.positions, shape.box);
+    viewer.pattern = 0;
+    viewer.show(alone, alone, surface.triangles, 1);
+    tell();
+    say(target === 'sphere' ? 'The sphere is on its way.' : 'A polycube is looked for; that can take a minute.');
+    const began = performance.now();
+    const of = shape;
+    const map = await working(target === 'sphere' ? 'Sphere map' : 'Polycube',
+      (host) => (target === 'sphere' ? worker.run('sphereMap', { surface, facing: true }, host) : worker.run('polycube', { surface }, host)));
+    if (!map || shape !== of) return;
+    of[target] = map;
+    if (chosen('target') !== target) return;
+    say(`${of.name}: every triangle has its place on the ${target}, none is turned over; ${number.format((performance.now() - began) / 1000)} s.`);
+  }
+  const { from, to, triangles, kind } = shown();
+  viewer.pattern = chosen('pattern') === 'checker' ? 1 : 0;
+  viewer.show(from, to, triangles, kind);
+  tell();
+  ready(true);
+  if (!matchMedia('(prefers-reduced-motion: reduce)').matches) play();
+}
+
+async function take(name, work, given, transfer) {
+  stop();
+  const surface = await working(`Reading ${name}`, (host) => worker.run(work, given, { ...host, transfer }));
+  if (!surface) return;
+  find('hint').hidden = true;
+  viewer.reset();
+  shape = { name, surface, box: boxOf(surface.positions) };
+  await show();
+}
+
+async function open(file) {
+  if (!file) return;
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  await take(file.name, 'read', { bytes, name: file.name, weldIdentical: true }, [bytes.buffer]);
+}
+
+// ---- the way between -------------------------------------------------------------------------------------------------------
+
+function setShare(share) {
+  viewer.share = share;
+  find('slider').value = Math.round(1000 * share);
+  viewer.draw();
+}
+
+function stop() {
+  playing = 0;
+  find('play').setAttribute('aria-pressed', 'false');
+}
+
+/** To the other end, softly. */
+function play() {
+  const began = performance.now();
+  const from = viewer.share;
+  const to = from < 0.5 ? 1 : 0;
+  const mine = playing = began;
+  find('play').setAttribute('aria-pressed', 'true');
+  const step = () => {
+    if (playing !== mine) return;
+    const t = Math.min(1, (performance.now() - began) / 2200);
+    setShare(from + (to - from) * t * t * (3 - 2 * t));
+    if (t < 1) requestAnimationFrame(step);
+    else stop();
+  };
+  requestAnimationFrame(step);
+}
+
+async function download() {
+  const { from, to, triangles } = shown();
+  const target = chosen('target');
+  const stem = shape.name.replace(/\.\w+$/, '');
+  const made = await working('Writing', (host) => (target === 'sphere'
+    ? worker.run('sphereGlb', { surface: shape.surface, directions: to, name: stem }, host)
+    : worker.run('glb', { scene: { positions: from, triangles, name: stem, morphTargets: [{ name: target, positions: to }] } }, host)));
+  if (!made) return;
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob([made.bytes], { type: 'model/gltf-binary' }));
+  link.download = `${stem}-${target}.glb`;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  say(`${link.download}: ${number.format(made.bytes.length / 1e6)} MB, with the ${target} as a morph target.`);
+}
+
+// ---- what is done on the page ----------------------------------------------------------------------------------------------
+
+find('file').addEventListener('change', (event) => {
+  open(event.target.files[0]);
+  event.target.value = '';
+});
+find('sample').addEventListener('click', () => take('creature', 'make',
+  { shape: 'creature', triangles: 12000, seed: Math.floor(Math.random() * 1000) }));
+find('cancel').addEventListener('click', () => control?.abort());
+find('slider').addEventListener('input', (event) => {
+  stop();
+  setShare(event.target.value / 1000);
+});
+find('play').addEventListener('click', () => (playing ? stop() : play()));
+find('download').addEventListener('click', download);
+for (const each of document.querySelectorAll('input[name="target"]')) each.addEventListener('change', show);
+for (const each of document.querySelectorAll('input[name="pattern"]')) {
+  each.addEventListener('change', () => {
+    viewer.pattern = chosen('pattern') === 'checker' && shown() ? 1 : 0;
+    viewer.draw();
+  });
+}
+find('view').addEventListener('keydown', (event) => {
+  if (event.key !== ' ' || find('play').disabled) return;
+  event.preventDefault();
+  find('play').click();
+});
+for (const [name, over] of [['dragover', true], ['dragleave', false], ['drop', false]]) {
+  document.addEventListener(name, (event) => {
+    event.preventDefault();
+    find('stage').classList.toggle('over', over);
+    if (name === 'drop') open(event.dataTransfer.files[0]);
+  });
+}
+document.body.dataset.ready = 'true';

@@ -1,0 +1,338 @@
+// What must hold in every JavaScript engine: run by node_test.mjs in node and by page.html in a browser. A check is told the
+// package and, by lines, what the C program problems.c ends in.
+
+export function assert(condition, message = 'it does not hold') {
+  if (!condition) throw new Error(message);
+}
+
+function same(a, b, what = 'values') {
+  const [x, y] = [JSON.stringify(a), JSON.stringify(b)];
+  assert(x === y, `${what}: ${x} is not ${y}`);
+}
+
+const sameBits = (a, b, what = 'numbers') => {
+  same(a.length, b.length, `${what}, their count`);
+  for (let i = 0; i < a.length; ++i) assert(Object.is(a[i], b[i]), `${what}: at ${i} ${a[i]} is not ${b[i]}`);
+};
+
+function failure(body) {
+  try {
+    body();
+  } catch (problem) {
+    return problem;
+  }
+  throw new Error('nothing was thrown');
+}
+
+async function rejection(promise) {
+  try {
+    await promise;
+  } catch (problem) {
+    return problem;
+  }
+  throw new Error('nothing was thrown');
+}
+
+/** A line as problems.c prints it. */
+function line(name, evaluations, x) {
+  const memory = new DataView(new ArrayBuffer(8));
+  const bits = Array.from(x, (value) => {
+    memory.setFloat64(0, value);
+    return memory.getBigUint64(0).toString(16).padStart(16, '0');
+  });
+  return [name, evaluations, ...bits].join(' ');
+}
+
+// ---- the problems of problems.c ---------------------------------------------------------------------------------------
+
+const model = (x, i) => x[0] / (1 + x[1] * (0.5 * i)) + x[2];
+const truth = [2.5, 0.7, 0.4];
+const misfit = (x) => Array.from({ length: 8 }, (_, i) => model(x, i) - model(truth, i));
+const decayBounds = { lower: [0, 0, -1], upper: [10, 2, 1] };
+
+const price = [0.9, 0.3, 0.5, 1.4, 0.2];
+const usual = [0.2, 0.3, 0.2, 0.1, 0.2];
+const weight = [2, 1, 3, 1, 4];
+const feeds = { lower: 0, upper: 0.6, A: [[1, 1, 1, 1, 1], [0.12, 0.09, 0.35, 0.44, 0.05]], b: [1, 0.2] };
+
+function cost(x, gradient) {
+  let sum = 0;
+  for (let j = 0; j < 5; ++j) {
+    const away = x[j] - usual[j];
+    sum += price[j] * x[j] + 0.5 * weight[j] * away * away;
+    gradient[j] = price[j] + weight[j] * away;
+  }
+  return sum;
+}
+
+function charges(x, gradient) {
+  let sum = 0;
+  gradient.fill(0);
+  for (let i = 0; i < x.length / 3; ++i) {
+    for (let j = 0; j < i; ++j) {
+      const away = [0, 1, 2].map((k) => x[3 * i + k] - x[3 * j + k]);
+      let square = 0;
+      for (const a of away) square += a * a;
+      const term = 1 / square;
+      sum += term;
+      away.forEach((a, k) => {
+        const pull = 2 * term * term * a;
+        gradient[3 * i + k] -= pull;
+        gradient[3 * j + k] += pull;
+      });
+    }
+  }
+  return sum;
+}
+
+const chargesStart = Float64Array.from({ length: 36 }, (_, i) => (i * i * 7 % 37) / 37 - 0.5);
+
+const cube = {
+  positions: Float64Array.from([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1]),
+  triangles: Uint32Array.from([0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4, 2, 2, 4, 6, 1, 3, 5, 3, 7, 5]),
+};
+
+/** Of each triangle of a map whether it is counter-clockwise seen from outside, in doubles. */
+function countTurned(directions, triangles) {
+  let turned = 0;
+  for (let t = 0; t < triangles.length; t += 3) {
+    const [a, b, c] = [0, 1, 2].map((k) => directions.subarray(3 * triangles[t + k], 3 * triangles[t + k] + 3));
+    const det = a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+    if (!(det > 0)) ++turned;
+  }
+  return turned;
+}
+
+// ---- checks ------------------------------------------------------------------------------------------------------------
+
+export const checks = {
+  'solvers end in the bits of C'(o, lines) {
+    const wanted = new Map(lines.map((text) => [text.split(' ')[0], text]));
+    const decay = o.trustRegion.leastSquares(misfit, [1, 0.1, 0], 8, decayBounds);
+    same(line('decay', decay.evaluations, decay.x), wanted.get('decay'));
+    const mix = o.projectedGradient.minimize(cost, [0, 0, 0, 0, 0], feeds);
+    same(line('feeds', mix.evaluations, mix.x), wanted.get('feeds'));
+    const points = o.sphereOptimizer.minimize(charges, chargesStart);
+    same(line('icosahedron', points.evaluations, points.x), wanted.get('icosahedron'));
+    assert(decay.converged && mix.converged && points.converged);
+  },
+
+  'questions and answers end in the same bits, also through save and load'(o) {
+    const wanted = o.trustRegion.leastSquares(misfit, [1, 0.1, 0], 8, decayBounds);
+    let solver = new o.TrustRegion([1, 0.1, 0], { residuals: 8, ...decayBounds });
+    for (let asked = 0, x; (x = solver.ask()) !== null; ++asked) {
+      solver.tell(misfit(x));
+      if (asked % 7 === 3) {
+        const saved = solver.save();
+        solver.close();
+        solver = o.TrustRegion.load(saved, [0, 0, 0], { residuals: 8, ...decayBounds });
+      }
+    }
+    sameBits(solver.result.x, wanted.x);
+    solver.close();
+    const sphere = new o.SphereOptimizer(chargesStart);
+    const gradient = new Float64Array(36);
+    for (let x; (x = sphere.ask()) !== null;) sphere.tell(charges(x, gradient), gradient);
+    sameBits(sphere.result.x, o.sphereOptimizer.minimize(charges, chargesStart).x);
+    const mix = new o.ProjectedGradient([0, 0, 0, 0, 0], feeds);
+    for (let x, g = new Float64Array(5); (x = mix.ask()) !== null;) mix.tell(cost(x, g), g);
+    same(mix.multipliers.length, 2);
+    const { x } = o.projectedGradient.project(mix.result.x, feeds);
+    assert(x.every((value, i) => Math.abs(value - mix.result.x[i]) < 1e-14), 'a solution is its own projection');
+  },
+
+  'what a callback throws comes out, a failed evaluation does not, and a run can be stopped'(o) {
+    const mine = new Error('mine');
+    same(failure(() => o.trustRegion.minimize(() => { throw mine; }, [1])) === mine, true);
+    const f = (x) => {
+      if (x[0] < 0) throw new o.EvaluationFailed();
+      return (x[0] - 0.1) ** 2;
+    };
+    const end = o.trustRegion.minimize(f, [0.5], { radiusBegin: 1 });
+    assert(Math.abs(end.x[0] - 0.1) < 1e-6 && end.report.failedEvaluations > 0);
+    let count = 0;
+    const stopped = o.trustRegion.minimize((x) => {
+      if (++count > 5) throw new o.StopRun();
+      return x[0] ** 2 + x[1] ** 2;
+    }, [1, 2]);
+    assert(!stopped.converged && stopped.stop === 'cancelled' && Number.isFinite(stopped.value));
+    const ended = o.projectedGradient.minimize(cost, [0, 0, 0, 0, 0], { ...feeds, onProgress: () => false });
+    same(ended.stop, 'cancelled');
+  },
+
+  'options are checked by name and by value'(o) {
+    assert(failure(() => o.trustRegion.minimize((x) => x[0] ** 2, [1], { radius: 1 })) instanceof TypeError);
+    const problem = failure(() => o.trustRegion.minimize((x) => x[0] ** 2, [1], { radiusEnd: -1 }));
+    assert(problem instanceof o.OrbicubeError && problem.kind === 'invalid-argument' && problem.message.length > 10, String(problem));
+    assert(failure(() => o.trustRegion.minimize((x) => x[0] ** 2, [1, 2], { lower: [0] })) instanceof RangeError);
+    assert(failure(() => new o.TrustRegion([1]).tell(3)) instanceof o.OrbicubeError);
+    same(o.trustRegion.minimize((x) => x[0] ** 2, [1], { start: 'cross', target: 1e-3 }).stop, 'target reached');
+  },
+
+  'errors have the kind and the message of C'(o) {
+    const torus = o.Mesh.make('torus', 300);
+    const problem = failure(() => o.sphereMap(torus));
+    assert(problem instanceof o.OrbicubeError, String(problem));
+    same([problem.kind, problem.status], ['wrong-genus', -5]);
+    same(failure(() => o.Mesh.read(new TextEncoder().encode('OFF\n3 1 0\n0 0 0\n'), 'off')).status, -2);
+    same(failure(() => o.sphereMap({ positions: [0, 0, NaN], triangles: [0, 0, 0] })).kind, 'invalid-argument');
+    torus.close();
+    assert(/closed/.test(failure(() => torus.vertexCount).message));
+  },
+
+  'files of every format are read back to the same mesh'(o) {
+    const mesh = o.Mesh.make('creature', 200);
+    const { positions, triangles } = mesh.arrays;
+    for (const ending of ['obj', 'off', 'ply', 'vtk', 'mesh']) {
+      for (const binary of [true, false]) {
+        const bytes = o.writeMesh(mesh, ending, { binary });
+        const again = o.Mesh.read(bytes, o.formatOf(`a.${ending}`));
+        sameBits(again.positions, positions, `positions of ${ending}`);
+        same([...again.triangles], [...triangles], ending);
+        again.close();
+      }
+    }
+    const stl = o.Mesh.read(o.writeMesh(mesh, 'stl'), 'stl');
+    same([stl.vertexCount, stl.triangleCount], [mesh.vertexCount, mesh.triangleCount]);
+    const { genus, closed } = o.topology(stl);
+    same([genus, closed], [0, 1]);
+    const mirrored = { positions: cube.positions, triangles: cube.triangles.slice().reverse() };
+    assert(o.topology({ ...mirrored, triangles: o.orient(mirrored) }).volume === 1);
+  },
+
+  'numbers are written with the fewest digits that read back, as by C++'(o) {
+    const positions = Float64Array.from([0.1, -1 / 3, 5e-324, 1e21, 123456789, 1e-7, 1e5, 1e6, 0.00012, 4.35, 1.7976931348623157e308, 2 ** 60]);
+    const text = new TextDecoder().decode(o.writeMesh({ positions, triangles: [0, 1, 2] }, 'obj'));
+    const written = [...text.matchAll(/^v (.*)$/gm)].flatMap((match) => match[1].split(' '));
+    same(written, ['0.1', '-0.3333333333333333', '5e-324', '1e+21', '123456789', '1e-07', '1e+05', '1e+06', '0.00012', '4.35',
+      '1.7976931348623157e+308', '1152921504606846976']);
+  },
+
+  'a sphere map is a bijection and near that of C'(o, lines) {
+    const mesh = o.Mesh.make('creature', 400);
+    const { directions, report } = o.sphereMap(mesh);
+    same([report.bijective, report.flipped], [1, 0]);
+    same(countTurned(directions, mesh.triangles), 0);
+    sameBits(o.sphereMap(mesh.arrays).directions, directions, 'from plain arrays');
+    // The C library's functions differ in last bits, and so does the course of the method: near, not the same.
+    const [, count, ...bits] = lines.find((text) => text.startsWith('creature')).split(' ');
+    same(directions.length / 3, Number(count));
+    const memory = new DataView(new ArrayBuffer(8));
+    const wanted = bits.slice(0, 6).map((each) => {
+      memory.setBigUint64(0, BigInt(`0x${each}`));
+      return memory.getFloat64(0);
+    });
+    [...directions.slice(0, 3), ...directions.slice(-3)].forEach((x, i) =>
+      assert(Math.abs(x - wanted[i]) < 0.1, `${x} where C has ${wanted[i]}`));
+  },
+
+  'what a sphere map is for: inverse, remeshing, rounding'(o) {
+    const mesh = o.Mesh.make('creature', 400);
+    const { positions } = mesh.arrays;
+    const { directions } = o.sphereMap(mesh);
+    const locator = new o.Locator(mesh, directions);
+    sameBits(locator.sample(directions, positions), positions, 'a vertex has its own position');
+    const { weights } = locator.locate([0, 0, 1, 1, 1, 1]);
+    assert(Math.abs(weights[0] + weights[1] + weights[2] - 1) < 1e-15);
+    const regular = locator.remesh(positions, 'icosphere', 3);
+    same([regular.vertexCount, o.topology(regular).genus], [642, 0]);
+    same(countTurned(o.roundToFloat(mesh, directions), mesh.triangles), 0);
+    const { dilatation } = o.faceDistortion(mesh, directions);
+    assert(dilatation.length === mesh.triangleCount && dilatation.every((x) => x >= 1));
+    for (const each of [locator, regular, mesh]) each.close();
+  },
+
+  'progress is told, and cancels at once and at every report'(o) {
+    const mesh = o.Mesh.make('creature', 2000);
+    const seen = [];
+    o.sphereMap(mesh, { onProgress: (at) => { seen.push(at); } });
+    assert(seen.length > 3 && seen.every((at) => typeof at.phase === 'string' && at.done >= 0), `${seen.length} reports`);
+    for (const last of [1, Math.ceil(seen.length / 2)]) {
+      let count = 0;
+      const problem = failure(() => o.sphereMap(mesh, { onProgress: () => ++count < last }));
+      same([problem.kind, count], ['cancelled', last]);
+    }
+    const mine = new Error('mine');
+    assert(failure(() => o.sphereMap(mesh, { onProgress() { throw mine; } })) === mine);
+    const given = AbortSignal.abort();
+    failure(() => o.sphereMap(mesh, { signal: given }));
+  },
+
+  'a million vertices pass without a copy'(o) {
+    const { mesh: { positions, triangles } } = { mesh: o.grid('octahedron', 1000).arrays };
+    const count = positions.length / 3;
+    assert(count > 1e6);
+    const held = new o.HeapArray('float64', positions.length);
+    const corners = new o.HeapArray('uint32', triangles.length);
+    held.array.set(positions);
+    corners.array.set(triangles);
+    o.topology({ positions: held.array, triangles: corners.array }); // takes the memory it needs
+    const before = o.c.memory.byteLength;
+    const report = o.topology({ positions: held.array, triangles: corners.array });
+    same([report.vertices, report.genus], [count, 0]);
+    same(o.c.memory.byteLength, before, 'bytes of memory');
+    const mesh = o.Mesh.from({ positions: held.array, triangles: corners.array });
+    assert(mesh.positions.buffer === o.c.memory && mesh.positions.length === positions.length, 'a view');
+    held.close();
+    corners.close();
+    mesh.close();
+  },
+
+  'a polycube is certified: every triangle in a plane across an axis'(o) {
+    const mesh = o.Mesh.make('cube', 300);
+    const map = o.polycube(mesh);
+    const { positions, polycube, triangles } = map.arrays;
+    const { labels } = map.triangleParts;
+    same(map.corners, 8);
+    sameBits(positions.subarray(0, 3 * mesh.vertexCount), mesh.positions, 'the vertices of the surface come first');
+    labels.forEach((label, t) => {
+      const [a, b, c] = [0, 1, 2].map((k) => polycube[3 * triangles[3 * t + k] + (label >> 1)]);
+      assert(a === b && b === c, `triangle ${t} is in no plane`);
+    });
+    const better = map.optimizeDomain();
+    same(better.corners, 8);
+    same(failure(() => o.polycube(mesh, { onProgress: () => false })).kind, 'cancelled');
+    for (const each of [map, better, mesh]) each.close();
+  },
+
+  'morphs are GLB files whose targets read back'(o) {
+    const [a, b] = [o.Mesh.make('creature', 3000), o.Mesh.make('creature', 3000, { seed: 3 })];
+    const [da, db] = [o.sphereMap(a).directions, o.sphereMap(b).directions];
+    const { first, second, triangles } = o.morph(a, da, b, db);
+    sameBits(first.subarray(0, 3 * a.vertexCount), a.positions, 'the first shape is as it was');
+    same([o.topology({ positions: first, triangles }).genus, first.length], [0, second.length]);
+    const volume = ({ volume: v }) => v;
+    for (const [made, given] of [[first, a], [second, b]]) {
+      const [v, w] = [volume(o.topology({ positions: made, triangles })), volume(o.topology(given))];
+      assert(Math.abs(v - w) < 0.05 * w, `volumes ${v} and ${w}`);
+    }
+    const bytes = o.writeGlb({ positions: first, triangles, morphTargets: [{ name: 'other', positions: second }], morphSeconds: 2 });
+    const back = o.readGltf(bytes, { morphTarget: 'other', weldIdentical: false });
+    same([...back.triangles], [...triangles]);
+    assert(back.positions.every((x, i) => Math.abs(x - second[i]) < 1e-5));
+    const sphere = o.readGltf(o.sphereGlb(a, da), { morphTarget: 'sphere', weldIdentical: false });
+    same(countTurned(sphere.positions, sphere.triangles), 0);
+  },
+
+  'a worker answers the same, tells of progress and can be cancelled'(o) {
+    return (async () => {
+      const worker = new o.OrbicubeWorker();
+      const surface = await worker.run('make', { shape: 'creature', triangles: 2000 });
+      const seen = [];
+      const { directions } = await worker.run('sphereMap', { surface }, { onProgress: (at) => seen.push(at.phase) });
+      assert(seen.length > 2, 'progress');
+      sameBits(directions, o.sphereMap(surface).directions);
+      const problem = await rejection(worker.run('sphereMap', { surface: await worker.run('make', { shape: 'torus', triangles: 300 }) }));
+      assert(problem instanceof o.OrbicubeError && problem.kind === 'wrong-genus');
+      const control = new AbortController();
+      const big = await worker.run('make', { shape: 'creature', triangles: 60000 });
+      const began = Date.now();
+      const work = worker.run('sphereMap', { surface: big }, { signal: control.signal, onProgress: () => control.abort() });
+      same((await rejection(work)).name, 'AbortError');
+      assert(Date.now() - began < 10000, `cancelled after ${Date.now() - began} ms`);
+      const { bytes } = await worker.run('sphereGlb', { surface, directions });
+      same(new TextDecoder().decode(bytes.subarray(0, 4)), 'glTF');
+      worker.terminate();
+    })();
+  },
+};
