@@ -3,7 +3,8 @@
 
     engines.py WRITE_SAMPLES [--modules FOLDER] [--install] [FILE...]
 
-WRITE_SAMPLES is the program of write_samples.cpp. More files may be named: they are validated and must be imported.
+WRITE_SAMPLES is the program of write_samples.cpp. More files may be named: they are validated and
+must be imported as what their own JSON says.
 FOLDER is where engines/package.json was installed (npm install); without the option, the variable
 ORBICUBE_NODE_MODULES, else engines/ itself. --install does it, in a temporary folder, from the network. What is not there
 is skipped, saying so; answers 77 when everything is.
@@ -23,15 +24,16 @@ HERE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "engines")
 
 
 class Sample:
-    """A file and what must be found in it (None where that is not known)."""
+    """A file and what must be found in it; `everything` for one with all that can be in it."""
 
-    def __init__(self, path, vertices=None, triangles=None, edges=None, targets=None):
+    def __init__(self, path, vertices, triangles, edges, targets, everything=False):
         self.path, self.vertices, self.triangles, self.edges, self.targets = path, vertices, triangles, edges, targets
+        self.everything = everything
 
     def differences(self, found):
         wanted = {"vertices": self.vertices, "triangles": self.triangles, "morphTargets": self.targets}
         for key, value in wanted.items():
-            if value is not None and found[key] != value:
+            if found[key] != value:
                 yield f"{os.path.basename(self.path)}: {key} {found[key]}, not {value}"
 
 
@@ -40,8 +42,23 @@ def write_samples(program, folder):
     for line in subprocess.run([program, folder], check=True, capture_output=True, text=True).stdout.splitlines():
         name, vertices, triangles, edges, *targets = line.split(" ")
         names = targets[0].split(",") if targets and targets[0] else []
-        samples.append(Sample(os.path.join(folder, name), int(vertices), int(triangles), int(edges), names))
+        samples.append(Sample(os.path.join(folder, name), int(vertices), int(triangles), int(edges), names, True))
     return samples
+
+
+def described(path):
+    """What the JSON of a file says of its first mesh."""
+    with open(path, "rb") as file:
+        data = file.read()
+    if data[:4] == b"glTF":
+        data = data[20:20 + int.from_bytes(data[12:16], "little")]
+    scene = json.loads(data)
+    mesh = scene["meshes"][0]
+    count = {mode: 0 for mode in (1, 4)}
+    for primitive in mesh["primitives"]:
+        count[primitive.get("mode", 4)] += scene["accessors"][primitive["indices"]]["count"]
+    vertices = scene["accessors"][mesh["primitives"][0]["attributes"]["POSITION"]]["count"]
+    return Sample(path, vertices, count[4] // 3, count[1] // 2, mesh.get("extras", {}).get("targetNames", []))
 
 
 def run(command, **options):
@@ -64,9 +81,9 @@ def check_three(modules, samples):
     for sample, found in zip(samples, lines):
         problems += sample.differences(found)
         problems += [f"a morph target of {count} vertices" for count in found["morphVertices"] if count != found["vertices"]]
-        if sample.edges is not None and found["edges"] != sample.edges:
+        if found["edges"] != sample.edges:
             problems.append(f"{found['edges']} edges, not {sample.edges}")
-        if sample.targets and not (found["texture"] and {"uv", "normal", "color"} <= set(found["attributes"])):
+        if sample.everything and sample.targets and not (found["texture"] and {"uv", "normal", "color"} <= set(found["attributes"])):
             problems.append("texture, texture coordinate, normals or colours are missing")
     return problems
 
@@ -120,7 +137,7 @@ def main():
 
     problems, ran = [], 0
     with tempfile.TemporaryDirectory() as folder:
-        samples = write_samples(options.write_samples, folder) + [Sample(path) for path in options.files]
+        samples = write_samples(options.write_samples, folder) + [described(path) for path in options.files]
         modules = options.modules
         if options.install:
             modules = os.path.join(folder, "modules")
