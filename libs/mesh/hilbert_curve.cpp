@@ -50,11 +50,12 @@ base::Array<Index> hilbert_order(std::span<const Vector3> points, const base::Ho
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
-  const double size = points.empty() ? 1 : std::max((high - low).maxCoeff(), 1e-300);
+  // Halves, since the distance of two numbers may be beyond the range of double.
+  const double size = points.empty() ? 1 : std::max((high / 2 - low / 2).maxCoeff(), 1e-300);
   base::Array<Place> places(points.size(), host.memory);
   for (Index i = 0; i < points.size(); ++i) {
     if (i % points_between_reports == 0) host.report("ordering points", i, points.size());
-    const Vector3 unit = (points[i] - low) / size;
+    const Vector3 unit = (points[i] / 2 - low / 2) / size;
     std::array<std::uint32_t, 3> cell{};
     for (std::size_t k = 0; k < 3; ++k)
       cell[k] = static_cast<std::uint32_t>(unit[static_cast<Eigen::Index>(k)] * ((1 << 21) - 1));

@@ -44,9 +44,9 @@ FeasibleSet::FeasibleSet(const Problem& problem, std::pmr::memory_resource* memo
     throw base::Error("invalid-argument", "give either a projection or bounds and rows");
   }
   for (std::size_t j = 0; j < size(); ++j) {
-    if (!(lower_[j] <= upper_[j]) || lower_[j] == std::numeric_limits<double>::infinity() ||
-        upper_[j] == -std::numeric_limits<double>::infinity()) {
-      throw base::Error("invalid-argument", "no number lies within the bounds of unknown " + std::to_string(j));
+    if (!(lower_[j] <= upper_[j]) || lower_[j] > largest_coordinate || upper_[j] < -largest_coordinate) {
+      throw base::Error("invalid-argument",
+                        "no number, or none within 1e150, lies within the bounds of unknown " + std::to_string(j));
     }
   }
   if (rows() > 0) factor_.emplace(rows_, memory);

@@ -9,6 +9,9 @@
 
 namespace orbicube::projected_gradient {
 
+// Of a start, and of what bounds must leave room for: so that squares stay in the range of double.
+inline constexpr double largest_coordinate = 1e150;
+
 // The feasible set, as views of the caller's arrays; a solver copies what it needs.
 struct Problem {
   std::size_t n = 0;                       // unknowns

@@ -64,6 +64,8 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       multipliers_(problem.rows(), 0.0, host.memory),
       last_values_(options.history, -infinity, host.memory) {
   require((start.size() == problem.n || start.empty()) && all_finite(start), "the start must be n finite numbers");
+  for (const double x : start)
+    require(std::abs(x) <= largest_coordinate, "the start is beyond 1e150");
   std::copy(start.begin(), start.end(), x_.begin());
   std::copy(start.begin(), start.end(), best_.begin());
 }

@@ -87,7 +87,7 @@ typedef struct obc_projected_gradient_problem {
   uint32_t struct_size;
   size_t n;                 /* unknowns, at least 1 */
   size_t m;                 /* rows of A, or 0 */
-  const double *lower;      /* n entries, or NULL: none; infinities allowed */
+  const double *lower;      /* n entries, or NULL: none; infinities allowed. Starts and points to project are within 1e150 */
   const double *upper;
   const size_t *row_start;  /* m + 1 offsets into column and value: A by rows, each zero or of length 1e-150 to 1e150 */
   const uint32_t *column;   /* entries of the same column in a row are summed */

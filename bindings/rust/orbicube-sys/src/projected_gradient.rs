@@ -67,7 +67,7 @@ pub struct obc_projected_gradient_problem {
     pub n: usize,
     /// rows of A, or 0
     pub m: usize,
-    /// n entries, or NULL: none; infinities allowed
+    /// n entries, or NULL: none; infinities allowed. Starts and points to project are within 1e150
     pub lower: *const f64,
     pub upper: *const f64,
     /// m + 1 offsets into column and value: A by rows, each zero or of length 1e-150 to 1e150
