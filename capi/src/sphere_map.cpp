@@ -9,6 +9,7 @@
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "capi/src/sphere_map_surface.h"
+#include "mesh/surface_check.h"
 #include "sphere_map/measure.h"
 #include "sphere_map/rounding.h"
 #include "sphere_map/sphere_map.h"
@@ -156,6 +157,7 @@ obc_status obc_sphere_map_round_to_float(const obc_surface* surface, const doubl
     const Surface s(surface);
     capi::require(rounded != nullptr, "rounded is NULL");
     const capi::HostAdapter adapter(host);
+    mesh::require_valid_surface(s.directions(directions), s.triangles, adapter.host());
     const auto map = sphere_map::round_to_float(s.triangles, s.directions(directions), adapter.host());
     for (std::size_t v = 0; v < map.size(); ++v) {
       for (int c = 0; c < 3; ++c)

@@ -116,6 +116,10 @@ TEST_CASE("A map computed through C is a bijection and its report agrees with me
   CHECK(measured.energy == doctest::Approx(report.energy).epsilon(1e-12));
 
   std::vector<float> rounded(directions.size());
+  const std::uint32_t nowhere[] = {0, 1, static_cast<std::uint32_t>(surface.vertex_count)};
+  const obc_surface broken = {surface.positions, surface.vertex_count, nowhere, 1};
+  CHECK(obc_sphere_map_round_to_float(&broken, directions.data(), nullptr, rounded.data(), &error) ==
+        OBC_INVALID_ARGUMENT);
   REQUIRE(obc_sphere_map_round_to_float(&surface, directions.data(), nullptr, rounded.data(), &error) == OBC_OK);
   const std::vector<double> again(rounded.begin(), rounded.end());
   REQUIRE(obc_sphere_map_measure(&surface, again.data(), nullptr, nullptr, &measured, &error) == OBC_OK);

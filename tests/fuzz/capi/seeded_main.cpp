@@ -3,7 +3,7 @@
 //
 //   fuzz-capi-NAME [--seed N] [--seconds S] [--from INPUT] [--runs N]
 //
-// Says how many inputs were tried. A crash, or an input that takes more than 40 s of the
+// Says how many inputs were tried. A crash, or an input that takes more than 100 s of the
 // processor's time, says which one it was: --from INPUT --runs 1 repeats it.
 #include <chrono>
 #include <csignal>
@@ -73,7 +73,7 @@ int main(int count, char** arguments) {
   for (; tried < runs; ++tried) {
     if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > seconds) break;
     current = from + tried;
-    const itimerval limit = {{0, 0}, {40, 0}};
+    const itimerval limit = {{0, 0}, {100, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
     const std::vector<std::uint8_t> bytes = input(current);
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
