@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks written glTF files with other programs: Khronos's validator and three.js (both in node) and Godot 3.
+"""Checks written glTF files with other programs: Khronos's validator and three.js (both in node), Godot 3 and
+Blender.
 
     engines.py WRITE_SAMPLES [--modules FOLDER] [--install] [FILE...]
 
@@ -127,6 +128,23 @@ def check_godot(godot, samples, folder):
     return problems
 
 
+def check_blender(blender, samples, folder):
+    # Its Python looks for modules beside the first python3 of PATH, which must be the system's.
+    environment = dict(os.environ, HOME=folder, PATH=os.path.dirname(blender) + os.pathsep + os.environ["PATH"])
+    answer = run([blender, "--background", "--factory-startup", "--python", os.path.join(HERE, "blender.py"), "--"]
+                 + [sample.path for sample in samples], env=environment)
+    lines = [json.loads(line[9:]) for line in answer.stdout.splitlines() if line.startswith("IMPORTED ")]
+    problems = [] if len(lines) == len(samples) else [f"Blender did not import every file:\n{answer.stdout}"]
+    for sample, line in zip(samples, lines):
+        print(json.dumps(line))
+        if sample.edges:
+            line["vertices"] //= 2  # lines get vertices of their own
+        problems += sample.differences(line)
+        if sample.everything and sample.targets and not (line["uv"] and line["moved"][0] > 0.01):
+            problems.append("texture coordinate or the morph are missing in Blender")
+    return problems
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("write_samples")
@@ -159,6 +177,13 @@ def main():
             ran += 1
         else:
             print("Godot: skipped, godot3-server is not there")
+        blender = shutil.which("blender")
+        if blender:
+            print("Blender:")
+            problems += check_blender(blender, samples, folder)
+            ran += 1
+        else:
+            print("Blender: skipped, it is not there")
     for problem in problems:
         print("FAILED:", problem)
     return 1 if problems else 0 if ran else 77

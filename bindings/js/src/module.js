@@ -247,17 +247,21 @@ export function withHost({ onProgress, signal } = {}, body) {
 }
 
 /** Releases what handles hold that were not closed, when they are collected. */
-const registry = new FinalizationRegistry(([destroy, address]) => raw(destroy, address));
+function end([destroy, address, rooms]) {
+  raw(destroy, address);
+  rooms.forEach(release);
+}
+const registry = new FinalizationRegistry(end);
 
-/** A handle of C. close() releases it at once; else that happens some time after nothing refers to it. */
+/** A handle of C, with rooms in memory of its own. close() releases it at once; else that happens some time after nothing refers to it. */
 export class Handle {
   #address;
-  #destroy;
+  #held;
 
-  constructor(address, destroy) {
+  constructor(address, destroy, rooms = []) {
     this.#address = address;
-    this.#destroy = destroy;
-    registry.register(this, [destroy, address], this);
+    this.#held = [destroy, address, rooms];
+    registry.register(this, this.#held, this);
   }
 
   get address() {
@@ -268,7 +272,7 @@ export class Handle {
   close() {
     if (this.#address === 0) return;
     registry.unregister(this);
-    raw(this.#destroy, this.#address);
+    end(this.#held);
     this.#address = 0;
   }
 }

@@ -1,6 +1,6 @@
 // What the solvers have in common: a run asks what it wants to know and is told it.
 import { constants } from './raw/raw.js';
-import { Handle, Scratch, call, module, object, raw, scratched, text, view } from './module.js';
+import { Handle, allocate, call, module, object, raw, scratched, text, view } from './module.js';
 
 /** Throw it in a function that a solver calls where it has no value: the method goes on elsewhere. */
 export class EvaluationFailed extends Error {
@@ -32,7 +32,6 @@ export class Run extends Handle {
   #prefix;
   #step;
   #tell;
-  #room = new Scratch();
   #out;
   #answers;
   #seen = null;
@@ -40,19 +39,15 @@ export class Run extends Handle {
   #stopped = false;
 
   constructor(prefix, address, n, outputs) {
-    super(address, `${prefix}_destroy`);
+    const [out, answers] = [allocate(8), allocate(8 * outputs)];
+    super(address, `${prefix}_destroy`, [out, answers]);
     this.#prefix = prefix;
     this.#step = module()[`_${prefix}_step`];
     this.#tell = module()[`_${prefix}_tell`];
     this.n = n;
-    this.#out = this.#room.bytes(8);
-    this.#answers = this.#room.room('f64', outputs);
+    this.#out = out;
+    this.#answers = answers;
     this.outputs = outputs;
-  }
-
-  close() {
-    super.close();
-    this.#room.free();
   }
 
   /** Goes on to the next question; null when the run has ended. The view is the solver's own memory. */
