@@ -325,6 +325,9 @@ export function boxOf(positions: Numbers): { centre: number[]; halfSize: number 
 export function normalised(positions: Numbers, box?: { centre: number[]; halfSize: number }): Float64Array;
 export function octahedronCoordinates(directions: Float64Array): Float32Array;
 
+/** Constants, layouts of structs and types of functions. */
+export * as raw from './raw/raw.js';
+
 /** The C functions as they are, and the memory they work on. */
 export const c: RawFunctions & { readonly memory: ArrayBuffer; malloc(size: number): number; free(address: number): void };
 

@@ -2,7 +2,7 @@
 import * as trustRegion from './trust_region.js';
 import * as projectedGradient from './projected_gradient.js';
 import * as sphereOptimizer from './sphere_optimizer.js';
-import { module, raw } from './module.js';
+import { module, raw as invoke } from './module.js';
 
 export { OrbicubeError } from './errors.js';
 export { HeapArray, ready } from './module.js';
@@ -18,10 +18,12 @@ export { readGltf, writeGlb } from './gltf.js';
 export { boxOf, facing, morph, normalised, octahedronCoordinates, sphereGlb } from './morph.js';
 export { OrbicubeWorker } from './client.js';
 
+export * as raw from './raw/raw.js';
+
 /** The C functions as they are, by their names, and the memory they work on: raw/raw.d.ts. */
 export const c = new Proxy({}, {
   get: (_, name) => (name === 'memory' ? module().HEAPU8.buffer : module()[`_${name}`]),
 });
 
 /** major * 10000 + minor * 100 + patch of the libraries. */
-export const version = () => raw('obc_base_version');
+export const version = () => invoke('obc_base_version');

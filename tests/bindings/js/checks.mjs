@@ -106,6 +106,15 @@ function countTurned(directions, triangles) {
 // ---- checks ------------------------------------------------------------------------------------------------------------
 
 export const checks = {
+  async 'the module has every function of the raw layer'(o) {
+    const { constants, functions } = o.raw;
+    const names = Object.keys(functions);
+    assert(names.length > 200);
+    same(names.filter((name) => typeof o.c[name] !== 'function'), []);
+    same(o.c.obc_base_version(), o.version());
+    same(constants.OBC_NOT_CLOSED, -3);
+  },
+
   'solvers end in the bits of C'(o, lines) {
     const wanted = new Map(lines.map((text) => [text.split(' ')[0], text]));
     const decay = o.trustRegion.leastSquares(misfit, [1, 0.1, 0], 8, decayBounds);
