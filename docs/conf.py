@@ -23,8 +23,8 @@ PARTS = {
     "The command": ["command", "file_formats", "mesh_formats", "error_kinds"],
     "Libraries": ["base", "quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "harmonics", "harmonics_figures",
                   "mesh", "gltf", "frame_field", "frame_field_tables", "sphere_map", "sphere_map_tables", "sphere_map_uses",
-                  "tetrahedra", "polycube", "polycube_tables", "volume_map"],
-    "Languages": ["cpp", "python", "rust", "julia"],
+                  "tetrahedra", "polycube", "polycube_tables", "polycube_figures", "volume_map"],
+    "Languages": ["cpp", "python", "rust", "julia", "javascript"],
     "How it is kept": ["architecture", "abi", "trust"],
 }
 

@@ -30,7 +30,7 @@ def main():
         with tempfile.TemporaryDirectory() as folder:
             for ending in ("c", "cpp"):
                 with open(os.path.join(folder, "program." + ending), "w", encoding="utf-8") as file:
-                    file.write(f"#include <orbicube/{'sphere_map' if name == 'cpp' else header}.h>\nint main() {{ return 0; }}\n".replace(
+                    file.write(f"#include <orbicube/{'sphere_map.hpp' if ending == 'cpp' else header + '.h'}>\nint main() {{ return 0; }}\n".replace(
                         "main()", "main(void)" if ending == "c" else "main()"))
             with open(os.path.join(folder, "example.c"), "w", encoding="utf-8") as file:
                 file.write(next(text for _, text in blocks(os.path.join(ROOT, "README.md"), "c")))
