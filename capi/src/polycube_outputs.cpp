@@ -140,6 +140,8 @@ obc_status obc_polycube_quads_create(const obc_polycube* map, const obc_polycube
         polycube::make_grid(graph, {.edge_length = o.edge_length, .quads = o.quads}, on);
     made->mesh = polycube::mesh_grid(graph, grid, on);
     polycube::sample_grid(map->map, made->mesh, on);
+    for (const mesh::Vector3& p : made->mesh.positions)
+      capi::require(p.allFinite(), "coordinates of the surface are too large for points between them");
     *out = made.release();
   });
 }
