@@ -68,6 +68,7 @@ void BlockSystem::factor() {
       inverse_[v] = Eigen::Matrix3d(block / scale).inverse() / scale;
       if (inverse_[v].allFinite()) break;
     }
+    if (!inverse_[v].allFinite()) inverse_[v].setZero();
   }
 }
 

@@ -51,6 +51,7 @@ void HexBoundary::lift(std::span<const Vector3> positions, std::span<const Quad>
   constexpr double most = 0.15;   // lifts beyond are not curvature
   constexpr double nearby = 0.6;  // what is farther away is another part of the surface
   constexpr double part = 0.5;
+  constexpr double left = 0.67;  // of the gap over the lift: all would bend the layer beneath too much
   constexpr std::size_t piece = 64;
   // The four points of Gauss on each quad.
   constexpr double low = 0.2113248654051871, high = 1 - low;
@@ -79,7 +80,18 @@ void HexBoundary::lift(std::span<const Vector3> positions, std::span<const Quad>
   for (const Index v : vertices_) {
     const Kind k = places_[v].kind;
     if (count[v] == 0 || (k != Kind::surface && k != Kind::patch)) continue;
-    lifts_[v] = std::clamp(lifts_[v] + part * sum[v] / count[v], -most, most);
+    lifts_[v] = std::clamp(lifts_[v] + part * (sum[v] / count[v] - left * lifts_[v]), -most, most);
+  }
+  // As smooth as the curvature that they stand for.
+  std::fill(sum.begin(), sum.end(), 0.0);
+  for (const Quad& q : quads) {
+    const double mean = 0.25 * (lifts_[q[0]] + lifts_[q[1]] + lifts_[q[2]] + lifts_[q[3]]);
+    for (const Index v : q)
+      sum[v] += mean;
+  }
+  for (const Index v : vertices_) {
+    const Kind k = places_[v].kind;
+    if (count[v] > 0 && (k == Kind::surface || k == Kind::patch)) lifts_[v] = sum[v] / count[v];
   }
 }
 

@@ -19,7 +19,8 @@ std::string what_is_wrong(const HexQuality& q) {
 }
 
 // One mesh of the solid, with or without padding; valid or not.
-HexResult one_mesh(const PolycubeSurface& solid, const HexOptions& options, bool padded, const base::Host& host) {
+HexResult one_mesh(const PolycubeSurface& solid, const HexOptions& options, bool padded, bool lift,
+                   const base::Host& host) {
   const polycube::PatchGraph graph = polycube::make_patch_graph(solid.map, host);
   const IntegerDomain domain = domain_of_cells(graph, options.cells, padded, host);
   HexResult result(host.memory);
@@ -37,7 +38,8 @@ HexResult one_mesh(const PolycubeSurface& solid, const HexOptions& options, bool
   if (padded) pad(mesh, 1, host);
   const SurfaceTarget target_surface(solid.map, solid.fine_positions, solid.fine_triangles, scale, host);
   HexBoundary boundary(mesh, target_surface, host);
-  const HexSmoothingOptions smoothing = {.rounds = options.rounds, .padding = mesh.hexahedra.size() - cells};
+  const HexSmoothingOptions smoothing = {
+      .rounds = options.rounds, .lift = lift, .padding = mesh.hexahedra.size() - cells};
   if (!smooth_hexahedra(mesh, boundary, target_surface, smoothing, host)) {
     // A few that stay inverted are turned right by the search.
     search_hexahedra(mesh, boundary, {}, host);
@@ -58,13 +60,17 @@ HexResult make_hexahedra(const PolycubeSurface& solid, const HexOptions& options
   HexResult best(host.memory);
   std::string reason;
   bool any = false;
-  for (const bool padded : {true, false}) {
+  struct Attempt {
+    bool padded, lift;
+  };
+  for (const auto& [padded, lift] : {Attempt{true, true}, {false, true}, {true, false}, {false, false}}) {
     if (options.padding != Padding::automatic && padded != (options.padding == Padding::with)) continue;
-    // Padding serves round shapes; what is good with it is not tried without.
+    // Padding serves round shapes; what is good with it is not tried without. Vertices on the surface itself are less
+    // accurate and leave more room, where nothing else is valid.
     constexpr double good = 0.4;
-    if (any && best.quality.least_scaled_jacobian > good) continue;
+    if (any && (!lift || best.quality.least_scaled_jacobian > good)) continue;
     try {
-      HexResult now = one_mesh(solid, options, padded, host);
+      HexResult now = one_mesh(solid, options, padded, lift, host);
       if (!now.quality.valid()) {
         reason = what_is_wrong(now.quality);
       } else if (!any || now.quality.least_scaled_jacobian > best.quality.least_scaled_jacobian) {

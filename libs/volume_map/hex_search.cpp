@@ -8,6 +8,8 @@
 namespace orbicube::volume_map {
 namespace {
 
+constexpr double lowest = -20;
+
 class Search {
  public:
   Search(HexMesh& mesh, const HexBoundary& boundary, const base::Host& host)
@@ -39,7 +41,7 @@ class Search {
       const Vector3 from = x;
       const Vector3 to = boundary_.project(v, from).position;
       if (from == to) continue;
-      const double before = std::min(worst_around(v, -2), floor);
+      const double before = std::min(worst_around(v, lowest), floor);
       bool done = false;
       for (const double part : {1.0, 0.5, 0.25}) {
         x = part == 1 ? to : Vector3(from + part * (to - from));
@@ -67,7 +69,7 @@ class Search {
       for (Index i = 0; i < order.size(); ++i) {
         if (i % 1024 == 0)
           host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
-        order[i] = {quality(i, -2), i};
+        order[i] = {quality(i, lowest), i};
       }
       std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end());
       vertices.clear();
@@ -80,7 +82,7 @@ class Search {
       for (const Index v : vertices) {
         host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
         Vector3& x = mesh_.positions[v];
-        double worst = worst_around(v, -2);
+        double worst = worst_around(v, lowest);
         const double edge = shortest_edge(v);
         for (int trial = 0; trial < 8; ++trial) {
           const Vector3 from = x;
@@ -100,19 +102,20 @@ class Search {
   }
 
  private:
-  // Not computed to the end where it is at most `enough`.
+  // Not computed to the end where it is below `enough`. An inverted corner is worse than any coefficient.
   double quality(Index hexahedron, double enough) const {
     const Hexahedron& h = mesh_.hexahedra[hexahedron];
     const double corners = scaled_jacobian(mesh_.positions, h);
-    if (corners <= enough) return corners;
+    if (!(corners > 0)) return corners - 10;
+    if (corners < enough) return corners;
     // Coefficients are below the corners' in good hexahedra too; they are to be positive, no more.
-    return std::min(corners, 6 * least_bezier(mesh_.positions, h));
+    return std::min(corners, std::max(-5.0, 6 * least_bezier(mesh_.positions, h)));
   }
   double worst_around(Index v, double enough) const {
     double worst = 1;
     for (Index i = begin_[v]; i < begin_[v + 1]; ++i) {
       worst = std::min(worst, quality(around_[i], enough));
-      if (worst <= enough) return enough == worst ? worst : std::min(worst, enough);
+      if (worst < enough) return worst;
     }
     return worst;
   }

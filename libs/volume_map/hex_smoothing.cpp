@@ -43,13 +43,22 @@ class Smoothing {
     const auto& triangles = target.triangles();
     const std::size_t all = target.positions().size() + triangles.size();
     const std::size_t stride = (all + most_samples - 1) / most_samples;
+    const auto corner = [&](const mesh::Triangle& t, std::size_t k) { return target.positions()[t[k]]; };
+    const auto normal = [&](const mesh::Triangle& t) -> Vector3 {
+      return (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
+    };
+    Array<Vector3> of_vertex(target.positions().size(), Vector3::Zero(), host.memory);
+    for (const mesh::Triangle& t : triangles) {
+      for (const Index v : t)
+        of_vertex[v] += normal(t);
+    }
     for (std::size_t i = 0; i < all; i += stride) {
       if (i < target.positions().size()) {
-        samples_.push_back(target.positions()[i]);
+        samples_.push_back({target.positions()[i], of_vertex[i]});
         continue;
       }
       const mesh::Triangle& t = triangles[i - target.positions().size()];
-      samples_.push_back((target.positions()[t[0]] + target.positions()[t[1]] + target.positions()[t[2]]) / 3);
+      samples_.push_back({(corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3, normal(t)});
     }
   }
 
@@ -62,12 +71,15 @@ class Smoothing {
     const bool positive = untangle(energy, newton);
     variables_.expand(newton.values(), mesh_.positions);
     if (!positive) return false;
+    Array<Vector3> best_positions(host_.memory);
+    double best = -1;
     for (int round = 0; round < options_.rounds; ++round) {
       host_.report("smooth", static_cast<std::uint64_t>(round), static_cast<std::uint64_t>(options_.rounds));
       const double progress = std::min(1.0, round / (0.5 * options_.rounds));
       set_shapes(std::min(1.0, round / 6.0));
       if (round >= 4) set_weights();
-      if (round >= 4 && round % 2 == 0) boundary_.lift(mesh_.positions, mesh_.quads, mesh_.quad_patches, host_);
+      if (options_.lift && round >= 4 && round % 2 == 0)
+        boundary_.lift(mesh_.positions, mesh_.quads, mesh_.quad_patches, host_);
       set_pulls(20 * std::pow(50.0, progress));
       if (round % 2 == 0) find_uncovered();
       add_uncovered();
@@ -78,11 +90,26 @@ class Smoothing {
         if (now.energy > before * (1 - 1e-5)) break;
       }
       variables_.expand(newton.values(), mesh_.positions);
+      // Projections may change from round to round: the best of the last rounds counts.
+      if (4 * round < 3 * options_.rounds) continue;
+      const double worst = worst_corner();
+      if (worst > best) {
+        best = worst;
+        best_positions.assign(mesh_.positions.begin(), mesh_.positions.end());
+      }
     }
+    if (best > 0) mesh_.positions = best_positions;
     return true;
   }
 
  private:
+  double worst_corner() const {
+    double worst = 1;
+    for (const Hexahedron& h : mesh_.hexahedra)
+      worst = std::min(worst, scaled_jacobian(mesh_.positions, h));
+    return worst;
+  }
+
   bool untangle(FoldoverEnergy& energy, Newton& newton) {
     // Of eps, a step. The start is near to a mesh without inverted corners, so that more than 0.1 is safe.
     constexpr double least_fall = 0.5;
@@ -173,29 +200,40 @@ class Smoothing {
     constexpr std::size_t piece = 256;
     host_.parallel_for((samples_.size() + piece - 1) / piece, [&](std::size_t p) {
       for (std::size_t i = p * piece; i < std::min(samples_.size(), (p + 1) * piece); ++i) {
-        const mesh::SurfacePoint found = search.nearest(samples_[i]);
-        uncovered_[i] = {halves[found.triangle], found.weights, found.position, found.distance};
+        const mesh::SurfacePoint found = search.nearest(samples_[i].position);
+        const mesh::Triangle& t = halves[found.triangle];
+        const Vector3 n =
+            (mesh_.positions[t[1]] - mesh_.positions[t[0]]).cross(mesh_.positions[t[2]] - mesh_.positions[t[0]]);
+        // The other side of a thin part is nearer, but not what belongs here.
+        const bool same_side = n.dot(samples_[i].normal) > 0;
+        uncovered_[i] = {t, found.weights, found.position, same_side ? found.distance : 0};
       }
     });
     host_.report("smooth", 0, 0);
   }
 
   void add_uncovered() {
-    constexpr double near = 0.1, weight = 20, most = 4;
+    constexpr double near = 0.1, weight = 20;
+    // What is far counts more, so that limbs are reached.
+    constexpr double far = 0.3, most = 10;
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       const Uncovered& u = uncovered_[i];
       if (u.distance < near) continue;
-      const Vector3 n = (samples_[i] - u.position) / u.distance;
+      const Vector3 n = (samples_[i].position - u.position) / u.distance;
+      const double strength = std::clamp(u.distance * u.distance / (far * far), 1.0, most);
       for (std::size_t k = 0; k < 3; ++k) {
         const double w = u.weights[static_cast<Eigen::Index>(k)];
         if (w < 1e-3) continue;
         const Index v = u.vertices[k];
         const double move = std::min(1.0, u.distance) * w / u.weights.squaredNorm();
-        pulls_[v].to_plane(n, mesh_.positions[v] + move * n, weight * w * std::min(most, u.distance / near));
+        pulls_[v].to_plane(n, mesh_.positions[v] + move * n, weight * w * strength);
       }
     }
   }
 
+  struct Sample {
+    Vector3 position, normal;
+  };
   struct Uncovered {
     mesh::Triangle vertices;
     Vector3 weights, position;
@@ -209,7 +247,7 @@ class Smoothing {
   Array<Vector3> anchor_;
   Array<Element> elements_;
   Array<Pull> pulls_;
-  Array<Vector3> samples_;
+  Array<Sample> samples_;
   Array<Uncovered> uncovered_{host_.memory};
   Variables variables_;
 };

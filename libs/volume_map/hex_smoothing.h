@@ -9,6 +9,7 @@ namespace orbicube::volume_map {
 struct HexSmoothingOptions {
   int untangling_steps = 80;
   int rounds = 40;          // of two steps each, all corners positive
+  bool lift = true;         // vertices of the boundary, so that the volume is that of the surface
   std::size_t padding = 0;  // so many of the last hexahedra are the layer at the boundary
 };
 

@@ -325,6 +325,29 @@ TEST_CASE("inverted tetrahedra are turned right, or the best is handed out with 
   CHECK(best.report.inverted == right.report.inverted_before);
 }
 
+TEST_CASE("a cube is filled with hexahedra, and a tetrahedral cube goes to its polycube") {
+  const std::vector<double> corners = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2, 1, 1, 1};
+  const std::vector<std::uint32_t> triangles = {0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                                1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+  volume_map::HexesOptions options;
+  options.cells = 27;
+  options.padding = OBC_VOLUME_MAP_PADDING_WITHOUT;
+  const auto hexes = volume_map::fill_with_hexahedra(Surface(Doubles(corners.data(), 24), triangles), options);
+  CHECK(hexes.hexahedra.size() == 8 * 27);
+  CHECK(hexes.positions.size() == 3 * 64);
+  CHECK(hexes.quads.size() == 4 * 54);
+  CHECK(hexes.quad_faces.size() == 54);
+  CHECK(hexes.report.volume == doctest::Approx(8));
+
+  // The same with a vertex in the middle.
+  std::vector<std::uint32_t> tetrahedra;
+  for (std::size_t t = 0; t < triangles.size(); t += 3)
+    tetrahedra.insert(tetrahedra.end(), {8, triangles[t], triangles[t + 1], triangles[t + 2]});
+  const auto solid = volume_map::map_to_polycube(corners, tetrahedra);
+  CHECK(solid.tetrahedra.size() >= tetrahedra.size());
+  CHECK(solid.polycube.size() == solid.positions.size());
+}
+
 TEST_CASE("frames to start from are one a tetrahedron") {
   const std::vector<double> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, too_few = {1, 0, 0};
   const std::vector<std::uint32_t> cells = {0, 1, 2, 3};
