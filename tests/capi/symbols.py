@@ -22,7 +22,8 @@ def problems(library, version_script, soname, needed_allowed):
     with open(version_script, encoding="utf-8") as file:
         listed = set(re.findall(r"^\s+(obc_\w+);", file.read(), re.MULTILINE))
     symbols = [line.split() for line in output("nm", "-D", "--defined-only", library).splitlines()]
-    exported = {words[2].split("@")[0] for words in symbols if words[1] != "A"}  # A: the name of the version itself
+    # Small letters are local, which linkers may leave in the table all the same; A is the name of the version itself.
+    exported = {words[2].split("@")[0] for words in symbols if words[1].isupper() and words[1] != "A"}
     for name in sorted(exported - listed):
         yield f"exports {name}, which the version script does not list"
     for name in sorted(listed - exported):
