@@ -19,8 +19,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const Options& checked(const Options& options) {
   require(options.method == Method::two_radii || options.method == Method::seed, "unknown method");
   require(options.start >= Start::automatic && options.start <= Start::cross, "unknown start");
-  require(options.radius_begin >= 0 && std::isfinite(options.radius_begin), "radius_begin must not be negative");
-  require(options.radius_end > 0 && std::isfinite(options.radius_end), "radius_end must be positive");
+  require(options.radius_begin >= 0 && options.radius_begin <= 1e150, "radius_begin must be from 0 to 1e150");
+  require(options.radius_end > 0 && options.radius_end <= 1e150, "radius_end must be positive, up to 1e150");
   require(options.radius_begin == 0 || options.radius_begin >= options.radius_end,
           "radius_begin must not be below radius_end");
   require(!std::isnan(options.target), "target must be a number");
