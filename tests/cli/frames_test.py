@@ -12,6 +12,7 @@ import struct
 import zlib
 
 from command import InFolder, as_float32, main, run
+from tetrahedra import box, write_medit
 
 HALF = math.sqrt(0.5)
 
@@ -40,36 +41,16 @@ def energy(p, q):
     return 1 - max(abs(sum(a * b for a, b in zip(r, g))) for g in GROUP) ** 2
 
 
-def box(n, bend):
-    """n^3 cubes, each cut into six tetrahedra; bent towards a ball."""
-    def at(p):
-        return (p[0] * (n + 1) + p[1]) * (n + 1) + p[2]
+def bent_box(n, bend):
+    """A box of tetrahedra, bent towards a ball."""
+    points, cells = box(n)
     positions = []
-    for p in itertools.product(range(n + 1), repeat=3):
+    for p in points:
         p = [2 * c / n - 1 for c in p]
         length = math.hypot(*p)
         scale = 1 - bend + bend * max(map(abs, p)) / length if length else 1
         positions.append([scale * c for c in p])
-    cells = []
-    for corner in itertools.product(range(n), repeat=3):
-        for order in itertools.permutations(range(3)):
-            p, t = list(corner), [at(corner)]
-            for axis in order:
-                p[axis] += 1
-                t.append(at(p))
-            if sum(order[i] > order[j] for i, j in ((0, 1), (0, 2), (1, 2))) % 2:
-                t[2], t[3] = t[3], t[2]
-            cells.append(t)
     return positions, cells
-
-
-def write_medit(path, positions, cells):
-    with open(path, "w", encoding="ascii") as file:
-        file.write(f"MeshVersionFormatted 2\nDimension 3\nVertices\n{len(positions)}\n")
-        file.writelines("%r %r %r 0\n" % tuple(p) for p in positions)
-        file.write(f"Tetrahedra\n{len(cells)}\n")
-        file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in cells)
-        file.write("End\n")
 
 
 def read_frames(path):
@@ -104,7 +85,7 @@ def glb_parts(path):
 class Frames(InFolder):
     def solid(self, n=5, bend=0.7):
         path = self.path("solid.mesh")
-        positions, cells = box(n, bend)
+        positions, cells = bent_box(n, bend)
         write_medit(path, positions, cells)
         return path, positions, cells
 

@@ -3,40 +3,19 @@
 
     untangle_test.py COMMAND
 """
-import itertools
 import json
 import os
 import random
 from fractions import Fraction
 
 from command import InFolder, main, run
+from tetrahedra import box, write_medit
 
 
-def box(n):
-    """n^3 cubes, each cut into six tetrahedra: positions, tetrahedra, whether a vertex is on the boundary."""
-    def at(p):
-        return (p[0] * (n + 1) + p[1]) * (n + 1) + p[2]
-    points = list(itertools.product(range(n + 1), repeat=3))
-    cells = []
-    for corner in itertools.product(range(n), repeat=3):
-        for order in itertools.permutations(range(3)):
-            p, t = list(corner), [at(corner)]
-            for axis in order:
-                p[axis] += 1
-                t.append(at(p))
-            if sum(order[i] > order[j] for i, j in ((0, 1), (0, 2), (1, 2))) % 2:
-                t[2], t[3] = t[3], t[2]
-            cells.append(t)
+def unit_box(n):
+    """Positions and tetrahedra of the unit cube, and whether a vertex is on its boundary."""
+    points, cells = box(n)
     return [[c / n for c in p] for p in points], cells, [any(c in (0, n) for c in p) for p in points]
-
-
-def write_medit(path, positions, cells):
-    with open(path, "w", encoding="ascii") as file:
-        file.write("MeshVersionFormatted 2\nDimension 3\nVertices\n%d\n" % len(positions))
-        file.writelines("%r %r %r 0\n" % tuple(p) for p in positions)
-        file.write("Tetrahedra\n%d\n" % len(cells))
-        file.writelines("%d %d %d %d 0\n" % tuple(v + 1 for v in t) for t in cells)
-        file.write("End\n")
 
 
 def read_medit(path):
@@ -57,7 +36,7 @@ def positive(positions, cell):
 
 class Untangle(InFolder):
     def tangled(self, n):
-        positions, cells, boundary = box(n)
+        positions, cells, boundary = unit_box(n)
         write_medit(self.path("rest.mesh"), positions, cells)
         generator = random.Random(5)
         moved = [p if fixed else [generator.random() for _ in p] for p, fixed in zip(positions, boundary)]

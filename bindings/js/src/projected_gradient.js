@@ -1,6 +1,6 @@
 // Minimises f with gradients, subject to bounds and linear equations: docs/projected_gradient.md.
 import { call, make, object, options, raw, scratched, text, view } from './module.js';
-import { Run, spread } from './solver.js';
+import { GradientRun, minimizeWithGradients, spread } from './solver.js';
 
 const PREFIX = 'obc_projected_gradient';
 
@@ -30,7 +30,7 @@ function problemOf(scratch, n, { lower, upper, A, b }) {
 }
 
 /** A run by questions and answers. */
-export class ProjectedGradient extends Run {
+export class ProjectedGradient extends GradientRun {
   constructor(x0, { lower, upper, A, b, saved, ...chosen } = {}) {
     const n = x0.length;
     const address = scratched((scratch) => {
@@ -48,18 +48,6 @@ export class ProjectedGradient extends Run {
     return new ProjectedGradient(x0, { ...problem, saved });
   }
 
-  /** The point at which value and gradient are wanted next; null when the run has ended. */
-  ask() {
-    return this.next()?.slice() ?? null;
-  }
-
-  /** Value and gradient at the point asked for; a value that is not finite: there is none. */
-  tell(value, gradient) {
-    if (!Number.isFinite(value) || !gradient) return this.answer(NaN, 0);
-    if (gradient !== this.answers) this.answers.set(gradient);
-    return this.answer(value, this.answersAt);
-  }
-
   /** Of each row its multiplier at the current iterate. */
   get multipliers() {
     return scratched((scratch) => {
@@ -68,26 +56,11 @@ export class ProjectedGradient extends Run {
       return view('f64', out, this.rows).slice();
     });
   }
-
-  /** Asks f(x, gradient) until the run has ended; it writes the gradient and answers the value. */
-  run(f, host) {
-    return this.drive((x) => {
-      const { answers } = this;
-      const value = f(x, answers);
-      if (answers.length === 0) throw new Error('the memory grew within f: the gradient is lost');
-      this.tell(value, answers);
-    }, () => this.tell(NaN), host);
-  }
 }
 
 /** The least value of f(x, gradient) that is found from x0. What f gets is used again: copy what you keep. */
-export function minimize(f, x0, { onProgress, signal, ...given } = {}) {
-  const solver = new ProjectedGradient(x0, given);
-  try {
-    return solver.run(f, { onProgress, signal, limit: given.maxEvaluations ?? 100000 });
-  } finally {
-    solver.close();
-  }
+export function minimize(f, x0, given = {}) {
+  return minimizeWithGradients(ProjectedGradient, f, x0, given);
 }
 
 /** The feasible point nearest to y, with how that ended. */

@@ -147,6 +147,41 @@ export class Run extends Handle {
   }
 }
 
+/** A run of a solver that wants a gradient with each value. */
+export class GradientRun extends Run {
+  /** The point at which value and gradient are wanted next; null when the run has ended. */
+  ask() {
+    return this.next()?.slice() ?? null;
+  }
+
+  /** Value and gradient at the point asked for; a value that is not finite: there is none. */
+  tell(value, gradient) {
+    if (!Number.isFinite(value) || !gradient) return this.answer(NaN, 0);
+    if (gradient !== this.answers) this.answers.set(gradient);
+    return this.answer(value, this.answersAt);
+  }
+
+  /** Asks f(x, gradient) until the run has ended; it writes the gradient and answers the value. */
+  run(f, host) {
+    return this.drive((x) => {
+      const { answers } = this;
+      const value = f(x, answers);
+      if (answers.length === 0) throw new Error('the memory grew within f: the gradient is lost');
+      this.tell(value, answers);
+    }, () => this.tell(NaN), host);
+  }
+}
+
+/** The least value of f that a run of the class finds from x0. */
+export function minimizeWithGradients(Solver, f, x0, { onProgress, signal, ...given }) {
+  const solver = new Solver(x0, given);
+  try {
+    return solver.run(f, { onProgress, signal, limit: given.maxEvaluations ?? 100000 });
+  } finally {
+    solver.close();
+  }
+}
+
 function endOf(prefix, x, report) {
   const stop = text(raw(`${prefix}_stop_name`, report.stop));
   return { x, value: report.value, stop, converged: stop === 'converged', evaluations: report.evaluations, report };

@@ -1,11 +1,11 @@
 // Minimises f over products of unit spheres: docs/sphere_optimizer.md.
 import { make, options, scratched } from './module.js';
-import { Run } from './solver.js';
+import { GradientRun, minimizeWithGradients } from './solver.js';
 
 const PREFIX = 'obc_sphere_optimizer';
 
 /** A run by questions and answers over unit vectors of `dimension` numbers, one after the other in x0. */
-export class SphereOptimizer extends Run {
+export class SphereOptimizer extends GradientRun {
   constructor(x0, { dimension = 3, saved, ...chosen } = {}) {
     const n = x0.length;
     const address = scratched((scratch) => {
@@ -21,36 +21,9 @@ export class SphereOptimizer extends Run {
   static load(saved, x0) {
     return new SphereOptimizer(x0, { saved });
   }
-
-  /** The point at which value and gradient are wanted next; null when the run has ended. */
-  ask() {
-    return this.next()?.slice() ?? null;
-  }
-
-  /** Value and gradient at the point asked for; a value that is not finite: there is none. */
-  tell(value, gradient) {
-    if (!Number.isFinite(value) || !gradient) return this.answer(NaN, 0);
-    if (gradient !== this.answers) this.answers.set(gradient);
-    return this.answer(value, this.answersAt);
-  }
-
-  /** Asks f(x, gradient) until the run has ended; it writes the gradient and answers the value. */
-  run(f, host) {
-    return this.drive((x) => {
-      const { answers } = this;
-      const value = f(x, answers);
-      if (answers.length === 0) throw new Error('the memory grew within f: the gradient is lost');
-      this.tell(value, answers);
-    }, () => this.tell(NaN), host);
-  }
 }
 
 /** The least value of f(x, gradient) that is found from x0. What f gets is used again: copy what you keep. */
-export function minimize(f, x0, { onProgress, signal, ...given } = {}) {
-  const solver = new SphereOptimizer(x0, given);
-  try {
-    return solver.run(f, { onProgress, signal, limit: given.maxEvaluations ?? 100000 });
-  } finally {
-    solver.close();
-  }
+export function minimize(f, x0, given = {}) {
+  return minimizeWithGradients(SphereOptimizer, f, x0, given);
 }
