@@ -244,6 +244,7 @@ class LabelConstruction {
       outcome.certificate = std::move(made.certificate);
       return true;
     } catch (const base::Error& error) {
+      // Faces may meet, and where triangles are turned over points of the polycube may be found on none.
       if (error.status() != base::Status::no_valid_result && error.status() != base::Status::unsupported &&
           error.status() != base::Status::invalid_argument)
         throw;
