@@ -1,8 +1,10 @@
 // orbicube hex: a hexahedral mesh of a solid.
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
 
+#include "hex_scene.h"
 #include "polycube_solid.h"
 #include "text.h"
 #include "verbs.h"
@@ -14,17 +16,27 @@ const std::map<std::string, volume_map::Padding> paddings = {{"auto", volume_map
                                                              {"with", volume_map::Padding::with},
                                                              {"without", volume_map::Padding::without}};
 
+const std::map<std::string, Cut> cuts = {{"quarter", Cut::quarter}, {"half", Cut::half}, {"none", Cut::none}};
+
 struct HexVerb {
   PolycubeSolidOptions solid;
   std::string output;
   std::size_t cells = 10000;
   std::string padding = "auto";
+  std::string glb;
+  std::string cut = "quarter";
   bool text = false;
 };
 
 void run_hex(const HexVerb& verb, Session& session) {
   require_cells_writable(verb.output);
-  session.options() = {{"output", verb.output}, {"cells", verb.cells}, {"padding", verb.padding}, {"text", verb.text}};
+  if (!verb.glb.empty()) {
+    require_writable(verb.glb);
+    if (!is_gltf(verb.glb))
+      throw Failure(Exit::wrong_input, verb.glb, "unsupported-format", "--glb needs .glb or .gltf");
+  }
+  session.options() = {{"output", verb.output}, {"cells", verb.cells}, {"padding", verb.padding},
+                       {"text", verb.text},     {"glb", verb.glb},     {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
   const PolycubeSolidInput input = read_polycube_solid(verb.solid, Inside::nothing, session);
   const double start = session.seconds();
@@ -43,6 +55,12 @@ void run_hex(const HexVerb& verb, Session& session) {
                                 {"volume", quality.volume},
                                 {"off_surface", result.off_surface},
                                 {"seconds_compute", session.seconds() - start}});
+  if (!verb.glb.empty()) {
+    about(verb.glb, Role::output, [&] {
+      session.figures()["scene"] = write_hex_scene(verb.glb, result.mesh, cuts.at(verb.cut),
+                                                   std::filesystem::path(verb.output).stem().string(), session.host());
+    });
+  }
   mesh::Mesh cells(session.host().memory);
   cells.positions = std::move(result.mesh.positions);
   cells.hexahedra = std::move(result.mesh.hexahedra);
@@ -70,6 +88,12 @@ void add_hex(CLI::App& app, CommonOptions& common) {
                    "a layer of hexahedra at the boundary: auto, what turns out better (the default), with or without")
       ->check(unnamed(CLI::IsMember({"auto", "with", "without"})))
       ->type_name("P");
+  verb->add_option("--glb", options->glb,
+                   "draw it, too: quads with their edges, what is seen inside coloured by quality")
+      ->type_name("FILE.glb");
+  verb->add_option("--cut", options->cut, "what that leaves out: a quarter (the default), half or none")
+      ->check(unnamed(CLI::IsMember({"quarter", "half", "none"})))
+      ->type_name("C");
   verb->add_flag("--text", options->text, "text rather than binary VTK");
   add_common_options(*verb, common);
   verb->callback([options, &common] {

@@ -46,6 +46,7 @@ struct MorphOptions {
   double seconds = 2;
   bool weld = false;
   bool polycube = false;
+  bool show_polycube = false;
   std::size_t corners = 0;
 };
 
@@ -151,18 +152,24 @@ double area_distortion(std::span<const Triangle> triangles, std::span<const Vect
 }
 
 void morph(const MorphOptions& options, Session& session) {
-  session.options() = {{"output", options.output}, {"landmarks", options.landmarks},
-                       {"align", options.align},   {"place", options.place},
-                       {"grid", options.grid},     {"tolerance", options.tolerance},
-                       {"steps", options.steps},   {"seconds", options.seconds},
-                       {"weld", options.weld},     {"polycube", options.polycube}};
+  session.options() = {{"output", options.output},
+                       {"landmarks", options.landmarks},
+                       {"align", options.align},
+                       {"place", options.place},
+                       {"grid", options.grid},
+                       {"tolerance", options.tolerance},
+                       {"steps", options.steps},
+                       {"seconds", options.seconds},
+                       {"weld", options.weld},
+                       {"polycube", options.polycube},
+                       {"show_polycube", options.show_polycube}};
   require_writable(options.output);
   if (!is_gltf(options.output))
     throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
 #ifdef ORBICUBE_WITH_POLYCUBE
   if (options.polycube) {
     morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.place, options.corners,
-                       options.steps, options.seconds, options.weld},
+                       options.steps, options.seconds, options.weld, options.show_polycube},
                       session);
     return;
   }
@@ -249,6 +256,9 @@ void add_morph(CLI::App& app, CommonOptions& common) {
       verb->add_flag("--polycube", options->polycube,
                      "through one polycube rather than spheres: two to ten shapes of any genus, the "
                      "same for all; --grid is first or cells:N (as many as the shapes have)");
+  verb->add_flag("--show-polycube", options->show_polycube,
+                 "the polycube itself is a target, too: the first shape becomes it, then it becomes the next")
+      ->needs(polycube);
   verb->add_option("--corners", options->corners, "corners of that polycube at most; 0: any number (0)")
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->needs(polycube)

@@ -1,7 +1,9 @@
 #include "morph_polycube.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include "mesh/predicates.h"
@@ -85,6 +87,29 @@ std::size_t count_not_positive_on(const PolycubeTriangles& m) {
   return result;
 }
 
+// The polycube itself at the size and place of the first shape: of its area, and with its centre of area.
+base::Array<Vector3> polycube_beside(const PolycubeTriangles& common, std::span<const Vector3> shape,
+                                     const base::Host& host) {
+  const auto area_and_centre = [&](std::span<const Vector3> positions) {
+    double area = 0;
+    Vector3 centre = Vector3::Zero();
+    for (const Triangle& t : common.triangles) {
+      const Vector3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+      const double part = (b - a).cross(c - a).norm() / 2;
+      area += part;
+      centre += part * (a + b + c) / 3;
+    }
+    return std::pair(area, Vector3(centre / area));
+  };
+  const auto [area, centre] = area_and_centre(shape);
+  const auto [domain_area, domain_centre] = area_and_centre(common.polycube);
+  const double scale = std::sqrt(area / domain_area);
+  base::Array<Vector3> result(host.memory);
+  for (const Vector3& p : common.polycube)
+    result.push_back(centre + scale * (p - domain_centre));
+  return result;
+}
+
 }  // namespace
 
 void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
@@ -125,6 +150,11 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
   MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.steps};
   for (const std::string& path : options.inputs)
     morph.names.push_back(std::filesystem::path(path).stem().string());
+  if (options.show_polycube) {
+    states.insert(states.begin() + 1, polycube_beside(common, states.front(), host));
+    morph.states = states;
+    morph.names.insert(morph.names.begin() + 1, "polycube");
+  }
   write_morph(morph, session);
 
   session.figures()["output"] = options.output;

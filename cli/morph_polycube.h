@@ -18,6 +18,7 @@ struct PolycubeMorphOptions {
   std::size_t steps = 0;
   double seconds = 2;
   bool weld = false;
+  bool show_polycube = false;  // it becomes a target, after the first shape
 };
 
 // Of any genus, the same for all. Throws Failure.

@@ -44,9 +44,9 @@ def as_float32(value):
 
 
 class Glb:
-    """The one primitive of a GLB file."""
+    """The one surface of a GLB file; lines may lie on it."""
 
-    def __init__(self, path, texture=True):
+    def __init__(self, path, texture=True, targets=True):
         with open(path, "rb") as file:
             data = file.read()
         magic, version, length = struct.unpack_from("<4sII", data, 0)
@@ -56,10 +56,12 @@ class Glb:
         self.json = json.loads(data[20:20 + json_length])
         self.chunk = data[20 + json_length + 8:]
         (mesh,) = self.json["meshes"]
-        (self.primitive,) = mesh["primitives"]
-        self.target_names = mesh["extras"]["targetNames"]
+        self.primitive, *lines = mesh["primitives"]
+        assert all(other["mode"] == 1 for other in lines)
         self.positions = self.accessor(self.primitive["attributes"]["POSITION"])
-        self.deltas = self.accessor(self.primitive["targets"][0]["POSITION"])
+        if targets:
+            self.target_names = mesh["extras"]["targetNames"]
+            self.deltas = self.accessor(self.primitive["targets"][0]["POSITION"])
         if texture:
             self.texture_coordinates = self.accessor(self.primitive["attributes"]["TEXCOORD_0"])
         corners = [corner for (corner,) in self.accessor(self.primitive["indices"])]

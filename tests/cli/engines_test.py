@@ -57,6 +57,7 @@ def main():
         verb("morph", at("one.ply"), at("two.ply"), "-o", at("morph.glb"), "--steps", 1)
         verb("morph", at("cube.obj"), at("cube.obj"), "-o", at("through.glb"), "--polycube", "--corners", 8)
         verb("polycube", at("bracket.obj"), "-o", at("polycube.obj"), "--glb", at("polycube.glb"))
+        verb("hex", at("cube.obj"), "-o", at("hexes.mesh"), "--cells", 200, "--glb", at("hexes.glb"))
         verb("frames", at("solid.mesh"), "-o", at("solid.frames"), "--start", "identity", "--glb", at("frames.glb"))
         verb("harmonics", at("one.ply"), "--sphere", at("map.obj"), "--degree", 8, "-o", at("one.coef"), "--reconstruct", at("smooth.glb"))
         files = sorted(at(name) for name in os.listdir(folder) if name.endswith((".glb", ".gltf")))

@@ -27,7 +27,8 @@ def main():
         glb = os.path.join(project, "morph.glb")
         for name, resolution in (("one", 200), ("other", 400)):
             assert run("make", "cube", "-o", os.path.join(folder, name + ".ply"), "--resolution", resolution).returncode == 0
-        done = run("morph", os.path.join(folder, "one.ply"), os.path.join(folder, "other.ply"), "--polycube", "-o", glb)
+        done = run("morph", os.path.join(folder, "one.ply"), os.path.join(folder, "other.ply"), "--polycube",
+                   "--show-polycube", "-o", glb)
         assert done.returncode == 0, done.stderr
         shutil.copy(os.path.join(gltf_tests, "engines", "scene_check.gd"), project)
         environment = dict(os.environ, HOME=folder, XDG_DATA_HOME=folder, XDG_CONFIG_HOME=folder, XDG_CACHE_HOME=folder)
@@ -39,9 +40,10 @@ def main():
         print(lines[0])
         found = json.loads(lines[0][6:])
         file = described(glb)
-        assert (found["names"], found["vertices"]) == (["other"], file.vertices)
-        # The first shape, half way, the other one, half way back, and the first again.
-        assert [weights[0] for weights in found["shown"]] == [0, 0.5, 1, 0.5, 0]
+        assert (found["names"], found["vertices"]) == (["polycube", "other"], file.vertices)
+        # The first shape becomes the polycube, that the other one, and that the first again.
+        halves = [[0, 0], [0.5, 0], [1, 0], [0.5, 0.5], [0, 1], [0, 0.5], [0, 0]]
+        assert found["shown"] == halves, found["shown"]
         assert found["moved"][0] > 0 and abs(found["size"] - 2) < 1e-3
     return 0
 

@@ -7,7 +7,7 @@ import json
 from collections import Counter
 from fractions import Fraction
 
-from command import InFolder, main, run
+from command import Glb, InFolder, main, run
 
 NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
@@ -52,6 +52,39 @@ class Hex(InFolder):
         self.assertEqual(figures["boundary_quads"], len(outer))
         self.assertEqual(figures["polycube"]["genus"], 3)
         self.assertGreater(figures["scaled_jacobian_min"], 0.2)
+
+    def test_the_scene_is_the_boundary_of_what_is_not_cut_away(self):
+        path, out, scene, report = self.made("cube", 300), self.path("out.mesh"), self.path("out.glb"), self.path("report.json")
+        for cut in ("none", "quarter", "half"):
+            done = run("hex", path, "-o", out, "--cells", 60, "--glb", scene, "--cut", cut, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            positions, cells = read_medit(out, "Hexahedra", 8)
+            middle = [(min(p[k] for p in positions) + max(p[k] for p in positions)) / 2 for k in range(3)]
+            faces = {}
+            for cell in cells:
+                center = [sum(positions[v][k] for v in cell) / 8 for k in range(3)]
+                away = cut != "none" and center[2] > middle[2] and (cut == "half" or center[1] > middle[1])
+                if not away:
+                    for face in FACES:
+                        faces.setdefault(tuple(sorted(cell[i] for i in face)), []).append([cell[i] for i in face])
+            shown = [found[0] for found in faces.values() if len(found) == 1]
+            glb = Glb(scene, texture=False, targets=False)
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)["scene"]
+            self.assertEqual((figures["quads"], len(glb.triangles)), (len(shown), 2 * len(shown)))
+            self.assertEqual(figures["quads_inside"] > 0, cut != "none")
+            # Twice the vector area of a closed surface is nothing, and its volume that of the hexahedra that are left.
+            volume, area = 0, [0, 0, 0]
+            for a, b, c in ([glb.positions[v] for v in t] for t in glb.triangles):
+                n = [(b[i - 2] - a[i - 2]) * (c[i - 1] - a[i - 1]) - (b[i - 1] - a[i - 1]) * (c[i - 2] - a[i - 2]) for i in range(3)]
+                area = [x + y for x, y in zip(area, n)]
+                volume += sum(x * y for x, y in zip(a, n)) / 6
+            self.assertLess(max(map(abs, area)), 1e-5)
+            exact = sum(float(determinant(*(positions[face[i]] for i in (0, *half)), middle)) / -6
+                        for face in shown for half in ((1, 2), (2, 3)))
+            self.assertAlmostEqual(volume, exact, delta=1e-5)
+            self.assertGreater(volume, 0)
+        self.refused(2, "unsupported-format", self.path("out.obj"), "hex", path, "-o", out, "--glb", self.path("out.obj"))
 
     def test_volume_maps_are_positive_in_space_and_on_the_polycube(self):
         path, image, source = self.made("sphere", 500), self.path("image.mesh"), self.path("source.mesh")

@@ -9,7 +9,7 @@ import math
 import os
 from fractions import Fraction
 
-from command import InFolder, kind_of, main, read_obj, run
+from command import Glb, InFolder, kind_of, main, read_obj, run
 
 
 def looks_along(positions, triangle):
@@ -348,6 +348,14 @@ class Polycube(InFolder):
             data = file.read()
         scene = json.loads(data[20:20 + int.from_bytes(data[12:16], "little")])
         self.assertEqual(scene["meshes"][0]["extras"]["targetNames"], ["second"])
+        # The polycube may be a target itself: all of its triangles lie across an axis.
+        done = run("morph", first, second, "-o", glb, "--polycube", "--corners", 24, "--grid", "cells:500", "--show-polycube")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        scene = Glb(glb, texture=False)
+        self.assertEqual(scene.target_names, ["polycube", "second"])
+        there = [[x + d for x, d in zip(*both)] for both in zip(scene.positions, scene.deltas)]
+        for triangle in scene.triangles:
+            self.assertLess(min(max(there[v][k] for v in triangle) - min(there[v][k] for v in triangle) for k in range(3)), 1e-6)
         for wrong in (("--grid", "icosphere:3"), ("--grid", "cells:0"), ("--grid", "cells:")):
             done = run("morph", first, second, "-o", glb, "--polycube", *wrong)
             self.assertEqual(done.returncode, 2)

@@ -1,12 +1,101 @@
-// Inverted tetrahedra: meshes, wanted shapes, fixed and tied coordinates, and options of any kind.
+// Inverted tetrahedra: meshes, wanted shapes, fixed and tied coordinates, and options of any kind; solids on polycubes
+// and hexahedra of small shapes with faults.
 #include "orbicube/volume_map.h"
+
+#include <algorithm>
+
 #include "shapes.h"
 
 using namespace fuzz;
 
+namespace {
+
+double volume_of(const std::vector<double>& positions, const std::uint32_t* t) {
+  double e[3][3];
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t k = 0; k < 3; ++k)
+      e[i][k] = positions[3 * t[i + 1] + k] - positions[3 * t[0] + k];
+  }
+  return e[0][0] * (e[1][1] * e[2][2] - e[1][2] * e[2][1]) - e[0][1] * (e[1][0] * e[2][2] - e[1][2] * e[2][0]) +
+         e[0][2] * (e[1][0] * e[2][1] - e[1][1] * e[2][0]);
+}
+
+void map_solid(Input& in, Host& host) {
+  const Shape mesh = solid(in);
+  obc_volume_map_solid_options options;
+  obc_volume_map_solid_options_init(&options, sizeof options);
+  options.corners = in.one_in(3) ? 8 : in.byte();
+  options.seed = in.byte();
+  obc_volume_map_solid* map = nullptr;
+  if (!ok([&](obc_error* e) {
+        return obc_volume_map_solid_compute(mesh.positions.data(), mesh.vertex_count(), mesh.cells.data(),
+                                            mesh.cell_count(), &options, host.c(), &map, e);
+      }))
+    return;
+  const std::size_t n = obc_volume_map_solid_vertex_count(map), m = obc_volume_map_solid_tetrahedron_count(map);
+  std::vector<double> positions(3 * n), polycube(3 * n);
+  std::vector<std::uint32_t> tetrahedra(4 * m);
+  require(ok([&](obc_error* e) {
+            return obc_volume_map_solid_copy(map, positions.data(), polycube.data(), tetrahedra.data(), e);
+          }),
+          "a map of a solid cannot be copied");
+  obc_volume_map_solid_destroy(map);
+  require_finite(positions, "a position that is not finite");
+  require_finite(polycube, "a place on a polycube that is not finite");
+  require_below(tetrahedra, n, "a tetrahedron with a vertex that does not exist");
+  double scale = 0;
+  for (const double x : polycube)
+    scale = std::max(scale, std::abs(x));
+  for (std::size_t t = 0; t < m; ++t)
+    require(volume_of(polycube, &tetrahedra[4 * t]) > -1e-12 * scale * scale * scale, "an inverted tetrahedron");
+}
+
+void fill_with_hexahedra(Input& in, Host& host) {
+  const Shape shape = surface(in);
+  const obc_surface given = shape.surface();
+  obc_volume_map_hexes_options options;
+  obc_volume_map_hexes_options_init(&options, sizeof options);
+  options.cells = in.one_in(20) ? in.bits() : 1 + in.below(60);
+  if (options.cells > 1000 && options.cells <= 10'000'000) return;  // must end
+  options.padding = in.choice(3);
+  options.corners = in.one_in(3) ? 8 : in.byte();
+  options.triangles = in.one_in(3) ? in.byte() : 0;
+  options.seed = in.byte();
+  options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(5));
+  obc_volume_map_hexes_report report;
+  report.struct_size = sizeof report;
+  obc_volume_map_hexes* hexes = nullptr;
+  if (!ok([&](obc_error* e) { return obc_volume_map_hexes_compute(&given, &options, host.c(), &report, &hexes, e); }))
+    return;
+  const std::size_t n = obc_volume_map_hexes_vertex_count(hexes), m = obc_volume_map_hexes_count(hexes),
+                    q = obc_volume_map_hexes_quad_count(hexes);
+  std::vector<double> positions(3 * n);
+  std::vector<std::uint32_t> hexahedra(8 * m), quads(4 * q), faces(q);
+  require(ok([&](obc_error* e) {
+            return obc_volume_map_hexes_copy(hexes, positions.data(), hexahedra.data(), quads.data(), faces.data(), e);
+          }),
+          "hexahedra cannot be copied");
+  obc_volume_map_hexes_destroy(hexes);
+  require_finite(positions, "a vertex of hexahedra that is not finite");
+  require_below(hexahedra, n, "a hexahedron with a vertex that does not exist");
+  require_below(quads, n, "a quad with a vertex that does not exist");
+  require(m > 0 && q > 0 && report.least_scaled_jacobian > 0 && report.mean_scaled_jacobian <= 1 && report.volume > 0,
+          "certified hexahedra with figures that are none");
+}
+
+}  // namespace
+
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   Input in(data, size);
   Host host(in);
+  if (in.one_in(40)) {
+    map_solid(in, host);
+    return 0;
+  }
+  if (in.one_in(40)) {
+    fill_with_hexahedra(in, host);
+    return 0;
+  }
   Shape mesh = solid(in, in.one_in(2));
   const std::vector<double> rest = mesh.positions;
   for (std::size_t i = in.below(6); i > 0 && !mesh.positions.empty(); --i)

@@ -21,7 +21,7 @@ func _idle(_delta):
 	var moved = weights()
 	main.playing = false
 	var shown = []
-	for shapes in [0.0, 0.5, 1.0, 1.5, 2.0]:
+	for shapes in [0.0, 0.5, 1.0, 1.5, 2.0, 2.5, 3.0]:
 		main.show_at(shapes)
 		shown.append(weights())
 	var size = main.mesh.get_aabb().get_longest_axis_size() * main.mesh.global_transform.basis.get_scale().x
