@@ -167,7 +167,8 @@ std::span<const Pull> Constraints::pulls_at(Index node) const {
   auto end = begin;
   while (end != pulls.end() && end->node == node)
     ++end;
-  return {begin, end};
+  return std::span(pulls).subspan(static_cast<std::size_t>(begin - pulls.begin()),
+                                  static_cast<std::size_t>(end - begin));
 }
 
 Quaternion target(const Pull& pull, const Quaternion& frame) {

@@ -44,7 +44,8 @@ class Incidence {
     auto end = begin;
     while (end != ends_.end() && end->vertex == vertex)
       ++end;
-    return {begin, end};
+    return std::span(ends_).subspan(static_cast<std::size_t>(begin - ends_.begin()),
+                                    static_cast<std::size_t>(end - begin));
   }
   // visit(vertex, ends)
   template <class Visit>

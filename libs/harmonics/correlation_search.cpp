@@ -44,7 +44,8 @@ class AtOneBeta {
           sc += e * fs * gc - o * fc * gs;
           ss -= e * fs * gs + o * fc * gc;
         }
-        const Eigen::Index row = m > 0 ? 2 * Eigen::Index{m} - 1 : 0, column = n > 0 ? 2 * Eigen::Index{n} - 1 : 0;
+        const Eigen::Index row = m > 0 ? 2 * static_cast<Eigen::Index>(m) - 1 : 0,
+                           column = n > 0 ? 2 * static_cast<Eigen::Index>(n) - 1 : 0;
         x(row, column) += cc;
         if (n > 0) x(row, column + 1) += cs;
         if (m > 0) x(row + 1, column) += sc;
@@ -93,11 +94,12 @@ std::vector<CorrelationPeak> correlation_peaks(const Coefficients& f, const Coef
                                                bool turn_values, std::size_t most, const base::Host& host) {
   const std::size_t betas = 2 * std::size_t{degree}, turns = 4 * std::size_t{degree};
   const double step = std::numbers::pi / static_cast<double>(betas);
-  const auto waves_count = 2 * Eigen::Index{degree} + 1;
+  const auto top = static_cast<Eigen::Index>(degree);
+  const Eigen::Index waves_count = 2 * top + 1;
   Eigen::MatrixXd waves(waves_count, static_cast<Eigen::Index>(turns));
   for (Eigen::Index k = 0; k < waves.cols(); ++k) {
     waves(0, k) = 1;
-    for (Eigen::Index m = 1; m <= degree; ++m) {
+    for (Eigen::Index m = 1; m <= top; ++m) {
       waves(2 * m - 1, k) = std::cos(static_cast<double>(m * k) * step);
       waves(2 * m, k) = std::sin(static_cast<double>(m * k) * step);
     }

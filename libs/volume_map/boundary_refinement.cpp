@@ -145,7 +145,9 @@ RefinedSolid refine_boundary(std::span<const Vector3> positions, std::span<const
       auto last = first;
       while (last != points.end() && last->edge == edge)
         ++last;
-      refinement.add_cut(t, a, b, std::span(first, last));
+      refinement.add_cut(t, a, b,
+                         std::span(points).subspan(static_cast<std::size_t>(first - points.begin()),
+                                                   static_cast<std::size_t>(last - first)));
       continue;
     }
     if (count == 3) {

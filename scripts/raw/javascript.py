@@ -9,8 +9,8 @@ LETTERS = {"void": "v", "int64_t": "j", "uint64_t": "j", "float": "f", "double":
 FOLDER = "bindings/js/raw/"
 HEAD = "// What the C headers declare, {0}. Written by scripts/bindings.py; not to be edited.\n"
 POINTER = 4
-# Not in the module, as bindings/js/build says: what would make it too large to load, and a library whose licence would bind users.
-LEFT_OUT = ("frame_field", "harmonics", "tetrahedra", "volume_map")
+# Not in the module, as bindings/js/build says: a library whose licence would bind users.
+LEFT_OUT = ["tetrahedra"]
 
 
 def parts(api):

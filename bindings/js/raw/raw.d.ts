@@ -17,6 +17,25 @@ export const constants: {
   readonly OBC_UNSUPPORTED: -10;
   readonly OBC_NO_VALID_RESULT: -11;
   readonly OBC_INTERNAL: -12;
+  readonly OBC_FRAME_FIELD_AUTO: 0;
+  readonly OBC_FRAME_FIELD_IDENTITY: 1;
+  readonly OBC_FRAME_FIELD_PROPAGATED: 2;
+  readonly OBC_FRAME_FIELD_HARMONIC: 3;
+  readonly OBC_FRAME_FIELD_DIFFUSION: 4;
+  readonly OBC_FRAME_FIELD_GIVEN: 5;
+  readonly OBC_FRAME_FIELD_SMOOTH: 0;
+  readonly OBC_FRAME_FIELD_SEED: 1;
+  readonly OBC_FRAME_FIELD_UNIFORM: 0;
+  readonly OBC_FRAME_FIELD_GEOMETRIC: 1;
+  readonly OBC_FRAME_FIELD_NO_REPAIR: 0;
+  readonly OBC_FRAME_FIELD_REPAIR: 1;
+  readonly OBC_FRAME_FIELD_SINGLE_AXIS: 2;
+  readonly OBC_HARMONICS_AUTOMATIC: 0;
+  readonly OBC_HARMONICS_DENSE: 1;
+  readonly OBC_HARMONICS_ITERATIVE: 2;
+  readonly OBC_HARMONICS_BY_ENDING: 0;
+  readonly OBC_HARMONICS_SHTOOLS: 1;
+  readonly OBC_HARMONICS_SPHARM_PDM: 2;
   readonly OBC_MESH_OBJ: 0;
   readonly OBC_MESH_OFF: 1;
   readonly OBC_MESH_PLY: 2;
@@ -108,6 +127,9 @@ export const constants: {
   readonly OBC_TRUST_REGION_CONTINUE: 0;
   readonly OBC_TRUST_REGION_STOP: 1;
   readonly OBC_TRUST_REGION_FAILED: 2;
+  readonly OBC_VOLUME_MAP_PADDING_AUTO: 0;
+  readonly OBC_VOLUME_MAP_PADDING_WITH: 1;
+  readonly OBC_VOLUME_MAP_PADDING_WITHOUT: 2;
 };
 
 export interface Layout {
@@ -118,9 +140,17 @@ export const layouts: {
   readonly obc_error: Layout;
   readonly obc_allocator: Layout;
   readonly obc_host: Layout;
+  readonly obc_frame_field_solid: Layout;
+  readonly obc_frame_field_options: Layout;
+  readonly obc_frame_field_constraints: Layout;
+  readonly obc_frame_field_report: Layout;
   readonly obc_gltf_read_options: Layout;
   readonly obc_gltf_morph_target: Layout;
   readonly obc_gltf_scene: Layout;
+  readonly obc_harmonics_fit_options: Layout;
+  readonly obc_harmonics_fit_report: Layout;
+  readonly obc_harmonics_align_options: Layout;
+  readonly obc_harmonics_alignment: Layout;
   readonly obc_surface: Layout;
   readonly obc_mesh_cells: Layout;
   readonly obc_mesh_tetrahedron_quality_report: Layout;
@@ -152,6 +182,12 @@ export const layouts: {
   readonly obc_trust_region_problem: Layout;
   readonly obc_trust_region_options: Layout;
   readonly obc_trust_region_result: Layout;
+  readonly obc_volume_map_tangle: Layout;
+  readonly obc_volume_map_untangle_options: Layout;
+  readonly obc_volume_map_untangle_report: Layout;
+  readonly obc_volume_map_solid_options: Layout;
+  readonly obc_volume_map_hexes_options: Layout;
+  readonly obc_volume_map_hexes_report: Layout;
 };
 export const callbacks: Readonly<Record<string, string>>;
 export const functions: Readonly<Record<keyof RawFunctions, string>>;
@@ -164,6 +200,54 @@ export interface RawFunctions {
   obc_status_name(status: number): Pointer;
   /** Version of the base library, major * 10000 + minor * 100 + patch. */
   obc_base_version(): number;
+  /** Fill options, constraints and reports with the defaults, no constraints, and zeros. */
+  obc_frame_field_options_init(options: Pointer, struct_size: number): number;
+  /** Fill options, constraints and reports with the defaults, no constraints, and zeros. */
+  obc_frame_field_constraints_init(constraints: Pointer, struct_size: number): number;
+  /** Fill options, constraints and reports with the defaults, no constraints, and zeros. */
+  obc_frame_field_report_init(report: Pointer, struct_size: number): number;
+  /** Computes a field of small energy. frames: 4 * tetrahedron_count doubles, read with the start given, and written on success
+   * only. options, constraints, host and report may be NULL. O(n), at most 1 KB a tetrahedron.
+   * Errors: invalid argument (NULL, NaN, index out of range, options), degenerate (a repeated vertex), not manifold (a face of
+   * three tetrahedra, neighbours on the same side of a face), out of memory, cancelled. */
+  obc_frame_field_compute(solid: Pointer, options: Pointer, constraints: Pointer, host: Pointer, frames: Pointer, report: Pointer, error: Pointer): number;
+  /** Figures of any field: frames, 4 * tetrahedron_count doubles, normalised before use. host may be NULL. O(n).
+   * Errors: as _compute. */
+  obc_frame_field_measure(solid: Pointer, frames: Pointer, host: Pointer, report: Pointer, error: Pointer): number;
+  /** How the frames on both sides of the faces match: 4 * tetrahedron_count numbers, that at 4 t + k for the face of
+   * tetrahedron t opposite its corner k: the rotation of the cube (its number in obc_quaternion_cube_element) that, in its own
+   * axes, brings frame t next to that of the neighbour; 0 on the boundary. Errors: as _compute. O(n). */
+  obc_frame_field_matchings(solid: Pointer, frames: Pointer, host: Pointer, matchings: Pointer, error: Pointer): number;
+  /** The singular edges of a field and the curves that they form, in a handle. host may be NULL; its allocator must stay valid
+   * until _destroy. Errors: as _compute. O(n). */
+  obc_frame_field_singularities_create(solid: Pointer, frames: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
+  /** The singular edges of a field and the curves that they form, in a handle. host may be NULL; its allocator must stay valid
+   * until _destroy. Errors: as _compute. O(n). */
+  obc_frame_field_singularities_destroy(singularities: Pointer): void;
+  /** Numbers; 0 for NULL. */
+  obc_frame_field_singular_edge_count(singularities: Pointer): number;
+  /** Numbers; 0 for NULL. */
+  obc_frame_field_singular_curve_count(singularities: Pointer): number;
+  /** Numbers; 0 for NULL. */
+  obc_frame_field_singular_node_count(singularities: Pointer): number;
+  /** Copies to the caller's arrays, each of which may be NULL. Edges: two vertices each; their rotation of the cube around the
+   * edge; their turn, 1 where hexahedra would meet in threes, -1 in fives, 2 for half turns, 0 where they cannot. Curves:
+   * curve_begin (curve count + 1) says where each begins in curve_edges (edge count), the edges in order along it. Nodes: their
+   * vertices. Errors: invalid argument. */
+  obc_frame_field_singularities_copy(singularities: Pointer, edge_vertices: Pointer, edge_rotations: Pointer, edge_turns: Pointer, curve_begin: Pointer, curve_edges: Pointer, nodes: Pointer, error: Pointer): number;
+  /** Where the field cannot be that of a hexahedral mesh: singular edges that are no quarter turns about an axis, and inner
+   * vertices whose edges of threes and fives no hexahedral mesh has (turning points and nodes). Both counts are 0 when the field
+   * is locally meshable, and for NULL. */
+  obc_frame_field_unmeshable_edge_count(singularities: Pointer): number;
+  /** Where the field cannot be that of a hexahedral mesh: singular edges that are no quarter turns about an axis, and inner
+   * vertices whose edges of threes and fives no hexahedral mesh has (turning points and nodes). Both counts are 0 when the field
+   * is locally meshable, and for NULL. */
+  obc_frame_field_unmeshable_vertex_count(singularities: Pointer): number;
+  /** Copies them to the caller's arrays, each of which may be NULL: the edges as numbers of singular edges, the vertices as
+   * indices of the solid's, both ascending. Errors: invalid argument. */
+  obc_frame_field_unmeshable_copy(singularities: Pointer, edges: Pointer, vertices: Pointer, error: Pointer): number;
+  /** Version of the library, major * 10000 + minor * 100 + patch. */
+  obc_frame_field_version(): number;
   /** The defaults, which the members' comments give. */
   obc_gltf_read_options_init(options: Pointer, struct_size: number): number;
   /** Reads the file at `path` (bytes as the system takes them). options and host may be NULL; the host's allocator must stay
@@ -205,6 +289,81 @@ export interface RawFunctions {
   obc_gltf_reconstructed(base: number, delta: number): number;
   /** Version of this library, major * 10000 + minor * 100 + patch. */
   obc_gltf_version(): number;
+  /** Fills options with the defaults, and a report with zeros and its size. */
+  obc_harmonics_fit_options_init(options: Pointer, struct_size: number): number;
+  /** Fills options with the defaults, and a report with zeros and its size. */
+  obc_harmonics_fit_report_init(report: Pointer, struct_size: number): number;
+  /** (degree + 1)^2. */
+  obc_harmonics_size(degree: number): number;
+  /** Y_lm of every direction: rows, count * (degree+1)^2 doubles, a direction after the other. host may be NULL.
+   * O(count * degree^2).
+   * Errors: OBC_INVALID_ARGUMENT (NULL, not finite, length zero, degree), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+  obc_harmonics_evaluate(directions: Pointer, count: number, degree: number, host: Pointer, rows: Pointer, error: Pointer): number;
+  /** The coefficients that fit values at scattered directions best: least squares with `weights`, one a direction and not
+   * negative, or NULL for ones. For a surface, the weights of obc_harmonics_vertex_areas are the usual choice: each piece
+   * counts by its own area.
+   * options, host and report may be NULL. coefficients: written on success only. A rank-deficient fit is no error: see
+   * report->rank.
+   * Errors: as obc_harmonics_evaluate. */
+  obc_harmonics_fit(directions: Pointer, weights: Pointer, values: Pointer, count: number, channels: number, options: Pointer, host: Pointer, coefficients: Pointer, report: Pointer, error: Pointer): number;
+  /** The functions at the directions: values, count * channels doubles; and unless gradients is NULL, their gradients on the
+   * sphere of radius 1, tangent vectors, 3 * count * channels doubles. O(count * degree^2 * channels).
+   * Errors: as obc_harmonics_evaluate. */
+  obc_harmonics_synthesize(coefficients: Pointer, degree: number, channels: number, directions: Pointer, count: number, host: Pointer, values: Pointer, gradients: Pointer, error: Pointer): number;
+  /** A third of the area of its triangles for each vertex: areas, vertex_count doubles. Triangles are three vertex indices
+   * each. O(n).
+   * Errors: OBC_INVALID_ARGUMENT, OBC_MALFORMED_FILE (kind index-range: no such vertex), OBC_OUT_OF_MEMORY. */
+  obc_harmonics_vertex_areas(positions: Pointer, vertex_count: number, triangles: Pointer, triangle_count: number, host: Pointer, areas: Pointer, error: Pointer): number;
+  /** The norm of each degree, sqrt(sum over m and the channels of the squares): norms, degree + 1 doubles. It does not change
+   * when the sphere is turned, nor when the values of three channels are.
+   * Errors: OBC_INVALID_ARGUMENT, OBC_OUT_OF_MEMORY. */
+  obc_harmonics_degree_norms(coefficients: Pointer, degree: number, channels: number, norms: Pointer, error: Pointer): number;
+  /** The distance D_n(f, g) of the dissertation's section 3.3.3: the sum over the degrees from first to last of the squared
+   * difference of the norms; degrees that one of them does not have count as zero there. first = 0 is the dissertation's;
+   * with first = 1 it does not matter where the shapes lie.
+   * Errors: as obc_harmonics_degree_norms. */
+  obc_harmonics_shape_distance(f: Pointer, f_degree: number, g: Pointer, g_degree: number, channels: number, first: number, last: number, distance: Pointer, error: Pointer): number;
+  /** Filters in place: degrees from low to high stay, the others become zero, over `width` degrees outside of each end with a
+   * raised cosine (0: at once). With keep_mean 1 degree 0 stays, which is where a shape lies.
+   * Errors: as obc_harmonics_degree_norms. */
+  obc_harmonics_filter(coefficients: Pointer, degree: number, channels: number, low: number, high: number, width: number, keep_mean: number, error: Pointer): number;
+  /** The reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
+   * distance to the nearest point of B. O(n log n).
+   * Errors: OBC_INVALID_ARGUMENT (NULL, no points, not finite), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+  obc_harmonics_mean_distance(a: Pointer, a_count: number, b: Pointer, b_count: number, host: Pointer, distance: Pointer, error: Pointer): number;
+  /** The functions turned with the sphere: what each has at direction v, it has at R v afterwards. rotation: the matrix R by
+   * rows, 9 doubles. turned may be coefficients. The values are not turned: for a shape that turns in space, multiply the three
+   * coefficients of each Y_lm by the matrix. O(degree^3).
+   * Errors: OBC_INVALID_ARGUMENT (also: no rotation), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+  obc_harmonics_rotate(coefficients: Pointer, degree: number, channels: number, rotation: Pointer, host: Pointer, turned: Pointer, error: Pointer): number;
+  /** Fills options with the defaults, and an alignment with zeros and its size. */
+  obc_harmonics_align_options_init(options: Pointer, struct_size: number): number;
+  /** Fills options with the defaults, and an alignment with zeros and its size. */
+  obc_harmonics_alignment_init(alignment: Pointer, struct_size: number): number;
+  /** The rotation that brings `moving` best into line with `fixed`: it maximises the sum over the channels of the integral of
+   * fixed(u) * (Q moving)(R^-1 u), without degree 0. Found on a grid of all rotations (Kostelec and Rockmore 2008, "FFTs on the
+   * rotation group") and refined by Newton's method up to the lower of the two degrees. options and host may be NULL.
+   * O(search_degree^4 + degree^3).
+   * Errors: OBC_INVALID_ARGUMENT, OBC_NO_VALID_RESULT (one of them is constant), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+  obc_harmonics_align(fixed: Pointer, fixed_degree: number, moving: Pointer, moving_degree: number, channels: number, options: Pointer, host: Pointer, alignment: Pointer, error: Pointer): number;
+  /** Writes a file, whole or not at all; read again, every number is the same to its last bits.
+   * Errors: OBC_INVALID_ARGUMENT, OBC_UNSUPPORTED (ending; channels other than 3 for SPHARM-PDM), OBC_IO,
+   * OBC_OUT_OF_MEMORY. The message starts with the path. */
+  obc_harmonics_write(path: Pointer, format: number, coefficients: Pointer, degree: number, channels: number, error: Pointer): number;
+  /** host may be NULL; its allocator must stay valid until _destroy. Nothing in a file is trusted.
+   * Errors: OBC_INVALID_ARGUMENT, OBC_MALFORMED_FILE (empty-file, bad-magic, parse, truncated, trailing-data, non-finite, with
+   * the line), OBC_UNSUPPORTED, OBC_IO, OBC_CANCELLED, OBC_OUT_OF_MEMORY. The message starts with the path. */
+  obc_harmonics_read(path: Pointer, format: number, host: Pointer, coefficients: Pointer, error: Pointer): number;
+  /** 0 for NULL. */
+  obc_harmonics_coefficients_degree(coefficients: Pointer): number;
+  /** 0 for NULL. */
+  obc_harmonics_coefficients_channels(coefficients: Pointer): number;
+  /** Copies them out: (degree+1)^2 * channels doubles. Errors: OBC_INVALID_ARGUMENT. */
+  obc_harmonics_coefficients_copy(coefficients: Pointer, values: Pointer, error: Pointer): number;
+  /** NULL is fine. */
+  obc_harmonics_coefficients_destroy(coefficients: Pointer): void;
+  /** Version of the library, major * 10000 + minor * 100 + patch. */
+  obc_harmonics_version(): number;
   /** A mesh of nothing. */
   obc_mesh_cells_init(cells: Pointer, struct_size: number): number;
   /** A mesh with copies of the arrays. host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument,
@@ -812,4 +971,57 @@ export interface RawFunctions {
   obc_trust_region_stop_name(stop: number): Pointer;
   /** Version of this library, major * 10000 + minor * 100 + patch. */
   obc_trust_region_version(): number;
+  /** A mesh of nothing; the defaults, which the members' comments give; zeros. */
+  obc_volume_map_tangle_init(tangle: Pointer, struct_size: number): number;
+  /** A mesh of nothing; the defaults, which the members' comments give; zeros. */
+  obc_volume_map_untangle_options_init(options: Pointer, struct_size: number): number;
+  /** A mesh of nothing; the defaults, which the members' comments give; zeros. */
+  obc_volume_map_untangle_report_init(report: Pointer, struct_size: number): number;
+  /** Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
+   * same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
+   * tangle->positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
+   * Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
+   * all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+   * malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
+   * rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled. */
+  obc_volume_map_untangle(tangle: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer): number;
+  /** The defaults, which the members' comments give. */
+  obc_volume_map_solid_options_init(options: Pointer, struct_size: number): number;
+  /** Finds a polycube of the boundary of a solid and a map of the solid to it: every tetrahedron is positive, on the polycube and
+   * in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
+   * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
+   * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
+   * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed (kind not-connected: pieces or
+   * cavities); no valid result with what stood in the way; out of memory, cancelled. */
+  obc_volume_map_solid_compute(positions: Pointer, vertex_count: number, tetrahedra: Pointer, tetrahedron_count: number, options: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
+  /** NULL is fine, here and in the functions that count (0). */
+  obc_volume_map_solid_destroy(solid: Pointer): void;
+  /** NULL is fine, here and in the functions that count (0). */
+  obc_volume_map_solid_vertex_count(solid: Pointer): number;
+  /** NULL is fine, here and in the functions that count (0). */
+  obc_volume_map_solid_tetrahedron_count(solid: Pointer): number;
+  /** x y z a vertex in space, and on the polycube; four vertices a tetrahedron. Each may be NULL. Errors: invalid argument. */
+  obc_volume_map_solid_copy(solid: Pointer, positions: Pointer, polycube: Pointer, tetrahedra: Pointer, error: Pointer): number;
+  /** The defaults, which the members' comments give. */
+  obc_volume_map_hexes_options_init(options: Pointer, struct_size: number): number;
+  /** Fills a closed surface with hexahedra: connected, oriented, looking outward, of any genus. They meet in whole faces, the
+   * boundary has the genus of the surface, each hexahedron has positive corners by exact signs and a trilinear map that is
+   * certainly positive. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+   * Errors: invalid argument; not closed, not manifold, degenerate, malformed file; no valid result with what stood in the way;
+   * out of memory, cancelled. */
+  obc_volume_map_hexes_compute(surface: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
+  /** NULL is fine, here and in the functions that count (0). */
+  obc_volume_map_hexes_destroy(hexes: Pointer): void;
+  /** NULL is fine, here and in the functions that count (0). */
+  obc_volume_map_hexes_vertex_count(hexes: Pointer): number;
+  /** NULL is fine, here and in the functions that count (0). */
+  obc_volume_map_hexes_count(hexes: Pointer): number;
+  /** NULL is fine, here and in the functions that count (0). */
+  obc_volume_map_hexes_quad_count(hexes: Pointer): number;
+  /** x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
+   * counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
+   * argument. */
+  obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_faces: Pointer, error: Pointer): number;
+  /** Version of this library, major * 10000 + minor * 100 + patch. */
+  obc_volume_map_version(): number;
 }

@@ -179,6 +179,8 @@ export class Mesh implements Surface {
   readonly triangles: Uint32Array;
   /** Copies that stay. */
   readonly arrays: Surface;
+  readonly tetrahedronCount: number;
+  readonly solid: Solid;
   readonly format: string;
   readonly notes: string[];
   close(): void;
@@ -281,6 +283,123 @@ export class Polycube {
 
 export function polycube(surface: SurfaceLike, options?: PolycubeOptions & Host): Polycube;
 export function commonPolycube(surfaces: SurfaceLike[], options?: PolycubeOptions & DomainOptions & Host): Polycube[];
+
+// ---- spherical harmonics ---------------------------------------------------------------------------------------------------
+
+/** Coefficients: (degree + 1)^2 rows, Y_lm in row l*l + l + m, with a column a channel; 3 channels if it is not said. */
+export namespace harmonics {
+  interface Channels {
+    channels?: number;
+  }
+  interface FitOptions extends Channels {
+    degree?: number;
+    method?: 'automatic' | 'dense' | 'iterative';
+    smoothing?: number;
+    /** One a direction, as vertexAreas() has them. */
+    weights?: Numbers;
+  }
+  interface FitReport {
+    method: number;
+    unknowns: number;
+    rank: number;
+    condition: number;
+    residual: number;
+    iterations: number;
+  }
+  function degreeOf(coefficients: Numbers, channels: number): number;
+  function evaluate(directions: Numbers, degree: number, host?: Host): Float64Array;
+  function fit(directions: Numbers, values: Numbers, options?: FitOptions & Host): { coefficients: Float64Array; report: FitReport };
+  function synthesize(coefficients: Numbers, directions: Numbers, options?: Channels & { gradients?: boolean } & Host):
+    { values: Float64Array; gradients: Float64Array | null };
+  function vertexAreas(surface: SurfaceLike, host?: Host): Float64Array;
+  function degreeNorms(coefficients: Numbers, channels?: number): Float64Array;
+  function shapeDistance(f: Numbers, g: Numbers, options?: Channels & { first?: number; last?: number }): number;
+  function filter(coefficients: Numbers, low: number, high: number, options?: Channels & { width?: number; keepMean?: boolean }): Float64Array;
+  function meanDistance(a: Numbers, b: Numbers, host?: Host): number;
+  function rotate(coefficients: Numbers, rotation: Numbers, options?: Channels & Host): Float64Array;
+  function align(fixed: Numbers, moving: Numbers, options?: Channels & { turnValues?: boolean; searchDegree?: number } & Host):
+    { rotation: number[]; values: number[]; correlation: number };
+  /** The bytes of a file of SHTOOLS ("sh") or SPHARM-PDM ("coef"). */
+  function writeCoefficients(coefficients: Numbers, ending?: 'sh' | 'shtools' | 'txt' | 'coef', channels?: number): Uint8Array;
+}
+
+// ---- solids ----------------------------------------------------------------------------------------------------------------
+
+/** x y z a vertex, and four vertices a tetrahedron, the fourth on the side that the first three look away from. */
+export interface Solid {
+  positions: Float64Array;
+  tetrahedra: Uint32Array;
+}
+
+export type SolidLike = { positions: Numbers; tetrahedra: Numbers };
+
+export interface FrameFieldOptions {
+  start?: 'auto' | 'identity' | 'propagated' | 'harmonic' | 'diffusion' | 'given';
+  method?: 'smooth' | 'seed';
+  weighting?: 'uniform' | 'geometric';
+  alignBoundary?: boolean;
+  rounds?: number;
+  /** Radians; 0: none. */
+  featureAngle?: number;
+  relativeGain?: number;
+  repair?: 'noRepair' | 'repair' | 'singleAxis';
+  /** With start "given". */
+  startFrames?: Numbers;
+  heldFrames?: { tetrahedra: Numbers; frames: Numbers; weights?: Numbers };
+  heldAxes?: { tetrahedra: Numbers; axes: Numbers; weights?: Numbers };
+}
+
+/** Frames: w x y z a tetrahedron. The report has the members of obc_frame_field_report in camel case. */
+export function frameField(solid: SolidLike, options?: FrameFieldOptions & Host): { frames: Float64Array; report: Record<string, number> };
+export function measureFrames(solid: SolidLike, frames: Numbers, host?: Host): Record<string, number>;
+/** For each tetrahedron and corner, the rotation of the cube across the face opposite. */
+export function matchings(solid: SolidLike, frames: Numbers, host?: Host): Uint8Array;
+export function singularities(solid: SolidLike, frames: Numbers, host?: Host): {
+  edges: Uint32Array;
+  rotations: Uint8Array;
+  /** 1 where hexahedra would meet in threes, -1 in fives. */
+  turns: Int8Array;
+  curves: Uint32Array[];
+  nodes: Uint32Array;
+  unmeshableEdges: Uint32Array;
+  unmeshableVertices: Uint32Array;
+};
+
+export interface UntangleOptions {
+  rest?: Numbers;
+  /** A flag a coordinate, or a vertex. */
+  fixed?: ArrayLike<number | boolean>;
+  /** A group a coordinate, of which all are to be equal, or 2^32 - 1. */
+  ties?: Numbers;
+  steps?: number;
+  polishSteps?: number;
+  volumeWeight?: number;
+}
+
+/** Where some stay inverted, what is thrown has what was found as its `best`. */
+export function untangle(solid: SolidLike, options?: UntangleOptions & Host): { positions: Float64Array; report: Record<string, number> };
+export function solidMap(solid: SolidLike, options?: { corners?: number; seed?: number } & Host): Solid & { polycube: Float64Array };
+
+export interface HexahedraOptions {
+  cells?: number;
+  padding?: 'auto' | 'with' | 'without';
+  corners?: number;
+  triangles?: number;
+  seed?: number;
+  rounds?: number;
+}
+
+export interface Hexahedra {
+  positions: Float64Array;
+  /** Eight vertices each, in the order of VTK. */
+  hexahedra: Uint32Array;
+  quads: Uint32Array;
+  /** Of each quad the face of the polycube that it lies on. */
+  quadFaces: Uint32Array;
+  report: Record<string, number>;
+}
+
+export function hexahedra(surface: SurfaceLike, options?: HexahedraOptions & Host): Hexahedra;
 
 // ---- files for engines -----------------------------------------------------------------------------------------------------
 

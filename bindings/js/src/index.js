@@ -1,19 +1,22 @@
 // Orbicube in JavaScript: everything that docs/javascript.md shows.
 import * as trustRegion from './trust_region.js';
 import * as projectedGradient from './projected_gradient.js';
+import * as harmonics from './harmonics.js';
 import * as sphereOptimizer from './sphere_optimizer.js';
 import { module, raw as invoke } from './module.js';
 
 export { OrbicubeError } from './errors.js';
 export { HeapArray, ready } from './module.js';
 export { EvaluationFailed, StopRun } from './solver.js';
-export { trustRegion, projectedGradient, sphereOptimizer };
+export { trustRegion, projectedGradient, sphereOptimizer, harmonics };
 export { TrustRegion } from './trust_region.js';
 export { ProjectedGradient } from './projected_gradient.js';
 export { SphereOptimizer } from './sphere_optimizer.js';
 export { Mesh, checkClosedGenusZero, formatOf, orient, topology, writeMesh } from './mesh.js';
 export { Locator, bestRotation, faceDistortion, grid, measure, overlay, roundToFloat, sphereMap, vertexNormals } from './sphere_map.js';
 export { Polycube, commonPolycube, polycube } from './polycube.js';
+export { frameField, matchings, measureFrames, singularities } from './frame_field.js';
+export { hexahedra, solidMap, untangle } from './volume_map.js';
 export { readGltf, writeGlb } from './gltf.js';
 export { boxOf, facing, morph, normalised, octahedronCoordinates, sphereGlb } from './morph.js';
 export { OrbicubeWorker } from './client.js';

@@ -95,6 +95,20 @@ export class Mesh extends Handle {
     return { positions: this.positions.slice(), triangles: this.triangles.slice() };
   }
 
+  get tetrahedronCount() {
+    return raw('obc_mesh_tetrahedron_count', this.address);
+  }
+
+  /** The solid that its tetrahedra fill, as copies that stay: `positions` and `tetrahedra`, four vertices each. */
+  get solid() {
+    const [vertices, corners] = [3 * this.vertexCount, 4 * this.tetrahedronCount];
+    return scratched((scratch) => {
+      const [positions, tetrahedra] = [scratch.room('f64', vertices), scratch.room('u32', corners)];
+      call('obc_mesh_copy', this.address, positions, 0, tetrahedra, 0);
+      return { positions: view('f64', positions, vertices).slice(), tetrahedra: view('u32', tetrahedra, corners).slice() };
+    });
+  }
+
   /** The format that was read, as "PLY, binary, big-endian"; empty for other meshes. */
   get format() {
     return text(raw('obc_mesh_format', this.address));

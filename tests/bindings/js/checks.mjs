@@ -33,6 +33,32 @@ async function rejection(promise) {
   throw new Error('nothing was thrown');
 }
 
+/** A box of unit cubes, each of them six tetrahedra around its diagonal. */
+function boxOfTetrahedra([nx, ny, nz]) {
+  const at = (i, j, k) => i + (nx + 1) * (j + (ny + 1) * k);
+  const positions = [];
+  for (let k = 0; k <= nz; ++k) for (let j = 0; j <= ny; ++j) for (let i = 0; i <= nx; ++i) positions.push(i, j, k);
+  const tetrahedra = [];
+  for (let k = 0; k < nz; ++k) for (let j = 0; j < ny; ++j) for (let i = 0; i < nx; ++i) {
+    for (const [a, b, even] of [[0, 1, true], [1, 2, true], [2, 0, true], [1, 0, false], [2, 1, false], [0, 2, false]]) {
+      const corner = (...axes) => at(...[i, j, k].map((start, axis) => start + (axes.includes(axis) ? 1 : 0)));
+      const middle = [corner(a), corner(a, b)];
+      tetrahedra.push(corner(), ...(even ? middle : middle.reverse()), corner(0, 1, 2));
+    }
+  }
+  return { positions: Float64Array.from(positions), tetrahedra: Uint32Array.from(tetrahedra) };
+}
+
+function countInverted(positions, tetrahedra) {
+  let count = 0;
+  for (let t = 0; t < tetrahedra.length; t += 4) {
+    const [o, a, b, c] = [0, 1, 2, 3].map((k) => positions.subarray(3 * tetrahedra[t + k], 3 * tetrahedra[t + k] + 3));
+    const [u, v, w] = [a, b, c].map((p) => [p[0] - o[0], p[1] - o[1], p[2] - o[2]]);
+    count += u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0]) + u[2] * (v[0] * w[1] - v[1] * w[0]) > 0 ? 0 : 1;
+  }
+  return count;
+}
+
 /** A line as problems.c prints it. */
 function line(name, evaluations, x) {
   const memory = new DataView(new ArrayBuffer(8));
@@ -302,6 +328,81 @@ export const checks = {
     same(better.corners, 8);
     same(failure(() => o.polycube(mesh, { onProgress: () => false })).kind, 'cancelled');
     for (const each of [map, better, mesh]) each.close();
+  },
+
+  'harmonics: known functions, gradients by differences, a shape and its turned self'(o) {
+    const h = o.harmonics;
+    const { positions: at, triangles } = o.grid('icosphere', 3).arrays;
+    const count = at.length / 3;
+    const c = Math.sqrt(3 / (4 * Math.PI)); // Y_1m are y, z and x times this
+    const rows = h.evaluate(at, 1);
+    for (let i = 0; i < count; ++i) {
+      const [x, y, z] = at.subarray(3 * i, 3 * i + 3);
+      [Math.sqrt(0.25 / Math.PI), c * y, c * z, c * x].forEach((value, j) => assert(Math.abs(rows[4 * i + j] - value) < 1e-14));
+    }
+    const weights = h.vertexAreas({ positions: at, triangles });
+    assert(Math.abs(weights.reduce((sum, area) => sum + area) - o.topology({ positions: at, triangles }).area) < 1e-12);
+    const { coefficients, report } = h.fit(at, at, { degree: 4, weights });
+    same([report.unknowns, report.rank, h.degreeOf(coefficients, 3)], [25, 25, 4]);
+    [[3, 0], [1, 1], [2, 2]].forEach(([row, k]) => assert(Math.abs(coefficients[3 * row + k] - 1 / c) < 1e-12));
+    const shape = coefficients.map((value, i) => value + Math.sin(i));
+    const turn = [0, -1, 0, 1, 0, 0, 0, 0, 1];
+    const turned = h.rotate(shape, turn);
+    const one = h.synthesize(shape, [0.6, 0, 0.8], { gradients: true });
+    h.synthesize(turned, [0, 0.6, 0.8]).values.forEach((value, k) => assert(Math.abs(value - one.values[k]) < 1e-13));
+    const step = 1e-6; // towards +y, which is tangent there
+    h.synthesize(shape, [0.6, step, 0.8]).values.forEach((value, k) =>
+      assert(Math.abs((value - one.values[k]) / step - one.gradients[3 * k + 1]) < 1e-4));
+    assert(h.shapeDistance(shape, turned) < 1e-20 && h.degreeNorms(shape).length === 5);
+    const found = h.align(turned, shape);
+    assert(found.correlation > 1 - 1e-9, `correlation ${found.correlation}`);
+    found.rotation.forEach((value, i) => assert(Math.abs(value - turn[i]) < 1e-6));
+    assert(h.filter(shape, 1, 2).every((value, i) => value === (i < 3 || i >= 27 ? 0 : shape[i])));
+    same(h.meanDistance(at, at), 0);
+    assert(new TextDecoder().decode(h.writeCoefficients(shape, 'coef')).startsWith('{ 25,'));
+    same(failure(() => h.fit(at, at, { degree: 1001 })).status, -1);
+  },
+
+  'a field of frames in a box is that of its axes, and what is held stays to the bit'(o) {
+    const box = boxOfTetrahedra([4, 3, 2]);
+    const { frames, report } = o.frameField(box);
+    assert(report.energy < 1e-12 && report.singularEdges === 0 && report.locallyMeshable === 1, JSON.stringify(report));
+    const held = Float64Array.of(Math.cos(0.2), 0, 0, Math.sin(0.2));
+    const other = o.frameField(box, { alignBoundary: false, heldFrames: { tetrahedra: [7], frames: held } });
+    sameBits(other.frames.subarray(28, 32), held, 'what is held');
+    assert(Math.abs(o.measureFrames(box, other.frames).energy - other.report.energy) < 1e-15);
+    same([...o.matchings(box, frames)].length, box.tetrahedra.length);
+    const places = o.singularities(box, frames);
+    same([places.edges.length, places.curves.length, places.turns.length], [0, 0, 0]);
+    same(failure(() => o.frameField({ ...box, tetrahedra: [0, 0, 1, 2] })).kind, 'degenerate-cell');
+    same(failure(() => o.frameField(box, { onProgress: () => false })).kind, 'cancelled');
+  },
+
+  'a bar folded flat is untangled, and what cannot be is told with the best'(o) {
+    const rest = boxOfTetrahedra([6, 2, 2]);
+    const flat = rest.positions.map((x, i) => (i % 3 === 0 && x > 3 ? 6 - x : x));
+    const fixed = Array.from({ length: flat.length / 3 }, (_, v) => rest.positions[3 * v] === 0);
+    const { positions, report } = o.untangle({ positions: flat, tetrahedra: rest.tetrahedra }, { rest: rest.positions, fixed });
+    same([report.inverted, countInverted(positions, rest.tetrahedra)], [0, 0]);
+    assert(report.invertedBefore > 0 && report.leastDeterminant > 0);
+    fixed.forEach((held, v) => held && sameBits(positions.subarray(3 * v, 3 * v + 3), flat.subarray(3 * v, 3 * v + 3), 'fixed'));
+    const none = failure(() => o.untangle({ positions: flat, tetrahedra: rest.tetrahedra },
+      { rest: rest.positions, fixed: new Uint8Array(flat.length).fill(1), steps: 2 }));
+    same([none.kind, none.best.report.inverted], ['no-valid-result', report.invertedBefore]);
+  },
+
+  'hexahedra fill a cube, each positive, with its volume'(o) {
+    const cube = o.Mesh.make('cube', 300);
+    const { positions, hexahedra, quads, quadFaces, report } = o.hexahedra(cube, { cells: 64 });
+    same([quads.length / 4, report.polycubeCorners], [quadFaces.length, 8]);
+    assert(hexahedra.length % 8 === 0 && report.leastScaledJacobian > 0.5, `${report.leastScaledJacobian}`);
+    const { volume } = o.topology(cube);
+    assert(Math.abs(report.volume - volume) < 0.01 * volume, `volumes ${report.volume} and ${volume}`);
+    assert(quads.every((v) => v < positions.length / 3));
+    same(failure(() => o.hexahedra(cube, { onProgress: () => false })).kind, 'cancelled');
+    const solid = boxOfTetrahedra([2, 2, 2]);
+    const map = o.solidMap(solid, { corners: 8 });
+    same([countInverted(map.positions, map.tetrahedra), countInverted(map.polycube, map.tetrahedra)], [0, 0]);
   },
 
   'morphs are GLB files whose targets read back'(o) {

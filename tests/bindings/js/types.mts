@@ -1,6 +1,6 @@
 // Compiled, not run: the types say what the package does.
 import { Mesh, OrbicubeError, OrbicubeWorker, Polycube, SphereMapResult, TrustRegion, c, commonPolycube, ready, sphereMap, trustRegion,
-  projectedGradient, writeGlb, HeapArray } from 'orbicube';
+  projectedGradient, writeGlb, HeapArray, Hexahedra, Solid, frameField, harmonics, hexahedra, singularities, solidMap, untangle } from 'orbicube';
 import { constants, layouts } from 'orbicube/raw.js';
 
 async function use(): Promise<number> {
@@ -18,6 +18,14 @@ async function use(): Promise<number> {
   const { directions } = await worker.run('sphereMap', { surface: mesh.arrays }, { signal: new AbortController().signal });
   const { bytes } = await worker.run('glb', { scene: { positions: directions, triangles: mesh.triangles } });
   writeGlb({ positions: directions, triangles: mesh.triangles, morphTargets: [{ name: 'a', positions: directions }] });
+  const { coefficients } = harmonics.fit(directions, mesh.positions, { degree: 8, method: 'dense', weights: harmonics.vertexAreas(mesh) });
+  const turned: Float64Array = harmonics.rotate(coefficients, harmonics.align(coefficients, coefficients, { turnValues: true }).rotation);
+  const solid: Solid = mesh.solid;
+  const { frames } = frameField(solid, { start: 'harmonic', repair: 'singleAxis', heldAxes: { tetrahedra: [0], axes: [0, 0, 1] } });
+  const curves: Uint32Array[] = singularities(solid, frames).curves;
+  const filled: Hexahedra = hexahedra(mesh, { cells: 1000, padding: 'auto' });
+  const unfolded = untangle(solidMap(solid, { corners: 8 }), { fixed: [true], polishSteps: 5 });
+  console.log(turned.length, curves.length, filled.quads, unfolded.report.inverted);
   const status: -3 = constants.OBC_NOT_CLOSED;
   const version: number = c.obc_base_version();
   try {
