@@ -11,7 +11,6 @@ namespace {
 constexpr std::size_t piece = 1024;
 // Elements between two reports: some milliseconds of one core.
 constexpr std::size_t slab = 64 * piece;
-constexpr std::size_t dot_piece = 4096;
 constexpr double power = 2.0 / 3;
 
 struct Chi {
@@ -53,15 +52,12 @@ FoldoverEnergy::FoldoverEnergy(std::span<const Element> elements, const Variable
       incident_(4 * elements.size(), host.memory),
       positions_(variables.vertices(), host.memory),
       forces_(variables.vertices(), host.memory),
-      inverse_block_(variables.vertices(), host.memory),
-      inverse_shared_(variables.free(), 0, host.memory),
       padded_(variables.size(), 0, host.memory),
       partial_((elements.size() + piece - 1) / piece, host.memory),
-      residual_(host.memory),
-      preconditioned_(host.memory),
-      search_(host.memory),
-      product_(host.memory),
-      partial_dot_(host.memory) {
+      assembly_(elements, variables, host),
+      system_(host),
+      right_(assembly_.matrix().size(), 0, host.memory),
+      solution_(right_, host.memory) {
   for (const Element& element : elements) {
     total_weight_ += element.weight;
     for (const Index v : element.corner)
@@ -74,16 +70,6 @@ FoldoverEnergy::FoldoverEnergy(std::span<const Element> elements, const Variable
     for (std::size_t k = 0; k < 4; ++k)
       incident_[next[elements[i].corner[k]]++] = static_cast<Index>(4 * i + k);
   }
-  if (variables.any_shared()) {
-    residual_.resize(variables.free());
-    preconditioned_ = search_ = product_ = residual_;
-    partial_dot_.resize((variables.free() + dot_piece - 1) / dot_piece);
-    return;
-  }
-  Array<std::uint8_t> active(variables.vertices(), 0, host.memory);
-  for (std::size_t v = 0; v < active.size(); ++v)
-    active[v] = variables.is_own(v, 0) || variables.is_own(v, 1) || variables.is_own(v, 2);
-  system_.emplace(elements, active, host);
 }
 
 template <class Body>
@@ -158,66 +144,16 @@ void FoldoverEnergy::linearise(std::span<const double> values, double eps, std::
   gather(gradient, [&](std::size_t v) -> Vector3 {
     return 2 * (pulls_[v].square * (positions_[v] - pulls_[v].at) - pulls_[v].linear);
   });
-  if (system_)
-    set_system();
-  else
-    set_blocks();
+  set_system();
 }
 
 void FoldoverEnergy::solve(std::span<const double> gradient, int most_steps, double tolerance,
                            std::span<double> direction) {
-  if (!system_) {
-    solve_by_products(gradient, most_steps, tolerance, direction);
-    return;
-  }
   for (std::size_t i = 0; i < gradient.size(); ++i)
-    padded_[i] = -gradient[i];
-  variables_.expand(padded_, forces_);
-  system_->solve(forces_, most_steps, tolerance, positions_);
-  variables_.reduce(positions_, direction);
-}
-
-double FoldoverEnergy::dot(std::span<const double> a, std::span<const double> b) {
-  team_.run_pieces(a.size(), dot_piece, [&](std::size_t begin, std::size_t end) {
-    double sum = 0;
-    for (std::size_t i = begin; i < end; ++i)
-      sum += a[i] * b[i];
-    partial_dot_[begin / dot_piece] = sum;
-  });
-  double total = 0;
-  for (const double part : partial_dot_)
-    total += part;
-  return total;
-}
-
-// Conjugate gradients (Hestenes and Stiefel 1952), from 0.
-void FoldoverEnergy::solve_by_products(std::span<const double> gradient, int most_steps, double tolerance,
-                                       std::span<double> direction) {
-  const std::size_t count = gradient.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    direction[i] = 0;
-    residual_[i] = -gradient[i];
-  }
-  precondition(residual_, preconditioned_);
-  search_ = preconditioned_;
-  double rz = dot(residual_, preconditioned_);
-  const double enough = tolerance * tolerance * rz;
-  for (int k = 0; k < most_steps && rz > enough; ++k) {
-    multiply(search_, product_);
-    const double curvature = dot(search_, product_);
-    if (!(curvature > 0) || !std::isfinite(curvature)) break;
-    const double length = rz / curvature;
-    for (std::size_t i = 0; i < count; ++i) {
-      direction[i] += length * search_[i];
-      residual_[i] -= length * product_[i];
-    }
-    precondition(residual_, preconditioned_);
-    const double next = dot(residual_, preconditioned_);
-    const double beta = next / rz;
-    rz = next;
-    for (std::size_t i = 0; i < count; ++i)
-      search_[i] = preconditioned_[i] + beta * search_[i];
-  }
+    direction[i] = -gradient[i];
+  assembly_.scatter(direction, right_);
+  system_.solve(right_, most_steps, tolerance, solution_);
+  assembly_.gather(solution_, direction);
 }
 
 void FoldoverEnergy::multiply(std::span<const double> direction, std::span<double> product) {
@@ -254,50 +190,15 @@ void FoldoverEnergy::gather(std::span<double> sums, const Own& own) {
   variables_.reduce(forces_, sums);
 }
 
-void FoldoverEnergy::set_blocks() {
-  team_.run_pieces(forces_.size(), piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      Eigen::Matrix3d block = Eigen::Matrix3d::Zero();
-      if (!pulls_.empty()) block = 2 * pulls_[v].square;
-      for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
-        const Curvature& h = curvature_[incident_[i] / 4];
-        const Vector3& g = elements_[incident_[i] / 4].gradient[incident_[i] % 4];
-        const Vector3 a = h.jacobian * g, c = h.cofactors * g;
-        block.diagonal().array() += h.identity * g.squaredNorm();
-        block.noalias() += h.mixed * (a * c.transpose() + c * a.transpose()) + h.squared * c * c.transpose();
-      }
-      forces_[v] = block.diagonal();
-      for (Eigen::Index a = 0; a < 3; ++a) {
-        if (variables_.is_own(v, static_cast<std::size_t>(a))) continue;
-        block.row(a).setZero();
-        block.col(a).setZero();
-        block(a, a) = 1;
-      }
-      block.diagonal() *= 1 + 1e-9;
-      block.diagonal().array() += 1e-300;
-      Eigen::Matrix3d inverse = block.inverse();
-      if (!inverse.allFinite()) inverse = block.diagonal().cwiseInverse().asDiagonal();
-      for (Eigen::Index a = 0; a < 3; ++a) {
-        if (variables_.is_own(v, static_cast<std::size_t>(a))) continue;
-        inverse.row(a).setZero();
-        inverse.col(a).setZero();
-      }
-      inverse_block_[v] = inverse;
-    }
-  });
-  variables_.reduce(forces_, inverse_shared_);
-  for (double& entry : inverse_shared_)
-    entry = entry > 0 ? 1 / entry : 1;
-}
-
-// The blocks of all rows; of coordinates that stay only the diagonal.
+// The blocks of all rows.
 void FoldoverEnergy::set_system() {
+  BlockMatrix& matrix = assembly_.matrix();
   team_.run_pieces(forces_.size(), piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
-      Eigen::Matrix3d& diagonal = system_->diagonal()[v];
+      Eigen::Matrix3d& diagonal = matrix.diagonal[v];
       diagonal.setZero();
-      for (Eigen::Matrix3d& block : system_->off_diagonal_of(v))
-        block.setZero();
+      for (Index i = matrix.row_begin[v]; i < matrix.row_begin[v + 1]; ++i)
+        matrix.lower[i].setZero();
       if (!pulls_.empty()) diagonal = 2 * pulls_[v].square;
       for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
         const Index at = incident_[i] / 4;
@@ -312,54 +213,18 @@ void FoldoverEnergy::set_system() {
         diagonal.noalias() += p * a.transpose() + q * c.transpose();
         for (std::size_t other = 0; other < 4; ++other) {
           if (e.corner[other] >= v) continue;
-          const Index place = system_->place(at, corner, other);
+          const Index place = assembly_.place(at, corner, other);
           if (place == no_index) continue;
-          Eigen::Matrix3d& block = system_->off_diagonal()[place];
+          Eigen::Matrix3d& block = matrix.lower[place];
           const Vector3& f = e.gradient[other];
           block.diagonal().array() += h.identity * g.dot(f);
           block.noalias() += p * (h.jacobian * f).transpose() + q * (h.cofactors * f).transpose();
         }
       }
-      // What stays has the size of the rest, or 1.
-      const double trace = diagonal.trace();
-      for (Eigen::Index a = 0; a < 3; ++a) {
-        if (variables_.is_own(v, static_cast<std::size_t>(a))) continue;
-        diagonal.row(a).setZero();
-        diagonal.col(a).setZero();
-        diagonal(a, a) = trace > 0 ? trace : 1;
-      }
-      const auto columns = system_->columns_of(v);
-      for (std::size_t k = 0; k < columns.size(); ++k) {
-        for (std::size_t a = 0; a < 3; ++a) {
-          const auto at = static_cast<Eigen::Index>(a);
-          if (!variables_.is_own(v, a)) system_->off_diagonal_of(v)[k].row(at).setZero();
-          if (!variables_.is_own(columns[k], a)) system_->off_diagonal_of(v)[k].col(at).setZero();
-        }
-      }
     }
   });
-  system_->factor();
-}
-
-void FoldoverEnergy::precondition(std::span<const double> direction, std::span<double> result) const {
-  for (std::size_t i = 0; i < direction.size(); ++i)
-    result[i] = inverse_shared_[i] * direction[i];
-  team_.run_pieces(inverse_block_.size(), piece, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t v = begin; v < end; ++v) {
-      Vector3 x = Vector3::Zero();
-      bool any = false;
-      for (std::size_t a = 0; a < 3; ++a) {
-        if (!variables_.is_own(v, a)) continue;
-        x[static_cast<Eigen::Index>(a)] = direction[variables_.of(v, a)];
-        any = true;
-      }
-      if (!any) continue;
-      const Vector3 y = inverse_block_[v] * x;
-      for (std::size_t a = 0; a < 3; ++a) {
-        if (variables_.is_own(v, a)) result[variables_.of(v, a)] = y[static_cast<Eigen::Index>(a)];
-      }
-    }
-  });
+  assembly_.finish(team_);
+  system_.factor(matrix);
 }
 
 }  // namespace orbicube::volume_map

@@ -11,12 +11,11 @@
 // the identity and two vectors: products with it need no matrix.
 #pragma once
 
-#include <optional>
 #include <span>
 
 #include "base/team.h"
-#include "volume_map/block_system.h"
 #include "volume_map/elements.h"
+#include "volume_map/linear_solver.h"
 
 namespace orbicube::volume_map {
 
@@ -59,6 +58,9 @@ class FoldoverEnergy {
   // Added to the energy from now on: one for each vertex, or none. Keeps a view.
   void set_pulls(std::span<const Pull> pulls) { pulls_ = pulls; }
 
+  // Solves the linear systems from now on; none: this library does.
+  void set_engine(LinearEngine* engine) { system_.set_engine(engine); }
+
   // At values of all variables. With eps 0 infinite unless every element is positive.
   EnergyValue value(std::span<const double> values, double eps);
 
@@ -69,11 +71,12 @@ class FoldoverEnergy {
   void solve(std::span<const double> gradient, int most_steps, double tolerance, std::span<double> direction);
   // The product of the Hessian's part with `direction`, both with an entry a free variable.
   void multiply(std::span<const double> direction, std::span<double> product);
-  // `direction` times the inverse of its blocks, of each vertex's own coordinates and of each shared variable.
-  void precondition(std::span<const double> direction, std::span<double> result) const;
 
   const Variables& variables() const { return variables_; }
   const base::Team& team() const { return team_; }
+  // Of the last linearise().
+  const BlockMatrix& matrix() const { return assembly_.matrix(); }
+  const BlockAssembly& assembly() const { return assembly_; }
 
  private:
   struct Curvature {
@@ -85,11 +88,7 @@ class FoldoverEnergy {
   void for_elements(const char* phase, const Body& body) const;
   template <class Own>
   void gather(std::span<double> sums, const Own& own);
-  void set_blocks();
   void set_system();
-  void solve_by_products(std::span<const double> gradient, int most_steps, double tolerance,
-                         std::span<double> direction);
-  double dot(std::span<const double> a, std::span<const double> b);
 
   std::span<const Element> elements_;
   std::span<const Pull> pulls_;
@@ -102,13 +101,11 @@ class FoldoverEnergy {
   Array<std::array<Vector3, 4>> force_;     // on the corners of each element
   Array<Index> incident_begin_, incident_;  // of each vertex: 4 element + corner
   Array<Vector3> positions_, forces_;       // of each vertex
-  Array<Eigen::Matrix3d> inverse_block_;    // of each vertex, 0 but for its own coordinates
-  Array<double> inverse_shared_;            // of each free variable that is not one vertex's own
   Array<double> padded_;                    // a direction, with 0 for what stays
   Array<EnergyValue> partial_;
-  // The matrix, where no variable is shared by vertices; otherwise products do without one.
-  std::optional<BlockSystem> system_;
-  Array<double> residual_, preconditioned_, search_, product_, partial_dot_;  // of free variables
+  BlockAssembly assembly_;
+  LinearSolver system_;
+  Array<double> right_, solution_;  // of the system
 };
 
 }  // namespace orbicube::volume_map

@@ -1,61 +1,44 @@
 #include "volume_map/harmonic_start.h"
 
-#include <algorithm>
+#include "volume_map/linear_solver.h"
 
 namespace orbicube::volume_map {
 
 void make_harmonic(std::span<const Element> elements, std::span<const std::uint8_t> held, std::span<Vector3> positions,
-                   const base::Host& host) {
-  constexpr int most_iterations = 1000;
+                   const base::Host& host, LinearEngine* engine) {
+  constexpr int most_steps = 1000;
   constexpr double tolerance = 1e-8;
-  const std::size_t count = positions.size();
-  Array<double> diagonal(count, 0, host.memory);
-  for (const Element& e : elements) {
-    for (std::size_t k = 0; k < 4; ++k)
-      diagonal[e.corner[k]] += e.weight * e.gradient[k].squaredNorm();
-  }
-  const auto multiply = [&](std::span<const Vector3> x, std::span<Vector3> y) {
-    std::fill(y.begin(), y.end(), Vector3::Zero());
-    for (std::size_t i = 0; i < elements.size(); ++i) {
-      if (i % 16384 == 0) host.report("start", 0, 0);
-      const Element& e = elements[i];
-      const Eigen::Matrix3d j = e.weight * e.jacobian(x);
-      for (std::size_t k = 0; k < 4; ++k)
-        y[e.corner[k]].noalias() += j * e.gradient[k];
+  Array<std::uint8_t> fixed(3 * positions.size(), host.memory);
+  for (std::size_t i = 0; i < fixed.size(); ++i)
+    fixed[i] = held[i / 3];
+  const Variables variables(positions, fixed, {}, host.memory);
+  if (variables.free() == 0) return;
+  BlockAssembly assembly(elements, variables, host);
+  BlockMatrix& matrix = assembly.matrix();
+  for (Eigen::Matrix3d& block : matrix.diagonal)
+    block.setZero();
+  Array<double> right(matrix.size(), 0, host.memory), change(right, host.memory);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    if (i % 16384 == 0) host.report("start", 0, 0);
+    const Element& e = elements[i];
+    const Eigen::Matrix3d j = e.weight * e.jacobian(positions);
+    for (std::size_t k = 0; k < 4; ++k) {
+      matrix.diagonal[e.corner[k]].diagonal().array() += e.weight * e.gradient[k].squaredNorm();
+      for (std::size_t l = 0; l < k; ++l) {
+        const Index place = assembly.place(i, k, l);
+        if (place != no_index) matrix.lower[place].diagonal().array() += e.weight * e.gradient[k].dot(e.gradient[l]);
+      }
+      if (held[e.corner[k]] == 0)
+        Eigen::Map<Vector3>(&right[3 * static_cast<std::size_t>(e.corner[k])]) -= j * e.gradient[k];
     }
-    for (std::size_t v = 0; v < count; ++v) {
-      if (held[v] != 0) y[v].setZero();
-    }
-  };
-  Array<Vector3> residual(count, host.memory), preconditioned(count, host.memory), search(count, host.memory),
-      product(count, host.memory);
-  multiply(positions, residual);
-  double rz = 0;
-  for (std::size_t v = 0; v < count; ++v) {
-    residual[v] = -residual[v];
-    preconditioned[v] = residual[v] / std::max(diagonal[v], 1e-300);
-    rz += residual[v].dot(preconditioned[v]);
   }
-  search = preconditioned;
-  const double enough = tolerance * tolerance * rz;
-  for (int k = 0; k < most_iterations && rz > enough; ++k) {
-    multiply(search, product);
-    double curvature = 0;
-    for (std::size_t v = 0; v < count; ++v)
-      curvature += search[v].dot(product[v]);
-    if (!(curvature > 0)) break;
-    const double length = rz / curvature;
-    double next = 0;
-    for (std::size_t v = 0; v < count; ++v) {
-      positions[v] += length * search[v];
-      residual[v] -= length * product[v];
-      preconditioned[v] = residual[v] / std::max(diagonal[v], 1e-300);
-      next += residual[v].dot(preconditioned[v]);
-    }
-    for (std::size_t v = 0; v < count; ++v)
-      search[v] = preconditioned[v] + next / rz * search[v];
-    rz = next;
-  }
+  assembly.finish(base::Team(host));
+  LinearSolver solver(host);
+  solver.set_engine(engine);
+  solver.factor(matrix);
+  solver.solve(right, most_steps, tolerance, change);
+  for (std::size_t v = 0; v < positions.size(); ++v)
+    positions[v] += Eigen::Map<const Vector3>(&change[3 * v]);
 }
 
 }  // namespace orbicube::volume_map

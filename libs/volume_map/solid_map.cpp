@@ -68,7 +68,7 @@ class Mapping {
     for (const Vector3& p : target)
       center += p / static_cast<double>(target.size());
     std::fill(start_.begin() + static_cast<std::ptrdiff_t>(target.size()), start_.end(), center);
-    make_harmonic(elements_, held, start_, host);
+    make_harmonic(elements_, held, start_, host, options.engine);
 
     const double mean = std::abs(image_volume) / static_cast<double>(inner);
     add_boundary(surface, map.source, map.scale, mean / 6, least_weight, static_cast<Index>(vertices), elements_);
@@ -96,6 +96,7 @@ class Mapping {
       }
       const Variables variables(start_, fixed, {}, host_.memory);
       FoldoverEnergy energy(elements_, variables, 1, host_);
+      energy.set_engine(options_.engine);
       Newton newton(energy, variables.start(), host_);
       const bool done = newton.untangle(options_.steps, 1, 1, {});
       map_.steps += newton.steps();
@@ -115,6 +116,7 @@ class Mapping {
   void polish() {
     const Variables variables(map_.image, sliding_, {}, host_.memory);
     FoldoverEnergy energy(elements_, variables, 1, host_);
+    energy.set_engine(options_.engine);
     Newton newton(energy, variables.start(), host_);
     newton.polish(options_.polish_steps, 1e-4, {.tolerance = 3e-2});
     map_.steps += newton.steps();

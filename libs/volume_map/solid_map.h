@@ -21,8 +21,9 @@ struct SolidMap {
 };
 
 struct SolidMapOptions {
-  int steps = 300;        // of Newton's method in each attempt
-  int polish_steps = 60;  // for less distortion
+  int steps = 300;                 // of Newton's method in each attempt
+  int polish_steps = 60;           // for less distortion
+  LinearEngine* engine = nullptr;  // of the linear systems; none: this library's own
 };
 
 // `surface` is a certified map (its labels are used), `target` where its vertices are to be on the polycube: `polycube`

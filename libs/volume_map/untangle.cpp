@@ -79,6 +79,7 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
 
   const Array<Element> elements = elements_of(mesh.tetrahedra, mesh.rest, scale_of(mesh, result.positions), host);
   FoldoverEnergy energy(elements, variables, options.volume_weight, host);
+  energy.set_engine(options.engine);
   Newton newton(energy, variables.start(), host);
   const auto certify = [&] {
     variables.expand(newton.values(), result.positions);

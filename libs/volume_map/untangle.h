@@ -6,7 +6,7 @@
 #include <span>
 
 #include "base/host.h"
-#include "volume_map/variables.h"
+#include "volume_map/linear_engine.h"
 
 namespace orbicube::volume_map {
 
@@ -25,6 +25,7 @@ struct UntangleOptions {
   int steps = 500;           // of Newton's method at most in each of three attempts, until no tetrahedron is inverted
   int polish_steps = 20;     // then at most so many, that lower the distortion and keep all positive
   double volume_weight = 1;  // how much changes of volume count beside those of angles, above 0
+  LinearEngine* engine = nullptr;  // of the linear systems; none: this library's own
 };
 
 struct Untangled {

@@ -28,6 +28,7 @@ class Variables {
             std::pmr::memory_resource* memory);
 
   std::size_t vertices() const { return variable_.size() / 3; }
+  std::size_t own() const { return own_; }  // free variables of one coordinate, numbered first
   std::size_t free() const { return free_; }
   std::size_t size() const { return start_.size(); }
   Index of(std::size_t vertex, std::size_t axis) const { return variable_[3 * vertex + axis]; }

@@ -7,9 +7,10 @@
 
 namespace orbicube::volume_map {
 
-VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host) {
+VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, LinearEngine* engine) {
   const RefinedSolid refined = refine_boundary(solid.positions, solid.tetrahedra, solid.surface, solid.map, host);
-  SolidMap map = map_solid(solid.map, solid.map.polycube, refined.positions, refined.tetrahedra, {}, host);
+  SolidMap map =
+      map_solid(solid.map, solid.map.polycube, refined.positions, refined.tetrahedra, {.engine = engine}, host);
   VolumeMap result(host.memory);
   result.source = std::move(map.source);
   result.image = std::move(map.image);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "polycube/surface_map.h"
-#include "volume_map/variables.h"
+#include "volume_map/linear_engine.h"
 
 namespace orbicube::volume_map {
 
@@ -23,7 +23,8 @@ struct VolumeMap {
   std::size_t inverted_at_start = 0, steps = 0;
 };
 
-// One to one, by exact signs and the certificate of the boundary. Throws the same.
-VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host);
+// One to one, by exact signs and the certificate of the boundary. With an engine, that solves the linear systems.
+// Throws the same.
+VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, LinearEngine* engine = nullptr);
 
 }  // namespace orbicube::volume_map

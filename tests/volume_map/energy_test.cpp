@@ -129,39 +129,6 @@ TEST_CASE("The Hessian's part is that of determinants that change linearly, wher
   CHECK(curvature == doctest::Approx(second).epsilon(1e-7));
 }
 
-TEST_CASE("The Hessian's part is symmetric and positive, and its blocks are inverted") {
-  Sample s(0.4);
-  const auto elements = elements_of(s.mesh.tetrahedra, s.mesh.positions, 1, s.host);
-  const Variables variables(s.start, s.fixed, s.ties, s.host.memory);
-  FoldoverEnergy energy(elements, variables, 1, s.host);
-  const auto n = static_cast<Eigen::Index>(variables.free());
-  std::vector<double> gradient(variables.free()), product(variables.free()), direction(variables.free(), 0);
-  energy.linearise(variables.start(), 0.05, gradient);
-  Eigen::MatrixXd matrix(n, n), inverse(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
-    direction[static_cast<std::size_t>(i)] = 1;
-    energy.multiply(direction, product);
-    matrix.col(i) = Eigen::Map<const Eigen::VectorXd>(product.data(), n);
-    energy.precondition(direction, product);
-    inverse.col(i) = Eigen::Map<const Eigen::VectorXd>(product.data(), n);
-    direction[static_cast<std::size_t>(i)] = 0;
-  }
-  CHECK((matrix - matrix.transpose()).norm() < 1e-12 * matrix.norm());
-  const Eigen::VectorXd values = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues();
-  CHECK(values.minCoeff() > -1e-12 * values.maxCoeff());
-  for (std::size_t v = 0; v < variables.vertices(); ++v) {
-    std::vector<Eigen::Index> own;
-    for (std::size_t a = 0; a < 3; ++a) {
-      if (variables.is_own(v, a)) own.push_back(variables.of(v, a));
-    }
-    const Eigen::MatrixXd block = matrix(own, own), reciprocal = inverse(own, own);
-    CHECK((block * reciprocal - Eigen::MatrixXd::Identity(block.rows(), block.cols())).norm() < 1e-6);
-  }
-  const auto tied = static_cast<Eigen::Index>(variables.of(0, 2));
-  REQUIRE(!variables.is_own(0, 2));
-  CHECK(inverse(tied, tied) > 0);
-}
-
 TEST_CASE("Newton's direction is that of the Hessian's part, with a matrix and without, fixed coordinates at rest") {
   Sample s(0.15);
   const auto elements = elements_of(s.mesh.tetrahedra, s.mesh.positions, 1, s.host);

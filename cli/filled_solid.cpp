@@ -1,0 +1,43 @@
+#include "cli/filled_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/measures.h"
+
+namespace orbicube::cli {
+namespace {
+
+// Tetrahedra inside no larger than this: about as those beside the surface, but not more than some ten thousand for
+// their own sake. Where there are few, maps of the solid find no way.
+double largest_volume(const volume_map::CoarseSurface& surface, const base::Host& host) {
+  double length = 0;
+  for (const mesh::Triangle& t : surface.triangles)
+    length += (surface.positions[t[1]] - surface.positions[t[0]]).norm();
+  length /= static_cast<double>(surface.triangles.size());
+  const double volume = std::abs(mesh::measures(surface.positions, surface.triangles, host).volume);
+  return std::max(0.3 * length * length * length, volume / 30000);
+}
+
+}  // namespace
+
+FilledSolid filled_solid(const mesh::Mesh& surface, std::size_t triangles, const base::Host& host) {
+  const std::size_t all = surface.triangles.size();
+  std::size_t target = all > 2 * triangles ? triangles : all;
+  while (true) {
+    volume_map::CoarseSurface coarse = volume_map::coarse_surface(surface.positions, surface.triangles, target, host);
+    try {
+      tetrahedra::Solid solid =
+          tetrahedra::fill(coarse.positions, coarse.triangles, {.max_volume = largest_volume(coarse, host)}, host);
+      return {std::move(solid), std::move(coarse.triangles)};
+    } catch (const base::Error& error) {
+      if (target >= all || error.status() == base::Status::cancelled) throw;
+      target = std::min(2 * target, all);
+      host.report("decimate", 0, 0);
+    }
+  }
+}
+
+}  // namespace orbicube::cli

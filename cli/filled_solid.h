@@ -1,0 +1,18 @@
+// A surface filled with tetrahedra for a map of the solid: made coarser where it is fine, and fine enough inside.
+#pragma once
+
+#include "tetrahedra/tetrahedra.h"
+#include "volume_map/coarse_surface.h"
+
+namespace orbicube::cli {
+
+struct FilledSolid {
+  tetrahedra::Solid solid;              // the vertices of the surface first
+  base::Array<mesh::Triangle> surface;  // its boundary
+};
+
+// Of a closed surface that nowhere meets itself. If it has more than twice `triangles` triangles, the solid's has about
+// so many, or more where so few would meet themselves. Throws what tetrahedra::fill does.
+FilledSolid filled_solid(const mesh::Mesh& surface, std::size_t triangles, const base::Host& host);
+
+}  // namespace orbicube::cli

@@ -1,0 +1,198 @@
+#include "volume_map/gauss_seidel.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace orbicube::volume_map {
+namespace {
+
+// Rows between two reports: some milliseconds.
+constexpr std::size_t slab = 16384;
+
+Eigen::Map<Vector3> block_of(std::span<double> x, std::size_t row) {
+  return Eigen::Map<Vector3>(x.data() + 3 * row);
+}
+
+Eigen::Map<const Vector3> block_of(std::span<const double> x, std::size_t row) {
+  return Eigen::Map<const Vector3>(x.data() + 3 * row);
+}
+
+}  // namespace
+
+void GaussSeidel::factor(BlockMatrix& matrix) {
+  matrix_ = &matrix;
+  inverse_.resize(matrix.rows());
+  for (std::size_t v = 0; v < matrix.rows(); ++v) {
+    Eigen::Matrix3d& block = matrix.diagonal[v];
+    // Of size 1, or determinants may leave the range of double.
+    const double size = block.trace();
+    const double scale = size > 0 && std::isfinite(size) ? size : 1;
+    for (const double added : {1e-9, 1e-6, 1.0}) {
+      block.diagonal().array() += added * scale;
+      inverse_[v] = Eigen::Matrix3d(block / scale).inverse() / scale;
+      if (inverse_[v].allFinite()) break;
+    }
+    if (!inverse_[v].allFinite()) inverse_[v].setZero();
+  }
+  for (double& entry : matrix.corner_diagonal)
+    entry = entry > 0 && std::isfinite(entry) ? entry * (1 + 1e-9) : 1;
+}
+
+void GaussSeidel::forward(std::span<double> x) const {
+  const BlockMatrix& m = *matrix_;
+  for (std::size_t v = 0; v < m.rows(); ++v) {
+    if (v % slab == 0) host_.report("solve", 0, 0);
+    Vector3 sum = block_of(x, v);
+    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+      sum.noalias() -= m.lower[i] * block_of(x, m.column[i]);
+    block_of(x, v).noalias() = inverse_[v] * sum;
+  }
+  const std::span<double> shared = x.subspan(3 * m.rows());
+  for (std::size_t s = 0; s < m.shared(); ++s) {
+    double sum = shared[s];
+    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+      sum -= m.border[i].dot(block_of(x, m.border_column[i]));
+    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+      sum -= m.corner[i] * shared[m.corner_column[i]];
+    shared[s] = sum / m.corner_diagonal[s];
+  }
+}
+
+void GaussSeidel::backward(std::span<double> x) const {
+  const BlockMatrix& m = *matrix_;
+  const std::span<double> shared = x.subspan(3 * m.rows());
+  for (std::size_t s = m.shared(); s-- > 0;) {
+    const double here = shared[s] / m.corner_diagonal[s];
+    shared[s] = here;
+    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+      shared[m.corner_column[i]] -= m.corner[i] * here;
+    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+      block_of(x, m.border_column[i]) -= here * m.border[i];
+  }
+  for (std::size_t v = m.rows(); v-- > 0;) {
+    if (v % slab == 0) host_.report("solve", 0, 0);
+    const Vector3 here = inverse_[v] * block_of(x, v);
+    block_of(x, v) = here;
+    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+      block_of(x, m.column[i]).noalias() -= m.lower[i].transpose() * here;
+  }
+}
+
+void GaussSeidel::sweep_from_zero(std::span<const double> right, std::span<double> x,
+                                  std::span<double> residual) const {
+  const BlockMatrix& m = *matrix_;
+  std::fill(residual.begin(), residual.end(), 0.0);
+  for (std::size_t v = 0; v < m.rows(); ++v) {
+    if (v % slab == 0) host_.report("solve", 0, 0);
+    Vector3 sum = block_of(right, v);
+    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+      sum.noalias() -= m.lower[i] * block_of(x, m.column[i]);
+    const Vector3 here = inverse_[v] * sum;
+    block_of(x, v) = here;
+    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+      block_of(residual, m.column[i]).noalias() -= m.lower[i].transpose() * here;
+  }
+  const std::size_t first = 3 * m.rows();
+  for (std::size_t s = 0; s < m.shared(); ++s) {
+    double sum = right[first + s];
+    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+      sum -= m.border[i].dot(block_of(x, m.border_column[i]));
+    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+      sum -= m.corner[i] * x[first + m.corner_column[i]];
+    const double here = sum / m.corner_diagonal[s];
+    x[first + s] = here;
+    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+      block_of(residual, m.border_column[i]) -= here * m.border[i];
+    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+      residual[first + m.corner_column[i]] -= m.corner[i] * here;
+  }
+}
+
+void GaussSeidel::sweep_back(std::span<const double> right, std::span<double> x, std::span<double> sums) const {
+  // Sums are over rows that have been swept.
+  const BlockMatrix& m = *matrix_;
+  const std::size_t first = 3 * m.rows();
+  std::copy(right.begin(), right.end(), sums.begin());
+  for (std::size_t s = m.shared(); s-- > 0;) {
+    double sum = sums[first + s];
+    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+      sum -= m.border[i].dot(block_of(x, m.border_column[i]));
+    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+      sum -= m.corner[i] * x[first + m.corner_column[i]];
+    const double here = sum / m.corner_diagonal[s];
+    x[first + s] = here;
+    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+      block_of(sums, m.border_column[i]) -= here * m.border[i];
+    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+      sums[first + m.corner_column[i]] -= m.corner[i] * here;
+  }
+  for (std::size_t v = m.rows(); v-- > 0;) {
+    if (v % slab == 0) host_.report("solve", 0, 0);
+    Vector3 sum = block_of(sums, v);
+    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+      sum.noalias() -= m.lower[i] * block_of(x, m.column[i]);
+    const Vector3 here = inverse_[v] * sum;
+    block_of(x, v) = here;
+    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+      block_of(sums, m.column[i]).noalias() -= m.lower[i].transpose() * here;
+  }
+}
+
+void GaussSeidel::multiply_diagonal(std::span<const double> x, std::span<double> y) const {
+  const BlockMatrix& m = *matrix_;
+  for (std::size_t v = 0; v < m.rows(); ++v)
+    block_of(y, v).noalias() = m.diagonal[v] * block_of(x, v);
+  for (std::size_t s = 0; s < m.shared(); ++s)
+    y[3 * m.rows() + s] = m.corner_diagonal[s] * x[3 * m.rows() + s];
+}
+
+int GaussSeidel::solve(std::span<const double> right, int most_steps, double tolerance, std::span<double> solution) {
+  // With A = L + D + L' and u = (D + L') x the system is (D + L)^-1 A (D + L')^-1 u = (D + L)^-1 b, preconditioned by
+  // D.
+  const std::size_t count = right.size();
+  residual_.assign(right.begin(), right.end());
+  search_.resize(count);
+  image_.resize(count);
+  product_.resize(count);
+  forward(residual_);
+  std::fill(solution.begin(), solution.end(), 0.0);
+  const auto dot = [count](std::span<const double> a, std::span<const double> b) {
+    double sum = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      sum += a[i] * b[i];
+    return sum;
+  };
+  multiply_diagonal(residual_, search_);
+  double rz = dot(residual_, search_);
+  const double enough = tolerance * tolerance * rz;
+  int k = 0;
+  for (; k < most_steps && rz > enough; ++k) {
+    image_ = search_;
+    backward(image_);
+    multiply_diagonal(image_, product_);
+    for (std::size_t i = 0; i < count; ++i)
+      product_[i] = search_[i] - product_[i];
+    forward(product_);
+    double curvature = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      product_[i] += image_[i];
+      curvature += search_[i] * product_[i];
+    }
+    if (!(curvature > 0) || !std::isfinite(curvature)) break;
+    const double length = rz / curvature;
+    for (std::size_t i = 0; i < count; ++i) {
+      solution[i] += length * image_[i];
+      residual_[i] -= length * product_[i];
+    }
+    multiply_diagonal(residual_, product_);
+    const double next = dot(residual_, product_);
+    const double beta = next / rz;
+    rz = next;
+    for (std::size_t i = 0; i < count; ++i)
+      search_[i] = product_[i] + beta * search_[i];
+  }
+  return k;
+}
+
+}  // namespace orbicube::volume_map

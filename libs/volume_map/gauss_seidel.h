@@ -1,0 +1,44 @@
+// Gauss-Seidel sweeps over matrices of blocks, and conjugate gradients preconditioned by a sweep there and back at the
+// cost of one product a step (Eisenstat 1981, "Efficient implementation of a class of preconditioned conjugate gradient
+// methods").
+#pragma once
+
+#include "volume_map/block_matrix.h"
+
+namespace orbicube::volume_map {
+
+class GaussSeidel {
+ public:
+  explicit GaussSeidel(const base::Host& host)
+      : host_(host),
+        inverse_(host.memory),
+        residual_(host.memory),
+        search_(host.memory),
+        image_(host.memory),
+        product_(host.memory) {}
+
+  // Keeps a view of the matrix, to whose diagonal it adds a little, more where a block is singular.
+  void factor(BlockMatrix& matrix);
+
+  void forward(std::span<double> x) const;   // x becomes (D + L)^-1 x
+  void backward(std::span<double> x) const;  // x becomes (D + L')^-1 x
+
+  // A sweep that starts at 0: x = (D + L)^-1 right, and what is left of the right side.
+  void sweep_from_zero(std::span<const double> right, std::span<double> x, std::span<double> residual) const;
+  // A sweep from the last row to the first. `sums` is for its own use.
+  void sweep_back(std::span<const double> right, std::span<double> x, std::span<double> sums) const;
+
+  // `solution` begins at 0, and is that of the step at which the residual, measured by the preconditioner, is
+  // `tolerance` of what it was, or of the last step. Answers the number of steps. Reports to the host.
+  int solve(std::span<const double> right, int most_steps, double tolerance, std::span<double> solution);
+
+ private:
+  void multiply_diagonal(std::span<const double> x, std::span<double> y) const;
+
+  const base::Host& host_;
+  const BlockMatrix* matrix_ = nullptr;
+  Array<Eigen::Matrix3d> inverse_;
+  Array<double> residual_, search_, image_, product_;
+};
+
+}  // namespace orbicube::volume_map

@@ -1,0 +1,60 @@
+// Algebraic multigrid for large matrices of blocks, so that the number of steps hardly grows with them: aggregates of
+// about eight vertices, in which corrections are constant, sweeps of Gauss-Seidel, and two steps of conjugate gradients
+// at each coarse level (Notay 2010, "An aggregation-based algebraic multigrid method"; Notay and Vassilevski 2008,
+// "Recursive Krylov-based multigrid cycles").
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "volume_map/gauss_seidel.h"
+
+namespace orbicube::volume_map {
+
+class Multigrid {
+ public:
+  explicit Multigrid(const base::Host& host) : host_(host) {}
+
+  // Makes the levels. Keeps a view of the matrix, and adds a little to its diagonal.
+  void factor(BlockMatrix& matrix);
+  // As GaussSeidel::solve.
+  int solve(std::span<const double> right, int most_steps, double tolerance, std::span<double> solution);
+
+  std::size_t levels() const { return depth_; }
+
+ private:
+  struct Level {
+    explicit Level(const base::Host& host)
+        : coarse(host.memory),
+          smoother(host),
+          aggregate(host.memory),
+          right(host.memory),
+          solution(host.memory),
+          residual(host.memory),
+          first(host.memory),
+          second(host.memory),
+          first_image(host.memory),
+          second_image(host.memory) {}
+
+    BlockMatrix coarse;             // the first level has the matrix of its user
+    BlockMatrix* matrix = nullptr;  // that of this level
+    GaussSeidel smoother;
+    Array<Index> aggregate;  // of each row: the row of the next level, or no_index
+    // In the order of use: what the next finer level asks and gets; within a cycle; of the steps.
+    Array<double> right, solution, residual, first, second, first_image, second_image;
+  };
+
+  void aggregate(Level& level, std::size_t& count) const;
+  void make_coarse(const Level& level, std::size_t count, BlockMatrix& coarse) const;
+  void factor_last();
+  void cycle(std::size_t level, std::span<const double> right, std::span<double> x);
+  // Solves for the right side of that level, roughly.
+  void solve_level(std::size_t level);
+
+  const base::Host& host_;
+  std::vector<std::unique_ptr<Level>> levels_;  // more than there are at times: their memory is used again
+  std::size_t depth_ = 0;
+  Eigen::MatrixXd last_;  // Cholesky factor of the coarsest matrix
+};
+
+}  // namespace orbicube::volume_map

@@ -1,0 +1,223 @@
+#include "volume_map/solid_pieces.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "base/error.h"
+#include "mesh/disjoint_sets.h"
+#include "mesh/intersections.h"
+#include "mesh/topology.h"
+
+namespace orbicube::volume_map {
+namespace {
+
+using mesh::Index;
+using mesh::no_index;
+using mesh::Triangle;
+using mesh::Vector3;
+
+// Numbers of sets in the order of their first members.
+Pieces numbered(mesh::DisjointSets& sets, std::size_t items, std::size_t vertices, const base::Host& host,
+                const auto& vertex_of) {
+  Pieces result(host.memory);
+  base::Array<Index> number(vertices, no_index, host.memory);
+  result.of.resize(items);
+  for (std::size_t i = 0; i < items; ++i) {
+    Index& n = number[sets.find(vertex_of(i))];
+    if (n == no_index) n = static_cast<Index>(result.count++);
+    result.of[i] = n;
+  }
+  return result;
+}
+
+Pieces surface_pieces(std::span<const Triangle> triangles, std::size_t vertices, const base::Host& host) {
+  mesh::DisjointSets sets(vertices, host.memory);
+  for (const Triangle& t : triangles) {
+    sets.unite(t[0], t[1]);
+    sets.unite(t[0], t[2]);
+  }
+  return numbered(sets, triangles.size(), vertices, host, [&](std::size_t i) { return triangles[i][0]; });
+}
+
+// A vertex of the place that a refusal of require_closed_manifold means.
+Index vertex_of(const std::string& kind, const mesh::Topology& facts, std::span<const Triangle> triangles) {
+  if (kind == "degenerate-face") return triangles[facts.first_degenerate_face][0];
+  if (kind == "duplicate-face") return triangles[facts.first_duplicate_faces[1]][0];
+  if (kind == "non-manifold-edge") return facts.first_non_manifold_edge[0];
+  if (kind == "not-closed") return facts.first_boundary_edge[0];
+  if (kind == "non-manifold-vertex") return facts.first_non_manifold_vertex;
+  return no_index;
+}
+
+// How often a closed surface goes around a point that is not on it, by solid angles (van Oosterom and Strackee 1983).
+double winding(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Pieces& pieces,
+               Index which, const Vector3& p, const base::Host& host) {
+  double sum = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (i % 65536 == 0) host.report("check", i, triangles.size());
+    if (pieces.of[i] != which) continue;
+    const Triangle& t = triangles[i];
+    const Vector3 a = positions[t[0]] - p, b = positions[t[1]] - p, c = positions[t[2]] - p;
+    const double la = a.norm(), lb = b.norm(), lc = c.norm();
+    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+  }
+  return sum / (2 * std::numbers::pi);
+}
+
+}  // namespace
+
+std::string place_text(const Vector3& p) {
+  std::array<char, 120> text{};
+  std::snprintf(text.data(), text.size(), "(%.9g, %.9g, %.9g)", p[0], p[1], p[2]);
+  return text.data();
+}
+
+Pieces require_solid_surface(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                             const base::Host& host) {
+  const mesh::Topology facts = mesh::topology(positions, triangles, host);
+  try {
+    mesh::require_closed_manifold(facts);
+  } catch (const base::Error& error) {
+    const Index v = vertex_of(error.kind(), facts, triangles);
+    if (v == no_index) throw;
+    throw base::Error(error.kind(), std::string(error.what()) + ", at " + place_text(positions[v]));
+  }
+  if (!facts.orientable)
+    throw base::Error("non-orientable",
+                      "the surface has one side only, like a Klein bottle; it bounds no solid, from " +
+                          place_text(positions[triangles[0][0]]) + " on");
+  if (facts.zero_area_faces > 0) {
+    const Index first = facts.first_zero_area_face;
+    throw base::Error("degenerate-face", "faces without area: " + std::to_string(facts.zero_area_faces) +
+                                             "; first face " + std::to_string(first) + ", at " +
+                                             place_text(positions[triangles[first][0]]));
+  }
+  const auto pairs = mesh::intersecting_triangles(positions, triangles, host);
+  if (!pairs.empty()) {
+    const auto& [p, q] = pairs[0];
+    throw base::Error("self-intersection",
+                      "pairs of faces that meet where they should not: " + std::to_string(pairs.size()) +
+                          "; first faces " + std::to_string(p) + " and " + std::to_string(q) + ", at " +
+                          place_text(positions[triangles[p][0]]));
+  }
+  Pieces pieces = surface_pieces(triangles, positions.size(), host);
+  if (pieces.count < 2) return pieces;
+  // Boxes first: what lies apart needs no sums.
+  struct Part {
+    Eigen::AlignedBox3d box;
+    Index vertex = no_index;
+  };
+  base::Array<Part> parts(pieces.count, host.memory);
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    Part& part = parts[pieces.of[i]];
+    for (const Index v : triangles[i])
+      part.box.extend(positions[v]);
+    if (part.vertex == no_index) part.vertex = triangles[i][0];
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    std::size_t around = 0;
+    Index outer = no_index;
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      if (k == i || !parts[k].box.contains(parts[i].box)) continue;
+      const Vector3& p = positions[parts[i].vertex];
+      if (std::abs(winding(positions, triangles, pieces, static_cast<Index>(k), p, host)) < 0.5) continue;
+      ++around;
+      outer = parts[k].vertex;
+    }
+    if (around % 2 == 1) {
+      throw base::Error("not-connected",
+                        "a cavity, which no map to a polycube has: the part of the surface with vertex " +
+                            std::to_string(parts[i].vertex) + ", at " + place_text(positions[parts[i].vertex]) +
+                            ", lies within that with vertex " + std::to_string(outer));
+    }
+  }
+  return pieces;
+}
+
+Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices, const base::Host& host) {
+  struct Face {
+    Triangle corners;
+    Index tetrahedron;
+  };
+  base::Array<Face> faces(host.memory);
+  faces.reserve(4 * tetrahedra.size());
+  for (Index i = 0; i < tetrahedra.size(); ++i) {
+    if (i % 65536 == 0) host.report("check", i, tetrahedra.size());
+    const mesh::Tetrahedron& t = tetrahedra[i];
+    if (std::ranges::max(t) >= vertices)
+      throw base::Error("index-range", "tetrahedron " + std::to_string(i) + " has a vertex that does not exist");
+    for (std::size_t k = 0; k < 4; ++k) {
+      Triangle face{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]};
+      std::sort(face.begin(), face.end());
+      faces.push_back({face, i});
+    }
+  }
+  host.report("check", 0, 0);
+  std::sort(faces.begin(), faces.end(), [](const Face& p, const Face& q) {
+    return std::pair(p.corners, p.tetrahedron) < std::pair(q.corners, q.tetrahedron);
+  });
+  host.report("check", 0, 0);
+  mesh::DisjointSets sets(tetrahedra.size(), host.memory);
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i].corners == faces[i - 1].corners) sets.unite(faces[i].tetrahedron, faces[i - 1].tetrahedron);
+  }
+  return numbered(sets, tetrahedra.size(), tetrahedra.size(), host,
+                  [](std::size_t i) { return static_cast<Index>(i); });
+}
+
+void refuse_cavities(std::span<const Vector3> positions, std::span<const Triangle> surface, const base::Host& host) {
+  const Pieces parts = surface_pieces(surface, positions.size(), host);
+  if (parts.count < 2) return;
+  base::Array<double> volume(parts.count, 0, host.memory);
+  base::Array<Index> first(parts.count, no_index, host.memory);
+  for (std::size_t i = 0; i < surface.size(); ++i) {
+    const Triangle& t = surface[i];
+    Index& v = first[parts.of[i]];
+    if (v == no_index) v = t[0];
+    // About a point of the part itself, for the digits.
+    const Vector3 a = positions[t[0]] - positions[v], b = positions[t[1]] - positions[v],
+                  c = positions[t[2]] - positions[v];
+    volume[parts.of[i]] += a.dot(b.cross(c));
+  }
+  for (std::size_t i = 0; i < parts.count; ++i) {
+    if (volume[i] > 0) continue;
+    throw base::Error("not-connected",
+                      "a cavity, which no map to a polycube has: the part of the boundary with vertex " +
+                          std::to_string(first[i]) + ", at " + place_text(positions[first[i]]) + ", looks inward");
+  }
+}
+
+mesh::Mesh piece(const mesh::Mesh& mesh, const Pieces& pieces, std::size_t which, const base::Host& host) {
+  mesh::Mesh result(host.memory);
+  base::Array<Index> number(mesh.positions.size(), no_index, host.memory);
+  const auto mark = [&](const auto& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (pieces.of[i] != which) continue;
+      for (const Index v : cells[i])
+        number[v] = 0;
+    }
+  };
+  const auto take = [&](const auto& cells, auto& taken) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (pieces.of[i] != which) continue;
+      taken.push_back(cells[i]);
+      for (Index& v : taken.back())
+        v = number[v];
+    }
+  };
+  const bool solid = !mesh.tetrahedra.empty();
+  solid ? mark(mesh.tetrahedra) : mark(mesh.triangles);
+  for (std::size_t v = 0; v < number.size(); ++v) {
+    if (number[v] == no_index) continue;
+    number[v] = static_cast<Index>(result.positions.size());
+    result.positions.push_back(mesh.positions[v]);
+  }
+  solid ? take(mesh.tetrahedra, result.tetrahedra) : take(mesh.triangles, result.triangles);
+  return result;
+}
+
+}  // namespace orbicube::volume_map
