@@ -1,4 +1,5 @@
 // orbicube hex: a hexahedral mesh of a solid.
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -25,6 +26,8 @@ struct HexVerb {
   std::string padding = "auto";
   std::string glb;
   std::string cut = "quarter";
+  double distance = 1;
+  std::size_t most_cells = 100'000;
   bool text = false;
 };
 
@@ -35,16 +38,27 @@ void run_hex(const HexVerb& verb, Session& session) {
     if (!is_gltf(verb.glb))
       throw Failure(Exit::wrong_input, verb.glb, "unsupported-format", "--glb needs .glb or .gltf");
   }
-  session.options() = {{"output", verb.output}, {"cells", verb.cells}, {"padding", verb.padding},
-                       {"text", verb.text},     {"glb", verb.glb},     {"cut", verb.cut}};
+  session.options() = {{"output", verb.output},
+                       {"cells", verb.cells},
+                       {"padding", verb.padding},
+                       {"distance", verb.distance},
+                       {"most_cells", verb.most_cells},
+                       {"text", verb.text},
+                       {"glb", verb.glb},
+                       {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
   const PolycubeSolidInput input = read_polycube_solid(verb.solid, Inside::nothing, session);
   const double start = session.seconds();
   volume_map::HexResult result = about(verb.output, Role::output, [&] {
-    return volume_map::make_hexahedra(input.boundary(), {.cells = verb.cells, .padding = paddings.at(verb.padding)},
+    return volume_map::make_hexahedra(input.boundary(),
+                                      {.cells = verb.cells,
+                                       .padding = paddings.at(verb.padding),
+                                       .distance = verb.distance,
+                                       .most_cells = verb.most_cells},
                                       session.host());
   });
   const volume_map::HexQuality quality = result.quality;
+  const double distance = result.distance, volume_error = result.volume_error;
   session.figures().update(Json{{"output", verb.output},
                                 {"vertices", result.mesh.positions.size()},
                                 {"hexahedra", result.mesh.hexahedra.size()},
@@ -54,6 +68,8 @@ void run_hex(const HexVerb& verb, Session& session) {
                                 {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
                                 {"volume", quality.volume},
                                 {"off_surface", result.off_surface},
+                                {"distance_percent", result.distance},
+                                {"volume_error_percent", result.volume_error},
                                 {"seconds_compute", session.seconds() - start}});
   if (!verb.glb.empty()) {
     about(verb.glb, Role::output, [&] {
@@ -72,6 +88,11 @@ void run_hex(const HexVerb& verb, Session& session) {
   session.say("  scaled Jacobians " + number(quality.least_scaled_jacobian) + " at least, " +
               number(quality.mean_scaled_jacobian) + " on average; " + std::to_string(input.made.certificate.corners) +
               " corners of the polycube");
+  session.say("  " + number(distance) + " % of the diagonal from the surface at most, volume off by " +
+              number(volume_error) + " %");
+  if (verb.distance > 0 && std::max(distance, volume_error) > verb.distance)
+    session.say("  that is more than --distance " + number(verb.distance) +
+                ", with all the cells that --most-cells allows");
 }
 
 }  // namespace
@@ -82,6 +103,15 @@ void add_hex(CLI::App& app, CommonOptions& common) {
   add_polycube_solid_options(*verb, options->solid);
   verb->add_option("-o,--output", options->output, "hexahedra to write: .mesh .vtk")->required()->type_name("OUT");
   verb->add_option("--cells", options->cells, "about so many hexahedra (10000)")
+      ->check(unnamed(CLI::Range(1, 10'000'000)))
+      ->type_name("N");
+  verb->add_option(
+          "--distance", options->distance,
+          "how far in percent of the diagonal the mesh may be from the surface, and its volume in percent of the "
+          "surface's (1); where it is more, there are twice as many cells, and again; 0: as it comes")
+      ->check(unnamed(CLI::Range(0.0, 100.0)))
+      ->type_name("PERCENT");
+  verb->add_option("--most-cells", options->most_cells, "about so many hexahedra for --distance (100000)")
       ->check(unnamed(CLI::Range(1, 10'000'000)))
       ->type_name("N");
   verb->add_option("--padding", options->padding,

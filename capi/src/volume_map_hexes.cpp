@@ -50,6 +50,8 @@ obc_volume_map_hexes_options default_hexes_options() {
   o.corners = 60;
   o.triangles = 6000;
   o.rounds = defaults.rounds;
+  o.distance = defaults.distance;
+  o.most_cells = defaults.most_cells;
   return o;
 }
 
@@ -139,8 +141,13 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
       mapped.fine_positions = s.positions;
       mapped.fine_triangles = s.triangles;
     }
-    made->made = volume_map::make_hexahedra(
-        mapped, {.cells = o.cells, .padding = static_cast<volume_map::Padding>(o.padding), .rounds = o.rounds}, h);
+    made->made = volume_map::make_hexahedra(mapped,
+                                            {.cells = o.cells,
+                                             .padding = static_cast<volume_map::Padding>(o.padding),
+                                             .rounds = o.rounds,
+                                             .distance = o.distance,
+                                             .most_cells = o.most_cells},
+                                            h);
     obc_volume_map_hexes_report r{};
     r.struct_size = sizeof r;
     r.padded = made->made.padded ? 1 : 0;
@@ -149,6 +156,8 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
     r.volume = made->made.quality.volume;
     r.polycube_corners = best.made.certificate.corners;
     r.off_surface = made->made.off_surface;
+    r.distance = made->made.distance;
+    r.volume_error = made->made.volume_error;
     capi::write_versioned(report, r);
     *out = made.release();
   });

@@ -39,6 +39,7 @@ int main(void) {
   obc_mesh_surface(shape, &surface, &error);
   obc_volume_map_hexes_options_init(&options, sizeof options);
   options.cells = 600;
+  options.distance = 3; /* percent; more cells where that is not so */
   report.struct_size = sizeof report;
   if (obc_volume_map_hexes_compute(&surface, &options, NULL, &report, &hexes, &error) != OBC_OK) return fail(&error);
 

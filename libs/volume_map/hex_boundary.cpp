@@ -8,6 +8,7 @@ namespace orbicube::volume_map {
 HexBoundary::HexBoundary(const HexMesh& mesh, const SurfaceTarget& target, const base::Host& host)
     : target_(target),
       lifts_(mesh.positions.size(), 0, host.memory),
+      holds_(mesh.positions.size(), 1, host.memory),
       places_(mesh.positions.size(), Place(), host.memory),
       vertices_(host.memory) {
   // Faces at vertices, sorted by vertex.

@@ -3,6 +3,8 @@
 // vertices are lifted off it by so much that half of what lies between is outside.
 #pragma once
 
+#include <algorithm>
+
 #include "volume_map/foldover_energy.h"
 #include "volume_map/hex_mesh.h"
 #include "volume_map/surface_target.h"
@@ -18,6 +20,9 @@ class HexBoundary {
 
   Kind kind(Index vertex) const { return places_[vertex].kind; }
   std::span<const Index> vertices() const { return vertices_; }  // of the boundary
+  // How firmly a vertex is held to where it began, 1 or more.
+  double hold(Index vertex) const { return holds_[vertex]; }
+  void hold_more(Index vertex) { holds_[vertex] = std::min(3 * holds_[vertex], 2000.0); }
   // Changes lifts by half of what is between the quads around a vertex and the surface, on average: after some rounds
   // the mesh encloses the volume that the surface does.
   void lift(std::span<const Vector3> positions, std::span<const Quad> quads, std::span<const Index> quad_patches,
@@ -36,6 +41,7 @@ class HexBoundary {
 
   const SurfaceTarget& target_;
   Array<double> lifts_;  // of each vertex, outward, in cells
+  Array<double> holds_;
   Array<Place> places_;
   Array<Index> vertices_;
 };

@@ -1,7 +1,10 @@
 #include "volume_map/hex_meshing.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
 #include <utility>
 
 #include "base/error.h"
@@ -9,6 +12,7 @@
 #include "volume_map/hex_grid.h"
 #include "volume_map/hex_search.h"
 #include "volume_map/hex_smoothing.h"
+#include "volume_map/surface_distance.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -18,13 +22,66 @@ std::string what_is_wrong(const HexQuality& q) {
          " more are not certainly positive; the first is " + std::to_string(q.first_bad);
 }
 
-// One mesh of the solid, with or without padding; valid or not.
-HexResult one_mesh(const PolycubeSurface& solid, const HexOptions& options, bool padded, bool lift,
-                   const base::Host& host) {
+// The surface that counts.
+struct Wanted {
+  std::span<const Vector3> positions;
+  std::span<const mesh::Triangle> triangles;
+  double diagonal = 0, volume = 0;
+
+  explicit Wanted(const PolycubeSurface& solid)
+      : positions(solid.fine_triangles.empty() ? solid.map.positions : solid.fine_positions),
+        triangles(solid.fine_triangles.empty() ? solid.map.triangles : solid.fine_triangles) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    Vector3 low = Vector3::Constant(infinity), high = -low;
+    for (const mesh::Triangle& t : triangles) {
+      for (const Index v : t) {
+        low = low.cwiseMin(positions[v]);
+        high = high.cwiseMax(positions[v]);
+      }
+      volume += positions[t[0]].dot(positions[t[1]].cross(positions[t[2]])) / 6;
+    }
+    diagonal = (high - low).norm();
+  }
+};
+
+void measure(HexResult& result, const Wanted& wanted, const base::Host& host) {
+  constexpr double spacing = 0.0025;  // of the diagonal
+  Array<mesh::Triangle> outer(host.memory);
+  for (const Quad& q : result.mesh.quads) {
+    outer.push_back({q[0], q[1], q[2]});
+    outer.push_back({q[0], q[2], q[3]});
+  }
+  result.quality = measure_hexahedra(result.mesh.positions, result.mesh.hexahedra, host);
+  result.distance = 100 / wanted.diagonal *
+                    surface_distance(result.mesh.positions, outer, wanted.positions, wanted.triangles,
+                                     spacing * wanted.diagonal, host);
+  result.volume_error = 100 * std::abs(result.quality.volume / wanted.volume - 1);
+}
+
+// How many times farther from the surface than allowed; at most 1 where that does not matter.
+double excess(const HexResult& result, const HexOptions& options) {
+  if (options.distance == 0) return 1;
+  return std::max(1.0, std::max(result.distance, result.volume_error) / options.distance);
+}
+
+bool better(const HexResult& x, const HexResult& y, const HexOptions& options) {
+  const double of_x = excess(x, options), of_y = excess(y, options);
+  return of_x != of_y ? of_x < of_y : x.quality.least_scaled_jacobian > y.quality.least_scaled_jacobian;
+}
+
+// One mesh of the solid; valid or not.
+struct Attempt {
+  std::size_t cells;
+  bool padded, lift, hold;
+};
+HexResult one_mesh(const PolycubeSurface& solid, const Wanted& wanted, const HexOptions& options,
+                   const Attempt& attempt, const base::Host& host) {
+  // Of the distance that is allowed: what is farther is held, and how far the search may move vertices.
+  constexpr double held = 0.75, searched = 0.2;
   const polycube::PatchGraph graph = polycube::make_patch_graph(solid.map, host);
-  const IntegerDomain domain = domain_of_cells(graph, options.cells, padded, host);
+  const IntegerDomain domain = domain_of_cells(graph, attempt.cells, attempt.padded, host);
   HexResult result(host.memory);
-  result.padded = padded;
+  result.padded = attempt.padded;
   HexMesh& mesh = result.mesh;
   mesh = sample_hexahedra(domain, solid.map, host);
   // Lengths of cells are 1 from here on.
@@ -35,20 +92,37 @@ HexResult one_mesh(const PolycubeSurface& solid, const HexOptions& options, bool
   for (Vector3& p : mesh.positions)
     p *= scale;
   const std::size_t cells = mesh.hexahedra.size();
-  if (padded) pad(mesh, 1, host);
+  if (attempt.padded) pad(mesh, 1, host);
   const SurfaceTarget target_surface(solid.map, solid.fine_positions, solid.fine_triangles, scale, host);
   HexBoundary boundary(mesh, target_surface, host);
-  const HexSmoothingOptions smoothing = {
-      .rounds = options.rounds, .lift = lift, .padding = mesh.hexahedra.size() - cells};
+  const double distance = 0.01 * options.distance * scale * wanted.diagonal;
+  const HexSmoothingOptions smoothing = {.rounds = options.rounds,
+                                         .lift = attempt.lift,
+                                         .padding = mesh.hexahedra.size() - cells,
+                                         .distance = attempt.hold ? held * distance : 0};
   if (!smooth_hexahedra(mesh, boundary, target_surface, smoothing, host)) {
     // A few that stay inverted are turned right by the search.
     search_hexahedra(mesh, boundary, {}, host);
     smooth_hexahedra(mesh, boundary, target_surface, smoothing, host);
   }
-  result.off_surface = search_hexahedra(mesh, boundary, {}, host);
-  for (Vector3& p : mesh.positions)
-    p /= scale;
-  result.quality = measure_hexahedra(mesh.positions, mesh.hexahedra, host);
+  const auto finish = [&](bool all) {
+    result.off_surface = search_hexahedra(mesh, boundary, {.reach = searched * distance, .all = all}, host);
+    for (Vector3& p : mesh.positions)
+      p /= scale;
+    measure(result, wanted, host);
+  };
+  const Array<Vector3> before(mesh.positions, host.memory);
+  finish(false);
+  if (attempt.hold && result.quality.valid() && excess(result, options) > 1) {
+    // The search may have gone too far.
+    HexResult freer = std::move(result);
+    result = HexResult(host.memory);
+    result.padded = attempt.padded;
+    mesh = freer.mesh;
+    mesh.positions = before;
+    finish(true);
+    if (!result.quality.valid() || better(freer, result, options)) result = std::move(freer);
+  }
   return result;
 }
 
@@ -57,33 +131,49 @@ HexResult one_mesh(const PolycubeSurface& solid, const HexOptions& options, bool
 HexResult make_hexahedra(const PolycubeSurface& solid, const HexOptions& options, const base::Host& host) {
   base::require(options.cells > 0 && options.cells <= 10'000'000, "the number of cells must be from 1 to 10 million");
   base::require(options.rounds >= 0, "the number of rounds must not be negative");
-  HexResult best(host.memory);
+  base::require(options.distance >= 0 && options.distance <= 100, "the distance must be from 0 to 100 percent");
+  const Wanted wanted(solid);
+  std::optional<HexResult> best;
   std::string reason;
-  bool any = false;
-  struct Attempt {
-    bool padded, lift;
-  };
-  for (const auto& [padded, lift] : {Attempt{true, true}, {false, true}, {true, false}, {false, false}}) {
-    if (options.padding != Padding::automatic && padded != (options.padding == Padding::with)) continue;
-    // Padding serves round shapes; what is good with it is not tried without. Vertices on the surface itself are less
-    // accurate and leave more room, where nothing else is valid.
-    constexpr double good = 0.4;
-    if (any && (!lift || best.quality.least_scaled_jacobian > good)) continue;
+  // Answers whether the mesh is as near to the surface as wanted, and valid.
+  double least = 0;  // scaled Jacobian of what is best among meshes of one number of cells
+  const auto attempt = [&](const Attempt& how) {
+    if (options.padding != Padding::automatic && how.padded != (options.padding == Padding::with)) return false;
     try {
-      HexResult now = one_mesh(solid, options, padded, lift, host);
+      HexResult now = one_mesh(solid, wanted, options, how, host);
       if (!now.quality.valid()) {
         reason = what_is_wrong(now.quality);
-      } else if (!any || now.quality.least_scaled_jacobian > best.quality.least_scaled_jacobian) {
-        any = true;
-        best = std::move(now);
+        return false;
       }
+      least = std::max(least, now.quality.least_scaled_jacobian);
+      const bool near = excess(now, options) <= 1;
+      if (!best || better(now, *best, options)) best = std::move(now);
+      return near;
     } catch (const base::Error& error) {
       if (error.status() != base::Status::no_valid_result) throw;
       reason = error.what();
+      return false;
     }
+  };
+  for (std::size_t cells = options.cells;; cells *= 2) {
+    // What is near to the surface by itself is better than what is held there. Padding serves round shapes; what is
+    // good with it is not tried without.
+    constexpr double good = 0.4;
+    least = 0;
+    for (const bool padded : {true, false}) {
+      if (least > good) continue;
+      // More cells are there for what is far: held at once.
+      const bool near = cells == options.cells && attempt({cells, padded, true, false});
+      if (!near && options.distance > 0) attempt({cells, padded, true, true});
+    }
+    // Vertices on the surface itself are less accurate and leave more room.
+    for (const bool padded : {true, false}) {
+      if (least == 0) attempt({cells, padded, false, options.distance > 0});
+    }
+    if (options.distance == 0 || 2 * cells > options.most_cells || (best && excess(*best, options) <= 1)) break;
   }
-  if (!any) throw base::Error("no-valid-result", reason);
-  return best;
+  if (!best) throw base::Error("no-valid-result", reason);
+  return std::move(*best);
 }
 
 }  // namespace orbicube::volume_map

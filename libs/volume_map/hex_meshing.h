@@ -23,6 +23,11 @@ struct HexOptions {
   std::size_t cells = 10000;             // about
   Padding padding = Padding::automatic;  // a layer of hexahedra at the boundary; automatic: what turns out better
   int rounds = 40;                       // of smoothing
+  // In percent: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
+  // box, and so much the volume may differ. Where a mesh does not do that there are more cells, twice as many each
+  // time, up to `most_cells`; the nearest is answered. 0: nothing is asked for.
+  double distance = 1;
+  std::size_t most_cells = 100'000;
 };
 
 struct HexResult {
@@ -32,11 +37,14 @@ struct HexResult {
   HexQuality quality;
   bool padded = false;
   std::size_t off_surface = 0;  // vertices of the boundary that could not be put onto the surface
+  // In percent, of the diagonal and of the volume of the surface.
+  double distance = 0, volume_error = 0;
 };
 
 // Every hexahedron of the result has positive corners by exact signs and a trilinear map that is certainly positive;
-// the mesh is conforming, with the components and the genus of the surface. The same for any number of threads. Throws
-// Error "no-valid-result" with what failed and where, "invalid-argument", "cancelled".
+// the mesh is conforming, with the components and the genus of the surface. Of several the first is taken that is as
+// near to the surface as wanted, or the nearest. The same for any number of threads. Throws Error "no-valid-result"
+// with what failed and where, "invalid-argument", "cancelled".
 HexResult make_hexahedra(const PolycubeSurface& surface, const HexOptions& options, const base::Host& host);
 
 }  // namespace orbicube::volume_map

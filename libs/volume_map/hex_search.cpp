@@ -65,6 +65,7 @@ class Search {
         std::min(order.size(),
                  std::max<std::size_t>(30, static_cast<std::size_t>(options.part * static_cast<double>(order.size()))));
     double radius = 0.2;
+    const Array<Vector3> start(mesh_.positions, host_.memory);
     for (int pass = 0; pass < options.passes; ++pass, radius = std::max(0.01, 0.93 * radius)) {
       for (Index i = 0; i < order.size(); ++i) {
         if (i % 1024 == 0)
@@ -90,7 +91,13 @@ class Search {
           // In this order: arguments of a call have none.
           const double a = uniform(), b = uniform(), c = uniform();
           x = from + reach * Vector3(a, b, c);
-          if (boundary_.kind(v) != HexBoundary::Kind::inside) x = boundary_.project(v, x).position;
+          if (boundary_.kind(v) != HexBoundary::Kind::inside) {
+            x = boundary_.project(v, x).position;
+            if ((options.all || boundary_.hold(v) > 1) && (x - start[v]).norm() > options.reach) {
+              x = from;
+              continue;
+            }
+          }
           const double now = worst_around(v, worst);
           if (now > worst + 1e-6)
             worst = now;

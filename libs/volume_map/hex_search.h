@@ -9,6 +9,8 @@ namespace orbicube::volume_map {
 struct HexSearchOptions {
   int passes = 60;
   double part = 0.02;  // of the hexahedra, the worst ones
+  double reach = 0;    // how far from where they are those of the boundary may be tried that are held (hex_boundary.h)
+  bool all = false;    // are held
 };
 
 // Everything is judged by the scaled Jacobian and the Bernstein coefficients of whole hexahedra: no change makes the

@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/nearest.h"
 #include "volume_map/newton.h"
@@ -23,6 +24,7 @@ class Smoothing {
             const base::Host& host)
       : mesh_(mesh),
         boundary_(boundary),
+        target_(target),
         options_(options),
         host_(host),
         anchor_(mesh.positions, host.memory),
@@ -60,6 +62,7 @@ class Smoothing {
       const mesh::Triangle& t = triangles[i - target.positions().size()];
       samples_.push_back({(corner(t, 0) + corner(t, 1) + corner(t, 2)) / 3, normal(t)});
     }
+    if (options.distance > 0) find_homes();
   }
 
   bool run() {
@@ -72,7 +75,7 @@ class Smoothing {
     variables_.expand(newton.values(), mesh_.positions);
     if (!positive) return false;
     Array<Vector3> best_positions(host_.memory);
-    double best = -1;
+    double best = -std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.rounds; ++round) {
       host_.report("smooth", static_cast<std::uint64_t>(round), static_cast<std::uint64_t>(options_.rounds));
       const double progress = std::min(1.0, round / (0.5 * options_.rounds));
@@ -82,6 +85,8 @@ class Smoothing {
         boundary_.lift(mesh_.positions, mesh_.quads, mesh_.quad_patches, host_);
       set_pulls(20 * std::pow(50.0, progress));
       if (round % 2 == 0) find_uncovered();
+      // Not before the pulls have done most of what they can.
+      if (round % 2 == 0 && 10 * round >= 3 * options_.rounds && options_.distance > 0) hold_what_is_far();
       add_uncovered();
       EnergyValue now = energy.value(newton.values(), 0);
       for (int k = 0; k < 2; ++k) {
@@ -92,13 +97,13 @@ class Smoothing {
       variables_.expand(newton.values(), mesh_.positions);
       // Projections may change from round to round: the best of the last rounds counts.
       if (4 * round < 3 * options_.rounds) continue;
-      const double worst = worst_corner();
-      if (worst > best) {
-        best = worst;
+      const double score = worst_corner() - excess();
+      if (score > best) {
+        best = score;
         best_positions.assign(mesh_.positions.begin(), mesh_.positions.end());
       }
     }
-    if (best > 0) mesh_.positions = best_positions;
+    if (!best_positions.empty()) mesh_.positions = best_positions;
     return true;
   }
 
@@ -178,16 +183,19 @@ class Smoothing {
         const Index v = vertices[i];
         Pull& pull = pulls_[v];
         pull.at = mesh_.positions[v];
-        boundary_.pull(v, mesh_.positions[v], weight, pull);
+        // What is held belongs where it began, not to another part of the surface that is nearer now.
+        const double hold = boundary_.hold(v) - 1, part = hold / (hold + 30);
+        boundary_.pull(v, (1 - part) * mesh_.positions[v] + part * anchor_[v], weight, pull);
         pull.to_point(mesh_.positions[v], stay);
         const auto kind = boundary_.kind(v);
-        if (kind == HexBoundary::Kind::surface || kind == HexBoundary::Kind::patch) pull.to_point(anchor_[v], anchor);
+        if (kind == HexBoundary::Kind::surface || kind == HexBoundary::Kind::patch || boundary_.hold(v) > 1)
+          pull.to_point(anchor_[v], anchor * boundary_.hold(v));
       }
     });
   }
 
-  // What of the surface the boundary is not at, and where it is nearest to that.
-  void find_uncovered() {
+  // Both halves of each quad, in both ways.
+  Array<mesh::Triangle> halves_of_quads() const {
     Array<mesh::Triangle> halves(host_.memory);
     for (const Quad& q : mesh_.quads) {
       halves.push_back({q[0], q[1], q[2]});
@@ -195,19 +203,72 @@ class Smoothing {
       halves.push_back({q[0], q[1], q[3]});
       halves.push_back({q[1], q[2], q[3]});
     }
+    return halves;
+  }
+
+  template <class Body>
+  void for_pieces(std::size_t count, const Body& body) const {
+    constexpr std::size_t piece = 256;
+    host_.parallel_for((count + piece - 1) / piece, [&](std::size_t p) {
+      for (std::size_t i = p * piece; i < std::min(count, (p + 1) * piece); ++i)
+        body(i);
+    });
+  }
+
+  // The quad that each sample belongs to: the mesh began where the map has it, which is near to all of the surface.
+  void find_homes() {
+    const Array<mesh::Triangle> halves = halves_of_quads();
+    const mesh::SurfaceSearch search(mesh_.positions, halves, host_);
+    homes_.resize(samples_.size());
+    for_pieces(samples_.size(), [&](std::size_t i) { homes_[i] = search.nearest(samples_[i].position).triangle / 4; });
+    host_.report("smooth", 0, 0);
+  }
+
+  void hold_what_is_far() {
+    Array<std::uint8_t> far(mesh_.quads.size(), 0, host_.memory);
+    for_pieces(mesh_.quads.size(), [&](std::size_t i) {
+      const Quad& q = mesh_.quads[i];
+      const auto p = [&](std::size_t k) -> const Vector3& { return mesh_.positions[q[k]]; };
+      const Vector3 center = 0.25 * (p(0) + p(1) + p(2) + p(3));
+      far[i] = (target_.nearest(center).position - center).norm() > options_.distance;
+    });
+    host_.report("smooth", 0, 0);
+    for (std::size_t i = 0; i < samples_.size(); ++i) {
+      if (uncovered_[i].gap > options_.distance) far[homes_[i]] = 1;
+    }
+    Array<std::uint8_t> held(mesh_.positions.size(), 0, host_.memory);
+    for (std::size_t i = 0; i < mesh_.quads.size(); ++i) {
+      for (const Index v : mesh_.quads[i])
+        held[v] |= far[i];
+    }
+    for (const Index v : boundary_.vertices()) {
+      if (held[v] != 0) boundary_.hold_more(v);
+    }
+  }
+
+  // How much farther than wanted the surface is from the boundary, relative.
+  double excess() {
+    if (options_.distance == 0) return 0;
+    find_uncovered();
+    double most = 0;
+    for (const Uncovered& u : uncovered_)
+      most = std::max(most, u.gap);
+    return std::max(0.0, most / options_.distance - 1);
+  }
+
+  // What of the surface the boundary is not at, and where it is nearest to that.
+  void find_uncovered() {
+    const Array<mesh::Triangle> halves = halves_of_quads();
     const mesh::SurfaceSearch search(mesh_.positions, halves, host_);
     uncovered_.resize(samples_.size());
-    constexpr std::size_t piece = 256;
-    host_.parallel_for((samples_.size() + piece - 1) / piece, [&](std::size_t p) {
-      for (std::size_t i = p * piece; i < std::min(samples_.size(), (p + 1) * piece); ++i) {
-        const mesh::SurfacePoint found = search.nearest(samples_[i].position);
-        const mesh::Triangle& t = halves[found.triangle];
-        const Vector3 n =
-            (mesh_.positions[t[1]] - mesh_.positions[t[0]]).cross(mesh_.positions[t[2]] - mesh_.positions[t[0]]);
-        // The other side of a thin part is nearer, but not what belongs here.
-        const bool same_side = n.dot(samples_[i].normal) > 0;
-        uncovered_[i] = {t, found.weights, found.position, same_side ? found.distance : 0};
-      }
+    for_pieces(samples_.size(), [&](std::size_t i) {
+      const mesh::SurfacePoint found = search.nearest(samples_[i].position);
+      const mesh::Triangle& t = halves[found.triangle];
+      const Vector3 n =
+          (mesh_.positions[t[1]] - mesh_.positions[t[0]]).cross(mesh_.positions[t[2]] - mesh_.positions[t[0]]);
+      // The other side of a thin part is nearer, but not what belongs here.
+      const bool same_side = n.dot(samples_[i].normal) > 0;
+      uncovered_[i] = {t, found.weights, found.position, same_side ? found.distance : 0, found.distance};
     });
     host_.report("smooth", 0, 0);
   }
@@ -237,11 +298,13 @@ class Smoothing {
   struct Uncovered {
     mesh::Triangle vertices;
     Vector3 weights, position;
-    double distance;
+    double distance;  // 0 where this is another side
+    double gap;
   };
 
   HexMesh& mesh_;
   HexBoundary& boundary_;
+  const SurfaceTarget& target_;
   const HexSmoothingOptions& options_;
   const base::Host& host_;
   Array<Vector3> anchor_;
@@ -249,6 +312,7 @@ class Smoothing {
   Array<Pull> pulls_;
   Array<Sample> samples_;
   Array<Uncovered> uncovered_{host_.memory};
+  Array<Index> homes_{host_.memory};  // the quad of each sample
   Variables variables_;
 };
 

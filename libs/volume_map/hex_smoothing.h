@@ -11,6 +11,9 @@ struct HexSmoothingOptions {
   int rounds = 40;          // of two steps each, all corners positive
   bool lift = true;         // vertices of the boundary, so that the volume is that of the surface
   std::size_t padding = 0;  // so many of the last hexahedra are the layer at the boundary
+  // Where the surface is farther than this from the boundary, or the boundary from it, the boundary is held the more to
+  // where it began; 0: nowhere.
+  double distance = 0;
 };
 
 // Lengths of cells are about 1. Answers whether all corners are positive, in floating point. Vertices end near the

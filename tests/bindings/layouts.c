@@ -506,7 +506,7 @@ _Static_assert(offsetof(obc_volume_map_solid_options, struct_size) == 0, "obc_vo
 _Static_assert(offsetof(obc_volume_map_solid_options, reserved) == 4, "obc_volume_map_solid_options.reserved");
 _Static_assert(offsetof(obc_volume_map_solid_options, corners) == 8, "obc_volume_map_solid_options.corners");
 _Static_assert(offsetof(obc_volume_map_solid_options, seed) == 16, "obc_volume_map_solid_options.seed");
-_Static_assert(sizeof(obc_volume_map_hexes_options) == 48, "obc_volume_map_hexes_options");
+_Static_assert(sizeof(obc_volume_map_hexes_options) == 64, "obc_volume_map_hexes_options");
 _Static_assert(offsetof(obc_volume_map_hexes_options, struct_size) == 0, "obc_volume_map_hexes_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_options, padding) == 4, "obc_volume_map_hexes_options.padding");
 _Static_assert(offsetof(obc_volume_map_hexes_options, cells) == 8, "obc_volume_map_hexes_options.cells");
@@ -515,7 +515,9 @@ _Static_assert(offsetof(obc_volume_map_hexes_options, triangles) == 24, "obc_vol
 _Static_assert(offsetof(obc_volume_map_hexes_options, seed) == 32, "obc_volume_map_hexes_options.seed");
 _Static_assert(offsetof(obc_volume_map_hexes_options, rounds) == 40, "obc_volume_map_hexes_options.rounds");
 _Static_assert(offsetof(obc_volume_map_hexes_options, reserved) == 44, "obc_volume_map_hexes_options.reserved");
-_Static_assert(sizeof(obc_volume_map_hexes_report) == 48, "obc_volume_map_hexes_report");
+_Static_assert(offsetof(obc_volume_map_hexes_options, distance) == 48, "obc_volume_map_hexes_options.distance");
+_Static_assert(offsetof(obc_volume_map_hexes_options, most_cells) == 56, "obc_volume_map_hexes_options.most_cells");
+_Static_assert(sizeof(obc_volume_map_hexes_report) == 64, "obc_volume_map_hexes_report");
 _Static_assert(offsetof(obc_volume_map_hexes_report, struct_size) == 0, "obc_volume_map_hexes_report.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_report, padded) == 4, "obc_volume_map_hexes_report.padded");
 _Static_assert(offsetof(obc_volume_map_hexes_report, least_scaled_jacobian) == 8, "obc_volume_map_hexes_report.least_scaled_jacobian");
@@ -523,6 +525,8 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, mean_scaled_jacobian) == 16
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume) == 24, "obc_volume_map_hexes_report.volume");
 _Static_assert(offsetof(obc_volume_map_hexes_report, polycube_corners) == 32, "obc_volume_map_hexes_report.polycube_corners");
 _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 40, "obc_volume_map_hexes_report.off_surface");
+_Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 48, "obc_volume_map_hexes_report.distance");
+_Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 56, "obc_volume_map_hexes_report.volume_error");
 #elif defined(__wasm32__)
 _Static_assert(sizeof(obc_error) == 512, "obc_error");
 _Static_assert(offsetof(obc_error, status) == 0, "obc_error.status");
@@ -1015,7 +1019,7 @@ _Static_assert(offsetof(obc_volume_map_solid_options, struct_size) == 0, "obc_vo
 _Static_assert(offsetof(obc_volume_map_solid_options, reserved) == 4, "obc_volume_map_solid_options.reserved");
 _Static_assert(offsetof(obc_volume_map_solid_options, corners) == 8, "obc_volume_map_solid_options.corners");
 _Static_assert(offsetof(obc_volume_map_solid_options, seed) == 16, "obc_volume_map_solid_options.seed");
-_Static_assert(sizeof(obc_volume_map_hexes_options) == 40, "obc_volume_map_hexes_options");
+_Static_assert(sizeof(obc_volume_map_hexes_options) == 56, "obc_volume_map_hexes_options");
 _Static_assert(offsetof(obc_volume_map_hexes_options, struct_size) == 0, "obc_volume_map_hexes_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_options, padding) == 4, "obc_volume_map_hexes_options.padding");
 _Static_assert(offsetof(obc_volume_map_hexes_options, cells) == 8, "obc_volume_map_hexes_options.cells");
@@ -1024,7 +1028,9 @@ _Static_assert(offsetof(obc_volume_map_hexes_options, triangles) == 16, "obc_vol
 _Static_assert(offsetof(obc_volume_map_hexes_options, seed) == 24, "obc_volume_map_hexes_options.seed");
 _Static_assert(offsetof(obc_volume_map_hexes_options, rounds) == 32, "obc_volume_map_hexes_options.rounds");
 _Static_assert(offsetof(obc_volume_map_hexes_options, reserved) == 36, "obc_volume_map_hexes_options.reserved");
-_Static_assert(sizeof(obc_volume_map_hexes_report) == 40, "obc_volume_map_hexes_report");
+_Static_assert(offsetof(obc_volume_map_hexes_options, distance) == 40, "obc_volume_map_hexes_options.distance");
+_Static_assert(offsetof(obc_volume_map_hexes_options, most_cells) == 48, "obc_volume_map_hexes_options.most_cells");
+_Static_assert(sizeof(obc_volume_map_hexes_report) == 56, "obc_volume_map_hexes_report");
 _Static_assert(offsetof(obc_volume_map_hexes_report, struct_size) == 0, "obc_volume_map_hexes_report.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_report, padded) == 4, "obc_volume_map_hexes_report.padded");
 _Static_assert(offsetof(obc_volume_map_hexes_report, least_scaled_jacobian) == 8, "obc_volume_map_hexes_report.least_scaled_jacobian");
@@ -1032,5 +1038,7 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, mean_scaled_jacobian) == 16
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume) == 24, "obc_volume_map_hexes_report.volume");
 _Static_assert(offsetof(obc_volume_map_hexes_report, polycube_corners) == 32, "obc_volume_map_hexes_report.polycube_corners");
 _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 36, "obc_volume_map_hexes_report.off_surface");
+_Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 40, "obc_volume_map_hexes_report.distance");
+_Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 48, "obc_volume_map_hexes_report.volume_error");
 #endif
 typedef int not_empty;

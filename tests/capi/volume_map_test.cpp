@@ -98,6 +98,7 @@ obc_volume_map_hexes_options few_hexes() {
   options.cells = 12;
   options.padding = OBC_VOLUME_MAP_PADDING_WITHOUT;
   options.rounds = 1;
+  options.distance = 0;
   return options;
 }
 
@@ -224,6 +225,7 @@ TEST_CASE("A box is filled with hexahedra that fill it") {
   obc_volume_map_hexes_options options = few_hexes();
   options.cells = 100;
   options.rounds = 10;
+  options.distance = 0.1;
   obc_volume_map_hexes_report report{};
   report.struct_size = sizeof report;
   obc_volume_map_hexes* hexes = nullptr;
@@ -236,6 +238,9 @@ TEST_CASE("A box is filled with hexahedra that fill it") {
   CHECK(report.polycube_corners == 8);
   CHECK(report.volume == doctest::Approx(12).epsilon(1e-6));
   CHECK(report.least_scaled_jacobian > 0.9);
+  CHECK(report.distance < 0.1);
+  CHECK(report.volume_error < 1e-4);
+  CHECK(count < 200);
   std::vector<double> positions(3 * vertices);
   std::vector<std::uint32_t> cells(8 * count), outer(4 * quads), faces(quads);
   REQUIRE(obc_volume_map_hexes_copy(hexes, positions.data(), cells.data(), outer.data(), faces.data(), &error) ==
@@ -290,6 +295,12 @@ TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
   options = few_hexes();
   options.cells = 0;
   CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  for (const double distance : {-1.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options = few_hexes();
+    options.distance = distance;
+    CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) ==
+          OBC_INVALID_ARGUMENT);
+  }
   obc_surface opened = box.surface;
   --opened.triangle_count;
   CHECK(obc_volume_map_hexes_compute(&opened, nullptr, nullptr, nullptr, &hexes, &error) == OBC_NOT_CLOSED);

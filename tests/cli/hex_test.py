@@ -33,7 +33,7 @@ def determinant(o, a, b, c):
 class Hex(InFolder):
     def test_hexahedra_are_positive_and_meet_in_whole_faces(self):
         path, out, report = self.made("three-holes", 900), self.path("out.mesh"), self.path("report.json")
-        done = run("hex", path, "-o", out, "--cells", 900, "--report", report)
+        done = run("hex", path, "-o", out, "--cells", 900, "--distance", 3, "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
         positions, cells = read_medit(out, "Hexahedra", 8)
         faces = Counter()
@@ -52,6 +52,8 @@ class Hex(InFolder):
         self.assertEqual(figures["boundary_quads"], len(outer))
         self.assertEqual(figures["polycube"]["genus"], 3)
         self.assertGreater(figures["scaled_jacobian_min"], 0.2)
+        self.assertLess(figures["distance_percent"], 3)
+        self.assertLess(figures["volume_error_percent"], 3)
 
     def test_the_scene_is_the_boundary_of_what_is_not_cut_away(self):
         path, out, scene, report = self.made("cube", 300), self.path("out.mesh"), self.path("out.glb"), self.path("report.json")

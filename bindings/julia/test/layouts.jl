@@ -50,6 +50,6 @@ const layouts = [
     (Orbicube.Raw.obc_volume_map_untangle_options, 24, [0, 4, 8, 12, 16]),
     (Orbicube.Raw.obc_volume_map_untangle_report, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
     (Orbicube.Raw.obc_volume_map_solid_options, 24, [0, 4, 8, 16]),
-    (Orbicube.Raw.obc_volume_map_hexes_options, 48, [0, 4, 8, 16, 24, 32, 40, 44]),
-    (Orbicube.Raw.obc_volume_map_hexes_report, 48, [0, 4, 8, 16, 24, 32, 40]),
+    (Orbicube.Raw.obc_volume_map_hexes_options, 64, [0, 4, 8, 16, 24, 32, 40, 44, 48, 56]),
+    (Orbicube.Raw.obc_volume_map_hexes_report, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
 ]

@@ -119,6 +119,11 @@ typedef struct obc_volume_map_hexes_options {
   uint64_t seed;    /* of what the polycube chooses at random. Default 0 */
   int32_t rounds;   /* of smoothing. Default 40 */
   int32_t reserved;
+  /* In percent, 0 to 100: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
+   * box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most_cells;
+   * the nearest is answered. 0: nothing is asked for. Default 1 */
+  double distance;
+  size_t most_cells; /* about; where less than cells, these are not changed. Default 100000 */
 } obc_volume_map_hexes_options;
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_options *options, size_t struct_size);
@@ -132,6 +137,8 @@ typedef struct obc_volume_map_hexes_report {
   double volume;           /* of the trilinear hexahedra */
   size_t polycube_corners; /* of the polycube of the surface */
   size_t off_surface;      /* vertices of the boundary that could not be put where they belong */
+  /* In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface. */
+  double distance, volume_error;
 } obc_volume_map_hexes_report;
 
 /* Fills a closed surface with hexahedra: connected, oriented, looking outward, of any genus. They meet in whole faces, the

@@ -56,6 +56,8 @@ mutable struct obc_volume_map_hexes_options <: CStruct
     seed::UInt64
     rounds::Int32
     reserved::Int32
+    distance::Float64
+    most_cells::Csize_t
     obc_volume_map_hexes_options() = zeroed!(new())
 end
 
@@ -67,6 +69,8 @@ mutable struct obc_volume_map_hexes_report <: CStruct
     volume::Float64
     polycube_corners::Csize_t
     off_surface::Csize_t
+    distance::Float64
+    volume_error::Float64
     obc_volume_map_hexes_report() = zeroed!(new())
 end
 

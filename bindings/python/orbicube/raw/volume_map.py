@@ -72,6 +72,8 @@ class obc_volume_map_hexes_options(_Struct):
         ("seed", _c.c_uint64),
         ("rounds", _c.c_int32),
         ("reserved", _c.c_int32),
+        ("distance", _c.c_double),
+        ("most_cells", _c.c_size_t),
     ]
 
 
@@ -86,6 +88,8 @@ class obc_volume_map_hexes_report(_Struct):
         ("volume", _c.c_double),
         ("polycube_corners", _c.c_size_t),
         ("off_surface", _c.c_size_t),
+        ("distance", _c.c_double),
+        ("volume_error", _c.c_double),
     ]
 
 

@@ -55,7 +55,9 @@ class obc_volume_map_hexes_options(Struct):
     seed: int
     rounds: int
     reserved: int
-    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., reserved: int = ...) -> None: ...
+    distance: float
+    most_cells: int
+    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., reserved: int = ..., distance: float = ..., most_cells: int = ...) -> None: ...
 
 class obc_volume_map_hexes_report(Struct):
     struct_size: int
@@ -65,7 +67,9 @@ class obc_volume_map_hexes_report(Struct):
     volume: float
     polycube_corners: int
     off_surface: int
-    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ...) -> None: ...
+    distance: float
+    volume_error: float
+    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., distance: float = ..., volume_error: float = ...) -> None: ...
 
 def obc_volume_map_tangle_init(tangle: Pointer, struct_size: int) -> int:
     """A mesh of nothing; the defaults, which the members' comments give; zeros."""

@@ -113,6 +113,12 @@ pub struct obc_volume_map_hexes_options {
     /// of smoothing. Default 40
     pub rounds: i32,
     pub reserved: i32,
+    /// In percent, 0 to 100: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
+    /// box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most\_cells;
+    /// the nearest is answered. 0: nothing is asked for. Default 1
+    pub distance: f64,
+    /// about; where less than cells, these are not changed. Default 100000
+    pub most_cells: usize,
 }
 
 /// What was made. Fill struct\_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
@@ -131,6 +137,10 @@ pub struct obc_volume_map_hexes_report {
     pub polycube_corners: usize,
     /// vertices of the boundary that could not be put where they belong
     pub off_surface: usize,
+    /// In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface.
+    pub distance: f64,
+    /// In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface.
+    pub volume_error: f64,
 }
 
 extern "C" {
@@ -236,7 +246,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_volume_map_solid_options.reserved");
         assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 8, "obc_volume_map_solid_options.corners");
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 16, "obc_volume_map_solid_options.seed");
-        assert_eq!((size_of::<obc_volume_map_hexes_options>(), align_of::<obc_volume_map_hexes_options>()), (48, 8));
+        assert_eq!((size_of::<obc_volume_map_hexes_options>(), align_of::<obc_volume_map_hexes_options>()), (64, 8));
         let it = MaybeUninit::<obc_volume_map_hexes_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_hexes_options.struct_size");
@@ -247,7 +257,9 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 32, "obc_volume_map_hexes_options.seed");
         assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 40, "obc_volume_map_hexes_options.rounds");
         assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 44, "obc_volume_map_hexes_options.reserved");
-        assert_eq!((size_of::<obc_volume_map_hexes_report>(), align_of::<obc_volume_map_hexes_report>()), (48, 8));
+        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_options.distance");
+        assert_eq!(unsafe { addr_of!((*start).most_cells) } as usize - start as usize, 56, "obc_volume_map_hexes_options.most_cells");
+        assert_eq!((size_of::<obc_volume_map_hexes_report>(), align_of::<obc_volume_map_hexes_report>()), (64, 8));
         let it = MaybeUninit::<obc_volume_map_hexes_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_hexes_report.struct_size");
@@ -257,5 +269,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).volume) } as usize - start as usize, 24, "obc_volume_map_hexes_report.volume");
         assert_eq!(unsafe { addr_of!((*start).polycube_corners) } as usize - start as usize, 32, "obc_volume_map_hexes_report.polycube_corners");
         assert_eq!(unsafe { addr_of!((*start).off_surface) } as usize - start as usize, 40, "obc_volume_map_hexes_report.off_surface");
+        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_report.distance");
+        assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 56, "obc_volume_map_hexes_report.volume_error");
     }
 }
