@@ -7,6 +7,7 @@
 
 #include "hex_scene.h"
 #include "polycube_solid.h"
+#include "surface_file.h"
 #include "text.h"
 #include "verbs.h"
 
@@ -38,14 +39,9 @@ void run_hex(const HexVerb& verb, Session& session) {
     if (!is_gltf(verb.glb))
       throw Failure(Exit::wrong_input, verb.glb, "unsupported-format", "--glb needs .glb or .gltf");
   }
-  session.options() = {{"output", verb.output},
-                       {"cells", verb.cells},
-                       {"padding", verb.padding},
-                       {"distance", verb.distance},
-                       {"most_cells", verb.most_cells},
-                       {"text", verb.text},
-                       {"glb", verb.glb},
-                       {"cut", verb.cut}};
+  session.options() = {
+      {"output", verb.output},         {"cells", verb.cells}, {"padding", verb.padding}, {"distance", verb.distance},
+      {"most_cells", verb.most_cells}, {"text", verb.text},   {"glb", verb.glb},         {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
   const PolycubeSolidInput input = read_polycube_solid(verb.solid, Inside::nothing, session);
   const double start = session.seconds();

@@ -810,7 +810,7 @@ export const layouts = {
     },
   },
   obc_volume_map_hexes_options: {
-    size: 40,
+    size: 56,
     fields: {
       struct_size: ['u32', 0],
       padding: ['i32', 4],
@@ -820,10 +820,12 @@ export const layouts = {
       seed: ['u64', 24],
       rounds: ['i32', 32],
       reserved: ['i32', 36],
+      distance: ['f64', 40],
+      most_cells: ['u32', 48],
     },
   },
   obc_volume_map_hexes_report: {
-    size: 40,
+    size: 56,
     fields: {
       struct_size: ['u32', 0],
       padded: ['i32', 4],
@@ -832,6 +834,8 @@ export const layouts = {
       volume: ['f64', 24],
       polycube_corners: ['u32', 32],
       off_surface: ['u32', 36],
+      distance: ['f64', 40],
+      volume_error: ['f64', 48],
     },
   },
 };
