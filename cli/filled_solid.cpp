@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -24,19 +26,29 @@ double largest_volume(const volume_map::CoarseSurface& surface, const base::Host
 }  // namespace
 
 FilledSolid filled_solid(const mesh::Mesh& surface, std::size_t triangles, const base::Host& host) {
-  const std::size_t all = surface.triangles.size();
-  std::size_t target = all > 2 * triangles ? triangles : all;
-  while (true) {
+  constexpr std::size_t fewest = 500;
+  const auto filled = [&](std::size_t target) -> FilledSolid {
     volume_map::CoarseSurface coarse = volume_map::coarse_surface(surface.positions, surface.triangles, target, host);
+    tetrahedra::Solid solid =
+        tetrahedra::fill(coarse.positions, coarse.triangles, {.max_volume = largest_volume(coarse, host)}, host);
+    return {std::move(solid), std::move(coarse.triangles)};
+  };
+  const std::size_t all = surface.triangles.size();
+  std::exception_ptr first;
+  // With more triangles while there are more, then with fewer: places where the surface just meets itself may go.
+  std::size_t target = all > 2 * triangles ? triangles : all;
+  for (bool finer = true;;) {
     try {
-      tetrahedra::Solid solid =
-          tetrahedra::fill(coarse.positions, coarse.triangles, {.max_volume = largest_volume(coarse, host)}, host);
-      return {std::move(solid), std::move(coarse.triangles)};
+      return filled(target);
     } catch (const base::Error& error) {
-      if (target >= all || error.status() == base::Status::cancelled) throw;
-      target = std::min(2 * target, all);
-      host.report("decimate", 0, 0);
+      if (error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory) throw;
+      if (target == all) first = std::current_exception();
+      finer = finer && target < all;
+      if (!finer && std::string_view(error.kind()) != "self-intersection") std::rethrow_exception(first);
     }
+    target = finer ? std::min(2 * target, all) : target / 2;
+    if (target < fewest) std::rethrow_exception(first);
+    host.report("decimate", 0, 0);
   }
 }
 

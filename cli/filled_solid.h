@@ -11,8 +11,8 @@ struct FilledSolid {
   base::Array<mesh::Triangle> surface;  // its boundary
 };
 
-// Of a closed surface that nowhere meets itself. If it has more than twice `triangles` triangles, the solid's has about
-// so many, or more where so few would meet themselves. Throws what tetrahedra::fill does.
+// Of a closed surface. If it has more than twice `triangles` triangles, the solid's has about so many, or more where so
+// few would meet themselves; fewer where all of them do. Throws what tetrahedra::fill does with all of them.
 FilledSolid filled_solid(const mesh::Mesh& surface, std::size_t triangles, const base::Host& host);
 
 }  // namespace orbicube::cli

@@ -1,28 +1,28 @@
 #include "polycube_solid.h"
 
 #include <algorithm>
-#include <cmath>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
-#include "any_genus_surface.h"
 #include "checked_file.h"
 #include "mesh/file.h"
-#include "mesh/measures.h"
+#include "mesh/orient.h"
+#include "mesh/topology.h"
 #include "mesh/write.h"
 #include "surface_file.h"
 #include "volume_map/coarse_surface.h"
 #include "volume_map/solid_boundary.h"
+#include "volume_map/solid_pieces.h"
 #ifdef ORBICUBE_WITH_TETRAHEDRA
-#include "tetrahedra/tetrahedra.h"
+#include "filled_solid.h"
 #endif
 
 namespace orbicube::cli {
 namespace {
 
 void take_tetrahedra(const mesh::Mesh& solid, PolycubeSolidInput& result, Session& session) {
-  if (!solid.hexahedra.empty()) throw base::Error("unsupported", "a mesh of hexahedra already");
   volume_map::BoundaryFirst first = volume_map::boundary_first(solid, session.host());
   result.positions = std::move(first.positions);
   result.tetrahedra = std::move(first.tetrahedra);
@@ -44,39 +44,52 @@ void take_surface(const PolycubeSolidOptions& options, mesh::Mesh&& surface, Pol
 }
 
 #ifdef ORBICUBE_WITH_TETRAHEDRA
-// Tetrahedra inside no larger than this: about as those beside the surface, but not more than some ten thousand for
-// their own sake. Where there are few, maps of the solid find no way.
-double largest_volume(const volume_map::CoarseSurface& surface, const base::Host& host) {
-  double length = 0;
-  for (const mesh::Triangle& t : surface.triangles)
-    length += (surface.positions[t[1]] - surface.positions[t[0]]).norm();
-  length /= static_cast<double>(surface.triangles.size());
-  const double volume = std::abs(mesh::measures(surface.positions, surface.triangles, host).volume);
-  return std::max(0.3 * length * length * length, volume / 30000);
-}
-
-// Fills the surface, or a coarser one of about so many triangles; a finer one where that meets itself.
 void fill(const PolycubeSolidOptions& options, mesh::Mesh&& surface, PolycubeSolidInput& result, Session& session) {
-  const base::Host& host = session.host();
-  std::size_t target = target_of(options, surface);
-  while (true) {
-    volume_map::CoarseSurface coarse = volume_map::coarse_surface(surface.positions, surface.triangles, target, host);
+  FilledSolid filled = [&] {
     try {
-      tetrahedra::Solid solid =
-          tetrahedra::fill(coarse.positions, coarse.triangles, {.max_volume = largest_volume(coarse, host)}, host);
-      result.positions = std::move(solid.positions);
-      result.tetrahedra = std::move(solid.tetrahedra);
-      result.surface = std::move(coarse.triangles);
-      break;
-    } catch (const base::Error&) {
-      if (target >= surface.triangles.size()) throw;
-      target = std::min(2 * target, surface.triangles.size());
-      host.report("decimate", 0, 0);
+      return filled_solid(surface, options.triangles, session.host());
+    } catch (const base::Error& error) {
+      if (std::string_view(error.kind()) == "self-intersection")
+        volume_map::refuse_self_intersections(surface.positions, surface.triangles, 0, session.host());
+      throw;
     }
-  }
+  }();
+  result.positions = std::move(filled.solid.positions);
+  result.tetrahedra = std::move(filled.solid.tetrahedra);
+  result.surface = std::move(filled.surface);
   if (result.surface.size() < surface.triangles.size()) result.fine = std::move(surface);
 }
 #endif
+
+volume_map::Pieces cell_pieces(const mesh::Mesh& solid, const base::Host& host) {
+  if (!solid.hexahedra.empty()) throw base::Error("unsupported", "a mesh of hexahedra already");
+  return volume_map::pieces_of(solid.tetrahedra, solid.positions.size(), host);
+}
+
+// Of a surface that bounds a solid, which is turned to look outward. Hexahedra stand it where one piece meets itself in
+// few places; what is filled is asked by TetGen's library.
+volume_map::Pieces pieces_of_surface(InputMesh& input, Inside inside, Session& session) {
+  constexpr double few = 0.05;
+  const base::Host& host = session.host();
+  mesh::Mesh& surface = input.mesh;
+  volume_map::require_closed_surface(surface.positions, surface.triangles, host);
+  const mesh::OrientReport turned = mesh::orient(surface.positions, surface.triangles, host);
+  if (turned.triangles_turned > 0)
+    session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbours");
+  if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
+  volume_map::Pieces pieces = volume_map::surface_pieces(surface.positions, surface.triangles, host);
+  if (inside == Inside::nothing || pieces.count > 1) {
+    const std::size_t pairs = volume_map::refuse_self_intersections(surface.positions, surface.triangles,
+                                                                    pieces.count > 1 ? 0 : few, host);
+    if (pairs > 0) session.note(std::to_string(pairs) + " pairs of triangles meet where they should not");
+  }
+  session.figures()["input"] = {
+      {"format", input.report.format},
+      {"vertices", surface.positions.size()},
+      {"triangles", surface.triangles.size()},
+      {"genus", mesh::topology(surface.positions, surface.triangles, host).genus.value_or(0)}};
+  return pieces;
+}
 
 }  // namespace
 
@@ -98,54 +111,69 @@ Json json_of(const PolycubeSolidOptions& options) {
   return {{"corners", options.corners}, {"triangles", options.triangles}, {"weld", options.weld}};
 }
 
-PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Inside inside, Session& session) {
+std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& options, Inside inside,
+                                                    Session& session) {
   const base::Host& host = session.host();
-  const auto format = mesh::format_of_path(options.input);
   const double start = session.seconds();
-  PolycubeSolidInput result{base::Array<mesh::Vector3>(host.memory), base::Array<mesh::Tetrahedron>(host.memory),
-                            base::Array<mesh::Triangle>(host.memory), polycube::Construction(host.memory),
-                            mesh::Mesh(host.memory)};
-  bool cells = false;
-  if (format == mesh::Format::medit || format == mesh::Format::vtk) {
-    InputMesh input = read_input(options.input, options.weld, session);
-    cells = !input.mesh.tetrahedra.empty() || !input.mesh.hexahedra.empty();
-    if (cells) about(options.input, Role::input, [&] { take_tetrahedra(input.mesh, result, session); });
-  }
-  if (!cells && inside == Inside::nothing) {
-    AnyGenusSurface surface = read_any_genus_surface(options.input, options.weld, session);
-    session.figures()["input"] = surface.figures;
-    about(options.input, Role::input, [&] { take_surface(options, std::move(surface.mesh), result, session); });
-  } else if (!cells) {
-#ifdef ORBICUBE_WITH_TETRAHEDRA
-    AnyGenusSurface surface = read_any_genus_surface(options.input, options.weld, session);
-    session.figures()["input"] = surface.figures;
-    about(options.input, Role::input, [&] { fill(options, std::move(surface.mesh), result, session); });
-#else
+  InputMesh input = read_input(options.input, options.weld, session);
+  const bool cells = !input.mesh.tetrahedra.empty() || !input.mesh.hexahedra.empty();
+#ifndef ORBICUBE_WITH_TETRAHEDRA
+  if (!cells && inside == Inside::tetrahedra)
     throw Failure(Exit::wrong_input, options.input, "unsupported",
                   "this build has no TetGen to fill a surface; give a mesh of tetrahedra");
 #endif
-  }
-  const double filled = session.seconds();
+  std::vector<PolycubeSolidInput> results;
+  double filling = 0;
   about(options.input, Role::input, [&] {
-    // The surface's vertices are the first ones; what lies inside is of no interest to the polycube.
-    mesh::Index outer = 0;
-    for (const mesh::Triangle& t : result.surface) {
-      for (const mesh::Index v : t)
-        outer = std::max(outer, v + 1);
+    const volume_map::Pieces pieces = cells ? cell_pieces(input.mesh, host) : pieces_of_surface(input, inside, session);
+    for (std::size_t i = 0; i < pieces.count; ++i) {
+      const double before = session.seconds();
+      PolycubeSolidInput result{base::Array<mesh::Vector3>(host.memory), base::Array<mesh::Tetrahedron>(host.memory),
+                                base::Array<mesh::Triangle>(host.memory), polycube::Construction(host.memory),
+                                mesh::Mesh(host.memory)};
+      mesh::Mesh part = pieces.count == 1 ? std::move(input.mesh) : volume_map::piece(input.mesh, pieces, i, host);
+      if (cells)
+        take_tetrahedra(part, result, session);
+      else if (inside == Inside::nothing)
+        take_surface(options, std::move(part), result, session);
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+      else
+        fill(options, std::move(part), result, session);
+#endif
+      filling += session.seconds() - before;
+      // The surface's vertices are the first ones; what lies inside is of no interest to the polycube.
+      mesh::Index outer = 0;
+      for (const mesh::Triangle& t : result.surface) {
+        for (const mesh::Index v : t)
+          outer = std::max(outer, v + 1);
+      }
+      polycube::BestConstruction best = polycube::construct(std::span(result.positions).first(outer), result.surface,
+                                                            {.corners = options.corners, .seed = session.seed()}, host);
+      result.made = std::move(best.made);
+      results.push_back(std::move(result));
     }
-    polycube::BestConstruction best = polycube::construct(std::span(result.positions).first(outer), result.surface,
-                                                          {.corners = options.corners, .seed = session.seed()}, host);
-    result.made = std::move(best.made);
   });
-  session.figures()["polycube"] = {{"corners", result.made.certificate.corners},
-                                   {"patches", result.made.certificate.patches},
-                                   {"genus", result.made.certificate.genus},
-                                   {"surface_triangles", result.surface.size()},
-                                   {"distortion_of_angles", result.made.distortion.angle_mean},
-                                   {"distortion_of_areas", result.made.distortion.area_mean}};
-  session.figures()["seconds_fill"] = filled - start;
-  session.figures()["seconds_polycube"] = session.seconds() - filled;
-  return result;
+  std::size_t corners = 0, patches = 0, triangles = 0;
+  std::int64_t genus = 0;
+  double angles = 0, areas = 0;
+  for (const PolycubeSolidInput& result : results) {
+    corners += result.made.certificate.corners;
+    patches += result.made.certificate.patches;
+    genus += result.made.certificate.genus;
+    triangles += result.surface.size();
+    angles += result.made.distortion.angle_mean / static_cast<double>(results.size());
+    areas += result.made.distortion.area_mean / static_cast<double>(results.size());
+  }
+  session.figures()["polycube"] = {{"corners", corners},
+                                   {"patches", patches},
+                                   {"genus", genus},
+                                   {"surface_triangles", triangles},
+                                   {"distortion_of_angles", angles},
+                                   {"distortion_of_areas", areas}};
+  if (results.size() > 1) session.figures()["pieces"] = results.size();
+  session.figures()["seconds_fill"] = filling;
+  session.figures()["seconds_polycube"] = session.seconds() - start - filling;
+  return results;
 }
 
 void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, const base::Host& host) {

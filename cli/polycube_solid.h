@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 #include "mesh/mesh.h"
 #include "polycube/construction.h"
@@ -35,10 +36,11 @@ struct PolycubeSolidInput {
 
 enum class Inside { tetrahedra, nothing };
 
-// Of a surface, which is filled with tetrahedra where these are wanted (in builds with TetGen), or of a solid of
-// tetrahedra, which keeps them. Surfaces of more than twice as many triangles as the options say are made coarser
-// first. Figures go to the session.
-PolycubeSolidInput read_polycube_solid(const PolycubeSolidOptions& options, Inside inside, Session& session);
+// The pieces of a solid, each with a polycube of its own. Of a surface, which is filled with tetrahedra where these are
+// wanted (in builds with TetGen), or of a solid of tetrahedra, which keeps them. Surfaces of more than twice as many
+// triangles as the options say are made coarser first. Figures go to the session.
+std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& options, Inside inside,
+                                                    Session& session);
 
 // Written beside its place, read again and compared: what was certified is what the file holds.
 void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, const base::Host& host);

@@ -12,6 +12,7 @@
 #include "mesh/readers.h"
 #include "mesh/tetrahedral_connectivity.h"
 #include "mesh/write.h"
+#include "solver_choice.h"
 #include "surface_file.h"
 #include "text.h"
 #include "verbs.h"
@@ -23,6 +24,7 @@ struct UntangleVerb {
   std::string input;
   std::string output;
   std::string rest;
+  std::string solver = "own";
   volume_map::UntangleOptions options;
   bool free_boundary = false;
   bool keep_partial = false;
@@ -99,6 +101,7 @@ void write_untangled(const std::string& path, const mesh::Mesh& solid, bool text
 }
 
 void run_untangle(const UntangleVerb& verb, Session& session) {
+  const std::unique_ptr<volume_map::LinearEngine> engine = start_solver(verb.solver);
   require_cells_format(verb.output);
   require_writable(verb.output);
   session.options() = {{"output", verb.output},
@@ -107,6 +110,7 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
                        {"steps", verb.options.steps},
                        {"polish", verb.options.polish_steps},
                        {"volume_weight", verb.options.volume_weight},
+                       {"solver", verb.solver},
                        {"keep_partial", verb.keep_partial},
                        {"text", verb.text}};
   mesh::Mesh solid = read_tetrahedra(verb.input, session);
@@ -134,9 +138,11 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
       }
       fixed = boundary_coordinates(solid, session.host());
     }
+    volume_map::UntangleOptions with_engine = verb.options;
+    with_engine.engine = engine.get();
     return volume_map::untangle(
-        {.tetrahedra = solid.tetrahedra, .start = solid.positions, .rest = rest.positions, .fixed = fixed},
-        verb.options, session.host());
+        {.tetrahedra = solid.tetrahedra, .start = solid.positions, .rest = rest.positions, .fixed = fixed}, with_engine,
+        session.host());
   });
   session.figures().update(Json{{"output", verb.output},
                                 {"vertices", solid.positions.size()},
@@ -183,6 +189,7 @@ void add_untangle(CLI::App& app, CommonOptions& common) {
                    "how much changes of volume count beside those of angles (1)")
       ->check(unnamed(CLI::PositiveNumber))
       ->type_name("W");
+  add_solver_option(*verb, options->solver);
   verb->add_flag("--keep-partial", options->keep_partial, "write OUT also when some stay inverted (exit code 1)");
   verb->add_flag("--text", options->text, "text rather than binary VTK");
   add_common_options(*verb, common);

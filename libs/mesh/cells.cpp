@@ -1,6 +1,8 @@
 #include "mesh/cells.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 #include <span>
 #include <string>
 
@@ -118,6 +120,12 @@ struct Defect {
   }
 };
 
+std::string place(const Vector3& p) {
+  std::array<char, 120> text{};
+  std::snprintf(text.data(), text.size(), "(%.9g, %.9g, %.9g)", p[0], p[1], p[2]);
+  return text.data();
+}
+
 template <class Cell>
 std::string describe(std::span<const Cell> cells, std::size_t i) {
   return std::string(name(cells[i])) + " " + std::to_string(i) + " with vertices " + text(cells[i]);
@@ -141,7 +149,10 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
     const bool repeats = std::adjacent_find(vertices.begin(), vertices.end()) != vertices.end();
     const int sign = repeats ? 0 : orientation(positions, cells[i]);
     if (sign > 0) continue;
-    (repeats ? repeated : sign == 0 ? flat : inverted).add([&] { return describe(cells, i); });
+    (repeats     ? repeated
+     : sign == 0 ? flat
+                 : inverted)
+        .add([&] { return describe(cells, i) + ", at " + place(positions[cells[i][0]]); });
   }
   repeated.refuse("degenerate-cell", "cells with a repeated vertex");
   inverted.refuse("inverted-cell", "cells that are inside out, or have a corner that is");

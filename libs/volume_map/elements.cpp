@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "mesh/predicates.h"
+#include "volume_map/solid_pieces.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -49,9 +50,11 @@ Array<Element> elements_of(std::span<const Tetrahedron> tetrahedra, std::span<co
         edges.col(static_cast<Eigen::Index>(k)) = scale * (rest[t[k + 1]] - rest[t[0]]);
       const double volume = edges.determinant();
       if (sign < 0)
-        throw base::Error("inverted-cell", "tetrahedron " + std::to_string(i) + " is inverted where shapes come from");
+        throw base::Error("inverted-cell", "tetrahedron " + std::to_string(i) +
+                                               " is inverted where shapes come from, at " + place_text(rest[t[0]]));
       if (sign == 0 || !(volume > 1e-18 * std::pow(edges.colwise().norm().maxCoeff(), 3)))
-        throw base::Error("degenerate-cell", "tetrahedron " + std::to_string(i) + " is flat where shapes come from");
+        throw base::Error("degenerate-cell", "tetrahedron " + std::to_string(i) +
+                                                 " is flat where shapes come from, at " + place_text(rest[t[0]]));
       set_gradients(edges, element);
       element.weight = volume;
     }

@@ -59,6 +59,31 @@ class Round {
 
 }  // namespace
 
+std::size_t split_edges_at(Array<Vector3>& positions, Array<Tetrahedron>& tetrahedra,
+                           std::span<const std::uint8_t> marked, const base::Host& host) {
+  const std::size_t before = positions.size();
+  Array<Index> around(host.memory);
+  for (int k = 0; k < most_rounds; ++k) {
+    const Array<Tetrahedron> now(tetrahedra, host.memory);
+    const mesh::TetrahedralConnectivity connectivity(positions.size(), now, host);
+    const mesh::EdgeRings rings(connectivity, host);
+    Round round(positions, tetrahedra, host);
+    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+      const auto& [a, b] = rings.vertices(ring);
+      if (rings.on_boundary(ring) || a >= before || b >= before || (marked[a] == 0 && marked[b] == 0)) continue;
+      around.clear();
+      bool clear = true;
+      for (const Index face : rings.faces(ring)) {
+        around.push_back(mesh::TetrahedralConnectivity::tetrahedron_of(face));
+        clear = clear && round.free(around.back());
+      }
+      if (clear) round.split(around, std::array{a, b}, 0.5 * (positions[a] + positions[b]));
+    }
+    if (round.splits() == 0) break;
+  }
+  return positions.size() - before;
+}
+
 std::size_t split_for_freedom(Array<Vector3>& positions, Array<Tetrahedron>& tetrahedra, const base::Host& host) {
   const std::size_t before = positions.size();
   Array<Index> around(host.memory);

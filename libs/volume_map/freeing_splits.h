@@ -13,4 +13,9 @@ namespace orbicube::volume_map {
 // of about ten rounds. Throws what mesh::TetrahedralConnectivity does. Answers how many vertices were added.
 std::size_t split_for_freedom(Array<Vector3>& positions, Array<Tetrahedron>& tetrahedra, const base::Host& host);
 
+// Halves the inner edges that a marked vertex has (an entry a vertex), those that there are now. Answers how many
+// vertices were added, behind the others. Throws the same.
+std::size_t split_edges_at(Array<Vector3>& positions, Array<Tetrahedron>& tetrahedra,
+                           std::span<const std::uint8_t> marked, const base::Host& host);
+
 }  // namespace orbicube::volume_map

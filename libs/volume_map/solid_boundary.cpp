@@ -1,10 +1,11 @@
 #include "volume_map/solid_boundary.h"
 
+#include <algorithm>
 #include <string>
 
 #include "base/error.h"
 #include "mesh/cells.h"
-#include "mesh/topology.h"
+#include "volume_map/solid_pieces.h"
 
 namespace orbicube::volume_map {
 
@@ -13,6 +14,17 @@ BoundaryFirst boundary_first(const mesh::Mesh& solid, const base::Host& host) {
   mesh::require_valid_cells(solid, host);
   BoundaryFirst result(host.memory);
   result.surface = mesh::boundary_triangles(solid, host);
+  // With the numbers that the input has.
+  require_closed_surface(solid.positions, result.surface, host);
+  const Pieces pieces = pieces_of(solid.tetrahedra, solid.positions.size(), host);
+  if (pieces.count > 1) {
+    const auto first = static_cast<std::size_t>(std::find(pieces.of.begin(), pieces.of.end(), 1U) - pieces.of.begin());
+    throw base::Error("not-connected",
+                      std::to_string(pieces.count) + " pieces, which have no common polycube; tetrahedron " +
+                          std::to_string(first) + ", at " + place_text(solid.positions[solid.tetrahedra[first][0]]) +
+                          ", is not connected with the first one");
+  }
+  refuse_cavities(solid.positions, result.surface, host);
   base::Array<mesh::Index> number(solid.positions.size(), mesh::no_index, host.memory);
   const auto take = [&](mesh::Index& v) {
     if (number[v] == mesh::no_index) {
@@ -30,12 +42,6 @@ BoundaryFirst boundary_first(const mesh::Mesh& solid, const base::Host& host) {
   for (mesh::Tetrahedron& t : result.tetrahedra) {
     for (mesh::Index& v : t)
       take(v);
-  }
-  const mesh::Topology topology = mesh::topology(result.outer_positions(), result.surface, host);
-  mesh::require_closed_manifold(topology);
-  if (topology.components != 1) {
-    throw base::Error("not-connected", "the boundary has " + std::to_string(topology.components) +
-                                           " components: pieces or cavities, which have no common polycube");
   }
   return result;
 }

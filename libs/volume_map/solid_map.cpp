@@ -85,10 +85,9 @@ class Mapping {
 
   // All vertices of the boundary slide; where elements jam, a growing ring round them is held to the surface map, and
   // all begins again.
-  bool untangle() {
-    constexpr int most_holds = 4;
+  bool untangle(int most_holds) {
     Array<std::uint8_t> held(start_.size(), 0, host_.memory);
-    for (map_.holds = 0;; ++map_.holds) {
+    for (int holds = 0;; ++holds, ++map_.holds) {
       Array<std::uint8_t> fixed(sliding_, host_.memory);
       for (std::size_t v = 0; v < surface_.positions.size(); ++v) {
         for (std::size_t a = 0; a < 3 && held[v] != 0; ++a)
@@ -102,13 +101,13 @@ class Mapping {
       map_.steps += newton.steps();
       map_.image.resize(start_.size());
       variables.expand(newton.values(), map_.image);
-      if (done || map_.holds == most_holds) return done;
+      if (done || holds == most_holds) return done;
       for (const Element& e : elements_) {
         if (e.jacobian(map_.image).determinant() > 0) continue;
         for (const Index v : e.corner)
           held[v] = 1;
       }
-      for (int ring = 0; ring <= map_.holds; ++ring)
+      for (int ring = 0; ring <= holds; ++ring)
         grow(held);
     }
   }
@@ -121,6 +120,18 @@ class Mapping {
     newton.polish(options_.polish_steps, 1e-4, {.tolerance = 3e-2});
     map_.steps += newton.steps();
     variables.expand(newton.values(), map_.image);
+  }
+
+  // An entry a vertex: 1 for those of elements that stayed inverted.
+  Array<std::uint8_t> jammed() const {
+    Array<std::uint8_t> result(map_.source.size(), 0, host_.memory);
+    for (const Element& e : elements_) {
+      if (e.jacobian(map_.image).determinant() > 0) continue;
+      for (const Index v : e.corner) {
+        if (v < result.size()) result[v] = 1;
+      }
+    }
+    return result;
   }
 
   std::string inverted() const {
@@ -164,10 +175,20 @@ SolidMap map_solid(const polycube::SurfaceMap& surface, std::span<const Vector3>
   map.source.assign(positions.begin(), positions.end());
   map.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
   map.added = split_for_freedom(map.source, map.tetrahedra, host);
-  Mapping mapping(surface, target, map, options, host);
-  if (!mapping.untangle())
-    throw base::Error("no-valid-result", "the map of the solid could not be made one to one: " + mapping.inverted());
-  mapping.polish();
+  // An inner vertex may be next to triangles of the boundary that have no place in common on the right side of all:
+  // where elements jam, edges are halved, and all begins again.
+  constexpr int most_refinements = 3;
+  for (int refinements = 0;; ++refinements) {
+    Mapping mapping(surface, target, map, options, host);
+    if (mapping.untangle(refinements == most_refinements ? 3 : 1)) {
+      mapping.polish();
+      break;
+    }
+    if (refinements == most_refinements) {
+      throw base::Error("no-valid-result", "the map of the solid could not be made one to one: " + mapping.inverted());
+    }
+    map.added += split_edges_at(map.source, map.tetrahedra, mapping.jammed(), host);
+  }
   map.image.resize(map.source.size());
   const InvertedCount found = count_inverted(map.tetrahedra, map.image, host);
   if (found.count > 0) {

@@ -34,7 +34,7 @@ Pieces numbered(mesh::DisjointSets& sets, std::size_t items, std::size_t vertice
   return result;
 }
 
-Pieces surface_pieces(std::span<const Triangle> triangles, std::size_t vertices, const base::Host& host) {
+Pieces connected(std::span<const Triangle> triangles, std::size_t vertices, const base::Host& host) {
   mesh::DisjointSets sets(vertices, host.memory);
   for (const Triangle& t : triangles) {
     sets.unite(t[0], t[1]);
@@ -68,6 +68,44 @@ double winding(std::span<const Vector3> positions, std::span<const Triangle> tri
   return sum / (2 * std::numbers::pi);
 }
 
+// A face of a tetrahedron by ascending vertices, and whether these are an odd permutation of it as seen from outside.
+struct Face {
+  Triangle corners;
+  Index tetrahedron;
+  bool odd;
+};
+
+base::Array<Face> sorted_faces(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices,
+                               const base::Host& host) {
+  constexpr std::array<std::array<std::size_t, 3>, 4> outward = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
+  base::Array<Face> faces(host.memory);
+  faces.reserve(4 * tetrahedra.size());
+  for (Index i = 0; i < tetrahedra.size(); ++i) {
+    if (i % 65536 == 0) host.report("check", i, tetrahedra.size());
+    const mesh::Tetrahedron& t = tetrahedra[i];
+    for (const Index v : t) {
+      if (v < vertices) continue;
+      throw base::Error("index-range", "tetrahedron " + std::to_string(i) + " has vertex " + std::to_string(v) +
+                                           ", there are " + std::to_string(vertices));
+    }
+    for (const auto& corners : outward) {
+      Face face{{t[corners[0]], t[corners[1]], t[corners[2]]}, i, false};
+      for (const auto& [k, l] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {0, 1}}) {
+        if (face.corners[k] <= face.corners[l]) continue;
+        std::swap(face.corners[k], face.corners[l]);
+        face.odd = !face.odd;
+      }
+      faces.push_back(face);
+    }
+  }
+  host.report("check", 0, 0);
+  std::sort(faces.begin(), faces.end(), [](const Face& p, const Face& q) {
+    return std::pair(p.corners, p.tetrahedron) < std::pair(q.corners, q.tetrahedron);
+  });
+  host.report("check", 0, 0);
+  return faces;
+}
+
 }  // namespace
 
 std::string place_text(const Vector3& p) {
@@ -76,8 +114,8 @@ std::string place_text(const Vector3& p) {
   return text.data();
 }
 
-Pieces require_solid_surface(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                             const base::Host& host) {
+void require_closed_surface(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                            const base::Host& host) {
   const mesh::Topology facts = mesh::topology(positions, triangles, host);
   try {
     mesh::require_closed_manifold(facts);
@@ -96,15 +134,31 @@ Pieces require_solid_surface(std::span<const Vector3> positions, std::span<const
                                              "; first face " + std::to_string(first) + ", at " +
                                              place_text(positions[triangles[first][0]]));
   }
+}
+
+std::size_t refuse_self_intersections(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                                      double part, const base::Host& host) {
   const auto pairs = mesh::intersecting_triangles(positions, triangles, host);
-  if (!pairs.empty()) {
+  base::Array<std::uint8_t> meets(triangles.size(), 0, host.memory);
+  std::size_t count = 0;
+  for (const auto& pair : pairs) {
+    for (const Index t : pair) {
+      count += meets[t] == 0;
+      meets[t] = 1;
+    }
+  }
+  if (static_cast<double>(count) > part * static_cast<double>(triangles.size())) {
     const auto& [p, q] = pairs[0];
     throw base::Error("self-intersection",
                       "pairs of faces that meet where they should not: " + std::to_string(pairs.size()) +
                           "; first faces " + std::to_string(p) + " and " + std::to_string(q) + ", at " +
                           place_text(positions[triangles[p][0]]));
   }
-  Pieces pieces = surface_pieces(triangles, positions.size(), host);
+  return pairs.size();
+}
+
+Pieces surface_pieces(std::span<const Vector3> positions, std::span<const Triangle> triangles, const base::Host& host) {
+  Pieces pieces = connected(triangles, positions.size(), host);
   if (pieces.count < 2) return pieces;
   // Boxes first: what lies apart needs no sums.
   struct Part {
@@ -139,28 +193,7 @@ Pieces require_solid_surface(std::span<const Vector3> positions, std::span<const
 }
 
 Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices, const base::Host& host) {
-  struct Face {
-    Triangle corners;
-    Index tetrahedron;
-  };
-  base::Array<Face> faces(host.memory);
-  faces.reserve(4 * tetrahedra.size());
-  for (Index i = 0; i < tetrahedra.size(); ++i) {
-    if (i % 65536 == 0) host.report("check", i, tetrahedra.size());
-    const mesh::Tetrahedron& t = tetrahedra[i];
-    if (std::ranges::max(t) >= vertices)
-      throw base::Error("index-range", "tetrahedron " + std::to_string(i) + " has a vertex that does not exist");
-    for (std::size_t k = 0; k < 4; ++k) {
-      Triangle face{t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]};
-      std::sort(face.begin(), face.end());
-      faces.push_back({face, i});
-    }
-  }
-  host.report("check", 0, 0);
-  std::sort(faces.begin(), faces.end(), [](const Face& p, const Face& q) {
-    return std::pair(p.corners, p.tetrahedron) < std::pair(q.corners, q.tetrahedron);
-  });
-  host.report("check", 0, 0);
+  const base::Array<Face> faces = sorted_faces(tetrahedra, vertices, host);
   mesh::DisjointSets sets(tetrahedra.size(), host.memory);
   for (std::size_t i = 1; i < faces.size(); ++i) {
     if (faces[i].corners == faces[i - 1].corners) sets.unite(faces[i].tetrahedron, faces[i - 1].tetrahedron);
@@ -169,8 +202,32 @@ Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vert
                   [](std::size_t i) { return static_cast<Index>(i); });
 }
 
+void require_conforming(std::span<const mesh::Tetrahedron> tetrahedra, std::span<const Vector3> positions,
+                        const base::Host& host) {
+  const base::Array<Face> faces = sorted_faces(tetrahedra, positions.size(), host);
+  const auto text = [&](const Face& face) {
+    return "face " + std::to_string(face.corners[0]) + "-" + std::to_string(face.corners[1]) + "-" +
+           std::to_string(face.corners[2]) + ", at " + place_text(positions[face.corners[0]]);
+  };
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    const Face &a = faces[i - 1], &b = faces[i];
+    if (a.corners != b.corners) continue;
+    if (i + 1 < faces.size() && faces[i + 1].corners == a.corners) {
+      throw base::Error("non-manifold-face", "more than two tetrahedra, among them " + std::to_string(a.tetrahedron) +
+                                                 ", " + std::to_string(b.tetrahedron) + " and " +
+                                                 std::to_string(faces[i + 1].tetrahedron) + ", have the " + text(a));
+    }
+    if (a.odd == b.odd) {
+      throw base::Error("inconsistent-orientation",
+                        "tetrahedra " + std::to_string(a.tetrahedron) + " and " + std::to_string(b.tetrahedron) +
+                            " can never both be positive side by side: the order of their vertices at their " +
+                            text(a));
+    }
+  }
+}
+
 void refuse_cavities(std::span<const Vector3> positions, std::span<const Triangle> surface, const base::Host& host) {
-  const Pieces parts = surface_pieces(surface, positions.size(), host);
+  const Pieces parts = connected(surface, positions.size(), host);
   if (parts.count < 2) return;
   base::Array<double> volume(parts.count, 0, host.memory);
   base::Array<Index> first(parts.count, no_index, host.memory);

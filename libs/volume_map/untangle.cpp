@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "mesh/predicates.h"
 #include "volume_map/newton.h"
+#include "volume_map/solid_pieces.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -29,8 +30,8 @@ void check(const TangledMesh& mesh, const UntangleOptions& options) {
       }
       for (std::size_t l = 0; l < k; ++l) {
         if (t[k] == t[l])
-          throw base::Error("degenerate-cell",
-                            "tetrahedron " + std::to_string(i) + " has vertex " + std::to_string(t[k]) + " twice");
+          throw base::Error("degenerate-cell", "tetrahedron " + std::to_string(i) + " has vertex " +
+                                                   std::to_string(t[k]) + " twice, at " + place_text(mesh.start[t[k]]));
       }
     }
   }
@@ -78,6 +79,7 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
   result.inverted_before = count_inverted(mesh.tetrahedra, result.positions, host).count;
 
   const Array<Element> elements = elements_of(mesh.tetrahedra, mesh.rest, scale_of(mesh, result.positions), host);
+  require_conforming(mesh.tetrahedra, mesh.start, host);
   FoldoverEnergy energy(elements, variables, options.volume_weight, host);
   energy.set_engine(options.engine);
   Newton newton(energy, variables.start(), host);

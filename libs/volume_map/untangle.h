@@ -43,8 +43,9 @@ struct Untangled {
 // `inverted` says so, see require_untangled. A mesh without inverted tetrahedra is only polished. The same for any
 // number of threads. About 500 bytes a tetrahedron.
 // Throws Error "index-range", "no-cells", "degenerate-cell" (a repeated vertex, or a wanted shape that is flat),
-// "inverted-cell" (a wanted shape), "degenerate-geometry" (all in one plane, or of no finite volume),
-// "invalid-argument" for options and for what Variables refuses, "cancelled".
+// "inverted-cell" (a wanted shape), "non-manifold-face" and
+// "inconsistent-orientation" (three tetrahedra at a face, or two on one side of it), "degenerate-geometry" (all in one
+// plane, or of no finite volume), "invalid-argument" for options and for what Variables refuses, "cancelled".
 Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, const base::Host& host);
 
 // Throws Error "no-valid-result", with how many and the first, when some are inverted.

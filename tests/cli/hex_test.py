@@ -119,6 +119,41 @@ class Hex(InFolder):
             file.write("\n".join(lines[:-1]) + "\n")
         self.refused(2, "not-closed", opened, "hex", opened, "-o", out)
         self.refused(2, "not-closed", opened, "volume", opened, "-o", out)
+        self.assertRegex(run("hex", opened, "-o", out).stderr, r"first edge \d+-\d+, at \([-0-9.e]+, [-0-9.e]+, [-0-9.e]+\)")
+        # A box within a box, and a box through a box.
+        for name, low, size, kind, place in (("cavity", 1, 1, "not-connected", "vertex 8, at (1, 1, 1)"),
+                                             ("crossing", 2, 2, "self-intersection", ", at (")):
+            path = self.boxes(name, ((0, 0, 0), 3), ((low, low, low), size))
+            for verb in ("hex", "volume"):
+                self.refused(2, kind, path, verb, path, "-o", out)
+                self.assertIn(place, run(verb, path, "-o", out).stderr)
+
+    def boxes(self, name, *boxes):
+        path = self.path(name + ".obj")
+        faces = ((0, 2, 1), (1, 2, 3), (4, 5, 6), (5, 7, 6), (0, 1, 4), (1, 5, 4), (2, 6, 3), (3, 6, 7), (0, 4, 2),
+                 (2, 4, 6), (1, 3, 5), (3, 7, 5))
+        with open(path, "w", encoding="ascii") as file:
+            for low, size in boxes:
+                for i in range(8):
+                    file.write("v {} {} {}\n".format(*(low[k] + size * (i >> k & 1) for k in range(3))))
+            for b in range(len(boxes)):
+                for face in faces:
+                    file.write("f {} {} {}\n".format(*(8 * b + v + 1 for v in face)))
+        return path
+
+    def test_pieces_are_done_each_by_itself(self):
+        path, out = self.boxes("two", ((0, 0, 0), 1), ((3, 0, 0), 2)), self.path("out.mesh")
+        done = run("hex", path, "-o", out, "--cells", 90)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        positions, cells = read_medit(out, "Hexahedra", 8)
+        sides = {all(positions[v][0] < 2 for v in cell) for cell in cells}
+        self.assertEqual(sides, {True, False})
+        self.assertEqual(sum(1 for cell in cells if len({positions[v][0] < 2 for v in cell}) > 1), 0)
+        image = self.path("image.mesh")
+        done = run("volume", path, "-o", image)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        positions, cells = read_medit(image, "Tetrahedra", 4)
+        self.assertTrue(all(determinant(*(positions[v] for v in cell)) > 0 for cell in cells))
 
 
 if __name__ == "__main__":

@@ -155,6 +155,7 @@ extern "C" {
     /// tangle-\>positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
     /// Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
     /// all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+    /// not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
     /// malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
     /// rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled.
     pub fn obc_volume_map_untangle(tangle: *const obc_volume_map_tangle, options: *const obc_volume_map_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_volume_map_untangle_report, error: *mut obc_error) -> i32;

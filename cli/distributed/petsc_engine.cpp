@@ -1,0 +1,339 @@
+#include "cli/distributed/petsc_engine.h"
+
+#include <petscksp.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+
+namespace orbicube::cli {
+namespace {
+
+using volume_map::BlockMatrix;
+using volume_map::Index;
+
+constexpr int block = 3;  // unknowns of a vertex
+
+void check(PetscErrorCode code, const char* what) {
+  if (code == 0) return;
+  throw base::Error("no-valid-result", std::string("PETSc failed: ") + what + ", error " + std::to_string(code));
+}
+
+// What the first process tells the others before each system.
+struct Order {
+  PetscInt vertices = 0;  // rows of blocks of all processes; 0: the work is done
+  PetscInt most_steps = 0;
+  double tolerance = 0;
+};
+
+// Rows of blocks, shared out evenly.
+PetscInt first_of(PetscInt vertices, int rank, int ranks) {
+  return static_cast<PetscInt>(static_cast<PetscInt64>(vertices) * rank / ranks);
+}
+
+// Rows of a process: whole blocks, with their columns.
+struct Rows {
+  std::vector<PetscInt> begin{0}, column;
+  std::vector<PetscScalar> values;  // of each block by rows
+  std::vector<PetscScalar> right;
+};
+
+// The whole matrix, both halves, in blocks. Unknowns that are shared are filled up to blocks.
+class WholeMatrix {
+ public:
+  WholeMatrix(const BlockMatrix& m, std::span<const double> right)
+      : m_(m), right_(right), shared_blocks_((m.shared() + block - 1) / block), upper_begin_(m.rows() + 1, 0) {
+    for (const Index c : m.column)
+      ++upper_begin_[c + 1];
+    for (std::size_t v = 0; v < m.rows(); ++v)
+      upper_begin_[v + 1] += upper_begin_[v];
+    std::vector<std::size_t> next(upper_begin_.begin(), upper_begin_.end() - 1);
+    upper_.resize(m.column.size());
+    for (Index v = 0; v < m.rows(); ++v) {
+      for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+        upper_[next[m.column[i]]++] = {v, i};
+    }
+    // What is shared: entries of its blocks by row and column, sorted.
+    for (Index s = 0; s < m.shared(); ++s) {
+      for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i) {
+        for (int a = 0; a < block; ++a)
+          add(s, static_cast<std::size_t>(block) * m.border_column[i] + static_cast<std::size_t>(a), m.border[i][a]);
+      }
+      for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+        add(s, block * m.rows() + m.corner_column[i], m.corner[i]);
+      const std::size_t at = block * m.rows() + s;
+      entries_.push_back({at, at, m.corner_diagonal[s]});
+    }
+    for (std::size_t s = m.shared(); s < block * shared_blocks_; ++s)
+      entries_.push_back({block * m.rows() + s, block * m.rows() + s, 1});
+    const auto order = [](const Entry& p, const Entry& q) {
+      return std::pair(p.row / block, p.column / block) < std::pair(q.row / block, q.column / block);
+    };
+    std::sort(entries_.begin(), entries_.end(), order);
+  }
+
+  PetscInt vertices() const { return static_cast<PetscInt>(m_.rows() + shared_blocks_); }
+
+  Rows rows(PetscInt first, PetscInt last) const {
+    Rows result;
+    auto entry = std::lower_bound(entries_.begin(), entries_.end(), static_cast<std::size_t>(first),
+                                  [](const Entry& e, std::size_t row) { return e.row / block < row; });
+    for (auto v = static_cast<std::size_t>(first); v < static_cast<std::size_t>(last); ++v) {
+      if (v < m_.rows()) {
+        for (Index i = m_.row_begin[v]; i < m_.row_begin[v + 1]; ++i)
+          add_block(result, m_.column[i], m_.lower[i]);
+        add_block(result, v, m_.diagonal[v]);
+        for (std::size_t i = upper_begin_[v]; i < upper_begin_[v + 1]; ++i)
+          add_block(result, upper_[i].row, m_.lower[upper_[i].place].transpose());
+      }
+      while (entry != entries_.end() && entry->row / block == v) {
+        const std::size_t column = entry->column / block;
+        Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+        for (; entry != entries_.end() && entry->row / block == v && entry->column / block == column; ++entry)
+          sum(static_cast<Eigen::Index>(entry->row % block), static_cast<Eigen::Index>(entry->column % block)) +=
+              entry->value;
+        add_block(result, column, sum);
+      }
+      result.begin.push_back(static_cast<PetscInt>(result.column.size()));
+      for (std::size_t a = 0; a < block; ++a)
+        result.right.push_back(block * v + a < right_.size() ? right_[block * v + a] : 0);
+    }
+    return result;
+  }
+
+ private:
+  struct Entry {
+    std::size_t row, column;
+    double value;
+  };
+  struct Upper {
+    Index row, place;
+  };
+  void add(Index s, std::size_t column, double value) {
+    entries_.push_back({block * m_.rows() + s, column, value});
+    entries_.push_back({column, block * m_.rows() + s, value});
+  }
+  static void add_block(Rows& rows, std::size_t column, const Eigen::Matrix3d& values) {
+    rows.column.push_back(static_cast<PetscInt>(column));
+    for (Eigen::Index r = 0; r < block; ++r) {
+      for (Eigen::Index c = 0; c < block; ++c)
+        rows.values.push_back(values(r, c));
+    }
+  }
+
+  const BlockMatrix& m_;
+  std::span<const double> right_;
+  std::size_t shared_blocks_;
+  std::vector<std::size_t> upper_begin_;
+  std::vector<Upper> upper_;
+  std::vector<Entry> entries_;
+};
+
+template <class T>
+void send(const std::vector<T>& values, int to, MPI_Datatype type) {
+  check(MPI_Send(values.data(), static_cast<int>(values.size()), type, to, 0, PETSC_COMM_WORLD), "MPI_Send");
+}
+
+template <class T>
+std::vector<T> receive(int from, MPI_Datatype type) {
+  MPI_Status status;
+  check(MPI_Probe(from, 0, PETSC_COMM_WORLD, &status), "MPI_Probe");
+  int count = 0;
+  check(MPI_Get_count(&status, type, &count), "MPI_Get_count");
+  std::vector<T> values(static_cast<std::size_t>(count));
+  check(MPI_Recv(values.data(), count, type, from, 0, PETSC_COMM_WORLD, &status), "MPI_Recv");
+  return values;
+}
+
+// Asked at each step, by all processes alike: the first one says whether the host wants to stop.
+struct Watch {
+  const base::Host* host = nullptr;  // of the first process only
+  std::exception_ptr stopped;
+  PetscErrorCode converged(KSP ksp, PetscInt step, PetscReal norm, KSPConvergedReason* reason) {
+    int stop = 0;
+    if (host != nullptr) {
+      try {
+        host->report("solve", 0, 0);
+      } catch (...) {
+        stopped = std::current_exception();
+        stop = 1;
+      }
+    }
+    if (const int code = MPI_Bcast(&stop, 1, MPI_INT, 0, PETSC_COMM_WORLD); code != 0) return code;
+    if (stop != 0) {
+      *reason = KSP_CONVERGED_ITS;
+      return 0;
+    }
+    return KSPConvergedDefault(ksp, step, norm, reason, default_context);
+  }
+  void* default_context = nullptr;
+};
+
+PetscErrorCode watch_convergence(KSP ksp, PetscInt step, PetscReal norm, KSPConvergedReason* reason, void* context) {
+  return static_cast<Watch*>(context)->converged(ksp, step, norm, reason);
+}
+
+// Solves what all processes hold rows of; the solution of these rows goes to `solution`.
+int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<PetscScalar>& solution) {
+  const auto local = static_cast<PetscInt>(rows.right.size());
+  struct Objects {
+    Mat matrix = nullptr;
+    Vec right = nullptr, solution = nullptr;
+    KSP solver = nullptr;
+    ~Objects() {
+      KSPDestroy(&solver);
+      VecDestroy(&right);
+      VecDestroy(&solution);
+      MatDestroy(&matrix);
+    }
+  } own;
+  // Rows of numbers.
+  std::vector<PetscInt> begin{0}, column;
+  std::vector<PetscScalar> values;
+  column.reserve(rows.values.size());
+  values.reserve(rows.values.size());
+  for (std::size_t v = 0; v + 1 < rows.begin.size(); ++v) {
+    for (std::size_t a = 0; a < block; ++a) {
+      for (auto i = static_cast<std::size_t>(rows.begin[v]); i < static_cast<std::size_t>(rows.begin[v + 1]); ++i) {
+        for (std::size_t b = 0; b < block; ++b) {
+          column.push_back(block * rows.column[i] + static_cast<PetscInt>(b));
+          values.push_back(rows.values[block * block * i + block * a + b]);
+        }
+      }
+      begin.push_back(static_cast<PetscInt>(column.size()));
+    }
+  }
+  check(MatCreate(PETSC_COMM_WORLD, &own.matrix), "the matrix");
+  check(MatSetSizes(own.matrix, local, local, block * order.vertices, block * order.vertices), "the matrix");
+  check(MatSetBlockSize(own.matrix, block), "the matrix");
+  check(MatSetType(own.matrix, MATAIJ), "the matrix");
+  check(MatSeqAIJSetPreallocationCSR(own.matrix, begin.data(), column.data(), values.data()), "the matrix");
+  check(MatMPIAIJSetPreallocationCSR(own.matrix, begin.data(), column.data(), values.data()), "the matrix");
+  check(MatSetOption(own.matrix, MAT_SPD, PETSC_TRUE), "the matrix");
+  check(MatCreateVecs(own.matrix, &own.solution, &own.right), "vectors");
+  PetscScalar* entries = nullptr;
+  check(VecGetArray(own.right, &entries), "vectors");
+  std::copy(rows.right.begin(), rows.right.end(), entries);
+  check(VecRestoreArray(own.right, &entries), "vectors");
+  check(KSPCreate(PETSC_COMM_WORLD, &own.solver), "the solver");
+  check(KSPSetOperators(own.solver, own.matrix, own.matrix), "the solver");
+  check(KSPSetType(own.solver, KSPCG), "the solver");
+  PC preconditioner = nullptr;
+  check(KSPGetPC(own.solver, &preconditioner), "the solver");
+  check(PCSetType(preconditioner, PCGAMG), "the solver");
+  check(KSPSetNormType(own.solver, KSP_NORM_NATURAL), "the solver");
+  check(KSPSetTolerances(own.solver, order.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, order.most_steps), "the solver");
+  check(KSPConvergedDefaultCreate(&watch.default_context), "the solver");
+  check(KSPSetConvergenceTest(own.solver, watch_convergence, &watch, nullptr), "the solver");
+  check(KSPSetFromOptions(own.solver), "the options");
+  const PetscErrorCode code = KSPSolve(own.solver, own.right, own.solution);
+  KSPConvergedDefaultDestroy(watch.default_context);
+  if (watch.stopped) std::rethrow_exception(watch.stopped);
+  check(code, "the steps");
+  KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
+  check(KSPGetConvergedReason(own.solver, &reason), "the solver");
+  if (reason == KSP_DIVERGED_NANORINF || reason == KSP_DIVERGED_PC_FAILED)
+    throw base::Error("no-valid-result", "PETSc failed: numbers that are not finite");
+  const PetscScalar* answer = nullptr;
+  check(VecGetArrayRead(own.solution, &answer), "vectors");
+  solution.assign(answer, answer + local);
+  check(VecRestoreArrayRead(own.solution, &answer), "vectors");
+  PetscInt steps = 0;
+  check(KSPGetIterationNumber(own.solver, &steps), "the solver");
+  return static_cast<int>(steps);
+}
+
+void tell(Order& order) {
+  check(MPI_Bcast(&order, static_cast<int>(sizeof order), MPI_BYTE, 0, PETSC_COMM_WORLD), "MPI_Bcast");
+}
+
+class PetscEngine : public volume_map::LinearEngine {
+ public:
+  ~PetscEngine() override {
+    Order done;
+    MPI_Bcast(&done, static_cast<int>(sizeof done), MPI_BYTE, 0, PETSC_COMM_WORLD);
+    PetscFinalize();
+  }
+
+  int solve(const BlockMatrix& matrix, std::span<const double> right, int most_steps, double tolerance,
+            std::span<double> solution, const base::Host& host) override {
+    int ranks = 1;
+    check(MPI_Comm_size(PETSC_COMM_WORLD, &ranks), "MPI_Comm_size");
+    const WholeMatrix whole(matrix, right);
+    host.report("solve", 0, 0);
+    Order order{whole.vertices(), most_steps, tolerance};
+    tell(order);
+    for (int rank = 1; rank < ranks; ++rank) {
+      const Rows rows = whole.rows(first_of(order.vertices, rank, ranks), first_of(order.vertices, rank + 1, ranks));
+      send(rows.begin, rank, MPIU_INT);
+      send(rows.column, rank, MPIU_INT);
+      send(rows.values, rank, MPIU_SCALAR);
+      send(rows.right, rank, MPIU_SCALAR);
+    }
+    const Rows rows = whole.rows(0, first_of(order.vertices, 1, ranks));
+    Watch watch;
+    watch.host = &host;
+    std::vector<PetscScalar> part;
+    const int steps = solve_rows(order, rows, watch, part);
+    std::size_t at = 0;
+    const auto take = [&] {
+      for (const PetscScalar value : part) {
+        if (at < solution.size()) solution[at++] = value;
+      }
+    };
+    take();
+    for (int rank = 1; rank < ranks; ++rank) {
+      part = receive<PetscScalar>(rank, MPIU_SCALAR);
+      take();
+    }
+    return steps;
+  }
+};
+
+void work() {
+  int rank = 0, ranks = 1;
+  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+  MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
+  while (true) {
+    Order order;
+    tell(order);
+    if (order.vertices == 0) return;
+    Rows rows;
+    rows.begin = receive<PetscInt>(0, MPIU_INT);
+    rows.column = receive<PetscInt>(0, MPIU_INT);
+    rows.values = receive<PetscScalar>(0, MPIU_SCALAR);
+    rows.right = receive<PetscScalar>(0, MPIU_SCALAR);
+    Watch watch;
+    std::vector<PetscScalar> solution;
+    solve_rows(order, rows, watch, solution);
+    send(solution, 0, MPIU_SCALAR);
+  }
+}
+
+}  // namespace
+}  // namespace orbicube::cli
+
+extern "C" __attribute__((visibility("default"))) orbicube::volume_map::LinearEngine* orbicube_petsc_start() {
+  using namespace orbicube::cli;
+  // The command line is the command's own; PETSc's options come from the variable PETSC_OPTIONS.
+  if (PetscInitialize(nullptr, nullptr, nullptr, nullptr) != 0)
+    throw orbicube::base::Error("no-valid-result", "PETSc could not be started");
+  PetscPopSignalHandler();
+  PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);
+  int rank = 0;
+  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+  if (rank == 0) return new PetscEngine;
+  try {
+    work();
+    PetscFinalize();
+  } catch (const std::exception& error) {
+    // The first process cannot go on without this one.
+    std::fprintf(stderr, "orbicube: process %d: %s\n", rank, error.what());
+    MPI_Abort(PETSC_COMM_WORLD, 1);
+  }
+  return nullptr;
+}

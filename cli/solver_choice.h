@@ -1,0 +1,19 @@
+// The option --solver: what solves the linear systems of maps of solids.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <string>
+
+#include "volume_map/linear_engine.h"
+
+namespace orbicube::cli {
+
+void add_solver_option(CLI::App& verb, std::string& solver);
+
+// Nothing for "own". For "petsc" the engine of the module beside the command or where modules are installed, on all
+// processes that mpirun started; those but the first work for it, and end here. Throws Failure where there is no such
+// module.
+std::unique_ptr<volume_map::LinearEngine> start_solver(const std::string& solver);
+
+}  // namespace orbicube::cli
