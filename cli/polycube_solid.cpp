@@ -79,8 +79,8 @@ volume_map::Pieces pieces_of_surface(InputMesh& input, Inside inside, Session& s
   if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
   volume_map::Pieces pieces = volume_map::surface_pieces(surface.positions, surface.triangles, host);
   if (inside == Inside::nothing || pieces.count > 1) {
-    const std::size_t pairs = volume_map::refuse_self_intersections(surface.positions, surface.triangles,
-                                                                    pieces.count > 1 ? 0 : few, host);
+    const std::size_t pairs =
+        volume_map::refuse_self_intersections(surface.positions, surface.triangles, pieces.count > 1 ? 0 : few, host);
     if (pairs > 0) session.note(std::to_string(pairs) + " pairs of triangles meet where they should not");
   }
   session.figures()["input"] = {
