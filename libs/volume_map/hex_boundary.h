@@ -22,7 +22,7 @@ class HexBoundary {
   std::span<const Index> vertices() const { return vertices_; }  // of the boundary
   // How firmly a vertex is held to where it began, 1 or more.
   double hold(Index vertex) const { return holds_[vertex]; }
-  void hold_more(Index vertex) { holds_[vertex] = std::min(3 * holds_[vertex], 2000.0); }
+  void hold_more(Index vertex) { holds_[vertex] = std::min(3 * holds_[vertex], 1e5); }
   // Changes lifts by half of what is between the quads around a vertex and the surface, on average: after some rounds
   // the mesh encloses the volume that the surface does.
   void lift(std::span<const Vector3> positions, std::span<const Quad> quads, std::span<const Index> quad_patches,

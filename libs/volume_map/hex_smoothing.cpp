@@ -71,7 +71,13 @@ class Smoothing {
     FoldoverEnergy energy(elements_, variables_, volume_weight, host_);
     energy.set_pulls(pulls_);
     Newton newton(energy, variables_.start(), host_);
-    const bool positive = untangle(energy, newton);
+    // Of eps, a step. The start is near to a mesh without inverted corners most often, so that it may fall quickly.
+    constexpr double quick = 0.5, slow = 0.1;
+    bool positive = untangle(energy, newton, quick);
+    if (!positive) {
+      newton.restart(variables_.start());
+      positive = untangle(energy, newton, slow);
+    }
     variables_.expand(newton.values(), mesh_.positions);
     if (!positive) return false;
     Array<Vector3> best_positions(host_.memory);
@@ -115,9 +121,7 @@ class Smoothing {
     return worst;
   }
 
-  bool untangle(FoldoverEnergy& energy, Newton& newton) {
-    // Of eps, a step. The start is near to a mesh without inverted corners, so that more than 0.1 is safe.
-    constexpr double least_fall = 0.5;
+  bool untangle(FoldoverEnergy& energy, Newton& newton, double least_fall) {
     double eps = 0;
     for (int k = 0; k < options_.untangling_steps; ++k) {
       variables_.expand(newton.values(), mesh_.positions);
@@ -224,14 +228,22 @@ class Smoothing {
     host_.report("smooth", 0, 0);
   }
 
+  // How far a quad is from the surface, at its corners and half-way between any two.
+  double gap_of_quad(std::size_t i) const {
+    double most = 0;
+    for (const Index a : mesh_.quads[i]) {
+      for (const Index b : mesh_.quads[i]) {
+        if (b < a) continue;
+        const Vector3 p = 0.5 * (mesh_.positions[a] + mesh_.positions[b]);
+        most = std::max(most, (target_.nearest(p).position - p).norm());
+      }
+    }
+    return most;
+  }
+
   void hold_what_is_far() {
     Array<std::uint8_t> far(mesh_.quads.size(), 0, host_.memory);
-    for_pieces(mesh_.quads.size(), [&](std::size_t i) {
-      const Quad& q = mesh_.quads[i];
-      const auto p = [&](std::size_t k) -> const Vector3& { return mesh_.positions[q[k]]; };
-      const Vector3 center = 0.25 * (p(0) + p(1) + p(2) + p(3));
-      far[i] = (target_.nearest(center).position - center).norm() > options_.distance;
-    });
+    for_pieces(mesh_.quads.size(), [&](std::size_t i) { far[i] = gap_of_quad(i) > options_.distance; });
     host_.report("smooth", 0, 0);
     for (std::size_t i = 0; i < samples_.size(); ++i) {
       if (uncovered_[i].gap > options_.distance) far[homes_[i]] = 1;
@@ -246,13 +258,18 @@ class Smoothing {
     }
   }
 
-  // How much farther than wanted the surface is from the boundary, relative.
+  // How much farther than wanted the surface and the boundary are from each other, relative.
   double excess() {
     if (options_.distance == 0) return 0;
     find_uncovered();
     double most = 0;
     for (const Uncovered& u : uncovered_)
       most = std::max(most, u.gap);
+    Array<double> gaps(mesh_.quads.size(), 0, host_.memory);
+    for_pieces(mesh_.quads.size(), [&](std::size_t i) { gaps[i] = gap_of_quad(i); });
+    host_.report("smooth", 0, 0);
+    for (const double gap : gaps)
+      most = std::max(most, gap);
     return std::max(0.0, most / options_.distance - 1);
   }
 
