@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "frame_hex.h"
 #include "hex_scene.h"
 #include "mesh/measures.h"
 #include "polycube_solid.h"
@@ -32,6 +33,9 @@ struct HexVerb {
   std::string cut = "quarter";
   double distance = 1;
   std::size_t most_cells = 100'000;
+  std::string method = "polycube";
+  std::string frames;
+  double features = 0;  // degrees
   bool text = false;
 };
 
@@ -86,10 +90,24 @@ void run_hex(const HexVerb& verb, Session& session) {
     if (!is_gltf(verb.glb))
       throw Failure(Exit::wrong_input, verb.glb, "unsupported-format", "--glb needs .glb or .gltf");
   }
-  session.options() = {
-      {"output", verb.output},         {"cells", verb.cells}, {"padding", verb.padding}, {"distance", verb.distance},
-      {"most_cells", verb.most_cells}, {"text", verb.text},   {"glb", verb.glb},         {"cut", verb.cut}};
+  session.options() = {{"output", verb.output},
+                       {"cells", verb.cells},
+                       {"padding", verb.padding},
+                       {"distance", verb.distance},
+                       {"most_cells", verb.most_cells},
+                       {"method", verb.method},
+                       {"frames", verb.frames},
+                       {"features", verb.features},
+                       {"text", verb.text},
+                       {"glb", verb.glb},
+                       {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
+  if (verb.method == "frames") {
+    run_frame_hex(
+        {verb.solid, verb.output, verb.frames, verb.cells, verb.features, verb.glb, cuts.at(verb.cut), verb.text},
+        session);
+    return;
+  }
   const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::nothing, session);
   const double start = session.seconds();
   volume_map::HexResult result(session.host().memory);
@@ -171,6 +189,24 @@ void add_hex(CLI::App& app, CommonOptions& common) {
   verb->add_option("--cut", options->cut, "what that leaves out: a quarter (the default), half or none")
       ->check(unnamed(CLI::IsMember({"quarter", "half", "none"})))
       ->type_name("C");
+  CLI::Option* method =
+      verb->add_option(
+              "--method", options->method,
+              "polycube: the cells of a polycube (the default); frames: along a frame field, with its singular "
+              "edges inside")
+          ->check(unnamed(CLI::IsMember({"polycube", "frames"})))
+          ->type_name("METHOD");
+  verb->add_option("--frames", options->frames,
+                   "frames of IN, a mesh of tetrahedra, for --method frames; else they are found")
+      ->type_name("FILE.frames")
+      ->needs(method);
+  verb->add_option(
+          "--features", options->features,
+          "where frames are found, an axis follows edges of the boundary that turn by more than so many degrees "
+          "(0: none)")
+      ->check(unnamed(CLI::Range(0.0, 180.0)))
+      ->type_name("DEGREES")
+      ->needs(method);
   verb->add_flag("--text", options->text, "text rather than binary VTK");
   add_common_options(*verb, common);
   verb->callback([options, &common] {

@@ -3,12 +3,14 @@
 #include <memory>
 #include <utility>
 
+#include "base/error.h"
 #include "capi/src/entry.h"
 #include "capi/src/polycube_surface.h"
 #include "mesh/cells.h"
 #include "orbicube/volume_map.h"
 #include "polycube/construction.h"
 #include "volume_map/coarse_surface.h"
+#include "volume_map/frame_hexes.h"
 #include "volume_map/hex_meshing.h"
 #include "volume_map/solid_boundary.h"
 #include "volume_map/volume_map.h"
@@ -55,6 +57,30 @@ obc_volume_map_hexes_options default_hexes_options() {
   return o;
 }
 
+obc_volume_map_frame_options default_frame_options() {
+  const volume_map::FrameHexOptions defaults;
+  obc_volume_map_frame_options o{};
+  o.struct_size = sizeof o;
+  o.rounds = defaults.rounds;
+  o.cells = defaults.cells;
+  return o;
+}
+
+// The caller's tetrahedra, of which no more is known than their numbers.
+mesh::Mesh solid_of(const double* positions, size_t vertex_count, const uint32_t* tetrahedra, size_t tetrahedron_count,
+                    const base::Host& host) {
+  capi::require(positions != nullptr || vertex_count == 0, "positions is NULL");
+  capi::require(tetrahedra != nullptr || tetrahedron_count == 0, "tetrahedra is NULL");
+  constexpr std::size_t most = UINT32_MAX / 4;
+  capi::require(vertex_count < most && tetrahedron_count < most, "too many vertices or tetrahedra");
+  mesh::Mesh solid(host.memory);
+  const auto* const places = reinterpret_cast<const Vector3*>(positions);
+  const auto* const cells = reinterpret_cast<const Tetrahedron*>(tetrahedra);
+  solid.positions.assign(places, places + vertex_count);
+  solid.tetrahedra.assign(cells, cells + tetrahedron_count);
+  return solid;
+}
+
 template <class From>
 void copy_out(const From& from, void* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof from[0]);
@@ -72,18 +98,10 @@ obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_c
   return capi::guarded(error, [&] {
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
-    capi::require(positions != nullptr || vertex_count == 0, "positions is NULL");
-    capi::require(tetrahedra != nullptr || tetrahedron_count == 0, "tetrahedra is NULL");
-    constexpr std::size_t most = UINT32_MAX / 4;
-    capi::require(vertex_count < most && tetrahedron_count < most, "too many vertices or tetrahedra");
     const obc_volume_map_solid_options o = capi::copy_versioned(options, default_solid_options());
     auto made = std::make_unique<obc_volume_map_solid>(host);
     const base::Host& h = made->adapter.host();
-    mesh::Mesh solid(h.memory);
-    const auto* const places = reinterpret_cast<const Vector3*>(positions);
-    const auto* const cells = reinterpret_cast<const Tetrahedron*>(tetrahedra);
-    solid.positions.assign(places, places + vertex_count);
-    solid.tetrahedra.assign(cells, cells + tetrahedron_count);
+    const mesh::Mesh solid = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
     const volume_map::BoundaryFirst first = volume_map::boundary_first(solid, h);
     const polycube::BestConstruction best =
         polycube::construct(first.outer_positions(), first.surface, {.corners = o.corners, .seed = o.seed}, h);
@@ -159,6 +177,62 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
     r.distance = made->made.distance;
     r.volume_error = made->made.volume_error;
     capi::write_versioned(report, r);
+    *out = made.release();
+  });
+}
+
+obc_status obc_volume_map_frame_options_init(obc_volume_map_frame_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_frame_options());
+}
+
+obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t vertex_count, const uint32_t* tetrahedra,
+                                              size_t tetrahedron_count, const double* frames,
+                                              const obc_volume_map_frame_options* options, const obc_host* host,
+                                              obc_volume_map_frame_report* report, obc_volume_map_hexes** out,
+                                              obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    const obc_volume_map_frame_options o = capi::copy_versioned(options, default_frame_options());
+    capi::require(o.feature_angle >= 0 && o.feature_angle <= 4, "options->feature_angle is out of range");
+    auto made = std::make_unique<obc_volume_map_hexes>(host);
+    const base::Host& h = made->adapter.host();
+    mesh::Mesh given = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
+    for (const Vector3& p : given.positions)
+      capi::require(p.allFinite(), "a position is not finite");
+    if (given.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
+    mesh::require_valid_cells(given, h);
+    volume_map::FramedSolid solid(h.memory);
+    solid.positions = std::move(given.positions);
+    solid.tetrahedra = std::move(given.tetrahedra);
+    if (frames == nullptr) {
+      volume_map::find_frames(solid, o.feature_angle, h);
+    } else {
+      const auto* const first = reinterpret_cast<const quaternion::Quaternion*>(frames);
+      solid.frames.assign(first, first + tetrahedron_count);
+      for (quaternion::Quaternion& q : solid.frames) {
+        const double square = dot(q, q);
+        capi::require(square > 1e-12 && square < 1e12, "a frame is zero or not finite");
+        q = quaternion::normalised(q);
+      }
+    }
+    volume_map::FrameHexes result =
+        volume_map::make_hexahedra_by_frames(solid, {.cells = o.cells, .rounds = o.rounds}, h);
+    obc_volume_map_frame_report r{};
+    r.struct_size = sizeof r;
+    r.integers_optimal = result.map.integers_optimal ? 1 : 0;
+    r.least_scaled_jacobian = result.result.quality.least_scaled_jacobian;
+    r.mean_scaled_jacobian = result.result.quality.mean_scaled_jacobian;
+    r.volume = result.result.quality.volume;
+    r.off_surface = result.result.off_surface;
+    r.singular_edges = result.map.singular_edges;
+    r.irregular_edges = result.inner_irregular_edges;
+    r.integers = result.map.integers;
+    r.tetrahedra = result.map.solid.tetrahedra.size();
+    r.inverted_at_start = result.map.inverted_at_start;
+    r.steps = result.map.steps;
+    capi::write_versioned(report, r);
+    made->made = std::move(result.result);
     *out = made.release();
   });
 }

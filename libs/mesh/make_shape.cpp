@@ -23,6 +23,9 @@ constexpr std::array table = {
     Shape{{"torus", "ring", 1}, make_torus},
     Shape{{"three-holes", "plate with three square holes, all faces along the axes", 3}, make_three_holes},
     Shape{{"bracket", "angle bracket with four round holes", 4}, make_bracket},
+    Shape{{"l-shape", "bar with a right angle, all faces along the axes", 0}, make_angle},
+    Shape{{"cylinder", "round bar with flat ends", 0}, make_cylinder},
+    Shape{{"vase", "solid of revolution with a wavy profile and flat ends", 0}, make_vase},
 };
 
 constexpr auto descriptions = [] {

@@ -18,6 +18,9 @@ Mesh make_cube(const ShapeOptions& options, const base::Host& host);
 Mesh make_torus(const ShapeOptions& options, const base::Host& host);
 Mesh make_three_holes(const ShapeOptions& options, const base::Host& host);
 Mesh make_bracket(const ShapeOptions& options, const base::Host& host);
+Mesh make_angle(const ShapeOptions& options, const base::Host& host);
+Mesh make_cylinder(const ShapeOptions& options, const base::Host& host);
+Mesh make_vase(const ShapeOptions& options, const base::Host& host);
 
 // Numbers from a seed, the same on every machine (the standard's distributions are not).
 class Random {

@@ -1,5 +1,5 @@
-// Cube, plate with three holes and bracket: solids of boxes on uneven grid lines, some boxes bored through. Planes stay
-// planes to the last bit.
+// Cube, L-shape, plate with three holes and bracket: solids of boxes on uneven grid lines, some boxes bored through.
+// Planes stay planes to the last bit.
 #include <array>
 #include <cmath>
 #include <functional>
@@ -195,6 +195,17 @@ Mesh make_three_holes(const ShapeOptions& options, const base::Host& host) {
       if (!hole) solid.fill({i, j, 0});
     }
   }
+  return solid.make(options, host);
+}
+
+Mesh make_angle(const ShapeOptions& options, const base::Host& host) {
+  Random random(options.seed);
+  const auto varied = [&](double usual) { return usual * (options.seed == 0 ? 1 : random.uniform(0.6, 1.4)); };
+  const double thickness = varied(0.7), length = varied(1.1), height = varied(0.9), width = varied(0.8);
+  BoxSolid solid({{{0, thickness, thickness + length}, {0, width}, {0, thickness, thickness + height}}});
+  solid.fill({0, 0, 0});
+  solid.fill({1, 0, 0});
+  solid.fill({0, 0, 1});
   return solid.make(options, host);
 }
 

@@ -158,7 +158,7 @@ void FoldoverEnergy::solve(std::span<const double> gradient, int most_steps, dou
 
 void FoldoverEnergy::multiply(std::span<const double> direction, std::span<double> product) {
   std::copy(direction.begin(), direction.end(), padded_.begin());
-  variables_.expand(padded_, positions_);
+  variables_.expand_change(padded_, positions_);
   for_elements("untangle", [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Element& element = elements_[i];
@@ -219,6 +219,17 @@ void FoldoverEnergy::set_system() {
           const Vector3& f = e.gradient[other];
           block.diagonal().array() += h.identity * g.dot(f);
           block.noalias() += p * (h.jacobian * f).transpose() + q * (h.cofactors * f).transpose();
+        }
+      }
+      // By the variables of coordinates, which may have the other sign.
+      for (Eigen::Index a = 0; variables_.any_flipped() && a < 3; ++a) {
+        if (variables_.is_flipped(v, static_cast<std::size_t>(a))) {
+          diagonal.row(a) *= -1;
+          diagonal.col(a) *= -1;
+        }
+        for (Index i = matrix.row_begin[v]; i < matrix.row_begin[v + 1]; ++i) {
+          if (variables_.is_flipped(v, static_cast<std::size_t>(a))) matrix.lower[i].row(a) *= -1;
+          if (variables_.is_flipped(matrix.column[i], static_cast<std::size_t>(a))) matrix.lower[i].col(a) *= -1;
         }
       }
     }

@@ -18,7 +18,7 @@ std::string place(std::size_t coordinate) {
 
 Variables::Variables(std::span<const Vector3> start, std::span<const std::uint8_t> fixed, std::span<const Index> ties,
                      std::pmr::memory_resource* memory)
-    : variable_(3 * start.size(), no_index, memory), start_(memory) {
+    : shared_(memory), flipped_(memory), variable_(3 * start.size(), no_index, memory), start_(memory) {
   const std::size_t count = variable_.size();
   base::require(count < no_index, "too many vertices");
   base::require(fixed.empty() || fixed.size() == count, "fixed needs three entries a vertex");
@@ -83,6 +83,42 @@ Variables::Variables(std::span<const Vector3> start, std::span<const std::uint8_
   }
 }
 
+Variables::Variables(std::span<const Affine> coordinates, std::span<const double> start,
+                     std::pmr::memory_resource* memory)
+    : shared_(memory), flipped_(memory), variable_(coordinates.size(), no_index, memory), start_(memory) {
+  Array<Index> uses(start.size(), 0, memory), number(start.size(), no_index, memory);
+  for (const Affine& c : coordinates) {
+    if (c.unknown != no_index) ++uses[c.unknown];
+  }
+  const auto own = [&](const Affine& c) { return c.unknown != no_index && uses[c.unknown] == 1; };
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const Affine& c = coordinates[i];
+    if (!own(c)) continue;
+    variable_[i] = static_cast<Index>(start_.size());
+    start_.push_back(c.sign * start[c.unknown] + c.shift);
+  }
+  own_ = start_.size();
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    const Affine& c = coordinates[i];
+    if (c.unknown == no_index || own(c)) continue;
+    if (number[c.unknown] == no_index) {
+      number[c.unknown] = static_cast<Index>(start_.size());
+      start_.push_back(start[c.unknown]);
+    }
+    variable_[i] = number[c.unknown];
+    if (c.sign != 1 || c.shift != 0) shared_.push_back({static_cast<Index>(i), c.sign, c.shift});
+    if (c.sign == 1) continue;
+    if (flipped_.empty()) flipped_.resize(coordinates.size() / 3, 0);
+    flipped_[i / 3] |= static_cast<std::uint8_t>(1U << i % 3);
+  }
+  free_ = start_.size();
+  for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    if (coordinates[i].unknown != no_index) continue;
+    variable_[i] = static_cast<Index>(start_.size());
+    start_.push_back(coordinates[i].shift);
+  }
+}
+
 void Variables::reduce(std::span<const Vector3> forces, std::span<double> sums) const {
   std::fill(sums.begin() + static_cast<std::ptrdiff_t>(own_), sums.end(), 0.0);
   for (std::size_t v = 0; v < forces.size(); ++v) {
@@ -92,7 +128,7 @@ void Variables::reduce(std::span<const Vector3> forces, std::span<double> sums) 
       if (i < own_)
         sums[i] = force;
       else if (i < free_)
-        sums[i] += force;
+        sums[i] += is_flipped(v, a) ? -force : force;
     }
   }
 }

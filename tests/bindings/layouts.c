@@ -527,6 +527,24 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, polycube_corners) == 32, "o
 _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 40, "obc_volume_map_hexes_report.off_surface");
 _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 48, "obc_volume_map_hexes_report.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 56, "obc_volume_map_hexes_report.volume_error");
+_Static_assert(sizeof(obc_volume_map_frame_options) == 24, "obc_volume_map_frame_options");
+_Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");
+_Static_assert(offsetof(obc_volume_map_frame_options, cells) == 8, "obc_volume_map_frame_options.cells");
+_Static_assert(offsetof(obc_volume_map_frame_options, feature_angle) == 16, "obc_volume_map_frame_options.feature_angle");
+_Static_assert(sizeof(obc_volume_map_frame_report) == 88, "obc_volume_map_frame_report");
+_Static_assert(offsetof(obc_volume_map_frame_report, struct_size) == 0, "obc_volume_map_frame_report.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_report, integers_optimal) == 4, "obc_volume_map_frame_report.integers_optimal");
+_Static_assert(offsetof(obc_volume_map_frame_report, least_scaled_jacobian) == 8, "obc_volume_map_frame_report.least_scaled_jacobian");
+_Static_assert(offsetof(obc_volume_map_frame_report, mean_scaled_jacobian) == 16, "obc_volume_map_frame_report.mean_scaled_jacobian");
+_Static_assert(offsetof(obc_volume_map_frame_report, volume) == 24, "obc_volume_map_frame_report.volume");
+_Static_assert(offsetof(obc_volume_map_frame_report, off_surface) == 32, "obc_volume_map_frame_report.off_surface");
+_Static_assert(offsetof(obc_volume_map_frame_report, singular_edges) == 40, "obc_volume_map_frame_report.singular_edges");
+_Static_assert(offsetof(obc_volume_map_frame_report, irregular_edges) == 48, "obc_volume_map_frame_report.irregular_edges");
+_Static_assert(offsetof(obc_volume_map_frame_report, integers) == 56, "obc_volume_map_frame_report.integers");
+_Static_assert(offsetof(obc_volume_map_frame_report, tetrahedra) == 64, "obc_volume_map_frame_report.tetrahedra");
+_Static_assert(offsetof(obc_volume_map_frame_report, inverted_at_start) == 72, "obc_volume_map_frame_report.inverted_at_start");
+_Static_assert(offsetof(obc_volume_map_frame_report, steps) == 80, "obc_volume_map_frame_report.steps");
 #elif defined(__wasm32__)
 _Static_assert(sizeof(obc_error) == 512, "obc_error");
 _Static_assert(offsetof(obc_error, status) == 0, "obc_error.status");
@@ -1040,5 +1058,23 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, polycube_corners) == 32, "o
 _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 36, "obc_volume_map_hexes_report.off_surface");
 _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 40, "obc_volume_map_hexes_report.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 48, "obc_volume_map_hexes_report.volume_error");
+_Static_assert(sizeof(obc_volume_map_frame_options) == 24, "obc_volume_map_frame_options");
+_Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");
+_Static_assert(offsetof(obc_volume_map_frame_options, cells) == 8, "obc_volume_map_frame_options.cells");
+_Static_assert(offsetof(obc_volume_map_frame_options, feature_angle) == 16, "obc_volume_map_frame_options.feature_angle");
+_Static_assert(sizeof(obc_volume_map_frame_report) == 64, "obc_volume_map_frame_report");
+_Static_assert(offsetof(obc_volume_map_frame_report, struct_size) == 0, "obc_volume_map_frame_report.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_report, integers_optimal) == 4, "obc_volume_map_frame_report.integers_optimal");
+_Static_assert(offsetof(obc_volume_map_frame_report, least_scaled_jacobian) == 8, "obc_volume_map_frame_report.least_scaled_jacobian");
+_Static_assert(offsetof(obc_volume_map_frame_report, mean_scaled_jacobian) == 16, "obc_volume_map_frame_report.mean_scaled_jacobian");
+_Static_assert(offsetof(obc_volume_map_frame_report, volume) == 24, "obc_volume_map_frame_report.volume");
+_Static_assert(offsetof(obc_volume_map_frame_report, off_surface) == 32, "obc_volume_map_frame_report.off_surface");
+_Static_assert(offsetof(obc_volume_map_frame_report, singular_edges) == 36, "obc_volume_map_frame_report.singular_edges");
+_Static_assert(offsetof(obc_volume_map_frame_report, irregular_edges) == 40, "obc_volume_map_frame_report.irregular_edges");
+_Static_assert(offsetof(obc_volume_map_frame_report, integers) == 44, "obc_volume_map_frame_report.integers");
+_Static_assert(offsetof(obc_volume_map_frame_report, tetrahedra) == 48, "obc_volume_map_frame_report.tetrahedra");
+_Static_assert(offsetof(obc_volume_map_frame_report, inverted_at_start) == 52, "obc_volume_map_frame_report.inverted_at_start");
+_Static_assert(offsetof(obc_volume_map_frame_report, steps) == 56, "obc_volume_map_frame_report.steps");
 #endif
 typedef int not_empty;

@@ -3,9 +3,12 @@
 
     hex_test.py COMMAND
 """
+import cmath
 import json
+import math
 from collections import Counter
 from fractions import Fraction
+from itertools import product
 
 from command import Glb, InFolder, main, run
 
@@ -28,6 +31,41 @@ def determinant(o, a, b, c):
     u, v, w = ([p[i] - o[i] for i in range(3)] for p in (a, b, c))
     return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
             + u[2] * (v[0] * w[1] - v[1] * w[0]))
+
+
+def write_cylinder(path, frames):
+    """A bar of 6 x 6 x 2 cubes, round about z, with frames that turn about z around four lines; as in tests/volume_map/frame_solids.h."""
+    n, layers = 6, 2
+    at = {}
+    for i, j, k in product(range(n + 1), range(n + 1), range(layers + 1)):
+        x, y = 2 * i / n - 1, 2 * j / n - 1
+        longest = max(abs(x), abs(y))
+        scale = (1 - longest) + longest * longest / math.hypot(x, y) if longest > 0 else 1
+        at[i, j, k] = (len(at), (scale * x, scale * y, 0.7 * k / layers))
+    positions = [place for _, place in at.values()]
+    cells = []
+    for cube in product(range(n), range(n), range(layers)):
+        for o, order in enumerate(((0, 1, 2), (1, 2, 0), (2, 0, 1), (0, 2, 1), (2, 1, 0), (1, 0, 2))):
+            p, cell = list(cube), [at[cube][0]]
+            for axis in order:
+                p[axis] += 1
+                cell.append(at[tuple(p)][0])
+            if o >= 3:
+                cell[2], cell[3] = cell[3], cell[2]
+            cells.append(cell)
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"MeshVersionFormatted 2\nDimension 3\nVertices\n{len(positions)}\n")
+        file.writelines(f"{x!r} {y!r} {z!r} 0\n" for x, y, z in positions)
+        file.write(f"Tetrahedra\n{len(cells)}\n")
+        file.writelines(" ".join(str(v + 1) for v in cell) + " 0\n" for cell in cells)
+        file.write("End\n")
+    radius = math.hypot(*positions[at[3 * n // 4, 3 * n // 4, 0][0]][:2])
+    points = [cmath.rect(radius, math.pi * (0.25 + 0.5 * k)) for k in range(4)]
+    with open(frames, "w", encoding="ascii") as file:
+        for cell in cells:
+            z = sum(complex(*positions[v][:2]) for v in cell) / 4
+            turn = sum(cmath.phase((z - p) * (1 - p.conjugate() * z)) for p in points) / 4
+            file.write(f"{math.cos(turn / 2)!r} 0 0 {math.sin(turn / 2)!r}\n")
 
 
 class Hex(InFolder):
@@ -108,6 +146,41 @@ class Hex(InFolder):
         again = self.path("again.mesh")
         done = run("volume", source, "-o", again)
         self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_hexahedra_along_frames_of_a_cylinder_meet_in_threes_around_four_inner_curves(self):
+        path, out, report = self.path("bar.mesh"), self.path("out.mesh"), self.path("report.json")
+        frames = self.path("bar.frames")
+        write_cylinder(path, frames)
+        done = run("hex", path, "-o", out, "--method", "frames", "--frames", frames, "--cells", 120, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        positions, cells = read_medit(out, "Hexahedra", 8)
+        edges, outer = Counter(), set()
+        faces = Counter()
+        for cell in cells:
+            for k, near in enumerate(NEIGHBOURS):
+                self.assertGreater(determinant(*(positions[cell[i]] for i in (k, *near))), 0)
+                edges.update(tuple(sorted((cell[k], cell[n]))) for n in near if n > k)
+            for face in FACES:
+                faces[tuple(cell[i] for i in face)] += 1
+        sides = Counter(tuple(sorted(face)) for face in faces)
+        self.assertEqual(set(sides.values()), {1, 2})
+        for face in faces:
+            if sides[tuple(sorted(face))] == 1:
+                outer.update(tuple(sorted((face[k], face[k - 1]))) for k in range(4))
+        inner = Counter(count for edge, count in edges.items() if edge not in outer)
+        self.assertEqual(set(inner), {3, 4})
+        self.assertEqual(inner[3] % 4, 0)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertEqual(figures["inner_irregular_edges"], inner[3])
+        self.assertEqual(figures["hexahedra"], len(cells))
+        # A frame less, and frames of a solid that is not there.
+        with open(frames, encoding="ascii") as file:
+            lines = file.readlines()
+        with open(frames, "w", encoding="ascii") as file:
+            file.writelines(lines[1:])
+        done = run("hex", path, "-o", out, "--method", "frames", "--frames", frames)
+        self.assertEqual(done.returncode, 2, done.stderr)
 
     def test_wrong_input_is_refused(self):
         path, out = self.made("cube", 600), self.path("out.mesh")

@@ -12,7 +12,8 @@ from command import Glb, InFolder, as_float32, main, not_positive, read_obj, run
 VERBS = ("info", "convert", "make", "sphere", "frames", "morph", "page")
 # Endings of formats that keep vertices and doubles.
 EXACT = (".obj", ".off", ".ply", ".mesh", ".vtk")
-GENUS = {"creature": 0, "blob": 0, "star": 0, "sphere": 0, "cube": 0, "torus": 1, "three-holes": 3, "bracket": 4}
+GENUS = {"creature": 0, "blob": 0, "star": 0, "sphere": 0, "cube": 0, "torus": 1, "three-holes": 3, "bracket": 4,
+         "l-shape": 0, "cylinder": 0, "vase": 0}
 
 
 class CommandLine(InFolder):

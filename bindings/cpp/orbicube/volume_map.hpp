@@ -85,6 +85,23 @@ struct Hexes {
   obc_volume_map_hexes_report report;
 };
 
+namespace detail_hexes {
+
+// What a handle holds.
+inline void copy(obc_volume_map_hexes* made, Hexes& to) {
+  const detail::Handle<obc_volume_map_hexes, obc_volume_map_hexes_destroy> keeper(made);
+  to.positions.resize(3 * obc_volume_map_hexes_vertex_count(made));
+  to.hexahedra.resize(8 * obc_volume_map_hexes_count(made));
+  to.quads.resize(4 * obc_volume_map_hexes_quad_count(made));
+  to.quad_faces.resize(obc_volume_map_hexes_quad_count(made));
+  detail::call(nullptr, [&](obc_error* error) {
+    return obc_volume_map_hexes_copy(made, to.positions.data(), to.hexahedra.data(), to.quads.data(),
+                                     to.quad_faces.data(), error);
+  });
+}
+
+}  // namespace detail_hexes
+
 // Fills a closed surface with hexahedra.
 inline Hexes fill_with_hexahedra(const Surface& surface, const HexesOptions& options = {}, Host* host = nullptr) {
   Hexes result;
@@ -93,15 +110,36 @@ inline Hexes fill_with_hexahedra(const Surface& surface, const HexesOptions& opt
   detail::call(host, [&](obc_error* error) {
     return obc_volume_map_hexes_compute(&surface, &options, detail::c(host), &result.report, &made, error);
   });
-  const detail::Handle<obc_volume_map_hexes, obc_volume_map_hexes_destroy> keeper(made);
-  result.positions.resize(3 * obc_volume_map_hexes_vertex_count(made));
-  result.hexahedra.resize(8 * obc_volume_map_hexes_count(made));
-  result.quads.resize(4 * obc_volume_map_hexes_quad_count(made));
-  result.quad_faces.resize(obc_volume_map_hexes_quad_count(made));
-  detail::call(nullptr, [&](obc_error* error) {
-    return obc_volume_map_hexes_copy(made, result.positions.data(), result.hexahedra.data(), result.quads.data(),
-                                     result.quad_faces.data(), error);
+  detail_hexes::copy(made, result);
+  return result;
+}
+
+using FrameOptions = detail::Filled<obc_volume_map_frame_options, obc_volume_map_frame_options_init>;
+using FrameReport = obc_volume_map_frame_report;
+
+// Fills a solid of tetrahedra with hexahedra that follow frames, w x y z a tetrahedron; without any a smooth field is
+// made. The figures go to *report, if it is given; those of the result say what they have in common.
+inline Hexes fill_along_frames(Doubles positions, Indices tetrahedra, Doubles frames, const FrameOptions& options = {},
+                               Host* host = nullptr, FrameReport* report = nullptr) {
+  const std::size_t vertices = detail::rows(positions.size(), 3, "positions");
+  const std::size_t cells = detail::rows(tetrahedra.size(), 4, "tetrahedra");
+  if (frames.size() != 0 && detail::rows(frames.size(), 4, "frames") != cells)
+    throw Error(OBC_INVALID_ARGUMENT, "frames need four numbers a tetrahedron");
+  FrameReport figures = detail::sized<FrameReport>();
+  obc_volume_map_hexes* made = nullptr;
+  detail::call(host, [&](obc_error* error) {
+    return obc_volume_map_frame_hexes_compute(positions.data(), vertices, tetrahedra.data(), cells,
+                                              frames.size() != 0 ? frames.data() : nullptr, &options, detail::c(host),
+                                              &figures, &made, error);
   });
+  Hexes result;
+  result.report = detail::sized<obc_volume_map_hexes_report>();
+  result.report.least_scaled_jacobian = figures.least_scaled_jacobian;
+  result.report.mean_scaled_jacobian = figures.mean_scaled_jacobian;
+  result.report.volume = figures.volume;
+  result.report.off_surface = figures.off_surface;
+  if (report != nullptr) *report = figures;
+  detail_hexes::copy(made, result);
   return result;
 }
 

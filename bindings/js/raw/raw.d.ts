@@ -188,6 +188,8 @@ export const layouts: {
   readonly obc_volume_map_solid_options: Layout;
   readonly obc_volume_map_hexes_options: Layout;
   readonly obc_volume_map_hexes_report: Layout;
+  readonly obc_volume_map_frame_options: Layout;
+  readonly obc_volume_map_frame_report: Layout;
 };
 export const callbacks: Readonly<Record<string, string>>;
 export const functions: Readonly<Record<keyof RawFunctions, string>>;
@@ -1023,6 +1025,17 @@ export interface RawFunctions {
    * counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
    * argument. */
   obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_faces: Pointer, error: Pointer): number;
+  /** The defaults, which the members' comments give. */
+  obc_volume_map_frame_options_init(options: Pointer, struct_size: number): number;
+  /** Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
+   * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
+   * tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: a smooth field is made and
+   * repaired. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary that lie in one plane of the map.
+   * options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+   * Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
+   * has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
+   * out of memory, cancelled. */
+  obc_volume_map_frame_hexes_compute(positions: Pointer, vertex_count: number, tetrahedra: Pointer, tetrahedron_count: number, frames: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
   /** Version of this library, major * 10000 + minor * 100 + patch. */
   obc_volume_map_version(): number;
 }

@@ -838,6 +838,32 @@ export const layouts = {
       volume_error: ['f64', 48],
     },
   },
+  obc_volume_map_frame_options: {
+    size: 24,
+    fields: {
+      struct_size: ['u32', 0],
+      rounds: ['i32', 4],
+      cells: ['u32', 8],
+      feature_angle: ['f64', 16],
+    },
+  },
+  obc_volume_map_frame_report: {
+    size: 64,
+    fields: {
+      struct_size: ['u32', 0],
+      integers_optimal: ['i32', 4],
+      least_scaled_jacobian: ['f64', 8],
+      mean_scaled_jacobian: ['f64', 16],
+      volume: ['f64', 24],
+      off_surface: ['u32', 32],
+      singular_edges: ['u32', 36],
+      irregular_edges: ['u32', 40],
+      integers: ['u32', 44],
+      tetrahedra: ['u32', 48],
+      inverted_at_start: ['u32', 52],
+      steps: ['u32', 56],
+    },
+  },
 };
 
 /** Types of callbacks, result first: i 32-bit numbers and pointers, j BigInts of 64 bits, d doubles, v nothing. */
@@ -1127,5 +1153,7 @@ export const functions = {
   obc_volume_map_hexes_count: 'ii',
   obc_volume_map_hexes_quad_count: 'ii',
   obc_volume_map_hexes_copy: 'iiiiiii',
+  obc_volume_map_frame_options_init: 'iii',
+  obc_volume_map_frame_hexes_compute: 'iiiiiiiiiii',
   obc_volume_map_version: 'i',
 };

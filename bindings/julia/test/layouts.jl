@@ -52,4 +52,6 @@ const layouts = [
     (Orbicube.Raw.obc_volume_map_solid_options, 24, [0, 4, 8, 16]),
     (Orbicube.Raw.obc_volume_map_hexes_options, 64, [0, 4, 8, 16, 24, 32, 40, 44, 48, 56]),
     (Orbicube.Raw.obc_volume_map_hexes_report, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
+    (Orbicube.Raw.obc_volume_map_frame_options, 24, [0, 4, 8, 16]),
+    (Orbicube.Raw.obc_volume_map_frame_report, 88, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
 ]

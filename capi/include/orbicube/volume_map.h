@@ -161,6 +161,48 @@ OBC_API size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes *hexes
 OBC_API obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes *hexes, double *positions, uint32_t *hexahedra,
                                              uint32_t *quads, uint32_t *quad_faces, obc_error *error);
 
+/* ---- hexahedra along frames ------------------------------------------------------------------------------------------ */
+
+/* Fill with _init. */
+typedef struct obc_volume_map_frame_options {
+  uint32_t struct_size;
+  int32_t rounds;       /* of smoothing. Default 40 */
+  size_t cells;         /* about so many hexahedra, 1 to 10 million. Default 10000 */
+  double feature_angle; /* where frames are not given: an axis follows edges of the boundary that turn by more (radians);
+                           0: none. Default 0 */
+} obc_volume_map_frame_options;
+/* The defaults, which the members' comments give. */
+OBC_API obc_status obc_volume_map_frame_options_init(obc_volume_map_frame_options *options, size_t struct_size);
+
+/* What was made. Fill struct_size. Scaled Jacobians as in obc_volume_map_hexes_report. */
+typedef struct obc_volume_map_frame_report {
+  uint32_t struct_size;
+  int32_t integers_optimal; /* 1: the search for the best integers came to its end */
+  double least_scaled_jacobian, mean_scaled_jacobian;
+  double volume;            /* of the trilinear hexahedra */
+  size_t off_surface;       /* vertices of the boundary that could not be put where they belong */
+  size_t singular_edges;    /* of the tetrahedra, inside */
+  size_t irregular_edges;   /* of the hexahedra, inside: with other than four around */
+  size_t integers;          /* unknown ones of the map */
+  size_t tetrahedra;        /* of the map, after splits */
+  size_t inverted_at_start; /* of these, when integers were chosen; none are in the end */
+  size_t steps;             /* of Newton's method until there were none and the map was better */
+} obc_volume_map_frame_report;
+
+/* Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
+ * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
+ * tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: a smooth field is made and
+ * repaired. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary that lie in one plane of the map.
+ * options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+ * Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
+ * has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
+ * out of memory, cancelled. */
+OBC_API obc_status obc_volume_map_frame_hexes_compute(const double *positions, size_t vertex_count,
+                                                      const uint32_t *tetrahedra, size_t tetrahedron_count,
+                                                      const double *frames, const obc_volume_map_frame_options *options,
+                                                      const obc_host *host, obc_volume_map_frame_report *report,
+                                                      obc_volume_map_hexes **out, obc_error *error);
+
 /* Version of this library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_volume_map_version(void);
 

@@ -1,5 +1,5 @@
 // Inverted tetrahedra: meshes, wanted shapes, fixed and tied coordinates, and options of any kind; solids on polycubes
-// and hexahedra of small shapes with faults.
+// and hexahedra of small shapes with faults, along frames of any kind too.
 #include "orbicube/volume_map.h"
 
 #include <algorithm>
@@ -83,6 +83,41 @@ void fill_with_hexahedra(Input& in, Host& host) {
           "certified hexahedra with figures that are none");
 }
 
+void fill_along_frames(Input& in, Host& host) {
+  const Shape mesh = solid(in);
+  std::vector<double> frames(4 * mesh.cell_count());
+  const bool one = in.one_in(2);
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    frames[i] = one && i >= 4 ? frames[i - 4] : in.one_in(30) ? in.number() : in.moderate();
+  obc_volume_map_frame_options options;
+  obc_volume_map_frame_options_init(&options, sizeof options);
+  options.cells = in.one_in(20) ? in.bits() : 1 + in.below(60);
+  if (options.cells > 1000 && options.cells <= 10'000'000) return;  // must end
+  options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(4));
+  if (in.one_in(3)) options.feature_angle = in.number();
+  obc_volume_map_frame_report report;
+  report.struct_size = sizeof report;
+  obc_volume_map_hexes* hexes = nullptr;
+  if (!ok([&](obc_error* e) {
+        return obc_volume_map_frame_hexes_compute(mesh.positions.data(), mesh.vertex_count(), mesh.cells.data(),
+                                                  mesh.cell_count(), in.one_in(3) ? nullptr : frames.data(), &options,
+                                                  host.c(), &report, &hexes, e);
+      }))
+    return;
+  const std::size_t n = obc_volume_map_hexes_vertex_count(hexes), m = obc_volume_map_hexes_count(hexes);
+  std::vector<double> positions(3 * n);
+  std::vector<std::uint32_t> hexahedra(8 * m);
+  require(ok([&](obc_error* e) {
+            return obc_volume_map_hexes_copy(hexes, positions.data(), hexahedra.data(), nullptr, nullptr, e);
+          }),
+          "hexahedra along frames cannot be copied");
+  obc_volume_map_hexes_destroy(hexes);
+  require_finite(positions, "a vertex of hexahedra that is not finite");
+  require_below(hexahedra, n, "a hexahedron with a vertex that does not exist");
+  require(m > 0 && report.least_scaled_jacobian > 0 && report.volume > 0,
+          "certified hexahedra with figures that are none");
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -94,6 +129,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   if (in.one_in(40)) {
     fill_with_hexahedra(in, host);
+    return 0;
+  }
+  if (in.one_in(40)) {
+    fill_along_frames(in, host);
     return 0;
   }
   Shape mesh = solid(in, in.one_in(2));

@@ -74,6 +74,30 @@ mutable struct obc_volume_map_hexes_report <: CStruct
     obc_volume_map_hexes_report() = zeroed!(new())
 end
 
+mutable struct obc_volume_map_frame_options <: CStruct
+    struct_size::UInt32
+    rounds::Int32
+    cells::Csize_t
+    feature_angle::Float64
+    obc_volume_map_frame_options() = zeroed!(new())
+end
+
+mutable struct obc_volume_map_frame_report <: CStruct
+    struct_size::UInt32
+    integers_optimal::Int32
+    least_scaled_jacobian::Float64
+    mean_scaled_jacobian::Float64
+    volume::Float64
+    off_surface::Csize_t
+    singular_edges::Csize_t
+    irregular_edges::Csize_t
+    integers::Csize_t
+    tetrahedra::Csize_t
+    inverted_at_start::Csize_t
+    steps::Csize_t
+    obc_volume_map_frame_report() = zeroed!(new())
+end
+
 const address_obc_volume_map_tangle_init = Ref(C_NULL)
 obc_volume_map_tangle_init(tangle, struct_size) =
     ccall(symbol(address_obc_volume_map_tangle_init, :volume_map, :obc_volume_map_tangle_init), Int32, (Ptr{obc_volume_map_tangle}, Csize_t), tangle, struct_size)
@@ -141,6 +165,14 @@ obc_volume_map_hexes_quad_count(hexes) =
 const address_obc_volume_map_hexes_copy = Ref(C_NULL)
 obc_volume_map_hexes_copy(hexes, positions, hexahedra, quads, quad_faces, error) =
     ccall(symbol(address_obc_volume_map_hexes_copy, :volume_map, :obc_volume_map_hexes_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), hexes, positions, hexahedra, quads, quad_faces, error)
+
+const address_obc_volume_map_frame_options_init = Ref(C_NULL)
+obc_volume_map_frame_options_init(options, struct_size) =
+    ccall(symbol(address_obc_volume_map_frame_options_init, :volume_map, :obc_volume_map_frame_options_init), Int32, (Ptr{obc_volume_map_frame_options}, Csize_t), options, struct_size)
+
+const address_obc_volume_map_frame_hexes_compute = Ref(C_NULL)
+obc_volume_map_frame_hexes_compute(positions, vertex_count, tetrahedra, tetrahedron_count, frames, options, host, report, out, error) =
+    ccall(symbol(address_obc_volume_map_frame_hexes_compute, :volume_map, :obc_volume_map_frame_hexes_compute), Int32, (Ptr{Float64}, Csize_t, Ptr{UInt32}, Csize_t, Ptr{Float64}, Ptr{obc_volume_map_frame_options}, Ptr{obc_host}, Ptr{obc_volume_map_frame_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), positions, vertex_count, tetrahedra, tetrahedron_count, frames, options, host, report, out, error)
 
 const address_obc_volume_map_version = Ref(C_NULL)
 obc_volume_map_version() =

@@ -93,6 +93,34 @@ class obc_volume_map_hexes_report(_Struct):
     ]
 
 
+class obc_volume_map_frame_options(_Struct):
+    """Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("rounds", _c.c_int32),
+        ("cells", _c.c_size_t),
+        ("feature_angle", _c.c_double),
+    ]
+
+
+class obc_volume_map_frame_report(_Struct):
+    """What was made. Fill struct_size. Scaled Jacobians as in obc_volume_map_hexes_report."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("integers_optimal", _c.c_int32),
+        ("least_scaled_jacobian", _c.c_double),
+        ("mean_scaled_jacobian", _c.c_double),
+        ("volume", _c.c_double),
+        ("off_surface", _c.c_size_t),
+        ("singular_edges", _c.c_size_t),
+        ("irregular_edges", _c.c_size_t),
+        ("integers", _c.c_size_t),
+        ("tetrahedra", _c.c_size_t),
+        ("inverted_at_start", _c.c_size_t),
+        ("steps", _c.c_size_t),
+    ]
+
+
 _functions = [
     ("obc_volume_map_tangle_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_volume_map_untangle_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
@@ -111,6 +139,8 @@ _functions = [
     ("obc_volume_map_hexes_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_volume_map_hexes_quad_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_volume_map_hexes_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_volume_map_frame_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_volume_map_frame_hexes_compute", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_volume_map_version", _c.c_uint32, []),
 ]
 

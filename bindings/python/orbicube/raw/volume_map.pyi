@@ -71,6 +71,28 @@ class obc_volume_map_hexes_report(Struct):
     volume_error: float
     def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., distance: float = ..., volume_error: float = ...) -> None: ...
 
+class obc_volume_map_frame_options(Struct):
+    struct_size: int
+    rounds: int
+    cells: int
+    feature_angle: float
+    def __init__(self, struct_size: int = ..., rounds: int = ..., cells: int = ..., feature_angle: float = ...) -> None: ...
+
+class obc_volume_map_frame_report(Struct):
+    struct_size: int
+    integers_optimal: int
+    least_scaled_jacobian: float
+    mean_scaled_jacobian: float
+    volume: float
+    off_surface: int
+    singular_edges: int
+    irregular_edges: int
+    integers: int
+    tetrahedra: int
+    inverted_at_start: int
+    steps: int
+    def __init__(self, struct_size: int = ..., integers_optimal: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., off_surface: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ...) -> None: ...
+
 def obc_volume_map_tangle_init(tangle: Pointer, struct_size: int) -> int:
     """A mesh of nothing; the defaults, which the members' comments give; zeros."""
     ...
@@ -155,6 +177,21 @@ def obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Poi
     """x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
     counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
     argument."""
+    ...
+
+def obc_volume_map_frame_options_init(options: Pointer, struct_size: int) -> int:
+    """The defaults, which the members' comments give."""
+    ...
+
+def obc_volume_map_frame_hexes_compute(positions: Pointer, vertex_count: int, tetrahedra: Pointer, tetrahedron_count: int, frames: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
+    """Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
+    Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
+    tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: a smooth field is made and
+    repaired. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary that lie in one plane of the map.
+    options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+    Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
+    has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
+    out of memory, cancelled."""
     ...
 
 def obc_volume_map_version() -> int:

@@ -143,6 +143,47 @@ pub struct obc_volume_map_hexes_report {
     pub volume_error: f64,
 }
 
+/// Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_volume_map_frame_options {
+    pub struct_size: u32,
+    /// of smoothing. Default 40
+    pub rounds: i32,
+    /// about so many hexahedra, 1 to 10 million. Default 10000
+    pub cells: usize,
+    /// where frames are not given: an axis follows edges of the boundary that turn by more (radians);
+    /// 0: none. Default 0
+    pub feature_angle: f64,
+}
+
+/// What was made. Fill struct\_size. Scaled Jacobians as in obc\_volume\_map\_hexes\_report.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_volume_map_frame_report {
+    pub struct_size: u32,
+    /// 1: the search for the best integers came to its end
+    pub integers_optimal: i32,
+    pub least_scaled_jacobian: f64,
+    pub mean_scaled_jacobian: f64,
+    /// of the trilinear hexahedra
+    pub volume: f64,
+    /// vertices of the boundary that could not be put where they belong
+    pub off_surface: usize,
+    /// of the tetrahedra, inside
+    pub singular_edges: usize,
+    /// of the hexahedra, inside: with other than four around
+    pub irregular_edges: usize,
+    /// unknown ones of the map
+    pub integers: usize,
+    /// of the map, after splits
+    pub tetrahedra: usize,
+    /// of these, when integers were chosen; none are in the end
+    pub inverted_at_start: usize,
+    /// of Newton's method until there were none and the map was better
+    pub steps: usize,
+}
+
 extern "C" {
     /// A mesh of nothing; the defaults, which the members' comments give; zeros.
     pub fn obc_volume_map_tangle_init(tangle: *mut obc_volume_map_tangle, struct_size: usize) -> i32;
@@ -196,6 +237,17 @@ extern "C" {
     /// counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
     /// argument.
     pub fn obc_volume_map_hexes_copy(hexes: *const obc_volume_map_hexes, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_faces: *mut u32, error: *mut obc_error) -> i32;
+    /// The defaults, which the members' comments give.
+    pub fn obc_volume_map_frame_options_init(options: *mut obc_volume_map_frame_options, struct_size: usize) -> i32;
+    /// Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
+    /// Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
+    /// tetrahedron as in \<orbicube/frame\_field.h\>, with an axis along the normal at the boundary, or NULL: a smooth field is made and
+    /// repaired. The faces of the result (obc\_volume\_map\_hexes\_copy) are the parts of the boundary that lie in one plane of the map.
+    /// options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
+    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
+    /// has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
+    /// out of memory, cancelled.
+    pub fn obc_volume_map_frame_hexes_compute(positions: *const f64, vertex_count: usize, tetrahedra: *const u32, tetrahedron_count: usize, frames: *const f64, options: *const obc_volume_map_frame_options, host: *const obc_host, report: *mut obc_volume_map_frame_report, out: *mut *mut obc_volume_map_hexes, error: *mut obc_error) -> i32;
     /// Version of this library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_volume_map_version() -> u32;
 }
@@ -272,5 +324,27 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).off_surface) } as usize - start as usize, 40, "obc_volume_map_hexes_report.off_surface");
         assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_report.distance");
         assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 56, "obc_volume_map_hexes_report.volume_error");
+        assert_eq!((size_of::<obc_volume_map_frame_options>(), align_of::<obc_volume_map_frame_options>()), (24, 8));
+        let it = MaybeUninit::<obc_volume_map_frame_options>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_frame_options.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 4, "obc_volume_map_frame_options.rounds");
+        assert_eq!(unsafe { addr_of!((*start).cells) } as usize - start as usize, 8, "obc_volume_map_frame_options.cells");
+        assert_eq!(unsafe { addr_of!((*start).feature_angle) } as usize - start as usize, 16, "obc_volume_map_frame_options.feature_angle");
+        assert_eq!((size_of::<obc_volume_map_frame_report>(), align_of::<obc_volume_map_frame_report>()), (88, 8));
+        let it = MaybeUninit::<obc_volume_map_frame_report>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_frame_report.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).integers_optimal) } as usize - start as usize, 4, "obc_volume_map_frame_report.integers_optimal");
+        assert_eq!(unsafe { addr_of!((*start).least_scaled_jacobian) } as usize - start as usize, 8, "obc_volume_map_frame_report.least_scaled_jacobian");
+        assert_eq!(unsafe { addr_of!((*start).mean_scaled_jacobian) } as usize - start as usize, 16, "obc_volume_map_frame_report.mean_scaled_jacobian");
+        assert_eq!(unsafe { addr_of!((*start).volume) } as usize - start as usize, 24, "obc_volume_map_frame_report.volume");
+        assert_eq!(unsafe { addr_of!((*start).off_surface) } as usize - start as usize, 32, "obc_volume_map_frame_report.off_surface");
+        assert_eq!(unsafe { addr_of!((*start).singular_edges) } as usize - start as usize, 40, "obc_volume_map_frame_report.singular_edges");
+        assert_eq!(unsafe { addr_of!((*start).irregular_edges) } as usize - start as usize, 48, "obc_volume_map_frame_report.irregular_edges");
+        assert_eq!(unsafe { addr_of!((*start).integers) } as usize - start as usize, 56, "obc_volume_map_frame_report.integers");
+        assert_eq!(unsafe { addr_of!((*start).tetrahedra) } as usize - start as usize, 64, "obc_volume_map_frame_report.tetrahedra");
+        assert_eq!(unsafe { addr_of!((*start).inverted_at_start) } as usize - start as usize, 72, "obc_volume_map_frame_report.inverted_at_start");
+        assert_eq!(unsafe { addr_of!((*start).steps) } as usize - start as usize, 80, "obc_volume_map_frame_report.steps");
     }
 }

@@ -1,0 +1,98 @@
+#include "frame_hex.h"
+
+#include <filesystem>
+#include <numbers>
+#include <utility>
+
+#include "any_genus_surface.h"
+#include "frame_field/frames_file.h"
+#include "mesh/cells.h"
+#include "surface_file.h"
+#include "text.h"
+#include "volume_map/frame_hexes.h"
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+#include "filled_solid.h"
+#endif
+
+namespace orbicube::cli {
+
+void run_frame_hex(const FrameHexVerb& verb, Session& session) {
+  const base::Host& host = session.host();
+  const double begin = session.seconds();
+  volume_map::FramedSolid solid(host.memory);
+  InputMesh input = read_input(verb.solid.input, verb.solid.weld, session);
+  if (input.mesh.tetrahedra.empty() && input.mesh.hexahedra.empty() && verb.frames.empty()) {
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+    AnyGenusSurface surface = read_any_genus_surface(verb.solid.input, verb.solid.weld, session);
+    session.figures()["input"] = surface.figures;
+    FilledSolid filled = about(verb.solid.input, Role::input,
+                               [&] { return filled_solid(surface.mesh, verb.solid.triangles, host); });
+    solid.positions = std::move(filled.solid.positions);
+    solid.tetrahedra = std::move(filled.solid.tetrahedra);
+#else
+    throw Failure(Exit::wrong_input, verb.solid.input, "unsupported",
+                  "this build has no TetGen to fill a surface; give a mesh of tetrahedra");
+#endif
+  } else {
+    about(verb.solid.input, Role::input, [&] {
+      if (input.mesh.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra; --frames has a frame for each");
+      mesh::require_valid_cells(input.mesh, host);
+      if (!input.mesh.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
+    });
+    solid.positions = std::move(input.mesh.positions);
+    solid.tetrahedra = std::move(input.mesh.tetrahedra);
+  }
+  session.figures()["seconds_fill"] = session.seconds() - begin;
+  const double start = session.seconds();
+  if (verb.frames.empty()) {
+    about(verb.solid.input, Role::input,
+          [&] { volume_map::find_frames(solid, verb.features * std::numbers::pi / 180, host); });
+  } else {
+    solid.frames = about(verb.frames, Role::input,
+                         [&] { return frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host); });
+  }
+  const double framed = session.seconds();
+  volume_map::FrameHexes made = about(verb.output, Role::output, [&] {
+    return volume_map::make_hexahedra_by_frames(solid, {.cells = verb.cells}, host);
+  });
+  const volume_map::HexQuality& quality = made.result.quality;
+  const volume_map::FrameMap& map = made.map;
+  session.figures().update(Json{{"output", verb.output},
+                                {"vertices", made.result.mesh.positions.size()},
+                                {"hexahedra", made.result.mesh.hexahedra.size()},
+                                {"boundary_quads", made.result.mesh.quads.size()},
+                                {"inner_irregular_edges", made.inner_irregular_edges},
+                                {"scaled_jacobian_min", quality.least_scaled_jacobian},
+                                {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
+                                {"volume", quality.volume},
+                                {"off_surface", made.result.off_surface},
+                                {"tetrahedra", map.solid.tetrahedra.size()},
+                                {"singular_edges", map.singular_edges},
+                                {"cut_faces", map.cut_faces},
+                                {"integers", map.integers},
+                                {"layer_bounds", map.bounds},
+                                {"integers_optimal", map.integers_optimal},
+                                {"inverted_at_start", map.inverted_at_start},
+                                {"steps", map.steps},
+                                {"seconds_frames", framed - start},
+                                {"seconds_compute", session.seconds() - framed}});
+  if (!verb.glb.empty()) {
+    about(verb.glb, Role::output, [&] {
+      session.figures()["scene"] = write_hex_scene(verb.glb, made.result.mesh, verb.cut,
+                                                   std::filesystem::path(verb.output).stem().string(), host);
+    });
+  }
+  mesh::Mesh cells(host.memory);
+  cells.positions = std::move(made.result.mesh.positions);
+  cells.hexahedra = std::move(made.result.mesh.hexahedra);
+  write_cells_exactly(verb.output, cells, verb.text, host);
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+  session.say("wrote " + verb.output + ": " + std::to_string(cells.hexahedra.size()) +
+              " hexahedra, each certified to be positive");
+  session.say("  scaled Jacobians " + number(quality.least_scaled_jacobian) + " at least, " +
+              number(quality.mean_scaled_jacobian) + " on average; " + std::to_string(made.inner_irregular_edges) +
+              " inner edges with other than four hexahedra");
+}
+
+}  // namespace orbicube::cli
