@@ -25,8 +25,8 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
 #ifdef ORBICUBE_WITH_TETRAHEDRA
     AnyGenusSurface surface = read_any_genus_surface(verb.solid.input, verb.solid.weld, session);
     session.figures()["input"] = surface.figures;
-    FilledSolid filled = about(verb.solid.input, Role::input,
-                               [&] { return filled_solid(surface.mesh, verb.solid.triangles, host); });
+    FilledSolid filled =
+        about(verb.solid.input, Role::input, [&] { return filled_solid(surface.mesh, verb.solid.triangles, host); });
     solid.positions = std::move(filled.solid.positions);
     solid.tetrahedra = std::move(filled.solid.tetrahedra);
 #else

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -202,12 +201,13 @@ class Mapping {
     const Array<Element> elements = elements_of(corners, rest, scale, host_);
     FoldoverEnergy energy(elements, variables, 1, host_);
     Newton newton(energy, variables.start(), host_);
-    // More steps would help less than more room.
+    // A large eps finds no way here. More steps would help less than more room.
     constexpr int most_steps = 60;
-    bool done = newton.untangle(most_steps, std::numeric_limits<double>::infinity(), 1, {});
+    constexpr double most_eps = 0.4;
+    bool done = newton.untangle(most_steps, most_eps, 1, {});
     if (!done) {
       newton.restart(variables.start());
-      done = newton.untangle(most_steps, 0.4, 1, {});
+      done = newton.untangle(2 * most_steps, most_eps, 6, {});
     }
     if (done) newton.polish(20, 1e-3, {.tolerance = 3e-2});
     map_.steps += newton.steps();
