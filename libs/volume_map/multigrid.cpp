@@ -226,32 +226,50 @@ void Multigrid::make_coarse(const Level& level, std::size_t count, BlockMatrix& 
 void Multigrid::factor_last() {
   Level& level = *levels_[depth_ - 1];
   const BlockMatrix& m = *level.matrix;
-  last_.resize(0, 0);
-  if (m.size() > most_dense) return;
-  const auto size = static_cast<Eigen::Index>(m.size());
-  Eigen::MatrixXd dense(size, size);
-  for (Eigen::Index i = 0; i < size; ++i) {
-    level.first[static_cast<std::size_t>(i)] = 1;
-    m.multiply(level.first, level.second, host_);
-    level.first[static_cast<std::size_t>(i)] = 0;
-    dense.col(i) = Eigen::Map<const Eigen::VectorXd>(level.second.data(), size);
+  const std::size_t size = m.size();
+  last_.clear();
+  if (size > most_dense) return;
+  last_.resize(size * size);
+  for (std::size_t i = 0; i < size; ++i) {
+    level.first[i] = 1;
+    m.multiply(level.first, std::span(last_).subspan(i * size, size), host_);
+    level.first[i] = 0;
   }
-  const Eigen::LLT<Eigen::MatrixXd> factor(dense);
-  if (factor.info() == Eigen::Success) last_ = factor.matrixL();
+  for (std::size_t i = 0; i < size; ++i) {
+    if (i % 64 == 0) host_.report("solve", 0, 0);
+    double* const row = &last_[i * size];
+    for (std::size_t j = 0; j <= i; ++j) {
+      const double* const other = &last_[j * size];
+      double sum = row[j];
+      for (std::size_t k = 0; k < j; ++k)
+        sum -= row[k] * other[k];
+      row[j] = j < i ? sum / other[j] : std::sqrt(sum);
+    }
+    if (row[i] > 0 && std::isfinite(row[i])) continue;
+    last_.clear();
+    return;
+  }
 }
 
 void Multigrid::cycle(std::size_t number, std::span<const double> right, std::span<double> x) {
   Level& level = *levels_[number];
   if (number + 1 == depth_) {
-    if (last_.size() == 0) {
+    if (last_.empty()) {
       level.smoother.solve(right, 100, 1e-3, x);
       return;
     }
-    const auto size = static_cast<Eigen::Index>(x.size());
-    Eigen::Map<Eigen::VectorXd> y(x.data(), size);
-    y = Eigen::Map<const Eigen::VectorXd>(right.data(), size);
-    last_.triangularView<Eigen::Lower>().solveInPlace(y);
-    last_.transpose().triangularView<Eigen::Upper>().solveInPlace(y);
+    const std::size_t size = x.size();
+    for (std::size_t i = 0; i < size; ++i) {
+      double sum = right[i];
+      for (std::size_t k = 0; k < i; ++k)
+        sum -= last_[i * size + k] * x[k];
+      x[i] = sum / last_[i * size + i];
+    }
+    for (std::size_t i = size; i-- > 0;) {
+      x[i] /= last_[i * size + i];
+      for (std::size_t k = 0; k < i; ++k)
+        x[k] -= last_[i * size + k] * x[i];
+    }
     return;
   }
   level.smoother.sweep_from_zero(right, x, level.residual);

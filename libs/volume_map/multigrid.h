@@ -13,7 +13,7 @@ namespace orbicube::volume_map {
 
 class Multigrid {
  public:
-  explicit Multigrid(const base::Host& host) : host_(host) {}
+  explicit Multigrid(const base::Host& host) : host_(host), last_(host.memory) {}
 
   // Makes the levels. Keeps a view of the matrix, and adds a little to its diagonal.
   void factor(BlockMatrix& matrix);
@@ -54,7 +54,7 @@ class Multigrid {
   const base::Host& host_;
   std::vector<std::unique_ptr<Level>> levels_;  // more than there are at times: their memory is used again
   std::size_t depth_ = 0;
-  Eigen::MatrixXd last_;  // Cholesky factor of the coarsest matrix
+  Array<double> last_;  // Cholesky factor of the coarsest matrix, by rows; empty where there is none
 };
 
 }  // namespace orbicube::volume_map
