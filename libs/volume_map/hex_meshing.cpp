@@ -132,6 +132,7 @@ HexResult make_hexahedra(const PolycubeSurface& solid, const HexOptions& options
   base::require(options.cells > 0 && options.cells <= 10'000'000, "the number of cells must be from 1 to 10 million");
   base::require(options.rounds >= 0, "the number of rounds must not be negative");
   base::require(options.distance >= 0 && options.distance <= 100, "the distance must be from 0 to 100 percent");
+  base::require(options.most_cells <= 10'000'000, "most_cells must be 10 million at most");
   const Wanted wanted(solid);
   std::optional<HexResult> best;
   std::string reason;
@@ -150,7 +151,9 @@ HexResult make_hexahedra(const PolycubeSurface& solid, const HexOptions& options
       if (!best || better(now, *best, options)) best = std::move(now);
       return near;
     } catch (const base::Error& error) {
-      if (error.status() != base::Status::no_valid_result) throw;
+      // Where more cells are more than there can be, what was found stays.
+      const bool too_many = best && error.status() == base::Status::invalid_argument;
+      if (error.status() != base::Status::no_valid_result && !too_many) throw;
       reason = error.what();
       return false;
     }

@@ -301,6 +301,9 @@ TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
     CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) ==
           OBC_INVALID_ARGUMENT);
   }
+  options = few_hexes();
+  options.most_cells = 10'000'001;
+  CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   obc_surface opened = box.surface;
   --opened.triangle_count;
   CHECK(obc_volume_map_hexes_compute(&opened, nullptr, nullptr, nullptr, &hexes, &error) == OBC_NOT_CLOSED);

@@ -387,6 +387,9 @@ export interface HexahedraOptions {
   triangles?: number;
   seed?: number;
   rounds?: number;
+  /** In percent, of the diagonal and of the volume; more cells where a mesh differs more. Default 1, 0 for as it comes. */
+  distance?: number;
+  mostCells?: number;
 }
 
 export interface Hexahedra {

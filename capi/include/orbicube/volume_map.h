@@ -124,7 +124,7 @@ typedef struct obc_volume_map_hexes_options {
    * box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most_cells;
    * the nearest is answered. 0: nothing is asked for. Default 1 */
   double distance;
-  size_t most_cells; /* about; where less than cells, these are not changed. Default 100000 */
+  size_t most_cells; /* about, 10 million at most; where less than cells, these are not changed. Default 100000 */
 } obc_volume_map_hexes_options;
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_options *options, size_t struct_size);

@@ -62,6 +62,9 @@ void fill_with_hexahedra(Input& in, Host& host) {
   options.triangles = in.one_in(3) ? in.byte() : 0;
   options.seed = in.byte();
   options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(5));
+  options.distance = in.one_in(20) ? -1 : static_cast<double>(in.below(20));
+  options.most_cells = in.one_in(20) ? in.bits() : in.below(200);
+  if (options.distance > 0 && options.most_cells > 1000 && options.most_cells <= 10'000'000) return;
   obc_volume_map_hexes_report report;
   report.struct_size = sizeof report;
   obc_volume_map_hexes* hexes = nullptr;

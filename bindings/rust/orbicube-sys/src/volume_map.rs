@@ -117,7 +117,7 @@ pub struct obc_volume_map_hexes_options {
     /// box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most\_cells;
     /// the nearest is answered. 0: nothing is asked for. Default 1
     pub distance: f64,
-    /// about; where less than cells, these are not changed. Default 100000
+    /// about, 10 million at most; where less than cells, these are not changed. Default 100000
     pub most_cells: usize,
 }
 
