@@ -31,9 +31,9 @@ class Search {
     }
   }
 
-  // Vertices that are on the surface by as much as their hexahedra allow. Answers how many are not there.
-  std::size_t snap() {
-    constexpr double floor = 0.15;
+  // Vertices that are on the surface by as much as their hexahedra allow, which are to stay as good as `floor`. Answers
+  // how many are not there.
+  std::size_t snap(double floor) {
     std::size_t left = 0, count = 0;
     for (const Index v : boundary_.vertices()) {
       if (count++ % 64 == 0) host_.report("snap", count, boundary_.vertices().size());
@@ -54,6 +54,13 @@ class Search {
       left += !done;
     }
     return left;
+  }
+
+  double worst() const {
+    double result = 1;
+    for (Index i = 0; i < mesh_.hexahedra.size(); ++i)
+      result = std::min(result, quality(i, result));
+    return result;
   }
 
   void improve(const HexSearchOptions& options) {
@@ -150,11 +157,14 @@ class Search {
 std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
                              const base::Host& host) {
   Search search(mesh, boundary, host);
+  constexpr double floor = 0.15;
   for (int k = 0; k < 3; ++k)
-    search.snap();
+    search.snap(floor);
   search.improve(options);
-  search.snap();
-  return search.snap();
+  // What the search has won is not to be lost: places on a lifted surface move a little each time.
+  const double won = std::max(floor, search.worst());
+  search.snap(won);
+  return search.snap(won);
 }
 
 }  // namespace orbicube::volume_map

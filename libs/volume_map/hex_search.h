@@ -14,8 +14,9 @@ struct HexSearchOptions {
 };
 
 // Everything is judged by the scaled Jacobian and the Bernstein coefficients of whole hexahedra: no change makes the
-// worst around a vertex worse, but for what puts it onto the surface, which may lower it to 0.15. Answers how many
-// vertices of the boundary could not be put onto the surface. The same in every run. Throws Error "cancelled".
+// worst around a vertex worse, but for what puts it onto the surface before the search, which may lower it to 0.15;
+// after it not below the worst of the mesh. Answers how many vertices of the boundary could not be put onto the
+// surface. The same in every run. Throws Error "cancelled".
 std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
                              const base::Host& host);
 
