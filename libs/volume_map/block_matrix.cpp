@@ -13,6 +13,19 @@ constexpr std::size_t slab = 16384;
 
 }  // namespace
 
+void make_rows(Array<std::pair<Index, Index>>& places, std::size_t rows, Array<Index>& begin, Array<Index>& columns) {
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  begin.assign(rows + 1, 0);
+  columns.clear();
+  for (const auto& [row, column] : places) {
+    ++begin[row + 1];
+    columns.push_back(column);
+  }
+  for (std::size_t r = 0; r < rows; ++r)
+    begin[r + 1] += begin[r];
+}
+
 void BlockMatrix::multiply(std::span<const double> x, std::span<double> y, const base::Host& host) const {
   std::fill(y.begin(), y.end(), 0.0);
   for (std::size_t v = 0; v < rows(); ++v) {
@@ -143,20 +156,9 @@ void BlockAssembly::add_shares(const base::Host& host) {
       add_block(i, v, matrix_.column[i]);
     add_block(matrix_.lower.size() + v, v, v);
   }
-  const auto make_rows = [&](Array<std::pair<Index, Index>>& places, Array<Index>& begin, Array<Index>& columns) {
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    begin.assign(shared + 1, 0);
-    for (const auto& [row, column] : places) {
-      ++begin[row + 1];
-      columns.push_back(column);
-    }
-    for (std::size_t s = 0; s < shared; ++s)
-      begin[s + 1] += begin[s];
-  };
   host.report("matrix", 0, 0);
-  make_rows(border, matrix_.border_begin, matrix_.border_column);
-  make_rows(corner, matrix_.corner_begin, matrix_.corner_column);
+  make_rows(border, shared, matrix_.border_begin, matrix_.border_column);
+  make_rows(corner, shared, matrix_.corner_begin, matrix_.corner_column);
   matrix_.border.assign(border.size(), Vector3::Zero());
   matrix_.corner.assign(corner.size(), 0.0);
   matrix_.corner_diagonal.assign(shared, 0.0);

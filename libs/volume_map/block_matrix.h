@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <utility>
 
 #include "base/team.h"
 #include "volume_map/elements.h"
@@ -44,6 +45,9 @@ struct BlockMatrix {
   Array<Index> corner_begin, corner_column;
   Array<double> corner, corner_diagonal;
 };
+
+// Where rows of columns begin, and their columns, from pairs of both, which are sorted and made different.
+void make_rows(Array<std::pair<Index, Index>>& places, std::size_t rows, Array<Index>& begin, Array<Index>& columns);
 
 // Where elements put their blocks: the pattern of the matrix, made once, and the way from blocks of whole vertices to
 // the unknowns.

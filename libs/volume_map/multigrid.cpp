@@ -19,20 +19,6 @@ double dot(std::span<const double> a, std::span<const double> b) {
   return sum;
 }
 
-// Rows of columns, from pairs of these.
-void make_rows(Array<std::pair<Index, Index>>& places, std::size_t rows, Array<Index>& begin, Array<Index>& columns) {
-  std::sort(places.begin(), places.end());
-  places.erase(std::unique(places.begin(), places.end()), places.end());
-  begin.assign(rows + 1, 0);
-  columns.clear();
-  for (const auto& [row, column] : places) {
-    ++begin[row + 1];
-    columns.push_back(column);
-  }
-  for (std::size_t r = 0; r < rows; ++r)
-    begin[r + 1] += begin[r];
-}
-
 Index find(const Array<Index>& begin, const Array<Index>& columns, Index row, Index column) {
   const auto first = columns.begin() + static_cast<std::ptrdiff_t>(begin[row]);
   const auto last = columns.begin() + static_cast<std::ptrdiff_t>(begin[row + 1]);

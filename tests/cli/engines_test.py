@@ -9,27 +9,7 @@ import sys
 import tempfile
 
 from command import run
-
-
-def write_tetrahedra(path):
-    """Eight cubes, each cut into six tetrahedra."""
-    vertices = [(x, y, z) for x in range(3) for y in range(3) for z in range(3)]
-    cells = []
-    for corner in [v for v in vertices if max(v) < 2]:
-        for order, odd in (((0, 1, 2), 0), ((1, 2, 0), 0), ((2, 0, 1), 0), ((0, 2, 1), 1), ((2, 1, 0), 1), ((1, 0, 2), 1)):
-            way, cell = list(corner), [vertices.index(corner)]
-            for axis in order:
-                way[axis] += 1
-                cell.append(vertices.index(tuple(way)))
-            if odd:
-                cell[2], cell[3] = cell[3], cell[2]
-            cells.append(cell)
-    with open(path, "w", encoding="ascii") as file:
-        file.write(f"MeshVersionFormatted 2\nDimension 3\nVertices\n{len(vertices)}\n")
-        file.writelines(f"{x} {y} {z} 0\n" for x, y, z in vertices)
-        file.write(f"Tetrahedra\n{len(cells)}\n")
-        file.writelines(" ".join(str(v + 1) for v in cell) + " 0\n" for cell in cells)
-        file.write("End\n")
+from tetrahedra import box, write_medit
 
 
 def main():
@@ -43,7 +23,7 @@ def main():
             if done.returncode != 0:
                 sys.exit(f"{' '.join(map(str, arguments))}: {done.stderr}")
 
-        write_tetrahedra(at("solid.mesh"))
+        write_medit(at("solid.mesh"), *box(2))
         verb("make", "creature", "-o", at("one.ply"), "--resolution", 800)
         verb("make", "creature", "-o", at("two.ply"), "--resolution", 800, "--seed", 1)
         verb("make", "cube", "-o", at("cube.obj"), "--resolution", 300)

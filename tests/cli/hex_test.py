@@ -11,6 +11,7 @@ from fractions import Fraction
 from itertools import product
 
 from command import Glb, InFolder, main, run
+from tetrahedra import write_medit
 
 NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
@@ -53,12 +54,7 @@ def write_cylinder(path, frames):
             if o >= 3:
                 cell[2], cell[3] = cell[3], cell[2]
             cells.append(cell)
-    with open(path, "w", encoding="ascii") as file:
-        file.write(f"MeshVersionFormatted 2\nDimension 3\nVertices\n{len(positions)}\n")
-        file.writelines(f"{x!r} {y!r} {z!r} 0\n" for x, y, z in positions)
-        file.write(f"Tetrahedra\n{len(cells)}\n")
-        file.writelines(" ".join(str(v + 1) for v in cell) + " 0\n" for cell in cells)
-        file.write("End\n")
+    write_medit(path, positions, cells)
     radius = math.hypot(*positions[at[3 * n // 4, 3 * n // 4, 0][0]][:2])
     points = [cmath.rect(radius, math.pi * (0.25 + 0.5 * k)) for k in range(4)]
     with open(frames, "w", encoding="ascii") as file:
