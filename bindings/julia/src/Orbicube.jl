@@ -9,14 +9,25 @@ export TrustRegion, ProjectedGradient, SphereOptimizer, optimize, least_squares,
 export minimizer, converged, iterations, f_calls, stop_reason, report
 export Run, ask!, tell!, result, multipliers, save, load
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
-export Locator, locate, sample, remesh, fit_harmonics, synthesize, frame_field
+export Mesh, shape_names, read_mesh, write_mesh, check_cells, boundary, tetrahedron_quality, fill_with_tetrahedra, check_fillable
+export check_closed_genus_zero, orient, intersections, first_at_same_position, Search, nearest_vertices, nearest_points
+export orientation_2d, orientation_3d, orientation_from_origin, read_gltf, write_gltf
+export Locator, locate, sample, remesh, partial_sphere_map, face_distortion, round_to_float, vertex_normals, sphere_grid, surface_distance
+export image_size, geometry_image, image_surface, write_image, read_image, best_rotation, Warp, overlay
+export fit_harmonics, synthesize, evaluate_harmonics, harmonic_gradients, vertex_areas, degree_norms, shape_distance, filter_harmonics
+export mean_distance, rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
+export frame_field, measure_frames, frame_matchings, singularities, Quaternions
 export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, meet_features
-export energies, polycube_graph, polycube_quads, untangle
+export energies, polycube_graph, polycube_quads
+export untangle, map_to_polycube, fill_with_hexahedra, fill_along_frames
 
 include("raw.jl")
 include("call.jl")
 include("solvers.jl")
 include("maps.jl")
+include("meshes.jl")
+include("spheres.jl")
+include("frames.jl")
 include("polycubes.jl")
 include("volumes.jl")
 

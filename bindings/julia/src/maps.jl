@@ -79,12 +79,15 @@ function sphere_map(surface::Surface; threads=0, progress=nothing, options...)
     directions, report
 end
 
-"Figures of any map; a bad one is no error."
-function measure_map(surface::Surface, directions::AbstractMatrix; host...)
+"Figures of any map; a bad one is no error. Options: angle_weight, area_weight."
+function measure_map(surface::Surface, directions::AbstractMatrix; threads=0, progress=nothing, options...)
     expect(length(directions), 3 * vertex_count(surface), "directions")
+    chosen = filled(Raw.obc_sphere_map_options, Raw.obc_sphere_map_options_init, values(options), "OBC_SPHERE_MAP_")
     report = filled(Raw.obc_sphere_map_report, Raw.obc_sphere_map_report_init, NamedTuple())
     places = doubles(directions)
-    with_surface((view, lent, error) -> Raw.obc_sphere_map_measure(view, places, C_NULL, lent, report, error), surface; host...)
+    with_surface(surface; threads=threads, progress=progress) do view, lent, error
+        Raw.obc_sphere_map_measure(view, places, chosen, lent, report, error)
+    end
     report
 end
 
@@ -148,32 +151,65 @@ end
 
 degree_of(a::AbstractMatrix) = isqrt(size(a, 2)) - 1
 
+# Channels by (degree + 1)^2, as C has them.
+function coefficients(a::AbstractMatrix)
+    (!isempty(a) && (degree_of(a) + 1)^2 == size(a, 2)) || throw(DimensionMismatch("coefficients: (degree + 1)^2 columns are needed"))
+    doubles(a)
+end
+
 "The functions at the directions."
 function synthesize(a::AbstractMatrix, directions::AbstractMatrix; host...)
     n = columns(directions, 3, "directions")
-    (degree_of(a) + 1)^2 == size(a, 2) || throw(DimensionMismatch("coefficients: (degree + 1)^2 columns are needed"))
-    given, at, values = doubles(a), doubles(directions), Matrix{Float64}(undef, size(a, 1), n)
+    given, at, values = coefficients(a), doubles(directions), Matrix{Float64}(undef, size(a, 1), n)
     hosted(; host...) do lent, error
         Raw.obc_harmonics_synthesize(given, degree_of(a), size(a, 1), at, n, lent, values, C_NULL, error)
     end
     values
 end
 
-"""
-    frames, report = frame_field(positions, tetrahedra)
+# Positions and tetrahedra as C has them, and how many there are of each.
+function solid_arrays(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer})
+    n, m = columns(positions, 3, "positions"), columns(tetrahedra, 4, "tetrahedra")
+    all(v -> 1 <= v <= n, tetrahedra) || throw(ArgumentError("tetrahedra: numbers of vertices from 1 to $n are needed"))
+    doubles(positions), n, UInt32.(tetrahedra .- 1), m
+end
 
-Quaternions w x y z (4 by m) of a smooth frame field on tetrahedra (4 by m, from 1). Options: members of `obc_frame_field_options`.
 """
-function frame_field(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; threads=0, progress=nothing, options...)
-    columns(positions, 3, "positions")
-    m = columns(tetrahedra, 4, "tetrahedra")
-    places, cells = doubles(positions), UInt32.(tetrahedra .- 1)
+    frames, report = frame_field(positions, tetrahedra; options...)
+
+Quaternions w x y z (4 by m) of a smooth frame field on tetrahedra (4 by m, from 1). start_frames: with `start=:given`. held_frames:
+`(tetrahedra, frames)` or `(tetrahedra, frames, weights)`; held_axes: the same with a direction each. Options: members of
+`obc_frame_field_options`.
+"""
+function frame_field(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; start_frames=nothing, held_frames=nothing,
+                     held_axes=nothing, threads=0, progress=nothing, options...)
+    places, n, cells, m = solid_arrays(positions, tetrahedra)
     chosen = filled(Raw.obc_frame_field_options, Raw.obc_frame_field_options_init, values(options), "OBC_FRAME_FIELD_")
     report = filled(Raw.obc_frame_field_report, Raw.obc_frame_field_report_init, NamedTuple())
-    frames = zeros(4, m)
-    solid = Ref(Raw.obc_frame_field_solid(pointer(places), size(places, 2), pointer(cells), m))
-    GC.@preserve places cells solid hosted(threads=threads, progress=progress) do lent, error
-        Raw.obc_frame_field_compute(struct_pointer(solid), chosen, C_NULL, lent, frames, report, error)
+    wanted = filled(Raw.obc_frame_field_constraints, Raw.obc_frame_field_constraints_init, NamedTuple())
+    frame_cells, frame_values, frame_weights = held_arrays(held_frames, 4, m, "held_frames")
+    axis_cells, axis_values, axis_weights = held_arrays(held_axes, 3, m, "held_axes")
+    wanted.frame_tetrahedra, wanted.frames, wanted.frame_count = pointer(frame_cells), pointer(frame_values), length(frame_cells)
+    wanted.axis_tetrahedra, wanted.axes, wanted.axis_count = pointer(axis_cells), pointer(axis_values), length(axis_cells)
+    isempty(frame_weights) || (wanted.frame_weights = pointer(frame_weights))
+    isempty(axis_weights) || (wanted.axis_weights = pointer(axis_weights))
+    start_frames === nothing || expect(columns(start_frames, 4, "start_frames"), m, "columns of start_frames")
+    frames = start_frames === nothing ? zeros(4, m) : Matrix{Float64}(reshape(start_frames, 4, m))
+    solid = Ref(Raw.obc_frame_field_solid(pointer(places), n, pointer(cells), m))
+    GC.@preserve places cells solid frame_cells frame_values frame_weights axis_cells axis_values axis_weights begin
+        hosted(threads=threads, progress=progress) do lent, error
+            Raw.obc_frame_field_compute(struct_pointer(solid), chosen, wanted, lent, frames, report, error)
+        end
     end
     frames, report
+end
+
+# Tetrahedra from 0, what is held there, and weights, of which there may be none.
+function held_arrays(held, rows, m, what)
+    held === nothing && return UInt32[], zeros(rows, 0), Float64[]
+    all(t -> 1 <= t <= m, held[1]) || throw(ArgumentError("$what: numbers of tetrahedra from 1 to $m are needed"))
+    expect(columns(held[2], rows, what), length(held[1]), what)
+    weights = length(held) > 2 ? doubles(held[3]) : Float64[]
+    length(held) > 2 && expect(length(weights), length(held[1]), "weights of $what")
+    UInt32.(held[1] .- 1), doubles(held[2]), weights
 end

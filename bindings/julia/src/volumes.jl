@@ -1,4 +1,4 @@
-# Maps of solids.
+# Maps of solids, and hexahedra.
 
 """
     positions, report = untangle(positions, tetrahedra; rest, fixed, ties, keep_best=false, options...)
@@ -10,9 +10,7 @@ polish_steps, volume_weight.
 """
 function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
                   keep_best=false, threads=0, progress=nothing, options...)
-    n, m = columns(positions, 3, "positions"), columns(tetrahedra, 4, "tetrahedra")
-    all(v -> 1 <= v <= n, tetrahedra) || throw(ArgumentError("tetrahedra: numbers of vertices from 1 to $n are needed"))
-    places, cells = doubles(positions), UInt32.(tetrahedra .- 1)
+    places, n, cells, m = solid_arrays(positions, tetrahedra)
     tangle = filled(Raw.obc_volume_map_tangle, Raw.obc_volume_map_tangle_init, NamedTuple())
     tangle.positions, tangle.vertex_count = pointer(places), n
     tangle.tetrahedra, tangle.tetrahedron_count = pointer(cells), m
@@ -44,4 +42,97 @@ function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Intege
         keep_best && error isa OrbicubeError && error.status == Raw.OBC_NO_VALID_RESULT || rethrow()
     end
     result, report
+end
+
+"A solid and the same on the polycube of its boundary: `positions`, `polycube` (3 by n), and `tetrahedra` of both (4 by m, from 1)."
+struct SolidMap
+    positions::Matrix{Float64}
+    polycube::Matrix{Float64}
+    tetrahedra::Matrix{Int}
+end
+
+"""
+    map_to_polycube(positions, tetrahedra; options...)
+
+Maps positive tetrahedra one to one to a polycube, splitting them where that is needed. Options: corners, seed.
+"""
+function map_to_polycube(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; threads=0, progress=nothing, options...)
+    chosen = filled(Raw.obc_volume_map_solid_options, Raw.obc_volume_map_solid_options_init, values(options))
+    out = Ref(C_NULL)
+    places, n, cells, m = solid_arrays(positions, tetrahedra)
+    hosted(threads=threads, progress=progress) do lent, error
+        Raw.obc_volume_map_solid_compute(places, n, cells, m, chosen, lent, out, error)
+    end
+    try
+        n, m = Raw.obc_volume_map_solid_vertex_count(out[]), Raw.obc_volume_map_solid_tetrahedron_count(out[])
+        places, polycube, cells = Matrix{Float64}(undef, 3, n), Matrix{Float64}(undef, 3, n), Matrix{UInt32}(undef, 4, m)
+        checked(error -> Raw.obc_volume_map_solid_copy(out[], places, polycube, cells, error))
+        SolidMap(places, polycube, Int.(cells) .+ 1)
+    finally
+        Raw.obc_volume_map_solid_destroy(out[])
+    end
+end
+
+"""
+A certified mesh of hexahedra: `positions` (3 by n), `hexahedra` (8 by m, as MEDIT and VTK order their vertices), `quads` of the boundary
+(4 by k, counter-clockwise seen from outside), `quad_faces`, the face of the polycube that each lies on, and the `report`. All count from 1.
+"""
+struct Hexes
+    positions::Matrix{Float64}
+    hexahedra::Matrix{Int}
+    quads::Matrix{Int}
+    quad_faces::Vector{Int}
+    report::Any
+end
+
+# Of the call f(out), which hands out a handle.
+function hexes(f, report)
+    out = Ref(C_NULL)
+    f(out)
+    try
+        k = Raw.obc_volume_map_hexes_quad_count(out[])
+        places = Matrix{Float64}(undef, 3, Raw.obc_volume_map_hexes_vertex_count(out[]))
+        cells = Matrix{UInt32}(undef, 8, Raw.obc_volume_map_hexes_count(out[]))
+        quads, faces = Matrix{UInt32}(undef, 4, k), Vector{UInt32}(undef, k)
+        checked(error -> Raw.obc_volume_map_hexes_copy(out[], places, cells, quads, faces, error))
+        Hexes(places, Int.(cells) .+ 1, Int.(quads) .+ 1, Int.(faces) .+ 1, report)
+    finally
+        Raw.obc_volume_map_hexes_destroy(out[])
+    end
+end
+
+"""
+    fill_with_hexahedra(surface; options...)
+
+Fills a closed surface: a `Hexes`. Options: cells, padding (`:auto`, `:with`, `:without`), corners, triangles, seed, rounds, distance,
+most_cells.
+"""
+function fill_with_hexahedra(surface::Surface; threads=0, progress=nothing, options...)
+    chosen = filled(Raw.obc_volume_map_hexes_options, Raw.obc_volume_map_hexes_options_init, values(options), "OBC_VOLUME_MAP_PADDING_")
+    report = sized(Raw.obc_volume_map_hexes_report)
+    hexes(report) do out
+        with_surface(surface; threads=threads, progress=progress) do view, lent, error
+            Raw.obc_volume_map_hexes_compute(view, chosen, lent, report, out, error)
+        end
+    end
+end
+
+"""
+    fill_along_frames(positions, tetrahedra, frames=nothing; options...)
+
+Fills a solid of tetrahedra with hexahedra that follow frames (quaternions w x y z, 4 by m, as of `frame_field`): a `Hexes`. Without frames a
+smooth field is made, and repaired. Options: cells, feature_angle, rounds.
+"""
+function fill_along_frames(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}, frames=nothing; threads=0, progress=nothing,
+                           options...)
+    chosen = filled(Raw.obc_volume_map_frame_options, Raw.obc_volume_map_frame_options_init, values(options))
+    report = sized(Raw.obc_volume_map_frame_report)
+    places, n, cells, m = solid_arrays(positions, tetrahedra)
+    frames === nothing || expect(columns(frames, 4, "frames"), m, "columns of frames")
+    field = frames === nothing ? C_NULL : doubles(frames)
+    hexes(report) do out
+        hosted(threads=threads, progress=progress) do lent, error
+            Raw.obc_volume_map_frame_hexes_compute(places, n, cells, m, field, chosen, lent, report, out, error)
+        end
+    end
 end

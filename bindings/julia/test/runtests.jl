@@ -250,3 +250,211 @@ end
     @test_throws ArgumentError untangle(places, cells .+ 1)
     @test_throws OrbicubeError untangle(places, cells; steps=-1, keep_best=true)
 end
+
+"The scaled Jacobian of each corner of hexahedra, by arithmetic of our own."
+function scaled_jacobians(mesh)
+    ends = ((2, 4, 5), (3, 1, 6), (4, 2, 7), (1, 3, 8), (8, 6, 1), (5, 7, 2), (6, 8, 3), (7, 5, 4))
+    at(v) = mesh.positions[:, v]
+    unit(v) = v ./ sqrt(sum(abs2, v))
+    turn(a, b) = [a[2] * b[3] - a[3] * b[2], a[3] * b[1] - a[1] * b[3], a[1] * b[2] - a[2] * b[1]]
+    [sum(unit(at(cell[e[1]]) - at(cell[k])) .* turn(unit(at(cell[e[2]]) - at(cell[k])), unit(at(cell[e[3]]) - at(cell[k]))))
+     for (k, e) in enumerate(ends), cell in eachcol(mesh.hexahedra)]
+end
+
+@testset "hexahedra, and solids on polycubes" begin
+    corners = Float64[i >> k & 1 for k in 0:2, i in 0:7]
+    ring = [2, 4, 3, 7, 5, 6]
+    cells = reduce(hcat, [[1, ring[i], ring[i%6+1], 8] for i in 1:6])
+    mesh = fill_along_frames(corners, cells; cells=8)
+    @test (size(mesh.hexahedra), size(mesh.positions), size(mesh.quads)) == ((8, 8), (3, 27), (4, 24))
+    @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.least_scaled_jacobian > 0.99
+    @test mesh.report.volume ≈ 1 && mesh.report.irregular_edges == 0
+    expected = from_c()
+    expected === nothing || @test expected["cube"] == (8, bits(mesh.positions))
+    frames, = frame_field(corners, cells)
+    @test minimum(scaled_jacobians(fill_along_frames(corners, cells, frames; cells=8))) > 0.99
+    @test_throws DimensionMismatch fill_along_frames(corners, cells, frames[:, 2:end])
+    @test_throws OrbicubeError fill_along_frames(corners, cells; cells=0)
+
+    shape = make_surface("cube", 300)
+    mesh = fill_with_hexahedra(shape; cells=27, padding=:without)
+    @test (size(mesh.hexahedra, 2), size(mesh.positions, 2), size(mesh.quads, 2)) == (27, 64, 54)
+    @test extrema(mesh.hexahedra) == extrema(mesh.quads) .+ (0, 64 - maximum(mesh.quads)) == (1, 64)
+    @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.least_scaled_jacobian > 0.99
+    @test mesh.report.volume ≈ topology(shape).volume
+    @test sort(unique(mesh.quad_faces)) == 1:6
+    @test_throws OrbicubeError fill_with_hexahedra(shape; cells=27, progress=(_...) -> false)
+
+    solid = map_to_polycube(corners, cells)
+    volume(places) = sum(cell -> let e = places[:, cell[2:4]] .- places[:, cell[1]]
+            least = e[1, 1] * (e[2, 2] * e[3, 3] - e[3, 2] * e[2, 3]) - e[1, 2] * (e[2, 1] * e[3, 3] - e[3, 1] * e[2, 3]) +
+                    e[1, 3] * (e[2, 1] * e[3, 2] - e[3, 1] * e[2, 2])
+            @test least > 0
+            least / 6
+        end, eachcol(solid.tetrahedra))
+    @test volume(solid.positions) ≈ 1 && volume(solid.polycube) > 0
+    @test_throws OrbicubeError map_to_polycube(corners, cells[[2, 1, 3, 4], :])
+end
+
+@testset "meshes of cells, searches and exact signs" begin
+    corners = Float64[i >> k & 1 for k in 0:2, i in 0:7]
+    ring = [2, 4, 3, 7, 5, 6]
+    cells = reduce(hcat, [[1, ring[i], ring[i%6+1], 8] for i in 1:6])
+    solid = Mesh(corners; tetrahedra=cells)
+    check_cells(solid)
+    @test tetrahedron_quality(solid).volume ≈ 1 && topology(boundary(solid)).genus == 0
+    @test_throws OrbicubeError check_cells(Mesh(corners; tetrahedra=cells[[2, 1, 3, 4], :]))
+    @test_throws ArgumentError Mesh(corners; tetrahedra=cells .+ 1)
+    mktempdir() do folder
+        path = joinpath(folder, "cube.vtk")
+        write_mesh(path, solid)
+        again, about = read_mesh(path)
+        @test again.tetrahedra == cells && again.positions == corners && occursin("VTK", about.format)
+        @test read_mesh(read(path), :vtk)[1].tetrahedra == cells
+        @test_throws ArgumentError read_mesh(UInt8[], :doc)
+    end
+    shape = make_surface("creature", 400)
+    @test "torus" in shape_names() && check_closed_genus_zero(shape) === nothing
+    @test_throws OrbicubeError check_closed_genus_zero(make_surface("torus", 400))
+    inside = Surface(Orbicube.positions(shape), Orbicube.triangles(shape)[[2, 1, 3], :])
+    outside, turned = orient(inside)
+    @test turned.turned_outward == 1 && topology(outside).volume ≈ -topology(inside).volume > 0
+    @test isempty(intersections(shape))
+    crossing = Surface([0.0 2 0 0.2 0.2 0.2; 0 0 2 0.2 0.2 1; 0 0 0 -1 1 0], [1 4; 2 5; 3 6])
+    @test sort(vec(intersections(crossing))) == [1, 2]
+    @test first_at_same_position([0.0 1 0; 0 0 0; 0 0 0]) == [1, 2, 1]
+    search = Search(shape)
+    @test nearest_vertices(search, Orbicube.positions(shape)[:, 7:9]) == 7:9
+    near = nearest_points(search, Orbicube.positions(shape)[:, 7:9])
+    @test near.distances == zeros(3) && near.positions == Orbicube.positions(shape)[:, 7:9]
+    @test orientation_2d([0, 0], [1, 0], [0, 1]) == 1 && orientation_3d([0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, -1]) == -1
+    @test orientation_from_origin(fill(0.1, 3), fill(0.2, 3), [0, 0, 1]) == 0
+    @test_throws ArgumentError orientation_2d([NaN, 0], [1, 0], [0, 1])
+    has_tetrahedra = try Orbicube.Raw.library(:tetrahedra); true catch; false end
+    if has_tetrahedra
+        box = make_surface("cube", 300)
+        check_fillable(box)
+        filled = fill_with_tetrahedra(box; quality=1.6)
+        check_cells(Mesh(filled.positions; tetrahedra=filled.tetrahedra))
+        @test filled.positions[:, 1:size(Orbicube.positions(box), 2)] == Orbicube.positions(box)
+        @test (filled.parts, filled.cavities) == (1, 0) && maximum(filled.boundary_source) <= size(Orbicube.triangles(box), 2)
+        fine = fill_with_tetrahedra(box; size_positions=zeros(3, 1), size_lengths=[0.05])
+        @test size(fine.tetrahedra, 2) > size(filled.tetrahedra, 2)
+        @test_throws OrbicubeError check_fillable(Surface(Orbicube.positions(box), Orbicube.triangles(box)[:, 2:end]))
+    end
+end
+
+@testset "files of engines" begin
+    shape = make_surface("creature", 400)
+    directions, = sphere_map(shape)
+    mktempdir() do folder
+        path = joinpath(folder, "shape.glb")
+        n = size(directions, 2)
+        write_gltf(path, shape; morph_targets=["sphere" => directions], name="creature", scale=2, extras="{\"made\": 1}",
+                   base_color=(1, 0, 0, 1), texture_coordinates=zeros(2, n), colors=fill(0xff, 4, n), checker_texture=true)
+        surface, about = read_gltf(path; morph_target="sphere", weld_identical=false)
+        @test about.welded == 0 && maximum(abs, sqrt.(sum(abs2, Orbicube.positions(surface); dims=1)) .- 2) < 1e-6
+        @test Orbicube.triangles(read_gltf(read(path))[1]) == Orbicube.triangles(shape)
+        @test_throws OrbicubeError read_gltf(path; morph_target="none")
+        @test_throws DimensionMismatch write_gltf(path, shape; normals=zeros(3, n - 1))
+    end
+end
+
+@testset "what maps to the sphere are for" begin
+    shape = make_surface("creature", 400)
+    places = Orbicube.positions(shape)
+    directions, report = sphere_map(shape)
+    same, placed, error = partial_sphere_map(shape)
+    @test same == directions && placed == size(places, 2) && error === nothing
+    @test partial_sphere_map(shape; progress=(_...) -> false)[3].status == Orbicube.Raw.OBC_CANCELLED
+    dilatation, ratio = face_distortion(shape, directions)
+    @test maximum(dilatation) ≈ report.dilatation_largest && all(ratio .> 0)
+    @test measure_map(shape, Float64.(round_to_float(shape, directions))).bijective == 1
+    @test vertex_normals(sphere_grid(:icosphere, 3)) ≈ Orbicube.positions(sphere_grid(:icosphere, 3)) atol = 0.02
+    @test surface_distance(shape, shape).first_largest < 1e-12
+    locator = Locator(shape, directions)
+    pixels = geometry_image(locator, places, :octahedron, 16)
+    @test size(pixels) == (3, image_size(:octahedron, 16)...) == (3, 17, 17)
+    surface, gap = image_surface(pixels, :octahedron, 16)
+    @test gap == 0 && topology(surface).genus == 0
+    mktempdir() do folder
+        path = joinpath(folder, "image.pfm")
+        write_image(path, pixels, :octahedron, 16)
+        again, layout, resolution = read_image(path)
+        @test (layout, resolution) == (:octahedron, 16) && again == Float32.(pixels)
+        @test_throws DimensionMismatch write_image(path, pixels, :octahedron, 18)
+    end
+    quarter = [0.0 -1 0; 1 0 0; 0 0 1]
+    @test best_rotation(directions, quarter * directions) ≈ quarter
+    from, to = [1.0 0; 0 1; 0 0], [1 0.0; 0.2 1; 0 0.3]
+    warp = Warp(from, to)
+    @test warp(from) ≈ to ./ sqrt.(sum(abs2, to; dims=1)) atol = 1e-3
+    @test warp(warp(directions); backward=true) ≈ directions atol = 1e-9
+    sphere, found = overlay(shape, directions, shape, quarter * directions)
+    @test Orbicube.positions(sphere)[:, 1:size(places, 2)] ≈ directions && topology(sphere).genus == 0
+    @test all(1 .<= found .<= size(Orbicube.positions(sphere), 2))
+
+    a, = fit_harmonics(directions, places, vertex_areas(shape); degree=6)
+    @test evaluate_harmonics(directions, 6)' * a' ≈ synthesize(a, directions)'
+    step = 1e-6 .* [0.3, -0.5, 0.2]
+    slope = harmonic_gradients(a, [0.0 0 1]')[:, :, 1]
+    # Differences along the sphere from the pole.
+    @test slope' * [step[1], step[2], 0] ≈ synthesize(a, [step[1], step[2], 1][:, :]) - synthesize(a, [0.0 0 1]') atol = 1e-9
+    turned = rotate_harmonics(a, quarter)
+    @test synthesize(turned, quarter * directions) ≈ synthesize(a, directions)
+    @test degree_norms(turned) ≈ degree_norms(a) && shape_distance(a, turned) < 1e-10
+    @test degree_norms(filter_harmonics(a, 1, 2))[4:end] == zeros(4)
+    aligned = align_harmonics(turned, a; turn_values=false)
+    @test aligned.rotation ≈ quarter atol = 1e-6
+    @test aligned.correlation ≈ 1
+    @test mean_distance(places, places) == 0
+    mktempdir() do folder
+        path = joinpath(folder, "shape.coef")
+        write_harmonics(path, a)
+        @test read_harmonics(path) ≈ a
+    end
+    @test_throws DimensionMismatch degree_norms(a[:, 2:end])
+end
+
+@testset "quaternions, and figures of frames" begin
+    Q = Quaternions
+    q = Q.normalize([1.0 2 -0.5; 0.5 0 1; -1 0.3 2; 0.2 0.1 1])
+    @test Q.multiply(q, Q.inverse(q)) ≈ [1 1 1; 0 0 0; 0 0 0; 0 0 0]
+    @test Q.exponential(Q.logarithm(q)) ≈ q
+    @test Q.rotate(q[:, 1], [1.0, 2, 3]) ≈ Q.matrix(q[:, 1]) * [1, 2, 3]
+    @test Q.rotate(q, [1.0, 2, 3])[:, 2] ≈ Q.matrix(q[:, 2]) * [1, 2, 3]
+    axis, angle = Q.to_axis_angle(q[:, 3])
+    @test abs(sum(Q.from_axis_angle(axis, angle) .* q[:, 3])) ≈ 1
+    @test Q.to_rotation_vector(Q.from_rotation_vector([0.1, 0.2, 0.3])) ≈ [0.1, 0.2, 0.3]
+    @test Q.nearest_to_matrix(1.1 .* Q.matrix(q[:, 1])) ≈ Q.from_matrix(Q.matrix(q[:, 1]))
+    @test Q.slerp(q[:, 1], q[:, 2], 0) ≈ q[:, 1]
+    for g in 0:23
+        element = Q.cube_element(g)
+        @test Q.cube_nearest(element) == g && Q.cube_product(g, Q.cube_inverse(g)) == 0
+        @test Q.cube_matrix(g) ≈ Q.matrix(element) atol = 1e-15
+        @test Q.symmetric_distance(q[:, 1], Q.multiply(q[:, 1], element)) < 1e-7
+        @test Q.symmetric_matching(q[:, 1], Q.multiply(q[:, 1], element)) == g
+    end
+    @test Q.cube_class(0) == Orbicube.Raw.OBC_QUATERNION_IDENTITY
+    @test Q.symmetric_sine_square(q, q[:, 1])[1] < 1e-15
+    @test Q.average(repeat(q[:, 1:1], 1, 3))[2] ≈ 1
+    @test_throws ArgumentError Q.cube_product(24, 0)
+    @test_throws OrbicubeError Q.from_matrix([2.0 0 0; 0 2 0; 0 0 2])
+    @test_throws DimensionMismatch Q.multiply(q, q[:, 1:2])
+
+    corners = Float64[i >> k & 1 for k in 0:2, i in 0:7]
+    ring = [2, 4, 3, 7, 5, 6]
+    cells = reduce(hcat, [[1, ring[i], ring[i%6+1], 8] for i in 1:6])
+    frames, report = frame_field(corners, cells)
+    @test all(Q.symmetric_distance(frames, [1.0, 0, 0, 0]) .< 1e-6)
+    @test measure_frames(corners, cells, frames).inner_faces == report.inner_faces == 6
+    @test size(frame_matchings(corners, cells, frames)) == (4, 6)
+    none = singularities(corners, cells, frames)
+    @test size(none.edges) == (2, 0) && isempty(none.curves) && isempty(none.unmeshable_edges)
+    held = Q.from_axis_angle([0.0, 0, 1], 0.3)
+    frames, = frame_field(corners, cells; held_frames=([4], held), align_boundary=0)
+    @test Q.symmetric_distance(frames[:, 4], held) < 1e-7
+    again, = frame_field(corners, cells; start=:given, start_frames=frames, align_boundary=0)
+    @test size(again) == (4, 6)
+    @test_throws ArgumentError frame_field(corners, cells; held_axes=([7], [0.0, 0, 1]))
+end

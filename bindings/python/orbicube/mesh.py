@@ -135,8 +135,8 @@ def handle_of(mesh: Any) -> Any:
 
         return Mesh(mesh.points, *[meshio_cells(mesh, kind, corners)
                                    for kind, corners in (("triangle", 3), ("tetra", 4), ("hexahedron", 8))])
-    if hasattr(mesh, "positions") and hasattr(mesh, "tetrahedra"):
-        return Mesh(mesh.positions, getattr(mesh, "triangles", None), mesh.tetrahedra, getattr(mesh, "hexahedra", None))
+    if hasattr(mesh, "positions") and (hasattr(mesh, "tetrahedra") or hasattr(mesh, "hexahedra")):
+        return Mesh(mesh.positions, *[getattr(mesh, kind, None) for kind in ("triangles", "tetrahedra", "hexahedra")])
     return Mesh(*surface_of(mesh))
 
 

@@ -1,6 +1,7 @@
-"""Maps of tetrahedral meshes without inverted tetrahedra.
+"""Maps of tetrahedral meshes without inverted tetrahedra, and meshes of hexahedra.
 
     positions, report = untangle((positions, tetrahedra), rest=rest_positions, fixed=fixed)
+    mesh.write("shape.vtk", fill_with_hexahedra(shape, cells=5000))
 """
 
 from __future__ import annotations
@@ -11,9 +12,12 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, doubles, indices, solid_of
-from ._call import HOST, NoValidResult, Progress, call, call_init, filled
+from ._arrays import Doubles, Indices, address, doubles, indices, solid_of
+from ._call import HOST, Handle, NoValidResult, Progress, call, call_init, filled, sized
+from .mesh import Surface
 from .raw import volume_map as raw
+
+__all__ = ["Hexes", "Solid", "fill_along_frames", "fill_with_hexahedra", "map_to_polycube", "untangle", "version"]
 
 
 def untangle(solid: Any, *, rest: Optional[ArrayLike] = None, fixed: Optional[ArrayLike] = None,
@@ -51,6 +55,76 @@ def untangle(solid: Any, *, rest: Optional[ArrayLike] = None, fixed: Optional[Ar
         error.best = (result, report)
         raise
     return result, report
+
+
+class Solid:
+    """A solid and the same on the polycube of its boundary: positions, polycube, and the tetrahedra of both."""
+
+    def __init__(self, positions: Doubles, polycube: Doubles, tetrahedra: Indices) -> None:
+        self.positions, self.polycube, self.tetrahedra = positions, polycube, tetrahedra
+
+
+def map_to_polycube(solid: Any, *, threads: int = 0, progress: Progress = None, **options: Any) -> Solid:
+    """Maps positive tetrahedra one to one to a polycube, splitting them where that is needed. Options: corners, seed."""
+    positions, tetrahedra = solid_of(solid)
+    chosen = filled(raw.obc_volume_map_solid_options, raw.obc_volume_map_solid_options_init, options)
+    handle = Handle(raw.obc_volume_map_solid_destroy)
+    call(raw.obc_volume_map_solid_compute, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
+         byref(chosen), HOST, byref(handle), threads=threads, progress=progress)
+    try:
+        places = np.empty((raw.obc_volume_map_solid_vertex_count(handle), 3))
+        on_polycube = np.empty_like(places)
+        cells = np.empty((raw.obc_volume_map_solid_tetrahedron_count(handle), 4), dtype=np.uint32)
+        call(raw.obc_volume_map_solid_copy, handle, address(places), address(on_polycube), address(cells))
+        return Solid(places, on_polycube, cells)
+    finally:
+        handle.close()
+
+
+class Hexes:
+    """A certified mesh of hexahedra: positions, hexahedra (eight vertices each, as MEDIT and VTK order them), quads of the
+    boundary, counter-clockwise seen from outside, quad_faces (the face of the polycube that each lies on), and the report."""
+
+    def __init__(self, handle: Handle, report: Any) -> None:
+        self.positions: Doubles = np.empty((raw.obc_volume_map_hexes_vertex_count(handle), 3))
+        self.hexahedra: Indices = np.empty((raw.obc_volume_map_hexes_count(handle), 8), dtype=np.uint32)
+        self.quads: Indices = np.empty((raw.obc_volume_map_hexes_quad_count(handle), 4), dtype=np.uint32)
+        self.quad_faces: Indices = np.empty(len(self.quads), dtype=np.uint32)
+        self.report = report
+        call(raw.obc_volume_map_hexes_copy, handle, address(self.positions), address(self.hexahedra), address(self.quads),
+             address(self.quad_faces))
+
+
+def fill_with_hexahedra(surface: Any, *, threads: int = 0, progress: Progress = None, **options: Any) -> Hexes:
+    """Fills a closed surface. Options: cells, padding ("auto", "with", "without"), corners, triangles, seed, rounds, distance,
+    most_cells. The report has least_scaled_jacobian, mean_scaled_jacobian, volume, distance, ..."""
+    given, report = Surface(surface), sized(raw.obc_volume_map_hexes_report)
+    chosen = filled(raw.obc_volume_map_hexes_options, raw.obc_volume_map_hexes_options_init, options, raw,
+                    "OBC_VOLUME_MAP_PADDING_")
+    handle = Handle(raw.obc_volume_map_hexes_destroy)
+    call(raw.obc_volume_map_hexes_compute, given.pointer, byref(chosen), HOST, byref(report), byref(handle), threads=threads,
+         progress=progress)
+    try:
+        return Hexes(handle, report)
+    finally:
+        handle.close()
+
+
+def fill_along_frames(solid: Any, frames: Optional[ArrayLike] = None, *, threads: int = 0, progress: Progress = None,
+                      **options: Any) -> Hexes:
+    """Fills a solid of tetrahedra with hexahedra that follow frames, w x y z a tetrahedron as of frame_field.compute; without any
+    a smooth field is made, and repaired. Options: cells, feature_angle, rounds."""
+    positions, tetrahedra = solid_of(solid)
+    field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames")
+    report = sized(raw.obc_volume_map_frame_report)
+    chosen = filled(raw.obc_volume_map_frame_options, raw.obc_volume_map_frame_options_init, options)
+    handle = Handle(raw.obc_volume_map_hexes_destroy)
+    call(raw.obc_volume_map_frame_hexes_compute, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
+         address(field), byref(chosen), HOST, byref(report), byref(handle), threads=threads, progress=progress)
+    try:
+        return Hexes(handle, report)
+    finally:
+        handle.close()
 
 
 def version() -> int:

@@ -374,6 +374,80 @@ class Cubes(unittest.TestCase):
         np.testing.assert_array_equal(result[~inside], positions[~inside])
         mesh.check_cells(mesh.Mesh(result, tetrahedra=tetrahedra))
 
+    def check_hexes(self, hexes, volume, within=1e-9):
+        """Corners by our own arithmetic, and a boundary in whole faces, of one piece, turned outward."""
+        corners = hexes.positions[hexes.hexahedra]
+        # Of each corner those that its edges lead to, so that a cube's are right-handed.
+        ends = [(1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3)]
+        edges = np.stack([corners[:, list(three)] - corners[:, [k]] for k, three in enumerate(ends)], axis=1)
+        jacobians = np.linalg.det(edges) / np.prod(np.linalg.norm(edges, axis=3), axis=2)
+        self.assertGreater(jacobians.min(), 0)
+        self.assertAlmostEqual(jacobians.min(), hexes.report.least_scaled_jacobian, places=12)
+        self.assertAlmostEqual(jacobians.min(axis=1).mean(), hexes.report.mean_scaled_jacobian, places=12)
+        self.assertAlmostEqual(hexes.report.volume, volume, delta=within)
+        whole = mesh.Mesh(hexes.positions, hexahedra=hexes.hexahedra)
+        mesh.check_cells(whole)
+        boundary = mesh.topology(whole.boundary())
+        self.assertEqual((boundary.components, boundary.closed, boundary.genus), (1, 1, 0))
+        self.assertEqual(len(hexes.quad_faces), len(hexes.quads))
+        split = np.concatenate([hexes.quads[:, [0, 1, 2]], hexes.quads[:, [0, 2, 3]]])
+        self.assertAlmostEqual(mesh.topology((hexes.positions, split)).volume, volume, delta=within)
+
+    def test_a_surface_is_filled_with_hexahedra(self):
+        shape = mesh.make("cube", 300)
+        volume = mesh.topology(shape).volume
+        hexes = volume_map.fill_with_hexahedra(shape, cells=27, padding="without")
+        self.assertEqual((len(hexes.hexahedra), len(hexes.positions), len(hexes.quads)), (27, 64, 54))
+        self.assertEqual(len(np.unique(hexes.quad_faces)), 6)
+        self.check_hexes(hexes, volume)
+        padded = volume_map.fill_with_hexahedra(shape, cells=27, padding="with")
+        self.assertEqual(padded.report.padded, 1)
+        self.check_hexes(padded, volume, 0.01 * volume)  # what `distance` asks for
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cube.vtk")
+            mesh.write(path, hexes)
+            np.testing.assert_array_equal(mesh.read(path).hexahedra, hexes.hexahedra)
+        with self.assertRaises(orbicube.Cancelled):
+            volume_map.fill_with_hexahedra(shape, cells=27, progress=lambda *_: True)
+        with self.assertRaises(ValueError):
+            volume_map.fill_with_hexahedra(shape, padding="thick")
+        with self.assertRaises(orbicube.UnsuitableSurface):
+            volume_map.fill_with_hexahedra((shape.positions, shape.triangles[1:]))
+
+    def test_hexahedra_along_frames(self):
+        count, bits = from_c()["cube"]
+        corners = np.array([(i & 1, i >> 1 & 1, i >> 2) for i in range(8)], dtype=float)
+        ring = [1, 3, 2, 6, 4, 5]
+        tetrahedra = [[0, a, b, 7] for a, b in zip(ring, ring[1:] + ring[:1])]
+        hexes = volume_map.fill_along_frames((corners, tetrahedra), cells=8)
+        self.assertEqual(len(hexes.hexahedra), count)
+        self.assertEqual(hexes.positions.tobytes(), bits.tobytes())
+        self.check_hexes(hexes, 1)
+
+        solid = box_of_tetrahedra(3)
+        frames, _ = frame_field.compute(solid)
+        hexes = volume_map.fill_along_frames(solid, frames, cells=27)
+        self.assertEqual((len(hexes.hexahedra), len(hexes.positions), len(hexes.quads)), (27, 64, 54))
+        self.assertEqual((hexes.report.singular_edges, hexes.report.irregular_edges), (0, 0))
+        self.assertEqual(hexes.report.integers_optimal, 1)
+        self.check_hexes(hexes, 1)
+        with self.assertRaises(ValueError):
+            volume_map.fill_along_frames(solid, frames[1:])
+        with self.assertRaises(orbicube.InvalidArgument):
+            volume_map.fill_along_frames(solid, cells=0)
+
+    def test_a_solid_goes_to_its_polycube(self):
+        positions, tetrahedra = box_of_tetrahedra(2)
+        solid = volume_map.map_to_polycube((positions, tetrahedra))
+        self.assertGreaterEqual(len(solid.tetrahedra), len(tetrahedra))
+        for places in (solid.positions, solid.polycube):
+            mesh.check_cells(mesh.Mesh(places, tetrahedra=solid.tetrahedra))
+        self.assertAlmostEqual(mesh.tetrahedron_quality(solid).volume, 1, places=12)
+        boundary = mesh.Mesh(solid.positions, tetrahedra=solid.tetrahedra).boundary()
+        polycube.certify(boundary, solid.polycube)
+        with self.assertRaises(orbicube.UnsuitableSurface):
+            volume_map.map_to_polycube((positions, tetrahedra[:, [1, 0, 2, 3]]))
+
     @unittest.skipUnless(HAS_TETRAHEDRA, "the library tetrahedra is not there")
     def test_a_surface_is_filled(self):
         shape = mesh.make("cube", 300)

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use crate::call::{c_path, c_string, call, checked, expect_length, pointer, rows, text, Error, Host};
+use crate::sys::base::{obc_error, obc_host};
 use crate::sys::gltf::*;
 
 filled!(/// Options of reading; a morph target is named in [`read`].
@@ -22,11 +23,26 @@ handle!(Handle, obc_gltf_surface, obc_gltf_surface_destroy);
 /// Reads .glb and .gltf; with the name of a morph target, that shape of it.
 pub fn read(path: impl AsRef<Path>, morph_target: Option<&str>, options: &ReadOptions, host: &mut Host) -> Result<Surface, Error> {
     let path = c_path(path.as_ref())?;
+    taken(morph_target, options, host, |options, host, out, error| unsafe { obc_gltf_read(path.as_ptr(), options, host, out, error) })
+}
+
+/// The same from bytes; buffers in files of their own lie in `folder`, without one they are refused.
+pub fn read_memory(bytes: &[u8], folder: Option<&Path>, morph_target: Option<&str>, options: &ReadOptions,
+                   host: &mut Host) -> Result<Surface, Error> {
+    let folder = folder.map(c_path).transpose()?;
+    let folder = folder.as_ref().map_or(std::ptr::null(), |name| name.as_ptr());
+    taken(morph_target, options, host, |options, host, out, error| unsafe {
+        obc_gltf_read_memory(bytes.as_ptr() as *const _, bytes.len(), folder, options, host, out, error)
+    })
+}
+
+fn taken(morph_target: Option<&str>, options: &ReadOptions, host: &mut Host,
+         f: impl FnOnce(*const obc_gltf_read_options, *const obc_host, *mut *mut obc_gltf_surface, *mut obc_error) -> i32) -> Result<Surface, Error> {
     let target = morph_target.map(c_string).transpose()?;
     let mut options = options.0;
     options.morph_target = target.as_ref().map_or(std::ptr::null(), |name| name.as_ptr());
     let mut out = std::ptr::null_mut();
-    call(host, |host, error| unsafe { obc_gltf_read(path.as_ptr(), &options, host, &mut out, error) })?;
+    call(host, |host, error| f(&options, host, &mut out, error))?;
     let handle = Handle::own(out);
     let out = handle.as_ptr();
     let mut surface = Surface::default();
@@ -52,6 +68,19 @@ pub struct Scene<'a> {
     pub name: Option<&'a str>,
     pub smooth_normals: bool,
     pub checker_texture: bool,
+    /// Red, green, blue and alpha a vertex.
+    pub colors: &'a [[u8; 4]],
+    pub edges: &'a [[u32; 2]],
+    /// A PNG or JPEG file.
+    pub texture: &'a [u8],
+    pub translation: Option<[f64; 3]>,
+    pub scale: Option<f64>,
+    pub base_color: Option<[f64; 4]>,
+    /// JSON.
+    pub extras: Option<&'a str>,
+    pub morph_normals: bool,
+    /// So long an animation to the first target and back takes.
+    pub morph_seconds: Option<f64>,
 }
 
 /// Writes GLB, or .gltf by the ending.
@@ -84,6 +113,23 @@ pub fn write(path: impl AsRef<Path>, scene: &Scene, host: &mut Host) -> Result<(
     if let Some(name) = &name {
         c.name = name.as_ptr();
     }
+    if !scene.colors.is_empty() {
+        expect_length(scene.colors.len(), n, "colors")?;
+        c.colors = scene.colors.as_ptr() as *const u8;
+    }
+    c.edges = pointer(scene.edges) as *const u32;
+    c.edge_count = scene.edges.len();
+    c.texture = pointer(scene.texture) as *const _;
+    c.texture_size = scene.texture.len();
+    let extras = scene.extras.map(c_string).transpose()?;
+    if let Some(extras) = &extras {
+        c.extras = extras.as_ptr();
+    }
+    c.translation = scene.translation.unwrap_or(c.translation);
+    c.scale = scene.scale.unwrap_or(c.scale);
+    c.base_color = scene.base_color.unwrap_or(c.base_color);
+    c.morph_normals = i32::from(scene.morph_normals);
+    c.morph_seconds = scene.morph_seconds.unwrap_or(c.morph_seconds);
     c.smooth_normals = i32::from(scene.smooth_normals);
     c.checker_texture = i32::from(scene.checker_texture);
     call(host, |host, error| unsafe { obc_gltf_write(path.as_ptr(), &c, host, error) })

@@ -56,6 +56,16 @@ impl Coefficients {
         })?;
         Ok(values)
     }
+    /// Their gradients on the unit sphere: x y z for each direction and channel.
+    pub fn gradients(&self, directions: &[f64], host: &mut Host) -> Result<Vec<f64>, Error> {
+        let n = rows(directions.len(), 3, "directions")?;
+        let (mut values, mut slopes) = (vec![0.0; n * self.channels], vec![0.0; 3 * n * self.channels]);
+        call(host, |host, error| unsafe {
+            obc_harmonics_synthesize(self.values.as_ptr(), self.degree, self.channels, directions.as_ptr(), n, host,
+                                     values.as_mut_ptr(), slopes.as_mut_ptr(), error)
+        })?;
+        Ok(slopes)
+    }
     /// The norm of each degree.
     pub fn degree_norms(&self) -> Result<Vec<f64>, Error> {
         let mut norms = vec![0.0; self.degree as usize + 1];
@@ -107,6 +117,23 @@ fn size(degree: u32, channels: usize) -> Result<usize, Error> {
 }
 
 handle!(Handle, obc_harmonics_coefficients, obc_harmonics_coefficients_destroy);
+
+/// Y_lm at each direction, a row of (degree + 1)^2 numbers each.
+pub fn evaluate(directions: &[f64], degree: u32, host: &mut Host) -> Result<Vec<f64>, Error> {
+    let n = rows(directions.len(), 3, "directions")?;
+    let mut found = Coefficients::zeros(degree, n)?.values;
+    call(host, |host, error| unsafe { obc_harmonics_evaluate(directions.as_ptr(), n, degree, host, found.as_mut_ptr(), error) })?;
+    Ok(found)
+}
+
+/// The reconstruction error e(A, B) between points.
+pub fn mean_distance(a: &[[f64; 3]], b: &[[f64; 3]], host: &mut Host) -> Result<f64, Error> {
+    let mut distance = 0.0;
+    call(host, |host, error| unsafe {
+        obc_harmonics_mean_distance(a.as_ptr() as *const f64, a.len(), b.as_ptr() as *const f64, b.len(), host, &mut distance, error)
+    })?;
+    Ok(distance)
+}
 
 /// The coefficients that fit values at scattered directions best. weights: one a direction, or none.
 pub fn fit(directions: &[f64], weights: &[f64], values: &[f64], channels: usize, options: &FitOptions,

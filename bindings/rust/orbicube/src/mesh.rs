@@ -147,6 +147,14 @@ impl Mesh {
     pub fn format(&self) -> String {
         text(unsafe { obc_mesh_format(self.as_ptr()) })
     }
+    /// Faces of more than three corners in the file.
+    pub fn polygon_count(&self) -> usize {
+        unsafe { obc_mesh_polygon_count(self.as_ptr()) }
+    }
+    /// Vertices that were joined to others in reading.
+    pub fn welded_vertex_count(&self) -> usize {
+        unsafe { obc_mesh_welded_vertex_count(self.as_ptr()) }
+    }
     /// What was changed or left out in reading.
     pub fn notes(&self) -> Vec<String> {
         (0..).map(|i| unsafe { obc_mesh_note(self.as_ptr(), i) }).take_while(|note| !note.is_null()).map(text).collect()

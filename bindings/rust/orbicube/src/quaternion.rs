@@ -115,6 +115,18 @@ pub fn cube_product(a: u32, b: u32) -> Option<u32> {
     if product == OBC_QUATERNION_CUBE_NONE as u32 { None } else { Some(product) }
 }
 
+/// `None` when the number is 24 or more.
+pub fn cube_inverse(a: u32) -> Option<u32> {
+    let inverse = unsafe { obc_quaternion_cube_inverse(a) };
+    if inverse == OBC_QUATERNION_CUBE_NONE as u32 { None } else { Some(inverse) }
+}
+
+/// `OBC_QUATERNION_IDENTITY`, ...; `None` when the number is 24 or more.
+pub fn cube_class(number: u32) -> Option<i32> {
+    let class = unsafe { obc_quaternion_cube_class(number) };
+    if class < 0 { None } else { Some(class) }
+}
+
 /// The number of the cube's rotation nearest to r.
 pub fn cube_nearest(r: Quaternion) -> u32 {
     unsafe { obc_quaternion_cube_nearest(r.as_ptr()) }
@@ -123,6 +135,11 @@ pub fn cube_nearest(r: Quaternion) -> u32 {
 /// The angle between frames, up to the cube's rotations.
 pub fn symmetric_distance(p: Quaternion, q: Quaternion) -> f64 {
     unsafe { obc_quaternion_symmetric_distance(p.as_ptr(), q.as_ptr()) }
+}
+
+/// sin^2 of half of it.
+pub fn symmetric_sine_square(p: Quaternion, q: Quaternion) -> f64 {
+    unsafe { obc_quaternion_symmetric_sine_square(p.as_ptr(), q.as_ptr()) }
 }
 
 /// The number of the g for which from g is nearest to the frame `to`.

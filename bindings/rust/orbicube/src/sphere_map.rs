@@ -12,9 +12,11 @@
 //! ```
 
 use std::os::raw::c_void;
+use std::path::Path;
 
-use crate::call::{call, checked, expect_length, rows, Caught, Error, Host};
+use crate::call::{c_path, call, checked, expect_length, rows, Caught, Error, Host};
 use crate::mesh::{Mesh, Surface};
+use crate::sys::base::OBC_NO_VALID_RESULT;
 use crate::sys::sphere_map::*;
 
 filled!(/// Options, with their defaults.
@@ -64,6 +66,20 @@ fn computed(surface: Surface, options: obc_sphere_map_options, host: &mut Host) 
         obc_sphere_map_compute(&surface.c, &options, host, directions.as_mut_ptr(), &mut report.0, error)
     })?;
     Ok((directions, report))
+}
+
+/// As [`compute`], and when that is cancelled or finds no valid result: what there is of the map, how many vertices have places of
+/// their own, and the error beside it.
+pub fn compute_partial(surface: Surface, options: &Options, host: &mut Host) -> Result<(Vec<f64>, usize, Option<Error>), Error> {
+    let (mut directions, mut placed, options) = (vec![0.0; 3 * surface.vertex_count()], 0, plain(options));
+    let outcome = call(host, |host, error| unsafe {
+        obc_sphere_map_compute_partial(&surface.c, &options, host, directions.as_mut_ptr(), &mut placed, std::ptr::null_mut(), error)
+    });
+    match outcome {
+        Ok(()) => Ok((directions, placed, None)),
+        Err(error) if error.is_cancelled() || error.status == OBC_NO_VALID_RESULT => Ok((directions, placed, Some(error))),
+        Err(error) => Err(error),
+    }
 }
 
 /// Figures of any map; a bad one is no error.
@@ -164,6 +180,93 @@ impl Locator {
             obc_sphere_map_remesh(self.handle.as_ptr(), positions.as_ptr(), grid, resolution, host, out, error)
         })
     }
+}
+
+/// A geometry image: pixels x y z, row by row from the top. The layout is `OBC_SPHERE_MAP_OCTAHEDRON` or `OBC_SPHERE_MAP_CUBE`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Image {
+    layout: i32,
+    resolution: usize,
+    pixels: Vec<[f64; 3]>,
+}
+
+impl Image {
+    /// Width and height.
+    pub fn size_of(layout: i32, resolution: usize) -> Result<(usize, usize), Error> {
+        let (mut width, mut height) = (0, 0);
+        checked(|error| unsafe { obc_sphere_map_image_size(layout, resolution, &mut width, &mut height, error) })?;
+        Ok((width, height))
+    }
+    pub fn new(layout: i32, resolution: usize, pixels: Vec<[f64; 3]>) -> Result<Image, Error> {
+        let (width, height) = Image::size_of(layout, resolution)?;
+        expect_length(pixels.len(), width * height, "pixels")?;
+        Ok(Image { layout, resolution, pixels })
+    }
+    fn empty(layout: i32, resolution: usize) -> Result<Image, Error> {
+        let (width, height) = Image::size_of(layout, resolution)?;
+        Ok(Image { layout, resolution, pixels: vec![[0.0; 3]; width * height] })
+    }
+    /// Of positions of the vertices, or other vectors.
+    pub fn of(locator: &Locator, positions: &[f64], layout: i32, resolution: usize, host: &mut Host) -> Result<Image, Error> {
+        expect_length(positions.len(), 3 * locator.vertex_count, "positions")?;
+        let mut image = Image::empty(layout, resolution)?;
+        call(host, |host, error| unsafe {
+            obc_sphere_map_image(locator.handle.as_ptr(), positions.as_ptr(), layout, resolution, host,
+                                 image.pixels.as_mut_ptr() as *mut f64, error)
+        })?;
+        Ok(image)
+    }
+    /// Reads .pfm and .png.
+    pub fn read(path: impl AsRef<Path>, host: &mut Host) -> Result<Image, Error> {
+        let path = c_path(path.as_ref())?;
+        let (mut layout, mut resolution) = (0, 0);
+        call(host, |host, error| unsafe {
+            obc_sphere_map_image_read(path.as_ptr(), host, &mut layout, &mut resolution, std::ptr::null_mut(), 0, error)
+        })?;
+        let mut image = Image::empty(layout, resolution)?;
+        let capacity = 3 * image.pixels.len();
+        call(host, |host, error| unsafe {
+            obc_sphere_map_image_read(path.as_ptr(), host, &mut layout, &mut resolution, image.pixels.as_mut_ptr() as *mut f64,
+                                      capacity, error)
+        })?;
+        Ok(image)
+    }
+    pub fn write(&self, path: impl AsRef<Path>, host: &mut Host) -> Result<(), Error> {
+        let path = c_path(path.as_ref())?;
+        call(host, |host, error| unsafe {
+            obc_sphere_map_image_write(path.as_ptr(), self.pixels.as_ptr() as *const f64, self.layout, self.resolution, host, error)
+        })
+    }
+    /// The closed surface back, and the greatest distance between pixels that are one vertex.
+    pub fn surface(&self, host: &mut Host) -> Result<(Mesh, f64), Error> {
+        let mut gap = 0.0;
+        let mesh = Mesh::made(host, |host, out, error| unsafe {
+            obc_sphere_map_image_surface(self.pixels.as_ptr() as *const f64, self.layout, self.resolution, host, out, &mut gap, error)
+        })?;
+        Ok((mesh, gap))
+    }
+    pub fn layout(&self) -> i32 {
+        self.layout
+    }
+    pub fn resolution(&self) -> usize {
+        self.resolution
+    }
+    pub fn pixels(&self) -> &[[f64; 3]] {
+        &self.pixels
+    }
+}
+
+/// One triangulation of the sphere with the vertices of two maps, and where those of the second are in it (`u32::MAX`: in no triangle).
+pub fn overlay(first: Surface, first_directions: &[f64], second: Surface, second_directions: &[f64],
+               host: &mut Host) -> Result<(Mesh, Vec<u32>), Error> {
+    expect_length(first_directions.len(), 3 * first.vertex_count(), "first_directions")?;
+    expect_length(second_directions.len(), 3 * second.vertex_count(), "second_directions")?;
+    let mut found = vec![0; second.vertex_count()];
+    let mesh = Mesh::made(host, |host, out, error| unsafe {
+        obc_sphere_map_overlay(&first.c, first_directions.as_ptr(), &second.c, second_directions.as_ptr(), host, out,
+                               found.as_mut_ptr(), error)
+    })?;
+    Ok((mesh, found))
 }
 
 /// The matrix, by rows, that takes directions nearest to others.

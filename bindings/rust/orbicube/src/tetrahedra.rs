@@ -52,3 +52,11 @@ pub fn fill_sized(surface: Surface, options: &Options, sizes: &[([f64; 3], f64)]
     }
     Ok(solid)
 }
+
+/// An error, with kind and place, unless [`fill`] can work.
+pub fn check_surface(surface: Surface, host: &mut Host) -> Result<(), Error> {
+    let mut count = 0;
+    call(host, |host, error| unsafe {
+        obc_tetrahedra_check_surface(&surface.c, host, std::ptr::null_mut(), 0, &mut count, error)
+    })
+}

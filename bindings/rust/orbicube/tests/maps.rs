@@ -240,6 +240,139 @@ fn what_stays_tangled_is_handed_out_with_the_error() {
 }
 
 #[test]
+fn what_maps_to_the_sphere_are_for() {
+    use sys::sphere_map::OBC_SPHERE_MAP_OCTAHEDRON;
+    let shape = Mesh::make("creature", 400, 0, &mut host()).unwrap();
+    let (directions, _) = sphere_map::compute(shape.surface(), &Default::default(), &mut host()).unwrap();
+    let (same, placed, error) = sphere_map::compute_partial(shape.surface(), &Default::default(), &mut host()).unwrap();
+    assert!(same == directions && 3 * placed == directions.len() && error.is_none());
+    let (_, _, error) = sphere_map::compute_partial(shape.surface(), &Default::default(), &mut Host::new().on_progress(|_| false)).unwrap();
+    assert!(error.unwrap().is_cancelled());
+
+    let folder = std::env::temp_dir().join(format!("orbicube-rust-images-{}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let locator = sphere_map::Locator::new(shape.surface(), &directions, &mut host()).unwrap();
+    let image = sphere_map::Image::of(&locator, shape.positions(), OBC_SPHERE_MAP_OCTAHEDRON, 16, &mut host()).unwrap();
+    assert_eq!(image.pixels().len(), 17 * 17);
+    let (surface, gap) = image.surface(&mut host()).unwrap();
+    assert_eq!((gap, mesh::topology(surface.surface(), &mut host()).unwrap().genus), (0.0, 0));
+    image.write(folder.join("image.pfm"), &mut host()).unwrap();
+    let again = sphere_map::Image::read(folder.join("image.pfm"), &mut host()).unwrap();
+    assert_eq!((again.layout(), again.resolution()), (OBC_SPHERE_MAP_OCTAHEDRON, 16));
+    assert!(again.pixels().iter().flatten().zip(image.pixels().iter().flatten()).all(|(a, b)| *a == f64::from(*b as f32)));
+    assert!(sphere_map::Image::new(OBC_SPHERE_MAP_OCTAHEDRON, 16, vec![[0.0; 3]; 16]).is_err());
+
+    let turned: Vec<f64> = directions.chunks(3).flat_map(|d| [-d[1], d[0], d[2]]).collect();
+    let (sphere, found) = sphere_map::overlay(shape.surface(), &directions, shape.surface(), &turned, &mut host()).unwrap();
+    assert_eq!(mesh::topology(sphere.surface(), &mut host()).unwrap().genus, 0);
+    assert!(found.iter().all(|&v| (v as usize) < sphere.positions().len() / 3));
+
+    let mut options = harmonics::FitOptions::default();
+    options.degree = 6;
+    let (a, _) = harmonics::fit(&directions, &[], shape.positions(), 3, &options, &mut host()).unwrap();
+    let rows = harmonics::evaluate(&[0.0, 0.0, 1.0], a.degree(), &mut host()).unwrap();
+    let pole = a.synthesize(&[0.0, 0.0, 1.0], &mut host()).unwrap();
+    let sum: f64 = rows.iter().enumerate().map(|(k, y)| y * a.values()[3 * k]).sum();
+    assert!((sum - pole[0]).abs() < 1e-12);
+    let slopes = a.gradients(&[0.0, 0.0, 1.0], &mut host()).unwrap();
+    let step = 1e-6; // the rounding of a difference is near 1e-10
+    let near = a.synthesize(&[f64::sin(step), 0.0, f64::cos(step)], &mut host()).unwrap();
+    assert!((0..3).all(|k| ((near[k] - pole[k]) / step - slopes[3 * k]).abs() < 1e-4));
+    let points: Vec<[f64; 3]> = shape.positions().chunks(3).map(|p| [p[0], p[1], p[2]]).collect();
+    assert_eq!(harmonics::mean_distance(&points, &points, &mut host()).unwrap(), 0.0);
+
+    let positions: Vec<f32> = shape.positions().iter().map(|&x| x as f32).collect();
+    let colors = vec![[255, 0, 0, 255]; positions.len() / 3];
+    let scene = gltf::Scene { positions: &positions, triangles: shape.triangles(), colors: &colors, edges: &[[0, 1]], scale: Some(2.0),
+                              base_color: Some([1.0, 0.5, 0.0, 1.0]), extras: Some("{\"made\": 1}"), ..Default::default() };
+    gltf::write(folder.join("shape.glb"), &scene, &mut host()).unwrap();
+    let bytes = std::fs::read(folder.join("shape.glb")).unwrap();
+    let read = gltf::read_memory(&bytes, None, None, &Default::default(), &mut host()).unwrap();
+    assert_eq!(read.triangles, shape.triangles());
+    assert!(read.positions.iter().zip(&positions).all(|(a, b)| *a == 2.0 * f64::from(*b)));
+    assert!(gltf::read_memory(&bytes[1..], None, None, &Default::default(), &mut host()).is_err());
+    assert!(gltf::write(folder.join("bad.glb"), &gltf::Scene { colors: &colors[1..], ..scene }, &mut host()).is_err());
+    std::fs::remove_dir_all(&folder).unwrap();
+
+    for g in 0..24 {
+        assert_eq!(quaternion::cube_product(g, quaternion::cube_inverse(g).unwrap()), Some(0));
+    }
+    assert_eq!((quaternion::cube_inverse(24), quaternion::cube_class(24)), (None, None));
+    assert_eq!(quaternion::cube_class(0), Some(sys::quaternion::OBC_QUATERNION_IDENTITY));
+    let q = quaternion::from_axis_angle([0.0, 0.0, 1.0], 0.4).unwrap();
+    assert!((quaternion::symmetric_sine_square([1.0, 0.0, 0.0, 0.0], q) - f64::sin(0.2).powi(2)).abs() < 1e-15);
+}
+
+/// Eight corners, and six tetrahedra around the diagonal.
+fn cube_of_tetrahedra() -> (Vec<f64>, Vec<u32>) {
+    let corners = (0..8).flat_map(|i| [f64::from(i & 1), f64::from(i >> 1 & 1), f64::from(i >> 2)]).collect();
+    let ring = [1, 3, 2, 6, 4, 5];
+    (corners, (0..6).flat_map(|i| [0, ring[i], ring[(i + 1) % 6], 7]).collect())
+}
+
+/// The least scaled Jacobian, by arithmetic of our own.
+fn least_scaled_jacobian(hexes: &volume_map::Hexes) -> f64 {
+    const ENDS: [[usize; 3]; 8] = [[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]];
+    let at = |v: u32| -> [f64; 3] { std::array::from_fn(|k| hexes.positions[3 * v as usize + k]) };
+    let mut least = f64::INFINITY;
+    for hexahedron in &hexes.hexahedra {
+        for (corner, ends) in ENDS.iter().enumerate() {
+            let from = at(hexahedron[corner]);
+            let [a, b, c]: [[f64; 3]; 3] = std::array::from_fn(|e| {
+                let to = at(hexahedron[ends[e]]);
+                let edge: [f64; 3] = std::array::from_fn(|k| to[k] - from[k]);
+                let length = edge.iter().map(|x| x * x).sum::<f64>().sqrt();
+                edge.map(|x| x / length)
+            });
+            let volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+            least = least.min(volume);
+        }
+    }
+    least
+}
+
+#[test]
+fn solids_become_hexahedra_and_polycubes() {
+    let (corners, tetrahedra) = cube_of_tetrahedra();
+    let mut options = volume_map::FrameOptions::default();
+    options.cells = 8;
+    let (hexes, report) = volume_map::fill_along_frames(&corners, &tetrahedra, &[], &options, &mut host()).unwrap();
+    assert_eq!((hexes.hexahedra.len(), hexes.positions.len(), hexes.quads.len()), (8, 3 * 27, 24));
+    assert!((report.volume - 1.0).abs() < 1e-9 && report.irregular_edges == 0);
+    assert!((least_scaled_jacobian(&hexes) - report.least_scaled_jacobian).abs() < 1e-12 && report.least_scaled_jacobian > 0.99);
+    if let Some(program) = std::env::var_os("ORBICUBE_PROBLEMS") {
+        let printed = String::from_utf8(std::process::Command::new(program).output().unwrap().stdout).unwrap();
+        let line = printed.lines().find(|line| line.starts_with("cube ")).unwrap();
+        let bits: Vec<String> = hexes.positions.iter().map(|x| format!("{:016x}", x.to_bits())).collect();
+        assert_eq!(line, format!("cube {} {}", hexes.hexahedra.len(), bits.join(" ")));
+    }
+    let solid = frame_field::Solid::new(&corners, &tetrahedra).unwrap();
+    let (frames, _) = frame_field::compute(solid, &Default::default(), &Default::default(), &[], &mut host()).unwrap();
+    let (given, _) = volume_map::fill_along_frames(&corners, &tetrahedra, &frames, &options, &mut host()).unwrap();
+    assert!(given.hexahedra.len() == 8 && least_scaled_jacobian(&given) > 0.99);
+    assert!(volume_map::fill_along_frames(&corners, &tetrahedra, &frames[4..], &options, &mut host()).is_err());
+
+    let shape = Mesh::make("cube", 300, 0, &mut host()).unwrap();
+    let mut options = volume_map::HexesOptions::default();
+    options.cells = 27;
+    options.padding = sys::volume_map::OBC_VOLUME_MAP_PADDING_WITHOUT;
+    let (hexes, report) = volume_map::fill_with_hexahedra(shape.surface(), &options, &mut host()).unwrap();
+    assert_eq!((hexes.hexahedra.len(), hexes.positions.len(), hexes.quads.len(), hexes.quad_faces.len()), (27, 3 * 64, 54, 54));
+    let volume = mesh::topology(shape.surface(), &mut host()).unwrap().volume;
+    assert!((report.volume - volume).abs() < 1e-9 && least_scaled_jacobian(&hexes) > 0.99);
+    let cells: Vec<u32> = hexes.hexahedra.concat();
+    Mesh::new(&hexes.positions, &[], &[], &cells).unwrap().check_cells(&mut host()).unwrap();
+    let cancelled = volume_map::fill_with_hexahedra(shape.surface(), &options, &mut Host::new().on_progress(|_| false));
+    assert!(cancelled.err().unwrap().is_cancelled());
+
+    let mapped = volume_map::map_to_polycube(&corners, &tetrahedra, &Default::default(), &mut host()).unwrap();
+    for places in [&mapped.positions, &mapped.polycube] {
+        Mesh::new(places, &[], &mapped.tetrahedra, &[]).unwrap().check_cells(&mut host()).unwrap();
+    }
+    assert!(volume_map::map_to_polycube(&corners, &tetrahedra[1..], &Default::default(), &mut host()).is_err());
+}
+
+#[test]
 fn pointers_that_safe_code_sets_are_not_followed() {
     unsafe extern "C" fn never(_: u64, _: u64, _: f64, _: *mut std::os::raw::c_void) {
         std::process::abort();
@@ -268,6 +401,9 @@ fn pointers_that_safe_code_sets_are_not_followed() {
         options.size_positions = 8 as *const f64;
         options.size_lengths = 8 as *const f64;
         options.size_count = 1000;
+        orbicube::tetrahedra::check_surface(shape.surface(), &mut host()).unwrap();
+        let open = Surface::new(shape.positions(), &shape.triangles()[3..]).unwrap();
+        assert!(orbicube::tetrahedra::check_surface(open, &mut host()).is_err());
         let plain = fill(shape.surface(), &options, &mut host()).unwrap();
         let fine = fill_sized(shape.surface(), &options, &[([0.0; 3], 0.05)], &mut host()).unwrap();
         assert!(fine.tetrahedra.len() > plain.tetrahedra.len());
