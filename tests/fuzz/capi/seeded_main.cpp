@@ -3,7 +3,7 @@
 //
 //   fuzz-capi-NAME [--seed N] [--seconds S] [--from INPUT] [--runs N]
 //
-// Says how many inputs were tried. A crash, or an input that takes more than 100 s of the
+// Says how many inputs were tried, and which took longest. A crash, or an input that takes more than 100 s of the
 // processor's time, says which one it was: --from INPUT --runs 1 repeats it.
 #include <chrono>
 #include <csignal>
@@ -11,6 +11,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -69,16 +70,24 @@ int main(int count, char** arguments) {
   for (const int signal : {SIGABRT, SIGPROF, SIGSEGV, SIGFPE, SIGBUS, SIGILL})
     std::signal(signal, tell);
   const auto start = std::chrono::steady_clock::now();
-  std::uint64_t tried = 0;
+  std::uint64_t tried = 0, slowest = 0;
+  double longest = 0;
   for (; tried < runs; ++tried) {
     if (std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() > seconds) break;
     current = from + tried;
     const itimerval limit = {{0, 0}, {100, 0}};
     setitimer(ITIMER_PROF, &limit, nullptr);
     const std::vector<std::uint8_t> bytes = input(current);
+    const std::clock_t before = std::clock();
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+    const double took = static_cast<double>(std::clock() - before) / CLOCKS_PER_SEC;
+    if (took > longest) {
+      longest = took;
+      slowest = current;
+    }
   }
-  std::printf("%llu inputs of seed %llu\n", static_cast<unsigned long long>(tried),
-              static_cast<unsigned long long>(seed));
+  std::printf("%llu inputs of seed %llu; the slowest took %.2f s: --from %llu --runs 1\n",
+              static_cast<unsigned long long>(tried), static_cast<unsigned long long>(seed), longest,
+              static_cast<unsigned long long>(slowest));
   return tried > 0 ? 0 : 1;
 }
