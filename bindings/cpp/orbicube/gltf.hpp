@@ -21,11 +21,11 @@ struct Surface {
   std::vector<std::string> notes;
 };
 
-inline Surface read(const std::string& path, const ReadOptions& options = {}, Host* host = nullptr) {
-  const auto handle =
-      detail::take<obc_gltf_surface, obc_gltf_surface_destroy>(host, [&](obc_gltf_surface** made, obc_error* error) {
-        return obc_gltf_read(path.c_str(), &options, detail::c(host), made, error);
-      });
+namespace detail {
+using namespace orbicube::detail;
+template <class F>
+Surface surface(Host* host, F&& f) {
+  const auto handle = take<obc_gltf_surface, obc_gltf_surface_destroy>(host, std::forward<F>(f));
   const obc_gltf_surface* const out = handle.get();
   Surface surface;
   surface.positions.resize(3 * obc_gltf_surface_vertex_count(out));
@@ -33,10 +33,24 @@ inline Surface read(const std::string& path, const ReadOptions& options = {}, Ho
   surface.welded_vertex_count = obc_gltf_surface_welded_vertex_count(out);
   for (std::size_t i = 0; i < obc_gltf_surface_note_count(out); ++i)
     surface.notes.emplace_back(obc_gltf_surface_note(out, i));
-  detail::call(nullptr, [&](obc_error* error) {
+  call(nullptr, [&](obc_error* error) {
     return obc_gltf_surface_copy(out, surface.positions.data(), surface.triangles.data(), error);
   });
   return surface;
+}
+}  // namespace detail
+
+inline Surface read(const std::string& path, const ReadOptions& options = {}, Host* host = nullptr) {
+  return detail::surface(host, [&](obc_gltf_surface** out, obc_error* error) {
+    return obc_gltf_read(path.c_str(), &options, detail::c(host), out, error);
+  });
+}
+// From bytes; buffers in files of their own lie in `folder`, nullptr refuses them.
+inline Surface read(View<const unsigned char> bytes, const char* folder = nullptr, const ReadOptions& options = {},
+                    Host* host = nullptr) {
+  return detail::surface(host, [&](obc_gltf_surface** out, obc_error* error) {
+    return obc_gltf_read_memory(bytes.data(), bytes.size(), folder, &options, detail::c(host), out, error);
+  });
 }
 inline void write(const std::string& path, const Scene& scene, Host* host = nullptr) {
   detail::call(host, [&](obc_error* error) { return obc_gltf_write(path.c_str(), &scene, detail::c(host), error); });

@@ -28,6 +28,24 @@ struct Coefficients {
   void check() const { detail::check_size(values.size(), obc_harmonics_size(degree) * channels, "coefficients"); }
 };
 
+// Y_lm at each direction, (degree + 1)^2 numbers a row.
+inline std::vector<double> evaluate(Doubles directions, std::uint32_t degree, Host* host = nullptr) {
+  const std::size_t n = detail::rows(directions.size(), 3, "directions");
+  std::vector<double> found(n * obc_harmonics_size(degree));
+  detail::call(host, [&](obc_error* error) {
+    return obc_harmonics_evaluate(directions.data(), n, degree, detail::c(host), found.data(), error);
+  });
+  return found;
+}
+// The reconstruction error e(A, B) between points.
+inline double mean_distance(Doubles a, Doubles b, Host* host = nullptr) {
+  double distance = 0;
+  detail::call(host, [&](obc_error* error) {
+    return obc_harmonics_mean_distance(a.data(), detail::rows(a.size(), 3, "a"), b.data(),
+                                       detail::rows(b.size(), 3, "b"), detail::c(host), &distance, error);
+  });
+  return distance;
+}
 inline Coefficients fit(Doubles directions, Doubles values, std::size_t channels, Doubles weights = {},
                         const FitOptions& options = {}, FitReport* report = nullptr, Host* host = nullptr) {
   const std::size_t n = detail::rows(directions.size(), 3, "directions");

@@ -5,6 +5,7 @@
 #ifndef ORBICUBE_MESH_HPP
 #define ORBICUBE_MESH_HPP
 
+#include <array>
 #include <vector>
 
 #include <orbicube/mesh.h>
@@ -91,6 +92,8 @@ class Mesh {
     return cells;
   }
   std::string format() const { return obc_mesh_format(handle()); }
+  std::size_t polygon_count() const noexcept { return obc_mesh_polygon_count(handle()); }
+  std::size_t welded_vertex_count() const noexcept { return obc_mesh_welded_vertex_count(handle()); }
   std::vector<std::string> notes() const {
     std::vector<std::string> notes;
     for (const char* note; (note = obc_mesh_note(handle(), notes.size())) != nullptr;)
@@ -119,6 +122,14 @@ class Mesh {
 };
 
 namespace mesh {
+
+namespace detail {
+using namespace orbicube::detail;
+inline int sign(std::int32_t answer) {
+  if (answer == 2) throw Error(OBC_INVALID_ARGUMENT, "a coordinate is not finite, or there is no memory");
+  return answer;
+}
+}  // namespace detail
 
 inline std::vector<std::string> shape_names() {
   std::vector<std::string> names;
@@ -162,6 +173,34 @@ inline std::vector<std::uint32_t> intersections(const Surface& surface, std::siz
   });
   pairs.resize(2 * count);
   return pairs;
+}
+
+// For each vertex the lowest one at its very position.
+inline std::vector<std::uint32_t> first_at_same_position(Doubles positions, Host* host = nullptr) {
+  std::vector<std::uint32_t> first(detail::rows(positions.size(), 3, "positions"));
+  detail::call(host, [&](obc_error* error) {
+    return obc_mesh_first_at_same_position(positions.data(), first.size(), detail::c(host), first.data(), error);
+  });
+  return first;
+}
+inline void write(const std::string& path, const Surface& surface, const Mesh::WriteOptions& options = {},
+                  Host* host = nullptr) {
+  detail::call(host, [&](obc_error* error) {
+    return obc_mesh_write_surface(path.c_str(), &surface, &options, detail::c(host), error);
+  });
+}
+// Exact signs: of (b - a) x (c - a), det[b - a, c - a, d - a] and det[p, q, r].
+inline int orientation_2d(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                          const std::array<double, 2>& c) {
+  return detail::sign(obc_mesh_orientation_2d(a.data(), b.data(), c.data()));
+}
+inline int orientation_3d(const std::array<double, 3>& a, const std::array<double, 3>& b,
+                          const std::array<double, 3>& c, const std::array<double, 3>& d) {
+  return detail::sign(obc_mesh_orientation_3d(a.data(), b.data(), c.data(), d.data()));
+}
+inline int orientation_from_origin(const std::array<double, 3>& p, const std::array<double, 3>& q,
+                                   const std::array<double, 3>& r) {
+  return detail::sign(obc_mesh_orientation_from_origin(p.data(), q.data(), r.data()));
 }
 
 // A surface made ready for searching.

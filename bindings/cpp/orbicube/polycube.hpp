@@ -124,9 +124,45 @@ class Polycube {
     return out;
   }
 
+  // Where each vertex comes from: three vertices of one triangle of the surface (UINT32_MAX where fewer are needed),
+  // weights.
+  struct Sources {
+    std::vector<std::uint32_t> corners;
+    std::vector<double> weights;
+  };
+  Sources sources() const {
+    Sources out{std::vector<std::uint32_t>(3 * vertex_count()), std::vector<double>(3 * vertex_count())};
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_polycube_copy_sources(handle(), out.corners.data(), out.weights.data(), error);
+    });
+    return out;
+  }
+  // OBC_POLYCUBE_LABELS, ...: how it was made.
+  std::int32_t construction() const noexcept { return obc_polycube_construction(handle()); }
+
+  // Corners, straight edges and patches without triangles; <orbicube/polycube.h> tells of each array.
+  struct Graph {
+    std::vector<double> corner_positions;
+    std::vector<std::uint32_t> corner_vertices, edge_corners, edge_patches;
+    std::vector<std::uint8_t> edge_convex, patch_labels;
+    std::vector<double> patch_coordinates;
+    std::vector<std::uint32_t> patch_loops, loop_darts;  // where each begins among loops and darts, and one entry more
+    std::vector<std::uint32_t> darts;
+    std::vector<std::uint32_t> link_starts, links;  // of each patch those that share an edge with it
+  };
+  Graph graph(Host* host = nullptr) const {
+    const auto keeper = detail::take<obc_polycube_graph, obc_polycube_graph_destroy>(
+        host, [&](obc_polycube_graph** out, obc_error* error) {
+          return obc_polycube_graph_create(handle(), detail::c(host), out, error);
+        });
+    return copied(*keeper);
+  }
+
   struct Quads {
     std::vector<double> positions, polycube;
     std::vector<std::uint32_t> corners, patches;  // four vertices a quad, and its patch
+    std::vector<std::uint32_t> triangles;         // of each vertex the triangle of the map that it is in,
+    std::vector<double> weights;                  // and its three weights there
   };
   Quads quads(const QuadsOptions& options = {}, Host* host = nullptr) const {
     const auto keeper = detail::take<obc_polycube_quads, obc_polycube_quads_destroy>(
@@ -135,18 +171,19 @@ class Polycube {
         });
     const obc_polycube_quads* const made_quads = keeper.get();
     const std::size_t n = obc_polycube_quads_vertex_count(made_quads), m = obc_polycube_quads_quad_count(made_quads);
-    Quads out{std::vector<double>(3 * n), std::vector<double>(3 * n), std::vector<std::uint32_t>(4 * m),
-              std::vector<std::uint32_t>(m)};
+    Quads out{std::vector<double>(3 * n),    std::vector<double>(3 * n),    std::vector<std::uint32_t>(4 * m),
+              std::vector<std::uint32_t>(m), std::vector<std::uint32_t>(n), std::vector<double>(3 * n)};
     detail::call(nullptr, [&](obc_error* error) {
       return obc_polycube_quads_copy(made_quads, out.positions.data(), out.polycube.data(), out.corners.data(),
                                      out.patches.data(), error);
     });
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_polycube_quads_copy_sources(made_quads, out.triangles.data(), out.weights.data(), error);
+    });
     return out;
   }
 
-  obc_polycube* handle() const noexcept {
-    return handle_.get();
-  }  // for obc_polycube_graph_create and what else there is
+  obc_polycube* handle() const noexcept { return handle_.get(); }
 
  private:
   template <class F>
@@ -165,6 +202,42 @@ class Polycube {
   template <class F>
   static Polycube made(Host* host, F&& f) {
     return Polycube(detail::take<obc_polycube, obc_polycube_destroy>(host, std::forward<F>(f)).release());
+  }
+  static Graph copied(const obc_polycube_graph& of) {
+    Graph out;
+    const std::size_t corners = obc_polycube_graph_corner_count(&of), edges = obc_polycube_graph_edge_count(&of);
+    const std::size_t patches = obc_polycube_graph_patch_count(&of);
+    out.corner_positions.resize(3 * corners);
+    out.corner_vertices.resize(corners);
+    out.edge_corners.resize(2 * edges);
+    out.edge_patches.resize(2 * edges);
+    out.edge_convex.resize(edges);
+    out.patch_labels.resize(patches);
+    out.patch_coordinates.resize(patches);
+    out.patch_loops.resize(patches + 1);
+    out.loop_darts.resize(obc_polycube_graph_loop_count(&of) + 1);
+    out.darts.resize(2 * edges);
+    out.link_starts.resize(patches + 1);
+    out.links.resize(obc_polycube_graph_link_count(&of));
+    const auto call = [](auto&& f) { detail::call(nullptr, f); };
+    call([&](obc_error* error) {
+      return obc_polycube_graph_copy_corners(&of, out.corner_positions.data(), out.corner_vertices.data(), error);
+    });
+    call([&](obc_error* error) {
+      return obc_polycube_graph_copy_edges(&of, out.edge_corners.data(), out.edge_patches.data(),
+                                           out.edge_convex.data(), error);
+    });
+    call([&](obc_error* error) {
+      return obc_polycube_graph_copy_patches(&of, out.patch_labels.data(), out.patch_coordinates.data(),
+                                             out.patch_loops.data(), error);
+    });
+    call([&](obc_error* error) {
+      return obc_polycube_graph_copy_loops(&of, out.loop_darts.data(), out.darts.data(), error);
+    });
+    call([&](obc_error* error) {
+      return obc_polycube_graph_copy_dual(&of, out.link_starts.data(), out.links.data(), error);
+    });
+    return out;
   }
   void copy(double* positions, double* polycube, std::uint32_t* triangles) const {
     detail::call(nullptr,

@@ -29,6 +29,11 @@ Out checked(F&& f) {
   call(nullptr, [&](obc_error* error) { return f(out.data(), error); });
   return out;
 }
+inline std::uint32_t numbered(std::uint32_t number) {
+  if (number >= OBC_QUATERNION_CUBE_ORDER)
+    throw Error(OBC_INVALID_ARGUMENT, "the cube's rotations have the numbers 0 to 23");
+  return number;
+}
 }  // namespace detail
 
 inline Quaternion multiply(const Quaternion& p, const Quaternion& q) {  // turns by q first
@@ -100,6 +105,17 @@ inline Matrix cube_matrix(std::uint32_t number) {
   return detail::checked<Matrix>(
       [&](double* out, obc_error* error) { return obc_quaternion_cube_matrix(number, out, error); });
 }
+// The number of a b, b first; of the inverse; OBC_QUATERNION_IDENTITY, ... Throw when a number is 24 or more.
+inline std::uint32_t cube_product(std::uint32_t a, std::uint32_t b) {
+  return detail::numbered(obc_quaternion_cube_product(a, b));
+}
+inline std::uint32_t cube_inverse(std::uint32_t a) {
+  return detail::numbered(obc_quaternion_cube_inverse(a));
+}
+inline std::int32_t cube_class(std::uint32_t number) {
+  detail::numbered(number);
+  return obc_quaternion_cube_class(number);
+}
 inline std::uint32_t cube_nearest(const Quaternion& r) {
   return obc_quaternion_cube_nearest(r.data());
 }
@@ -107,6 +123,10 @@ inline std::uint32_t cube_nearest(const Quaternion& r) {
 // Between frames: up to the 24 rotations of the cube.
 inline double symmetric_distance(const Quaternion& p, const Quaternion& q) {
   return obc_quaternion_symmetric_distance(p.data(), q.data());
+}
+// sin^2 of half of the distance.
+inline double symmetric_sine_square(const Quaternion& p, const Quaternion& q) {
+  return obc_quaternion_symmetric_sine_square(p.data(), q.data());
 }
 inline std::uint32_t symmetric_matching(const Quaternion& from, const Quaternion& to) {
   return obc_quaternion_symmetric_matching(from.data(), to.data());

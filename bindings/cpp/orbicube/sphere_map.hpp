@@ -38,6 +38,28 @@ inline Map compute(const Surface& surface, const Options& options = {}, Host* ho
   });
   return map;
 }
+// What there is of a map, also when the work is cancelled or finds no valid result.
+struct Partial {
+  std::vector<double> directions;
+  std::size_t placed = 0;      // vertices that have places of their own
+  obc_status status = OBC_OK;  // OBC_CANCELLED or OBC_NO_VALID_RESULT, or all went well
+  std::string message;
+};
+inline Partial compute_partial(const Surface& surface, const Options& options = {}, Host* host = nullptr) {
+  Partial partial;
+  partial.directions.resize(3 * surface.vertex_count);
+  try {
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_compute_partial(&surface, &options, detail::c(host), partial.directions.data(),
+                                            &partial.placed, nullptr, error);
+    });
+  } catch (const Error& error) {
+    if (error.status() != OBC_CANCELLED && error.status() != OBC_NO_VALID_RESULT) throw;
+    partial.status = error.status();
+    partial.message = error.what();
+  }
+  return partial;
+}
 inline Report measure(const Surface& surface, Doubles directions, const Options& options = {}, Host* host = nullptr) {
   detail::check_size(directions.size(), 3 * surface.vertex_count, "directions");
   Report report;
@@ -45,6 +67,26 @@ inline Report measure(const Surface& surface, Doubles directions, const Options&
     return obc_sphere_map_measure(&surface, directions.data(), &options, detail::c(host), &report, error);
   });
   return report;
+}
+// Of each triangle.
+struct Distortion {
+  std::vector<double> dilatation, area_ratio;
+};
+inline Distortion face_distortion(const Surface& surface, Doubles directions, Host* host = nullptr) {
+  detail::check_size(directions.size(), 3 * surface.vertex_count, "directions");
+  Distortion found{std::vector<double>(surface.triangle_count), std::vector<double>(surface.triangle_count)};
+  detail::call(host, [&](obc_error* error) {
+    return obc_sphere_map_face_distortion(&surface, directions.data(), detail::c(host), found.dilatation.data(),
+                                          found.area_ratio.data(), error);
+  });
+  return found;
+}
+inline obc_sphere_map_distance surface_distance(const Surface& first, const Surface& second, Host* host = nullptr) {
+  detail::Filled<obc_sphere_map_distance, obc_sphere_map_distance_init> distance;
+  detail::call(host, [&](obc_error* error) {
+    return obc_sphere_map_surface_distance(&first, &second, detail::c(host), &distance, error);
+  });
+  return distance;
 }
 inline std::vector<float> round_to_float(const Surface& surface, Doubles directions, Host* host = nullptr) {
   detail::check_size(directions.size(), 3 * surface.vertex_count, "directions");
@@ -108,12 +150,77 @@ class Locator {
       return obc_sphere_map_remesh(handle(), positions.data(), grid, resolution, detail::c(host), out, error);
     });
   }
+  std::size_t vertex_count() const noexcept { return vertex_count_; }
   obc_sphere_map_locator* handle() const noexcept { return handle_.get(); }
 
  private:
   std::size_t vertex_count_;
   detail::Handle<obc_sphere_map_locator, obc_sphere_map_locator_destroy> handle_;
 };
+
+// A geometry image: pixels x y z, row by row from the top. layout: OBC_SPHERE_MAP_OCTAHEDRON or OBC_SPHERE_MAP_CUBE.
+struct Image {
+  std::int32_t layout;
+  std::size_t resolution, width = 0, height = 0;
+  std::vector<double> pixels;
+
+  Image(std::int32_t layout_, std::size_t resolution_) : layout(layout_), resolution(resolution_) {
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_map_image_size(layout, resolution, &width, &height, error);
+    });
+    pixels.resize(3 * width * height);
+  }
+  // Of positions of the vertices, or other vectors.
+  Image(const Locator& locator, Doubles positions, std::int32_t layout_, std::size_t resolution_, Host* host = nullptr)
+      : Image(layout_, resolution_) {
+    detail::check_size(positions.size(), 3 * locator.vertex_count(), "positions");
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_image(locator.handle(), positions.data(), layout, resolution, detail::c(host),
+                                  pixels.data(), error);
+    });
+  }
+  // From .pfm and .png, and to them.
+  static Image read(const std::string& path, Host* host = nullptr) {
+    std::int32_t kind = 0;
+    std::size_t size = 0;
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_image_read(path.c_str(), detail::c(host), &kind, &size, nullptr, 0, error);
+    });
+    Image image(kind, size);
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_image_read(path.c_str(), detail::c(host), &kind, &size, image.pixels.data(),
+                                       image.pixels.size(), error);
+    });
+    return image;
+  }
+  void write(const std::string& path, Host* host = nullptr) const {
+    check();
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_map_image_write(path.c_str(), pixels.data(), layout, resolution, detail::c(host), error);
+    });
+  }
+  // The closed surface back; seam_gap: the greatest distance between pixels that are one vertex.
+  Mesh surface(double* seam_gap = nullptr, Host* host = nullptr) const {
+    check();
+    return detail::mesh(host, [&](obc_mesh** out, obc_error* error) {
+      return obc_sphere_map_image_surface(pixels.data(), layout, resolution, detail::c(host), out, seam_gap, error);
+    });
+  }
+  void check() const { detail::check_size(pixels.size(), 3 * width * height, "pixels"); }
+};
+
+// One triangulation of the sphere with the vertices of two maps; second_vertex: where those of the second are in it
+// (UINT32_MAX: in no triangle).
+inline Mesh overlay(const Surface& first, Doubles first_directions, const Surface& second, Doubles second_directions,
+                    std::vector<std::uint32_t>* second_vertex = nullptr, Host* host = nullptr) {
+  detail::check_size(first_directions.size(), 3 * first.vertex_count, "first_directions");
+  detail::check_size(second_directions.size(), 3 * second.vertex_count, "second_directions");
+  if (second_vertex != nullptr) second_vertex->resize(second.vertex_count);
+  return detail::mesh(host, [&](obc_mesh** out, obc_error* error) {
+    return obc_sphere_map_overlay(&first, first_directions.data(), &second, second_directions.data(), detail::c(host),
+                                  out, second_vertex == nullptr ? nullptr : second_vertex->data(), error);
+  });
+}
 
 // The matrix, by rows, that takes directions nearest to others.
 inline std::array<double, 9> best_rotation(Doubles from, Doubles to) {

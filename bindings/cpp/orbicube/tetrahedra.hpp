@@ -40,6 +40,14 @@ inline Solid fill(const Surface& surface, const Options& options = {}, Host* hos
   return solid;
 }
 
+// Throws, with kind and place, unless fill can work.
+inline void check_surface(const Surface& surface, Host* host = nullptr) {
+  std::size_t count = 0;
+  detail::call(host, [&](obc_error* error) {
+    return obc_tetrahedra_check_surface(&surface, detail::c(host), nullptr, 0, &count, error);
+  });
+}
+
 }  // namespace tetrahedra
 }  // namespace api
 }  // namespace orbicube

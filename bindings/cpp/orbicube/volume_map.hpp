@@ -59,12 +59,12 @@ inline Solid map_to_polycube(Doubles positions, Indices tetrahedra, const SolidO
                              Host* host = nullptr) {
   const std::size_t vertices = detail::rows(positions.size(), 3, "positions");
   const std::size_t cells = detail::rows(tetrahedra.size(), 4, "tetrahedra");
-  obc_volume_map_solid* made = nullptr;
-  detail::call(host, [&](obc_error* error) {
-    return obc_volume_map_solid_compute(positions.data(), vertices, tetrahedra.data(), cells, &options, detail::c(host),
-                                        &made, error);
-  });
-  const detail::Handle<obc_volume_map_solid, obc_volume_map_solid_destroy> keeper(made);
+  const auto keeper = detail::take<obc_volume_map_solid, obc_volume_map_solid_destroy>(
+      host, [&](obc_volume_map_solid** out, obc_error* error) {
+        return obc_volume_map_solid_compute(positions.data(), vertices, tetrahedra.data(), cells, &options,
+                                            detail::c(host), out, error);
+      });
+  const obc_volume_map_solid* const made = keeper.get();
   Solid result;
   result.positions.resize(3 * obc_volume_map_solid_vertex_count(made));
   result.polycube.resize(result.positions.size());
@@ -87,9 +87,11 @@ struct Hexes {
 
 namespace detail_hexes {
 
-// What a handle holds.
-inline void copy(obc_volume_map_hexes* made, Hexes& to) {
-  const detail::Handle<obc_volume_map_hexes, obc_volume_map_hexes_destroy> keeper(made);
+// What the call f(&handle, error) hands out.
+template <class F>
+void copy(Host* host, Hexes& to, F&& f) {
+  const auto keeper = detail::take<obc_volume_map_hexes, obc_volume_map_hexes_destroy>(host, std::forward<F>(f));
+  const obc_volume_map_hexes* const made = keeper.get();
   to.positions.resize(3 * obc_volume_map_hexes_vertex_count(made));
   to.hexahedra.resize(8 * obc_volume_map_hexes_count(made));
   to.quads.resize(4 * obc_volume_map_hexes_quad_count(made));
@@ -106,11 +108,9 @@ inline void copy(obc_volume_map_hexes* made, Hexes& to) {
 inline Hexes fill_with_hexahedra(const Surface& surface, const HexesOptions& options = {}, Host* host = nullptr) {
   Hexes result;
   result.report = detail::sized<obc_volume_map_hexes_report>();
-  obc_volume_map_hexes* made = nullptr;
-  detail::call(host, [&](obc_error* error) {
-    return obc_volume_map_hexes_compute(&surface, &options, detail::c(host), &result.report, &made, error);
+  detail_hexes::copy(host, result, [&](obc_volume_map_hexes** out, obc_error* error) {
+    return obc_volume_map_hexes_compute(&surface, &options, detail::c(host), &result.report, out, error);
   });
-  detail_hexes::copy(made, result);
   return result;
 }
 
@@ -126,20 +126,18 @@ inline Hexes fill_along_frames(Doubles positions, Indices tetrahedra, Doubles fr
   if (frames.size() != 0 && detail::rows(frames.size(), 4, "frames") != cells)
     throw Error(OBC_INVALID_ARGUMENT, "frames need four numbers a tetrahedron");
   FrameReport figures = detail::sized<FrameReport>();
-  obc_volume_map_hexes* made = nullptr;
-  detail::call(host, [&](obc_error* error) {
+  Hexes result;
+  detail_hexes::copy(host, result, [&](obc_volume_map_hexes** out, obc_error* error) {
     return obc_volume_map_frame_hexes_compute(positions.data(), vertices, tetrahedra.data(), cells,
                                               frames.size() != 0 ? frames.data() : nullptr, &options, detail::c(host),
-                                              &figures, &made, error);
+                                              &figures, out, error);
   });
-  Hexes result;
   result.report = detail::sized<obc_volume_map_hexes_report>();
   result.report.least_scaled_jacobian = figures.least_scaled_jacobian;
   result.report.mean_scaled_jacobian = figures.mean_scaled_jacobian;
   result.report.volume = figures.volume;
   result.report.off_surface = figures.off_surface;
   if (report != nullptr) *report = figures;
-  detail_hexes::copy(made, result);
   return result;
 }
 

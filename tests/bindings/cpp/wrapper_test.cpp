@@ -1,9 +1,12 @@
 // The C++ wrappers: the bits of C, exceptions through callbacks both ways, questions and answers, handles that release
 // themselves (the address sanitizer looks on).
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <new>
 #include <numeric>
@@ -352,4 +355,117 @@ TEST_CASE("frames to start from are one a tetrahedron") {
   const std::vector<double> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, too_few = {1, 0, 0};
   const std::vector<std::uint32_t> cells = {0, 1, 2, 3};
   CHECK_THROWS_AS(frame_field::compute(frame_field::Solid(corners, cells), {}, {}, too_few), Error);
+}
+
+TEST_CASE("hexahedra follow the frames of a tetrahedral cube") {
+  const std::vector<double> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
+  const std::vector<std::uint32_t> cells = {0, 1, 3, 7, 0, 3, 2, 7, 0, 2, 6, 7, 0, 6, 4, 7, 0, 4, 5, 7, 0, 5, 1, 7};
+  volume_map::FrameOptions options;
+  options.cells = 8;
+  volume_map::FrameReport report;
+  const auto hexes = volume_map::fill_along_frames(corners, cells, {}, options, nullptr, &report);
+  CHECK(hexes.hexahedra.size() == 8 * 8);
+  CHECK(hexes.positions.size() == 3 * 27);
+  CHECK(hexes.quads.size() == 4 * 24);
+  CHECK(report.volume == doctest::Approx(1));
+  CHECK(hexes.report.least_scaled_jacobian > 0.99);
+  Mesh::Cells given;
+  given.positions = hexes.positions.data();
+  given.vertex_count = 27;
+  given.hexahedra = hexes.hexahedra.data();
+  given.hexahedron_count = 8;
+  Mesh(given).check_cells();
+  Host host;
+  host.on_progress([](const Progress&) { return false; });
+  CHECK_THROWS_AS(volume_map::fill_along_frames(corners, cells, {}, options, &host), Error);
+}
+
+TEST_CASE("images, overlays and partial maps") {
+  const Mesh shape = Mesh::make("creature", 400);
+  const auto map = sphere_map::compute(shape);
+  const auto partial = sphere_map::compute_partial(shape);
+  CHECK(partial.directions == map.directions);
+  CHECK(partial.placed == shape.vertex_count());
+  Host host;
+  host.on_progress([](const Progress&) { return false; });
+  CHECK(sphere_map::compute_partial(shape, {}, &host).status == OBC_CANCELLED);
+  const auto distortion = sphere_map::face_distortion(shape, map.directions);
+  CHECK(*std::max_element(distortion.dilatation.begin(), distortion.dilatation.end()) ==
+        doctest::Approx(map.report.dilatation_largest));
+  CHECK(sphere_map::surface_distance(shape, shape).first_largest < 1e-12);
+
+  const sphere_map::Locator locator(shape, map.directions);
+  const sphere_map::Image image(locator, shape.positions(), OBC_SPHERE_MAP_OCTAHEDRON, 16);
+  CHECK(image.pixels.size() == 3 * 17 * 17);
+  double gap = -1;
+  CHECK(mesh::topology(image.surface(&gap)).genus == 0);
+  CHECK(gap == 0);
+  const std::string path = (std::filesystem::temp_directory_path() / "orbicube-wrapper-image.pfm").string();
+  image.write(path);
+  const auto again = sphere_map::Image::read(path);
+  std::filesystem::remove(path);
+  CHECK(again.resolution == 16);
+  CHECK(again.pixels[100] == static_cast<double>(static_cast<float>(image.pixels[100])));
+
+  std::vector<double> turned = map.directions;
+  for (std::size_t i = 0; i < turned.size(); i += 3) {
+    turned[i] = -map.directions[i + 1];
+    turned[i + 1] = map.directions[i];
+  }
+  std::vector<std::uint32_t> second;
+  const Mesh sphere = sphere_map::overlay(shape, map.directions, shape, turned, &second);
+  CHECK(mesh::topology(sphere).genus == 0);
+  CHECK(second.size() == shape.vertex_count());
+  CHECK(*std::max_element(second.begin(), second.end()) < sphere.vertex_count());
+
+  harmonics::FitOptions options;
+  options.degree = 6;
+  const auto fitted = harmonics::fit(map.directions, shape.positions(), 3, {}, options);
+  const std::vector<double> pole = {0, 0, 1};
+  const auto rows = harmonics::evaluate(pole, 6);
+  double sum = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    sum += rows[k] * fitted.values[3 * k];
+  CHECK(sum == doctest::Approx(harmonics::synthesize(fitted, pole)[0]));
+  CHECK(harmonics::mean_distance(shape.positions(), shape.positions()) == 0);
+}
+
+TEST_CASE("the graph of a polycube, exact signs, and glTF from memory") {
+  const Mesh cube = Mesh::make("cube", 300);
+  const auto map = Polycube::compute(cube);
+  const auto graph = map.graph();
+  CHECK(graph.corner_vertices.size() == 8);
+  CHECK(graph.edge_corners.size() == 2 * 12);
+  CHECK(graph.patch_loops.back() == 6);
+  CHECK(graph.loop_darts.back() == 24);
+  CHECK(graph.links.size() == 24);
+  CHECK(std::count(graph.edge_convex.begin(), graph.edge_convex.end(), 1) == 12);
+  CHECK(map.sources().weights.size() == 3 * map.vertex_count());
+  CHECK(map.construction() != 0);
+  const auto quads = map.quads();
+  CHECK(quads.triangles.size() == quads.positions.size() / 3);
+  CHECK(*std::max_element(quads.triangles.begin(), quads.triangles.end()) < map.triangle_count());
+
+  CHECK(mesh::orientation_2d({0, 0}, {1, 0}, {0, 1}) == 1);
+  CHECK(mesh::orientation_3d({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}) == -1);
+  CHECK(mesh::orientation_from_origin({0.1, 0.1, 0.1}, {0.2, 0.2, 0.2}, {0, 0, 1}) == 0);
+  CHECK_THROWS_AS(mesh::orientation_2d({std::nan(""), 0}, {1, 0}, {0, 1}), Error);
+  CHECK(mesh::first_at_same_position(std::vector<double>{0, 0, 0, 1, 0, 0, 0, 0, 0}) ==
+        std::vector<std::uint32_t>{0, 1, 0});
+
+  const std::string path = (std::filesystem::temp_directory_path() / "orbicube-wrapper-cube.glb").string();
+  const std::vector<float> positions(cube.positions().begin(), cube.positions().end());
+  gltf::write(path, positions, cube.triangles());
+  std::ifstream file(path, std::ios::binary);
+  const std::vector<unsigned char> bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  std::filesystem::remove(path);
+  CHECK(gltf::read(bytes).triangles.size() == 3 * cube.triangle_count());
+  CHECK_THROWS_AS(gltf::read(View<const unsigned char>(bytes.data(), 11)), Error);
+
+  for (std::uint32_t g = 0; g < 24; ++g)
+    CHECK(quaternion::cube_product(g, quaternion::cube_inverse(g)) == 0);
+  CHECK(quaternion::cube_class(0) == OBC_QUATERNION_IDENTITY);
+  CHECK_THROWS_AS(quaternion::cube_product(24, 0), Error);
+  CHECK(quaternion::symmetric_sine_square({1, 0, 0, 0}, quaternion::from_axis_angle({0, 0, 1}, 0.4)) ==
+        doctest::Approx(std::pow(std::sin(0.2), 2)));
 }
