@@ -43,17 +43,16 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
     solid.tetrahedra = std::move(input.mesh.tetrahedra);
   }
   session.figures()["seconds_fill"] = session.seconds() - begin;
-  const double start = session.seconds();
-  if (verb.frames.empty()) {
-    about(verb.solid.input, Role::input,
-          [&] { volume_map::find_frames(solid, verb.features * std::numbers::pi / 180, host); });
-  } else {
+  if (!verb.frames.empty()) {
     solid.frames = about(verb.frames, Role::input,
                          [&] { return frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host); });
   }
-  const double framed = session.seconds();
+  const double start = session.seconds();
   volume_map::FrameHexes made = about(verb.output, Role::output, [&] {
-    return volume_map::make_hexahedra_by_frames(solid, {.cells = verb.cells}, host);
+    const volume_map::FrameHexOptions options = {.cells = verb.cells};
+    if (!verb.frames.empty()) return volume_map::make_hexahedra_by_frames(solid, options, host);
+    return volume_map::make_hexahedra_along_frames(solid.positions, solid.tetrahedra,
+                                                   verb.features * std::numbers::pi / 180, options, host);
   });
   const volume_map::HexQuality& quality = made.result.quality;
   const volume_map::FrameMap& map = made.map;
@@ -74,8 +73,9 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
                                 {"integers_optimal", map.integers_optimal},
                                 {"inverted_at_start", map.inverted_at_start},
                                 {"steps", map.steps},
-                                {"seconds_frames", framed - start},
-                                {"seconds_compute", session.seconds() - framed}});
+                                {"fields", made.fields},
+                                {"seconds_frames", made.field_seconds},
+                                {"seconds_compute", session.seconds() - start - made.field_seconds}});
   if (!verb.glb.empty()) {
     about(verb.glb, Role::output, [&] {
       session.figures()["scene"] = write_hex_scene(verb.glb, made.result.mesh, verb.cut,
@@ -88,6 +88,9 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
   write_cells_exactly(verb.output, cells, verb.text, host);
   for (const std::string& note : session.notes())
     session.say("note: " + note);
+  if (made.fields > 1)
+    session.say("note: no map follows the smoothest field; that of the hexahedra is number " +
+                std::to_string(made.fields));
   session.say("wrote " + verb.output + ": " + std::to_string(cells.hexahedra.size()) +
               " hexahedra, each certified to be positive");
   session.say("  scaled Jacobians " + number(quality.least_scaled_jacobian) + " at least, " +

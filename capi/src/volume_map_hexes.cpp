@@ -202,12 +202,13 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
       capi::require(p.allFinite(), "a position is not finite");
     if (given.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
     mesh::require_valid_cells(given, h);
-    volume_map::FramedSolid solid(h.memory);
-    solid.positions = std::move(given.positions);
-    solid.tetrahedra = std::move(given.tetrahedra);
-    if (frames == nullptr) {
-      volume_map::find_frames(solid, o.feature_angle, h);
-    } else {
+    const auto make = [&] {
+      const volume_map::FrameHexOptions how = {.cells = o.cells, .rounds = o.rounds};
+      if (frames == nullptr)
+        return volume_map::make_hexahedra_along_frames(given.positions, given.tetrahedra, o.feature_angle, how, h);
+      volume_map::FramedSolid solid(h.memory);
+      solid.positions = std::move(given.positions);
+      solid.tetrahedra = std::move(given.tetrahedra);
       const auto* const first = reinterpret_cast<const quaternion::Quaternion*>(frames);
       solid.frames.assign(first, first + tetrahedron_count);
       for (quaternion::Quaternion& q : solid.frames) {
@@ -215,9 +216,9 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
         capi::require(square > 1e-12 && square < 1e12, "a frame is zero or not finite");
         q = quaternion::normalised(q);
       }
-    }
-    volume_map::FrameHexes result =
-        volume_map::make_hexahedra_by_frames(solid, {.cells = o.cells, .rounds = o.rounds}, h);
+      return volume_map::make_hexahedra_by_frames(solid, how, h);
+    };
+    volume_map::FrameHexes result = make();
     obc_volume_map_frame_report r{};
     r.struct_size = sizeof r;
     r.integers_optimal = result.map.integers_optimal ? 1 : 0;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "frame_field/boundary_stars.h"
 #include "frame_field/canonical_solid.h"
 #include "frame_field/curve_search.h"
 #include "frame_field/diffusion.h"
@@ -201,6 +202,7 @@ Constraints constraints_of(const CanonicalSolid& solid, std::span<const Vector3>
       frame.tetrahedron = number[frame.tetrahedron];
   }
   if (options.feature_angle > 0) follow_features(ordered, connectivity, options.feature_angle, host, frames, axes);
+  if (options.align_boundary && options.align_stars) follow_boundary_stars(ordered, connectivity, host, frames, axes);
   Constraints constraints = make_constraints(graph, ordered, connectivity, options.align_boundary, frames, axes, host);
   solid.turn(constraints);
   return constraints;

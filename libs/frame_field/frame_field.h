@@ -42,6 +42,7 @@ struct Options {
   Method method = Method::smooth;
   Weighting weighting = Weighting::uniform;
   bool align_boundary = true;
+  bool align_stars = false;     // also the frames that meet the boundary in a vertex or an edge alone
   double feature_angle = 0;     // edges of the boundary that turn by more (radians) are followed by an axis; 0: none
   double relative_gain = 1e-6;  // of the last step of smoothing
   std::uint32_t rounds = 2;     // of improvement by Start::automatic

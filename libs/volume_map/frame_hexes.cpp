@@ -2,13 +2,18 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <chrono>
 #include <cmath>
+#include <exception>
 #include <limits>
 #include <string>
+#include <string_view>
 
 #include "base/error.h"
 #include "frame_field/frame_field.h"
 #include "frame_field/meshability.h"
+#include "volume_map/freeing_splits.h"
 #include "volume_map/grid_extraction.h"
 #include "volume_map/hex_search.h"
 #include "volume_map/hex_smoothing.h"
@@ -63,38 +68,109 @@ std::size_t irregular_edges(const HexMesh& mesh, const base::Host& host) {
   return count;
 }
 
-}  // namespace
-
-void find_frames(FramedSolid& solid, double feature_angle, const base::Host& host) {
-  using frame_field::Repairs;
-  using frame_field::Start;
+// Edges and vertices inside that no mesh of hexahedra has, and vertices of the boundary that singular edges touch:
+// where there are two of them, or one but the boundary's planes end there. A curve ends in the middle of a plane,
+// alone.
+std::size_t count_faults(const FramedSolid& solid, const base::Host& host) {
   const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
   const mesh::EdgeRings rings(connectivity, host);
   const Array<std::uint8_t> outer = connectivity.boundary_vertices(host.memory);
-  std::size_t fewest = std::numeric_limits<std::size_t>::max();
-  struct Attempt {
-    Start start;
-    Repairs repairs;
-  };
-  // The smoothest first; the others where that cannot be followed.
-  for (const auto& [start, repairs] : {Attempt{Start::automatic, Repairs::places},
-                                       {Start::automatic, Repairs::single_axis},
-                                       {Start::propagated, Repairs::places},
-                                       {Start::identity, Repairs::places}}) {
-    frame_field::Options options;
-    options.start = start;
-    options.feature_angle = feature_angle;
-    options.repairs = repairs;
-    const frame_field::Outcome found = frame_field::compute(solid.positions, solid.tetrahedra, options, {}, host);
-    const auto matchings = frame_field::matchings(connectivity, found.field, host);
-    const auto graph = frame_field::singular_graph(solid.positions, connectivity, rings, found.field, matchings, host);
-    const auto local = frame_field::meshability(graph, outer, host.memory);
-    const std::size_t faults = local.edges.size() + local.vertices.size();
+  const auto matchings = frame_field::matchings(connectivity, solid.frames, host);
+  const auto graph = frame_field::singular_graph(solid.positions, connectivity, rings, solid.frames, matchings, host);
+  const auto local = frame_field::meshability(graph, outer, host.memory);
+  Array<std::uint8_t> border(host.memory);
+  label_boundary(solid.positions, connectivity, rings, solid.frames, matchings, border, host);
+  Array<Index> ends(solid.positions.size(), 0, host.memory);
+  for (const frame_field::SingularEdge& edge : graph.edges) {
+    for (const Index v : edge.vertices)
+      ends[v] += outer[v];
+  }
+  for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    if (border[ring] == 0) continue;
+    for (const Index v : rings.vertices(ring))
+      ends[v] += ends[v] > 0;
+  }
+  std::size_t faults = local.edges.size() + local.vertices.size();
+  for (const Index count : ends)
+    faults += count > 1;
+  return faults;
+}
+
+struct FieldAttempt {
+  frame_field::Start start;
+  frame_field::Repairs repairs;
+  // Frames follow the boundary where they meet it in a vertex or an edge alone, too, in tetrahedra split so that each
+  // meets it in one place: where tetrahedra are coarse, curves beside the boundary would else lie on it.
+  bool align_stars;
+};
+
+// The smoothest first.
+constexpr std::array field_attempts = {
+    FieldAttempt{frame_field::Start::automatic, frame_field::Repairs::places, false},
+    FieldAttempt{frame_field::Start::automatic, frame_field::Repairs::places, true},
+    FieldAttempt{frame_field::Start::automatic, frame_field::Repairs::single_axis, true},
+    FieldAttempt{frame_field::Start::automatic, frame_field::Repairs::single_axis, false},
+    FieldAttempt{frame_field::Start::propagated, frame_field::Repairs::places, true},
+    FieldAttempt{frame_field::Start::propagated, frame_field::Repairs::places, false},
+    FieldAttempt{frame_field::Start::identity, frame_field::Repairs::places, false},
+};
+
+// The solid of an attempt with its frames.
+FramedSolid solid_with_frames(const FieldAttempt& attempt, std::span<const Vector3> positions,
+                              std::span<const Tetrahedron> tetrahedra, double feature_angle, const base::Host& host) {
+  FramedSolid solid(host.memory);
+  solid.positions.assign(positions.begin(), positions.end());
+  solid.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
+  if (attempt.align_stars) split_for_freedom(solid.positions, solid.tetrahedra, host);
+  frame_field::Options options;
+  options.start = attempt.start;
+  options.feature_angle = feature_angle;
+  options.repairs = attempt.repairs;
+  options.align_stars = attempt.align_stars;
+  solid.frames = frame_field::compute(solid.positions, solid.tetrahedra, options, {}, host).field;
+  return solid;
+}
+
+}  // namespace
+
+FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra,
+                                       double feature_angle, const FrameHexOptions& options, const base::Host& host) {
+  using Clock = std::chrono::steady_clock;
+  std::size_t fewest = std::numeric_limits<std::size_t>::max(), fields = 0;
+  FramedSolid best(host.memory);
+  std::exception_ptr first_refusal;
+  double seconds = 0;
+  for (const FieldAttempt& attempt : field_attempts) {
+    const auto start = Clock::now();
+    FramedSolid solid = solid_with_frames(attempt, positions, tetrahedra, feature_angle, host);
+    const std::size_t faults = count_faults(solid, host);
+    seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    ++fields;
+    if (faults == 0) {
+      try {
+        FrameHexes made = make_hexahedra_by_frames(solid, options, host);
+        made.fields = fields;
+        made.field_seconds = seconds;
+        return made;
+      } catch (const base::Error& error) {
+        if (std::string_view(error.kind()) != "no-valid-result") throw;
+        host.log("field " + std::to_string(fields) + ": " + error.what());
+        if (!first_refusal) first_refusal = std::current_exception();
+      }
+    } else {
+      host.log("field " + std::to_string(fields) + ": " + std::to_string(faults) +
+               " edges and vertices of no hexahedra");
+    }
     if (faults >= fewest) continue;
     fewest = faults;
-    solid.frames = found.field;
-    if (faults == 0) return;
+    best = std::move(solid);
   }
+  if (first_refusal) std::rethrow_exception(first_refusal);
+  // It says what is wrong, or there is a map all the same: what is counted on the boundary may be more than there is.
+  FrameHexes made = make_hexahedra_by_frames(best, options, host);
+  made.fields = fields;
+  made.field_seconds = seconds;
+  return made;
 }
 
 FrameHexes make_hexahedra_by_frames(const FramedSolid& solid, const FrameHexOptions& options, const base::Host& host) {

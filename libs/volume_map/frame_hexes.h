@@ -7,11 +7,6 @@
 
 namespace orbicube::volume_map {
 
-// Sets the frames: smooth, along the boundary, changed where no mesh of hexahedra could follow (the first of several
-// fields that nowhere is such), and with an axis along edges of the boundary that turn by more than `feature_angle`
-// (radians; 0: none). Throws what frame_field::compute does.
-void find_frames(FramedSolid& solid, double feature_angle, const base::Host& host);
-
 struct FrameHexOptions {
   std::size_t cells = 10000;  // about
   int rounds = 40;            // of smoothing
@@ -23,10 +18,21 @@ struct FrameHexes {
   HexResult result;
   FrameMap map;
   std::size_t inner_irregular_edges = 0;  // with other than four hexahedra
+  // Where frames were not given: how many fields were tried, the last being that of the hexahedra, and how long that
+  // took without maps and hexahedra.
+  std::size_t fields = 0;
+  double field_seconds = 0;
 };
 
 // Every hexahedron has positive corners by exact signs and a trilinear map that is certainly positive; the boundary is
 // on that of the solid. Throws what map_by_frames and extract_hexahedra do.
 FrameHexes make_hexahedra_by_frames(const FramedSolid& solid, const FrameHexOptions& options, const base::Host& host);
+
+// The same where there are no frames: with those of the first of several fields that a map can follow, the smoothest
+// first. They lie along the boundary, are changed where no mesh of hexahedra could follow, and have an axis along edges
+// of the boundary that turn by more than `feature_angle` (radians; 0: none). Throws what frame_field::compute does, and
+// where no field has a map what is wrong with the first, or that with the fewest faults.
+FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra,
+                                       double feature_angle, const FrameHexOptions& options, const base::Host& host);
 
 }  // namespace orbicube::volume_map

@@ -96,13 +96,15 @@ class Mapping {
   }
 
  private:
-  // Answers whether all tetrahedra are positive, and which are not; throws if this is the last attempt.
+  // Answers whether all tetrahedra are positive and lie round their edges as they should, and which are or do not;
+  // throws if this is the last attempt.
   bool attempt_map(bool last, Array<Index>& bad) {
     FramedSolid& solid = map_.solid;
     const Connectivity connectivity(solid.positions.size(), solid.tetrahedra, host_);
     const mesh::EdgeRings rings(connectivity, host_);
     FrameCut cut = cut_open(connectivity, rings, solid.frames, host_);
     SeamlessSystem system = make_seamless_system(solid.positions, connectivity, rings, cut, host_);
+    require_apart(cut, system);
     const LayerBounds layers =
         find_layer_bounds(solid.positions, connectivity, rings, cut, options_.cell_length, system, host_);
     Eigen::VectorXd integers, free;
@@ -118,7 +120,8 @@ class Mapping {
                             beside(bad.front(), cut, connectivity, rings));
     }
     set_transitions(cut, system, connectivity, integers);
-    certify(cut, connectivity, rings);
+    bad = certify(cut, connectivity, rings, last);
+    if (!bad.empty()) return false;
     map_.label = std::move(system.label);
     map_.patch = std::move(system.patch);
     map_.patches = system.patches;
@@ -131,6 +134,29 @@ class Mapping {
       map_.singular_edges += s;
     solid.frames = std::move(cut.frames);
     return true;
+  }
+
+  // Throws where the equations alone put two corners of a tetrahedron in one place: no integers and no splits help.
+  void require_apart(const FrameCut& cut, const SeamlessSystem& system) const {
+    const FramedSolid& solid = map_.solid;
+    for (std::size_t t = 0; t < solid.tetrahedra.size(); ++t) {
+      if (t % 1024 == 0) host_.report("check", t, solid.tetrahedra.size());
+      for (std::size_t k = 1; k < 4; ++k) {
+        for (std::size_t l = 0; l < k; ++l) {
+          bool apart = false;
+          for (std::size_t a = 0; a < 3 && !apart; ++a) {
+            const std::size_t i = 3 * std::size_t{cut.copies[t][k]} + a, j = 3 * std::size_t{cut.copies[t][l]} + a;
+            apart = system.variable[i] != no_index || system.variable[j] != no_index ||
+                    !std::ranges::equal(system.forms.terms(system.form[i]), system.forms.terms(system.form[j]));
+          }
+          if (apart) continue;
+          const Index p = solid.tetrahedra[t][l], q = solid.tetrahedra[t][k];
+          throw base::Error("no-valid-result", "what the singular curves ask for puts vertices " + std::to_string(p) +
+                                                   " and " + std::to_string(q) + " in one place, at " +
+                                                   text_of(solid.positions[p]) + " and " + text_of(solid.positions[q]));
+        }
+      }
+    }
   }
 
   void choose_integers(const FrameCut& cut, const SeamlessSystem& system, const LayerBounds& layers,
@@ -262,8 +288,10 @@ class Mapping {
     }
   }
 
-  // Transitions to the bit, planes of the boundary, and angles around inner edges.
-  void certify(const FrameCut& cut, const Connectivity& connectivity, const mesh::EdgeRings& rings) const {
+  // Transitions to the bit, and angles around inner edges. Answers the tetrahedra around edges with wrong ones, which
+  // there may be where few tetrahedra are around an edge; throws if this is the last attempt.
+  Array<Index> certify(const FrameCut& cut, const Connectivity& connectivity, const mesh::EdgeRings& rings,
+                       bool last) const {
     const auto corner = [&](Index t, Index v) { return map_.charts[t][connectivity.corner_of(t, v)]; };
     for (Index face = 0; face < connectivity.face_count(); ++face) {
       if (face % 4096 == 0) host_.report("check", face, connectivity.face_count());
@@ -274,6 +302,7 @@ class Mapping {
           throw base::Error("internal", "charts do not meet at face " + std::to_string(face));
       }
     }
+    Array<Index> bad(host_.memory);
     for (std::size_t ring = 0; ring < rings.size(); ++ring) {
       if (rings.on_boundary(ring)) continue;
       if (ring % 1024 == 0) host_.report("check", ring, rings.size());
@@ -291,12 +320,16 @@ class Mapping {
       }
       const long quarters = std::lround(angle / (0.5 * std::numbers::pi));
       const bool right = cut.singular[ring] == 0 ? quarters == 4 : quarters == 3 || quarters == 5;
-      if (!right) {
+      if (right) continue;
+      if (last) {
         throw base::Error("no-valid-result", "the map goes round edge " + std::to_string(p) + "-" + std::to_string(q) +
                                                  " at " + text_of(map_.solid.positions[p]) + " with " +
                                                  std::to_string(quarters) + " right angles");
       }
+      for (const Index face : rings.faces(ring))
+        bad.push_back(face / 4);
     }
+    return bad;
   }
 
   const FrameMapOptions& options_;

@@ -194,8 +194,15 @@ LayerBounds find_layer_bounds(std::span<const Vector3> positions, const mesh::Te
       for (std::size_t axis = 0; axis < 3; ++axis) {
         const Index start = walk.form_at(t, p, axis), end = walk.form_at(t, q, axis);
         // The edge itself is along the axis that has no common integer at both ends.
-        if (start == no_index || end == no_index || !system.forms.is_zero(system.forms.sum(start, 1, end, -1)))
+        if (start == no_index || end == no_index || !system.forms.is_zero(system.forms.sum(start, 1, end, -1))) {
+          // Where curves meet or end there is one: from there one goes along the curve.
+          if (face != rings.faces(ring).front()) continue;
+          const Vector3 beside = middle + 0.02 * (other[0] + other[1]);
+          const int ahead = along.dot(walk.axis_of(t, axis)) > 0 ? 1 : -1;
+          if (start != no_index) walk.go(t, beside, axis, ahead, start);
+          if (end != no_index) walk.go(t, beside, axis, -ahead, end);
           continue;
+        }
         for (const int direction : {1, -1}) {
           const Vector3 d = direction * walk.axis_of(t, axis);
           if (d.dot(first) * other[1].dot(first) > 0 && d.dot(second) * other[0].dot(second) > 0)

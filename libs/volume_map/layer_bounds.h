@@ -1,5 +1,6 @@
 // Layers of cells that a map must not let collapse: from each face of the boundary and each singular edge one goes
-// along the frames, and what one comes upon that has an integer coordinate of that direction is at least one cell away.
+// along the frames, and from the ends of singular curves along these; what one comes upon that has an integer
+// coordinate of that direction is at least one cell away.
 #pragma once
 
 #include "volume_map/integer_rounding.h"

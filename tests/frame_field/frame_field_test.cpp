@@ -220,6 +220,37 @@ TEST_CASE("With features, frames beside sharp edges follow them") {
   CHECK(checked > 4);
 }
 
+TEST_CASE("With aligned stars, frames that meet the boundary in a vertex alone follow it") {
+  const test::Solid solid = test::ball(6);
+  const Outcome outcome = computed(solid, {.align_stars = true});
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, base::Host());
+  const auto outer = connectivity.boundary_vertices(std::pmr::get_default_resource());
+  std::vector<Vector3> normal(solid.positions.size(), Vector3::Zero());
+  for (Index face = 0; face < connectivity.face_count(); ++face) {
+    if (!connectivity.on_boundary(face)) continue;
+    const auto [a, b, c] = connectivity.vertices(face);
+    for (const Index v : {a, b, c}) {
+      normal[v] += (solid.positions[b] - solid.positions[a]).cross(solid.positions[c] - solid.positions[a]);
+    }
+  }
+  std::size_t checked = 0;
+  for (Index t = 0; t < solid.tetrahedra.size(); ++t) {
+    Index touching = no_index;
+    int count = 0;
+    for (const Index v : solid.tetrahedra[t]) {
+      if (outer[v] == 0) continue;
+      touching = v;
+      ++count;
+    }
+    if (count != 1) continue;
+    ++checked;
+    const Vector3 n = normal[touching].normalized();
+    const Vector local = quaternion::rotate(quaternion::conjugate(outcome.field[t]), {n[0], n[1], n[2]});
+    CHECK(std::max({std::abs(local.x), std::abs(local.y), std::abs(local.z)}) > 1 - 1e-9);
+  }
+  CHECK(checked > 50);
+}
+
 TEST_CASE("Recombination takes the better region of two fields and nothing else") {
   const test::Solid solid = test::cubes(8, 8, 8);
   const base::Host host;

@@ -1,4 +1,5 @@
-// Solids of tetrahedra with frames that are known: bars along the axes, and cylinders with four singular edges inside.
+// Solids of tetrahedra with frames that are known: bars along the axes, and cylinders with four singular edges inside;
+// and rings without.
 #pragma once
 
 #include <cmath>
@@ -66,6 +67,25 @@ inline FramedSolid cylinder(int n, int layers, double height) {
       sum += 0.25 * std::arg((z - point) * (1.0 - std::conj(point) * z));
     }
     solid.frames.push_back({std::cos(0.5 * sum), 0, 0, std::sin(0.5 * sum)});
+  }
+  return solid;
+}
+
+// The same bar bent to a ring about the z axis, its ends glued, without frames.
+inline FramedSolid ring(int n, int layers, double radius) {
+  FramedSolid bar = cylinder(n, layers, 1), solid(std::pmr::get_default_resource());
+  const auto length = static_cast<Index>(layers);
+  const auto number = [&](Index v) { return v / (length + 1) * length + v % (length + 1) % length; };
+  for (Index v = 0; v < bar.positions.size(); ++v) {
+    const Vector3& p = bar.positions[v];
+    const double angle = 2 * std::numbers::pi * p[2], distance = 1 + radius * p[0];
+    if (v % (length + 1) < length)
+      solid.positions.push_back({distance * std::cos(angle), distance * std::sin(angle), -radius * p[1]});
+  }
+  for (Tetrahedron t : bar.tetrahedra) {
+    for (Index& v : t)
+      v = number(v);
+    solid.tetrahedra.push_back(t);
   }
   return solid;
 }

@@ -230,6 +230,22 @@ TEST_CASE("a cylinder has four inner curves around which cells meet in threes") 
   CHECK(made.result.quality.volume == doctest::Approx(volume).epsilon(0.03));
 }
 
+TEST_CASE("a coarse ring has a field that a map can follow, with singular curves that keep off the boundary") {
+  const FramedSolid solid = ring(4, 16, 0.4);
+  const FrameHexes made =
+      make_hexahedra_along_frames(solid.positions, solid.tetrahedra, 0, {.cells = 300, .rounds = 10}, base::Host());
+  CHECK(made.fields >= 1);
+  check_map(made.map);
+  check_hexahedra(made.result.mesh);
+  CHECK(made.result.quality.valid());
+  CHECK(made.map.patches == 1);
+  CHECK(made.inner_irregular_edges > 0);
+  double volume = 0;
+  for (const Tetrahedron& t : solid.tetrahedra)
+    volume += six_volumes(solid.positions, t) / 6;
+  CHECK(made.result.quality.volume == doctest::Approx(volume).epsilon(0.15));  // few and large cells
+}
+
 TEST_CASE("the same bits for any number of threads") {
   const FramedSolid solid = cylinder(6, 3, 1);
   std::optional<FrameHexes> first;

@@ -241,9 +241,9 @@ extern "C" {
     pub fn obc_volume_map_frame_options_init(options: *mut obc_volume_map_frame_options, struct_size: usize) -> i32;
     /// Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
     /// Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
-    /// tetrahedron as in \<orbicube/frame\_field.h\>, with an axis along the normal at the boundary, or NULL: a smooth field is made and
-    /// repaired. The faces of the result (obc\_volume\_map\_hexes\_copy) are the parts of the boundary that lie in one plane of the map.
-    /// options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
+    /// tetrahedron as in \<orbicube/frame\_field.h\>, with an axis along the normal at the boundary, or NULL: several smooth fields are
+    /// made and repaired, until a map follows one. The faces of the result (obc\_volume\_map\_hexes\_copy) are the parts of the boundary
+    /// that lie in one plane of the map. options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
     /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
     /// has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
     /// out of memory, cancelled.
