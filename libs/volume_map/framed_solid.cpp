@@ -5,8 +5,8 @@
 
 #include "base/error.h"
 #include "frame_field/singularities.h"
-#include "mesh/predicates.h"
 #include "mesh/tetrahedral_connectivity.h"
+#include "volume_map/split_round.h"
 #include "volume_map/transitions.h"
 
 namespace orbicube::volume_map {
@@ -14,55 +14,15 @@ namespace {
 
 using Connectivity = mesh::TetrahedralConnectivity;
 
-// The tetrahedra of one round: which have been split.
-class Round {
- public:
-  Round(FramedSolid& solid, const base::Host& host) : solid_(solid), taken_(solid.tetrahedra.size(), 0, host.memory) {}
+constexpr int most_rounds = 60;
 
-  bool free(Index tetrahedron) const { return taken_[tetrahedron] == 0; }
-  std::size_t splits() const { return splits_; }
-
-  // A vertex at the mean of `corners`, which takes the place of one of them at a time in each tetrahedron `around`.
-  template <std::size_t count>
-  void split(std::span<const Index> around, const std::array<Index, count>& corners) {
-    Vector3 place = Vector3::Zero();
-    for (const Index v : corners)
-      place += solid_.positions[v] / static_cast<double>(count);
-    const auto added = static_cast<Index>(solid_.positions.size());
-    solid_.positions.push_back(place);
-    const auto replaced = [&](Index t, Index corner) {
-      Tetrahedron part = solid_.tetrahedra[t];
-      for (Index& v : part) {
-        if (v == corner) v = added;
-      }
-      return part;
-    };
-    const auto& p = solid_.positions;
-    for (const Index t : around) {
-      for (const Index corner : corners) {
-        const Tetrahedron part = replaced(t, corner);
-        if (mesh::orientation_3d(p[part[0]], p[part[1]], p[part[2]], p[part[3]]) > 0) continue;
-        solid_.positions.pop_back();
-        return;
-      }
-    }
-    for (const Index t : around) {
-      taken_[t] = 1;
-      for (std::size_t k = 1; k < count; ++k) {
-        const Quaternion frame = solid_.frames[t];
-        solid_.tetrahedra.push_back(replaced(t, corners[k]));
-        solid_.frames.push_back(frame);
-      }
-      solid_.tetrahedra[t] = replaced(t, corners[0]);
-    }
-    ++splits_;
-  }
-
- private:
-  FramedSolid& solid_;
-  Array<std::uint8_t> taken_;
-  std::size_t splits_ = 0;
-};
+template <std::size_t count>
+Vector3 mean_of(std::span<const Vector3> positions, const std::array<Index, count>& corners) {
+  Vector3 mean = Vector3::Zero();
+  for (const Index v : corners)
+    mean += positions[v] / static_cast<double>(count);
+  return mean;
+}
 
 // Not 0 for the rings of edges around which the matchings do not compose to the identity.
 Array<std::uint8_t> singular_rings(const mesh::EdgeRings& rings, std::span<const std::uint8_t> matchings,
@@ -126,7 +86,6 @@ std::array<Index, 2> boundary_faces(const Connectivity& connectivity, const mesh
 }
 
 void split_for_frames(FramedSolid& solid, const base::Host& host) {
-  constexpr int most_rounds = 60;
   Array<Index> around(host.memory);
   enum class What { borders, edges, faces, cells };
   for (const What what : {What::borders, What::edges, What::faces, What::cells}) {
@@ -153,20 +112,13 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
             held[v] = 1;
         }
       }
-      Round round(solid, host);
+      SplitRound round(solid.positions, solid.tetrahedra, &solid.frames, host);
       if (what == What::edges || what == What::borders) {
         for (std::size_t ring = 0; ring < rings.size(); ++ring) {
           const auto& [a, b] = rings.vertices(ring);
           if (rings.on_boundary(ring) != (what == What::borders) || singular[ring] != 0 || held[a] == 0 || held[b] == 0)
             continue;
-          if (what == What::borders && border[ring] != 0) continue;
-          around.clear();
-          bool clear = true;
-          for (const Index face : rings.faces(ring)) {
-            around.push_back(Connectivity::tetrahedron_of(face));
-            clear = clear && round.free(around.back());
-          }
-          if (clear) round.split(around, std::array{a, b});
+          if (what != What::borders || border[ring] == 0) round.halve(rings, ring);
         }
       } else {
         for (Index t = 0; t < now.size(); ++t) {
@@ -176,7 +128,7 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
             count += held[v];
           if (what == What::cells) {
             around.assign(1, t);
-            if (count == 4) round.split(around, now[t]);
+            if (count == 4) round.split(around, now[t], mean_of(solid.positions, now[t]));
             continue;
           }
           for (Index corner = 0; corner < 4 && count >= 3; ++corner) {
@@ -185,7 +137,7 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
             const mesh::Triangle face = connectivity.vertices(4 * t + corner);
             if (held[face[0]] == 0 || held[face[1]] == 0 || held[face[2]] == 0) continue;
             around.assign({t, other});
-            round.split(around, face);
+            round.split(around, face, mean_of(solid.positions, face));
           }
         }
       }
@@ -195,31 +147,22 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
 }
 
 void split_around(FramedSolid& solid, std::span<const Index> tetrahedra, const base::Host& host) {
-  constexpr int most_rounds = 60;
   const std::size_t before = solid.positions.size();
   Array<std::uint8_t> wanted(before, 0, host.memory);
   for (const Index t : tetrahedra) {
     for (const Index v : solid.tetrahedra[t])
       wanted[v] = 1;
   }
-  Array<Index> around(host.memory);
   for (int k = 0; k < most_rounds; ++k) {
     const Array<Tetrahedron> now(solid.tetrahedra, host.memory);
     const Connectivity connectivity(solid.positions.size(), now, host);
     const mesh::EdgeRings rings(connectivity, host);
     const auto singular = singular_rings(rings, frame_field::matchings(connectivity, solid.frames, host), host);
-    Round round(solid, host);
+    SplitRound round(solid.positions, solid.tetrahedra, &solid.frames, host);
     for (std::size_t ring = 0; ring < rings.size(); ++ring) {
       const auto& [a, b] = rings.vertices(ring);
       if (rings.on_boundary(ring) || singular[ring] != 0 || a >= before || b >= before) continue;
-      if (wanted[a] == 0 && wanted[b] == 0) continue;
-      around.clear();
-      bool clear = true;
-      for (const Index face : rings.faces(ring)) {
-        around.push_back(Connectivity::tetrahedron_of(face));
-        clear = clear && round.free(around.back());
-      }
-      if (clear) round.split(around, std::array{a, b});
+      if (wanted[a] != 0 || wanted[b] != 0) round.halve(rings, ring);
     }
     if (round.splits() == 0) break;
   }

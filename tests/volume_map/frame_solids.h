@@ -78,9 +78,9 @@ inline FramedSolid ring(int n, int layers, double radius) {
   const auto number = [&](Index v) { return v / (length + 1) * length + v % (length + 1) % length; };
   for (Index v = 0; v < bar.positions.size(); ++v) {
     const Vector3& p = bar.positions[v];
-    const double angle = 2 * std::numbers::pi * p[2], distance = 1 + radius * p[0];
+    const double turn = 2 * std::numbers::pi * p[2], distance = 1 + radius * p[0];
     if (v % (length + 1) < length)
-      solid.positions.push_back({distance * std::cos(angle), distance * std::sin(angle), -radius * p[1]});
+      solid.positions.push_back({distance * std::cos(turn), distance * std::sin(turn), -radius * p[1]});
   }
   for (Tetrahedron t : bar.tetrahedra) {
     for (Index& v : t)
