@@ -173,7 +173,7 @@ class _Lent:
 
 
 def bar() -> Optional[Callable[[str, int, int, float], Any]]:
-    """A progress bar of tqdm, a phase after the other; None where tqdm is not installed."""
+    """A progress bar of tqdm, one for all phases, of which there may be hundreds; None where tqdm is not installed."""
     try:
         from tqdm.auto import tqdm  # type: ignore[import-untyped]
     except ImportError:
@@ -185,9 +185,12 @@ def bar() -> Optional[Callable[[str, int, int, float], Any]]:
             self.bar: Any = None
 
         def __call__(self, phase: str, done: int, total: int, best: float) -> None:
-            if phase != self.phase or self.bar is None:
-                self.close()
-                self.phase, self.bar = phase, tqdm(total=total or None, desc=phase)
+            if self.bar is None:
+                self.bar = tqdm(leave=False)
+            if phase != self.phase or done < self.bar.n:
+                self.phase = phase
+                self.bar.set_description(phase, refresh=False)
+                self.bar.reset(total or None)
             self.bar.total = total or None
             self.bar.update(done - self.bar.n)
 

@@ -80,7 +80,7 @@ class Run:
 
     def run(self, f: Callable[[Doubles], Any], progress: Progress = None) -> Result:
         """Asks f, which answers what `tell` takes, until the run has ended."""
-        report = bar() if progress is True else progress or None
+        report: Any = bar() if progress is True else progress or None
         try:
             while self._next(report) != DONE:
                 try:
