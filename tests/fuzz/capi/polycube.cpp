@@ -168,7 +168,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   obc_polycube_options options;
   obc_polycube_options_init(&options, sizeof options);
   options.construction = in.choice(3);
-  // Time goes with the square of the corners that may be, whatever the surface: few as a rule.
+  // The more corners there may be, the longer the search, whatever the surface: few as a rule.
   options.corners = in.one_in(16) ? in.byte() : 8 + in.below(24);
   options.seed = in.byte();
   if (in.one_in(4) && ok([&](obc_error* e) { return obc_polycube_compute(&given, &options, host.c(), &map, e); })) {
