@@ -139,6 +139,10 @@ class Mapping {
   // Throws where the equations alone put two corners of a tetrahedron in one place: no integers and no splits help.
   void require_apart(const FrameCut& cut, const SeamlessSystem& system) const {
     const FramedSolid& solid = map_.solid;
+    const auto same = [&](Index form, Index other) {
+      const auto x = system.forms.terms(form), y = system.forms.terms(other);
+      return std::equal(x.begin(), x.end(), y.begin(), y.end());
+    };
     for (std::size_t t = 0; t < solid.tetrahedra.size(); ++t) {
       if (t % 1024 == 0) host_.report("check", t, solid.tetrahedra.size());
       for (std::size_t k = 1; k < 4; ++k) {
@@ -147,7 +151,7 @@ class Mapping {
           for (std::size_t a = 0; a < 3 && !apart; ++a) {
             const std::size_t i = 3 * std::size_t{cut.copies[t][k]} + a, j = 3 * std::size_t{cut.copies[t][l]} + a;
             apart = system.variable[i] != no_index || system.variable[j] != no_index ||
-                    !std::ranges::equal(system.forms.terms(system.form[i]), system.forms.terms(system.form[j]));
+                    !same(system.form[i], system.form[j]);
           }
           if (apart) continue;
           const Index p = solid.tetrahedra[t][l], q = solid.tetrahedra[t][k];

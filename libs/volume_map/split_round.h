@@ -36,7 +36,7 @@ class SplitRound {
     positions_.push_back(place);
     const auto replaced = [&](Index t, Index corner) {
       Tetrahedron part = tetrahedra_[t];
-      std::ranges::replace(part, corner, added);
+      std::replace(part.begin(), part.end(), corner, added);
       return part;
     };
     for (const Index t : around) {
