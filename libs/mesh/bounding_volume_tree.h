@@ -50,12 +50,10 @@ class BoundingVolumeTree {
     double squared_distance = std::numeric_limits<double>::infinity();
   };
 
-  // The item with the least squared_distance(item), which must not be below that of the item's box, among those at most
-  // `limit`; the lowest of equals.
+  // The item with the least squared_distance(item), which must not be below that of the item's box, or `best` where
+  // nothing is as near; the lowest of equals. The nearer `best` is, the fewer are looked at.
   template <class Distance>
-  Nearest nearest(const Vector3& point, const Distance& squared_distance,
-                  double limit = std::numeric_limits<double>::infinity()) const {
-    Nearest best{no_index, limit};
+  Nearest nearest(const Vector3& point, const Distance& squared_distance, Nearest best) const {
     if (nodes_.empty()) return best;
     struct Open {
       Index node;
@@ -82,6 +80,11 @@ class BoundingVolumeTree {
       }
     }
     return best;
+  }
+
+  template <class Distance>
+  Nearest nearest(const Vector3& point, const Distance& squared_distance) const {
+    return nearest(point, squared_distance, Nearest());
   }
 
   // visit(item) for each item in a leaf whose box comes so near to the point, among them all items whose own box does.

@@ -69,8 +69,24 @@ TrianglePoint SurfaceSearch::on(Index triangle, const Vector3& p) const {
   return nearest_on_triangle(p, positions_[t[0]], positions_[t[1]], positions_[t[2]]);
 }
 
-SurfacePoint SurfaceSearch::nearest(const Vector3& p) const {
-  const auto found = tree_.nearest(p, [&](Index t) { return (on(t, p).position - p).squaredNorm(); });
+Box SurfaceSearch::box_of(Index triangle) const {
+  const Triangle& t = triangles_[triangle];
+  const Vector3 &a = positions_[t[0]], &b = positions_[t[1]], &c = positions_[t[2]];
+  return {a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
+}
+
+SurfacePoint SurfaceSearch::nearest(const Vector3& p, Index may_be_near) const {
+  BoundingVolumeTree::Nearest start;
+  if (may_be_near != no_index) start = {may_be_near, squared_distance(may_be_near, p)};
+  double least = start.squared_distance;
+  const auto distance = [&](Index t) {
+    // Half of the triangles in leaves are too far by their own boxes.
+    if (box_of(t).squared_distance(p) > least) return std::numeric_limits<double>::infinity();
+    const double d = squared_distance(t, p);
+    least = std::min(least, d);
+    return d;
+  };
+  const auto found = tree_.nearest(p, distance, start);
   SurfacePoint result;
   if (found.item == no_index) return result;
   const TrianglePoint point = on(found.item, p);

@@ -1,6 +1,7 @@
 // What is nearest to a point: a vertex of a point set, or a point of a surface.
 #pragma once
 
+#include <cmath>
 #include <span>
 
 #include "base/host.h"
@@ -51,11 +52,18 @@ class SurfaceSearch {
  public:
   SurfaceSearch(std::span<const Vector3> positions, std::span<const Triangle> triangles, const base::Host& host);
 
-  // The nearest point of the surface, in the lowest of the triangles that have it. O(log n) on average.
-  SurfacePoint nearest(const Vector3& p) const;
+  // The nearest point of the surface, in the lowest of the triangles that have it. O(log n) on average. Of a triangle
+  // that may be near, as one of a nearby point's, less is looked at.
+  SurfacePoint nearest(const Vector3& p, Index may_be_near = no_index) const;
+  // How far a triangle is.
+  double distance(Index triangle, const Vector3& p) const { return std::sqrt(squared_distance(triangle, p)); }
 
  private:
   TrianglePoint on(Index triangle, const Vector3& p) const;
+  Box box_of(Index triangle) const;
+  double squared_distance(Index triangle, const Vector3& p) const {
+    return (on(triangle, p).position - p).squaredNorm();
+  }
 
   std::span<const Vector3> positions_;
   std::span<const Triangle> triangles_;

@@ -36,6 +36,16 @@ void halve(const Coefficients& f, std::size_t stride, Coefficients& low, Coeffic
   }
 }
 
+// What changes bilinearly between four values, at 0, 1/2 and 1 along both parameters.
+std::array<Vector3, 9> between(const std::array<Vector3, 4>& values) {
+  std::array<Vector3, 9> result;
+  for (std::size_t i = 0; i < 9; ++i) {
+    const double s = 0.5 * static_cast<double>(i % 3), t = 0.5 * static_cast<double>(i / 3);
+    result[i] = (1 - t) * ((1 - s) * values[0] + s * values[1]) + t * ((1 - s) * values[2] + s * values[3]);
+  }
+  return result;
+}
+
 bool positive(const Coefficients& f, double margin, int depth) {
   if (*std::min_element(f.begin(), f.end()) > margin) return true;
   constexpr std::array<std::size_t, 8> corners = {0, 2, 6, 8, 18, 20, 24, 26};
@@ -77,14 +87,11 @@ Coefficients bezier_coefficients(std::span<const Vector3> positions, const Hexah
     dv[i] = p[i % 2 + 4 * (i / 2) + 2] - p[i % 2 + 4 * (i / 2)];  // u + 2 w
     dw[i] = p[i + 4] - p[i];                                      // u + 2 v
   }
-  const auto between = [](const std::array<Vector3, 4>& edges, double s, double t) -> Vector3 {
-    return (1 - t) * ((1 - s) * edges[0] + s * edges[1]) + t * ((1 - s) * edges[2] + s * edges[3]);
-  };
+  const std::array<Vector3, 9> along_u = between(du), along_v = between(dv), along_w = between(dw);
   Coefficients f;
   for (std::size_t i = 0; i < 27; ++i) {
-    const double u = 0.5 * static_cast<double>(i % 3), v = 0.5 * static_cast<double>(i / 3 % 3),
-                 w = 0.5 * static_cast<double>(i / 9);
-    f[i] = between(du, v, w).dot(between(dv, u, w).cross(between(dw, u, v)));
+    const std::size_t u = i % 3, v = i / 3 % 3, w = i / 9;
+    f[i] = along_u[v + 3 * w].dot(along_v[u + 3 * w].cross(along_w[u + 3 * v]));
   }
   to_bernstein(f, 1);
   to_bernstein(f, 3);

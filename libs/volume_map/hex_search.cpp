@@ -8,7 +8,7 @@
 namespace orbicube::volume_map {
 namespace {
 
-constexpr double lowest = -20;
+constexpr double lowest = -20, lowest_coefficients = -5;
 
 class Search {
  public:
@@ -116,19 +116,30 @@ class Search {
   }
 
  private:
-  // Not computed to the end where it is below `enough`. An inverted corner is worse than any coefficient.
+  // An inverted corner is worse than any coefficient.
+  double corners(Index hexahedron) const {
+    const double least = scaled_jacobian(mesh_.positions, mesh_.hexahedra[hexahedron]);
+    return least > 0 ? least : least - 10;
+  }
+  // Coefficients are below the corners' in good hexahedra too; they are to be positive, no more.
+  double coefficients(Index hexahedron) const {
+    return std::max(lowest_coefficients, 6 * least_bezier(mesh_.positions, mesh_.hexahedra[hexahedron]));
+  }
+  // Not computed to the end where it is below `enough`.
   double quality(Index hexahedron, double enough) const {
-    const Hexahedron& h = mesh_.hexahedra[hexahedron];
-    const double corners = scaled_jacobian(mesh_.positions, h);
-    if (!(corners > 0)) return corners - 10;
-    if (corners < enough) return corners;
-    // Coefficients are below the corners' in good hexahedra too; they are to be positive, no more.
-    return std::min(corners, std::max(-5.0, 6 * least_bezier(mesh_.positions, h)));
+    const double result = corners(hexahedron);
+    return result < std::max(enough, lowest_coefficients) ? result : std::min(result, coefficients(hexahedron));
   }
   double worst_around(Index v, double enough) const {
+    // Corners of all first: they take less time and tell most often.
     double worst = 1;
     for (Index i = begin_[v]; i < begin_[v + 1]; ++i) {
-      worst = std::min(worst, quality(around_[i], enough));
+      worst = std::min(worst, corners(around_[i]));
+      if (worst < enough) return worst;
+    }
+    if (worst < lowest_coefficients) return worst;
+    for (Index i = begin_[v]; i < begin_[v + 1]; ++i) {
+      worst = std::min(worst, coefficients(around_[i]));
       if (worst < enough) return worst;
     }
     return worst;

@@ -279,13 +279,15 @@ class Smoothing {
     const mesh::SurfaceSearch search(mesh_.positions, halves, host_);
     uncovered_.resize(samples_.size());
     for_pieces(samples_.size(), [&](std::size_t i) {
-      const mesh::SurfacePoint found = search.nearest(samples_[i].position);
+      // Most often what was nearest before, or beside it.
+      const mesh::SurfacePoint found = search.nearest(samples_[i].position, uncovered_[i].half);
       const mesh::Triangle& t = halves[found.triangle];
       const Vector3 n =
           (mesh_.positions[t[1]] - mesh_.positions[t[0]]).cross(mesh_.positions[t[2]] - mesh_.positions[t[0]]);
       // The other side of a thin part is nearer, but not what belongs here.
       const bool same_side = n.dot(samples_[i].normal) > 0;
-      uncovered_[i] = {t, found.weights, found.position, same_side ? found.distance : 0, found.distance};
+      uncovered_[i] = {found.triangle, t, found.weights, found.position, same_side ? found.distance : 0,
+                       found.distance};
     });
     host_.report("smooth", 0, 0);
   }
@@ -313,10 +315,11 @@ class Smoothing {
     Vector3 position, normal;
   };
   struct Uncovered {
-    mesh::Triangle vertices;
-    Vector3 weights, position;
-    double distance;  // 0 where this is another side
-    double gap;
+    Index half = no_index;  // of a quad
+    mesh::Triangle vertices{};
+    Vector3 weights = Vector3::Zero(), position = Vector3::Zero();
+    double distance = 0;  // 0 where this is another side
+    double gap = 0;
   };
 
   HexMesh& mesh_;

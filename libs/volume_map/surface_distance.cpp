@@ -12,27 +12,34 @@ double one_way(std::span<const Vector3> positions, std::span<const mesh::Triangl
                const mesh::SurfaceSearch& other, double spacing, const base::Host& host) {
   constexpr int most_parts = 60;
   constexpr std::size_t piece = 64, pieces_at_once = 16;
-  Array<double> farthest(triangles.size(), 0, host.memory);
+  std::array<double, pieces_at_once> farthest{};
+  double most = 0;
   const std::size_t pieces = (triangles.size() + piece - 1) / piece;
   for (std::size_t first = 0; first < pieces; first += pieces_at_once) {
     host.report("distance", first, pieces);
     host.parallel_for(std::min(pieces_at_once, pieces - first), [&](std::size_t p) {
       const std::size_t end = std::min(triangles.size(), (first + p + 1) * piece);
+      double& far = farthest[p] = most;
+      Index near = no_index;
       for (std::size_t i = (first + p) * piece; i < end; ++i) {
         const mesh::Triangle& t = triangles[i];
         const Vector3 a = positions[t[0]], b = positions[t[1]] - a, c = positions[t[2]] - a;
         const double longest = std::sqrt(std::max({b.squaredNorm(), c.squaredNorm(), (c - b).squaredNorm()}));
         const int parts = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1.0, double{most_parts}));
         for (int k = 0; k <= parts; ++k) {
-          for (int l = 0; k + l <= parts; ++l)
-            farthest[i] = std::max(farthest[i], other.nearest(a + (k * b + l * c) / parts).distance);
+          for (int l = 0; k + l <= parts; ++l) {
+            const Vector3 x = a + (k * b + l * c) / parts;
+            // What is near to the triangle of the point before is not the farthest, whatever else is nearer.
+            if (near != no_index && other.distance(near, x) <= far) continue;
+            const mesh::SurfacePoint found = other.nearest(x, near);
+            near = found.triangle;
+            far = std::max(far, found.distance);
+          }
         }
       }
     });
+    most = *std::max_element(farthest.begin(), farthest.end());
   }
-  double most = 0;
-  for (const double d : farthest)
-    most = std::max(most, d);
   return most;
 }
 

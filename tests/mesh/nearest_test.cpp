@@ -97,6 +97,13 @@ TEST_CASE("The nearest point of a surface is that of its nearest triangle") {
     const SurfacePoint found = search.nearest(p);
     REQUIRE(found.distance == doctest::Approx(least).epsilon(1e-14));
     REQUIRE((found.position - p).norm() == doctest::Approx(least).epsilon(1e-14));
+    // From any triangle to begin with.
+    for (const Index start : {found.triangle, static_cast<Index>(trial)}) {
+      const SurfacePoint again = search.nearest(p, start);
+      REQUIRE(again.triangle == found.triangle);
+      REQUIRE(again.position == found.position);
+      REQUIRE(search.distance(start, p) >= found.distance);
+    }
   }
   CHECK(SurfaceSearch(positions, {}, base::Host()).nearest(Vector3::Zero()).triangle == no_index);
 }
