@@ -1,9 +1,7 @@
 #include <limits>
-#include <locale>
-#include <sstream>
 #include <string>
 #include <string_view>
-#include <utility>
+#include <type_traits>
 
 #include "base/error.h"
 #include "mesh/binary_writer.h"
@@ -49,14 +47,19 @@ class BinaryOut {
   BinaryWriter out_;
 };
 
-// A line of words and numbers.
+// A line of words and numbers. Without streams, since these bring all of locales into the module for JavaScript.
 template <class... Parts>
 std::string words(const Parts&... parts) {
-  std::ostringstream line;
-  line.imbue(std::locale::classic());
-  const char* separator = "";
-  ((line << std::exchange(separator, " ") << parts), ...);
-  return line.str();
+  std::string line;
+  const auto add = [&](const auto& part) {
+    if (!line.empty()) line += ' ';
+    if constexpr (std::is_integral_v<std::decay_t<decltype(part)>>)
+      line += std::to_string(part);
+    else
+      line += part;
+  };
+  (add(parts), ...);
+  return line;
 }
 
 template <class Out>
