@@ -391,10 +391,18 @@ export const checks = {
     same([none.kind, none.best.report.inverted], ['no-valid-result', report.invertedBefore]);
   },
 
-  // Whole meshes of hexahedra take a minute in this module, which is compiled for size.
-  'hexahedra can be cancelled, and solids are mapped to polycubes'(o) {
+  'hexahedra fill a cube, each positive, with its volume'(o) {
     const cube = o.Mesh.make('cube', 300);
+    const { positions, hexahedra, quads, quadFaces, report } = o.hexahedra(cube, { cells: 64 });
+    same([quads.length / 4, report.polycubeCorners], [quadFaces.length, 8]);
+    assert(hexahedra.length % 8 === 0 && report.leastScaledJacobian > 0.5, `${report.leastScaledJacobian}`);
+    const { volume } = o.topology(cube);
+    assert(Math.abs(report.volume - volume) < 0.01 * volume, `volumes ${report.volume} and ${volume}`);
+    assert(quads.every((v) => v < positions.length / 3));
     same(failure(() => o.hexahedra(cube, { onProgress: () => false })).kind, 'cancelled');
+  },
+
+  'solids are mapped to polycubes'(o) {
     const map = o.solidMap(boxOfTetrahedra([2, 2, 2]), { corners: 8 });
     same([countInverted(map.positions, map.tetrahedra), countInverted(map.polycube, map.tetrahedra)], [0, 0]);
   },
