@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -135,6 +137,9 @@ class WholeMatrix {
 
 template <class T>
 void send(const std::vector<T>& values, int to, MPI_Datatype type) {
+  if (values.size() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
+    throw base::Error("no-valid-result",
+                      "the part of the system for a process is too large to be sent: start more processes");
   check(MPI_Send(values.data(), static_cast<int>(values.size()), type, to, 0, PETSC_COMM_WORLD), "MPI_Send");
 }
 
@@ -151,20 +156,22 @@ std::vector<T> receive(int from, MPI_Datatype type) {
 
 // Asked at each step, by all processes alike: the first one says whether the host wants to stop.
 struct Watch {
-  const base::Host* host = nullptr;  // of the first process only
-  std::exception_ptr stopped;
+  const base::Host* host = nullptr;   // of the first process only
+  std::exception_ptr reason_to_stop;  // of the first process only
+  bool stopped = false;
   PetscErrorCode converged(KSP ksp, PetscInt step, PetscReal norm, KSPConvergedReason* reason) {
     int stop = 0;
     if (host != nullptr) {
       try {
         host->report("solve", 0, 0);
       } catch (...) {
-        stopped = std::current_exception();
+        reason_to_stop = std::current_exception();
         stop = 1;
       }
     }
     if (const int code = MPI_Bcast(&stop, 1, MPI_INT, 0, PETSC_COMM_WORLD); code != 0) return code;
     if (stop != 0) {
+      stopped = true;
       *reason = KSP_CONVERGED_ITS;
       return 0;
     }
@@ -177,7 +184,7 @@ PetscErrorCode watch_convergence(KSP ksp, PetscInt step, PetscReal norm, KSPConv
   return static_cast<Watch*>(context)->converged(ksp, step, norm, reason);
 }
 
-// Solves what all processes hold rows of; the solution of these rows goes to `solution`.
+// Solves what all processes hold rows of; the solution of these rows goes to `solution`, unless the host stopped it.
 int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<PetscScalar>& solution) {
   const auto local = static_cast<PetscInt>(rows.right.size());
   struct Objects {
@@ -232,7 +239,7 @@ int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<P
   check(KSPSetFromOptions(own.solver), "the options");
   const PetscErrorCode code = KSPSolve(own.solver, own.right, own.solution);
   KSPConvergedDefaultDestroy(watch.default_context);
-  if (watch.stopped) std::rethrow_exception(watch.stopped);
+  if (watch.stopped) return 0;
   check(code, "the steps");
   KSPConvergedReason reason = KSP_CONVERGED_ITERATING;
   check(KSPGetConvergedReason(own.solver, &reason), "the solver");
@@ -251,6 +258,15 @@ void tell(Order& order) {
   check(MPI_Bcast(&order, static_cast<int>(sizeof order), MPI_BYTE, 0, PETSC_COMM_WORLD), "MPI_Bcast");
 }
 
+// The others wait for what this process has not sent, and it for theirs: all have to end.
+[[noreturn]] void give_up(const std::exception& error) {
+  int rank = 0;
+  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
+  std::fprintf(stderr, "orbicube: process %d: %s\n", rank, error.what());
+  MPI_Abort(PETSC_COMM_WORLD, 1);
+  std::abort();
+}
+
 class PetscEngine : public volume_map::LinearEngine {
  public:
   ~PetscEngine() override {
@@ -261,11 +277,27 @@ class PetscEngine : public volume_map::LinearEngine {
 
   int solve(const BlockMatrix& matrix, std::span<const double> right, int most_steps, double tolerance,
             std::span<double> solution, const base::Host& host) override {
-    int ranks = 1;
-    check(MPI_Comm_size(PETSC_COMM_WORLD, &ranks), "MPI_Comm_size");
     const WholeMatrix whole(matrix, right);
     host.report("solve", 0, 0);
-    Order order{whole.vertices(), most_steps, tolerance};
+    Watch watch;
+    watch.host = &host;
+    int steps = 0;
+    try {
+      steps = solve_on_all(whole, {whole.vertices(), most_steps, tolerance}, watch, solution);
+    } catch (const std::exception& error) {
+      int ranks = 1;
+      MPI_Comm_size(PETSC_COMM_WORLD, &ranks);
+      if (ranks > 1) give_up(error);
+      throw;
+    }
+    if (watch.stopped) std::rethrow_exception(watch.reason_to_stop);
+    return steps;
+  }
+
+ private:
+  static int solve_on_all(const WholeMatrix& whole, Order order, Watch& watch, std::span<double> solution) {
+    int ranks = 1;
+    check(MPI_Comm_size(PETSC_COMM_WORLD, &ranks), "MPI_Comm_size");
     tell(order);
     for (int rank = 1; rank < ranks; ++rank) {
       const Rows rows = whole.rows(first_of(order.vertices, rank, ranks), first_of(order.vertices, rank + 1, ranks));
@@ -275,10 +307,9 @@ class PetscEngine : public volume_map::LinearEngine {
       send(rows.right, rank, MPIU_SCALAR);
     }
     const Rows rows = whole.rows(0, first_of(order.vertices, 1, ranks));
-    Watch watch;
-    watch.host = &host;
     std::vector<PetscScalar> part;
     const int steps = solve_rows(order, rows, watch, part);
+    if (watch.stopped) return steps;
     std::size_t at = 0;
     const auto take = [&] {
       for (const PetscScalar value : part) {
@@ -310,7 +341,7 @@ void work() {
     Watch watch;
     std::vector<PetscScalar> solution;
     solve_rows(order, rows, watch, solution);
-    send(solution, 0, MPIU_SCALAR);
+    if (!watch.stopped) send(solution, 0, MPIU_SCALAR);
   }
 }
 
@@ -331,9 +362,7 @@ extern "C" __attribute__((visibility("default"))) orbicube::volume_map::LinearEn
     work();
     PetscFinalize();
   } catch (const std::exception& error) {
-    // The first process cannot go on without this one.
-    std::fprintf(stderr, "orbicube: process %d: %s\n", rank, error.what());
-    MPI_Abort(PETSC_COMM_WORLD, 1);
+    give_up(error);
   }
   return nullptr;
 }

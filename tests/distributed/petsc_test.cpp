@@ -95,8 +95,6 @@ int main() {
     // A host that cancels stops all processes, and the engine can be used again.
     const test::TangledCase c = test::twisted(3, 7, 1);
     const base::Host quiet;
-    base::Host impatient;
-    impatient.on_progress = [](const base::Progress&) { return false; };
     const auto elements = elements_of(c.tetrahedra, c.rest, 1, quiet);
     const Variables variables(c.start, c.fixed, c.ties, quiet.memory);
     FoldoverEnergy energy(elements, variables, 1, quiet);
@@ -104,13 +102,18 @@ int main() {
     energy.linearise(variables.start(), 0.5, gradient);
     std::vector<double> right(energy.matrix().size()), found(right);
     energy.assembly().scatter(gradient, right);
-    bool cancelled = false;
-    try {
-      engine->solve(energy.matrix(), right, 2000, 1e-14, found, impatient);
-    } catch (const base::Error& error) {
-      cancelled = std::string(error.kind()) == "cancelled";
+    for (const int steps : {0, 3}) {
+      base::Host impatient;
+      int reports = 0;
+      impatient.on_progress = [&](const base::Progress&) { return reports++ < steps; };
+      bool cancelled = false;
+      try {
+        engine->solve(energy.matrix(), right, 2000, 1e-14, found, impatient);
+      } catch (const base::Error& error) {
+        cancelled = std::string(error.kind()) == "cancelled";
+      }
+      check(cancelled && reports == steps + 1, "a host that cancels is heard, report " + std::to_string(steps));
     }
-    check(cancelled, "a host that cancels is heard");
     compare(c, *engine);
   } catch (const base::Error& error) {
     check(false, error.what());
