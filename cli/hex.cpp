@@ -33,6 +33,7 @@ struct HexVerb {
   std::string cut = "quarter";
   double distance = 1;
   std::size_t most_cells = 100'000;
+  double sharp_edges = volume_map::HexOptions{}.sharp_angle;  // degrees
   std::string method = "polycube";
   std::string frames;
   double features = 0;  // degrees
@@ -77,6 +78,7 @@ void add(volume_map::HexResult& result, volume_map::HexResult&& piece, const bas
     mesh.quad_patches.push_back(first_patch + patch);
   result.quality = volume_map::measure_hexahedra(mesh.positions, mesh.hexahedra, host);
   result.padded = result.padded || piece.padded;
+  result.follows_sharp_edges = result.follows_sharp_edges || piece.follows_sharp_edges;
   result.off_surface += piece.off_surface;
   // Each in percent of its own size.
   result.distance = std::max(result.distance, piece.distance);
@@ -95,6 +97,7 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"padding", verb.padding},
                        {"distance", verb.distance},
                        {"most_cells", verb.most_cells},
+                       {"sharp_edges", verb.sharp_edges},
                        {"method", verb.method},
                        {"frames", verb.frames},
                        {"features", verb.features},
@@ -118,7 +121,8 @@ void run_hex(const HexVerb& verb, Session& session) {
       const volume_map::HexOptions options{.cells = share_of(pieces, piece, verb.cells, session.host()),
                                            .padding = paddings.at(verb.padding),
                                            .distance = verb.distance,
-                                           .most_cells = share_of(pieces, piece, verb.most_cells, session.host())};
+                                           .most_cells = share_of(pieces, piece, verb.most_cells, session.host()),
+                                           .sharp_angle = verb.sharp_edges};
       add(result, volume_map::make_hexahedra(piece.boundary(), options, session.host()), session.host());
     });
   }
@@ -129,6 +133,7 @@ void run_hex(const HexVerb& verb, Session& session) {
                                 {"hexahedra", result.mesh.hexahedra.size()},
                                 {"boundary_quads", result.mesh.quads.size()},
                                 {"padded", result.padded},
+                                {"follows_sharp_edges", result.follows_sharp_edges},
                                 {"scaled_jacobian_min", quality.least_scaled_jacobian},
                                 {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
                                 {"volume", quality.volume},
@@ -179,8 +184,14 @@ void add_hex(CLI::App& app, CommonOptions& common) {
   verb->add_option("--most-cells", options->most_cells, "about so many hexahedra for --distance (100000)")
       ->check(unnamed(CLI::Range(1, 10'000'000)))
       ->type_name("N");
-  verb->add_option("--padding", options->padding,
-                   "a layer of hexahedra at the boundary: auto, what turns out better (the default), with or without")
+  verb->add_option("--sharp-edges", options->sharp_edges,
+                   "edges of the surface that bend by so many degrees are followed where the polycube has edges "
+                   "nearby (40); 0: none")
+      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->type_name("DEGREES");
+  verb->add_option(
+          "--padding", options->padding,
+          "a layer of hexahedra at the boundary: auto, on the faces where it serves (the default), with or without")
       ->check(unnamed(CLI::IsMember({"auto", "with", "without"})))
       ->type_name("P");
   verb->add_option("--glb", options->glb,

@@ -13,6 +13,7 @@ HexBoundary::HexBoundary(const HexMesh& mesh, const SurfaceTarget& target, const
       vertices_(host.memory) {
   // Faces at vertices, sorted by vertex.
   Array<std::array<Index, 2>> around(host.memory);
+  Array<Faces> sharp(host.memory);
   for (std::size_t i = 0; i < mesh.quads.size(); ++i) {
     for (const Index v : mesh.quads[i])
       around.push_back({v, mesh.quad_patches[i]});
@@ -30,21 +31,30 @@ HexBoundary::HexBoundary(const HexMesh& mesh, const SurfaceTarget& target, const
     place.kind = Kind::surface;
     if (target.has_sharp_edges() && end - i == 1) {
       place.kind = Kind::patch;
-      place.first = around[i][1];
+      place.faces[0] = around[i][1];
     }
-    std::size_t sharp = 0;
+    sharp.clear();
     for (std::size_t k = i; k < end; ++k) {
       for (std::size_t l = i; l < k; ++l) {
-        if (!target.sharp(around[k][1], around[l][1])) continue;
-        ++sharp;
-        place.kind = Kind::line;
-        place.first = around[k][1];
-        place.second = around[l][1];
+        if (target.sharp(around[k][1], around[l][1])) sharp.push_back({around[k][1], around[l][1]});
       }
     }
-    if (sharp > 1) place.kind = Kind::point;
+    if (!sharp.empty()) place_at_sharp_edges(place, sharp);
     i = end;
   }
+}
+
+// Where two sharp edges go on into each other, the corner of the polycube may be anywhere on them.
+void HexBoundary::place_at_sharp_edges(Place& place, std::span<const Faces> sharp) const {
+  place.kind = sharp.size() == 1 ? Kind::line : Kind::point;
+  place.faces = sharp[0];
+  if (sharp.size() == 1) return;
+  const auto meeting = target_.meeting(sharp[0], sharp[1], place.point);
+  if (!meeting) return;
+  place.point = meeting->position;
+  if (meeting->corner || sharp.size() > 2) return;
+  place.kind = Kind::line;
+  place.others = sharp[1];
 }
 
 void HexBoundary::lift(std::span<const Vector3> positions, std::span<const Quad> quads,
@@ -104,9 +114,13 @@ TargetPoint HexBoundary::project(Index vertex, const Vector3& p) const {
   };
   switch (place.kind) {
     case Kind::patch:
-      return lifted(target_.nearest_on(place.first, p));
-    case Kind::line:
-      return target_.nearest_on_line(place.first, place.second, p);
+      return lifted(target_.nearest_on(place.faces[0], p));
+    case Kind::line: {
+      const TargetPoint at = target_.nearest_on_line(place.faces[0], place.faces[1], p);
+      if (place.others[0] == no_index) return at;
+      const TargetPoint other = target_.nearest_on_line(place.others[0], place.others[1], p);
+      return (other.position - p).squaredNorm() < (at.position - p).squaredNorm() ? other : at;
+    }
     case Kind::point:
       return {place.point, Vector3::Zero()};
     default:

@@ -23,6 +23,8 @@ class HexBoundary {
   // How firmly a vertex is held to where it began, 1 or more.
   double hold(Index vertex) const { return holds_[vertex]; }
   void hold_more(Index vertex) { holds_[vertex] = std::min(3 * holds_[vertex], 1e5); }
+  // From now on anywhere on the surface.
+  void release(Index vertex) { places_[vertex].kind = Kind::surface; }
   // Changes lifts by half of what is between the quads around a vertex and the surface, on average: after some rounds
   // the mesh encloses the volume that the surface does.
   void lift(std::span<const Vector3> positions, std::span<const Quad> quads, std::span<const Index> quad_patches,
@@ -33,11 +35,14 @@ class HexBoundary {
   void pull(Index vertex, const Vector3& p, double weight, Pull& to) const;
 
  private:
+  using Faces = std::array<Index, 2>;  // of the polycube
   struct Place {
     Kind kind = Kind::inside;
-    Index first = no_index, second = no_index;  // faces
+    Faces faces{no_index, no_index};
+    Faces others{no_index, no_index};  // of a line that goes on between others
     Vector3 point = Vector3::Zero();
   };
+  void place_at_sharp_edges(Place& place, std::span<const Faces> sharp) const;
 
   const SurfaceTarget& target_;
   Array<double> lifts_;  // of each vertex, outward, in cells

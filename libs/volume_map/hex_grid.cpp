@@ -132,33 +132,4 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap
   return mesh;
 }
 
-void pad(HexMesh& mesh, double cell_length, const base::Host& host) {
-  constexpr double depth = 0.25;
-  const std::size_t before = mesh.positions.size();
-  Array<Vector3> normal(before, Vector3::Zero(), host.memory);
-  Array<Index> outer(before, no_index, host.memory);
-  for (const Quad& q : mesh.quads) {
-    const Vector3 n = (mesh.positions[q[2]] - mesh.positions[q[0]]).cross(mesh.positions[q[3]] - mesh.positions[q[1]]);
-    for (const Index v : q) {
-      normal[v] += n;
-      if (outer[v] != no_index) continue;
-      outer[v] = static_cast<Index>(mesh.positions.size());
-      mesh.positions.push_back(mesh.positions[v]);
-    }
-  }
-  for (Quad& q : mesh.quads) {
-    Hexahedron h{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      h[k] = q[k];
-      h[k + 4] = outer[q[k]];
-      q[k] = outer[q[k]];
-    }
-    mesh.hexahedra.push_back(h);
-  }
-  for (std::size_t v = 0; v < before; ++v) {
-    const double length = normal[v].norm();
-    if (length > 0) mesh.positions[v] -= depth * cell_length / length * normal[v];
-  }
-}
-
 }  // namespace orbicube::volume_map

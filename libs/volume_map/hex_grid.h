@@ -12,8 +12,4 @@ namespace orbicube::volume_map {
 // "no-valid-result" when a point is in no triangle, "cancelled". O(n) but for the searches.
 HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap& surface, const base::Host& host);
 
-// A layer of hexahedra between the boundary and the rest: what was the boundary moves inwards by a quarter of
-// `cell_length`.
-void pad(HexMesh& mesh, double cell_length, const base::Host& host);
-
 }  // namespace orbicube::volume_map

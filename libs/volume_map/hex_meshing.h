@@ -28,6 +28,8 @@ struct HexOptions {
   // time, up to `most_cells`; the nearest is answered. 0: nothing is asked for.
   double distance = 1;
   std::size_t most_cells = 100'000;
+  // What of the surface bends by so many degrees or more is followed where the polycube has edges nearby; 0: nothing.
+  double sharp_angle = 40;
 };
 
 struct HexResult {
@@ -35,8 +37,9 @@ struct HexResult {
 
   HexMesh mesh;
   HexQuality quality;
-  bool padded = false;
-  std::size_t off_surface = 0;  // vertices of the boundary that could not be put onto the surface
+  bool padded = false;               // somewhere
+  bool follows_sharp_edges = false;  // those that the polycube has edges for
+  std::size_t off_surface = 0;       // vertices of the boundary that could not be put onto the surface
   // In percent, of the diagonal and of the volume of the surface.
   double distance = 0, volume_error = 0;
 };

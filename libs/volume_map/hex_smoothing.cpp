@@ -87,6 +87,8 @@ class Smoothing {
       const double progress = std::min(1.0, round / (0.5 * options_.rounds));
       set_shapes(std::min(1.0, round / 6.0));
       if (round >= 4) set_weights();
+      if (round % 4 == 0 && 10 * round >= 4 * options_.rounds && 10 * round <= 7 * options_.rounds)
+        release_what_is_bad();
       if (options_.lift && round >= 4 && round % 2 == 0)
         boundary_.lift(mesh_.positions, mesh_.quads, mesh_.quad_patches, host_);
       set_pulls(20 * std::pow(50.0, progress));
@@ -239,6 +241,17 @@ class Smoothing {
       }
     }
     return most;
+  }
+
+  // Sharp edges are given up where hexahedra cannot follow them.
+  void release_what_is_bad() {
+    constexpr double bad = 0.5;
+    for (const Hexahedron& h : mesh_.hexahedra) {
+      if (scaled_jacobian(mesh_.positions, h) > bad) continue;
+      for (const Index v : h) {
+        if (boundary_.kind(v) != HexBoundary::Kind::inside) boundary_.release(v);
+      }
+    }
   }
 
   void hold_what_is_far() {

@@ -171,7 +171,7 @@ Vector3 IntegerDomain::place(const Vector3& p) const {
   return result;
 }
 
-IntegerDomain domain_of_cells(const PatchGraph& graph, std::size_t cells, bool padded, const base::Host& host) {
+IntegerDomain domain_of_cells(const PatchGraph& graph, std::size_t cells, double padded, const base::Host& host) {
   const VoxelSolid solid = polycube::solid_of(graph, host);
   double volume = 0;
   for (std::size_t i = 0; i < solid.size(); ++i) {
@@ -183,7 +183,9 @@ IntegerDomain domain_of_cells(const PatchGraph& graph, std::size_t cells, bool p
   const auto wanted = static_cast<double>(cells);
   double length = std::cbrt(volume / wanted), low = 0, high = 0;
   IntegerDomain best(graph, length, host);
-  const auto count = [&](const IntegerDomain& d) { return static_cast<double>(d.cells() + (padded ? d.faces() : 0)); };
+  const auto count = [&](const IntegerDomain& d) {
+    return static_cast<double>(d.cells()) + padded * static_cast<double>(d.faces());
+  };
   const auto error = [&](const IntegerDomain& d) { return std::abs(std::log(count(d) / wanted)); };
   for (int k = 0; k < 14; ++k) {
     const IntegerDomain now(graph, length, host);

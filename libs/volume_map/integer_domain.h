@@ -47,7 +47,7 @@ class IntegerDomain {
   std::size_t cells_ = 0, faces_ = 0;
 };
 
-// The domain of about so many cells; with `padded`, cells and a layer of one more on each face of the boundary.
-IntegerDomain domain_of_cells(const PatchGraph& graph, std::size_t cells, bool padded, const base::Host& host);
+// The domain of about so many cells, and a layer of one more on the part `padded` of the faces of the boundary.
+IntegerDomain domain_of_cells(const PatchGraph& graph, std::size_t cells, double padded, const base::Host& host);
 
 }  // namespace orbicube::volume_map

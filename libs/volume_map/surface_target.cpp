@@ -163,27 +163,50 @@ TargetPoint SurfaceTarget::nearest_on(Index patch, const Vector3& p) const {
   return on(patches_[patch], p);
 }
 
+std::span<const SurfaceTarget::Line> SurfaceTarget::lines_of(std::array<Index, 2> faces) const {
+  if (faces[0] > faces[1]) std::swap(faces[0], faces[1]);
+  const auto [begin, end] = std::equal_range(lines_.begin(), lines_.end(), Line{faces, {}, {}},
+                                             [](const Line& x, const Line& y) { return x.patches < y.patches; });
+  return std::span(lines_).subspan(static_cast<std::size_t>(begin - lines_.begin()),
+                                   static_cast<std::size_t>(end - begin));
+}
+
 bool SurfaceTarget::sharp(Index patch, Index other) const {
-  const std::array<Index, 2> key{std::min(patch, other), std::max(patch, other)};
-  const auto at = std::lower_bound(lines_.begin(), lines_.end(), key,
-                                   [](const Line& line, const std::array<Index, 2>& k) { return line.patches < k; });
-  return at != lines_.end() && at->patches == key;
+  return !lines_of({patch, other}).empty();
 }
 
 TargetPoint SurfaceTarget::nearest_on_line(Index patch, Index other, const Vector3& p) const {
-  const std::array<Index, 2> key{std::min(patch, other), std::max(patch, other)};
-  auto at = std::lower_bound(lines_.begin(), lines_.end(), key,
-                             [](const Line& line, const std::array<Index, 2>& k) { return line.patches < k; });
   TargetPoint best{p, Vector3::UnitX()};
   double least = std::numeric_limits<double>::infinity();
-  for (; at != lines_.end() && at->patches == key; ++at) {
-    const Vector3 along = at->end - at->start;
+  for (const Line& line : lines_of({patch, other})) {
+    const Vector3 along = line.end - line.start;
     const double square = along.squaredNorm();
-    const double t = square > 0 ? std::clamp(along.dot(p - at->start) / square, 0.0, 1.0) : 0;
-    const Vector3 q = at->start + t * along;
+    const double t = square > 0 ? std::clamp(along.dot(p - line.start) / square, 0.0, 1.0) : 0;
+    const Vector3 q = line.start + t * along;
     if (!((q - p).squaredNorm() < least)) continue;
     least = (q - p).squaredNorm();
     best = {q, square > 0 ? Vector3(along / std::sqrt(square)) : Vector3(Vector3::UnitX())};
+  }
+  return best;
+}
+
+std::optional<SurfaceTarget::Meeting> SurfaceTarget::meeting(const std::array<Index, 2>& faces,
+                                                             const std::array<Index, 2>& others,
+                                                             const Vector3& p) const {
+  std::optional<Meeting> best;
+  const auto ends = [](const Line& line) {
+    return std::array{std::pair(line.start, line.end), std::pair(line.end, line.start)};
+  };
+  for (const Line& line : lines_of(faces)) {
+    for (const Line& other : lines_of(others)) {
+      for (const auto& [at, to] : ends(line)) {
+        for (const auto& [other_at, other_to] : ends(other)) {
+          if (at != other_at || (best && (at - p).squaredNorm() >= (best->position - p).squaredNorm())) continue;
+          const Vector3 m = to - at, n = at - other_to;
+          best = Meeting{at, std::atan2(m.cross(n).norm(), m.dot(n)) > sharp_angle};
+        }
+      }
+    }
   }
   return best;
 }

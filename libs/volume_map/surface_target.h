@@ -2,7 +2,10 @@
 // its sharp edges.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/nearest.h"
@@ -29,13 +32,21 @@ class SurfaceTarget {
   std::span<const mesh::Triangle> triangles() const { return triangles_; }
   bool has_sharp_edges() const { return !lines_.empty(); }
 
-  // The edges of the polycube that are sharp between two of its faces.
+  // Whether the edges between two faces of the polycube are sharp.
   bool sharp(Index patch, Index other) const;
 
   TargetPoint nearest(const Vector3& p) const;
   TargetPoint nearest_on(Index patch, const Vector3& p) const;
   // On the sharp edges between these two faces. There must be some.
   TargetPoint nearest_on_line(Index patch, Index other, const Vector3& p) const;
+
+  // Where sharp edges between two faces and those between two others have an end in common, the nearest to p.
+  struct Meeting {
+    Vector3 position;
+    bool corner;  // rather than one curve that goes on
+  };
+  std::optional<Meeting> meeting(const std::array<Index, 2>& faces, const std::array<Index, 2>& others,
+                                 const Vector3& p) const;
 
  private:
   // Triangles of one face, or of all, with their search.
@@ -49,6 +60,7 @@ class SurfaceTarget {
     std::array<Index, 2> patches;
     Vector3 start, end;
   };
+  std::span<const Line> lines_of(std::array<Index, 2> faces) const;
   TargetPoint on(const Part& part, const Vector3& p) const;
   void find_lines(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
                   std::span<const Index> charts, double scale, const base::Host& host);

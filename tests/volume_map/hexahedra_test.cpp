@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
+#include <bit>
 #include <cmath>
 #include <random>
 #include <set>
@@ -10,7 +11,12 @@
 #include "mesh/cells.h"
 #include "mesh/make_shape.h"
 #include "mesh/nearest.h"
+#include "polycube/construction.h"
+#include "polycube/patch_graph.h"
 #include "volume_map/coarse_surface.h"
+#include "volume_map/hex_grid.h"
+#include "volume_map/padding.h"
+#include "volume_map/sharp_map.h"
 #include "volume_map/surface_distance.h"
 
 using namespace orbicube;
@@ -235,4 +241,114 @@ TEST_CASE("A coarse surface has fewer triangles and vertices of the fine one") {
   CHECK(coarse.triangles.size() == 2 * coarse.positions.size() - 4);
   const CoarseSurface same = coarse_surface(fine.positions, fine.triangles, 5000, host);
   CHECK(same.triangles.size() == fine.triangles.size());
+}
+
+namespace {
+
+HexMesh grid_of(const test::BlockSolid& block, double cell_length) {
+  const base::Host host;
+  const IntegerDomain domain(polycube::make_patch_graph(block.map, host), cell_length, host);
+  return sample_hexahedra(domain, block.map, host);
+}
+
+}  // namespace
+
+TEST_CASE("A layer on any of the faces of a box leaves a conforming mesh with the same boundary") {
+  const base::Host host;
+  const test::BlockSolid box({{0, 0, 0}}, 3, 0, 0);
+  REQUIRE(box.certificate == "");
+  const HexMesh grid = grid_of(box, 1.0 / 3);
+  REQUIRE(grid.hexahedra.size() == 27);
+  for (unsigned faces = 0; faces < 64; ++faces) {
+    std::array<std::uint8_t, 6> padded{};
+    for (std::size_t k = 0; k < 6; ++k)
+      padded[k] = (faces >> k) & 1;
+    HexMesh made = grid;
+    pad(made, padded, 1.0 / 3, host);
+    CHECK(made.hexahedra.size() == 27 + 9 * static_cast<std::size_t>(std::popcount(faces)));
+    const HexQuality quality = measure_hexahedra(made.positions, made.hexahedra, host);
+    CHECK(quality.valid());
+    CHECK(quality.volume == doctest::Approx(measure_hexahedra(grid.positions, grid.hexahedra, host).volume));
+    mesh::Mesh cells;
+    cells.positions = made.positions;
+    cells.hexahedra = made.hexahedra;
+    mesh::require_valid_cells(cells, host);
+    CHECK(mesh::boundary_triangles(cells, host).size() == 2 * made.quads.size());
+    // What a quad says it lies on is where it lies; outward.
+    REQUIRE(made.quads.size() == made.quad_patches.size());
+    std::array<double, 6> area{};
+    for (std::size_t i = 0; i < made.quads.size(); ++i) {
+      const Quad& q = made.quads[i];
+      const Vector3 normal =
+          0.5 * (made.positions[q[2]] - made.positions[q[0]]).cross(made.positions[q[3]] - made.positions[q[1]]);
+      area[made.quad_patches[i]] += normal.norm();
+      for (std::size_t j = 0; j < grid.quads.size(); ++j) {
+        if (grid.quad_patches[j] != made.quad_patches[i]) continue;
+        const Quad& g = grid.quads[j];
+        const Vector3 out =
+            (grid.positions[g[2]] - grid.positions[g[0]]).cross(grid.positions[g[3]] - grid.positions[g[1]]);
+        CHECK(out.normalized().dot(normal.normalized()) == doctest::Approx(1));
+        for (const Index v : q)
+          CHECK(std::abs(out.dot(made.positions[v] - grid.positions[g[0]])) < 1e-12);
+        break;
+      }
+    }
+    for (const double a : area)
+      CHECK(a == doctest::Approx(1));
+  }
+}
+
+TEST_CASE("Faces that meet in right angles are not padded, round ones are, and those along an inner edge alike") {
+  const base::Host host;
+  const test::BlockSolid sharp(test::angle, 4, 0, 0);
+  for (const std::uint8_t face : choose_padding(grid_of(sharp, 0.25), host))
+    CHECK(face == 0);
+  // A block in the shape of a ball.
+  test::BlockSolid round({{0, 0, 0}}, 6, 0, 0);
+  for (std::size_t v = 0; v < round.map.positions.size(); ++v) {
+    const Vector3 p = 2 * round.map.polycube[v] - Vector3::Ones();
+    round.map.positions[v] = p.lpNorm<Eigen::Infinity>() * p.normalized();
+  }
+  const auto all = choose_padding(grid_of(round, 1.0 / 6), host);
+  CHECK(all.size() == 6);
+  for (const std::uint8_t face : all)
+    CHECK(face == 1);
+  // One whose upper face is a dome that goes on into its neighbours, which meet the lower one at right angles.
+  test::BlockSolid dome({{0, 0, 0}}, 6, 0, 0);
+  for (std::size_t v = 0; v < dome.map.positions.size(); ++v) {
+    Vector3 p = dome.map.polycube[v];
+    const double edge = std::max(std::abs(p[0] - 0.5), std::abs(p[1] - 0.5));
+    p[2] *= std::sqrt(1.25 - 4 * edge * edge);
+    dome.map.positions[v] = p;
+  }
+  const HexMesh grid = grid_of(dome, 1.0 / 6);
+  const auto some = choose_padding(grid, host);
+  for (std::size_t i = 0; i < grid.quads.size(); ++i) {
+    double low = 2, high = 0;
+    for (const Index v : grid.quads[i]) {
+      low = std::min(low, grid.positions[v][2]);
+      high = std::max(high, grid.positions[v][2]);
+    }
+    if (high == 0) CHECK(some[grid.quad_patches[i]] == 0);
+    if (low > 0.9) CHECK(some[grid.quad_patches[i]] == 1);
+  }
+}
+
+TEST_CASE(
+    "Hexahedra of a right-angled solid are boxes up to its sharp edges, those of a smooth one have none to follow") {
+  const base::Host host;
+  const mesh::Mesh shape = mesh::make_shape("l-shape", {.triangles = 1200}, host);
+  const auto best = polycube::construct(shape.positions, shape.triangles, {.corners = 60}, host);
+  const HexResult made = make_hexahedra({best.made.map}, {.cells = 600}, host);
+  CHECK(made.follows_sharp_edges);
+  CHECK(made.quality.valid());
+  CHECK(made.quality.least_scaled_jacobian > 0.99);
+  CHECK(made.distance < 0.05);
+  CHECK(made.volume_error < 0.01);
+  const HexResult without = make_hexahedra({best.made.map}, {.cells = 600, .sharp_angle = 0}, host);
+  CHECK(without.quality.valid());
+  CHECK(!without.follows_sharp_edges);
+  CHECK(made.quality.least_scaled_jacobian >= without.quality.least_scaled_jacobian - 1e-6);
+  const test::BlockSolid round(test::angle, 4, 0.8, 0.4);
+  CHECK(!map_with_sharp_edges(round.map, 100, host));
 }
