@@ -131,6 +131,26 @@ FramedSolid solid_with_frames(const FieldAttempt& attempt, std::span<const Vecto
   return solid;
 }
 
+// Where few layers became fewer by rounding there are far fewer cells than were asked for: then shorter ones are tried,
+// and kept if that is nearer.
+void take_more_cells(const FramedSolid& solid, double cell_length, std::size_t cells, FrameHexes& made,
+                     const base::Host& host) {
+  constexpr double few = 0.7;
+  const double part = static_cast<double>(made.result.mesh.hexahedra.size()) / static_cast<double>(cells);
+  // Of a dozen cells each is a layer: there is nothing to choose.
+  if (part > few || cells < 100) return;
+  try {
+    FrameMap map = map_by_frames(solid, {.cell_length = cell_length * std::cbrt(part)}, host);
+    HexMesh mesh = extract_hexahedra(map, host);
+    const double now = static_cast<double>(mesh.hexahedra.size()) / static_cast<double>(cells);
+    if (now <= part || now * part >= 1) return;
+    made.map = std::move(map);
+    made.result.mesh = std::move(mesh);
+  } catch (const base::Error& error) {
+    if (std::string_view(error.kind()) != "no-valid-result") throw;
+  }
+}
+
 }  // namespace
 
 FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra,
@@ -180,10 +200,12 @@ FrameHexes make_hexahedra_by_frames(const FramedSolid& solid, const FrameHexOpti
   for (const Tetrahedron& t : solid.tetrahedra)
     volume += six_volumes(solid.positions, t) / 6;
   FrameHexes made(host.memory);
-  made.map = map_by_frames(solid, {.cell_length = std::cbrt(volume / static_cast<double>(options.cells))}, host);
   HexMesh& mesh = made.result.mesh;
+  const double cell_length = std::cbrt(volume / static_cast<double>(options.cells));
+  made.map = map_by_frames(solid, {.cell_length = cell_length}, host);
   mesh = extract_hexahedra(made.map, host);
   if (mesh.hexahedra.empty()) throw base::Error("no-valid-result", "the grid has no cell in the solid");
+  take_more_cells(solid, cell_length, options.cells, made, host);
   const polycube::SurfaceMap surface = surface_of(made.map, host);
   const double scale = std::cbrt(static_cast<double>(mesh.hexahedra.size()) / volume);
   for (Vector3& p : mesh.positions)

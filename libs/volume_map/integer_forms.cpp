@@ -6,6 +6,18 @@
 #include "base/error.h"
 
 namespace orbicube::volume_map {
+namespace {
+
+// Factors beyond this are of no use, and sums of two of them are still integers.
+constexpr std::int64_t most_factor = std::int64_t{1} << 30;
+
+int small(std::int64_t factor) {
+  if (std::abs(factor) > most_factor)
+    throw base::Error("no-valid-result", "the equations between singular curves have no small solution");
+  return static_cast<int>(factor);
+}
+
+}  // namespace
 
 Index IntegerForms::of_unknown(Index unknown) {
   const IntegerTerm term{unknown, 1};
@@ -28,10 +40,11 @@ Index IntegerForms::sum(Index a, int factor_a, Index b, int factor_b) {
   while (i < end_a || j < end_b) {
     const bool from_a = j == end_b || (i < end_a && terms_[i].unknown <= terms_[j].unknown);
     const bool from_b = i == end_a || (j < end_b && terms_[j].unknown <= terms_[i].unknown);
-    IntegerTerm term{from_a ? terms_[i].unknown : terms_[j].unknown, 0};
-    if (from_a) term.factor += factor_a * terms_[i++].factor;
-    if (from_b) term.factor += factor_b * terms_[j++].factor;
-    if (term.factor != 0) terms_.push_back(term);
+    const Index unknown = from_a ? terms_[i].unknown : terms_[j].unknown;
+    std::int64_t factor = 0;
+    if (from_a) factor += std::int64_t{factor_a} * terms_[i++].factor;
+    if (from_b) factor += std::int64_t{factor_b} * terms_[j++].factor;
+    if (factor != 0) terms_.push_back({unknown, small(factor)});
   }
   if (terms_.size() == start) return 0;
   begin_.push_back(terms_.size());
@@ -51,7 +64,6 @@ SolutionLattice::SolutionLattice(std::size_t unknowns, std::pmr::memory_resource
 }
 
 void SolutionLattice::require_zero(std::span<const IntegerTerm> form) {
-  constexpr std::int64_t most = std::int64_t{1} << 30;
   product_.assign(dimension_, 0);
   for (std::size_t c = 0; c < dimension_; ++c) {
     for (const IntegerTerm& term : form)
@@ -80,8 +92,7 @@ void SolutionLattice::require_zero(std::span<const IntegerTerm> form) {
       for (std::size_t u = 0; u < unknowns_; ++u) {
         std::int64_t& entry = columns_[c * unknowns_ + u];
         entry -= q * columns_[pivot * unknowns_ + u];
-        if (std::abs(entry) > most)
-          throw base::Error("no-valid-result", "the equations between singular curves have no small solution");
+        small(entry);
       }
     }
   }
@@ -93,7 +104,7 @@ void SolutionLattice::express(std::span<const IntegerTerm> form, Array<IntegerTe
     std::int64_t sum = 0;
     for (const IntegerTerm& term : form)
       sum += term.factor * columns_[c * unknowns_ + term.unknown];
-    if (sum != 0) result.push_back({static_cast<Index>(c), static_cast<int>(sum)});
+    if (sum != 0) result.push_back({static_cast<Index>(c), small(sum)});
   }
 }
 

@@ -25,7 +25,8 @@ class IntegerForms {
   std::size_t size() const { return begin_.size() - 1; }
   bool is_zero(Index form) const { return terms(form).empty(); }
   Index of_unknown(Index unknown);
-  // factor_a a + factor_b b. Unknowns in each form are in ascending order.
+  // factor_a a + factor_b b. Unknowns in each form are in ascending order. Throws Error "no-valid-result" for factors
+  // beyond 2^30.
   Index sum(Index a, int factor_a, Index b, int factor_b);
   // With terms in ascending order of unknowns, and no factor 0.
   Index add(std::span<const IntegerTerm> terms);
@@ -45,7 +46,7 @@ class SolutionLattice {
   void require_zero(std::span<const IntegerTerm> form);
 
   std::size_t dimension() const { return dimension_; }
-  // The form in the coefficients c, which are numbered in the order of what is left of the unknowns.
+  // The form in the coefficients c, which are numbered in the order of what is left of the unknowns. Throws the same.
   void express(std::span<const IntegerTerm> form, Array<IntegerTerm>& result) const;
 
  private:
