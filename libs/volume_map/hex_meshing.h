@@ -21,7 +21,7 @@ enum class Padding : std::int32_t { automatic = 0, with = 1, without = 2 };
 
 struct HexOptions {
   std::size_t cells = 10000;             // about
-  Padding padding = Padding::automatic;  // a layer of hexahedra at the boundary; automatic: what turns out better
+  Padding padding = Padding::automatic;  // layers at the boundary; automatic: where they serve (padding.h)
   int rounds = 40;                       // of smoothing
   // In percent: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
   // box, and so much the volume may differ. Where a mesh does not do that there are more cells, twice as many each
