@@ -54,6 +54,7 @@ obc_volume_map_hexes_options default_hexes_options() {
   o.rounds = defaults.rounds;
   o.distance = defaults.distance;
   o.most_cells = defaults.most_cells;
+  o.sharp_angle = defaults.sharp_angle;
   return o;
 }
 
@@ -164,7 +165,8 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
                                              .padding = static_cast<volume_map::Padding>(o.padding),
                                              .rounds = o.rounds,
                                              .distance = o.distance,
-                                             .most_cells = o.most_cells},
+                                             .most_cells = o.most_cells,
+                                             .sharp_angle = o.sharp_angle},
                                             h);
     obc_volume_map_hexes_report r{};
     r.struct_size = sizeof r;
@@ -176,6 +178,7 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
     r.off_surface = made->made.off_surface;
     r.distance = made->made.distance;
     r.volume_error = made->made.volume_error;
+    r.follows_sharp_edges = made->made.follows_sharp_edges ? 1 : 0;
     capi::write_versioned(report, r);
     *out = made.release();
   });

@@ -506,7 +506,7 @@ _Static_assert(offsetof(obc_volume_map_solid_options, struct_size) == 0, "obc_vo
 _Static_assert(offsetof(obc_volume_map_solid_options, reserved) == 4, "obc_volume_map_solid_options.reserved");
 _Static_assert(offsetof(obc_volume_map_solid_options, corners) == 8, "obc_volume_map_solid_options.corners");
 _Static_assert(offsetof(obc_volume_map_solid_options, seed) == 16, "obc_volume_map_solid_options.seed");
-_Static_assert(sizeof(obc_volume_map_hexes_options) == 64, "obc_volume_map_hexes_options");
+_Static_assert(sizeof(obc_volume_map_hexes_options) == 72, "obc_volume_map_hexes_options");
 _Static_assert(offsetof(obc_volume_map_hexes_options, struct_size) == 0, "obc_volume_map_hexes_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_options, padding) == 4, "obc_volume_map_hexes_options.padding");
 _Static_assert(offsetof(obc_volume_map_hexes_options, cells) == 8, "obc_volume_map_hexes_options.cells");
@@ -517,7 +517,8 @@ _Static_assert(offsetof(obc_volume_map_hexes_options, rounds) == 40, "obc_volume
 _Static_assert(offsetof(obc_volume_map_hexes_options, reserved) == 44, "obc_volume_map_hexes_options.reserved");
 _Static_assert(offsetof(obc_volume_map_hexes_options, distance) == 48, "obc_volume_map_hexes_options.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_options, most_cells) == 56, "obc_volume_map_hexes_options.most_cells");
-_Static_assert(sizeof(obc_volume_map_hexes_report) == 64, "obc_volume_map_hexes_report");
+_Static_assert(offsetof(obc_volume_map_hexes_options, sharp_angle) == 64, "obc_volume_map_hexes_options.sharp_angle");
+_Static_assert(sizeof(obc_volume_map_hexes_report) == 72, "obc_volume_map_hexes_report");
 _Static_assert(offsetof(obc_volume_map_hexes_report, struct_size) == 0, "obc_volume_map_hexes_report.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_report, padded) == 4, "obc_volume_map_hexes_report.padded");
 _Static_assert(offsetof(obc_volume_map_hexes_report, least_scaled_jacobian) == 8, "obc_volume_map_hexes_report.least_scaled_jacobian");
@@ -527,6 +528,8 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, polycube_corners) == 32, "o
 _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 40, "obc_volume_map_hexes_report.off_surface");
 _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 48, "obc_volume_map_hexes_report.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 56, "obc_volume_map_hexes_report.volume_error");
+_Static_assert(offsetof(obc_volume_map_hexes_report, follows_sharp_edges) == 64, "obc_volume_map_hexes_report.follows_sharp_edges");
+_Static_assert(offsetof(obc_volume_map_hexes_report, reserved) == 68, "obc_volume_map_hexes_report.reserved");
 _Static_assert(sizeof(obc_volume_map_frame_options) == 24, "obc_volume_map_frame_options");
 _Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");
@@ -1037,7 +1040,7 @@ _Static_assert(offsetof(obc_volume_map_solid_options, struct_size) == 0, "obc_vo
 _Static_assert(offsetof(obc_volume_map_solid_options, reserved) == 4, "obc_volume_map_solid_options.reserved");
 _Static_assert(offsetof(obc_volume_map_solid_options, corners) == 8, "obc_volume_map_solid_options.corners");
 _Static_assert(offsetof(obc_volume_map_solid_options, seed) == 16, "obc_volume_map_solid_options.seed");
-_Static_assert(sizeof(obc_volume_map_hexes_options) == 56, "obc_volume_map_hexes_options");
+_Static_assert(sizeof(obc_volume_map_hexes_options) == 64, "obc_volume_map_hexes_options");
 _Static_assert(offsetof(obc_volume_map_hexes_options, struct_size) == 0, "obc_volume_map_hexes_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_options, padding) == 4, "obc_volume_map_hexes_options.padding");
 _Static_assert(offsetof(obc_volume_map_hexes_options, cells) == 8, "obc_volume_map_hexes_options.cells");
@@ -1048,7 +1051,8 @@ _Static_assert(offsetof(obc_volume_map_hexes_options, rounds) == 32, "obc_volume
 _Static_assert(offsetof(obc_volume_map_hexes_options, reserved) == 36, "obc_volume_map_hexes_options.reserved");
 _Static_assert(offsetof(obc_volume_map_hexes_options, distance) == 40, "obc_volume_map_hexes_options.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_options, most_cells) == 48, "obc_volume_map_hexes_options.most_cells");
-_Static_assert(sizeof(obc_volume_map_hexes_report) == 56, "obc_volume_map_hexes_report");
+_Static_assert(offsetof(obc_volume_map_hexes_options, sharp_angle) == 56, "obc_volume_map_hexes_options.sharp_angle");
+_Static_assert(sizeof(obc_volume_map_hexes_report) == 64, "obc_volume_map_hexes_report");
 _Static_assert(offsetof(obc_volume_map_hexes_report, struct_size) == 0, "obc_volume_map_hexes_report.struct_size");
 _Static_assert(offsetof(obc_volume_map_hexes_report, padded) == 4, "obc_volume_map_hexes_report.padded");
 _Static_assert(offsetof(obc_volume_map_hexes_report, least_scaled_jacobian) == 8, "obc_volume_map_hexes_report.least_scaled_jacobian");
@@ -1058,6 +1062,8 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, polycube_corners) == 32, "o
 _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 36, "obc_volume_map_hexes_report.off_surface");
 _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 40, "obc_volume_map_hexes_report.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 48, "obc_volume_map_hexes_report.volume_error");
+_Static_assert(offsetof(obc_volume_map_hexes_report, follows_sharp_edges) == 56, "obc_volume_map_hexes_report.follows_sharp_edges");
+_Static_assert(offsetof(obc_volume_map_hexes_report, reserved) == 60, "obc_volume_map_hexes_report.reserved");
 _Static_assert(sizeof(obc_volume_map_frame_options) == 24, "obc_volume_map_frame_options");
 _Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");

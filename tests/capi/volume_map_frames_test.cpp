@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "failing_allocations.h"
 #include "orbicube/volume_map.h"
+#include "promises.h"
 
 using namespace orbicube;
 
@@ -121,30 +121,13 @@ TEST_CASE("Wrong arguments of hexahedra along frames are answered") {
   CHECK(hexes == nullptr);
 }
 
-TEST_CASE("Each allocation that fails along frames ends in out of memory") {
+TEST_CASE("Each allocation that fails, and each report that cancels, ends the making of hexahedra along frames") {
   const FramedBox box;
   const obc_volume_map_frame_options options = few();
-  const test::Outcome outcome = test::fail_each_allocation(
-      [&](const obc_host& host) {
-        obc_volume_map_hexes* hexes = nullptr;
-        const obc_status status = box.hexes(box.frames.data(), &options, &host, nullptr, &hexes, nullptr);
-        obc_volume_map_hexes_destroy(hexes);
-        return status;
-      },
-      50);
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 10);
-}
-
-TEST_CASE("Each report along frames may cancel") {
-  const FramedBox box;
-  const obc_volume_map_frame_options options = few();
-  const test::Outcome outcome = test::cancel_everywhere([&](const obc_host& host) {
-    obc_volume_map_hexes* hexes = nullptr;
-    const obc_status status = box.hexes(box.frames.data(), &options, &host, nullptr, &hexes, nullptr);
-    obc_volume_map_hexes_destroy(hexes);
-    return status;
-  });
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 3);
+  const test::Call call =
+      test::destroying(obc_volume_map_hexes_destroy, [&](const obc_host* host, obc_volume_map_hexes** out) {
+        return box.hexes(box.frames.data(), &options, host, nullptr, out, nullptr);
+      });
+  test::check_failing_allocations(call, 50);
+  test::check_cancelling(call);
 }

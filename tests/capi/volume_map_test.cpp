@@ -6,11 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "failing_allocations.h"
+#include "promises.h"
 
 using namespace orbicube;
 
@@ -198,26 +199,15 @@ TEST_CASE("Wrong arguments are answered, not followed") {
   CHECK(std::count(result.begin(), result.end(), 99) == static_cast<std::ptrdiff_t>(result.size()));
 }
 
-TEST_CASE("Each allocation that fails ends in out of memory") {
+TEST_CASE("Each allocation that fails, and each report that cancels, ends the untangling") {
   const Box box;
   const obc_volume_map_tangle tangle = box.tangle();
   std::vector<double> result(box.start.size());
-  const test::Outcome outcome = test::fail_each_allocation([&](const obc_host& host) {
+  const test::Call call = [&](const obc_host& host) {
     return obc_volume_map_untangle(&tangle, nullptr, &host, result.data(), nullptr, nullptr);
-  });
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 10);
-}
-
-TEST_CASE("Each progress report may cancel") {
-  const Box box;
-  const obc_volume_map_tangle tangle = box.tangle();
-  std::vector<double> result(box.start.size());
-  const test::Outcome outcome = test::cancel_everywhere([&](const obc_host& host) {
-    return obc_volume_map_untangle(&tangle, nullptr, &host, result.data(), nullptr, nullptr);
-  });
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 3);
+  };
+  test::check_failing_allocations(call);
+  test::check_cancelling(call);
 }
 
 TEST_CASE("A box is filled with hexahedra that fill it") {
@@ -262,6 +252,38 @@ TEST_CASE("A box is filled with hexahedra that fill it") {
   CHECK(*std::max_element(faces.begin(), faces.end()) == 5);
 }
 
+TEST_CASE("Sharp edges are followed from the angle that the options give") {
+  const BoxSurface box;
+  for (const double angle : {0.0, 89.0, 91.0}) {
+    obc_volume_map_hexes_options options = few_hexes();
+    options.sharp_angle = angle;
+    obc_volume_map_hexes_report report{};
+    report.struct_size = sizeof report;
+    obc_volume_map_hexes* hexes = nullptr;
+    obc_error error;
+    REQUIRE(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, &report, &hexes, &error) == OBC_OK);
+    obc_volume_map_hexes_destroy(hexes);
+    CHECK(report.follows_sharp_edges == (angle == 89 ? 1 : 0));
+  }
+}
+
+TEST_CASE(
+    "Options of hexahedra that end before the sharp angle leave it at its default, and a report there stays as it is") {
+  const BoxSurface box;
+  obc_volume_map_hexes_options options = few_hexes();
+  options.sharp_angle = -1;
+  options.struct_size = offsetof(obc_volume_map_hexes_options, sharp_angle);
+  obc_volume_map_hexes_report report{};
+  report.struct_size = offsetof(obc_volume_map_hexes_report, follows_sharp_edges);
+  report.follows_sharp_edges = 7;
+  obc_volume_map_hexes* hexes = nullptr;
+  obc_error error;
+  REQUIRE(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, &report, &hexes, &error) == OBC_OK);
+  obc_volume_map_hexes_destroy(hexes);
+  CHECK(report.follows_sharp_edges == 7);
+  CHECK(report.volume > 0);
+}
+
 TEST_CASE("A box of tetrahedra is mapped to a polycube, every tetrahedron positive on both sides") {
   const Box box;
   obc_volume_map_solid* solid = nullptr;
@@ -301,6 +323,12 @@ TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
     CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) ==
           OBC_INVALID_ARGUMENT);
   }
+  for (const double angle : {-1.0, 180.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options = few_hexes();
+    options.sharp_angle = angle;
+    CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) ==
+          OBC_INVALID_ARGUMENT);
+  }
   options = few_hexes();
   options.most_cells = 10'000'001;
   CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
@@ -326,46 +354,24 @@ TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
   obc_volume_map_solid_destroy(nullptr);
 }
 
-TEST_CASE("Each allocation that fails while hexahedra are made ends in out of memory") {
+TEST_CASE("Each allocation that fails, and each report that cancels, ends the making of hexahedra") {
   const BoxSurface box;
   const obc_volume_map_hexes_options options = few_hexes();
-  const test::Outcome outcome = test::fail_each_allocation(
-      [&](const obc_host& host) {
-        obc_volume_map_hexes* hexes = nullptr;
-        const obc_status status = obc_volume_map_hexes_compute(&box.surface, &options, &host, nullptr, &hexes, nullptr);
-        obc_volume_map_hexes_destroy(hexes);
-        return status;
-      },
-      50);
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 10);
+  const test::Call call =
+      test::destroying(obc_volume_map_hexes_destroy, [&](const obc_host* host, obc_volume_map_hexes** out) {
+        return obc_volume_map_hexes_compute(&box.surface, &options, host, nullptr, out, nullptr);
+      });
+  test::check_failing_allocations(call, 50);
+  test::check_cancelling(call);
 }
 
 TEST_CASE("Each allocation that fails while a solid is mapped ends in out of memory") {
   const Box box;
-  const test::Outcome outcome = test::fail_each_allocation(
-      [&](const obc_host& host) {
-        obc_volume_map_solid* solid = nullptr;
-        const obc_status status =
-            obc_volume_map_solid_compute(box.rest.data(), box.rest.size() / 3, box.tetrahedra.data(),
-                                         box.tetrahedra.size() / 4, nullptr, &host, &solid, nullptr);
-        obc_volume_map_solid_destroy(solid);
-        return status;
-      },
-      50);
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 10);
-}
-
-TEST_CASE("Each report while hexahedra are made may cancel") {
-  const BoxSurface box;
-  const obc_volume_map_hexes_options options = few_hexes();
-  const test::Outcome outcome = test::cancel_everywhere([&](const obc_host& host) {
-    obc_volume_map_hexes* hexes = nullptr;
-    const obc_status status = obc_volume_map_hexes_compute(&box.surface, &options, &host, nullptr, &hexes, nullptr);
-    obc_volume_map_hexes_destroy(hexes);
-    return status;
-  });
-  CHECK(outcome.problem == "");
-  CHECK(outcome.runs > 3);
+  test::check_failing_allocations(test::destroying(obc_volume_map_solid_destroy,
+                                                   [&](const obc_host* host, obc_volume_map_solid** out) {
+                                                     return obc_volume_map_solid_compute(
+                                                         box.rest.data(), box.rest.size() / 3, box.tetrahedra.data(),
+                                                         box.tetrahedra.size() / 4, nullptr, host, out, nullptr);
+                                                   }),
+                                  50);
 }

@@ -810,7 +810,7 @@ export const layouts = {
     },
   },
   obc_volume_map_hexes_options: {
-    size: 56,
+    size: 64,
     fields: {
       struct_size: ['u32', 0],
       padding: ['i32', 4],
@@ -822,10 +822,11 @@ export const layouts = {
       reserved: ['i32', 36],
       distance: ['f64', 40],
       most_cells: ['u32', 48],
+      sharp_angle: ['f64', 56],
     },
   },
   obc_volume_map_hexes_report: {
-    size: 56,
+    size: 64,
     fields: {
       struct_size: ['u32', 0],
       padded: ['i32', 4],
@@ -836,6 +837,8 @@ export const layouts = {
       off_surface: ['u32', 36],
       distance: ['f64', 40],
       volume_error: ['f64', 48],
+      follows_sharp_edges: ['i32', 56],
+      reserved: ['i32', 60],
     },
   },
   obc_volume_map_frame_options: {

@@ -390,6 +390,8 @@ export interface HexahedraOptions {
   /** In percent, of the diagonal and of the volume; more cells where a mesh differs more. Default 1, 0 for as it comes. */
   distance?: number;
   mostCells?: number;
+  /** In degrees: sharper edges are followed where the polycube has edges nearby; 0: none. Default 40. */
+  sharpAngle?: number;
 }
 
 export interface Hexahedra {

@@ -38,7 +38,7 @@ export function untangle({ positions, tetrahedra }, given = {}) {
 /**
  * Fills a closed surface with hexahedra, certified: `positions`, `hexahedra` (eight vertices each, as VTK orders them), the `quads` of
  * the boundary, of each the face of the polycube that it lies on, and a `report`. Options: cells, padding ("auto", "with",
- * "without"), distance (in percent; more cells where a mesh is farther), mostCells, corners, triangles, seed, rounds.
+ * "without"), distance (in percent; more cells where a mesh is farther), mostCells, sharpAngle, corners, triangles, seed, rounds.
  */
 export function hexahedra(surface, given = {}) {
   const [host, { padding, ...chosen }] = split(given);

@@ -108,7 +108,8 @@ OBC_API obc_status obc_volume_map_solid_copy(const obc_volume_map_solid *solid, 
 /* A mesh of hexahedra, certified. */
 typedef struct obc_volume_map_hexes obc_volume_map_hexes;
 
-/* A layer of hexahedra along the boundary: what turns out better, with it, without it. */
+/* A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
+ * or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere. */
 enum { OBC_VOLUME_MAP_PADDING_AUTO = 0, OBC_VOLUME_MAP_PADDING_WITH = 1, OBC_VOLUME_MAP_PADDING_WITHOUT = 2 };
 /* Fill with _init. */
 typedef struct obc_volume_map_hexes_options {
@@ -125,6 +126,9 @@ typedef struct obc_volume_map_hexes_options {
    * the nearest is answered. 0: nothing is asked for. Default 1 */
   double distance;
   size_t most_cells; /* about, 10 million at most; where less than cells, these are not changed. Default 100000 */
+  /* Edges where the surface bends by so many degrees or more, 0 to below 180, are edges of hexahedra, where the polycube has edges
+   * nearby, unless hexahedra there would be bad; 0: none. Default 40 */
+  double sharp_angle;
 } obc_volume_map_hexes_options;
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_options *options, size_t struct_size);
@@ -133,13 +137,15 @@ OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_option
  * three edges there over the product of their lengths: 1 for a box. */
 typedef struct obc_volume_map_hexes_report {
   uint32_t struct_size;
-  int32_t padded; /* 1: with a layer along the boundary */
+  int32_t padded; /* 1: with a layer along the boundary or parts of it */
   double least_scaled_jacobian, mean_scaled_jacobian;
   double volume;           /* of the trilinear hexahedra */
   size_t polycube_corners; /* of the polycube of the surface */
   size_t off_surface;      /* vertices of the boundary that could not be put where they belong */
   /* In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface. */
   double distance, volume_error;
+  int32_t follows_sharp_edges; /* 1: those that the polycube has edges for */
+  int32_t reserved;
 } obc_volume_map_hexes_report;
 
 /* Fills a closed surface with hexahedra: connected, oriented, looking outward, of any genus. They meet in whole faces, the

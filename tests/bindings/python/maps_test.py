@@ -400,6 +400,8 @@ class Cubes(unittest.TestCase):
         self.assertEqual((len(hexes.hexahedra), len(hexes.positions), len(hexes.quads)), (27, 64, 54))
         self.assertEqual(len(np.unique(hexes.quad_faces)), 6)
         self.check_hexes(hexes, volume)
+        smooth = volume_map.fill_with_hexahedra(shape, cells=27, padding="without", sharp_angle=0)
+        self.assertEqual((hexes.report.follows_sharp_edges, smooth.report.follows_sharp_edges), (1, 0))
         padded = volume_map.fill_with_hexahedra(shape, cells=27, padding="with")
         self.assertEqual(padded.report.padded, 1)
         self.check_hexes(padded, volume, 0.01 * volume)  # what `distance` asks for

@@ -65,6 +65,7 @@ void fill_with_hexahedra(Input& in, Host& host) {
   options.distance = in.one_in(20) ? -1 : static_cast<double>(in.below(20));
   options.most_cells = in.one_in(20) ? in.bits() : in.below(200);
   if (options.distance > 0 && options.most_cells > 1000 && options.most_cells <= 10'000'000) return;
+  options.sharp_angle = in.one_in(20) ? -1 : static_cast<double>(in.below(180));
   obc_volume_map_hexes_report report;
   report.struct_size = sizeof report;
   obc_volume_map_hexes* hexes = nullptr;

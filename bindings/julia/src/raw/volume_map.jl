@@ -58,6 +58,7 @@ mutable struct obc_volume_map_hexes_options <: CStruct
     reserved::Int32
     distance::Float64
     most_cells::Csize_t
+    sharp_angle::Float64
     obc_volume_map_hexes_options() = zeroed!(new())
 end
 
@@ -71,6 +72,8 @@ mutable struct obc_volume_map_hexes_report <: CStruct
     off_surface::Csize_t
     distance::Float64
     volume_error::Float64
+    follows_sharp_edges::Int32
+    reserved::Int32
     obc_volume_map_hexes_report() = zeroed!(new())
 end
 

@@ -74,6 +74,7 @@ class obc_volume_map_hexes_options(_Struct):
         ("reserved", _c.c_int32),
         ("distance", _c.c_double),
         ("most_cells", _c.c_size_t),
+        ("sharp_angle", _c.c_double),
     ]
 
 
@@ -90,6 +91,8 @@ class obc_volume_map_hexes_report(_Struct):
         ("off_surface", _c.c_size_t),
         ("distance", _c.c_double),
         ("volume_error", _c.c_double),
+        ("follows_sharp_edges", _c.c_int32),
+        ("reserved", _c.c_int32),
     ]
 
 

@@ -57,7 +57,8 @@ class obc_volume_map_hexes_options(Struct):
     reserved: int
     distance: float
     most_cells: int
-    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., reserved: int = ..., distance: float = ..., most_cells: int = ...) -> None: ...
+    sharp_angle: float
+    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., reserved: int = ..., distance: float = ..., most_cells: int = ..., sharp_angle: float = ...) -> None: ...
 
 class obc_volume_map_hexes_report(Struct):
     struct_size: int
@@ -69,7 +70,9 @@ class obc_volume_map_hexes_report(Struct):
     off_surface: int
     distance: float
     volume_error: float
-    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., distance: float = ..., volume_error: float = ...) -> None: ...
+    follows_sharp_edges: int
+    reserved: int
+    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., distance: float = ..., volume_error: float = ..., follows_sharp_edges: int = ..., reserved: int = ...) -> None: ...
 
 class obc_volume_map_frame_options(Struct):
     struct_size: int

@@ -4,11 +4,14 @@
 use crate::base::{obc_error, obc_host};
 use crate::mesh::obc_surface;
 
-/// A layer of hexahedra along the boundary: what turns out better, with it, without it.
+/// A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
+/// or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere.
 pub const OBC_VOLUME_MAP_PADDING_AUTO: i32 = 0;
-/// A layer of hexahedra along the boundary: what turns out better, with it, without it.
+/// A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
+/// or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere.
 pub const OBC_VOLUME_MAP_PADDING_WITH: i32 = 1;
-/// A layer of hexahedra along the boundary: what turns out better, with it, without it.
+/// A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
+/// or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere.
 pub const OBC_VOLUME_MAP_PADDING_WITHOUT: i32 = 2;
 
 /// A map of a solid to a polycube, one to one.
@@ -119,6 +122,9 @@ pub struct obc_volume_map_hexes_options {
     pub distance: f64,
     /// about, 10 million at most; where less than cells, these are not changed. Default 100000
     pub most_cells: usize,
+    /// Edges where the surface bends by so many degrees or more, 0 to below 180, are edges of hexahedra, where the polycube has edges
+    /// nearby, unless hexahedra there would be bad; 0: none. Default 40
+    pub sharp_angle: f64,
 }
 
 /// What was made. Fill struct\_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
@@ -127,7 +133,7 @@ pub struct obc_volume_map_hexes_options {
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_hexes_report {
     pub struct_size: u32,
-    /// 1: with a layer along the boundary
+    /// 1: with a layer along the boundary or parts of it
     pub padded: i32,
     pub least_scaled_jacobian: f64,
     pub mean_scaled_jacobian: f64,
@@ -141,6 +147,9 @@ pub struct obc_volume_map_hexes_report {
     pub distance: f64,
     /// In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface.
     pub volume_error: f64,
+    /// 1: those that the polycube has edges for
+    pub follows_sharp_edges: i32,
+    pub reserved: i32,
 }
 
 /// Fill with \_init.
@@ -299,7 +308,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_volume_map_solid_options.reserved");
         assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 8, "obc_volume_map_solid_options.corners");
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 16, "obc_volume_map_solid_options.seed");
-        assert_eq!((size_of::<obc_volume_map_hexes_options>(), align_of::<obc_volume_map_hexes_options>()), (64, 8));
+        assert_eq!((size_of::<obc_volume_map_hexes_options>(), align_of::<obc_volume_map_hexes_options>()), (72, 8));
         let it = MaybeUninit::<obc_volume_map_hexes_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_hexes_options.struct_size");
@@ -312,7 +321,8 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 44, "obc_volume_map_hexes_options.reserved");
         assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_options.distance");
         assert_eq!(unsafe { addr_of!((*start).most_cells) } as usize - start as usize, 56, "obc_volume_map_hexes_options.most_cells");
-        assert_eq!((size_of::<obc_volume_map_hexes_report>(), align_of::<obc_volume_map_hexes_report>()), (64, 8));
+        assert_eq!(unsafe { addr_of!((*start).sharp_angle) } as usize - start as usize, 64, "obc_volume_map_hexes_options.sharp_angle");
+        assert_eq!((size_of::<obc_volume_map_hexes_report>(), align_of::<obc_volume_map_hexes_report>()), (72, 8));
         let it = MaybeUninit::<obc_volume_map_hexes_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_hexes_report.struct_size");
@@ -324,6 +334,8 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).off_surface) } as usize - start as usize, 40, "obc_volume_map_hexes_report.off_surface");
         assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_report.distance");
         assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 56, "obc_volume_map_hexes_report.volume_error");
+        assert_eq!(unsafe { addr_of!((*start).follows_sharp_edges) } as usize - start as usize, 64, "obc_volume_map_hexes_report.follows_sharp_edges");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 68, "obc_volume_map_hexes_report.reserved");
         assert_eq!((size_of::<obc_volume_map_frame_options>(), align_of::<obc_volume_map_frame_options>()), (24, 8));
         let it = MaybeUninit::<obc_volume_map_frame_options>::uninit();
         let start = it.as_ptr();
