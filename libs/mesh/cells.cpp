@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <cstdio>
 #include <span>
 #include <string>
 
 #include "base/error.h"
+#include "mesh/place_text.h"
 #include "mesh/predicates.h"
 
 namespace orbicube::mesh {
@@ -120,10 +120,8 @@ struct Defect {
   }
 };
 
-std::string place(const Vector3& p) {
-  std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(), "(%.9g, %.9g, %.9g)", p[0], p[1], p[2]);
-  return text.data();
+std::string at(const Vector3& p) {
+  return ", at " + place_text(p);
 }
 
 template <class Cell>
@@ -152,7 +150,7 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
     (repeats     ? repeated
      : sign == 0 ? flat
                  : inverted)
-        .add([&] { return describe(cells, i) + ", at " + place(positions[cells[i][0]]); });
+        .add([&] { return describe(cells, i) + at(positions[cells[i][0]]); });
   }
   repeated.refuse("degenerate-cell", "cells with a repeated vertex");
   inverted.refuse("inverted-cell", "cells that are inside out, or have a corner that is");
@@ -162,8 +160,10 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
       cells.size(), positions.size(), [&](std::size_t i) { return sorted(cells[i]); }, host);
   for_each_group(same, [&](std::size_t first, std::size_t size) {
     for (std::size_t i = 1; i < size; ++i) {
-      duplicate.add(
-          [&] { return describe(cells, same[first + i].item) + ", those of " + std::to_string(same[first].item); });
+      const Index item = same[first + i].item;
+      duplicate.add([&] {
+        return describe(cells, item) + ", those of " + std::to_string(same[first].item) + at(positions[cells[item][0]]);
+      });
     }
   });
   duplicate.refuse("duplicate-cell", "cells with the vertices of another");
@@ -171,7 +171,7 @@ void check_each(std::span<const Vector3> positions, std::span<const Cell> cells,
 
 // The faces of one cell only, in their cells' order of vertices; refuses those of three cells or more.
 template <class Cell, std::size_t faces, std::size_t size>
-Array<Key<size>> boundary(std::span<const Cell> cells, std::size_t vertex_count,
+Array<Key<size>> boundary(std::span<const Cell> cells, std::span<const Vector3> positions,
                           const std::array<std::array<std::size_t, size>, faces>& corners, const base::Host& host) {
   const auto face = [&](std::size_t i) {
     Key<size> vertices;
@@ -180,12 +180,14 @@ Array<Key<size>> boundary(std::span<const Cell> cells, std::size_t vertex_count,
     return vertices;
   };
   const auto entries = sorted_by_key<size>(
-      faces * cells.size(), vertex_count, [&](std::size_t i) { return sorted(face(i)); }, host);
+      faces * cells.size(), positions.size(), [&](std::size_t i) { return sorted(face(i)); }, host);
   Defect crowded;
   std::size_t alone = 0;
   for_each_group(entries, [&](std::size_t first, std::size_t count) {
     alone += count == 1;
-    if (count > 2) crowded.add([&] { return text(entries[first].key) + " of " + std::to_string(count) + " cells"; });
+    if (count <= 2) return;
+    const Key<size>& key = entries[first].key;
+    crowded.add([&] { return text(key) + " of " + std::to_string(count) + " cells" + at(positions[key[0]]); });
   });
   crowded.refuse("non-manifold-face", "faces of more than two cells");
   Array<Key<size>> result(host.memory);
@@ -197,16 +199,17 @@ Array<Key<size>> boundary(std::span<const Cell> cells, std::size_t vertex_count,
 }
 
 template <std::size_t size>
-void check_boundary(const Array<Key<size>>& faces, std::size_t vertex_count, const base::Host& host) {
+void check_boundary(const Array<Key<size>>& faces, std::span<const Vector3> positions, const base::Host& host) {
   const auto edge = [&](std::size_t i) {
     const auto& face = faces[i / size];
     return sorted<2>({face[i % size], face[(i + 1) % size]});
   };
-  const auto entries = sorted_by_key<2>(size * faces.size(), vertex_count, edge, host);
+  const auto entries = sorted_by_key<2>(size * faces.size(), positions.size(), edge, host);
   Defect crowded;
   for_each_group(entries, [&](std::size_t first, std::size_t count) {
-    if (count > 2)
-      crowded.add([&] { return text(entries[first].key) + " of " + std::to_string(count) + " boundary faces"; });
+    if (count <= 2) return;
+    const Key<2>& key = entries[first].key;
+    crowded.add([&] { return text(key) + " of " + std::to_string(count) + " boundary faces" + at(positions[key[0]]); });
   });
   crowded.refuse("non-manifold-edge", "edges where parts of the solid touch");
 }
@@ -216,24 +219,24 @@ void check_boundary(const Array<Key<size>>& faces, std::size_t vertex_count, con
 void require_valid_cells(const Mesh& mesh, const base::Host& host) {
   const std::span<const Tetrahedron> tetrahedra = mesh.tetrahedra;
   const std::span<const Hexahedron> hexahedra = mesh.hexahedra;
-  const std::size_t vertices = mesh.positions.size();
-  check_each(mesh.positions, tetrahedra, host);
-  check_each(mesh.positions, hexahedra, host);
-  const auto triangles = boundary(tetrahedra, vertices, tetrahedron_faces, host);
-  const auto quadrilaterals = boundary(hexahedra, vertices, hexahedron_faces, host);
-  if (hexahedra.empty()) check_boundary(triangles, vertices, host);
-  if (tetrahedra.empty()) check_boundary(quadrilaterals, vertices, host);
+  const std::span<const Vector3> positions = mesh.positions;
+  check_each(positions, tetrahedra, host);
+  check_each(positions, hexahedra, host);
+  const auto triangles = boundary(tetrahedra, positions, tetrahedron_faces, host);
+  const auto quadrilaterals = boundary(hexahedra, positions, hexahedron_faces, host);
+  if (hexahedra.empty()) check_boundary(triangles, positions, host);
+  if (tetrahedra.empty()) check_boundary(quadrilaterals, positions, host);
 }
 
 Array<Triangle> boundary_triangles(const Mesh& mesh, const base::Host& host) {
   const std::span<const Tetrahedron> tetrahedra = mesh.tetrahedra;
   const std::span<const Hexahedron> hexahedra = mesh.hexahedra;
-  const std::size_t vertices = mesh.positions.size();
-  check_indices(vertices, tetrahedra);
-  check_indices(vertices, hexahedra);
-  Array<Triangle> result = boundary(tetrahedra, vertices, tetrahedron_faces, host);
-  const auto length = [&](Index a, Index b) { return (mesh.positions[b] - mesh.positions[a]).stableNorm(); };
-  for (const auto& q : boundary(hexahedra, vertices, hexahedron_faces, host)) {
+  const std::span<const Vector3> positions = mesh.positions;
+  check_indices(positions.size(), tetrahedra);
+  check_indices(positions.size(), hexahedra);
+  Array<Triangle> result = boundary(tetrahedra, positions, tetrahedron_faces, host);
+  const auto length = [&](Index a, Index b) { return (positions[b] - positions[a]).stableNorm(); };
+  for (const auto& q : boundary(hexahedra, positions, hexahedron_faces, host)) {
     if (length(q[0], q[2]) <= length(q[1], q[3])) {
       result.push_back({q[0], q[1], q[2]});
       result.push_back({q[0], q[2], q[3]});

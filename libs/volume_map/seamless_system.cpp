@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "mesh/disjoint_sets.h"
+#include "mesh/place_text.h"
 #include "volume_map/transitions.h"
 
 namespace orbicube::volume_map {
@@ -123,8 +124,9 @@ class Builder {
       seen[root] = 1;
       queue.assign(1, root);
       if (first[cut_.vertex_of_copy[root]]++ != no_index) {
-        throw base::Error("non-manifold-vertex",
-                          "tetrahedra meet in vertex " + std::to_string(cut_.vertex_of_copy[root]) + " alone");
+        const Index v = cut_.vertex_of_copy[root];
+        throw base::Error("non-manifold-vertex", "tetrahedra meet in vertex " + std::to_string(v) + " alone, at " +
+                                                     mesh::place_text(positions_[v]));
       }
       for (std::size_t i = 0; i < queue.size(); ++i) {
         const Index from = queue[i];

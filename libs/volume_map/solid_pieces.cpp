@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 
 #include "base/error.h"
@@ -107,12 +106,6 @@ base::Array<Face> sorted_faces(std::span<const mesh::Tetrahedron> tetrahedra, st
 }
 
 }  // namespace
-
-std::string place_text(const Vector3& p) {
-  std::array<char, 120> text{};
-  std::snprintf(text.data(), text.size(), "(%.9g, %.9g, %.9g)", p[0], p[1], p[2]);
-  return text.data();
-}
 
 void require_closed_surface(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                             const base::Host& host) {

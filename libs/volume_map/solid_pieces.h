@@ -7,6 +7,7 @@
 
 #include "base/host.h"
 #include "mesh/mesh.h"
+#include "mesh/place_text.h"
 
 namespace orbicube::volume_map {
 
@@ -18,8 +19,7 @@ struct Pieces {
   std::size_t count = 0;
 };
 
-// "(x, y, z)", to nine digits.
-std::string place_text(const mesh::Vector3& p);
+using mesh::place_text;
 
 // Throws Error unless the triangles are closed manifold surfaces with two sides and area, with how many, the numbers
 // and the coordinates of the first place: "degenerate-face", "duplicate-face", "non-manifold-edge", "not-closed",
