@@ -16,14 +16,6 @@ using Connectivity = mesh::TetrahedralConnectivity;
 
 constexpr int most_rounds = 60;
 
-template <std::size_t count>
-Vector3 mean_of(std::span<const Vector3> positions, const std::array<Index, count>& corners) {
-  Vector3 mean = Vector3::Zero();
-  for (const Index v : corners)
-    mean += positions[v] / static_cast<double>(count);
-  return mean;
-}
-
 // Not 0 for the rings of edges around which the matchings do not compose to the identity.
 Array<std::uint8_t> singular_rings(const mesh::EdgeRings& rings, std::span<const std::uint8_t> matchings,
                                    const base::Host& host) {
@@ -86,7 +78,6 @@ std::array<Index, 2> boundary_faces(const Connectivity& connectivity, const mesh
 }
 
 void split_for_frames(FramedSolid& solid, const base::Host& host) {
-  Array<Index> around(host.memory);
   enum class What { borders, edges, faces, cells };
   for (const What what : {What::borders, What::edges, What::faces, What::cells}) {
     for (int k = 0; k < most_rounds; ++k) {
@@ -113,34 +104,17 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
         }
       }
       SplitRound round(solid.positions, solid.tetrahedra, &solid.frames, host);
-      if (what == What::edges || what == What::borders) {
-        for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-          const auto& [a, b] = rings.vertices(ring);
-          if (rings.on_boundary(ring) != (what == What::borders) || singular[ring] != 0 || held[a] == 0 || held[b] == 0)
-            continue;
-          if (what != What::borders || border[ring] == 0) round.halve(rings, ring);
-        }
-      } else {
-        for (Index t = 0; t < now.size(); ++t) {
-          if (!round.free(t)) continue;
-          std::size_t count = 0;
-          for (const Index v : now[t])
-            count += held[v];
-          if (what == What::cells) {
-            around.assign(1, t);
-            if (count == 4) round.split(around, now[t], mean_of(solid.positions, now[t]));
-            continue;
-          }
-          for (Index corner = 0; corner < 4 && count >= 3; ++corner) {
-            const Index other = connectivity.neighbour(t, corner);
-            if (other == no_index || !round.free(t) || !round.free(other)) continue;
-            const mesh::Triangle face = connectivity.vertices(4 * t + corner);
-            if (held[face[0]] == 0 || held[face[1]] == 0 || held[face[2]] == 0) continue;
-            around.assign({t, other});
-            round.split(around, face, mean_of(solid.positions, face));
-          }
-        }
-      }
+      const auto wanted = [&](std::size_t ring) {
+        const auto& [a, b] = rings.vertices(ring);
+        return rings.on_boundary(ring) == (what == What::borders) && singular[ring] == 0 && held[a] != 0 &&
+               held[b] != 0 && (what != What::borders || border[ring] == 0);
+      };
+      if (what == What::faces)
+        round.split_held_faces(connectivity, now, held);
+      else if (what == What::cells)
+        round.split_held_cells(now, held);
+      else
+        round.halve_all(rings, wanted);
       if (round.splits() == 0) break;
     }
   }
@@ -159,11 +133,11 @@ void split_around(FramedSolid& solid, std::span<const Index> tetrahedra, const b
     const mesh::EdgeRings rings(connectivity, host);
     const auto singular = singular_rings(rings, frame_field::matchings(connectivity, solid.frames, host), host);
     SplitRound round(solid.positions, solid.tetrahedra, &solid.frames, host);
-    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+    round.halve_all(rings, [&](std::size_t ring) {
       const auto& [a, b] = rings.vertices(ring);
-      if (rings.on_boundary(ring) || singular[ring] != 0 || a >= before || b >= before) continue;
-      if (wanted[a] != 0 || wanted[b] != 0) round.halve(rings, ring);
-    }
+      return !rings.on_boundary(ring) && singular[ring] == 0 && a < before && b < before &&
+             (wanted[a] != 0 || wanted[b] != 0);
+    });
     if (round.splits() == 0) break;
   }
 }

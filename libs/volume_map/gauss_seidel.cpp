@@ -79,64 +79,54 @@ void GaussSeidel::backward(std::span<double> x) const {
   }
 }
 
+// Solves row v for x, with what x is elsewhere, and takes what that adds to the rows before off `sums`.
+inline void GaussSeidel::sweep_row(std::size_t v, std::span<const double> right, std::span<double> x,
+                                   std::span<double> sums) const {
+  const BlockMatrix& m = *matrix_;
+  if (v % slab == 0) host_.report("solve", 0, 0);
+  Vector3 sum = block_of(right, v);
+  for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+    sum.noalias() -= m.lower[i] * block_of(x, m.column[i]);
+  const Vector3 here = inverse_[v] * sum;
+  block_of(x, v) = here;
+  for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+    block_of(sums, m.column[i]).noalias() -= m.lower[i].transpose() * here;
+}
+
+// Likewise a shared one.
+inline void GaussSeidel::sweep_shared(std::size_t s, std::span<const double> right, std::span<double> x,
+                                      std::span<double> sums) const {
+  const BlockMatrix& m = *matrix_;
+  const std::size_t first = 3 * m.rows();
+  double sum = right[first + s];
+  for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+    sum -= m.border[i].dot(block_of(x, m.border_column[i]));
+  for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+    sum -= m.corner[i] * x[first + m.corner_column[i]];
+  const double here = sum / m.corner_diagonal[s];
+  x[first + s] = here;
+  for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
+    block_of(sums, m.border_column[i]) -= here * m.border[i];
+  for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
+    sums[first + m.corner_column[i]] -= m.corner[i] * here;
+}
+
 void GaussSeidel::sweep_from_zero(std::span<const double> right, std::span<double> x,
                                   std::span<double> residual) const {
-  const BlockMatrix& m = *matrix_;
   std::fill(residual.begin(), residual.end(), 0.0);
-  for (std::size_t v = 0; v < m.rows(); ++v) {
-    if (v % slab == 0) host_.report("solve", 0, 0);
-    Vector3 sum = block_of(right, v);
-    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
-      sum.noalias() -= m.lower[i] * block_of(x, m.column[i]);
-    const Vector3 here = inverse_[v] * sum;
-    block_of(x, v) = here;
-    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
-      block_of(residual, m.column[i]).noalias() -= m.lower[i].transpose() * here;
-  }
-  const std::size_t first = 3 * m.rows();
-  for (std::size_t s = 0; s < m.shared(); ++s) {
-    double sum = right[first + s];
-    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
-      sum -= m.border[i].dot(block_of(x, m.border_column[i]));
-    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
-      sum -= m.corner[i] * x[first + m.corner_column[i]];
-    const double here = sum / m.corner_diagonal[s];
-    x[first + s] = here;
-    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
-      block_of(residual, m.border_column[i]) -= here * m.border[i];
-    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
-      residual[first + m.corner_column[i]] -= m.corner[i] * here;
-  }
+  for (std::size_t v = 0; v < matrix_->rows(); ++v)
+    sweep_row(v, right, x, residual);
+  for (std::size_t s = 0; s < matrix_->shared(); ++s)
+    sweep_shared(s, right, x, residual);
 }
 
 void GaussSeidel::sweep_back(std::span<const double> right, std::span<double> x, std::span<double> sums) const {
   // Sums are over rows that have been swept.
-  const BlockMatrix& m = *matrix_;
-  const std::size_t first = 3 * m.rows();
   std::copy(right.begin(), right.end(), sums.begin());
-  for (std::size_t s = m.shared(); s-- > 0;) {
-    double sum = sums[first + s];
-    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
-      sum -= m.border[i].dot(block_of(x, m.border_column[i]));
-    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
-      sum -= m.corner[i] * x[first + m.corner_column[i]];
-    const double here = sum / m.corner_diagonal[s];
-    x[first + s] = here;
-    for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i)
-      block_of(sums, m.border_column[i]) -= here * m.border[i];
-    for (Index i = m.corner_begin[s]; i < m.corner_begin[s + 1]; ++i)
-      sums[first + m.corner_column[i]] -= m.corner[i] * here;
-  }
-  for (std::size_t v = m.rows(); v-- > 0;) {
-    if (v % slab == 0) host_.report("solve", 0, 0);
-    Vector3 sum = block_of(sums, v);
-    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
-      sum.noalias() -= m.lower[i] * block_of(x, m.column[i]);
-    const Vector3 here = inverse_[v] * sum;
-    block_of(x, v) = here;
-    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
-      block_of(sums, m.column[i]).noalias() -= m.lower[i].transpose() * here;
-  }
+  for (std::size_t s = matrix_->shared(); s-- > 0;)
+    sweep_shared(s, sums, x, sums);
+  for (std::size_t v = matrix_->rows(); v-- > 0;)
+    sweep_row(v, sums, x, sums);
 }
 
 void GaussSeidel::multiply_diagonal(std::span<const double> x, std::span<double> y) const {

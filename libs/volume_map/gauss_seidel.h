@@ -33,6 +33,8 @@ class GaussSeidel {
   int solve(std::span<const double> right, int most_steps, double tolerance, std::span<double> solution);
 
  private:
+  void sweep_row(std::size_t v, std::span<const double> right, std::span<double> x, std::span<double> sums) const;
+  void sweep_shared(std::size_t s, std::span<const double> right, std::span<double> x, std::span<double> sums) const;
   void multiply_diagonal(std::span<const double> x, std::span<double> y) const;
 
   const base::Host& host_;

@@ -112,7 +112,7 @@ class Choice {
         together_[b * groups_ + a] += more;
       }
     }
-    vertices_ = mesh.positions.size();
+    ends_.assign(mesh.positions.size(), 0);
   }
 
   // The best that flips of one or two groups lead to from all and from none.
@@ -167,15 +167,16 @@ class Choice {
   }
 
   // A vertex has one outer copy: what is padded around it lies side by side.
-  bool possible(std::span<const std::uint8_t> padded) const {
-    Array<std::uint8_t> ends(vertices_, 0, host_.memory);
+  bool possible(std::span<const std::uint8_t> padded) {
+    bool result = true;
     for (const Border& b : borders_) {
       if (padded[b.first] == padded[b.second]) continue;
-      for (const Index v : {b.start, b.end}) {
-        if (++ends[v] > 2) return false;
-      }
+      for (const Index v : {b.start, b.end})
+        result = ++ends_[v] <= 2 && result;
     }
-    return true;
+    for (const Border& b : borders_)
+      ends_[b.start] = ends_[b.end] = 0;
+    return result;
   }
 
   void descend(Array<std::uint8_t>& padded) {
@@ -205,8 +206,9 @@ class Choice {
   const base::Host& host_;
   Array<Index> group_;  // of each face of the polycube
   Array<Border> borders_;
-  std::size_t groups_ = 0, vertices_ = 0;
+  std::size_t groups_ = 0;
   Array<double> own_{host_.memory}, together_{host_.memory};
+  Array<std::uint8_t> ends_{host_.memory};  // of borders between padded and other faces, at each vertex
 };
 
 }  // namespace

@@ -71,7 +71,49 @@ class SplitRound {
     split(around_, std::array{a, b}, 0.5 * (positions_[a] + positions_[b]));
   }
 
+  // The edges of all rings that are wanted: wanted(ring).
+  template <class Wanted>
+  void halve_all(const mesh::EdgeRings& rings, const Wanted& wanted) {
+    for (std::size_t ring = 0; ring < rings.size(); ++ring) {
+      if (wanted(ring)) halve(rings, ring);
+    }
+  }
+
+  // Inner faces, or whole tetrahedra, with all corners held, at their middle. `now` is what `connectivity` is of.
+  void split_held_faces(const mesh::TetrahedralConnectivity& connectivity, std::span<const Tetrahedron> now,
+                        std::span<const std::uint8_t> held) {
+    for (Index t = 0; t < now.size(); ++t) {
+      for (Index corner = 0; corner < 4 && count_of(now[t], held) >= 3; ++corner) {
+        const Index other = connectivity.neighbour(t, corner);
+        if (other == no_index || !free(t) || !free(other)) continue;
+        const mesh::Triangle face = connectivity.vertices(4 * t + corner);
+        if (count_of(face, held) < 3) continue;
+        around_.assign({t, other});
+        split(around_, face, middle_of(face));
+      }
+    }
+  }
+  void split_held_cells(std::span<const Tetrahedron> now, std::span<const std::uint8_t> held) {
+    for (Index t = 0; t < now.size(); ++t) {
+      if (!free(t) || count_of(now[t], held) < 4) continue;
+      around_.assign(1, t);
+      split(around_, now[t], middle_of(now[t]));
+    }
+  }
+
  private:
+  template <std::size_t count>
+  static std::size_t count_of(const std::array<Index, count>& corners, std::span<const std::uint8_t> held) {
+    return static_cast<std::size_t>(std::ranges::count_if(corners, [&](Index v) { return held[v] != 0; }));
+  }
+  template <std::size_t count>
+  Vector3 middle_of(const std::array<Index, count>& corners) const {
+    Vector3 mean = Vector3::Zero();
+    for (const Index v : corners)
+      mean += positions_[v] / static_cast<double>(count);
+    return mean;
+  }
+
   Array<Vector3>& positions_;
   Array<Tetrahedron>& tetrahedra_;
   Array<quaternion::Quaternion>* frames_;

@@ -16,22 +16,12 @@ using namespace orbicube::volume_map;
 namespace {
 
 // A bar pushed about, with planes, ties across axes and vertices, groups within one vertex, and fixed coordinates.
-struct Problem {
-  base::Host host;
-  test::BlockMesh mesh{test::bar(2), 2};
-  std::vector<Vector3> start;
-  std::vector<std::uint8_t> fixed;
-  std::vector<Index> ties;
+struct Problem : test::PushedBar {
   Array<Element> elements;
   std::mt19937_64 random{11};
 
-  explicit Problem(bool tied)
-      : start(mesh.positions),
-        fixed(3 * start.size(), 0),
-        ties(tied ? 3 * start.size() : 0, no_index),
-        elements(elements_of(mesh.tetrahedra, mesh.positions, 1, host)) {
-    for (Vector3& p : start)
-      p += 0.3 * vector();
+  explicit Problem(bool tied) : PushedBar(0.3), elements(elements_of(mesh.tetrahedra, mesh.positions, 1, host)) {
+    if (!tied) ties.clear();
     for (std::size_t v = 0; v < start.size(); ++v) {
       if (mesh.positions[v][0] == 0) fixed[3 * v] = fixed[3 * v + 2] = 1;
       if (!tied) continue;

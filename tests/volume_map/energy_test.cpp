@@ -16,18 +16,8 @@ using namespace orbicube::volume_map;
 namespace {
 
 // Six of the cubes of a bar, every vertex pushed about; some coordinates tied, some fixed.
-struct Sample {
-  base::Host host;
-  test::BlockMesh mesh{test::bar(2), 2};
-  std::vector<Vector3> start;
-  std::vector<std::uint8_t> fixed;
-  std::vector<Index> ties;
-
-  explicit Sample(double push) : start(mesh.positions), fixed(3 * start.size(), 0), ties(3 * start.size(), no_index) {
-    std::mt19937_64 random(7);
-    std::uniform_real_distribution<double> uniform(-push, push);
-    for (Vector3& p : start)
-      p += Vector3(uniform(random), uniform(random), uniform(random));
+struct Sample : test::PushedBar {
+  explicit Sample(double push) : PushedBar(push) {
     for (std::size_t v = 0; v < start.size(); ++v) {
       if (mesh.positions[v][2] == 0) ties[3 * v + 2] = 4;
       if (mesh.positions[v][0] == 0) fixed[3 * v] = 1;

@@ -98,6 +98,25 @@ inline std::vector<Block> bar(int length, int width = 1) {
   return blocks;
 }
 
+// Cubes of a bar of two blocks, every vertex pushed about by up to `push` a coordinate; nothing is fixed or tied.
+struct PushedBar {
+  base::Host host;
+  BlockMesh mesh{bar(2), 2};
+  std::vector<Vector3> start;
+  std::vector<std::uint8_t> fixed;
+  std::vector<Index> ties;
+
+  explicit PushedBar(double push)
+      : start(mesh.positions), fixed(3 * start.size(), 0), ties(3 * start.size(), no_index) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> uniform(-push, push);
+    for (Vector3& p : start) {
+      for (double& x : p)
+        x += uniform(random);
+    }
+  }
+};
+
 // A smooth, positive change of shape: round, bent, turned.
 inline Vector3 warped(Vector3 p, double roundness, double bend, double turn) {
   for (Eigen::Index a = 1; a < 3; ++a) {
