@@ -84,82 +84,270 @@ struct PaddedFaces {
   }
 };
 
+// A map that hexahedra may follow, and what all meshes along it have in common.
+struct Guide {
+  PolycubeSurface surface;
+  bool sharp;  // edges were brought to those of the polycube
+  polycube::PatchGraph graph;
+
+  Guide(const PolycubeSurface& of, bool is_sharp, const base::Host& host)
+      : surface(of), sharp(is_sharp), graph(polycube::make_patch_graph(of.map, host)) {}
+};
+
+// One of the ways to mesh the solid.
+struct Way {
+  const Guide* guide;
+  int padding;  // the first or the second choice
+  PaddedFaces padded;
+  double outlook = 0;  // the lower the better
+
+  bool same(const Guide* other, int other_padding) const { return guide == other && padding == other_padding; }
+};
+
 // What may be padded, the most promising first.
-Array<PaddedFaces> paddings_of(const PolycubeSurface& solid, const HexOptions& options, std::size_t cells,
-                               const base::Host& host) {
-  const polycube::PatchGraph graph = polycube::make_patch_graph(solid.map, host);
-  const HexMesh mesh = sample_hexahedra(domain_of_cells(graph, cells, 0, host), solid.map, host);
-  const std::size_t count = 1 + *std::max_element(solid.map.charts.begin(), solid.map.charts.end());
-  Array<PaddedFaces> result(host.memory);
-  if (options.padding == Padding::automatic) result.emplace_back(mesh, choose_padding(mesh, host));
-  const auto add = [&](std::uint8_t everywhere) {
-    result.emplace_back(mesh, Array<std::uint8_t>(count, everywhere, host.memory));
+void add_ways(Array<Way>& ways, const Guide& guide, const HexOptions& options, std::size_t cells,
+              const base::Host& host) {
+  const polycube::SurfaceMap& map = guide.surface.map;
+  const HexMesh mesh = sample_hexahedra(domain_of_cells(guide.graph, cells, 0, host), map, host);
+  const std::size_t count = 1 + *std::max_element(map.charts.begin(), map.charts.end());
+  int choices = 0;
+  const auto add = [&](Array<std::uint8_t> faces) {
+    ways.push_back({&guide, choices++, PaddedFaces(mesh, std::move(faces))});
   };
-  if (options.padding == Padding::with) add(1);
-  if (options.padding == Padding::without) add(0);
+  const auto add_all = [&](std::uint8_t value) { add(Array<std::uint8_t>(count, value, host.memory)); };
+  if (options.padding == Padding::with) add_all(1);
+  if (options.padding == Padding::without) add_all(0);
+  if (options.padding != Padding::automatic) return;
+  add(choose_padding(mesh, host));
   // Where what was chosen turns out bad: none, or all.
-  if (options.padding == Padding::automatic) add(result.front().part > 0 ? 0 : 1);
-  return result;
+  add_all(ways.back().padded.part > 0 ? 0 : 1);
 }
 
-// One mesh of the solid; valid or not.
-struct Attempt {
-  const PolycubeSurface& solid;
-  std::size_t cells;
-  const PaddedFaces& padded;
-  bool lift, hold;
+// What a mesh may do besides: its boundary lifted off the surface, and held where it would leave it.
+struct Manner {
+  bool lift = true, hold = false;
 };
-HexResult one_mesh(const Wanted& wanted, const HexOptions& options, const Attempt& attempt, const base::Host& host) {
-  const PolycubeSurface& solid = attempt.solid;
-  // Of the distance that is allowed: what is farther is held, and how far the search may move vertices.
-  constexpr double held = 0.75, searched = 0.2;
-  const polycube::PatchGraph graph = polycube::make_patch_graph(solid.map, host);
-  const IntegerDomain domain = domain_of_cells(graph, attempt.cells, attempt.padded.part, host);
-  HexResult result(host.memory);
-  result.padded = attempt.padded.part > 0;
-  HexMesh& mesh = result.mesh;
-  mesh = sample_hexahedra(domain, solid.map, host);
-  // Lengths of cells are 1 from here on.
-  double volume = 0;
-  for (const mesh::Triangle& t : solid.map.triangles)
-    volume += solid.map.positions[t[0]].dot(solid.map.positions[t[1]].cross(solid.map.positions[t[2]])) / 6;
-  const double scale = std::cbrt(static_cast<double>(mesh.hexahedra.size()) / std::abs(volume));
-  for (Vector3& p : mesh.positions)
-    p *= scale;
-  const std::size_t cells = mesh.hexahedra.size();
-  pad(mesh, attempt.padded.faces, 1, host);
-  const SurfaceTarget target_surface(solid.map, solid.fine_positions, solid.fine_triangles, scale, host);
-  HexBoundary boundary(mesh, target_surface, host);
-  const double distance = 0.01 * options.distance * scale * wanted.diagonal;
-  const HexSmoothingOptions smoothing = {.rounds = options.rounds,
-                                         .lift = attempt.lift,
-                                         .padding = mesh.hexahedra.size() - cells,
-                                         .distance = attempt.hold ? held * distance : 0};
-  if (!smooth_hexahedra(mesh, boundary, target_surface, smoothing, host)) {
-    // A few that stay inverted are turned right by the search.
-    search_hexahedra(mesh, boundary, {}, host);
-    smooth_hexahedra(mesh, boundary, target_surface, smoothing, host);
+
+// A mesh of the solid on its way, in units of a cell.
+class Draft {
+ public:
+  Draft(const Wanted& wanted, const HexOptions& options, const Way& way, std::size_t cells, const base::Host& host)
+      : wanted_(wanted),
+        options_(options),
+        host_(host),
+        mesh_(sample_hexahedra(domain_of_cells(way.guide->graph, cells, way.padded.part, host), way.guide->surface.map,
+                               host)),
+        inner_(mesh_.hexahedra.size()),
+        padded_(way.padded.part > 0) {
+    const auto& [map, fine_positions, fine_triangles] = way.guide->surface;
+    double volume = 0;
+    for (const mesh::Triangle& t : map.triangles)
+      volume += map.positions[t[0]].dot(map.positions[t[1]].cross(map.positions[t[2]])) / 6;
+    scale_ = std::cbrt(static_cast<double>(inner_) / std::abs(volume));
+    for (Vector3& p : mesh_.positions)
+      p *= scale_;
+    pad(mesh_, way.padded.faces, 1, host);
+    target_.emplace(map, fine_positions, fine_triangles, scale_, host);
+    boundary_.emplace(mesh_, *target_, host);
   }
-  const auto finish = [&](bool all) {
-    result.off_surface = search_hexahedra(mesh, boundary, {.reach = searched * distance, .all = all}, host);
-    for (Vector3& p : mesh.positions)
-      p /= scale;
-    measure(result, wanted, host);
-  };
-  const Array<Vector3> before(mesh.positions, host.memory);
-  finish(false);
-  if (attempt.hold && result.quality.valid() && excess(result, options) > 1) {
+
+  // What becomes of it shows after the first rounds of smoothing: by the hexahedra that are bad then, and by the quads
+  // that are still off the surface, in cells. The lower the better.
+  double outlook() {
+    constexpr double part = 0.4, good = 0.4, near = 0.5;
+    HexSmoothingOptions smoothing = smoothing_in({});
+    smoothing.rounds_now = static_cast<int>(part * options_.rounds);
+    if (!smooth_hexahedra(mesh_, *boundary_, *target_, smoothing, host_))
+      return std::numeric_limits<double>::infinity();
+    double sum = 0;
+    const auto add = [&sum](double beyond) { sum += beyond > 0 ? beyond * beyond : 0; };
+    for (const Hexahedron& h : mesh_.hexahedra)
+      add(good - scaled_jacobian(mesh_.positions, h));
+    for (std::size_t i = 0; i < mesh_.quads.size(); ++i) {
+      if (i % 1024 == 0) host_.report("outlook", i, mesh_.quads.size());
+      const Quad& q = mesh_.quads[i];
+      const Vector3 middle =
+          0.25 * (mesh_.positions[q[0]] + mesh_.positions[q[1]] + mesh_.positions[q[2]] + mesh_.positions[q[3]]);
+      add((target_->nearest(middle).position - middle).norm() - near);
+    }
+    return sum;
+  }
+
+  // Valid or not.
+  HexResult finish(const Manner& manner) {
+    const HexSmoothingOptions smoothing = smoothing_in(manner);
+    if (!smooth_hexahedra(mesh_, *boundary_, *target_, smoothing, host_)) {
+      // A few that stay inverted are turned right by the search.
+      search_hexahedra(mesh_, *boundary_, {}, host_);
+      smooth_hexahedra(mesh_, *boundary_, *target_, smoothing, host_);
+    }
+    HexResult result = searched(false);
+    if (!manner.hold || !result.quality.valid() || excess(result, options_) <= 1) return result;
     // The search may have gone too far.
-    HexResult freer = std::move(result);
-    result = HexResult(host.memory);
-    result.padded = freer.padded;
-    mesh = freer.mesh;
-    mesh.positions = before;
-    finish(true);
-    if (!result.quality.valid() || better(freer, result, options)) result = std::move(freer);
+    HexResult held = searched(true);
+    return held.quality.valid() && !better(result, held, options_) ? std::move(held) : std::move(result);
   }
-  return result;
-}
+
+ private:
+  // In units of a cell.
+  double distance() const { return 0.01 * options_.distance * scale_ * wanted_.diagonal; }
+
+  HexSmoothingOptions smoothing_in(const Manner& manner) const {
+    constexpr double held = 0.75;  // what is farther, of the distance that is allowed
+    return {.rounds = options_.rounds,
+            .lift = manner.lift,
+            .padding = mesh_.hexahedra.size() - inner_,
+            .distance = manner.hold ? held * distance() : 0};
+  }
+
+  HexResult searched(bool all) const {
+    constexpr double reach = 0.2;  // of the distance: how far the search may move what is held
+    HexResult result(host_.memory);
+    result.padded = padded_;
+    result.mesh = mesh_;
+    result.off_surface = search_hexahedra(result.mesh, *boundary_, {.reach = reach * distance(), .all = all}, host_);
+    for (Vector3& p : result.mesh.positions)
+      p /= scale_;
+    measure(result, wanted_, host_);
+    return result;
+  }
+
+  const Wanted& wanted_;
+  const HexOptions& options_;
+  const base::Host& host_;
+  HexMesh mesh_;
+  std::size_t inner_;  // hexahedra without padding
+  bool padded_;
+  double scale_ = 1;
+  std::optional<SurfaceTarget> target_;
+  std::optional<HexBoundary> boundary_;
+};
+
+// The best of the meshes that are made.
+class Making {
+ public:
+  Making(const PolycubeSurface& solid, const HexOptions& options, const base::Host& host)
+      : options_(options), host_(host), wanted_(solid), guides_(host.memory), ways_(host.memory) {
+    guides_.reserve(2);
+    if (options.sharp_angle > 0) sharp_ = map_with_sharp_edges(solid.map, options.sharp_angle, host);
+    if (sharp_) guides_.emplace_back(PolycubeSurface{*sharp_, solid.fine_positions, solid.fine_triangles}, true, host);
+    guides_.emplace_back(solid, false, host);
+  }
+
+  HexResult best() {
+    for (std::size_t cells = options_.cells;; cells *= 2) {
+      make(cells);
+      if (options_.distance == 0 || 2 * cells > options_.most_cells || (best_ && excess(*best_, options_) <= 1)) break;
+    }
+    if (!best_) throw base::Error("no-valid-result", reason_);
+    return std::move(*best_);
+  }
+
+ private:
+  // What fails in one way may work in another; where more cells are more than there can be, what was found stays.
+  void tolerate(const base::Error& error) {
+    const bool too_many = best_ && error.status() == base::Status::invalid_argument;
+    if (error.status() != base::Status::no_valid_result && !too_many) throw;
+    reason_ = error.what();
+  }
+
+  // What is near to the surface by itself is better than what is held there. What is good in one way is not tried in
+  // another.
+  bool done() const {
+    constexpr double good = 0.4;
+    return (least_near_ > 0 ? least_near_ : least_) > good;
+  }
+
+  // Answers whether the mesh is valid and as near to the surface as wanted.
+  bool attempt(const Way& way, std::size_t cells, const Manner& manner) {
+    try {
+      HexResult now = Draft(wanted_, options_, way, cells, host_).finish(manner);
+      if (!now.quality.valid()) {
+        reason_ = what_is_wrong(now.quality);
+        return false;
+      }
+      now.follows_sharp_edges = way.guide->sharp;
+      least_ = std::max(least_, now.quality.least_scaled_jacobian);
+      const bool near = excess(now, options_) <= 1;
+      if (near) least_near_ = std::max(least_near_, now.quality.least_scaled_jacobian);
+      if (!best_ || better(now, *best_, options_)) {
+        best_ = std::move(now);
+        best_guide_ = way.guide;
+        best_padding_ = way.padding;
+      }
+      return near;
+    } catch (const base::Error& error) {
+      tolerate(error);
+      return false;
+    }
+  }
+
+  // What one number of cells has shown holds for more.
+  void find_ways(std::size_t cells) {
+    ways_.clear();
+    for (const Guide& guide : guides_) {
+      try {
+        add_ways(ways_, guide, options_, cells, host_);
+      } catch (const base::Error& error) {
+        tolerate(error);
+      }
+    }
+    if (best_) std::erase_if(ways_, [&](const Way& way) { return !way.same(best_guide_, best_padding_); });
+  }
+
+  // The most promising first.
+  void rank_ways(std::size_t cells) {
+    for (Way& way : ways_) {
+      try {
+        way.outlook = Draft(wanted_, options_, way, cells, host_).outlook();
+      } catch (const base::Error& error) {
+        tolerate(error);
+        way.outlook = std::numeric_limits<double>::infinity();
+      }
+    }
+    std::stable_sort(ways_.begin(), ways_.end(), [](const Way& x, const Way& y) { return x.outlook < y.outlook; });
+  }
+
+  // Meshes of about so many cells until one is good.
+  void make(std::size_t cells) {
+    least_ = least_near_ = 0;
+    find_ways(cells);
+    if (ways_.empty()) return;
+    // More cells are there for what is far: held at once.
+    const bool free_first = cells == options_.cells, distance_counts = options_.distance > 0;
+    const Guide* const first_guide = ways_[0].guide;
+    const int first_padding = ways_[0].padding;
+    bool near = free_first && attempt(ways_[0], cells, {});
+    const bool held = !near && distance_counts && (!free_first || done());
+    if (held) attempt(ways_[0], cells, {.hold = true});
+    if (done()) return;
+    if (ways_.size() > 1) rank_ways(cells);
+    for (const Way& way : ways_) {
+      const bool again = way.same(first_guide, first_padding);
+      if (again && (near || held || !distance_counts)) continue;
+      if (!again) near = free_first && attempt(way, cells, {});
+      if (!near && distance_counts) attempt(way, cells, {.hold = true});
+      if (least_ > 0) break;
+    }
+    // Vertices on the surface itself are less accurate and leave more room.
+    for (const Way& way : ways_) {
+      if (least_ == 0) attempt(way, cells, {.lift = false, .hold = distance_counts});
+    }
+  }
+
+  const HexOptions& options_;
+  const base::Host& host_;
+  const Wanted wanted_;
+  std::optional<polycube::SurfaceMap> sharp_;
+  Array<Guide> guides_;
+  Array<Way> ways_;
+  std::optional<HexResult> best_;
+  const Guide* best_guide_ = nullptr;
+  int best_padding_ = 0;
+  std::string reason_;
+  // Scaled Jacobians of what is best among meshes of one number of cells: of all, and of those that are near.
+  double least_ = 0, least_near_ = 0;
+};
 
 }  // namespace
 
@@ -169,73 +357,7 @@ HexResult make_hexahedra(const PolycubeSurface& solid, const HexOptions& options
   base::require(options.sharp_angle >= 0 && options.sharp_angle < 180, "the sharp angle must be from 0 to 180 degrees");
   base::require(options.distance >= 0 && options.distance <= 100, "the distance must be from 0 to 100 percent");
   base::require(options.most_cells <= 10'000'000, "most_cells must be 10 million at most");
-  const Wanted wanted(solid);
-  std::optional<HexResult> best;
-  std::string reason;
-  // What fails in one way may work in another; where more cells are more than there can be, what was found stays.
-  const auto tolerate = [&](const base::Error& error) {
-    const bool too_many = best && error.status() == base::Status::invalid_argument;
-    if (error.status() != base::Status::no_valid_result && !too_many) throw;
-    reason = error.what();
-  };
-  // Answers whether the mesh is as near to the surface as wanted, and valid.
-  // Scaled Jacobians of what is best among meshes of one number of cells: of all, and of those that are near.
-  double least = 0, least_near = 0;
-  const auto attempt = [&](const Attempt& how) {
-    try {
-      HexResult now = one_mesh(wanted, options, how, host);
-      if (!now.quality.valid()) {
-        reason = what_is_wrong(now.quality);
-        return false;
-      }
-      now.follows_sharp_edges = &how.solid.map != &solid.map;
-      least = std::max(least, now.quality.least_scaled_jacobian);
-      const bool near = excess(now, options) <= 1;
-      if (near) least_near = std::max(least_near, now.quality.least_scaled_jacobian);
-      if (!best || better(now, *best, options)) best = std::move(now);
-      return near;
-    } catch (const base::Error& error) {
-      tolerate(error);
-      return false;
-    }
-  };
-  const auto sharp =
-      options.sharp_angle > 0 ? map_with_sharp_edges(solid.map, options.sharp_angle, host) : std::nullopt;
-  const PolycubeSurface along_edges{sharp ? *sharp : solid.map, solid.fine_positions, solid.fine_triangles};
-  Array<const PolycubeSurface*> surfaces(host.memory);
-  if (sharp) surfaces.push_back(&along_edges);
-  surfaces.push_back(&solid);
-  for (std::size_t cells = options.cells;; cells *= 2) {
-    // What is near to the surface by itself is better than what is held there. What is good in one way is not tried in
-    // another.
-    constexpr double good = 0.4;
-    least = least_near = 0;
-    const auto done = [&] { return (least_near > 0 ? least_near : least) > good; };
-    for (const PolycubeSurface* surface : surfaces) {
-      if (done()) continue;
-      Array<PaddedFaces> paddings(host.memory);
-      try {
-        paddings = paddings_of(*surface, options, cells, host);
-      } catch (const base::Error& error) {
-        tolerate(error);
-      }
-      for (const PaddedFaces& padded : paddings) {
-        if (done()) continue;
-        // More cells are there for what is far: held at once.
-        const bool near = cells == options.cells && attempt({*surface, cells, padded, true, false});
-        if (!near && options.distance > 0) attempt({*surface, cells, padded, true, true});
-      }
-      // Vertices on the surface itself are less accurate and leave more room.
-      for (const PaddedFaces& padded : paddings) {
-        if (least == 0) attempt({*surface, cells, padded, false, options.distance > 0});
-      }
-    }
-    if (options.distance == 0 || 2 * cells > options.most_cells || (best && excess(*best, options) <= 1)) break;
-    // What sharp edges have not made better they do not with more cells.
-    if (best && !best->follows_sharp_edges) surfaces.assign(1, &solid);
-  }
-  if (!best) throw base::Error("no-valid-result", reason);
-  return std::move(*best);
+  return Making(solid, options, host).best();
 }
 
 }  // namespace orbicube::volume_map

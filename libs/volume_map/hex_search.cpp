@@ -67,6 +67,9 @@ class Search {
     std::mt19937_64 random(1);
     const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };
     Array<std::pair<double, Index>> order(mesh_.hexahedra.size(), host_.memory);
+    // Of all hexahedra, as of the last pass; few change in each.
+    Array<double> qualities(order.size(), 0, host_.memory);
+    Array<std::uint8_t> changed(order.size(), 1, host_.memory);
     Array<Index> vertices(host_.memory);
     const auto most =
         std::min(order.size(),
@@ -77,7 +80,9 @@ class Search {
       for (Index i = 0; i < order.size(); ++i) {
         if (i % 1024 == 0)
           host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
-        order[i] = {quality(i, lowest), i};
+        if (changed[i] != 0) qualities[i] = quality(i, lowest);
+        changed[i] = 0;
+        order[i] = {qualities[i], i};
       }
       std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end());
       vertices.clear();
@@ -90,7 +95,8 @@ class Search {
       for (const Index v : vertices) {
         host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
         Vector3& x = mesh_.positions[v];
-        double worst = worst_around(v, lowest);
+        const double before = worst_around(v, lowest);
+        double worst = before;
         const double edge = shortest_edge(v);
         for (int trial = 0; trial < 8; ++trial) {
           const Vector3 from = x;
@@ -111,6 +117,8 @@ class Search {
           else
             x = from;
         }
+        for (Index i = begin_[v]; worst > before && i < begin_[v + 1]; ++i)
+          changed[around_[i]] = 1;
       }
     }
   }

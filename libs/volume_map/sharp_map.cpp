@@ -23,12 +23,15 @@ double length_of_edges(const polycube::SurfaceMap& map, const base::Host& host) 
 
 std::optional<polycube::SurfaceMap> map_with_sharp_edges(const polycube::SurfaceMap& map, double degrees,
                                                          const base::Host& host) {
-  constexpr double least = 0.2;
+  // Of the edges of the polycube those that are sharp, and of the sharp edges those that are met: where much is left
+  // within faces, hexahedra along the rest end badly.
+  constexpr double least = 0.2, least_met = 0.6;
   polycube::SurfaceMap sharp(host.memory);
   sharp = map;
   try {
     const polycube::FeatureFit fit = polycube::meet_features(sharp, {.sharp_angle = degrees}, host);
-    if (fit.sharp < least * length_of_edges(sharp, host)) return std::nullopt;
+    if (fit.sharp < least_met * fit.sharp_length || fit.sharp < least * length_of_edges(sharp, host))
+      return std::nullopt;
     return sharp;
   } catch (const base::Error& error) {
     if (error.status() != base::Status::no_valid_result) throw;

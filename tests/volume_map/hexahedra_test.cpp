@@ -352,3 +352,16 @@ TEST_CASE(
   const test::BlockSolid round(test::angle, 4, 0.8, 0.4);
   CHECK(!map_with_sharp_edges(round.map, 100, host));
 }
+
+TEST_CASE("Sharp edges are left alone where the polycube has edges for less than three fifths of them") {
+  const base::Host host;
+  test::BlockSolid bar(test::bar(2), 6, 0, 0);
+  CHECK(map_with_sharp_edges(bar.map, 40, host));
+  // Every second row of vertices across top and bottom becomes a ridge.
+  for (std::size_t v = 0; v < bar.map.positions.size(); ++v) {
+    const Vector3& p = bar.map.polycube[v];
+    const bool ridge = std::lround(6 * p[0]) % 2 == 1 && (p[2] == 0 || p[2] == 1);
+    if (ridge) bar.map.positions[v] += Vector3(0, 0, 0.1);
+  }
+  CHECK(!map_with_sharp_edges(bar.map, 40, host));
+}
