@@ -14,7 +14,8 @@ Indices = NDArray[np.uint32]
 
 def doubles(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "array") -> Doubles:
     """C-contiguous doubles; with `columns`, of so many a row (flat arrays too), with `rows`, so many of them."""
-    return _shaped(_plain(values, np.float64), columns, rows, name)
+    array: Doubles = _shaped(_plain(values, np.float64), columns, rows, name)
+    return array
 
 
 def indices(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "indices") -> Indices:
@@ -26,7 +27,8 @@ def indices(values: Any, columns: Optional[int] = None, rows: Optional[int] = No
         raise TypeError(f"{name}: integers are needed, not {array.dtype}")
     if array.dtype != np.uint32 and (array.min() < 0 or array.max() > 0xFFFFFFFF):
         raise ValueError(f"{name}: from {array.min()} to {array.max()}, not within 0 to 2^32 - 1")
-    return _shaped(_plain(array, np.uint32), columns, rows, name)
+    shaped: Indices = _shaped(_plain(array, np.uint32), columns, rows, name)
+    return shaped
 
 
 def _plain(values: Any, kind: Any) -> Any:
@@ -41,6 +43,9 @@ def floats(values: Any, columns: Optional[int] = None, rows: Optional[int] = Non
 
 def put(into: Any, values: Any, name: str) -> None:
     """Into an array of our own: as many numbers as it has, in its shape or flat; nothing is broadcast."""
+    if type(values) is np.ndarray and values.shape == into.shape:  # as a rule: no other array is made
+        into[...] = values
+        return
     array = np.asarray(values, dtype=np.float64)
     if array.shape != into.shape:
         if array.size != into.size or (array.ndim > 1 and into.ndim > 1):

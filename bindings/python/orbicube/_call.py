@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import importlib
 import os
 import signal
 import threading
@@ -175,7 +176,7 @@ class _Lent:
 def bar() -> Optional[Callable[[str, int, int, float], Any]]:
     """A progress bar of tqdm, one for all phases, of which there may be hundreds; None where tqdm is not installed."""
     try:
-        from tqdm.auto import tqdm  # type: ignore[import-untyped]
+        tqdm = importlib.import_module("tqdm.auto").tqdm
     except ImportError:
         return None
 

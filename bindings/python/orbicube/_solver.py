@@ -39,32 +39,35 @@ class Result:
 
 
 class Run:
-    """A handle of a solver, and the arrays that go in and out of it. Points have the given shape."""
+    """A handle of a solver, and the arrays that go in and out of it. Points have the given shape.
+
+    What is done for each evaluation is kept short: arguments are made once, and so is an array for each place in the
+    solver's memory that it shows points at. These arrays never leave the object, which gives out copies: what they show
+    changes with the next step and is gone with the handle."""
 
     def __init__(self, raw: Any, prefix: str, handle: int, shape: tuple[int, ...]) -> None:
         self._raw, self._prefix, self._shape, self._size = raw, prefix, shape, int(np.prod(shape))
-        self._handle: Optional[int] = handle
+        self._handle = ctypes.c_void_p(handle)
         self._finalizer = weakref.finalize(self, self._function("destroy"), handle)
         self._step = self._function("step")
         self._tell = self._function("tell")
         self._point = ctypes.c_void_p()
-        self._point_out = byref(self._point)
-        self._views: dict[Any, Any] = {}
+        self._step_arguments: tuple[Any, ...] = (self._handle, byref(self._point))
+        self._points: dict[Optional[int], Doubles] = {}
+        self._check: Optional[Callable[[], None]] = None  # raises what a callback of a step has left
         self.stopped = False
 
     def _function(self, name: str) -> Any:
         return getattr(self._raw, f"{self._prefix}_{name}")
 
-    def _copied(self, where: int, shape: tuple[int, ...]) -> Doubles:
-        """What the solver has there, copied: its memory changes with the next step."""
-        seen = self._views.get((where, shape))
+    def _asked(self) -> Doubles:
+        """The point asked about, copied."""
+        where = self._point.value
+        seen = self._points.get(where)
         if seen is None:
-            seen = memory_of(where, int(np.prod(shape))).reshape(shape)
-            self._views[(where, shape)] = seen
+            seen = memory_of(where or 0, self._size).reshape(self._shape)
+            self._points[where] = seen
         return seen.copy()
-
-    def _request(self) -> int:
-        return self._step(self._handle, self._point_out)
 
     def _answer(self, answer: Any) -> None:
         """Tells what a function of the user has answered."""
@@ -76,7 +79,7 @@ class Run:
 
     def ask(self) -> Optional[Doubles]:
         """The point that is asked about next; None when the run has ended."""
-        return None if self._next() == DONE else self._copied(self._point.value or 0, self._shape)
+        return None if self._next() == DONE else self._asked()
 
     def run(self, f: Callable[[Doubles], Any], progress: Progress = None) -> Result:
         """Asks f, which answers what `tell` takes, until the run has ended."""
@@ -84,7 +87,7 @@ class Run:
         try:
             while self._next(report) != DONE:
                 try:
-                    self._answer(f(self._copied(self._point.value or 0, self._shape)))
+                    self._answer(f(self._asked()))
                 except EvaluationFailed:
                     self._failed()
                 except Stop:
@@ -98,7 +101,9 @@ class Run:
     def _next(self, progress: Any = None) -> int:
         """Goes on to the next question; with a progress function that answers something, as if done."""
         while True:
-            request = self._request()
+            request: int = self._step(*self._step_arguments)
+            if self._check is not None:
+                self._check()
             if request == ITERATION:
                 if progress is not None:
                     report = self._report()
@@ -139,7 +144,8 @@ class Run:
     def close(self) -> None:
         """Releases the run now, rather than when Python does."""
         self._finalizer()
-        self._handle = None
+        self._handle.value = None
+        self._points.clear()
 
 
 class GradientRun(Run):
@@ -147,7 +153,8 @@ class GradientRun(Run):
 
     def __init__(self, raw: Any, prefix: str, handle: int, shape: tuple[int, ...]) -> None:
         super().__init__(raw, prefix, handle, shape)
-        flat, self._gradient_at = buffer(np.float64, self._size)
+        flat, where = buffer(np.float64, self._size)
+        self._gradient_at = ctypes.c_void_p(where)
         self._gradient = flat.reshape(shape)
 
     def tell(self, value: Optional[float], gradient: Optional[ArrayLike]) -> None:
@@ -156,8 +163,7 @@ class GradientRun(Run):
             call(self._tell, self._handle, float("nan"), None)
             return
         put(self._gradient, gradient, "gradient")
-        status = self._tell(self._handle, value, self._gradient_at, None)
-        if status:
+        if self._tell(self._handle, value, self._gradient_at, None):
             call(self._tell, self._handle, value, self._gradient_at)
 
     def _answer(self, answer: Any) -> None:

@@ -27,7 +27,7 @@ class _Solid:
         return doubles(frames, 4, len(self.tetrahedra), "frames")
 
 
-def _report() -> Any:
+def _report() -> raw.obc_frame_field_report:
     report = raw.obc_frame_field_report()
     call_init(raw.obc_frame_field_report_init, report)
     return report

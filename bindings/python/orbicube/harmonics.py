@@ -152,7 +152,7 @@ def _format(name: str) -> int:
     constant = "OBC_HARMONICS_" + name.upper().replace("-", "_")
     if constant not in ("OBC_HARMONICS_BY_ENDING", "OBC_HARMONICS_SHTOOLS", "OBC_HARMONICS_SPHARM_PDM"):
         raise ValueError(f"format {name!r}: by-ending, shtools or spharm-pdm")
-    return getattr(raw, constant)
+    return int(getattr(raw, constant))
 
 
 def write(path: Any, coefficients: ArrayLike, format: str = "by-ending") -> None:

@@ -266,7 +266,7 @@ def _sign(function: Any, dimension: int, *points: ArrayLike) -> int:
     arrays = [doubles(point, name="point") for point in points]
     if any(array.shape != (dimension,) for array in arrays):
         raise ValueError(f"points of {dimension} coordinates are needed")
-    answer = function(*[array.ctypes.data for array in arrays])
+    answer = int(function(*[array.ctypes.data for array in arrays]))
     if answer == 2:
         raise ValueError("a coordinate is not finite, or there is no memory")
     return answer

@@ -105,6 +105,8 @@ class Solver(GradientRun):
         else:
             call(raw.obc_projected_gradient_load, byref(self._problem.struct), _load, len(_load), None, byref(handle))
         super().__init__(raw, "obc_projected_gradient", handle.value or 0, start.shape)
+        if project is not None:
+            self._check = self._problem.check
 
     @classmethod
     def load(cls, blob: bytes, x0: ArrayLike, *, lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
@@ -112,11 +114,6 @@ class Solver(GradientRun):
              project: Optional[Callable[[Doubles], ArrayLike]] = None) -> Solver:
         """Goes on with a run that was saved, of the same problem; of x0 only the length counts."""
         return cls(x0, lower=lower, upper=upper, A=A, b=b, project=project, _load=blob)
-
-    def _request(self) -> int:
-        request = super()._request()
-        self._problem.check()
-        return request
 
     @property
     def multipliers(self) -> Doubles:

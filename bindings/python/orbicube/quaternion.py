@@ -30,7 +30,7 @@ def _together(parts: list[tuple[ArrayLike, int]]) -> tuple[list[Doubles], tuple[
     return wide, shape
 
 
-def _array(function: Any, parts: list[tuple[ArrayLike, int]], width: int, kind: Any = np.float64) -> Any:
+def _filled(function: Any, parts: list[tuple[ArrayLike, int]], width: int, kind: Any) -> Any:
     """A function of arrays with the count before the result."""
     arrays, shape = _together(parts)
     out = np.empty(shape + ((width,) if width > 1 else ()), dtype=kind)
@@ -38,7 +38,22 @@ def _array(function: Any, parts: list[tuple[ArrayLike, int]], width: int, kind: 
     return out[()] if out.ndim == 0 else out
 
 
-def _each(function: Any, parts: list[tuple[ArrayLike, int]], widths: list[int], checked: bool = False) -> Any:
+def _array(function: Any, parts: list[tuple[ArrayLike, int]], width: int) -> Doubles:
+    out: Doubles = _filled(function, parts, width, np.float64)
+    return out
+
+
+def _elements(function: Any, parts: list[tuple[ArrayLike, int]]) -> NDArray[np.uint8]:
+    """Numbers of the cube's rotations."""
+    out: NDArray[np.uint8] = _filled(function, parts, 1, np.uint8)
+    return out
+
+
+def _each(function: Any, parts: list[tuple[ArrayLike, int]], width: int, checked: bool = False) -> Doubles:
+    return _rows(function, parts, [width], checked)[0]
+
+
+def _rows(function: Any, parts: list[tuple[ArrayLike, int]], widths: list[int], checked: bool = False) -> list[Doubles]:
     """A function of one, called for each row."""
     arrays, shape = _together(parts)
     count = int(np.prod(shape))
@@ -51,7 +66,7 @@ def _each(function: Any, parts: list[tuple[ArrayLike, int]], widths: list[int], 
             call(function, *arguments)
         else:
             function(*arguments)
-    return outs[0] if len(outs) == 1 else tuple(outs)
+    return outs
 
 
 def multiply(p: ArrayLike, q: ArrayLike) -> Doubles:
@@ -60,7 +75,7 @@ def multiply(p: ArrayLike, q: ArrayLike) -> Doubles:
 
 
 def inverse(q: ArrayLike) -> Doubles:
-    return _each(raw.obc_quaternion_inverse, [(q, 4)], [4])
+    return _each(raw.obc_quaternion_inverse, [(q, 4)], 4)
 
 
 def normalize(q: ArrayLike) -> Doubles:
@@ -69,11 +84,11 @@ def normalize(q: ArrayLike) -> Doubles:
 
 
 def exponential(q: ArrayLike) -> Doubles:
-    return _each(raw.obc_quaternion_exponential, [(q, 4)], [4])
+    return _each(raw.obc_quaternion_exponential, [(q, 4)], 4)
 
 
 def logarithm(q: ArrayLike) -> Doubles:
-    return _each(raw.obc_quaternion_logarithm, [(q, 4)], [4])
+    return _each(raw.obc_quaternion_logarithm, [(q, 4)], 4)
 
 
 def slerp(p: ArrayLike, q: ArrayLike, t: ArrayLike) -> Doubles:
@@ -106,15 +121,16 @@ def from_axis_angle(axis: ArrayLike, angle: ArrayLike) -> Doubles:
 
 
 def to_axis_angle(q: ArrayLike) -> tuple[Doubles, Doubles]:
-    return _each(raw.obc_quaternion_to_axis_angle, [(q, 4)], [3, 1])
+    axis, angle = _rows(raw.obc_quaternion_to_axis_angle, [(q, 4)], [3, 1])
+    return axis, angle
 
 
 def from_rotation_vector(v: ArrayLike) -> Doubles:
-    return _each(raw.obc_quaternion_from_rotation_vector, [(v, 3)], [4])
+    return _each(raw.obc_quaternion_from_rotation_vector, [(v, 3)], 4)
 
 
 def to_rotation_vector(q: ArrayLike) -> Doubles:
-    return _each(raw.obc_quaternion_to_rotation_vector, [(q, 4)], [3])
+    return _each(raw.obc_quaternion_to_rotation_vector, [(q, 4)], 3)
 
 
 def _matrices(matrix: ArrayLike) -> Doubles:
@@ -139,7 +155,7 @@ def from_matrix(matrix: ArrayLike) -> Doubles:
 
 def nearest_to_matrix(matrix: ArrayLike) -> Doubles:
     """The rotation nearest to any matrix."""
-    return _each(raw.obc_quaternion_nearest_to_matrix, [(_matrices(matrix), 9)], [4], checked=True)
+    return _each(raw.obc_quaternion_nearest_to_matrix, [(_matrices(matrix), 9)], 4, checked=True)
 
 
 def cube_element(number: int) -> Doubles:
@@ -177,7 +193,7 @@ def cube_class(number: int) -> int:
 
 def cube_nearest(r: ArrayLike) -> NDArray[np.uint8]:
     """The number of the cube's rotation nearest to each."""
-    return _array(raw.obc_quaternion_cube_nearest_array, [(r, 4)], 1, np.uint8)
+    return _elements(raw.obc_quaternion_cube_nearest_array, [(r, 4)])
 
 
 def symmetric_distance(p: ArrayLike, q: ArrayLike) -> Doubles:
@@ -192,7 +208,7 @@ def symmetric_sine_square(p: ArrayLike, q: ArrayLike) -> Doubles:
 
 def symmetric_matching(start: ArrayLike, end: ArrayLike) -> NDArray[np.uint8]:
     """The number of the g for which start g is nearest to the frame `end`."""
-    return _array(raw.obc_quaternion_symmetric_matching_array, [(start, 4), (end, 4)], 1, np.uint8)
+    return _elements(raw.obc_quaternion_symmetric_matching_array, [(start, 4), (end, 4)])
 
 
 def version() -> int:

@@ -34,7 +34,7 @@ class SphereMap:
                 f"energy={self.report.energy:.6g})")
 
 
-def _report() -> Any:
+def _report() -> raw.obc_sphere_map_report:
     report = raw.obc_sphere_map_report()
     call_init(raw.obc_sphere_map_report_init, report)
     return report
@@ -157,7 +157,7 @@ def _grid(name: str) -> int:
     names = ("icosphere", "cube", "latitude", "octahedron")
     if name not in names:
         raise ValueError(f"grid {name!r}: one of {', '.join(names)}")
-    return getattr(raw, "OBC_SPHERE_MAP_" + name.upper())
+    return int(getattr(raw, "OBC_SPHERE_MAP_" + name.upper()))
 
 
 def vertex_normals(surface: Any, *, progress: Progress = None) -> Doubles:

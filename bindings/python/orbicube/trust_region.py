@@ -22,7 +22,7 @@ from typing import Any, Callable, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, buffer, doubles, put
+from ._arrays import Doubles, address, buffer, doubles, memory_of, put
 from ._call import Progress, Stop, call, call_init, filled
 from ._solver import DONE, EvaluationFailed, Result, Run
 from .raw import trust_region as raw
@@ -62,8 +62,9 @@ class Solver(Run):
         del kept
         super().__init__(raw, "obc_trust_region", handle.value or 0, start.shape)
         self._count = ctypes.c_size_t()
-        self._count_out = byref(self._count)
-        self._outputs, self._outputs_at = buffer(np.float64, max(1, residuals))
+        self._step_arguments += (byref(self._count),)
+        self._outputs, where = buffer(np.float64, max(1, residuals))
+        self._outputs_at = ctypes.c_void_p(where)
 
     @classmethod
     def load(cls, blob: bytes, x0: ArrayLike, residuals: int = 0, *, lower: Optional[ArrayLike] = None,
@@ -72,9 +73,6 @@ class Solver(Run):
         """Goes on with a run that was saved, of the same problem; of x0 only the length counts."""
         return cls(x0, residuals, lower=lower, upper=upper, scale=scale, sign=sign, _load=blob)
 
-    def _request(self) -> int:
-        return self._step(self._handle, self._point_out, self._count_out)
-
     def _result_arguments(self, x: Optional[int]) -> list[Any]:
         return [x, None]
 
@@ -82,7 +80,9 @@ class Solver(Run):
         """All points that may be evaluated at the same time, as rows; tell of each in order. None: the run has ended."""
         if self._next() == DONE:
             return None
-        return self._copied(self._point.value or 0, (self._count.value, self._size))
+        count = self._count.value
+        points: Doubles = memory_of(self._point.value or 0, count * self._size).reshape(count, self._size).copy()
+        return points
 
     def tell(self, outputs: Any) -> None:
         """The value, or the residuals, at the first point asked for; None, NaN or infinity: there is none."""
@@ -90,8 +90,7 @@ class Solver(Run):
             call(self._tell, self._handle, None)
             return
         put(self._outputs, outputs, "outputs")
-        status = self._tell(self._handle, self._outputs_at, None)
-        if status:
+        if self._tell(self._handle, self._outputs_at, None):
             call(self._tell, self._handle, self._outputs_at)
 
     def _answer(self, answer: Any) -> None:
