@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "base/error.h"
 #include "mesh/disjoint_sets.h"
@@ -18,7 +19,10 @@ constexpr double guide_width = 0.08, guide_strength = 3;
 // What a turned normal counts for when a node looks for its vertex, in parts of the diagonal, and a node beside it.
 constexpr double normal_weight = 0.12, crowding = 0.03;
 constexpr std::size_t vertices_a_node = 12;
-constexpr std::size_t most_refinement = 24;
+// How many times its faces a surface may have in the end; a tenth more than it has serves as a rule. One with few faces
+// may have more of them, but not any number: paths without room wind around one another, and each makes the surface
+// grow by a part of what it is, so that searches in it would soon take minutes.
+constexpr std::size_t most_refinement = 24, small_surface = 40'000;
 
 class Tracing {
  public:
@@ -90,7 +94,11 @@ class Tracing {
   // Splits the longest edges while there are too few vertices for the nodes.
   void refine_for_nodes() {
     const std::size_t wanted = vertices_a_node * layout_.nodes.size();
-    most_faces_ = std::max(most_faces_, 4 * most_refinement * wanted);
+    const std::size_t faces = 2 * wanted;  // as a closed surface with so many vertices has
+    if (faces > std::max(most_faces_, small_surface / 4))
+      throw base::Error("no-valid-result", "the surface has too few triangles for a polycube with " +
+                                               std::to_string(layout_.nodes.size()) + " corners and ends of cuts");
+    most_faces_ = std::max(most_faces_, std::min(2 * most_refinement * faces, small_surface));
     std::size_t used = 0;
     for (Index v = 0; v < surface_.vertices(); ++v)
       used += surface_.outgoing(v) != no_index;

@@ -7,6 +7,7 @@
 #include <random>
 #include <set>
 
+#include "base/error.h"
 #include "blocks.h"
 #include "mesh/topology.h"
 #include "polycube/planar_star.h"
@@ -29,31 +30,42 @@ double area_of(std::span<const Vector3> positions, std::span<const Triangle> tri
   return area;
 }
 
+// The layout of a block of cells in the box of a surface.
+Layout layout_of(const std::vector<test::Cell>& cells, const mesh::Mesh& m) {
+  std::array<Array<double>, 3> planes;
+  Vector3 low = m.positions[0], high = low;
+  for (const Vector3& p : m.positions) {
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  test::Cell size{};
+  for (const test::Cell& c : cells)
+    for (std::size_t a = 0; a < 3; ++a)
+      size[a] = std::max(size[a], c[a] + 1);
+  for (std::size_t a = 0; a < 3; ++a) {
+    const auto i = static_cast<Eigen::Index>(a);
+    for (int k = -1; k <= size[a] + 1; ++k)
+      planes[a].push_back(low[i] + (high[i] - low[i]) * k / size[a]);
+  }
+  VoxelSolid solid(std::move(planes), host.memory);
+  for (const test::Cell& c : cells)
+    solid.set(solid.place({c[0] + 1, c[1] + 1, c[2] + 1}), true);
+  return make_layout(solid, host);
+}
+
+// A floor with as many by as many knobs on it.
+std::vector<test::Cell> knobs(int count) {
+  std::vector<test::Cell> cells = test::box_without({2 * count - 1, 2 * count - 1, 1});
+  for (int x = 0; x < count; ++x)
+    for (int y = 0; y < count; ++y)
+      cells.push_back({2 * x, 2 * y, 1});
+  return cells;
+}
+
 // The layout of a block of cells drawn on a surface.
 struct Traced {
   Traced(const std::vector<test::Cell>& cells, const mesh::Mesh& m)
-      : layout(host.memory), surface(m.positions, m.triangles, host), drawing(host.memory) {
-    std::array<Array<double>, 3> planes;
-    Vector3 low = m.positions[0], high = low;
-    for (const Vector3& p : m.positions) {
-      low = low.cwiseMin(p);
-      high = high.cwiseMax(p);
-    }
-    test::Cell size{};
-    for (const test::Cell& c : cells)
-      for (std::size_t a = 0; a < 3; ++a)
-        size[a] = std::max(size[a], c[a] + 1);
-    for (std::size_t a = 0; a < 3; ++a) {
-      const auto i = static_cast<Eigen::Index>(a);
-      for (int k = -1; k <= size[a] + 1; ++k)
-        planes[a].push_back(low[i] + (high[i] - low[i]) * k / size[a]);
-    }
-    VoxelSolid solid(std::move(planes), host.memory);
-    for (const test::Cell& c : cells)
-      solid.set(solid.place({c[0] + 1, c[1] + 1, c[2] + 1}), true);
-    layout = make_layout(solid, host);
-    drawing = trace(layout, surface, host);
-  }
+      : layout(layout_of(cells, m)), surface(m.positions, m.triangles, host), drawing(trace(layout, surface, host)) {}
 
   Layout layout;
   EditableSurface surface;
@@ -129,6 +141,31 @@ TEST_CASE("Drawings have the layout's rotation at every node, and paths meet at 
       REQUIRE(drawn.size() == wanted.size());
       std::rotate(wanted.begin(), std::find(wanted.begin(), wanted.end(), drawn[0]), wanted.end());
       CHECK(drawn == wanted);
+    }
+  }
+}
+
+TEST_CASE("Polycubes with many corners on surfaces with few triangles are drawn, or refused, in bounded work") {
+  mesh::Mesh tetrahedron;
+  tetrahedron.positions = {{1, 1, 1}, {-1, -1, 1}, {-1, 1, -1}, {1, -1, -1}};
+  tetrahedron.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
+  for (const int count : {1, 2, 3, 9}) {
+    CAPTURE(count);
+    const Layout layout = layout_of(knobs(count), tetrahedron);
+    EditableSurface surface(tetrahedron.positions, tetrahedron.triangles, host);
+    bool drawn = true;
+    try {
+      trace(layout, surface, host);
+    } catch (const base::Error& error) {
+      CHECK(error.status() == base::Status::no_valid_result);
+      drawn = false;
+    }
+    if (count == 1) CHECK(drawn);
+    // Searches take time in proportion to the faces. One split adds two.
+    CHECK(surface.faces() <= 40'002);
+    if (layout.nodes.size() > 416) {
+      CHECK_FALSE(drawn);
+      CHECK(surface.faces() == 4);  // refused before anything is done
     }
   }
 }
