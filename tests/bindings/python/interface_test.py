@@ -19,16 +19,12 @@ from raw.c_types import Api  # noqa: E402
 
 with open(os.path.join(ROOT, "api.json"), encoding="utf-8") as file:
     API = Api(json.load(file))
-# Left to the layer below: what only a program in C can lend or wants, and relaxations in parts.
+# Left to the layer below: what only a program in C can lend or wants.
 NOT_WRAPPED = {"obc_base_version", "obc_gltf_write_surface", "obc_mesh_write_surface", "obc_quaternion_multiply",
                "obc_quaternion_normalize", "obc_quaternion_slerp", "obc_quaternion_rotate", "obc_quaternion_to_matrix",
                "obc_quaternion_from_matrix", "obc_quaternion_symmetric_distance", "obc_quaternion_symmetric_sine_square",
                "obc_quaternion_symmetric_matching", "obc_quaternion_cube_nearest", "obc_harmonics_size",
-               "obc_sphere_optimizer_minimize", "obc_trust_region_minimize", "obc_projected_gradient_minimize",
-               "obc_sphere_optimizer_relaxation_create", "obc_sphere_optimizer_relaxation_run",
-               "obc_sphere_optimizer_relaxation_get_result", "obc_sphere_optimizer_relaxation_save_size",
-               "obc_sphere_optimizer_relaxation_save", "obc_sphere_optimizer_relaxation_load",
-               "obc_sphere_optimizer_relaxation_destroy"}
+               "obc_sphere_optimizer_minimize", "obc_trust_region_minimize", "obc_projected_gradient_minimize"}
 SOLVERS = ("trust_region", "projected_gradient", "sphere_optimizer")
 BY_NAME = {f"obc_{solver}_{end}" for solver in SOLVERS
            for end in ("step", "tell", "get_result", "stop_name", "save_size", "save", "destroy")}

@@ -62,6 +62,20 @@ def charges(x):
 CHARGES = np.array([(i * i * 7 % 37) / 37 - 0.5 for i in range(36)]).reshape(12, 3)
 
 
+OTHERS = [[j for j in range(12) if j != i] for i in range(12)]
+
+
+def charge(i, place, points, derivatives):
+    """The part of `charges` that has one of them."""
+    value, gradient = 0.0, np.zeros(3)
+    for j in OTHERS[i]:
+        away = place - points[j]
+        term = 1 / (away @ away)
+        value += term
+        gradient -= 2 * term * term * away
+    return value, gradient
+
+
 class SameBits(unittest.TestCase):
     """Every way of running a solver ends in the bits of the C callback."""
 
@@ -223,19 +237,39 @@ class Behaviour(unittest.TestCase):
 
     def test_block_by_block(self):
         def part(i, place, points, derivatives):
-            value, gradient = 0.0, np.zeros(3)
-            for j in range(12):
-                if j != i:
-                    away = place - points[j]
-                    term = 1 / (away @ away)
-                    value += term
-                    gradient -= 2 * term * term * away
             self.assertIn(derivatives, (0, 1))
-            return value, gradient
+            return charge(i, place, points, derivatives)
 
-        result = sphere_optimizer.relax(part, CHARGES, [[j for j in range(12) if j != i] for i in range(12)])
+        result = sphere_optimizer.relax(part, CHARGES, OTHERS)
         self.assertAlmostEqual(charges(result.x)[0], 39, delta=1e-9)
         np.testing.assert_allclose(np.linalg.norm(result.x, axis=1), 1, atol=4e-16)  # two units of the last place
+
+    def test_block_by_block_in_parts_that_are_broken_off_saved_and_loaded(self):
+        whole = sphere_optimizer.relax(charge, CHARGES, OTHERS)
+        relaxation = sphere_optimizer.Relaxation(CHARGES, OTHERS)
+        self.assertEqual(relaxation.result.stop, "running")
+        self.assertEqual(relaxation.run(charge, 10).report.steps, 10)
+        for reason in (ZeroDivisionError, sphere_optimizer.Stop):
+            def refuse(*_):
+                raise reason
+
+            if reason is sphere_optimizer.Stop:
+                self.assertEqual(relaxation.run(refuse, 10).stop, "cancelled")
+            else:
+                with self.assertRaises(reason):
+                    relaxation.run(refuse, 10)
+        again = sphere_optimizer.Relaxation.load(relaxation.save(), CHARGES, OTHERS)
+        for one in (relaxation, again):
+            while one.run(charge, 25).stop == "running":
+                pass
+            self.assertEqual(one.result.x.tobytes(), whole.x.tobytes())
+            self.assertEqual((one.result.stop, one.result.report.steps), (whole.stop, whole.report.steps))
+        with self.assertRaises(orbicube.InvalidArgument):
+            sphere_optimizer.Relaxation.load(relaxation.save(), CHARGES, [[]] * 12)  # others
+        with self.assertRaises(ValueError):
+            relaxation.run(charge, -1)
+        again.close()
+        again.close()
 
     def test_wrong_arguments_are_refused(self):
         with self.assertRaisesRegex(TypeError, "no option 'radius'; there are method"):
