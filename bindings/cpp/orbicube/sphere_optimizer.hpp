@@ -56,6 +56,29 @@ struct Function {
     return self.guarded([&] { *value = self.f(block, place, points, gradient, hessian); });
   }
 };
+
+// obc_sphere_optimizer_blocks and the arrays that it points at.
+class Blocks {
+ public:
+  Blocks(std::uint32_t dimension, const std::vector<std::vector<std::uint32_t>>& neighbours) : start_{0} {
+    for (const std::vector<std::uint32_t>& row : neighbours) {
+      all_.insert(all_.end(), row.begin(), row.end());
+      start_.push_back(all_.size());
+    }
+    blocks_.dimension = dimension;
+    blocks_.count = neighbours.size();
+    blocks_.neighbour_start = start_.data();
+    blocks_.neighbour = all_.data();
+  }
+  Blocks(const Blocks&) = delete;
+  Blocks& operator=(const Blocks&) = delete;
+  const obc_sphere_optimizer_blocks* c() const { return &blocks_; }
+
+ private:
+  std::vector<std::size_t> start_;
+  std::vector<std::uint32_t> all_;
+  Filled<obc_sphere_optimizer_blocks, obc_sphere_optimizer_blocks_init> blocks_;
+};
 }  // namespace detail
 
 // f(Doubles x, View<double> gradient) fills the gradient and answers the value; x, blocks of `dimension` numbers, is
@@ -82,28 +105,91 @@ RelaxationResult relax(F&& f, View<double> x, std::uint32_t dimension,
                        const std::vector<std::vector<std::uint32_t>>& neighbours, const RelaxationOptions& options = {},
                        Host* host = nullptr) {
   using Called = detail::Function<std::remove_reference_t<F>>;
-  std::vector<std::size_t> start = {0};
-  std::vector<std::uint32_t> all;
-  for (const std::vector<std::uint32_t>& row : neighbours) {
-    all.insert(all.end(), row.begin(), row.end());
-    start.push_back(all.size());
-  }
   detail::check_size(x.size(), neighbours.size() * dimension, "x");
-  detail::Filled<obc_sphere_optimizer_blocks, obc_sphere_optimizer_blocks_init> blocks;
-  blocks.dimension = dimension;
-  blocks.count = neighbours.size();
-  blocks.neighbour_start = start.data();
-  blocks.neighbour = all.data();
+  const detail::Blocks blocks(dimension, neighbours);
   Called function{f, {}};
   RelaxationResult result = detail::sized<RelaxationResult>();
   obc_error error;
-  const obc_status status =
-      obc_sphere_optimizer_relax(&blocks, &options, Called::one, &function, x.data(), &result, detail::c(host), &error);
+  const obc_status status = obc_sphere_optimizer_relax(blocks.c(), &options, Called::one, &function, x.data(), &result,
+                                                       detail::c(host), &error);
   function.caught.rethrow();
   if (host != nullptr) host->rethrow();
   if (status != OBC_OK) throw Error(error);
   return result;
 }
+
+// The same in parts; ends in the same bits. A host that it is given must outlive it.
+class Relaxation {
+ public:
+  Relaxation(Doubles x0, std::uint32_t dimension, const std::vector<std::vector<std::uint32_t>>& neighbours,
+             const RelaxationOptions& options = {}, Host* host = nullptr)
+      : n_(x0.size()), host_(host) {
+    detail::check_size(n_, neighbours.size() * dimension, "x0");
+    const detail::Blocks blocks(dimension, neighbours);
+    obc_sphere_optimizer_relaxation* out = nullptr;
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_optimizer_relaxation_create(blocks.c(), &options, x0.data(), detail::c(host), &out, error);
+    });
+    handle_.reset(out);
+  }
+  // Goes on with one that was saved, of the same neighbours.
+  static Relaxation load(const std::vector<unsigned char>& bytes, std::uint32_t dimension,
+                         const std::vector<std::vector<std::uint32_t>>& neighbours, Host* host = nullptr) {
+    Relaxation relaxation;
+    relaxation.n_ = neighbours.size() * dimension;
+    relaxation.host_ = host;
+    const detail::Blocks blocks(dimension, neighbours);
+    obc_sphere_optimizer_relaxation* out = nullptr;
+    detail::call(host, [&](obc_error* error) {
+      return obc_sphere_optimizer_relaxation_load(blocks.c(), bytes.data(), bytes.size(), detail::c(host), &out, error);
+    });
+    relaxation.handle_.reset(out);
+    return relaxation;
+  }
+
+  // At most so many more steps of one block each, with f as of relax. The result's stop is RUNNING when there is more
+  // to do. Whatever breaks it off, the next call goes on as if it had not been.
+  template <class F>
+  RelaxationResult run(F&& f, std::uint64_t steps) {
+    using Called = detail::Function<std::remove_reference_t<F>>;
+    Called function{f, {}};
+    obc_error error;
+    const obc_status status = obc_sphere_optimizer_relaxation_run(handle_.get(), Called::one, &function, steps, &error);
+    function.caught.rethrow();
+    if (host_ != nullptr) host_->rethrow();
+    if (status != OBC_OK) throw Error(error);
+    return result();
+  }
+  RelaxationResult result() const {
+    RelaxationResult result = detail::sized<RelaxationResult>();
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_relaxation_get_result(handle_.get(), &result, nullptr, error);
+    });
+    return result;
+  }
+  std::vector<double> points() const {
+    std::vector<double> x(n_);
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_relaxation_get_result(handle_.get(), nullptr, x.data(), error);
+    });
+    return x;
+  }
+  std::vector<unsigned char> save() const {
+    std::vector<unsigned char> bytes(obc_sphere_optimizer_relaxation_save_size(handle_.get()));
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_relaxation_save(handle_.get(), bytes.data(), bytes.size(), error);
+    });
+    return bytes;
+  }
+  obc_sphere_optimizer_relaxation* handle() const noexcept { return handle_.get(); }
+
+ private:
+  Relaxation() = default;
+
+  std::size_t n_ = 0;
+  Host* host_ = nullptr;
+  detail::Handle<obc_sphere_optimizer_relaxation, obc_sphere_optimizer_relaxation_destroy> handle_;
+};
 
 // A run by questions and answers:
 //   while (solver.ask()) solver.tell(value, gradient);   // at solver.point()

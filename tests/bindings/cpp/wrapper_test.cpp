@@ -170,14 +170,23 @@ TEST_CASE("points on spheres, all at once and block by block") {
   }
   CHECK(solver.best() == x);
   std::vector<double> y = {1, 0, 0, 0, 1, 0};
-  sphere_optimizer::relax(
-      [](std::size_t, const double* place, const double*, double* slope, double*) {
-        if (slope != nullptr) slope[0] = slope[1] = 0, slope[2] = 1;
-        return place[2];
-      },
-      y, 3, {{}, {}});
+  sphere_optimizer::Relaxation parts(y, 3, {{}, {}});
+  const auto part = [](std::size_t, const double* place, const double*, double* slope, double*) {
+    if (slope != nullptr) slope[0] = slope[1] = 0, slope[2] = 1;
+    return place[2];
+  };
+  sphere_optimizer::relax(part, y, 3, {{}, {}});
   CHECK(std::abs(y[2] + 1) < 1e-9);
   CHECK(std::abs(y[5] + 1) < 1e-9);
+  // In parts, broken off, saved and loaded: the same bits.
+  const auto broken = [](std::size_t, const double*, const double*, double*, double*) -> double { throw 5; };
+  CHECK(parts.run(part, 1).stop == OBC_SPHERE_OPTIMIZER_RUNNING);
+  CHECK_THROWS_AS(parts.run(broken, 1), int);
+  CHECK_THROWS_AS(sphere_optimizer::Relaxation::load(parts.save(), 3, {{1}, {0}}), Error);  // of others
+  parts = sphere_optimizer::Relaxation::load(parts.save(), 3, {{}, {}});
+  while (parts.run(part, 1).stop == OBC_SPHERE_OPTIMIZER_RUNNING) {
+  }
+  CHECK(parts.points() == y);
 }
 
 TEST_CASE("errors have a status, a kind and a place") {
