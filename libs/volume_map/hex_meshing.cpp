@@ -99,7 +99,6 @@ struct Way {
   const Guide* guide;
   int padding;  // the first or the second choice
   PaddedFaces padded;
-  double outlook = 0;  // the lower the better
 
   bool same(const Guide* other, int other_padding) const { return guide == other && padding == other_padding; }
 };
@@ -149,28 +148,6 @@ class Draft {
     pad(mesh_, way.padded.faces, 1, host);
     target_.emplace(map, fine_positions, fine_triangles, scale_, host);
     boundary_.emplace(mesh_, *target_, host);
-  }
-
-  // What becomes of it shows after the first rounds of smoothing: by the hexahedra that are bad then, and by the quads
-  // that are still off the surface, in cells. The lower the better.
-  double outlook() {
-    constexpr double part = 0.4, good = 0.4, near = 0.5;
-    HexSmoothingOptions smoothing = smoothing_in({});
-    smoothing.rounds_now = static_cast<int>(part * options_.rounds);
-    if (!smooth_hexahedra(mesh_, *boundary_, *target_, smoothing, host_))
-      return std::numeric_limits<double>::infinity();
-    double sum = 0;
-    const auto add = [&sum](double beyond) { sum += beyond > 0 ? beyond * beyond : 0; };
-    for (const Hexahedron& h : mesh_.hexahedra)
-      add(good - scaled_jacobian(mesh_.positions, h));
-    for (std::size_t i = 0; i < mesh_.quads.size(); ++i) {
-      if (i % 1024 == 0) host_.report("outlook", i, mesh_.quads.size());
-      const Quad& q = mesh_.quads[i];
-      const Vector3 middle =
-          0.25 * (mesh_.positions[q[0]] + mesh_.positions[q[1]] + mesh_.positions[q[2]] + mesh_.positions[q[3]]);
-      add((target_->nearest(middle).position - middle).norm() - near);
-    }
-    return sum;
   }
 
   // Valid or not.
@@ -295,19 +272,6 @@ class Making {
     if (best_) std::erase_if(ways_, [&](const Way& way) { return !way.same(best_guide_, best_padding_); });
   }
 
-  // The most promising first.
-  void rank_ways(std::size_t cells) {
-    for (Way& way : ways_) {
-      try {
-        way.outlook = Draft(wanted_, options_, way, cells, host_).outlook();
-      } catch (const base::Error& error) {
-        tolerate(error);
-        way.outlook = std::numeric_limits<double>::infinity();
-      }
-    }
-    std::stable_sort(ways_.begin(), ways_.end(), [](const Way& x, const Way& y) { return x.outlook < y.outlook; });
-  }
-
   // Meshes of about so many cells until one is good.
   void make(std::size_t cells) {
     least_ = least_near_ = 0;
@@ -315,19 +279,10 @@ class Making {
     if (ways_.empty()) return;
     // More cells are there for what is far: held at once.
     const bool free_first = cells == options_.cells, distance_counts = options_.distance > 0;
-    const Guide* const first_guide = ways_[0].guide;
-    const int first_padding = ways_[0].padding;
-    bool near = free_first && attempt(ways_[0], cells, {});
-    const bool held = !near && distance_counts && (!free_first || done());
-    if (held) attempt(ways_[0], cells, {.hold = true});
-    if (done()) return;
-    if (ways_.size() > 1) rank_ways(cells);
     for (const Way& way : ways_) {
-      const bool again = way.same(first_guide, first_padding);
-      if (again && (near || held || !distance_counts)) continue;
-      if (!again) near = free_first && attempt(way, cells, {});
+      if (done()) return;
+      const bool near = free_first && attempt(way, cells, {});
       if (!near && distance_counts) attempt(way, cells, {.hold = true});
-      if (least_ > 0) break;
     }
     // Vertices on the surface itself are less accurate and leave more room.
     for (const Way& way : ways_) {

@@ -82,7 +82,7 @@ class Smoothing {
     if (!positive) return false;
     Array<Vector3> best_positions(host_.memory);
     double best = -std::numeric_limits<double>::infinity();
-    for (int round = 0; round < std::min(options_.rounds, options_.rounds_now); ++round) {
+    for (int round = 0; round < options_.rounds; ++round) {
       host_.report("smooth", static_cast<std::uint64_t>(round), static_cast<std::uint64_t>(options_.rounds));
       const double progress = std::min(1.0, round / (0.5 * options_.rounds));
       set_shapes(std::min(1.0, round / 6.0));

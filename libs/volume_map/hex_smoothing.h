@@ -8,10 +8,9 @@ namespace orbicube::volume_map {
 
 struct HexSmoothingOptions {
   int untangling_steps = 80;
-  int rounds = 40;           // of two steps each, all corners positive
-  int rounds_now = 1 << 30;  // of these, to see what becomes of it; what comes after them is left out
-  bool lift = true;          // vertices of the boundary, so that the volume is that of the surface
-  std::size_t padding = 0;   // so many of the last hexahedra are the layer at the boundary
+  int rounds = 40;          // of two steps each, all corners positive
+  bool lift = true;         // vertices of the boundary, so that the volume is that of the surface
+  std::size_t padding = 0;  // so many of the last hexahedra are the layer at the boundary
   // Where the surface is farther than this from the boundary, or the boundary from it, the boundary is held the more to
   // where it began; 0: nowhere.
   double distance = 0;
