@@ -23,6 +23,7 @@ class HexBoundary {
   // How firmly a vertex is held to where it began, 1 or more.
   double hold(Index vertex) const { return holds_[vertex]; }
   void hold_more(Index vertex) { holds_[vertex] = std::min(3 * holds_[vertex], 1e5); }
+  void hold_less(Index vertex) { holds_[vertex] = std::max(0.7 * holds_[vertex], 1.0); }
   // From now on anywhere on the surface.
   void release(Index vertex) { places_[vertex].kind = Kind::surface; }
   // Changes lifts by half of what is between the quads around a vertex and the surface, on average: after some rounds

@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "polycube/patch_graph.h"
+#include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
 #include "volume_map/hex_search.h"
 #include "volume_map/hex_smoothing.h"
@@ -170,7 +171,7 @@ class Draft {
   double distance() const { return 0.01 * options_.distance * scale_ * wanted_.diagonal; }
 
   HexSmoothingOptions smoothing_in(const Manner& manner) const {
-    constexpr double held = 0.75;  // what is farther, of the distance that is allowed
+    constexpr double held = 0.65;  // what is farther, of the distance that is allowed
     return {.rounds = options_.rounds,
             .lift = manner.lift,
             .padding = mesh_.hexahedra.size() - inner_,
@@ -204,11 +205,22 @@ class Draft {
 class Making {
  public:
   Making(const PolycubeSurface& solid, const HexOptions& options, const base::Host& host)
-      : options_(options), host_(host), wanted_(solid), guides_(host.memory), ways_(host.memory) {
+      : options_(options),
+        host_(host),
+        wanted_(solid),
+        plain_(map_with_even_lengths(solid.map, host)),
+        guides_(host.memory),
+        ways_(host.memory) {
     guides_.reserve(2);
+    const auto add = [&](const polycube::SurfaceMap& map, bool sharp) {
+      guides_.emplace_back(PolycubeSurface{map, solid.fine_positions, solid.fine_triangles}, sharp, host);
+    };
     if (options.sharp_angle > 0) sharp_ = map_with_sharp_edges(solid.map, options.sharp_angle, host);
-    if (sharp_) guides_.emplace_back(PolycubeSurface{*sharp_, solid.fine_positions, solid.fine_triangles}, true, host);
-    guides_.emplace_back(solid, false, host);
+    if (sharp_) {
+      *sharp_ = map_with_even_lengths(*sharp_, host);
+      add(*sharp_, true);
+    }
+    add(plain_, false);
   }
 
   HexResult best() {
@@ -293,6 +305,8 @@ class Making {
   const HexOptions& options_;
   const base::Host& host_;
   const Wanted wanted_;
+  // The map as it is and with sharp edges in their places, both of even lengths.
+  const polycube::SurfaceMap plain_;
   std::optional<polycube::SurfaceMap> sharp_;
   Array<Guide> guides_;
   Array<Way> ways_;

@@ -30,6 +30,7 @@ class Smoothing {
         anchor_(mesh.positions, host.memory),
         elements_(8 * mesh.hexahedra.size(), host.memory),
         pulls_(mesh.positions.size(), Pull(), host.memory),
+        stiffness_(mesh.positions.size(), 1, host.memory),
         samples_(host.memory),
         variables_(mesh.positions, {}, {}, host.memory) {
     for (std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
@@ -168,14 +169,22 @@ class Smoothing {
     }
   }
 
-  // The worst corners count most.
+  // What is not good enough counts more each time, and less again once it is, as multipliers of constraints do.
   void set_weights() {
-    constexpr double enough = 0.65, most = 60;
+    constexpr double enough = 0.7, most = 1000;
     for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
       for (std::size_t k = 0; k < 8; ++k) {
         const double ratio = enough / std::max(0.02, corner_jacobian(mesh_.positions, mesh_.hexahedra[i], k));
-        elements_[8 * i + k].weight = std::clamp(ratio * ratio, 1.0, most);
+        double& weight = elements_[8 * i + k].weight;
+        weight = std::clamp(ratio * ratio * weight, 1.0, most);
       }
+    }
+    // What pulls to the surface is to keep pace.
+    constexpr double light = 10;
+    std::fill(stiffness_.begin(), stiffness_.end(), 1.0);
+    for (const Element& e : elements_) {
+      for (const Index v : e.corner)
+        stiffness_[v] = std::max(stiffness_[v], e.weight / light);
     }
   }
 
@@ -191,7 +200,7 @@ class Smoothing {
         pull.at = mesh_.positions[v];
         // What is held belongs where it began, not to another part of the surface that is nearer now.
         const double hold = boundary_.hold(v) - 1, part = hold / (hold + 30);
-        boundary_.pull(v, (1 - part) * mesh_.positions[v] + part * anchor_[v], weight, pull);
+        boundary_.pull(v, (1 - part) * mesh_.positions[v] + part * anchor_[v], weight * stiffness_[v], pull);
         pull.to_point(mesh_.positions[v], stay);
         const auto kind = boundary_.kind(v);
         if (kind == HexBoundary::Kind::surface || kind == HexBoundary::Kind::patch || boundary_.hold(v) > 1)
@@ -267,7 +276,10 @@ class Smoothing {
         held[v] |= far[i];
     }
     for (const Index v : boundary_.vertices()) {
-      if (held[v] != 0) boundary_.hold_more(v);
+      if (held[v] != 0)
+        boundary_.hold_more(v);
+      else
+        boundary_.hold_less(v);
     }
   }
 
@@ -343,6 +355,7 @@ class Smoothing {
   Array<Vector3> anchor_;
   Array<Element> elements_;
   Array<Pull> pulls_;
+  Array<double> stiffness_;  // of what pulls each vertex to the surface
   Array<Sample> samples_;
   Array<Uncovered> uncovered_{host_.memory};
   Array<Index> homes_{host_.memory};  // the quad of each sample
