@@ -11,9 +11,11 @@
 #include "mesh/cells.h"
 #include "mesh/make_shape.h"
 #include "mesh/nearest.h"
+#include "polycube/certificate.h"
 #include "polycube/construction.h"
 #include "polycube/patch_graph.h"
 #include "volume_map/coarse_surface.h"
+#include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
 #include "volume_map/padding.h"
 #include "volume_map/sharp_map.h"
@@ -252,6 +254,43 @@ HexMesh grid_of(const test::BlockSolid& block, double cell_length) {
 }
 
 }  // namespace
+
+TEST_CASE("Planes of a polycube are moved to where lengths on it are those in space") {
+  const base::Host host;
+  test::BlockSolid box({{0, 0, 0}}, 8, 0, 0);
+  // Three times as long beyond the first quarter, and the whole half as high.
+  for (std::size_t v = 0; v < box.map.positions.size(); ++v) {
+    const Vector3 p = box.map.polycube[v];
+    box.map.positions[v] = {p[0] + 2 * std::max(0.0, p[0] - 0.25), p[1], 0.5 * p[2]};
+  }
+  const polycube::SurfaceMap even = map_with_even_lengths(box.map, host);
+  CHECK(std::equal(even.positions.begin(), even.positions.end(), box.map.positions.begin(), box.map.positions.end()));
+  CHECK(std::equal(even.labels.begin(), even.labels.end(), box.map.labels.begin(), box.map.labels.end()));
+  CHECK(std::equal(even.charts.begin(), even.charts.end(), box.map.charts.begin(), box.map.charts.end()));
+  double largest = 0;
+  for (std::size_t v = 0; v < even.positions.size(); ++v)
+    largest = std::max(largest, (even.polycube[v] - even.positions[v]).norm());
+  CHECK(largest < 1e-12);
+}
+
+TEST_CASE("Whatever the lengths in space, the polycube of even lengths is certified") {
+  const base::Host host;
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> exponent(-3, 3);
+  for (int run = 0; run < 20; ++run) {
+    test::BlockSolid block(test::angle, 2 + run % 4, 0.8, 0.4);
+    block.cut(static_cast<unsigned>(run));
+    for (Vector3& p : block.map.positions)
+      p *= std::exp(exponent(random));
+    const auto before = polycube::certify(block.map.polycube, block.map.triangles, host);
+    polycube::SurfaceMap even = map_with_even_lengths(block.map, host);
+    const auto after = polycube::certify(even.polycube, even.triangles, host);
+    CHECK(after.valid());
+    CHECK(after.corners == before.corners);
+    CHECK(after.patches == before.patches);
+    CHECK(std::equal(after.labels.begin(), after.labels.end(), before.labels.begin(), before.labels.end()));
+  }
+}
 
 TEST_CASE("A layer on any of the faces of a box leaves a conforming mesh with the same boundary") {
   const base::Host host;
