@@ -15,7 +15,7 @@ with open(COMMAND, "rb") as program:
 
 
 def run(*arguments, **keywords):
-    keywords.setdefault("timeout", 240)
+    keywords.setdefault("timeout", 600 if SANITIZED else 240)
     return subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, **keywords)
 
 

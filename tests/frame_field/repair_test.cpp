@@ -204,7 +204,8 @@ TEST_CASE("A curve of third turns is repaired") {
   CHECK(s.graph.dead_ends.empty());
 }
 
-TEST_CASE("Repairs leave fewer faults, an exact boundary, units, no dead ends, and the energies that they report") {
+TEST_CASE("Repairs leave fewer faults, an exact boundary, units, no dead ends, and the energies that they report" *
+          doctest::test_suite("long")) {
   const Setting setting(test::ball(8));
   const test::Solid& solid = setting.solid;
   // Smoothing alone leaves a random field with faults everywhere.

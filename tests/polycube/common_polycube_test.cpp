@@ -165,7 +165,7 @@ TEST_CASE("Two shapes share the proportions that minimise the sum of their energ
   CHECK_THROWS(optimise_domain(maps, {.area_weight = -1}, host));
 }
 
-TEST_CASE("Shapes of a kind get one polycube that suits each nearly as well as its own") {
+TEST_CASE("Shapes of a kind get one polycube that suits each nearly as well as its own" * doctest::test_suite("long")) {
   const mesh::Mesh first = shape("creature", 1500), second = leaning(first);
   const std::vector<SurfaceSpan> shapes = {{first.positions, first.triangles}, {second.positions, second.triangles}};
   const CommonPolycube common =

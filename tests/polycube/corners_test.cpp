@@ -240,7 +240,7 @@ TEST_CASE("Edges are drawn again without a change of the map") {
   }
 }
 
-TEST_CASE("A polycube whose corners were moved gets them back") {
+TEST_CASE("A polycube whose corners were moved gets them back" * doctest::test_suite("long")) {
   for (const CornerMethod method : {CornerMethod::trust_region, CornerMethod::gradient}) {
     SurfaceMap map = displaced(refined(test::box_without({1, 1, 1}), 4), {0.3, 0.15});
     const double start = energy_of(map, 1);
@@ -256,7 +256,7 @@ TEST_CASE("A polycube whose corners were moved gets them back") {
   }
 }
 
-TEST_CASE("Maps stay valid, energies never rise, and bits are the same for all threads") {
+TEST_CASE("Maps stay valid, energies never rise, and bits are the same for all threads" * doctest::test_suite("long")) {
   for (const CornerMethod method : {CornerMethod::trust_region, CornerMethod::gradient}) {
     const bool domain = method == CornerMethod::trust_region;
     const CornerOptions options{.method = method, .area_weight = 0.5, .domain = domain, .rounds = 2};

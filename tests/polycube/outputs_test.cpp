@@ -218,7 +218,8 @@ TEST_CASE("Quads tile a polycube, are regular inside patches, and the map to its
   }
 }
 
-TEST_CASE("Maps that were found are sampled where the certificate says that they are one to one") {
+TEST_CASE("Maps that were found are sampled where the certificate says that they are one to one" *
+          doctest::test_suite("long")) {
   for (const char* name : {"bracket", "creature"}) {
     const mesh::Mesh m = test::shape(name, 1200);
     const Construction made = construct(m.positions, m.triangles, {.method = Method::voxels, .corners = 60}, host).made;

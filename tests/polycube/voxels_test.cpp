@@ -128,7 +128,8 @@ TEST_CASE("A slab's thickness is half its height, also far from its middle") {
   CHECK(*std::min_element(thickness.begin(), thickness.end()) > 0);
 }
 
-TEST_CASE("Shapes of every genus get voxels of that genus, and any budget of corners that they reach keeps it") {
+TEST_CASE("Shapes of every genus get voxels of that genus, and any budget of corners that they reach keeps it" *
+          doctest::test_suite("long")) {
   for (const mesh::ShapeDescription& description : mesh::shapes()) {
     CAPTURE(description.name);
     mesh::ShapeOptions options;

@@ -31,7 +31,8 @@ double lattice_energy(std::size_t side, std::span<const double> points) {
 
 }  // namespace
 
-TEST_CASE("A million quaternions are minimised all at once without an allocation in the loop") {
+TEST_CASE("A million quaternions are minimised all at once without an allocation in the loop" *
+          doctest::test_suite("long")) {
   constexpr std::size_t side = 100, count = side * side * side;
   const std::vector<double> start = lattice_start(side);
   const double before = lattice_energy(side, start);
@@ -51,7 +52,8 @@ TEST_CASE("A million quaternions are minimised all at once without an allocation
   CHECK(length_error({count, 4}, solver.best_point()) <= 2);
 }
 
-TEST_CASE("A million quaternions are relaxed block by block without an allocation in the loop") {
+TEST_CASE("A million quaternions are relaxed block by block without an allocation in the loop" *
+          doctest::test_suite("long")) {
   constexpr std::size_t side = 100, count = side * side * side;
   for (const Order order : {Order::queue, Order::sweeps}) {
     std::vector<double> points = lattice_start(side);
