@@ -28,6 +28,20 @@ filled!(/// Options of [`relax`], with their defaults.
 sized!(/// How a relaxation ended.
     RelaxationReport, obc_sphere_optimizer_relaxation_result);
 
+impl RelaxationReport {
+    pub fn converged(&self) -> bool {
+        self.stop == OBC_SPHERE_OPTIMIZER_CONVERGED
+    }
+    /// Whether there is more to do, of a [`Relaxation`].
+    pub fn running(&self) -> bool {
+        self.stop == OBC_SPHERE_OPTIMIZER_RUNNING
+    }
+    /// Why the relaxation ended, such as "converged"; "running" before.
+    pub fn stop_name(&self) -> String {
+        text(unsafe { obc_sphere_optimizer_stop_name(self.stop) })
+    }
+}
+
 impl Report {
     pub fn converged(&self) -> bool {
         self.stop == OBC_SPHERE_OPTIMIZER_CONVERGED
@@ -101,31 +115,141 @@ unsafe extern "C" fn one<E: Into<Evaluation>, F: FnMut(Part<'_>) -> E>(
     })
 }
 
+/// A C struct with the arrays that it points at.
+struct Blocks {
+    filled: obc_sphere_optimizer_blocks,
+    _start: Vec<usize>,
+    _flat: Vec<u32>,
+}
+
+impl Blocks {
+    fn new(dimension: usize, neighbours: &[Vec<u32>]) -> Result<Blocks, Error> {
+        let mut start = vec![0];
+        let mut flat = vec![];
+        for row in neighbours {
+            flat.extend_from_slice(row);
+            start.push(flat.len());
+        }
+        let mut filled: obc_sphere_optimizer_blocks = unsafe { std::mem::zeroed() };
+        unsafe { obc_sphere_optimizer_blocks_init(&mut filled, std::mem::size_of::<obc_sphere_optimizer_blocks>()) };
+        filled.dimension = u32::try_from(dimension).map_err(|_| Error::invalid("dimension"))?;
+        filled.count = neighbours.len();
+        filled.neighbour_start = start.as_ptr();
+        filled.neighbour = pointer(&flat);
+        Ok(Blocks { filled, _start: start, _flat: flat })
+    }
+}
+
 /// Lowers f block by block; `neighbours[i]` are the blocks whose part of f contains block i.
 pub fn relax<E: Into<Evaluation>, F: FnMut(Part<'_>) -> E>(
     f: F, x: &mut [f64], dimension: usize, neighbours: &[Vec<u32>], options: &RelaxationOptions,
 ) -> Result<RelaxationReport, Error> {
     expect_length(x.len(), neighbours.len() * dimension, "x")?;
-    let mut start = vec![0];
-    let mut flat = vec![];
-    for row in neighbours {
-        flat.extend_from_slice(row);
-        start.push(flat.len());
-    }
-    let mut blocks: obc_sphere_optimizer_blocks = unsafe { std::mem::zeroed() };
-    unsafe { obc_sphere_optimizer_blocks_init(&mut blocks, std::mem::size_of::<obc_sphere_optimizer_blocks>()) };
-    blocks.dimension = u32::try_from(dimension).map_err(|_| Error::invalid("dimension"))?;
-    blocks.count = neighbours.len();
-    blocks.neighbour_start = start.as_ptr();
-    blocks.neighbour = pointer(&flat);
+    let blocks = Blocks::new(dimension, neighbours)?;
     let mut function = Function { f, dimension, length: x.len(), caught: Caught::default() };
     let mut report = RelaxationReport::default();
     let result = checked(|error| unsafe {
-        obc_sphere_optimizer_relax(&blocks, &options.0, Some(one::<E, F>), &mut function as *mut Function<F> as *mut c_void,
+        obc_sphere_optimizer_relax(&blocks.filled, &options.0, Some(one::<E, F>), &mut function as *mut Function<F> as *mut c_void,
                                    x.as_mut_ptr(), &mut report.0, std::ptr::null(), error)
     });
     function.caught.resume();
     result.map(|_| report)
+}
+
+handle!(RelaxationHandle, obc_sphere_optimizer_relaxation, obc_sphere_optimizer_relaxation_destroy);
+
+/// [`relax`] in parts, which ends in the same bits:
+///
+/// ```
+/// use orbicube::sphere_optimizer::{Part, Relaxation};
+///
+/// let down = |part: Part| {
+///     if let Some(gradient) = part.gradient {
+///         gradient.copy_from_slice(&[0.0, 0.0, 1.0]);
+///     }
+///     part.place[2]
+/// };
+/// let mut relaxation = Relaxation::new(&[1.0, 0.0, 0.0], 3, &[vec![]], &Default::default())?;
+/// while relaxation.run(down, 10)?.running() {
+///     relaxation = Relaxation::load(&relaxation.save()?, 3, &[vec![]])?;
+/// }
+/// assert!((relaxation.points()?[2] + 1.0).abs() < 1e-9);
+/// # Ok::<(), orbicube::Error>(())
+/// ```
+///
+/// Like a solver it may move to another thread, but is used by one at a time:
+///
+/// ```compile_fail
+/// fn sync<T: Sync>() {}
+/// sync::<orbicube::sphere_optimizer::Relaxation>();
+/// ```
+pub struct Relaxation {
+    handle: RelaxationHandle,
+    dimension: usize,
+    length: usize,
+}
+
+// As of trust_region; it holds copies of what it was made from.
+unsafe impl Send for Relaxation {}
+
+impl Relaxation {
+    pub fn new(
+        x0: &[f64], dimension: usize, neighbours: &[Vec<u32>], options: &RelaxationOptions,
+    ) -> Result<Relaxation, Error> {
+        expect_length(x0.len(), neighbours.len() * dimension, "x0")?;
+        let blocks = Blocks::new(dimension, neighbours)?;
+        let mut out = std::ptr::null_mut();
+        checked(|error| unsafe {
+            obc_sphere_optimizer_relaxation_create(&blocks.filled, &options.0, x0.as_ptr(), std::ptr::null(), &mut out, error)
+        })?;
+        Ok(Relaxation { handle: RelaxationHandle::own(out), dimension, length: x0.len() })
+    }
+    /// Goes on with one that was saved, of the same neighbours.
+    pub fn load(bytes: &[u8], dimension: usize, neighbours: &[Vec<u32>]) -> Result<Relaxation, Error> {
+        let blocks = Blocks::new(dimension, neighbours)?;
+        let mut out = std::ptr::null_mut();
+        checked(|error| unsafe {
+            obc_sphere_optimizer_relaxation_load(&blocks.filled, bytes.as_ptr() as *const c_void, bytes.len(),
+                                                 std::ptr::null(), &mut out, error)
+        })?;
+        Ok(Relaxation { handle: RelaxationHandle::own(out), dimension, length: neighbours.len() * dimension })
+    }
+    /// At most so many more steps of one block each, with `f` as of [`relax`]. Whatever breaks it off, [`Evaluation::Stop`] or a
+    /// panic, the next call goes on as if it had not been.
+    pub fn run<E: Into<Evaluation>, F: FnMut(Part<'_>) -> E>(&mut self, f: F, steps: u64) -> Result<RelaxationReport, Error> {
+        let mut function = Function { f, dimension: self.dimension, length: self.length, caught: Caught::default() };
+        let result = checked(|error| unsafe {
+            obc_sphere_optimizer_relaxation_run(self.handle.as_ptr(), Some(one::<E, F>),
+                                                &mut function as *mut Function<F> as *mut c_void, steps, error)
+        });
+        function.caught.resume();
+        result?;
+        self.report()
+    }
+    /// What is known now.
+    pub fn report(&self) -> Result<RelaxationReport, Error> {
+        let mut report = RelaxationReport::default();
+        checked(|error| unsafe {
+            obc_sphere_optimizer_relaxation_get_result(self.handle.as_ptr(), &mut report.0, std::ptr::null_mut(), error)
+        })?;
+        Ok(report)
+    }
+    /// Where all blocks are now.
+    pub fn points(&self) -> Result<Vec<f64>, Error> {
+        let mut x = vec![0.0; self.length];
+        checked(|error| unsafe {
+            obc_sphere_optimizer_relaxation_get_result(self.handle.as_ptr(), std::ptr::null_mut(), x.as_mut_ptr(), error)
+        })?;
+        Ok(x)
+    }
+    /// The relaxation as bytes, from which [`Relaxation::load`] goes on to the same bits.
+    pub fn save(&self) -> Result<Vec<u8>, Error> {
+        let mut bytes = vec![0; unsafe { obc_sphere_optimizer_relaxation_save_size(self.handle.as_ptr()) }];
+        checked(|error| unsafe {
+            obc_sphere_optimizer_relaxation_save(self.handle.as_ptr(), bytes.as_mut_ptr() as *mut c_void, bytes.len(), error)
+        })?;
+        Ok(bytes)
+    }
 }
 
 handle!(Handle, obc_sphere_optimizer, obc_sphere_optimizer_destroy);

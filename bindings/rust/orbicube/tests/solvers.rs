@@ -210,28 +210,72 @@ fn projections() {
     assert!(solver.certificate().unwrap()[0] < 0.0);
 }
 
-#[test]
-fn block_by_block() {
-    let neighbours: Vec<Vec<u32>> = (0..12).map(|i| (0..12).filter(|&j| j != i).collect()).collect();
-    let mut x = scattered();
-    sphere_optimizer::relax(|part: sphere_optimizer::Part| {
-        let (mut value, mut slope) = (0.0, [0.0; 3]);
-        for (j, other) in part.points.chunks(3).enumerate() {
-            if j != part.block {
-                let away = [part.place[0] - other[0], part.place[1] - other[1], part.place[2] - other[2]];
-                let term = 1.0 / (away[0] * away[0] + away[1] * away[1] + away[2] * away[2]);
-                value += term;
-                for k in 0..3 {
-                    slope[k] -= 2.0 * term * term * away[k];
-                }
+fn others() -> Vec<Vec<u32>> {
+    (0..12).map(|i| (0..12).filter(|&j| j != i).collect()).collect()
+}
+
+/// The part of `charges` that has one of them.
+fn charge(part: sphere_optimizer::Part) -> f64 {
+    let (mut value, mut slope) = (0.0, [0.0; 3]);
+    for (j, other) in part.points.chunks(3).enumerate() {
+        if j != part.block {
+            let away = [part.place[0] - other[0], part.place[1] - other[1], part.place[2] - other[2]];
+            let term = 1.0 / (away[0] * away[0] + away[1] * away[1] + away[2] * away[2]);
+            value += term;
+            for k in 0..3 {
+                slope[k] -= 2.0 * term * term * away[k];
             }
         }
-        if let Some(gradient) = part.gradient {
-            gradient.copy_from_slice(&slope);
-        }
-        value
-    }, &mut x, 3, &neighbours, &Default::default()).unwrap();
+    }
+    if let Some(gradient) = part.gradient {
+        gradient.copy_from_slice(&slope);
+    }
+    value
+}
+
+#[test]
+fn block_by_block() {
+    let mut x = scattered();
+    let report = sphere_optimizer::relax(charge, &mut x, 3, &others(), &Default::default()).unwrap();
+    assert_eq!((report.converged(), report.stop_name().as_str()), (true, "converged"));
     assert!((charges(&x, &mut [0.0; 36]) - 39.0).abs() < 1e-9);
+}
+
+#[test]
+fn block_by_block_in_parts_that_are_broken_off_saved_and_loaded() {
+    use sphere_optimizer::{Part, Relaxation};
+
+    let mut whole = scattered();
+    let end = sphere_optimizer::relax(charge, &mut whole, 3, &others(), &Default::default()).unwrap();
+    let mut relaxation = Relaxation::new(&scattered(), 3, &others(), &Default::default()).unwrap();
+    let report = relaxation.report().unwrap();
+    assert_eq!((report.running(), report.stop_name().as_str()), (true, "running"));
+    assert_eq!(relaxation.run(charge, 10).unwrap().steps, 10);
+    assert_eq!(panics(|| {
+        let _ = relaxation.run(|_: Part| -> f64 { panic!("in a part") }, 10);
+    }), "in a part");
+    assert_eq!(relaxation.run(|_: Part| Evaluation::Stop, 10).unwrap().stop_name(), "cancelled");
+    let saved = relaxation.save().unwrap();
+    let mut again = std::thread::spawn(move || {
+        let mut again = Relaxation::load(&saved, 3, &others()).unwrap();
+        again.run(charge, 1).unwrap();
+        again
+    }).join().unwrap();
+    for one in [&mut relaxation, &mut again] {
+        while one.run(charge, 25).unwrap().running() {}
+        let report = one.report().unwrap();
+        assert_eq!((report.stop, report.steps), (end.stop, end.steps));
+        assert_eq!((report.gain.to_bits(), bits(&one.points().unwrap())), (end.gain.to_bits(), bits(&whole)));
+    }
+
+    let saved = relaxation.save().unwrap();
+    let refused = |bytes: &[u8], dimension, neighbours: &[Vec<u32>]| {
+        Relaxation::load(bytes, dimension, neighbours).err().unwrap().status
+    };
+    assert_eq!(refused(&saved, 3, &vec![vec![]; 12]), orbicube::sys::base::OBC_INVALID_ARGUMENT); // other neighbours
+    assert_eq!(refused(&saved, 4, &others()), orbicube::sys::base::OBC_INVALID_ARGUMENT);
+    assert_eq!(refused(&saved[..20], 3, &others()), orbicube::sys::base::OBC_MALFORMED_FILE);
+    assert!(Relaxation::new(&scattered(), 4, &others(), &Default::default()).is_err());
 }
 
 #[test]
