@@ -8,6 +8,7 @@ export OrbicubeError, EvaluationFailed, StopRun
 export TrustRegion, ProjectedGradient, SphereOptimizer, optimize, least_squares, only_fg!, project
 export minimizer, converged, iterations, f_calls, stop_reason, report
 export Run, ask!, tell!, result, multipliers, save, load
+export relax, Relaxation, relax!
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
 export Mesh, shape_names, read_mesh, write_mesh, check_cells, boundary, tetrahedron_quality, fill_with_tetrahedra, check_fillable
 export check_closed_genus_zero, orient, intersections, first_at_same_position, Search, nearest_vertices, nearest_points

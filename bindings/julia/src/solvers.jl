@@ -51,7 +51,7 @@ mutable struct Called{F,N}
     caught::Caught
 end
 
-function answered(f, called::Called)::Int32
+function answered(f, called)::Int32
     try
         f()
         Int32(0)
@@ -370,6 +370,145 @@ function save(run::Run{M}) where {M}
                       (Raw.obc_sphere_optimizer_save_size, Raw.obc_sphere_optimizer_save)
         bytes = Vector{UInt8}(undef, size(run.handle))
         checked(error -> write(run.handle, bytes, length(bytes), error))
+        bytes
+    end
+end
+
+# -- block by block ------------------------------------------------------------------------------------------------------------
+
+mutable struct CalledPart{F}
+    f::F
+    place::Vector{Float64}     # ours, as Called
+    gradient::Vector{Float64}
+    hessian::Matrix{Float64}
+    size::NTuple{2,Int}
+    points::Matrix{Float64}    # the library's
+    caught::Caught
+end
+
+CalledPart(f, (d, count)) =
+    CalledPart(f, zeros(d), zeros(d), zeros(d, d), (Int(d), Int(count)), Matrix{Float64}(undef, 0, 0), Caught())
+
+function part_called(block::Csize_t, place::Ptr{Float64}, points::Ptr{Float64}, value::Ptr{Float64}, gradient::Ptr{Float64},
+                     hessian::Ptr{Float64}, called::CalledPart)::Int32
+    unsafe_copyto!(pointer(called.place), place, called.size[1])
+    pointer(called.points) == points || (called.points = unsafe_wrap(Array, points, called.size))
+    G = gradient == C_NULL ? nothing : called.gradient
+    H = hessian == C_NULL ? nothing : called.hessian
+    answered(called) do
+        unsafe_store!(value, convert(Float64, called.f(G, H, Int(block) + 1, called.place, called.points)))
+        G === nothing || unsafe_copyto!(gradient, pointer(G), length(G))
+        H === nothing || unsafe_copyto!(hessian, pointer(H), length(H))
+    end
+end
+
+part_function(::C) where {C} =
+    @cfunction(part_called, Int32, (Csize_t, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ref{C}))
+
+function blocks(x0::AbstractMatrix, neighbours::AbstractVector)
+    length(neighbours) == size(x0, 2) ||
+        throw(DimensionMismatch("neighbours: $(size(x0, 2)) rows are needed, not $(length(neighbours))"))
+    start, flat = Csize_t[0], UInt32[]
+    for row in neighbours
+        all(j -> 1 <= j <= length(neighbours), row) || throw(BoundsError(neighbours, row))
+        append!(flat, UInt32.(row .- 1))
+        push!(start, length(flat))
+    end
+    c = filled(Raw.obc_sphere_optimizer_blocks, Raw.obc_sphere_optimizer_blocks_init, NamedTuple())
+    c.dimension, c.count = size(x0)
+    c.neighbour_start, c.neighbour = pointer(start), pointer(flat)
+    Problem(c, Any[start, flat])
+end
+
+relaxation_options(given) = filled(Raw.obc_sphere_optimizer_relaxation_options, Raw.obc_sphere_optimizer_relaxation_options_init,
+                                   given, "OBC_SPHERE_OPTIMIZER_")
+
+const Relaxed = Result{<:Any,Raw.obc_sphere_optimizer_relaxation_result}
+iterations(result::Relaxed) = Int(result.report.steps)
+Base.minimum(::Relaxed) = throw(ArgumentError("parts of f are known, not f: report(result).gain is by how much it fell"))
+Base.show(io::IO, result::Relaxed) = print(io, "Result: ", result.stop, " after ", iterations(result), " steps, lower by ",
+                                           result.report.gain, " at ", minimizer(result))
+
+"""
+    relax(part!, x0, neighbours; ...)
+
+Lowers f over unit vectors, the columns of x, block by block. `part!(G, H, block, place, points)` answers the part of f that
+contains this block if it were at `place` and all others as in `points`; it fills the gradient `G` and, with `second_order=1`, the
+Hessian `H`, each `nothing` where it is not asked for. `points` is the library's own and only there during the call: read it, and
+copy what you keep. `neighbours[i]` are the blocks whose part of f contains block i. Options are the members of
+`obc_sphere_optimizer_relaxation_options`.
+"""
+function relax(part!, x0::AbstractMatrix, neighbours::AbstractVector; options...)
+    x = Matrix{Float64}(x0)
+    set, chosen = blocks(x, neighbours), relaxation_options(values(options))
+    called = CalledPart(part!, size(x))
+    report = sized(Raw.obc_sphere_optimizer_relaxation_result)
+    finished(called, report, x, Raw.obc_sphere_optimizer_stop_name) do error
+        GC.@preserve set Raw.obc_sphere_optimizer_relax(set.c, chosen, part_function(called), pointer_from_objref(called), x,
+                                                        report, C_NULL, error)
+    end
+end
+
+"""
+    Relaxation(x0, neighbours; ...)                                  the arguments of relax
+    while stop_reason(relax!(part!, relaxation, 1000)) == "running"
+    end
+    result(relaxation)
+
+A relaxation in parts, which ends in the bits of `relax`. `save(relaxation)` gives bytes, `load(bytes, x0, neighbours)` goes on from
+them.
+"""
+mutable struct Relaxation
+    handle::Ptr{Cvoid}
+    size::NTuple{2,Int}
+    function Relaxation(handle::Ptr{Cvoid}, size)
+        finalizer(it -> Raw.obc_sphere_optimizer_relaxation_destroy(it.handle), new(handle, size))
+    end
+end
+
+function Relaxation(x0::AbstractMatrix, neighbours::AbstractVector; options...)
+    x, out = Matrix{Float64}(x0), Ref(C_NULL)
+    set, chosen = blocks(x, neighbours), relaxation_options(values(options))
+    checked(error -> GC.@preserve set Raw.obc_sphere_optimizer_relaxation_create(set.c, chosen, x, C_NULL, out, error))
+    Relaxation(out[], size(x))
+end
+
+"Goes on with a relaxation that was saved, of the same neighbours; of x0 only the size counts."
+function load(bytes::Vector{UInt8}, x0::AbstractMatrix, neighbours::AbstractVector)
+    set, out = blocks(x0, neighbours), Ref(C_NULL)
+    checked(error -> GC.@preserve set Raw.obc_sphere_optimizer_relaxation_load(set.c, bytes, length(bytes), C_NULL, out, error))
+    Relaxation(out[], size(x0))
+end
+
+"""
+    relax!(part!, relaxation, steps)
+
+At most so many more steps of one block each, with `part!` as of `relax`; answers what is known then, whose `stop_reason` is
+"running" when there is more to do. Whatever `part!` throws, `StopRun` too, the next call goes on as if it had not been broken off.
+"""
+function relax!(part!, relaxation::Relaxation, steps::Integer)
+    called = CalledPart(part!, relaxation.size)
+    error = Raw.obc_error()
+    status = GC.@preserve relaxation called Raw.obc_sphere_optimizer_relaxation_run(
+        relaxation.handle, part_function(called), pointer_from_objref(called), steps, error)
+    rethrown(called.caught)
+    check(status, error)
+    result(relaxation)
+end
+
+function result(relaxation::Relaxation)
+    x, report = Matrix{Float64}(undef, relaxation.size), sized(Raw.obc_sphere_optimizer_relaxation_result)
+    GC.@preserve relaxation begin
+        checked(error -> Raw.obc_sphere_optimizer_relaxation_get_result(relaxation.handle, report, x, error))
+    end
+    Result(x, report, text(Raw.obc_sphere_optimizer_stop_name(report.stop)))
+end
+
+"The relaxation as bytes."
+function save(relaxation::Relaxation)
+    GC.@preserve relaxation begin
+        bytes = Vector{UInt8}(undef, Raw.obc_sphere_optimizer_relaxation_save_size(relaxation.handle))
+        checked(error -> Raw.obc_sphere_optimizer_relaxation_save(relaxation.handle, bytes, length(bytes), error))
         bytes
     end
 end

@@ -96,6 +96,63 @@ end
     @test bits(minimizer(result(run))) == bits(minimizer(r3))
 end
 
+const others = [[j for j in 1:12 if j != i] for i in 1:12]
+"The part of charges! that has one of them."
+function charge!(G, H, block, place, points)
+    value = 0.0
+    G === nothing || fill!(G, 0)
+    H === nothing || fill!(H, 0)
+    for j in others[block]
+        away = place .- @view points[:, j]
+        term = 1 / sum(abs2, away)
+        value += term
+        G === nothing || (G .-= 2 * term^2 .* away)
+        H === nothing || (H .+= 8 * term^3 .* away .* away' .- 2 * term^2 .* [a == b for a in 1:3, b in 1:3])
+    end
+    value
+end
+
+@testset "block by block" begin
+    r = relax(charge!, scattered, others)
+    @test converged(r) && charges!(zeros(3, 12), minimizer(r)) ≈ 39 && f_calls(r) >= iterations(r) > 12
+    @test maximum(abs, sum(abs2, minimizer(r); dims=1) .- 1) < 1e-15
+    @test occursin("converged", sprint(show, r)) && report(r).gain > 0
+    @test_throws ArgumentError minimum(r) # only parts of it are known
+    newton = relax(charge!, scattered, others; second_order=1, order=:sweeps)
+    @test converged(newton) && charges!(zeros(3, 12), minimizer(newton)) ≈ 39
+    calls = Ref(0)
+    r = relax(scattered, others) do G, H, block, place, points
+        (calls[] += 1) % 7 == 0 ? throw(EvaluationFailed()) : calls[] > 50 ? throw(StopRun()) : charge!(G, H, block, place, points)
+    end
+    @test stop_reason(r) == "cancelled"
+    @test_throws DomainError relax((_...) -> throw(DomainError(1)), scattered, others)
+    @test_throws ArgumentError relax(charge!, scattered, others; orders=:sweeps)
+    @test_throws DimensionMismatch relax(charge!, scattered, others[2:end])
+    @test_throws BoundsError relax(charge!, scattered, [[0] for _ in 1:12])
+end
+
+@testset "block by block in parts that are broken off, saved and loaded" begin
+    whole = relax(charge!, scattered, others)
+    relaxation = Relaxation(scattered, others)
+    @test stop_reason(result(relaxation)) == "running"
+    @test iterations(relax!(charge!, relaxation, 10)) == 10
+    @test_throws DomainError relax!((_...) -> throw(DomainError(1)), relaxation, 10)
+    @test stop_reason(relax!((_...) -> throw(StopRun()), relaxation, 10)) == "cancelled"
+    again = load(save(relaxation), zeros(3, 12), others)
+    for one in (relaxation, again)
+        while stop_reason(relax!(charge!, one, 25)) == "running"
+        end
+        r = result(one)
+        @test bits(minimizer(r)) == bits(minimizer(whole)) && report(r).gain === report(whole).gain
+        @test (stop_reason(r), iterations(r)) == (stop_reason(whole), iterations(whole))
+    end
+    error = try load(save(relaxation), scattered, [Int[] for _ in 1:12]); nothing catch e; e end # other neighbours
+    @test error isa OrbicubeError && error.status == Orbicube.Raw.OBC_INVALID_ARGUMENT
+    error = try load(save(relaxation)[1:20], scattered, others); nothing catch e; e end
+    @test error isa OrbicubeError && error.status == Orbicube.Raw.OBC_MALFORMED_FILE
+    @test_throws InexactError relax!(charge!, relaxation, -1)
+end
+
 @testset "exceptions, failed evaluations, stops" begin
     @test_throws DomainError optimize(x -> throw(DomainError(1)), [0.0], TrustRegion())
     @test_throws DomainError optimize(only_fg!((g, x) -> throw(DomainError(1))), [0.0], ProjectedGradient())
