@@ -224,9 +224,13 @@ class Making {
   }
 
   HexResult best() {
+    // What is near but hardly valid is tried with twice as many cells, once.
+    constexpr double poor = 0.2;
     for (std::size_t cells = options_.cells;; cells *= 2) {
       make(cells);
-      if (options_.distance == 0 || 2 * cells > options_.most_cells || (best_ && excess(*best_, options_) <= 1)) break;
+      if (options_.distance == 0 || 2 * cells > options_.most_cells) break;
+      const bool near = best_ && excess(*best_, options_) <= 1;
+      if (near && (cells > options_.cells || best_->quality.least_scaled_jacobian > poor)) break;
     }
     if (!best_) throw base::Error("no-valid-result", reason_);
     return std::move(*best_);
@@ -240,12 +244,11 @@ class Making {
     reason_ = error.what();
   }
 
+  static constexpr double good = 0.4;
+
   // What is near to the surface by itself is better than what is held there. What is good in one way is not tried in
   // another.
-  bool done() const {
-    constexpr double good = 0.4;
-    return (least_near_ > 0 ? least_near_ : least_) > good;
-  }
+  bool done() const { return (least_near_ > 0 ? least_near_ : least_) > good; }
 
   // Answers whether the mesh is valid and as near to the surface as wanted.
   bool attempt(const Way& way, std::size_t cells, const Manner& manner) {
@@ -271,7 +274,7 @@ class Making {
     }
   }
 
-  // What one number of cells has shown holds for more.
+  // What has been good with fewer cells is with more.
   void find_ways(std::size_t cells) {
     ways_.clear();
     for (const Guide& guide : guides_) {
@@ -281,7 +284,8 @@ class Making {
         tolerate(error);
       }
     }
-    if (best_) std::erase_if(ways_, [&](const Way& way) { return !way.same(best_guide_, best_padding_); });
+    if (best_ && best_->quality.least_scaled_jacobian > good)
+      std::erase_if(ways_, [&](const Way& way) { return !way.same(best_guide_, best_padding_); });
   }
 
   // Meshes of about so many cells until one is good.

@@ -171,7 +171,7 @@ class Smoothing {
 
   // What is not good enough counts more each time, and less again once it is, as multipliers of constraints do.
   void set_weights() {
-    constexpr double enough = 0.7, most = 1000;
+    constexpr double enough = 0.7, most = 60;
     for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
       for (std::size_t k = 0; k < 8; ++k) {
         const double ratio = enough / std::max(0.02, corner_jacobian(mesh_.positions, mesh_.hexahedra[i], k));

@@ -104,7 +104,8 @@ class SplitRound {
  private:
   template <std::size_t count>
   static std::size_t count_of(const std::array<Index, count>& corners, std::span<const std::uint8_t> held) {
-    return static_cast<std::size_t>(std::ranges::count_if(corners, [&](Index v) { return held[v] != 0; }));
+    return static_cast<std::size_t>(
+        std::count_if(corners.begin(), corners.end(), [&](Index v) { return held[v] != 0; }));
   }
   template <std::size_t count>
   Vector3 middle_of(const std::array<Index, count>& corners) const {
