@@ -1,6 +1,5 @@
 #include "frame_scene.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include <vector>
 
 #include "gltf/parts.h"
+#include "mesh/rotations.h"
 
 namespace orbicube::cli {
 namespace {
@@ -89,7 +89,7 @@ void add_tube(const std::vector<Vector3>& points, double radius, Shape& shape) {
   Vector3 across = forward.unitOrthogonal();
   Index last = mesh::no_index;
   const auto section = [&](const Vector3& at, const Vector3& along) {
-    across = Eigen::Quaterniond::FromTwoVectors(forward, along) * across;
+    across = mesh::rotation_between(forward, along) * across;
     across = (across - across.dot(along) * along).normalized();
     forward = along;
     const Vector3 side = along.cross(across);

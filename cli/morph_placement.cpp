@@ -1,10 +1,11 @@
 #include "morph_placement.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "mesh/rotations.h"
 
 namespace orbicube::cli {
 namespace {
@@ -51,13 +52,9 @@ Placement best_placement(std::span<const Vector3> from, std::span<const Vector3>
     covariance += weights[v] * (to[v] - to_mean) * (from[v] - from_mean).transpose();
     spread += weights[v] * (from[v] - from_mean).squaredNorm();
   }
-  const Eigen::JacobiSVD<Matrix3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  // The best orthogonal matrix may be a reflection: then the direction of the least correlation is turned.
-  Vector3 signs = Vector3::Ones();
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) signs[2] = -1;
   Placement placement;
-  placement.rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  const double correlation = svd.singularValues().dot(signs);
+  placement.rotation = mesh::nearest_rotation(covariance);
+  const double correlation = (placement.rotation.transpose() * covariance).trace();
   if (scaled && spread > 0 && correlation > 0) placement.scale = correlation / spread;
   placement.shift = to_mean - placement.scale * (placement.rotation * from_mean);
   return placement;

@@ -13,6 +13,7 @@
 #include "base/host.h"
 #include "gltf/base64.h"
 #include "mesh/edge_table.h"
+#include "mesh/rotations.h"
 
 namespace orbicube::cli {
 namespace {
@@ -156,10 +157,7 @@ Eigen::Matrix3d facing_rotation(const PageResult& result) {
   for (std::size_t v = 0; v < weight.size(); ++v) {
     correlation += weight[v] / area * (result.positions[v] - centroid) * target_of(result)[v].transpose();
   }
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(correlation, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Vector3 handed = Vector3::Ones();
-  handed.z() = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * handed.asDiagonal() * svd.matrixV().transpose();
+  return mesh::nearest_rotation(correlation);
 }
 
 void append_direction(std::vector<std::uint8_t>& bytes, const Vector3& direction) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "mesh/rotations.h"
+
 namespace orbicube::frame_field {
 namespace {
 
@@ -41,8 +43,7 @@ bool frame_of(const Directions& directions, Quaternion& frame) {
     if (!(std::abs(axes.col(k).dot(axes.col((k + 1) % 3))) < perpendicular)) return false;
   }
   if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
-  const Eigen::JacobiSVD<Eigen::Matrix3d> svd(axes, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const Eigen::Quaterniond q(Eigen::Matrix3d(svd.matrixU() * svd.matrixV().transpose()));
+  const Eigen::Quaterniond q(mesh::nearest_rotation(axes));
   frame = quaternion::normalised({q.w(), q.x(), q.y(), q.z()});
   return true;
 }

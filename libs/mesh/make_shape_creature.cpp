@@ -1,6 +1,5 @@
 // The creature: a control mesh grown out of a box by extruding its faces, then the Catmull-Clark surface of it. Growing
 // a face outward never changes the genus, so it is 0 whatever the seed.
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,6 +7,7 @@
 
 #include "mesh/make_shape_kinds.h"
 #include "mesh/quad_patches.h"
+#include "mesh/rotations.h"
 #include "mesh/subdivision_surface.h"
 
 namespace orbicube::mesh {
@@ -40,7 +40,7 @@ class ControlMesh {
     const Vector3 to = direction.normalized();
     const Quad base = complex_.quads[tip.quad];
     const Vector3 centre = centre_of(base);
-    const Eigen::Quaterniond turn = Eigen::Quaterniond::FromTwoVectors(tip.direction, to);
+    const Eigen::Quaterniond turn = rotation_between(tip.direction, to);
     const auto first = static_cast<Index>(complex_.corners.size());
     for (const Index corner : base)
       complex_.corners.push_back(centre + length * to + scale * (turn * (complex_.corners[corner] - centre)));

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "polycube/dense_system.h"
 #include "polycube/random.h"
 
 namespace orbicube::polycube {
@@ -106,7 +107,7 @@ Matrix drift(const Matrix& from, const Matrix& from_normals, const Matrix& to, c
     if (!(total > 1e-6)) break;
     Matrix system = weight.asDiagonal() * kernel;
     system.diagonal().array() += stiffness * variance;
-    field = system.partialPivLu().solve(chance * to - Matrix(weight.asDiagonal() * from));
+    field = solve_dense(system, chance * to - Matrix(weight.asDiagonal() * from));
     moved = from + kernel * field;
     double error = 0;
     for (Eigen::Index i = 0; i < m; ++i)

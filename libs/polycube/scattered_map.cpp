@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "polycube/dense_system.h"
+
 namespace orbicube::polycube {
 
 ScatteredMap::ScatteredMap(std::span<const Vector3> points, std::span<const Vector3> images, double smoothing,
@@ -48,7 +50,7 @@ ScatteredMap::ScatteredMap(std::span<const Vector3> points, std::span<const Vect
       system(i, n + 1 + k) = system(n + 1 + k, i) = p[k];
     rhs.row(i) = wanted[static_cast<std::size_t>(i)].transpose();
   }
-  const Eigen::MatrixXd solution = system.partialPivLu().solve(rhs);
+  const Eigen::MatrixXd solution = solve_dense(system, rhs);
   for (Eigen::Index i = 0; i < n; ++i)
     weights_.push_back(solution.row(i).transpose());
   shift_ = solution.row(n).transpose();

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "mesh/rotations.h"
 #include "polycube/sparse_system.h"
 
 namespace orbicube::polycube {
@@ -70,7 +71,7 @@ void poisson_start(TiedMap& map, int rounds, const base::Host& host) {
 
   Array<Eigen::Matrix3d> turns(surface.triangles.size(), host.memory);
   for (Index i = 0; i < surface.triangles.size(); ++i) {
-    turns[i] = Eigen::Quaterniond::FromTwoVectors(surface.normals[i], direction_of(map.label(i))).toRotationMatrix();
+    turns[i] = mesh::rotation_between(surface.normals[i], direction_of(map.label(i))).toRotationMatrix();
   }
   Eigen::VectorXd right(static_cast<Eigen::Index>(map.value.size()));
   for (int round = 0; round < rounds; ++round) {

@@ -1,10 +1,10 @@
 #include "sphere_map/alignment.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/SVD>
 #include <string>
 
 #include "base/error.h"
+#include "mesh/rotations.h"
 #include "sphere_map/locator.h"
 
 namespace orbicube::sphere_map {
@@ -21,9 +21,7 @@ Matrix3 best_rotation(std::span<const Vector3> from, std::span<const Vector3> to
     require_direction(to[i], "goal of direction", i);
     sum += to[i].stableNormalized() * from[i].stableNormalized().transpose() / static_cast<double>(from.size());
   }
-  const Eigen::JacobiSVD<Matrix3> svd(sum, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  const double handedness = (svd.matrixU() * svd.matrixV().transpose()).determinant() < 0 ? -1 : 1;
-  return svd.matrixU() * Vector3(1, 1, handedness).asDiagonal() * svd.matrixV().transpose();
+  return mesh::nearest_rotation(sum);
 }
 
 Alignment::Alignment(const Matrix3& rotation) : rotation_(rotation), still_(rotation == Matrix3::Identity()) {

@@ -123,9 +123,10 @@ void add_ways(Array<Way>& ways, const Guide& guide, const HexOptions& options, s
   add_all(ways.back().padded.part > 0 ? 0 : 1);
 }
 
-// What a mesh may do besides: its boundary lifted off the surface, and held where it would leave it.
+// What a mesh may do besides: its boundary lifted off the surface, held where it would leave it, and bad corners made
+// better at any cost.
 struct Manner {
-  bool lift = true, hold = false;
+  bool lift = true, hold = false, insist = false;
 };
 
 // A mesh of the solid on its way, in units of a cell.
@@ -175,7 +176,8 @@ class Draft {
     return {.rounds = options_.rounds,
             .lift = manner.lift,
             .padding = mesh_.hexahedra.size() - inner_,
-            .distance = manner.hold ? held * distance() : 0};
+            .distance = manner.hold ? held * distance() : 0,
+            .most_weight = manner.insist ? 1000.0 : 60.0};
   }
 
   HexResult searched(bool all) const {
@@ -266,6 +268,7 @@ class Making {
         best_ = std::move(now);
         best_guide_ = way.guide;
         best_padding_ = way.padding;
+        best_manner_ = manner;
       }
       return near;
     } catch (const base::Error& error) {
@@ -304,6 +307,10 @@ class Making {
     for (const Way& way : ways_) {
       if (least_ == 0) attempt(way, cells, {.lift = false, .hold = distance_counts});
     }
+    if (least_near_ == 0 || done()) return;
+    for (const Way& way : ways_) {
+      if (way.same(best_guide_, best_padding_)) attempt(way, cells, {best_manner_.lift, best_manner_.hold, true});
+    }
   }
 
   const HexOptions& options_;
@@ -317,6 +324,7 @@ class Making {
   std::optional<HexResult> best_;
   const Guide* best_guide_ = nullptr;
   int best_padding_ = 0;
+  Manner best_manner_;
   std::string reason_;
   // Scaled Jacobians of what is best among meshes of one number of cells: of all, and of those that are near.
   double least_ = 0, least_near_ = 0;

@@ -171,12 +171,12 @@ class Smoothing {
 
   // What is not good enough counts more each time, and less again once it is, as multipliers of constraints do.
   void set_weights() {
-    constexpr double enough = 0.7, most = 60;
+    constexpr double enough = 0.7;
     for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
       for (std::size_t k = 0; k < 8; ++k) {
         const double ratio = enough / std::max(0.02, corner_jacobian(mesh_.positions, mesh_.hexahedra[i], k));
         double& weight = elements_[8 * i + k].weight;
-        weight = std::clamp(ratio * ratio * weight, 1.0, most);
+        weight = std::clamp(ratio * ratio * weight, 1.0, options_.most_weight);
       }
     }
     // What pulls to the surface is to keep pace.

@@ -14,6 +14,7 @@ struct HexSmoothingOptions {
   // Where the surface is farther than this from the boundary, or the boundary from it, the boundary is held the more to
   // where it began; 0: nowhere.
   double distance = 0;
+  double most_weight = 60;  // of a corner that stays bad: more turns some right, and spoils the neighbours of others
 };
 
 // Lengths of cells are about 1. Answers whether all corners are positive, in floating point. Vertices end near the
