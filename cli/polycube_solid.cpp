@@ -97,7 +97,7 @@ void add_polycube_solid_options(CLI::App& verb, PolycubeSolidOptions& options) {
   verb.add_option("IN", options.input, std::string("closed surface, or a mesh of tetrahedra: ") + surface_endings)
       ->required()
       ->type_name("");
-  verb.add_option("--corners", options.corners, "corners of the polycube at most; 0: any number (60)")
+  verb.add_option("--corners", options.corners, "corners of the polycube at most; 0: any number (100)")
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");
   verb.add_option("--triangles", options.triangles,
@@ -147,8 +147,9 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
         for (const mesh::Index v : t)
           outer = std::max(outer, v + 1);
       }
-      polycube::BestConstruction best = polycube::construct(std::span(result.positions).first(outer), result.surface,
-                                                            {.corners = options.corners, .seed = session.seed()}, host);
+      polycube::BestConstruction best =
+          polycube::construct(std::span(result.positions).first(outer), result.surface,
+                              {.corners = options.corners, .preferred_corners = 60, .seed = session.seed()}, host);
       result.made = std::move(best.made);
       results.push_back(std::move(result));
     }

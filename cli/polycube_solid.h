@@ -15,7 +15,7 @@ namespace orbicube::cli {
 
 struct PolycubeSolidOptions {
   std::string input;
-  std::size_t corners = 60;
+  std::size_t corners = 100;
   std::size_t triangles = 6000;
   bool weld = false;
 };

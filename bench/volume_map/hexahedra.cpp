@@ -53,7 +53,8 @@ int main(int argc, char** argv) {
       const bool coarser = surface.triangles.size() > 2 * triangles;
       const auto coarse = volume_map::coarse_surface(surface.positions, surface.triangles,
                                                      coarser ? triangles : surface.triangles.size(), host);
-      const auto best = polycube::construct(coarse.positions, coarse.triangles, {.corners = 60}, host);
+      const auto best =
+          polycube::construct(coarse.positions, coarse.triangles, {.corners = 100, .preferred_corners = 60}, host);
       volume_map::PolycubeSurface mapped{best.made.map};
       if (coarser) {
         mapped.fine_positions = surface.positions;

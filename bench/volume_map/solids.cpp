@@ -83,8 +83,8 @@ int main(int argc, char** argv) {
         for (const mesh::Index v : t)
           vertices = std::max(vertices, v + 1);
       }
-      const auto best =
-          polycube::construct(std::span(filled.solid.positions).first(vertices), filled.surface, {.corners = 60}, host);
+      const auto best = polycube::construct(std::span(filled.solid.positions).first(vertices), filled.surface,
+                                            {.corners = 100, .preferred_corners = 60}, host);
       const double after_polycube = now();
       const polycube::SurfaceMap& on_surface = best.made.map;
       const auto refined = volume_map::refine_boundary(filled.solid.positions, filled.solid.tetrahedra, filled.surface,

@@ -39,7 +39,7 @@ namespace {
 obc_volume_map_solid_options default_solid_options() {
   obc_volume_map_solid_options o{};
   o.struct_size = sizeof o;
-  o.corners = 60;
+  o.corners = 100;
   return o;
 }
 
@@ -49,7 +49,7 @@ obc_volume_map_hexes_options default_hexes_options() {
   o.struct_size = sizeof o;
   o.padding = static_cast<std::int32_t>(defaults.padding);
   o.cells = defaults.cells;
-  o.corners = 60;
+  o.corners = 100;
   o.triangles = 6000;
   o.rounds = defaults.rounds;
   o.distance = defaults.distance;
@@ -104,8 +104,8 @@ obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_c
     const base::Host& h = made->adapter.host();
     const mesh::Mesh solid = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
     const volume_map::BoundaryFirst first = volume_map::boundary_first(solid, h);
-    const polycube::BestConstruction best =
-        polycube::construct(first.outer_positions(), first.surface, {.corners = o.corners, .seed = o.seed}, h);
+    const polycube::BestConstruction best = polycube::construct(
+        first.outer_positions(), first.surface, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
     made->map = volume_map::map_to_polycube({first.positions, first.tetrahedra, first.surface, best.made.map}, h);
     *out = made.release();
   });
@@ -153,8 +153,8 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
     const bool coarser = o.triangles > 0 && s.triangles.size() / 2 > o.triangles;
     const volume_map::CoarseSurface coarse =
         volume_map::coarse_surface(s.positions, s.triangles, coarser ? o.triangles : s.triangles.size(), h);
-    const polycube::BestConstruction best =
-        polycube::construct(coarse.positions, coarse.triangles, {.corners = o.corners, .seed = o.seed}, h);
+    const polycube::BestConstruction best = polycube::construct(
+        coarse.positions, coarse.triangles, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
     volume_map::PolycubeSurface mapped{best.made.map};
     if (coarse.triangles.size() < s.triangles.size()) {
       mapped.fine_positions = s.positions;

@@ -15,7 +15,8 @@ Eigen::Quaterniond rotation_between(const Vector3& a, const Vector3& b) {
     result.vec() = from.unitOrthogonal();
     return result;
   }
-  const double twice = std::sqrt(2 * (1 + cosine));  // the cosine of half the angle
+  // Twice the cosine of half the angle; 1 + cosine is a small difference where they are nearly opposite.
+  const double twice = cosine < -0.9 ? (from + to).norm() : std::sqrt(2 * (1 + cosine));
   result.w() = 0.5 * twice;
   result.vec() = (1 / twice) * from.cross(to);
   return result;

@@ -61,7 +61,9 @@ class BestOfAll {
   BestConstruction run() {
     if (options_.method != Method::voxels) {
       attempt(Method::labels, "by labels", [&] {
-        return construct_by_labels(positions_, triangles_, {.corners = budget_, .seed = options_.seed}, host_);
+        return construct_by_labels(
+            positions_, triangles_,
+            {.corners = budget_, .preferred_corners = options_.preferred_corners, .seed = options_.seed}, host_);
       });
     }
     if (options_.method != Method::labels) try_voxels();

@@ -16,6 +16,8 @@ struct ConstructionOptions {
   // Of the polycube at most; 0: any number. For a surface with handles never less than 8 for each and 8 more, which is
   // what a box with so many tunnels has.
   std::size_t corners = 0;
+  // More than so many only where the map is better by 3 %; 0: all alike.
+  std::size_t preferred_corners = 0;
   std::uint64_t seed = 0;
 };
 

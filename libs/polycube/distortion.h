@@ -17,6 +17,12 @@ struct Distortion {
   double angle_weighted_mean = 0, area_weighted_mean = 0;
 };
 
+// What the means are of, for one triangle. `angle` is 0 where one of the areas is.
+struct TriangleChange {
+  double area, area_on_polycube, angle;
+};
+TriangleChange measure_triangle(const SurfaceMap& map, const Triangle& t);
+
 Distortion measure_distortion(const SurfaceMap& map, const base::Host& host);
 
 }  // namespace orbicube::polycube

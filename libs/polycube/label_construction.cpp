@@ -11,6 +11,7 @@
 #include "mesh/topology.h"
 #include "polycube/alignment.h"
 #include "polycube/decimation.h"
+#include "polycube/distorted_regions.h"
 #include "polycube/label_repair.h"
 #include "polycube/label_search.h"
 #include "polycube/label_smoothing.h"
@@ -36,12 +37,20 @@ constexpr double first_smoothing_time = 1e-4;
 constexpr int sweeps = 5;
 constexpr int repair_passes = 60;
 
+// What the best polycube has no room for is labelled anew by itself.
+constexpr double limb_compactness = 0.003;
+constexpr int most_limbs = 12;
+constexpr std::size_t most_limb_changes = 100, most_limb_steps = 1000;
+
 // What all labellings together may cost: changes of labels that have no signs of arcs, and steps of Gauss-Newton for
 // their maps. What works takes few of either.
 constexpr std::size_t most_changes = 150, most_map_steps = 1500;
 
 // The product of both means over the surface; what has less is not compared with more.
 constexpr double nearly_isometric = 1.03;
+
+// What more corners than preferred cost.
+constexpr double many_corners = 1.03;
 
 // The part of the area in which labels may differ that are not tried beside others with as many corners.
 constexpr double alike_below = 0.03;
@@ -109,8 +118,8 @@ class LabelConstruction {
         if (candidates_.empty()) try_labels(compactness, normals);
       }
     }
-    std::stable_sort(candidates_.begin(), candidates_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.score < b.score; });
+    if (!candidates_.empty() && !good_enough()) pull_out_limbs();
+    std::stable_sort(candidates_.begin(), candidates_.end(), better);
     for (Candidate& candidate : candidates_) {
       Construction result(host_.memory);
       result.tried = tried_;
@@ -127,7 +136,7 @@ class LabelConstruction {
 
  private:
   struct Candidate {
-    double score;
+    double score;  // less is better
     double compactness;
     Normals normals;
     bool drawn;
@@ -135,6 +144,8 @@ class LabelConstruction {
     SurfaceMap map;
     Certificate certificate;
   };
+
+  static bool better(const Candidate& a, const Candidate& b) { return a.score < b.score; }
 
   // One reason, how many labellings met it, and their numbers of corners.
   struct Failure {
@@ -193,12 +204,74 @@ class LabelConstruction {
   }
 
   void try_labels(double compactness, Normals normals) {
-    ++tried_;
     LabelCosts costs = label_costs(coarse_, normals_for(normals), compactness, host_);
     Array<AxisLabel> labels(coarse_.triangles.size(), host_.memory);
     for (Index i = 0; i < labels.size(); ++i)
       labels[i] = best_label(costs, i);
     expand_labels(coarse_, costs, {}, sweeps, labels, host_);
+    try_map(costs, std::move(labels), compactness, normals);
+  }
+
+  // Boxes for what the best polycube has no room for, one at a time.
+  void pull_out_limbs() {
+    Array<std::uint8_t> tried(coarse_.triangles.size(), 0, host_.memory);
+    changes_left_ += most_limb_changes;
+    steps_left_ += most_limb_steps;
+    for (int limb = 0; limb < most_limbs; ++limb) {
+      const std::size_t best = static_cast<std::size_t>(
+          std::min_element(candidates_.begin(), candidates_.end(), better) - candidates_.begin());
+      const DistortedRegions regions = find_distorted_regions(coarse_, candidates_[best].map, host_);
+      const Index region = next_region(regions, tried);
+      if (region == no_index) return;
+      const double before = candidates_[best].score;
+      for (const Normals normals : all_normals) {
+        pull_out(regions, region, best, normals);
+        if (std::any_of(candidates_.begin(), candidates_.end(), [&](const Candidate& c) { return c.score < before; }))
+          break;
+      }
+    }
+  }
+
+  // The largest region that is not for the most part one that was tried.
+  static Index next_region(const DistortedRegions& regions, Array<std::uint8_t>& tried) {
+    for (Index r = 0; r < regions.count; ++r) {
+      std::size_t count = 0, known = 0;
+      for (std::size_t i = 0; i < tried.size(); ++i) {
+        if (regions.of_triangle[i] != r) continue;
+        ++count;
+        known += tried[i];
+      }
+      if (2 * known > count) continue;
+      for (std::size_t i = 0; i < tried.size(); ++i) {
+        if (regions.of_triangle[i] == r) tried[i] = 1;
+      }
+      return r;
+    }
+    return no_index;
+  }
+
+  // Labels the region anew, where boundaries of charts cost less there.
+  void pull_out(const DistortedRegions& regions, Index region, std::size_t candidate, Normals normals) {
+    const double compactness = candidates_[candidate].compactness;
+    LabelCosts costs = label_costs(coarse_, normals_for(normals), compactness, host_);
+    Array<AxisLabel> labels(candidates_[candidate].labels, host_.memory);
+    Array<std::uint8_t> free(labels.size(), 0, host_.memory);
+    for (Index i = 0; i < labels.size(); ++i) {
+      if (regions.of_triangle[i] != region) continue;
+      free[i] = 1;
+      labels[i] = best_label(costs, i);
+      for (Index h = 3 * i; h < 3 * i + 3; ++h) {
+        costs.boundary[h] = limb_compactness / compactness * costs.boundary[h];
+        costs.boundary[coarse_.opposite(h)] = costs.boundary[h];
+      }
+    }
+    expand_labels(coarse_, costs, free, sweeps, labels, host_);
+    try_map(costs, std::move(labels), compactness, normals);
+  }
+
+  // Adds a candidate if there is a map with about these labels.
+  void try_map(LabelCosts& costs, Array<AxisLabel> labels, double compactness, Normals normals) {
+    ++tried_;
     LabelFaults faults = repair_labels(coarse_, costs, repair_passes, labels, host_);
     const auto refuse = [&](const std::string& reason, const std::string& detail = {}) {
       fail(compactness, normals, faults.corners, reason, detail);
@@ -230,8 +303,9 @@ class LabelConstruction {
     const Distortion d = measure_distortion(map, host_);
     host_.log(name_of(compactness, normals, faults.corners) + "angle " + std::to_string(d.angle_weighted_mean) +
               ", area " + std::to_string(d.area_weighted_mean));
-    candidates_.push_back({d.angle_weighted_mean * d.area_weighted_mean, compactness, normals, drawn, std::move(labels),
-                           std::move(map), std::move(outcome.certificate)});
+    const bool many = options_.preferred_corners > 0 && faults.corners > options_.preferred_corners;
+    candidates_.push_back({(many ? many_corners : 1) * d.angle_weighted_mean * d.area_weighted_mean, compactness,
+                           normals, drawn, std::move(labels), std::move(map), std::move(outcome.certificate)});
   }
 
   // A valid map instead of one with some triangles turned over; whether there is one.

@@ -17,6 +17,8 @@ namespace orbicube::polycube {
 
 struct LabelConstructionOptions {
   std::size_t corners = 0;  // of the polycube at most; 0: any number
+  // More than so many only where the map is better by 3 %; 0: all alike.
+  std::size_t preferred_corners = 0;
   std::uint64_t seed = 0;
 };
 

@@ -268,7 +268,6 @@ class Making {
         best_ = std::move(now);
         best_guide_ = way.guide;
         best_padding_ = way.padding;
-        best_manner_ = manner;
       }
       return near;
     } catch (const base::Error& error) {
@@ -300,16 +299,15 @@ class Making {
     const bool free_first = cells == options_.cells, distance_counts = options_.distance > 0;
     for (const Way& way : ways_) {
       if (done()) return;
-      const bool near = free_first && attempt(way, cells, {});
-      if (!near && distance_counts) attempt(way, cells, {.hold = true});
+      Manner manner;
+      bool near = free_first && attempt(way, cells, manner);
+      if (!near && distance_counts) near = attempt(way, cells, manner = {.hold = true});
+      manner.insist = true;
+      if (near && !done()) attempt(way, cells, manner);
     }
     // Vertices on the surface itself are less accurate and leave more room.
     for (const Way& way : ways_) {
       if (least_ == 0) attempt(way, cells, {.lift = false, .hold = distance_counts});
-    }
-    if (least_near_ == 0 || done()) return;
-    for (const Way& way : ways_) {
-      if (way.same(best_guide_, best_padding_)) attempt(way, cells, {best_manner_.lift, best_manner_.hold, true});
     }
   }
 
@@ -324,7 +322,6 @@ class Making {
   std::optional<HexResult> best_;
   const Guide* best_guide_ = nullptr;
   int best_padding_ = 0;
-  Manner best_manner_;
   std::string reason_;
   // Scaled Jacobians of what is best among meshes of one number of cells: of all, and of those that are near.
   double least_ = 0, least_near_ = 0;

@@ -180,8 +180,10 @@ TEST_CASE("A map that is stopped leaves what there is of it, with no triangle tu
     Stop stop{i * (never.reports - 1) / 15};  // the last one too
     host = stop.host();
     std::vector<double> directions = untouched;
-    CHECK(obc_sphere_map_compute_partial(&surface, nullptr, &host, directions.data(), &placed, nullptr, &error) ==
-          OBC_CANCELLED);
+    const obc_status status =
+        obc_sphere_map_compute_partial(&surface, nullptr, &host, directions.data(), &placed, nullptr, &error);
+    // Some reports are made by time: another run may have fewer, and end before the last ones.
+    CHECK(status == (stop.reports > stop.at ? OBC_CANCELLED : OBC_OK));
     CHECK(placed >= before);
     before = placed;
     if (placed == 0) {

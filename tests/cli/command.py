@@ -13,6 +13,9 @@ COMMAND = os.path.abspath(sys.argv[1])
 with open(COMMAND, "rb") as program:
     SANITIZED = b"__asan_init" in program.read()
 
+# For tests that would take minutes with a sanitizer, where others see the same code.
+long = unittest.skipIf(SANITIZED, "long")
+
 
 def run(*arguments, **keywords):
     keywords.setdefault("timeout", 600 if SANITIZED else 240)

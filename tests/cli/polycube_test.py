@@ -9,7 +9,7 @@ import math
 import os
 from fractions import Fraction
 
-from command import SANITIZED, Glb, InFolder, kind_of, main, read_obj, run
+from command import Glb, InFolder, kind_of, long, main, read_obj, run
 
 
 def looks_along(positions, triangle):
@@ -83,6 +83,7 @@ class Polycube(InFolder):
             self.assertEqual(done.returncode, 2)
             self.assertFalse(os.path.exists(out))
 
+    @long
     def test_the_best_proportions_are_no_worse_and_still_a_polycube(self):
         path, out, report = self.made("bracket", 1500), self.path("out.obj"), self.path("report.json")
         for options in ((), ("--measure", "faces", "--area-weight", 0.5)):
@@ -304,8 +305,9 @@ class Polycube(InFolder):
                 dot = sum(rotation[3 * i + k] * rotation[3 * j + k] for k in range(3))
                 self.assertAlmostEqual(dot, i == j, delta=1e-12)
 
+    @long
     def test_several_shapes_share_a_polycube(self):
-        first, second = self.made("creature", 500 if SANITIZED else 1000), self.path("second.obj")
+        first, second = self.made("creature", 1000), self.path("second.obj")
         positions, triangles = read_obj(first)
         with open(second, "w", encoding="ascii") as file:
             for x, y, z in positions:
@@ -367,6 +369,7 @@ class Polycube(InFolder):
         self.assertEqual(done.returncode, 2)
         self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
 
+    @long
     def test_corners_in_better_places_leave_a_polycube_that_is_no_worse(self):
         path, out, report = self.made("bracket", 1500), self.path("out.obj"), self.path("report.json")
         for options in (("corners", "--corner-search", "gradient"), ("all", "--area-weight", 0.5)):

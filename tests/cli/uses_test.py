@@ -8,7 +8,7 @@ import math
 import struct
 import zlib
 
-from command import Glb, InFolder, main, read_obj, run
+from command import Glb, InFolder, long, main, read_obj, run
 
 
 class Uses(InFolder):
@@ -51,6 +51,7 @@ class Remesh(Uses):
             self.assertIn(remesh, text)
             self.assertEqual(len(read_obj(out)[0]), report["vertices"])
 
+    @long
     def test_a_finer_grid_is_nearer(self):
         creature = self.made("creature", 6000)
         distances = []
@@ -178,6 +179,7 @@ class Morphs(Uses):
             for j in range(3):
                 self.assertAlmostEqual(sum(rotation[i][k] * rotation[j][k] for k in range(3)), float(i == j), places=12)
 
+    @long
     def test_landmarks_that_bend_much_turn_nothing_over(self):
         a, b = self.made("creature", 3000), self.made("star", 1500)
         ends = []
@@ -206,6 +208,7 @@ class Morphs(Uses):
         self.assertEqual(report["shapes"][1]["landmarks"]["count"], 1)
         self.assertLess(report["shapes"][1]["landmarks"]["angle"]["max"], 1e-13)
 
+    @long
     def test_other_meshes_more_shapes_and_steps(self):
         shapes = [self.made("blob", 1500, seed=i, name=f"shape{i}.obj") for i in range(3)]
         report, _ = self.report("morph", *shapes, "-o", self.path("morph.glb"), "--grid", "first", "--steps", "2", "--seconds", "1.5")

@@ -83,7 +83,7 @@ TEST_CASE("Fields are units, aligned to 1e-6 degrees, within the bound of angles
   }
 }
 
-TEST_CASE("The best of all starts is no worse than any of them") {
+TEST_CASE("The best of all starts is no worse than any of them" * doctest::test_suite("long")) {
   const test::Solid solid = test::ball(8);
   const double best = computed(solid).energy;
   for (const Start start : starts) {
@@ -126,7 +126,7 @@ TEST_CASE("Results are the same bits for any number of threads") {
   CHECK(same_bits(computed(solid, options, {}, crowd).field, computed(solid, options, {}, alone).field));
 }
 
-TEST_CASE("Results are the same bits for any numbers of vertices and tetrahedra") {
+TEST_CASE("Results are the same bits for any numbers of vertices and tetrahedra" * doctest::test_suite("long")) {
   const test::Solid solid = test::shaken(test::ball(10), 1e-3);
   const Options options{.repairs = Repairs::places};
   const Outcome one = computed(solid, options);
@@ -155,7 +155,7 @@ TEST_CASE("Results are the same bits for any numbers of vertices and tetrahedra"
   CHECK(shuffled.repair.after.unmeshable() == one.repair.after.unmeshable());
 }
 
-TEST_CASE("The field of a solid that is moved is the moved field") {
+TEST_CASE("The field of a solid that is moved is the moved field" * doctest::test_suite("long")) {
   const test::Solid solid = test::shaken(test::ball(8), 0.02);
   const Outcome one = computed(solid);
   std::mt19937_64 random(2);

@@ -164,7 +164,8 @@ TEST_CASE("Gauss-Legendre quadrature is exact to its degree") {
   }
 }
 
-TEST_CASE("The functions are orthonormal: analysis on a quadrature grid undoes synthesis, at degree 220") {
+TEST_CASE("The functions are orthonormal: analysis on a quadrature grid undoes synthesis, at degree 220" *
+          doctest::test_suite("long")) {
   constexpr std::uint32_t degree = 220;
   const Grid grid(degree);
   const Coefficients given = Samples(3).coefficients(degree, 1);

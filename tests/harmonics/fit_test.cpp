@@ -184,7 +184,8 @@ TEST_CASE("Samples on one circle determine what can be seen there and nothing el
   }
 }
 
-TEST_CASE("A hole in the samples is told by the condition, and as rank-deficient when it is beyond rounding") {
+TEST_CASE("A hole in the samples is told by the condition, and as rank-deficient when it is beyond rounding" *
+          doctest::test_suite("long")) {
   Samples samples(17);
   std::vector<Vector3> directions;
   std::vector<double> values;

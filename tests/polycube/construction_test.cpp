@@ -43,7 +43,8 @@ double score(const BestConstruction& best) {
 
 }  // namespace
 
-TEST_CASE("The map kept is no worse than that of either construction, and within the budget") {
+TEST_CASE("The map kept is no worse than that of either construction, and within the budget" *
+          doctest::test_suite("long")) {
   struct Case {
     const char* name;
     std::size_t corners;

@@ -280,7 +280,7 @@ TEST_CASE("Maps stay valid, energies never rise, and bits are the same for all t
   }
 }
 
-TEST_CASE("Neither a motion nor the size of the surface matters") {
+TEST_CASE("Neither a motion nor the size of the surface matters" * doctest::test_suite("long")) {
   SurfaceMap map = creature(), moved = creature();
   const Eigen::AngleAxisd turn(0.9, Vector3(1, 2, 2).normalized());
   for (Vector3& p : moved.positions)

@@ -233,7 +233,8 @@ TEST_CASE("Steps of a vertex lower the energy, keep the signs, and end where no 
   CHECK(star.positive());
 }
 
-TEST_CASE("Voxel polycubes of shapes of several genera have certified maps within their budgets") {
+TEST_CASE("Voxel polycubes of shapes of several genera have certified maps within their budgets" *
+          doctest::test_suite("long")) {
   struct Case {
     const char* name;
     std::size_t corners, reached;

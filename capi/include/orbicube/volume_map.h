@@ -80,7 +80,7 @@ typedef struct obc_volume_map_solid obc_volume_map_solid;
 typedef struct obc_volume_map_solid_options {
   uint32_t struct_size;
   int32_t reserved;
-  size_t corners; /* of the polycube at most, as in obc_polycube_options. Default 60 */
+  size_t corners; /* of the polycube at most, as in obc_polycube_options. Default 100 */
   uint64_t seed;  /* of what is chosen at random. Default 0 */
 } obc_volume_map_solid_options;
 /* The defaults, which the members' comments give. */
@@ -116,7 +116,7 @@ typedef struct obc_volume_map_hexes_options {
   uint32_t struct_size;
   int32_t padding;  /* OBC_VOLUME_MAP_PADDING_...; auto by default */
   size_t cells;     /* about so many hexahedra, 1 to 10 million. Default 10000 */
-  size_t corners;   /* of the polycube at most, as in obc_polycube_options. Default 60 */
+  size_t corners;   /* of the polycube at most, as in obc_polycube_options. Default 100 */
   size_t triangles; /* a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000 */
   uint64_t seed;    /* of what the polycube chooses at random. Default 0 */
   int32_t rounds;   /* of smoothing. Default 40 */
