@@ -37,7 +37,8 @@ constexpr double first_smoothing_time = 1e-4;
 constexpr int sweeps = 5;
 constexpr int repair_passes = 60;
 
-// What the best polycube has no room for is labelled anew by itself.
+// What the best polycube has no room for is labelled anew by itself, with a compactness of this at its rim and still
+// less inside.
 constexpr double limb_compactness = 0.003;
 constexpr int most_limbs = 12;
 constexpr std::size_t most_limb_changes = 100, most_limb_steps = 1000;
@@ -261,6 +262,7 @@ class LabelConstruction {
       free[i] = 1;
       labels[i] = best_label(costs, i);
       for (Index h = 3 * i; h < 3 * i + 3; ++h) {
+        // Inside once from either side.
         costs.boundary[h] = limb_compactness / compactness * costs.boundary[h];
         costs.boundary[coarse_.opposite(h)] = costs.boundary[h];
       }

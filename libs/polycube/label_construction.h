@@ -3,7 +3,8 @@
 // The surface is turned towards the axes, labelled by graph cuts from coarse to fine with normals as they are, after
 // some smoothing, and turned where limbs bend (label_cut.h, normal_flow.h, normal_turning.h), the labels are repaired
 // (label_repair.h), and each labelling that may be a polycube is made into a map (labelled_map.h, or
-// labelled_target.h). Of the certified ones the least distorted within the budget of corners is the result.
+// labelled_target.h). Of the certified ones the least distorted within the budget of corners is the result, once parts
+// that it has no room for, such as horns, have got boxes of their own (distorted_regions.h).
 //
 // Surfaces of many triangles are decimated for all of that. The labels then go back to the whole surface with the
 // vertices (decimation.h), which keeps charts, arcs and corners; the whole surface is decimated once more with them,
