@@ -92,7 +92,7 @@ pub struct obc_volume_map_untangle_report {
 pub struct obc_volume_map_solid_options {
     pub struct_size: u32,
     pub reserved: i32,
-    /// of the polycube at most, as in obc\_polycube\_options. Default 60
+    /// of the polycube at most, as in obc\_polycube\_options. Default 100
     pub corners: usize,
     /// of what is chosen at random. Default 0
     pub seed: u64,
@@ -107,7 +107,7 @@ pub struct obc_volume_map_hexes_options {
     pub padding: i32,
     /// about so many hexahedra, 1 to 10 million. Default 10000
     pub cells: usize,
-    /// of the polycube at most, as in obc\_polycube\_options. Default 60
+    /// of the polycube at most, as in obc\_polycube\_options. Default 100
     pub corners: usize,
     /// a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000
     pub triangles: usize,
