@@ -1,7 +1,6 @@
 #include "polycube/distorted_regions.h"
 
 #include <algorithm>
-#include <utility>
 
 #include "polycube/distortion.h"
 
