@@ -3,6 +3,7 @@
 // seeded_main.cpp.
 #pragma once
 
+#include <chrono>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -109,6 +110,7 @@ class Input {
 };
 
 // Memory that ends, and a run that may be cancelled: a host for one input. Every block must have come back in the end.
+// Searches that have gone on for some seconds are asked to stop: what takes long then is what does not ask.
 class Host {
  public:
   explicit Host(Input& input, std::size_t most = std::size_t{256} << 20)
@@ -119,7 +121,7 @@ class Host {
       Host& self = *static_cast<Host*>(user);
       require(phase != nullptr && *phase != '\0', "progress without a phase");
       require(!self.stopped_, "a report after the one that stopped the work");
-      self.stopped_ = self.until_-- == 0;
+      self.stopped_ = self.until_-- == 0 || std::chrono::steady_clock::now() > self.last_;
       return self.stopped_ ? 1 : 0;
     };
     host_.progress_user = this;
@@ -131,7 +133,9 @@ class Host {
 
   // For a call: whatever the last one did is forgotten.
   const obc_host* c() {
+    constexpr std::chrono::seconds longest{5};
     stopped_ = false;
+    last_ = std::chrono::steady_clock::now() + longest;
     return &host_;
   }
 
@@ -151,6 +155,7 @@ class Host {
   obc_allocator allocator_ = {allocate, release, this};
   std::size_t most_, used_ = 0;
   std::uint32_t until_;
+  std::chrono::steady_clock::time_point last_;
   bool stopped_ = false;
 };
 
