@@ -1,5 +1,6 @@
 """Puts the shared libraries into the package. They are those of the folder named by ORBICUBE_LIBRARIES, or else built by
-Meson from the tree that this folder lies in. Without either the package has none, and uses those that are installed.
+Meson from the tree that this folder lies in: all, or those that ORBICUBE_BUILD lists (trust_region,mesh) with what they
+use. Without either the package has none, and uses those that are installed.
 
 TetGen's licence, the AGPL 3, binds those who link it: the library `tetrahedra` is only put in with ORBICUBE_TETGEN=1.
 """
@@ -30,8 +31,13 @@ def built_libraries(folder):
         return None
     build = os.path.join(folder, "orbicube-libraries")
     if not os.path.exists(os.path.join(build, "build.ninja")):
-        subprocess.run(["meson", "setup", build, TREE, "--prefix", os.path.join(build, "prefix"), "--libdir", "lib", "-Dtests=false", "-Dexamples=false", "-Dcli=disabled",
-                        "-Ddefault_library=shared"] + (["-Dtetgen=disabled"] if not with_tetgen() else []), check=True)
+        options = ["--prefix", os.path.join(build, "prefix"), "--libdir", "lib", "-Dtests=false", "-Dexamples=false",
+                   "-Dcli=disabled", "-Ddefault_library=shared"]
+        if not with_tetgen():
+            options.append("-Dtetgen=disabled")
+        if os.environ.get("ORBICUBE_BUILD"):
+            options.append("-Dlibraries=" + os.environ["ORBICUBE_BUILD"])
+        subprocess.run(["meson", "setup", build, TREE] + options, check=True)
     subprocess.run(["ninja", "-C", build], check=True)
     subprocess.run(["meson", "install", "-C", build, "--no-rebuild", "--quiet"], check=True)
     return os.path.join(build, "prefix", "lib")
