@@ -193,7 +193,10 @@ class Failures(InFolder):
     def test_the_bar_is_drawn_on_a_terminal_only(self):
         shape = self.made("creature", 60_000)
         for options, drawn in (((), True), (("--quiet",), False)):
-            terminal, end = pty.openpty()
+            try:
+                terminal, end = pty.openpty()
+            except OSError as error:  # a root folder without devpts
+                self.skipTest(str(error))
             with subprocess.Popen([COMMAND, "sphere", shape, "-o", self.path("map.obj"), *options],
                                   stdout=subprocess.PIPE, stderr=end) as process:
                 os.close(end)
