@@ -48,6 +48,9 @@ double Newton::step(double eps, const NewtonLimits& limits, EnergyValue& now) {
 bool Newton::untangle(int most_steps, double most_eps, int patience, const NewtonLimits& limits) {
   constexpr double least_eps = 1e-9;
   constexpr double hopeless_eps = 1e-5;
+  // Of eps, as a part of the way. After a whole step energies have little more to say, and steps are what takes time.
+  constexpr double least_fall = 0.3;
+  constexpr double least_short_fall = 0.1;
   constexpr int most_stuck = 8;
   constexpr double collapsed = 0.01;
   constexpr double little = 1e-3;
@@ -67,7 +70,7 @@ bool Newton::untangle(int most_steps, double most_eps, int patience, const Newto
       if (now_.inverted == 0) return true;
       if (last - now_.energy < little * last) break;
     }
-    const double sigma = std::max(0.1, 1 - now_.energy / before);
+    const double sigma = std::max(length == 1 ? least_fall : least_short_fall, 1 - now_.energy / before);
     const double least = now_.least_determinant;
     const double m = std::hypot(least, eps);
     eps *= least < 0 ? 1 - sigma * m / (std::abs(least) + m) : 1 - sigma;

@@ -9,6 +9,7 @@
 #include "polycube/certificate.h"
 #include "volume_map/freeing_splits.h"
 #include "volume_map/harmonic_start.h"
+#include "volume_map/local_untangling.h"
 #include "volume_map/untangle.h"
 
 namespace orbicube::volume_map {
@@ -81,6 +82,14 @@ class Mapping {
     }
     std::fill(sliding_.begin() + static_cast<std::ptrdiff_t>(3 * vertices), sliding_.end(), 1);
     map.inverted_at_start = count_inverted(map.tetrahedra, start_, host).count;
+  }
+
+  // Only neighbourhoods of inverted elements move.
+  LocalUntangling untangle_neighbourhoods() {
+    map_.image = start_;
+    LocalUntangling local = untangle_locally(elements_, sliding_, 1, options_.steps, map_.image, host_);
+    map_.steps += local.steps;
+    return local;
   }
 
   // All vertices of the boundary slide; where elements jam, a growing ring round them is held to the surface map, and
@@ -180,14 +189,18 @@ SolidMap map_solid(const polycube::SurfaceMap& surface, std::span<const Vector3>
   constexpr int most_refinements = 3;
   for (int refinements = 0;; ++refinements) {
     Mapping mapping(surface, target, map, options, host);
-    if (mapping.untangle(refinements == most_refinements ? 3 : 1)) {
+    const bool last = refinements == most_refinements;
+    const LocalUntangling local = mapping.untangle_neighbourhoods();
+    const bool jammed = !local.jammed.empty();  // not too much to try neighbourhoods alone
+    if (local.done || ((last || !jammed) && mapping.untangle(last ? 3 : 1))) {
       mapping.polish();
       break;
     }
-    if (refinements == most_refinements) {
+    if (last)
       throw base::Error("no-valid-result", "the map of the solid could not be made one to one: " + mapping.inverted());
-    }
-    map.added += split_edges_at(map.source, map.tetrahedra, mapping.jammed(), host);
+    const std::span<const std::uint8_t> marked = local.jammed;
+    map.added +=
+        split_edges_at(map.source, map.tetrahedra, jammed ? marked.first(map.source.size()) : mapping.jammed(), host);
   }
   map.image.resize(map.source.size());
   const InvertedCount found = count_inverted(map.tetrahedra, map.image, host);

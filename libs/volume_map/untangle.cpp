@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "mesh/predicates.h"
+#include "volume_map/local_untangling.h"
 #include "volume_map/newton.h"
 #include "volume_map/solid_pieces.h"
 
@@ -55,6 +56,26 @@ double scale_of(const TangledMesh& mesh, std::span<const Vector3> start) {
   return scale;
 }
 
+// Coordinates that stay while a neighbourhood moves: also those that others far away are tied to.
+Array<std::uint8_t> held_of(const TangledMesh& mesh, std::pmr::memory_resource* memory) {
+  Array<std::uint8_t> held(3 * mesh.start.size(), 0, memory);
+  std::copy(mesh.fixed.begin(), mesh.fixed.end(), held.begin());
+  for (std::size_t i = 0; i < mesh.ties.size(); ++i) {
+    if (mesh.ties[i] != no_index) held[i] = 1;
+  }
+  return held;
+}
+
+Array<double> values_of(const Variables& variables, std::span<const Vector3> positions,
+                        std::pmr::memory_resource* memory) {
+  Array<double> values(variables.size(), 0, memory);
+  for (std::size_t v = 0; v < positions.size(); ++v) {
+    for (std::size_t a = 0; a < 3; ++a)
+      values[variables.of(v, a)] = positions[v][static_cast<Eigen::Index>(a)];
+  }
+  return values;
+}
+
 }  // namespace
 
 InvertedCount count_inverted(std::span<const Tetrahedron> tetrahedra, std::span<const Vector3> positions,
@@ -89,11 +110,16 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
     result.inverted = found.count;
     result.first_inverted = found.first;
   };
-  // Far from a solution a large eps finds the way, unless all may collapse.
+  // Where few are inverted, their neighbourhoods alone move, and in these what is not tied.
+  const LocalUntangling local = untangle_locally(elements, held_of(mesh, host.memory), options.volume_weight,
+                                                 options.steps, result.positions, host);
+  if (local.done) newton.restart(values_of(variables, result.positions, host.memory));
+  // Otherwise everything does. Far from a solution a large eps finds the way, unless all may collapse.
   Array<double> best(newton.values().begin(), newton.values().end(), host.memory);
   std::size_t fewest = newton.now().inverted;
   bool first = true;
   for (const auto& [most_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
+    if (local.done) break;
     if (!first) newton.restart(variables.start());
     first = false;
     const bool done = newton.untangle(options.steps, most_eps, patience, {});
@@ -104,13 +130,13 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
     if (done) break;
   }
   if (newton.now().inverted > fewest) newton.restart(best);
-  result.steps = newton.steps();
+  result.steps = newton.steps() + local.steps;
   certify();
   if (newton.now().inverted == 0 && (options.polish_steps > 0 || result.inverted > 0)) {
     const Array<Vector3> before(result.positions, host.memory);
     const std::size_t inverted = result.inverted;
     newton.polish(std::max(options.polish_steps, inverted > 0 ? 5 : 0), least_gain, {.tolerance = 3e-2});
-    result.polish_steps = newton.steps() - result.steps;
+    result.polish_steps = newton.steps() + local.steps - result.steps;
     certify();
     // What is positive in floating point may be flat by exact arithmetic, if only just.
     if (result.inverted > inverted) {
