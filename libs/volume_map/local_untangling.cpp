@@ -15,7 +15,7 @@ class Neighbourhoods {
       : elements_(elements),
         fixed_(fixed),
         lambda_(lambda),
-        most_steps_(std::min(most_steps, 150)),
+        most_steps_(std::min(most_steps, steps_in_reason)),
         positions_(positions),
         host_(host),
         incident_begin_(positions.size() + 1, 0, host.memory),
@@ -73,6 +73,7 @@ class Neighbourhoods {
       result.jammed[v] = 1;
     Array<Index> vertices(host_.memory);
     Array<Element> around(host_.memory);
+    Array<Index> used(host_.memory);
     for (const Index first : region_) {
       if (place_[first] != no_index) continue;
       vertices.clear();
@@ -83,7 +84,7 @@ class Neighbourhoods {
         });
       const std::size_t movable = vertices.size();
       around.clear();
-      Array<Index> used(host_.memory);
+      used.clear();
       for (std::size_t i = 0; i < movable; ++i) {
         const Index v = vertices[i];
         for (Index k = incident_begin_[v]; k < incident_begin_[v + 1]; ++k) {
@@ -112,6 +113,7 @@ class Neighbourhoods {
 
  private:
   static constexpr std::size_t slab = 16384;
+  static constexpr int steps_in_reason = 150;  // what takes more jams most often
 
   bool can_move(Index v) const {
     const std::size_t i = 3 * static_cast<std::size_t>(v);

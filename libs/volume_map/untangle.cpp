@@ -119,15 +119,14 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
   std::size_t fewest = newton.now().inverted;
   bool first = true;
   for (const auto& [most_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
-    if (local.done) break;
+    if (newton.now().inverted == 0) break;
     if (!first) newton.restart(variables.start());
     first = false;
-    const bool done = newton.untangle(options.steps, most_eps, patience, {});
+    newton.untangle(options.steps, most_eps, patience, {});
     if (newton.now().inverted < fewest) {
       fewest = newton.now().inverted;
       best.assign(newton.values().begin(), newton.values().end());
     }
-    if (done) break;
   }
   if (newton.now().inverted > fewest) newton.restart(best);
   result.steps = newton.steps() + local.steps;
