@@ -1,5 +1,5 @@
-// What nearly every file of a library on Eigen includes, read once where the option b_pch is on: reading it takes
-// longer than what many of the files add. The build without it shows whether each file includes what it needs.
+// What nearly every file of a library on Eigen includes, read once a library: reading it takes longer than what many of
+// the files add. A build with -Db_pch=false shows whether each file includes what it needs.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>

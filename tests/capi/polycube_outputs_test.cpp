@@ -141,7 +141,8 @@ TEST_CASE("The polycube of a cube's map as a graph, and its quads") {
   obc_polycube_destroy(map);
 }
 
-TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a corner where it is told to be") {
+TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a corner where it is told to be" *
+          doctest::test_suite("long")) {
   obc_mesh* mesh = nullptr;
   obc_surface surface;
   obc_error error;
