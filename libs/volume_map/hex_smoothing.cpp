@@ -4,18 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "mesh/nearest.h"
+#include "volume_map/hex_tetrahedra.h"
 #include "volume_map/newton.h"
 
 namespace orbicube::volume_map {
 namespace {
 
-// The edges of a hexahedron along each of its three directions, and the direction of each corner's three edges.
-constexpr std::array<std::array<std::array<std::uint8_t, 2>, 4>, 3> edges_along = {
-    {{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}}, {{{1, 2}, {0, 3}, {5, 6}, {4, 7}}}, {{{0, 4}, {1, 5}, {2, 6}, {3, 7}}}}};
-constexpr std::array<std::array<std::uint8_t, 3>, 8> direction_of_edge = {
-    {{0, 1, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {0, 1, 2}}};
 constexpr double padding_length = 0.6;  // across the layer at the boundary
 
 class Smoothing {
@@ -28,18 +25,16 @@ class Smoothing {
         options_(options),
         host_(host),
         anchor_(mesh.positions, host.memory),
-        elements_(8 * mesh.hexahedra.size(), host.memory),
+        elements_(host.memory),
+        edges_(mesh.hexahedra.size(), no_index, host.memory),
         pulls_(mesh.positions.size(), Pull(), host.memory),
         stiffness_(mesh.positions.size(), 1, host.memory),
         samples_(host.memory),
         variables_(mesh.positions, {}, {}, host.memory) {
-    for (std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
-      const Hexahedron& h = mesh.hexahedra[i];
-      for (std::size_t k = 0; k < 8; ++k) {
-        const auto& n = corner_neighbours[k];
-        elements_[8 * i + k].corner = {h[k], h[n[0]], h[n[1]], h[n[2]]};
-        elements_[8 * i + k].weight = 1;
-      }
+    elements_.reserve(corner_tetrahedra * mesh.hexahedra.size());
+    for (const Hexahedron& h : mesh.hexahedra) {
+      for (std::size_t k = 0; k < corner_tetrahedra; ++k)
+        elements_.push_back(hex_tetrahedra[k].element(h));
     }
     // Vertices and centers of the surface, so many that a look at all of them is quick.
     constexpr std::size_t most_samples = 30000;
@@ -67,46 +62,44 @@ class Smoothing {
   }
 
   bool run() {
-    constexpr double volume_weight = 0.1;
     set_shapes(0);
-    FoldoverEnergy energy(elements_, variables_, volume_weight, host_);
-    energy.set_pulls(pulls_);
-    Newton newton(energy, variables_.start(), host_);
+    begin(variables_.start());
     // Of eps, a step. The start is near to a mesh without inverted corners most often, so that it may fall quickly.
-    constexpr double quick = 0.5, slow = 0.1;
-    bool positive = untangle(energy, newton, quick);
+    bool positive = untangle(first_pull, quick);
     if (!positive) {
-      newton.restart(variables_.start());
-      positive = untangle(energy, newton, slow);
+      newton_->restart(variables_.start());
+      positive = untangle(first_pull, slow);
     }
-    variables_.expand(newton.values(), mesh_.positions);
     if (!positive) return false;
     Array<Vector3> best_positions(host_.memory);
     double best = -std::numeric_limits<double>::infinity();
     for (int round = 0; round < options_.rounds; ++round) {
       host_.report("smooth", static_cast<std::uint64_t>(round), static_cast<std::uint64_t>(options_.rounds));
       const double progress = std::min(1.0, round / (0.5 * options_.rounds));
-      set_shapes(std::min(1.0, round / 6.0));
+      const double own = std::min(1.0, round / 6.0), pull = first_pull * std::pow(50.0, progress);
+      // Where corners have had time to become good.
+      if (round % 4 == 0 && 2 * round >= options_.rounds && 10 * round <= 9 * options_.rounds) untwist(own, pull);
+      set_shapes(own);
       if (round >= 4) set_weights();
       if (round % 4 == 0 && 10 * round >= 4 * options_.rounds && 10 * round <= 7 * options_.rounds)
         release_what_is_bad();
       if (options_.lift && round >= 4 && round % 2 == 0)
         boundary_.lift(mesh_.positions, mesh_.quads, mesh_.quad_patches, host_);
-      set_pulls(20 * std::pow(50.0, progress));
+      set_pulls(pull);
       if (round % 2 == 0) find_uncovered();
       // Not before the pulls have done most of what they can.
       if (round % 2 == 0 && 10 * round >= 3 * options_.rounds && options_.distance > 0) hold_what_is_far();
       add_uncovered();
-      EnergyValue now = energy.value(newton.values(), 0);
+      EnergyValue now = energy_->value(newton_->values(), 0);
       for (int k = 0; k < 2; ++k) {
         const double before = now.energy;
-        newton.step(0, {.products = 60, .tolerance = 3e-2}, now);
+        newton_->step(0, {.products = 60, .tolerance = 3e-2}, now);
         if (now.energy > before * (1 - 1e-5)) break;
       }
-      variables_.expand(newton.values(), mesh_.positions);
+      variables_.expand(newton_->values(), mesh_.positions);
       // Projections may change from round to round: the best of the last rounds counts.
       if (4 * round < 3 * options_.rounds) continue;
-      const double score = worst_corner() - excess();
+      const double score = worst() - excess();
       if (score > best) {
         best = score;
         best_positions.assign(mesh_.positions.begin(), mesh_.positions.end());
@@ -117,32 +110,83 @@ class Smoothing {
   }
 
  private:
-  double worst_corner() const {
-    double worst = 1;
-    for (const Hexahedron& h : mesh_.hexahedra)
-      worst = std::min(worst, scaled_jacobian(mesh_.positions, h));
-    return worst;
+  static constexpr double quick = 0.5, slow = 0.1;
+  static constexpr double first_pull = 20;
+
+  // From these values of the variables on, with the elements that there are now.
+  void begin(std::span<const double> values) {
+    constexpr double volume_weight = 0.1;
+    newton_.reset();
+    energy_.emplace(elements_, variables_, volume_weight, host_);
+    energy_->set_pulls(pulls_);
+    newton_.emplace(*energy_, values, host_);
   }
 
-  bool untangle(FoldoverEnergy& energy, Newton& newton, double least_fall) {
+  // A determinant that may be negative is worse than any corner.
+  double worst() const {
+    double result = 1;
+    for (const Hexahedron& h : mesh_.hexahedra) {
+      const double least = least_bezier(mesh_.positions, h);
+      result = std::min(result, least > 0 ? scaled_jacobian(mesh_.positions, h) : least);
+    }
+    return result;
+  }
+
+  // Until all elements are positive. The mesh follows.
+  bool untangle(double pull, double least_fall) {
     double eps = 0;
     for (int k = 0; k < options_.untangling_steps; ++k) {
-      variables_.expand(newton.values(), mesh_.positions);
-      set_pulls(20);
-      EnergyValue now = energy.value(newton.values(), 1);
+      variables_.expand(newton_->values(), mesh_.positions);
+      set_pulls(pull);
+      EnergyValue now = energy_->value(newton_->values(), 1);
       host_.report("untangle", static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(options_.untangling_steps),
                    static_cast<double>(now.inverted));
       if (now.inverted == 0) return true;
       if (k == 0) eps = std::clamp(std::hypot(1e-3, 0.2 * now.least_determinant), 1e-3, 1.0);
-      now = energy.value(newton.values(), eps);
+      now = energy_->value(newton_->values(), eps);
       const double before = now.energy;
-      newton.step(eps, {.products = 80}, now);
+      newton_->step(eps, {.products = 80}, now);
       const double sigma = std::max(least_fall, 1 - now.energy / before);
       const double least = now.least_determinant, m = std::hypot(least, eps);
       eps = std::max(eps * (least < 0 ? 1 - sigma * m / (std::abs(least) + m) : 1 - sigma), 1e-9);
     }
-    variables_.expand(newton.values(), mesh_.positions);
-    return energy.value(newton.values(), 1).inverted == 0;
+    variables_.expand(newton_->values(), mesh_.positions);
+    return energy_->value(newton_->values(), 1).inverted == 0;
+  }
+
+  // Hexahedra whose corners are positive while the determinant inside may not be: the tetrahedra along their edges are
+  // turned right, and count from now on. Where that fails all is as before.
+  void untwist(double own, double pull) {
+    Array<Index> twisted(host_.memory);
+    for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
+      if (edges_[i] == no_index && least_bezier(mesh_.positions, mesh_.hexahedra[i]) <= 0) twisted.push_back(i);
+    }
+    if (twisted.empty()) return;
+    const std::size_t elements = elements_.size();
+    for (const Index i : twisted) {
+      edges_[i] = static_cast<Index>(elements_.size());
+      for (std::size_t k = corner_tetrahedra; k < hex_tetrahedra.size(); ++k)
+        elements_.push_back(hex_tetrahedra[k].element(mesh_.hexahedra[i]));
+    }
+    set_shapes(own);
+    const Array<double> before(newton_->values().begin(), newton_->values().end(), host_.memory);
+    begin(before);
+    if (untangle(pull, quick)) return;
+    elements_.resize(elements);
+    for (const Index i : twisted)
+      edges_[i] = no_index;
+    begin(before);
+    variables_.expand(before, mesh_.positions);
+  }
+
+  // Each tetrahedron of a hexahedron that counts, and its element.
+  template <class Body>
+  void for_tetrahedra(std::size_t hexahedron, const Body& body) {
+    for (std::size_t k = 0; k < corner_tetrahedra; ++k)
+      body(hex_tetrahedra[k], elements_[corner_tetrahedra * hexahedron + k]);
+    if (edges_[hexahedron] == no_index) return;
+    for (std::size_t k = 0; k < edge_tetrahedra; ++k)
+      body(hex_tetrahedra[corner_tetrahedra + k], elements_[edges_[hexahedron] + k]);
   }
 
   // Every hexahedron is to be a box: a cube of edges 1 to begin with, then with its own mean lengths.
@@ -158,14 +202,7 @@ class Smoothing {
         const double wanted = d == 2 && padding ? padding_length : 1;
         length[d] = own * std::clamp(mean, 0.15, 3.0) + (1 - own) * wanted;
       }
-      for (std::size_t k = 0; k < 8; ++k) {
-        auto& g = elements_[8 * i + k].gradient;
-        g[0].setZero();
-        for (std::size_t l = 0; l < 3; ++l) {
-          g[l + 1] = Vector3::Unit(static_cast<Eigen::Index>(l)) / length[direction_of_edge[k][l]];
-          g[0] -= g[l + 1];
-        }
-      }
+      for_tetrahedra(i, [&](const HexTetrahedron& t, Element& element) { t.set_shape(length, element); });
     }
   }
 
@@ -173,11 +210,10 @@ class Smoothing {
   void set_weights() {
     constexpr double enough = 0.7;
     for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
-      for (std::size_t k = 0; k < 8; ++k) {
-        const double ratio = enough / std::max(0.02, corner_jacobian(mesh_.positions, mesh_.hexahedra[i], k));
-        double& weight = elements_[8 * i + k].weight;
-        weight = std::clamp(ratio * ratio * weight, 1.0, options_.most_weight);
-      }
+      for_tetrahedra(i, [&](const HexTetrahedron& t, Element& element) {
+        const double ratio = enough / std::max(0.02, t.scaled_jacobian(mesh_.positions, element));
+        element.weight = std::clamp(ratio * ratio * element.weight, 1.0, options_.most_weight);
+      });
     }
     // What pulls to the surface is to keep pace.
     constexpr double light = 10;
@@ -353,13 +389,16 @@ class Smoothing {
   const HexSmoothingOptions& options_;
   const base::Host& host_;
   Array<Vector3> anchor_;
-  Array<Element> elements_;
+  Array<Element> elements_;  // eight a hexahedron, then those of edges
+  Array<Index> edges_;       // of each hexahedron, where those begin if they count
   Array<Pull> pulls_;
   Array<double> stiffness_;  // of what pulls each vertex to the surface
   Array<Sample> samples_;
   Array<Uncovered> uncovered_{host_.memory};
   Array<Index> homes_{host_.memory};  // the quad of each sample
   Variables variables_;
+  std::optional<FoldoverEnergy> energy_;
+  std::optional<Newton> newton_;
 };
 
 }  // namespace

@@ -17,6 +17,7 @@
 #include "volume_map/coarse_surface.h"
 #include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
+#include "volume_map/hex_tetrahedra.h"
 #include "volume_map/padding.h"
 #include "volume_map/sharp_map.h"
 #include "volume_map/surface_distance.h"
@@ -71,6 +72,48 @@ TEST_CASE("Bernstein coefficients are those of the trilinear map's determinant")
       sum += f[static_cast<std::size_t>(i)] * bernstein(i % 3, at[0]) * bernstein(i / 3 % 3, at[1]) *
              bernstein(i / 9, at[2]);
     CHECK(sum == doctest::Approx(determinant(p, at)).epsilon(1e-12));
+  }
+}
+
+TEST_CASE(
+    "The tetrahedra at corners and along edges are boxes in a box, and have the determinant's coefficients there") {
+  std::mt19937_64 random(5);
+  const std::array<double, 3> lengths = {2, 0.5, 3};
+  std::vector<Vector3> box;
+  for (const auto& c : corners)
+    box.push_back(Vector3(lengths[0] * c[0], lengths[1] * c[1], lengths[2] * c[2]));
+  for (const HexTetrahedron& t : hex_tetrahedra) {
+    Element element = t.element(whole);
+    t.set_shape(lengths, element);
+    const Eigen::Matrix3d jacobian = element.jacobian(box);
+    CHECK((jacobian.transpose() * jacobian - Eigen::Matrix3d::Identity()).norm() < 1e-14);
+    CHECK(jacobian.determinant() == doctest::Approx(1));
+    CHECK(t.scaled_jacobian(box, element) == doctest::Approx(1));
+  }
+  // In a cube of edges 1 determinants are those of the wanted shape's map.
+  for (int trial = 0; trial < 100; ++trial) {
+    const std::vector<Vector3> p = cube(0.7, random);
+    const auto coefficients = bezier_coefficients(p, whole);
+    std::array<double, 27> means{};
+    for (std::size_t k = 0; k < hex_tetrahedra.size(); ++k) {
+      Element element = hex_tetrahedra[k].element(whole);
+      hex_tetrahedra[k].set_shape({1, 1, 1}, element);
+      const double determinant = element.jacobian(p).determinant();
+      // A corner's, or half-way between those of the first two vertices.
+      const auto& a = corners[element.corner[0]];
+      const auto& b = corners[element.corner[k < corner_tetrahedra ? 0 : 1]];
+      const int place = (a[0] + b[0]) + 3 * (a[1] + b[1]) + 9 * (a[2] + b[2]);
+      means[static_cast<std::size_t>(place)] += k < corner_tetrahedra ? determinant : determinant / 2;
+      if (k < corner_tetrahedra)
+        CHECK(hex_tetrahedra[k].scaled_jacobian(p, element) == doctest::Approx(corner_jacobian(p, whole, k)));
+    }
+    std::size_t compared = 0;
+    for (std::size_t i = 0; i < 27; ++i) {
+      if ((i % 3 == 1) + (i / 3 % 3 == 1) + (i / 9 == 1) > 1) continue;  // on faces and inside
+      ++compared;
+      CHECK(means[i] == doctest::Approx(coefficients[i]).epsilon(1e-10));
+    }
+    CHECK(compared == 20);
   }
 }
 
