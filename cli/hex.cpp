@@ -1,6 +1,5 @@
 // orbicube hex: a hexahedral mesh of a solid.
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,11 +8,11 @@
 
 #include "frame_hex.h"
 #include "hex_scene.h"
-#include "mesh/measures.h"
 #include "polycube_solid.h"
 #include "surface_file.h"
 #include "text.h"
 #include "verbs.h"
+#include "volume_map/hex_pieces.h"
 
 namespace orbicube::cli {
 namespace {
@@ -39,51 +38,6 @@ struct HexVerb {
   double features = 0;  // degrees
   bool text = false;
 };
-
-double volume_of(const PolycubeSolidInput& piece, const base::Host& host) {
-  return std::abs(mesh::measures(piece.positions, piece.surface, host).volume);
-}
-
-// Of so many cells those of one piece, by volumes.
-std::size_t share_of(const std::vector<PolycubeSolidInput>& pieces, const PolycubeSolidInput& piece, std::size_t cells,
-                     const base::Host& host) {
-  if (pieces.size() == 1) return cells;
-  double all = 0;
-  for (const PolycubeSolidInput& p : pieces)
-    all += volume_of(p, host);
-  const double share = std::round(static_cast<double>(cells) * volume_of(piece, host) / all);
-  return std::max(std::size_t{1}, static_cast<std::size_t>(share));
-}
-
-// A further piece, in its place.
-void add(volume_map::HexResult& result, volume_map::HexResult&& piece, const base::Host& host) {
-  volume_map::HexMesh& mesh = result.mesh;
-  if (mesh.hexahedra.empty()) {
-    result = std::move(piece);
-    return;
-  }
-  const auto first = static_cast<mesh::Index>(mesh.positions.size());
-  const mesh::Index first_patch = *std::max_element(mesh.quad_patches.begin(), mesh.quad_patches.end()) + 1;
-  mesh.positions.insert(mesh.positions.end(), piece.mesh.positions.begin(), piece.mesh.positions.end());
-  const auto take = [first](const auto& from, auto& to) {
-    for (auto cell : from) {
-      for (mesh::Index& v : cell)
-        v += first;
-      to.push_back(cell);
-    }
-  };
-  take(piece.mesh.hexahedra, mesh.hexahedra);
-  take(piece.mesh.quads, mesh.quads);
-  for (const mesh::Index patch : piece.mesh.quad_patches)
-    mesh.quad_patches.push_back(first_patch + patch);
-  result.quality = volume_map::measure_hexahedra(mesh.positions, mesh.hexahedra, host);
-  result.padded = result.padded || piece.padded;
-  result.follows_sharp_edges = result.follows_sharp_edges || piece.follows_sharp_edges;
-  result.off_surface += piece.off_surface;
-  // Each in percent of its own size.
-  result.distance = std::max(result.distance, piece.distance);
-  result.volume_error = std::max(result.volume_error, piece.volume_error);
-}
 
 void run_hex(const HexVerb& verb, Session& session) {
   require_cells_writable(verb.output);
@@ -113,19 +67,22 @@ void run_hex(const HexVerb& verb, Session& session) {
   }
   const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::nothing, session);
   const double start = session.seconds();
-  volume_map::HexResult result(session.host().memory);
+  std::vector<volume_map::PolycubeSurface> boundaries;
   std::size_t corners = 0;
   for (const PolycubeSolidInput& piece : pieces) {
     corners += piece.made.certificate.corners;
-    about(verb.output, Role::output, [&] {
-      const volume_map::HexOptions options{.cells = share_of(pieces, piece, verb.cells, session.host()),
-                                           .padding = paddings.at(verb.padding),
-                                           .distance = verb.distance,
-                                           .most_cells = share_of(pieces, piece, verb.most_cells, session.host()),
-                                           .sharp_angle = verb.sharp_edges};
-      add(result, volume_map::make_hexahedra(piece.boundary(), options, session.host()), session.host());
-    });
+    boundaries.push_back(piece.boundary());
   }
+  volume_map::HexResult result(session.host().memory);
+  about(verb.output, Role::output, [&] {
+    result = volume_map::make_hexahedra_of_pieces(boundaries,
+                                                  {.cells = verb.cells,
+                                                   .padding = paddings.at(verb.padding),
+                                                   .distance = verb.distance,
+                                                   .most_cells = verb.most_cells,
+                                                   .sharp_angle = verb.sharp_edges},
+                                                  session.host());
+  });
   const volume_map::HexQuality quality = result.quality;
   const double distance = result.distance, volume_error = result.volume_error;
   session.figures().update(Json{{"output", verb.output},

@@ -7,12 +7,14 @@
 #include "capi/src/entry.h"
 #include "capi/src/polycube_surface.h"
 #include "mesh/cells.h"
+#include "mesh/measures.h"
 #include "orbicube/volume_map.h"
 #include "polycube/construction.h"
 #include "volume_map/coarse_surface.h"
 #include "volume_map/frame_hexes.h"
-#include "volume_map/hex_meshing.h"
+#include "volume_map/hex_pieces.h"
 #include "volume_map/solid_boundary.h"
+#include "volume_map/solid_pieces.h"
 #include "volume_map/volume_map.h"
 
 using namespace orbicube;
@@ -82,6 +84,41 @@ mesh::Mesh solid_of(const double* positions, size_t vertex_count, const uint32_t
   return solid;
 }
 
+// A connected part of a surface, with its polycube.
+struct PieceOfSurface {
+  mesh::Mesh surface;
+  polycube::Construction made;
+  bool coarser = false;  // the polycube is that of a coarser surface
+
+  volume_map::PolycubeSurface mapped() const {
+    if (!coarser) return {made.map};
+    return {made.map, surface.positions, surface.triangles};
+  }
+};
+
+base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volume_map_hexes_options& o,
+                                      const base::Host& host) {
+  capi::require_closed_surfaces(s, host);
+  mesh::Mesh whole(host.memory);
+  whole.positions.assign(s.positions.begin(), s.positions.end());
+  whole.triangles.assign(s.triangles.begin(), s.triangles.end());
+  const volume_map::Pieces pieces = volume_map::surface_pieces(whole.positions, whole.triangles, host);
+  if (pieces.count > 1) volume_map::refuse_self_intersections(whole.positions, whole.triangles, 0, host);
+  base::Array<PieceOfSurface> result(host.memory);
+  for (std::size_t i = 0; i < pieces.count; ++i) {
+    mesh::Mesh surface = pieces.count == 1 ? std::move(whole) : volume_map::piece(whole, pieces, i, host);
+    capi::require_outward(mesh::measures(surface.positions, surface.triangles, host).volume);
+    const bool coarser = o.triangles > 0 && surface.triangles.size() / 2 > o.triangles;
+    const volume_map::CoarseSurface coarse = volume_map::coarse_surface(
+        surface.positions, surface.triangles, coarser ? o.triangles : surface.triangles.size(), host);
+    polycube::BestConstruction best = polycube::construct(
+        coarse.positions, coarse.triangles, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, host);
+    const bool of_coarse = coarse.triangles.size() < surface.triangles.size();
+    result.push_back({std::move(surface), std::move(best.made), of_coarse});
+  }
+  return result;
+}
+
 template <class From>
 void copy_out(const From& from, void* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof from[0]);
@@ -149,32 +186,28 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
                   "options->padding is none of the constants");
     auto made = std::make_unique<obc_volume_map_hexes>(host);
     const base::Host& h = made->adapter.host();
-    capi::require_one_surface(s, h);
-    const bool coarser = o.triangles > 0 && s.triangles.size() / 2 > o.triangles;
-    const volume_map::CoarseSurface coarse =
-        volume_map::coarse_surface(s.positions, s.triangles, coarser ? o.triangles : s.triangles.size(), h);
-    const polycube::BestConstruction best = polycube::construct(
-        coarse.positions, coarse.triangles, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
-    volume_map::PolycubeSurface mapped{best.made.map};
-    if (coarse.triangles.size() < s.triangles.size()) {
-      mapped.fine_positions = s.positions;
-      mapped.fine_triangles = s.triangles;
+    const base::Array<PieceOfSurface> pieces = pieces_of(s, o, h);
+    base::Array<volume_map::PolycubeSurface> mapped(h.memory);
+    std::size_t corners = 0;
+    for (const PieceOfSurface& piece : pieces) {
+      mapped.push_back(piece.mapped());
+      corners += piece.made.certificate.corners;
     }
-    made->made = volume_map::make_hexahedra(mapped,
-                                            {.cells = o.cells,
-                                             .padding = static_cast<volume_map::Padding>(o.padding),
-                                             .rounds = o.rounds,
-                                             .distance = o.distance,
-                                             .most_cells = o.most_cells,
-                                             .sharp_angle = o.sharp_angle},
-                                            h);
+    made->made = volume_map::make_hexahedra_of_pieces(mapped,
+                                                      {.cells = o.cells,
+                                                       .padding = static_cast<volume_map::Padding>(o.padding),
+                                                       .rounds = o.rounds,
+                                                       .distance = o.distance,
+                                                       .most_cells = o.most_cells,
+                                                       .sharp_angle = o.sharp_angle},
+                                                      h);
     obc_volume_map_hexes_report r{};
     r.struct_size = sizeof r;
     r.padded = made->made.padded ? 1 : 0;
     r.least_scaled_jacobian = made->made.quality.least_scaled_jacobian;
     r.mean_scaled_jacobian = made->made.quality.mean_scaled_jacobian;
     r.volume = made->made.quality.volume;
-    r.polycube_corners = best.made.certificate.corners;
+    r.polycube_corners = corners;
     r.off_surface = made->made.off_surface;
     r.distance = made->made.distance;
     r.volume_error = made->made.volume_error;

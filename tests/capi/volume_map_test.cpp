@@ -252,6 +252,62 @@ TEST_CASE("A box is filled with hexahedra that fill it") {
   CHECK(*std::max_element(faces.begin(), faces.end()) == 5);
 }
 
+TEST_CASE("Pieces that lie apart are filled together, cavities and pieces that meet are refused") {
+  const BoxSurface box;
+  const std::size_t vertices = box.surface.vertex_count, triangles = box.surface.triangle_count;
+  obc_volume_map_hexes_options options = few_hexes();
+  options.cells = 450;
+  // Two of the box, the second one scaled about the origin and moved along x; with `turned`, it looks inward.
+  const auto fill_with = [&](double scale, double move, bool turned, obc_volume_map_hexes_report* report,
+                             obc_volume_map_hexes** hexes, obc_error* error) {
+    std::vector<double> positions(box.surface.positions, box.surface.positions + 3 * vertices);
+    std::vector<std::uint32_t> corners(box.surface.triangles, box.surface.triangles + 3 * triangles);
+    for (std::size_t i = 0; i < 3 * vertices; ++i)
+      positions.push_back(scale * positions[i] + (i % 3 == 0 ? move : 0));
+    for (std::size_t t = 0; t < triangles; ++t) {
+      for (std::size_t k = 0; k < 3; ++k)
+        corners.push_back(static_cast<std::uint32_t>(vertices) + corners[3 * t + (turned ? 2 - k : k)]);
+    }
+    const obc_surface both = {positions.data(), 2 * vertices, corners.data(), 2 * triangles};
+    return obc_volume_map_hexes_compute(&both, &options, nullptr, report, hexes, error);
+  };
+  obc_volume_map_hexes_report report{};
+  report.struct_size = sizeof report;
+  obc_volume_map_hexes* hexes = nullptr;
+  obc_error error;
+  REQUIRE(fill_with(2, 10, false, &report, &hexes, &error) == OBC_OK);
+  CHECK(report.volume == doctest::Approx(12 + 96).epsilon(1e-6));
+  CHECK(report.polycube_corners == 16);
+  CHECK(report.least_scaled_jacobian > 0.9);
+  const std::size_t count = obc_volume_map_hexes_count(hexes);
+  std::vector<double> positions(3 * obc_volume_map_hexes_vertex_count(hexes));
+  std::vector<std::uint32_t> cells(8 * count), faces(obc_volume_map_hexes_quad_count(hexes));
+  REQUIRE(obc_volume_map_hexes_copy(hexes, positions.data(), cells.data(), nullptr, faces.data(), &error) == OBC_OK);
+  obc_volume_map_hexes_destroy(hexes);
+  hexes = nullptr;
+  // Each hexahedron is in one of the pieces; a ninth of the volume has about a ninth of them.
+  std::size_t in_first = 0, in_both = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    std::size_t first = 0;
+    for (std::size_t k = 0; k < 8; ++k)
+      first += positions[3 * cells[8 * i + k]] < 5;
+    in_first += first == 8;
+    in_both += first != 0 && first != 8;
+  }
+  CHECK(in_both == 0);
+  CHECK(count > 5 * in_first);
+  CHECK(count < 20 * in_first);
+  CHECK(*std::max_element(faces.begin(), faces.end()) == 11);
+
+  CHECK(fill_with(0.2, 1, true, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
+  CHECK(std::string(error.message).find("a cavity") != std::string::npos);
+  CHECK(fill_with(1, 1.5, false, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
+  CHECK(std::string(error.message).find("meet where they should not") != std::string::npos);
+  CHECK(fill_with(1, 10, true, nullptr, &hexes, &error) == OBC_DEGENERATE);
+  CHECK(std::string(error.message).find("inward") != std::string::npos);
+  CHECK(hexes == nullptr);
+}
+
 TEST_CASE("Sharp edges are followed from the angle that the options give") {
   const BoxSurface box;
   for (const double angle : {0.0, 89.0, 91.0}) {

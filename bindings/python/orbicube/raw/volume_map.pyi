@@ -128,8 +128,8 @@ def obc_volume_map_solid_compute(positions: Pointer, vertex_count: int, tetrahed
     in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
     meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
     host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
-    Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed (kind not-connected: pieces or
-    cavities); no valid result with what stood in the way; out of memory, cancelled."""
+    Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: pieces
+    or cavities), not closed; no valid result with what stood in the way; out of memory, cancelled."""
     ...
 
 def obc_volume_map_solid_destroy(solid: Pointer) -> None:
@@ -153,11 +153,12 @@ def obc_volume_map_hexes_options_init(options: Pointer, struct_size: int) -> int
     ...
 
 def obc_volume_map_hexes_compute(surface: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
-    """Fills a closed surface with hexahedra: connected, oriented, looking outward, of any genus. They meet in whole faces, the
-    boundary has the genus of the surface, each hexahedron has positive corners by exact signs and a trilinear map that is
-    certainly positive. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
-    Errors: invalid argument; not closed, not manifold, degenerate, malformed file; no valid result with what stood in the way;
-    out of memory, cancelled."""
+    """Fills a closed surface with hexahedra: oriented, looking outward, of any genus, in one piece or in several that lie apart,
+    which get their parts of the cells by their volumes. They meet in whole faces, the boundary has the pieces and the genus of
+    the surface, each hexahedron has positive corners by exact signs and a trilinear map that is certainly positive. In the report
+    of several pieces, corners and vertices are all of them, distance and volume_error the largest, in percent of its own piece. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+    Errors: invalid argument; not closed; not manifold (kinds not-connected: a cavity, self-intersection: pieces that meet);
+    degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled."""
     ...
 
 def obc_volume_map_hexes_destroy(hexes: Pointer) -> None:
