@@ -17,7 +17,9 @@
 #include "volume_map/coarse_surface.h"
 #include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
+#include "volume_map/hex_smoothing.h"
 #include "volume_map/hex_tetrahedra.h"
+#include "volume_map/integer_domain.h"
 #include "volume_map/padding.h"
 #include "volume_map/sharp_map.h"
 #include "volume_map/surface_distance.h"
@@ -194,6 +196,44 @@ TEST_CASE("A bent solid gets a valid hexahedral mesh on its surface, the same fo
       CHECK(result.quality.volume == doctest::Approx(volume).epsilon(0.02));
       if (first.empty()) first.assign(m.positions.begin(), m.positions.end());
       CHECK(std::equal(first.begin(), first.end(), m.positions.begin(), m.positions.end()));
+    }
+  }
+}
+
+TEST_CASE("Smoothing leaves no hexahedron twisted where its corners are good") {
+  struct Bar {
+    double turn, taper;  // about its axis from end to end, and how wide the far end is
+    std::size_t cells;
+  };
+  // Without the tetrahedra along edges three, one and seven hexahedra end so.
+  for (const Bar& bar : {Bar{0, 0.02, 30}, Bar{8, 0.02, 150}, Bar{8, 2, 30}}) {
+    test::BlockSolid block({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}, {5, 0, 0}}, 4, 0, 0);
+    REQUIRE(block.certificate == "");
+    // Bent to nearly a ring.
+    for (std::size_t v = 0; v < block.map.positions.size(); ++v) {
+      constexpr double angle = 5.5, length = 6, radius = length / angle;
+      const Vector3& p = block.map.polycube[v];
+      const double along = p[0] / length;
+      const Vector3 across = (1 + (bar.taper - 1) * along) * (Eigen::AngleAxisd(bar.turn * along, Vector3::UnitX()) *
+                                                              Vector3(0, p[1] - 0.5, p[2] - 0.5));
+      block.map.positions[v] = Vector3((radius - across[1]) * std::sin(angle * along),
+                                       radius - (radius - across[1]) * std::cos(angle * along), across[2]);
+    }
+    const base::Host host;
+    HexMesh mesh = sample_hexahedra(domain_of_cells(polycube::make_patch_graph(block.map, host), bar.cells, 0, host),
+                                    block.map, host);
+    double volume = 0;
+    for (const mesh::Triangle& t : block.map.triangles)
+      volume += block.map.positions[t[0]].dot(block.map.positions[t[1]].cross(block.map.positions[t[2]])) / 6;
+    const double scale = std::cbrt(static_cast<double>(mesh.hexahedra.size()) / volume);
+    for (Vector3& p : mesh.positions)
+      p *= scale;
+    const SurfaceTarget target(block.map, {}, {}, scale, host);
+    HexBoundary boundary(mesh, target, host);
+    CHECK(smooth_hexahedra(mesh, boundary, target, {.distance = 0.1}, host));
+    for (const Hexahedron& h : mesh.hexahedra) {
+      CHECK(scaled_jacobian(mesh.positions, h) > 0);
+      CHECK(least_bezier(mesh.positions, h) > 0);
     }
   }
 }
