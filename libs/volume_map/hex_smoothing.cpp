@@ -154,12 +154,13 @@ class Smoothing {
     return energy_->value(newton_->values(), 1).inverted == 0;
   }
 
-  // Hexahedra whose corners are positive while the determinant inside may not be: the tetrahedra along their edges are
-  // turned right, and count from now on. Where that fails all is as before.
+  // Hexahedra whose corners are positive while the determinant inside may not be, or hardly: the tetrahedra along their
+  // edges are turned right, and count from now on. Where that fails all is as before.
   void untwist(double own, double pull) {
+    constexpr double little = 0.02;  // of a coefficient: before it is too late
     Array<Index> twisted(host_.memory);
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
-      if (edges_[i] == no_index && least_bezier(mesh_.positions, mesh_.hexahedra[i]) <= 0) twisted.push_back(i);
+      if (edges_[i] == no_index && least_bezier(mesh_.positions, mesh_.hexahedra[i]) <= little) twisted.push_back(i);
     }
     if (twisted.empty()) return;
     const std::size_t elements = elements_.size();
