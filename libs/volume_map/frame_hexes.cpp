@@ -43,13 +43,13 @@ polycube::SurfaceMap surface_of(const FrameMap& map, const base::Host& host) {
 }
 
 std::size_t irregular_edges(const HexMesh& mesh, const base::Host& host) {
-  constexpr std::array<std::array<std::uint8_t, 2>, 12> corners = {
-      {{0, 1}, {3, 2}, {4, 5}, {7, 6}, {0, 3}, {1, 2}, {4, 7}, {5, 6}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   Array<std::array<Index, 2>> edges(host.memory), outer(host.memory);
   const auto sorted = [](Index a, Index b) { return std::array{std::min(a, b), std::max(a, b)}; };
   for (const Hexahedron& h : mesh.hexahedra) {
-    for (const auto& [a, b] : corners)
-      edges.push_back(sorted(h[a], h[b]));
+    for (const auto& parallel : edges_along) {
+      for (const auto& [a, b] : parallel)
+        edges.push_back(sorted(h[a], h[b]));
+    }
   }
   for (const Quad& q : mesh.quads) {
     for (std::size_t k = 0; k < 4; ++k)

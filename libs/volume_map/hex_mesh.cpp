@@ -100,14 +100,12 @@ Coefficients bezier_coefficients(std::span<const Vector3> positions, const Hexah
 }
 
 double least_bezier(std::span<const Vector3> positions, const Hexahedron& h) {
-  constexpr std::array<std::array<std::uint8_t, 2>, 12> edges = {
-      {{0, 1}, {3, 2}, {4, 5}, {7, 6}, {0, 3}, {1, 2}, {4, 7}, {5, 6}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
   const Coefficients f = bezier_coefficients(positions, h);
   double product = 1;
-  for (std::size_t a = 0; a < 3; ++a) {
+  for (const auto& parallel : edges_along) {
     double longest = 0;
-    for (std::size_t i = 4 * a; i < 4 * a + 4; ++i)
-      longest = std::max(longest, (positions[h[edges[i][1]]] - positions[h[edges[i][0]]]).squaredNorm());
+    for (const auto& [from, to] : parallel)
+      longest = std::max(longest, (positions[h[to]] - positions[h[from]]).squaredNorm());
     product *= longest;
   }
   const double least = *std::min_element(f.begin(), f.end());

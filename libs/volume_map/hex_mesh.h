@@ -26,6 +26,9 @@ struct HexMesh {
 // Three neighbours of each corner, whose edges have a positive determinant in a good hexahedron.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 8> corner_neighbours = {
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
+// The edges along each of the three directions.
+inline constexpr std::array<std::array<std::array<std::uint8_t, 2>, 4>, 3> edges_along = {
+    {{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}}, {{{1, 2}, {0, 3}, {5, 6}, {4, 7}}}, {{{0, 4}, {1, 5}, {2, 6}, {3, 7}}}}};
 // Faces, counter-clockwise seen from outside.
 inline constexpr std::array<std::array<std::uint8_t, 4>, 6> hexahedron_faces = {
     {{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};

@@ -5,6 +5,8 @@
 // seen by the others.
 #pragma once
 
+#include <cmath>
+
 #include "volume_map/elements.h"
 #include "volume_map/hex_mesh.h"
 
@@ -12,9 +14,7 @@ namespace orbicube::volume_map {
 
 inline constexpr std::size_t corner_tetrahedra = 8, edge_tetrahedra = 24;
 
-// The edges of a hexahedron along each of its three directions, and the direction of each corner's three edges.
-inline constexpr std::array<std::array<std::array<std::uint8_t, 2>, 4>, 3> edges_along = {
-    {{{{0, 1}, {3, 2}, {4, 5}, {7, 6}}}, {{{1, 2}, {0, 3}, {5, 6}, {4, 7}}}, {{{0, 4}, {1, 5}, {2, 6}, {3, 7}}}}};
+// The direction of each corner's three edges.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 8> direction_of_edge = {
     {{0, 1, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {1, 0, 2}, {0, 1, 2}, {1, 0, 2}, {0, 1, 2}}};
 
