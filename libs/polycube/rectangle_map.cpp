@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "mesh/predicates.h"
+#include "polycube/sparse_system.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -35,14 +36,12 @@ class RectangleMaps {
 
   Array<Vector3> run(std::span<const double> parameter) {
     place_arcs(parameter);
-    const Index none = 0;
-    for (Index v = none; v < surface_.vertices(); ++v)
+    for (Index v = 0; v < surface_.vertices(); ++v)
       if (!surface_.occupied[v] && surface_.outgoing(v) != no_index) free_.push_back(v);
     // Mean-value weights first; where rounding spoils that, equal ones are easier.
     for (const bool equal : {false, true}) {
       weigh(equal);
-      relax();
-      if (positive()) return std::move(image_);
+      if (relax() && positive()) return std::move(image_);
     }
     throw base::Error("no-valid-result", "the maps of the rectangles are lost in rounding");
   }
@@ -64,61 +63,68 @@ class RectangleMaps {
       image_[drawing_.node_vertex[n]] = layout_.node_position(n);
   }
 
+  // What an edge pulls its ends together by: as much as the mean-value weights of both, which differ, so that the
+  // system is symmetric. Positive weights are all that a bijection asks for.
+  double weight(Index h, bool equal) const {
+    if (equal) return 1;
+    const Vector3& start = surface_.position[surface_.start(h)];
+    const Vector3& end = surface_.position[surface_.end(h)];
+    const Vector3& left = surface_.position[surface_.end(EditableSurface::next(h))];
+    const Vector3& right = surface_.position[surface_.end(EditableSurface::next(surface_.opposite(h)))];
+    const auto angles_at = [&](const Vector3& p, const Vector3& other) {
+      return half_tangent(other - p, left - p) + half_tangent(other - p, right - p);
+    };
+    return (angles_at(start, end) + angles_at(end, start) + 1e-3) / std::max((end - start).norm(), 1e-300);
+  }
+
   void weigh(bool equal) {
     row_begin_.assign(1, 0);
     column_.clear();
     weight_.clear();
+    if (free_.empty()) return;
     for (const Index v : free_) {
-      double sum = 0;
-      const std::size_t begin = weight_.size();
-      const Vector3& p = surface_.position[v];
       surface_.for_each_outgoing(v, [&](Index h) {
-        const Vector3 along = surface_.position[surface_.end(h)] - p;
-        const Vector3 left = surface_.position[surface_.end(EditableSurface::next(h))] - p;
-        const Vector3 right = surface_.position[surface_.end(EditableSurface::next(surface_.opposite(h)))] - p;
-        const double length = std::max(along.norm(), 1e-300);
-        const double w = equal ? 1.0 : (half_tangent(along, left) + half_tangent(along, right) + 1e-3) / length;
         column_.push_back(surface_.end(h));
-        weight_.push_back(std::min(w, 1e200));
-        sum += weight_.back();
+        weight_.push_back(weight(h, equal));
       });
-      // None may vanish beside the others.
-      const double least = 1e-4 * sum / static_cast<double>(weight_.size() - begin);
-      sum = 0;
-      for (std::size_t k = begin; k < weight_.size(); ++k)
-        sum += weight_[k] = std::max(weight_[k], least);
-      for (std::size_t k = begin; k < weight_.size(); ++k)
-        weight_[k] /= sum;
       row_begin_.push_back(static_cast<Index>(weight_.size()));
     }
+    // None may vanish beside the others, nor all others beside one.
+    constexpr double most = 1e3;
+    Array<double> sorted(weight_, host_.memory);
+    const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
+    std::nth_element(sorted.begin(), middle, sorted.end());
+    for (double& w : weight_)
+      w = std::clamp(w, *middle / most, *middle * most);
   }
 
-  // Each vertex at the mean of its neighbours, over and over (Gauss-Seidel, successive over-relaxation): rectangles are
-  // coarse. All at once; vertices on arcs do not move, so that rectangles know nothing of each other.
-  void relax() {
-    constexpr int most_rounds = 20000;
-    constexpr double tolerance = 1e-14;
-    double extent = 0;
-    for (std::size_t a = 0; a < 3; ++a)
-      extent = std::max(extent, layout_.planes[a].back() - layout_.planes[a].front());
-    for (const Index v : free_) {
-      const LayoutRectangle& r = rectangle_of(surface_.outgoing(v) / 3);
-      image_[v] = 0.5 * (layout_.position(r.low) + layout_.position(r.high));
-    }
-    for (int round = 0; round < most_rounds; ++round) {
-      host_.report(phase, 0, 0);
-      const double factor = round % 20 == 19 ? 1.0 : 1.5;
-      double moved = 0;
-      for (std::size_t i = 0; i < free_.size(); ++i) {
-        const Index v = free_[i];
-        Vector3 mean = Vector3::Zero();
-        for (Index k = row_begin_[i]; k < row_begin_[i + 1]; ++k)
-          mean += weight_[k] * image_[column_[k]];
-        const Vector3 step = factor * (mean - image_[v]);
-        moved = std::max(moved, step.cwiseAbs().maxCoeff());
-        image_[v] += step;
+  // Each vertex at the mean of its neighbours, all at once; vertices on arcs do not move, so that rectangles know
+  // nothing of each other. Answers whether there is such a place.
+  bool relax() {
+    host_.report(phase, 0, 0);
+    if (free_.empty()) return true;
+    constexpr Index fixed = no_index;
+    Array<Index> unknown(surface_.vertices(), fixed, host_.memory);
+    for (std::size_t i = 0; i < free_.size(); ++i)
+      unknown[free_[i]] = static_cast<Index>(i);
+    SparseSystem::Triplets triplets(host_.memory);
+    Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(static_cast<Eigen::Index>(free_.size()), 3);
+    for (Index i = 0; i < free_.size(); ++i) {
+      double sum = 0;
+      for (Index k = row_begin_[i]; k < row_begin_[i + 1]; ++k) {
+        const Index j = unknown[column_[k]];
+        sum += weight_[k];
+        if (j == fixed) right.row(i) += weight_[k] * image_[column_[k]];
+        if (j != fixed && j < i) triplets.emplace_back(static_cast<int>(i), static_cast<int>(j), -weight_[k]);
       }
-      if (moved <= tolerance * extent) break;
+      triplets.emplace_back(static_cast<int>(i), static_cast<int>(i), sum);
+    }
+    SparseSystem system(free_.size(), triplets);
+    if (!system.factorize()) return false;
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const Eigen::VectorXd solved = system.solve(right.col(axis));
+      for (std::size_t i = 0; i < free_.size(); ++i)
+        image_[free_[i]][axis] = solved[static_cast<Eigen::Index>(i)];
     }
     // Exactly in the plane.
     for (const Index v : free_) {
@@ -126,6 +132,7 @@ class RectangleMaps {
       const int axis = axis_of(r.label);
       image_[v][axis] = layout_.position(r.low)[axis];
     }
+    return true;
   }
 
   bool positive() const {
