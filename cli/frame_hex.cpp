@@ -1,6 +1,5 @@
 #include "frame_hex.h"
 
-#include <filesystem>
 #include <numbers>
 #include <utility>
 
@@ -20,6 +19,7 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
   const base::Host& host = session.host();
   const double begin = session.seconds();
   volume_map::FramedSolid solid(host.memory);
+  mesh::Mesh fine(host.memory);  // the surface, where what is filled is a coarser one
   InputMesh input = read_input(verb.solid.input, verb.solid.weld, session);
   if (input.mesh.tetrahedra.empty() && input.mesh.hexahedra.empty() && verb.frames.empty()) {
 #ifdef ORBICUBE_WITH_TETRAHEDRA
@@ -29,6 +29,7 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
         about(verb.solid.input, Role::input, [&] { return filled_solid(surface.mesh, verb.solid.triangles, host); });
     solid.positions = std::move(filled.solid.positions);
     solid.tetrahedra = std::move(filled.solid.tetrahedra);
+    if (filled.surface.size() < surface.mesh.triangles.size()) fine = std::move(surface.mesh);
 #else
     throw Failure(Exit::wrong_input, verb.solid.input, "unsupported",
                   "this build has no TetGen to fill a surface; give a mesh of tetrahedra");
@@ -48,23 +49,18 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
                          [&] { return frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host); });
   }
   const double start = session.seconds();
-  volume_map::FrameHexes made = about(verb.output, Role::output, [&] {
-    const volume_map::FrameHexOptions options = {.cells = verb.cells};
+  volume_map::FrameHexes made = about(verb.output.path, Role::output, [&] {
+    const volume_map::FrameHexOptions options = {.cells = verb.cells,
+                                                 .distance = verb.distance,
+                                                 .most_cells = verb.most_cells,
+                                                 .fine_positions = fine.positions,
+                                                 .fine_triangles = fine.triangles};
     if (!verb.frames.empty()) return volume_map::make_hexahedra_by_frames(solid, options, host);
     return volume_map::make_hexahedra_along_frames(solid.positions, solid.tetrahedra,
                                                    verb.features * std::numbers::pi / 180, options, host);
   });
-  const volume_map::HexQuality& quality = made.result.quality;
   const volume_map::FrameMap& map = made.map;
-  session.figures().update(Json{{"output", verb.output},
-                                {"vertices", made.result.mesh.positions.size()},
-                                {"hexahedra", made.result.mesh.hexahedra.size()},
-                                {"boundary_quads", made.result.mesh.quads.size()},
-                                {"inner_irregular_edges", made.inner_irregular_edges},
-                                {"scaled_jacobian_min", quality.least_scaled_jacobian},
-                                {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
-                                {"volume", quality.volume},
-                                {"off_surface", made.result.off_surface},
+  session.figures().update(Json{{"inner_irregular_edges", made.inner_irregular_edges},
                                 {"tetrahedra", map.solid.tetrahedra.size()},
                                 {"singular_edges", map.singular_edges},
                                 {"cut_faces", map.cut_faces},
@@ -76,26 +72,10 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
                                 {"fields", made.fields},
                                 {"seconds_frames", made.field_seconds},
                                 {"seconds_compute", session.seconds() - start - made.field_seconds}});
-  if (!verb.glb.empty()) {
-    about(verb.glb, Role::output, [&] {
-      session.figures()["scene"] = write_hex_scene(verb.glb, made.result.mesh, verb.cut,
-                                                   std::filesystem::path(verb.output).stem().string(), host);
-    });
-  }
-  mesh::Mesh cells(host.memory);
-  cells.positions = std::move(made.result.mesh.positions);
-  cells.hexahedra = std::move(made.result.mesh.hexahedra);
-  write_cells_exactly(verb.output, cells, verb.text, host);
-  for (const std::string& note : session.notes())
-    session.say("note: " + note);
   if (made.fields > 1)
-    session.say("note: no map follows the smoothest field; that of the hexahedra is number " +
-                std::to_string(made.fields));
-  session.say("wrote " + verb.output + ": " + std::to_string(cells.hexahedra.size()) +
-              " hexahedra, each certified to be positive");
-  session.say("  scaled Jacobians " + number(quality.least_scaled_jacobian) + " at least, " +
-              number(quality.mean_scaled_jacobian) + " on average; " + std::to_string(made.inner_irregular_edges) +
-              " inner edges with other than four hexahedra");
+    session.note("no map follows the smoothest field; that of the hexahedra is number " + std::to_string(made.fields));
+  write_hexahedra(verb.output, std::move(made.result), verb.distance,
+                  std::to_string(made.inner_irregular_edges) + " inner edges with other than four hexahedra", session);
 }
 
 }  // namespace orbicube::cli

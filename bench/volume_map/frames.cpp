@@ -37,8 +37,8 @@ int main(int argc, char** argv) {
       const auto start = now();
       const tetrahedra::Solid filled =
           tetrahedra::fill(surface.positions, surface.triangles, {.max_volume = volume / 6000}, host);
-      const volume_map::FrameHexes made =
-          volume_map::make_hexahedra_along_frames(filled.positions, filled.tetrahedra, 0, {.cells = cells}, host);
+      const volume_map::FrameHexes made = volume_map::make_hexahedra_along_frames(
+          filled.positions, filled.tetrahedra, 0, {.cells = cells, .distance = 0}, host);
       const auto& q = made.result.quality;
       ++valid;
       std::printf("%-12s %7zu %8zu %9zu %9zu %7zu %9zu %7zu %8.3f %8.3f %7.2f%% %6zu %7.1f %7.1f\n", name.c_str(),

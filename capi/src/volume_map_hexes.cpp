@@ -66,6 +66,8 @@ obc_volume_map_frame_options default_frame_options() {
   o.struct_size = sizeof o;
   o.rounds = defaults.rounds;
   o.cells = defaults.cells;
+  o.distance = defaults.distance;
+  o.most_cells = defaults.most_cells;
   return o;
 }
 
@@ -239,7 +241,8 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
     if (given.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
     mesh::require_valid_cells(given, h);
     const auto make = [&] {
-      const volume_map::FrameHexOptions how = {.cells = o.cells, .rounds = o.rounds};
+      const volume_map::FrameHexOptions how = {
+          .cells = o.cells, .rounds = o.rounds, .distance = o.distance, .most_cells = o.most_cells};
       if (frames == nullptr)
         return volume_map::make_hexahedra_along_frames(given.positions, given.tetrahedra, o.feature_angle, how, h);
       volume_map::FramedSolid solid(h.memory);
@@ -268,6 +271,8 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
     r.tetrahedra = result.map.solid.tetrahedra.size();
     r.inverted_at_start = result.map.inverted_at_start;
     r.steps = result.map.steps;
+    r.distance = result.result.distance;
+    r.volume_error = result.result.volume_error;
     capi::write_versioned(report, r);
     made->made = std::move(result.result);
     *out = made.release();

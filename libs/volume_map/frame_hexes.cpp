@@ -7,16 +7,16 @@
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "base/error.h"
 #include "frame_field/frame_field.h"
 #include "frame_field/meshability.h"
 #include "volume_map/freeing_splits.h"
 #include "volume_map/grid_extraction.h"
-#include "volume_map/hex_search.h"
-#include "volume_map/hex_smoothing.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -131,24 +131,68 @@ FramedSolid solid_with_frames(const FieldAttempt& attempt, std::span<const Vecto
   return solid;
 }
 
+// The map and the grid of it.
+struct Grid {
+  FrameMap map;
+  HexMesh mesh;
+
+  Grid(const FramedSolid& solid, double cell_length, const base::Host& host)
+      : map(map_by_frames(solid, {.cell_length = cell_length}, host)), mesh(extract_hexahedra(map, host)) {
+    if (mesh.hexahedra.empty()) throw base::Error("no-valid-result", "the grid has no cell in the solid");
+  }
+};
+
+bool is_refusal(const base::Error& error) {
+  return std::string_view(error.kind()) == "no-valid-result";
+}
+
 // Where few layers became fewer by rounding there are far fewer cells than were asked for: then shorter ones are tried,
 // and kept if that is nearer.
-void take_more_cells(const FramedSolid& solid, double cell_length, std::size_t cells, FrameHexes& made,
-                     const base::Host& host) {
+Grid grid_of_cells(const FramedSolid& solid, double volume, std::size_t cells, const base::Host& host) {
   constexpr double few = 0.7;
-  const double part = static_cast<double>(made.result.mesh.hexahedra.size()) / static_cast<double>(cells);
+  const double cell_length = std::cbrt(volume / static_cast<double>(cells));
+  Grid grid(solid, cell_length, host);
+  const double part = static_cast<double>(grid.mesh.hexahedra.size()) / static_cast<double>(cells);
   // Of a dozen cells each is a layer: there is nothing to choose.
-  if (part > few || cells < 100) return;
+  if (part > few || cells < 100) return grid;
   try {
-    FrameMap map = map_by_frames(solid, {.cell_length = cell_length * std::cbrt(part)}, host);
-    HexMesh mesh = extract_hexahedra(map, host);
-    const double now = static_cast<double>(mesh.hexahedra.size()) / static_cast<double>(cells);
-    if (now <= part || now * part >= 1) return;
-    made.map = std::move(map);
-    made.result.mesh = std::move(mesh);
+    Grid finer(solid, cell_length * std::cbrt(part), host);
+    const double now = static_cast<double>(finer.mesh.hexahedra.size()) / static_cast<double>(cells);
+    if (now > part && now * part < 1) grid = std::move(finer);
   } catch (const base::Error& error) {
-    if (std::string_view(error.kind()) != "no-valid-result") throw;
+    if (!is_refusal(error)) throw;
   }
+  return grid;
+}
+
+// Hexahedra of the grid as it is, and held to the surface where that is not near enough.
+void take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, const FrameHexOptions& options,
+                 const base::Host& host) {
+  const polycube::SurfaceMap map = surface_of(grid.map, host);
+  const PolycubeSurface surface = {map, options.fine_positions, options.fine_triangles};
+  const WantedSurface wanted(surface);
+  const double scale = std::cbrt(static_cast<double>(grid.mesh.hexahedra.size()) / volume);
+  for (Vector3& p : grid.mesh.positions)
+    p *= scale;
+  std::string reason;
+  std::optional<HexResult> made;
+  for (const bool hold : {false, true}) {
+    if (hold && (options.distance == 0 || (made && excess(*made, options.distance) <= 1))) break;
+    HexResult now = HexDraft(HexMesh(grid.mesh), 0, scale, surface, wanted,
+                             {.distance = options.distance, .rounds = options.rounds}, host)
+                        .finish({.hold = hold});
+    if (!now.quality.valid()) {
+      reason = what_is_wrong(now.quality);
+    } else if (!made || better(now, *made, options.distance)) {
+      made = std::move(now);
+    }
+  }
+  if (!made) throw base::Error("no-valid-result", reason);
+  if (best && !better(*made, best->result, options.distance)) return;
+  best.emplace(host.memory);
+  best->inner_irregular_edges = irregular_edges(made->mesh, host);
+  best->result = std::move(*made);
+  best->map = std::move(grid.map);
 }
 
 }  // namespace
@@ -173,7 +217,7 @@ FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::
         made.field_seconds = seconds;
         return made;
       } catch (const base::Error& error) {
-        if (std::string_view(error.kind()) != "no-valid-result") throw;
+        if (!is_refusal(error)) throw;
         host.log("field " + std::to_string(fields) + ": " + error.what());
         if (!first_refusal) first_refusal = std::current_exception();
       }
@@ -196,40 +240,21 @@ FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::
 FrameHexes make_hexahedra_by_frames(const FramedSolid& solid, const FrameHexOptions& options, const base::Host& host) {
   base::require(options.cells > 0 && options.cells <= 10'000'000, "the number of cells must be from 1 to 10 million");
   base::require(options.rounds >= 0, "the number of rounds must not be negative");
+  base::require(options.distance >= 0 && options.distance <= 100, "the distance must be from 0 to 100 percent");
+  base::require(options.most_cells <= 10'000'000, "most_cells must be 10 million at most");
   double volume = 0;
   for (const Tetrahedron& t : solid.tetrahedra)
     volume += six_volumes(solid.positions, t) / 6;
-  FrameHexes made(host.memory);
-  HexMesh& mesh = made.result.mesh;
-  const double cell_length = std::cbrt(volume / static_cast<double>(options.cells));
-  made.map = map_by_frames(solid, {.cell_length = cell_length}, host);
-  mesh = extract_hexahedra(made.map, host);
-  if (mesh.hexahedra.empty()) throw base::Error("no-valid-result", "the grid has no cell in the solid");
-  take_more_cells(solid, cell_length, options.cells, made, host);
-  const polycube::SurfaceMap surface = surface_of(made.map, host);
-  const double scale = std::cbrt(static_cast<double>(mesh.hexahedra.size()) / volume);
-  for (Vector3& p : mesh.positions)
-    p *= scale;
-  const SurfaceTarget target(surface, {}, {}, scale, host);
-  HexBoundary boundary(mesh, target, host);
-  const HexSmoothingOptions smoothing = {.rounds = options.rounds};
-  if (!smooth_hexahedra(mesh, boundary, target, smoothing, host)) {
-    search_hexahedra(mesh, boundary, {}, host);
-    smooth_hexahedra(mesh, boundary, target, smoothing, host);
+  std::optional<FrameHexes> best;
+  for (std::size_t cells = options.cells;; cells *= 2) {
+    try {
+      take_better(best, grid_of_cells(solid, volume, cells, host), volume, options, host);
+    } catch (const base::Error& error) {
+      // More cells are there for the distance alone.
+      if (!best || !is_refusal(error)) throw;
+    }
+    if (excess(best->result, options.distance) <= 1 || 2 * cells > options.most_cells) return std::move(*best);
   }
-  made.result.off_surface = search_hexahedra(mesh, boundary, {}, host);
-  for (Vector3& p : mesh.positions)
-    p /= scale;
-  HexQuality& q = made.result.quality;
-  q = measure_hexahedra(mesh.positions, mesh.hexahedra, host);
-  if (!q.valid()) {
-    throw base::Error("no-valid-result",
-                      std::to_string(q.inverted) + " hexahedra have a corner that is not positive, " +
-                          std::to_string(q.uncertain) + " more are not certainly positive; the first is " +
-                          std::to_string(q.first_bad));
-  }
-  made.inner_irregular_edges = irregular_edges(mesh, host);
-  return made;
 }
 
 }  // namespace orbicube::volume_map

@@ -10,6 +10,12 @@ namespace orbicube::volume_map {
 struct FrameHexOptions {
   std::size_t cells = 10000;  // about
   int rounds = 40;            // of smoothing
+  // As in HexOptions.
+  double distance = 1;
+  std::size_t most_cells = 100'000;
+  // The surface that counts, where the solid fills a coarser version of it; may be empty.
+  std::span<const Vector3> fine_positions = {};
+  std::span<const mesh::Triangle> fine_triangles = {};
 };
 
 struct FrameHexes {
@@ -25,7 +31,7 @@ struct FrameHexes {
 };
 
 // Every hexahedron has positive corners by exact signs and a trilinear map that is certainly positive; the boundary is
-// on that of the solid. Throws what map_by_frames and extract_hexahedra do.
+// near to that of the solid, as make_hexahedra's is to its surface. Throws what map_by_frames and extract_hexahedra do.
 FrameHexes make_hexahedra_by_frames(const FramedSolid& solid, const FrameHexOptions& options, const base::Host& host);
 
 // The same where there are no frames: with those of the first of several fields that a map can follow, the smoothest

@@ -1,9 +1,7 @@
 #include "volume_map/hex_meshing.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -11,66 +9,11 @@
 #include "polycube/patch_graph.h"
 #include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
-#include "volume_map/hex_search.h"
-#include "volume_map/hex_smoothing.h"
 #include "volume_map/padding.h"
 #include "volume_map/sharp_map.h"
-#include "volume_map/surface_distance.h"
 
 namespace orbicube::volume_map {
 namespace {
-
-std::string what_is_wrong(const HexQuality& q) {
-  return std::to_string(q.inverted) + " hexahedra have a corner that is not positive, " + std::to_string(q.uncertain) +
-         " more are not certainly positive; the first is " + std::to_string(q.first_bad);
-}
-
-// The surface that counts.
-struct Wanted {
-  std::span<const Vector3> positions;
-  std::span<const mesh::Triangle> triangles;
-  double diagonal = 0, volume = 0;
-
-  explicit Wanted(const PolycubeSurface& solid)
-      : positions(solid.fine_triangles.empty() ? solid.map.positions : solid.fine_positions),
-        triangles(solid.fine_triangles.empty() ? solid.map.triangles : solid.fine_triangles) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    Vector3 low = Vector3::Constant(infinity), high = -low;
-    for (const mesh::Triangle& t : triangles) {
-      for (const Index v : t) {
-        low = low.cwiseMin(positions[v]);
-        high = high.cwiseMax(positions[v]);
-      }
-      volume += positions[t[0]].dot(positions[t[1]].cross(positions[t[2]])) / 6;
-    }
-    diagonal = (high - low).norm();
-  }
-};
-
-void measure(HexResult& result, const Wanted& wanted, const base::Host& host) {
-  constexpr double spacing = 0.0025;  // of the diagonal
-  Array<mesh::Triangle> outer(host.memory);
-  for (const Quad& q : result.mesh.quads) {
-    outer.push_back({q[0], q[1], q[2]});
-    outer.push_back({q[0], q[2], q[3]});
-  }
-  result.quality = measure_hexahedra(result.mesh.positions, result.mesh.hexahedra, host);
-  result.distance = 100 / wanted.diagonal *
-                    surface_distance(result.mesh.positions, outer, wanted.positions, wanted.triangles,
-                                     spacing * wanted.diagonal, host);
-  result.volume_error = 100 * std::abs(result.quality.volume / wanted.volume - 1);
-}
-
-// How many times farther from the surface than allowed; at most 1 where that does not matter.
-double excess(const HexResult& result, const HexOptions& options) {
-  if (options.distance == 0) return 1;
-  return std::max(1.0, std::max(result.distance, result.volume_error) / options.distance);
-}
-
-bool better(const HexResult& x, const HexResult& y, const HexOptions& options) {
-  const double of_x = excess(x, options), of_y = excess(y, options);
-  return of_x != of_y ? of_x < of_y : x.quality.least_scaled_jacobian > y.quality.least_scaled_jacobian;
-}
 
 // The faces of the polycube that get a layer, and which part of its boundary they are.
 struct PaddedFaces {
@@ -123,84 +66,26 @@ void add_ways(Array<Way>& ways, const Guide& guide, const HexOptions& options, s
   add_all(ways.back().padded.part > 0 ? 0 : 1);
 }
 
-// What a mesh may do besides: its boundary lifted off the surface, held where it would leave it, and bad corners made
-// better at any cost.
-struct Manner {
-  bool lift = true, hold = false, insist = false;
-};
+// The grid of one of the ways, with its layers, in units of a cell.
+struct Grid {
+  HexMesh mesh;
+  std::size_t padding = 0;  // so many of the last hexahedra
+  double scale = 1;
 
-// A mesh of the solid on its way, in units of a cell.
-class Draft {
- public:
-  Draft(const Wanted& wanted, const HexOptions& options, const Way& way, std::size_t cells, const base::Host& host)
-      : wanted_(wanted),
-        options_(options),
-        host_(host),
-        mesh_(sample_hexahedra(domain_of_cells(way.guide->graph, cells, way.padded.part, host), way.guide->surface.map,
-                               host)),
-        inner_(mesh_.hexahedra.size()),
-        padded_(way.padded.part > 0) {
-    const auto& [map, fine_positions, fine_triangles] = way.guide->surface;
+  Grid(const Way& way, std::size_t cells, const base::Host& host)
+      : mesh(sample_hexahedra(domain_of_cells(way.guide->graph, cells, way.padded.part, host), way.guide->surface.map,
+                              host)) {
+    const polycube::SurfaceMap& map = way.guide->surface.map;
+    const std::size_t inner = mesh.hexahedra.size();
     double volume = 0;
     for (const mesh::Triangle& t : map.triangles)
       volume += map.positions[t[0]].dot(map.positions[t[1]].cross(map.positions[t[2]])) / 6;
-    scale_ = std::cbrt(static_cast<double>(inner_) / std::abs(volume));
-    for (Vector3& p : mesh_.positions)
-      p *= scale_;
-    pad(mesh_, way.padded.faces, 1, host);
-    target_.emplace(map, fine_positions, fine_triangles, scale_, host);
-    boundary_.emplace(mesh_, *target_, host);
+    scale = std::cbrt(static_cast<double>(inner) / std::abs(volume));
+    for (Vector3& p : mesh.positions)
+      p *= scale;
+    pad(mesh, way.padded.faces, 1, host);
+    padding = mesh.hexahedra.size() - inner;
   }
-
-  // Valid or not.
-  HexResult finish(const Manner& manner) {
-    const HexSmoothingOptions smoothing = smoothing_in(manner);
-    if (!smooth_hexahedra(mesh_, *boundary_, *target_, smoothing, host_)) {
-      // A few that stay inverted are turned right by the search.
-      search_hexahedra(mesh_, *boundary_, {}, host_);
-      smooth_hexahedra(mesh_, *boundary_, *target_, smoothing, host_);
-    }
-    HexResult result = searched(false);
-    if (!manner.hold || !result.quality.valid() || excess(result, options_) <= 1) return result;
-    // The search may have gone too far.
-    HexResult held = searched(true);
-    return held.quality.valid() && !better(result, held, options_) ? std::move(held) : std::move(result);
-  }
-
- private:
-  // In units of a cell.
-  double distance() const { return 0.01 * options_.distance * scale_ * wanted_.diagonal; }
-
-  HexSmoothingOptions smoothing_in(const Manner& manner) const {
-    constexpr double held = 0.65;  // what is farther, of the distance that is allowed
-    return {.rounds = options_.rounds,
-            .lift = manner.lift,
-            .padding = mesh_.hexahedra.size() - inner_,
-            .distance = manner.hold ? held * distance() : 0,
-            .most_weight = manner.insist ? 1000.0 : 60.0};
-  }
-
-  HexResult searched(bool all) const {
-    constexpr double reach = 0.2;  // of the distance: how far the search may move what is held
-    HexResult result(host_.memory);
-    result.padded = padded_;
-    result.mesh = mesh_;
-    result.off_surface = search_hexahedra(result.mesh, *boundary_, {.reach = reach * distance(), .all = all}, host_);
-    for (Vector3& p : result.mesh.positions)
-      p /= scale_;
-    measure(result, wanted_, host_);
-    return result;
-  }
-
-  const Wanted& wanted_;
-  const HexOptions& options_;
-  const base::Host& host_;
-  HexMesh mesh_;
-  std::size_t inner_;  // hexahedra without padding
-  bool padded_;
-  double scale_ = 1;
-  std::optional<SurfaceTarget> target_;
-  std::optional<HexBoundary> boundary_;
 };
 
 // The best of the meshes that are made.
@@ -231,7 +116,7 @@ class Making {
     for (std::size_t cells = options_.cells;; cells *= 2) {
       make(cells);
       if (options_.distance == 0 || 2 * cells > options_.most_cells) break;
-      const bool near = best_ && excess(*best_, options_) <= 1;
+      const bool near = best_ && excess(*best_, options_.distance) <= 1;
       if (near && (cells > options_.cells || best_->quality.least_scaled_jacobian > poor)) break;
     }
     if (!best_) throw base::Error("no-valid-result", reason_);
@@ -253,18 +138,21 @@ class Making {
   bool done() const { return (least_near_ > 0 ? least_near_ : least_) > good; }
 
   // Answers whether the mesh is valid and as near to the surface as wanted.
-  bool attempt(const Way& way, std::size_t cells, const Manner& manner) {
+  bool attempt(const Way& way, std::size_t cells, const HexManner& manner) {
     try {
-      HexResult now = Draft(wanted_, options_, way, cells, host_).finish(manner);
+      Grid grid(way, cells, host_);
+      HexResult now = HexDraft(std::move(grid.mesh), grid.padding, grid.scale, way.guide->surface, wanted_,
+                               {.distance = options_.distance, .rounds = options_.rounds}, host_)
+                          .finish(manner);
       if (!now.quality.valid()) {
         reason_ = what_is_wrong(now.quality);
         return false;
       }
       now.follows_sharp_edges = way.guide->sharp;
       least_ = std::max(least_, now.quality.least_scaled_jacobian);
-      const bool near = excess(now, options_) <= 1;
+      const bool near = excess(now, options_.distance) <= 1;
       if (near) least_near_ = std::max(least_near_, now.quality.least_scaled_jacobian);
-      if (!best_ || better(now, *best_, options_)) {
+      if (!best_ || better(now, *best_, options_.distance)) {
         best_ = std::move(now);
         best_guide_ = way.guide;
         best_padding_ = way.padding;
@@ -299,7 +187,7 @@ class Making {
     const bool free_first = cells == options_.cells, distance_counts = options_.distance > 0;
     for (const Way& way : ways_) {
       if (done()) return;
-      Manner manner;
+      HexManner manner;
       bool near = free_first && attempt(way, cells, manner);
       if (!near && distance_counts) near = attempt(way, cells, manner = {.hold = true});
       manner.insist = true;
@@ -313,7 +201,7 @@ class Making {
 
   const HexOptions& options_;
   const base::Host& host_;
-  const Wanted wanted_;
+  const WantedSurface wanted_;
   // The map as it is and with sharp edges in their places, both of even lengths.
   const polycube::SurfaceMap plain_;
   std::optional<polycube::SurfaceMap> sharp_;

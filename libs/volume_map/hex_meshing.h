@@ -2,20 +2,9 @@
 // taken back by the map of the surface, filled, padded, and made better; what is answered is certified.
 #pragma once
 
-#include <string>
-
-#include "polycube/surface_map.h"
-#include "volume_map/hex_mesh.h"
+#include "volume_map/hex_draft.h"
 
 namespace orbicube::volume_map {
-
-// A polycube map of a surface.
-struct PolycubeSurface {
-  const polycube::SurfaceMap& map;  // certified
-  // The surface that is to be followed, where the map is of a coarse version of it; may be empty.
-  std::span<const Vector3> fine_positions = {};
-  std::span<const mesh::Triangle> fine_triangles = {};
-};
 
 enum class Padding : std::int32_t { automatic = 0, with = 1, without = 2 };
 
@@ -30,18 +19,6 @@ struct HexOptions {
   std::size_t most_cells = 100'000;
   // What of the surface bends by so many degrees or more is followed where the polycube has edges nearby; 0: nothing.
   double sharp_angle = 40;
-};
-
-struct HexResult {
-  explicit HexResult(std::pmr::memory_resource* memory) : mesh(memory) {}
-
-  HexMesh mesh;
-  HexQuality quality;
-  bool padded = false;               // somewhere
-  bool follows_sharp_edges = false;  // those that the polycube has edges for
-  std::size_t off_surface = 0;       // vertices of the boundary that could not be put onto the surface
-  // In percent, of the diagonal and of the volume of the surface.
-  double distance = 0, volume_error = 0;
 };
 
 // Every hexahedron of the result has positive corners by exact signs and a trilinear map that is certainly positive;

@@ -530,12 +530,14 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 48, "obc_volum
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 56, "obc_volume_map_hexes_report.volume_error");
 _Static_assert(offsetof(obc_volume_map_hexes_report, follows_sharp_edges) == 64, "obc_volume_map_hexes_report.follows_sharp_edges");
 _Static_assert(offsetof(obc_volume_map_hexes_report, reserved) == 68, "obc_volume_map_hexes_report.reserved");
-_Static_assert(sizeof(obc_volume_map_frame_options) == 24, "obc_volume_map_frame_options");
+_Static_assert(sizeof(obc_volume_map_frame_options) == 40, "obc_volume_map_frame_options");
 _Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");
 _Static_assert(offsetof(obc_volume_map_frame_options, cells) == 8, "obc_volume_map_frame_options.cells");
 _Static_assert(offsetof(obc_volume_map_frame_options, feature_angle) == 16, "obc_volume_map_frame_options.feature_angle");
-_Static_assert(sizeof(obc_volume_map_frame_report) == 88, "obc_volume_map_frame_report");
+_Static_assert(offsetof(obc_volume_map_frame_options, distance) == 24, "obc_volume_map_frame_options.distance");
+_Static_assert(offsetof(obc_volume_map_frame_options, most_cells) == 32, "obc_volume_map_frame_options.most_cells");
+_Static_assert(sizeof(obc_volume_map_frame_report) == 104, "obc_volume_map_frame_report");
 _Static_assert(offsetof(obc_volume_map_frame_report, struct_size) == 0, "obc_volume_map_frame_report.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_report, integers_optimal) == 4, "obc_volume_map_frame_report.integers_optimal");
 _Static_assert(offsetof(obc_volume_map_frame_report, least_scaled_jacobian) == 8, "obc_volume_map_frame_report.least_scaled_jacobian");
@@ -548,6 +550,8 @@ _Static_assert(offsetof(obc_volume_map_frame_report, integers) == 56, "obc_volum
 _Static_assert(offsetof(obc_volume_map_frame_report, tetrahedra) == 64, "obc_volume_map_frame_report.tetrahedra");
 _Static_assert(offsetof(obc_volume_map_frame_report, inverted_at_start) == 72, "obc_volume_map_frame_report.inverted_at_start");
 _Static_assert(offsetof(obc_volume_map_frame_report, steps) == 80, "obc_volume_map_frame_report.steps");
+_Static_assert(offsetof(obc_volume_map_frame_report, distance) == 88, "obc_volume_map_frame_report.distance");
+_Static_assert(offsetof(obc_volume_map_frame_report, volume_error) == 96, "obc_volume_map_frame_report.volume_error");
 #elif defined(__wasm32__)
 _Static_assert(sizeof(obc_error) == 512, "obc_error");
 _Static_assert(offsetof(obc_error, status) == 0, "obc_error.status");
@@ -1064,12 +1068,14 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 40, "obc_volum
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 48, "obc_volume_map_hexes_report.volume_error");
 _Static_assert(offsetof(obc_volume_map_hexes_report, follows_sharp_edges) == 56, "obc_volume_map_hexes_report.follows_sharp_edges");
 _Static_assert(offsetof(obc_volume_map_hexes_report, reserved) == 60, "obc_volume_map_hexes_report.reserved");
-_Static_assert(sizeof(obc_volume_map_frame_options) == 24, "obc_volume_map_frame_options");
+_Static_assert(sizeof(obc_volume_map_frame_options) == 40, "obc_volume_map_frame_options");
 _Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");
 _Static_assert(offsetof(obc_volume_map_frame_options, cells) == 8, "obc_volume_map_frame_options.cells");
 _Static_assert(offsetof(obc_volume_map_frame_options, feature_angle) == 16, "obc_volume_map_frame_options.feature_angle");
-_Static_assert(sizeof(obc_volume_map_frame_report) == 64, "obc_volume_map_frame_report");
+_Static_assert(offsetof(obc_volume_map_frame_options, distance) == 24, "obc_volume_map_frame_options.distance");
+_Static_assert(offsetof(obc_volume_map_frame_options, most_cells) == 32, "obc_volume_map_frame_options.most_cells");
+_Static_assert(sizeof(obc_volume_map_frame_report) == 80, "obc_volume_map_frame_report");
 _Static_assert(offsetof(obc_volume_map_frame_report, struct_size) == 0, "obc_volume_map_frame_report.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_report, integers_optimal) == 4, "obc_volume_map_frame_report.integers_optimal");
 _Static_assert(offsetof(obc_volume_map_frame_report, least_scaled_jacobian) == 8, "obc_volume_map_frame_report.least_scaled_jacobian");
@@ -1082,5 +1088,7 @@ _Static_assert(offsetof(obc_volume_map_frame_report, integers) == 44, "obc_volum
 _Static_assert(offsetof(obc_volume_map_frame_report, tetrahedra) == 48, "obc_volume_map_frame_report.tetrahedra");
 _Static_assert(offsetof(obc_volume_map_frame_report, inverted_at_start) == 52, "obc_volume_map_frame_report.inverted_at_start");
 _Static_assert(offsetof(obc_volume_map_frame_report, steps) == 56, "obc_volume_map_frame_report.steps");
+_Static_assert(offsetof(obc_volume_map_frame_report, distance) == 64, "obc_volume_map_frame_report.distance");
+_Static_assert(offsetof(obc_volume_map_frame_report, volume_error) == 72, "obc_volume_map_frame_report.volume_error");
 #endif
 typedef int not_empty;

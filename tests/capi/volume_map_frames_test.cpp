@@ -78,6 +78,8 @@ TEST_CASE("A box with the frames of the axes becomes its cubes, and so it does w
     CHECK(report.irregular_edges == 0);
     CHECK(report.integers == 6);
     CHECK(report.integers_optimal == 1);
+    CHECK(report.distance < 1e-6);
+    CHECK(report.volume_error < 1e-6);
     CHECK(report.inverted_at_start == 0);
     CHECK(report.tetrahedra >= box.tetrahedra.size() / 4);
     obc_volume_map_hexes_destroy(hexes);
@@ -97,6 +99,14 @@ TEST_CASE("Wrong arguments of hexahedra along frames are answered") {
   CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   options = few();
   options.feature_angle = std::numeric_limits<double>::quiet_NaN();
+  CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  for (const double distance : {-1.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options = few();
+    options.distance = distance;
+    CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  }
+  options = few();
+  options.most_cells = 20'000'000;
   CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   FramedBox wrong = box;
   wrong.frames[5] = std::numeric_limits<double>::infinity();

@@ -147,7 +147,8 @@ class Hex(InFolder):
         path, out, report = self.path("bar.mesh"), self.path("out.mesh"), self.path("report.json")
         frames = self.path("bar.frames")
         write_cylinder(path, frames)
-        done = run("hex", path, "-o", out, "--method", "frames", "--frames", frames, "--cells", 120, "--report", report)
+        done = run("hex", path, "-o", out, "--method", "frames", "--frames", frames, "--cells", 120, "--distance", 0,
+                   "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
         positions, cells = read_medit(out, "Hexahedra", 8)
         edges, outer = Counter(), set()
@@ -170,6 +171,14 @@ class Hex(InFolder):
             figures = json.load(file)
         self.assertEqual(figures["inner_irregular_edges"], inner[3])
         self.assertEqual(figures["hexahedra"], len(cells))
+        # Too far from a round bar; with more cells not.
+        self.assertGreater(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+        done = run("hex", path, "-o", out, "--method", "frames", "--frames", frames, "--cells", 120, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+        self.assertGreater(figures["hexahedra"], len(cells))
         # A frame less, and frames of a solid that is not there.
         with open(frames, encoding="ascii") as file:
             lines = file.readlines()

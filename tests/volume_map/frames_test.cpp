@@ -213,7 +213,7 @@ TEST_CASE("around a hole the cut has a gap of its own") {
 
 TEST_CASE("a cylinder has four inner curves around which cells meet in threes") {
   const FramedSolid solid = cylinder(8, 4, 1.2);
-  const FrameHexes made = make_hexahedra_by_frames(solid, {.cells = 300, .rounds = 10}, base::Host());
+  const FrameHexes made = make_hexahedra_by_frames(solid, {.cells = 300, .rounds = 10, .distance = 0}, base::Host());
   check_map(made.map);
   CHECK(made.map.singular_edges >= 4 * 4);
   CHECK(made.map.sheets >= 1);
@@ -230,10 +230,51 @@ TEST_CASE("a cylinder has four inner curves around which cells meet in threes") 
   CHECK(made.result.quality.volume == doctest::Approx(volume).epsilon(0.03));
 }
 
+TEST_CASE("hexahedra along frames are as near to the solid as asked for, with more cells where it takes them") {
+  const FramedSolid solid = cylinder(8, 4, 1.2);
+  const auto made_with = [&](double distance) {
+    FrameHexes made = make_hexahedra_by_frames(solid, {.cells = 120, .rounds = 10, .distance = distance}, base::Host());
+    check_hexahedra(made.result.mesh);
+    CHECK(made.result.quality.valid());
+    return made;
+  };
+  const HexResult as_it_comes = made_with(0).result;
+  const double off = std::max(as_it_comes.distance, as_it_comes.volume_error);
+  REQUIRE(off > 1.5);
+  // What is asked for is there already.
+  CHECK(made_with(1.1 * off).result.mesh.positions == as_it_comes.mesh.positions);
+  const HexResult near = made_with(1).result;
+  CHECK(near.distance <= 1);
+  CHECK(near.volume_error <= 1);
+  CHECK(near.mesh.hexahedra.size() > as_it_comes.mesh.hexahedra.size());
+}
+
+TEST_CASE("hexahedra along frames follow the surface that the solid is a coarser version of") {
+  const FramedSolid solid = cylinder(6, 4, 1.2);
+  // Its boundary a little larger all over, which hexahedra of the solid alone are too far from.
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, base::Host());
+  Array<mesh::Triangle> triangles;
+  for (Index face = 0; face < connectivity.face_count(); ++face)
+    if (connectivity.on_boundary(face)) triangles.push_back(connectivity.vertices(face));
+  Array<Vector3> positions = solid.positions;
+  for (Vector3& p : positions)
+    p *= 1.03;
+  FrameHexOptions options = {.cells = 300, .rounds = 20, .distance = 0};
+  options.fine_positions = positions;
+  options.fine_triangles = triangles;
+  const HexResult made = make_hexahedra_by_frames(solid, options, base::Host()).result;
+  CHECK(made.quality.valid());
+  double volume = 0;
+  for (const Tetrahedron& t : solid.tetrahedra)
+    volume += six_volumes(positions, t) / 6;
+  CHECK(made.volume_error == doctest::Approx(100 * std::abs(made.quality.volume / volume - 1)));
+  CHECK(made.quality.volume == doctest::Approx(volume).epsilon(0.03));
+}
+
 TEST_CASE("a coarse ring has a field that a map can follow, with singular curves that keep off the boundary") {
   const FramedSolid solid = ring(4, 16, 0.4);
-  const FrameHexes made =
-      make_hexahedra_along_frames(solid.positions, solid.tetrahedra, 0, {.cells = 300, .rounds = 10}, base::Host());
+  const FrameHexes made = make_hexahedra_along_frames(solid.positions, solid.tetrahedra, 0,
+                                                      {.cells = 300, .rounds = 10, .distance = 0}, base::Host());
   CHECK(made.fields >= 1);
   check_map(made.map);
   check_hexahedra(made.result.mesh);
@@ -252,7 +293,7 @@ TEST_CASE("the same bits for any number of threads") {
   for (const unsigned threads : {1U, 3U}) {
     base::Host host;
     host.thread_count = threads;
-    FrameHexes made = make_hexahedra_by_frames(solid, {.cells = 120, .rounds = 4}, host);
+    FrameHexes made = make_hexahedra_by_frames(solid, {.cells = 120, .rounds = 4, .distance = 0}, host);
     if (!first) {
       first.emplace(std::move(made));
       continue;

@@ -1032,7 +1032,8 @@ export interface RawFunctions {
    * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
    * tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are
    * made and repaired, until a map follows one. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary
-   * that lie in one plane of the map. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+   * that lie in one plane of the map. Where their boundary is farther from that of the solid than asked for, it is held there, then
+   * there are more cells, as in obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
    * Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
    * has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
    * out of memory, cancelled. */

@@ -842,16 +842,18 @@ export const layouts = {
     },
   },
   obc_volume_map_frame_options: {
-    size: 24,
+    size: 40,
     fields: {
       struct_size: ['u32', 0],
       rounds: ['i32', 4],
       cells: ['u32', 8],
       feature_angle: ['f64', 16],
+      distance: ['f64', 24],
+      most_cells: ['u32', 32],
     },
   },
   obc_volume_map_frame_report: {
-    size: 64,
+    size: 80,
     fields: {
       struct_size: ['u32', 0],
       integers_optimal: ['i32', 4],
@@ -865,6 +867,8 @@ export const layouts = {
       tetrahedra: ['u32', 48],
       inverted_at_start: ['u32', 52],
       steps: ['u32', 56],
+      distance: ['f64', 64],
+      volume_error: ['f64', 72],
     },
   },
 };

@@ -52,6 +52,6 @@ const layouts = [
     (Orbicube.Raw.obc_volume_map_solid_options, 24, [0, 4, 8, 16]),
     (Orbicube.Raw.obc_volume_map_hexes_options, 72, [0, 4, 8, 16, 24, 32, 40, 44, 48, 56, 64]),
     (Orbicube.Raw.obc_volume_map_hexes_report, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 68]),
-    (Orbicube.Raw.obc_volume_map_frame_options, 24, [0, 4, 8, 16]),
-    (Orbicube.Raw.obc_volume_map_frame_report, 88, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
+    (Orbicube.Raw.obc_volume_map_frame_options, 40, [0, 4, 8, 16, 24, 32]),
+    (Orbicube.Raw.obc_volume_map_frame_report, 104, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96]),
 ]

@@ -177,6 +177,9 @@ typedef struct obc_volume_map_frame_options {
   size_t cells;         /* about so many hexahedra, 1 to 10 million. Default 10000 */
   double feature_angle; /* where frames are not given: an axis follows edges of the boundary that turn by more (radians);
                            0: none. Default 0 */
+  /* As in obc_volume_map_hexes_options, of the boundary of the solid. Defaults 1 and 100000 */
+  double distance;
+  size_t most_cells;
 } obc_volume_map_frame_options;
 /* The defaults, which the members' comments give. */
 OBC_API obc_status obc_volume_map_frame_options_init(obc_volume_map_frame_options *options, size_t struct_size);
@@ -194,13 +197,15 @@ typedef struct obc_volume_map_frame_report {
   size_t tetrahedra;        /* of the map, after splits */
   size_t inverted_at_start; /* of these, when integers were chosen; none are in the end */
   size_t steps;             /* of Newton's method until there were none and the map was better */
+  double distance, volume_error; /* as in obc_volume_map_hexes_report */
 } obc_volume_map_frame_report;
 
 /* Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
  * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
  * tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are
  * made and repaired, until a map follows one. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary
- * that lie in one plane of the map. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+ * that lie in one plane of the map. Where their boundary is farther from that of the solid than asked for, it is held there, then
+ * there are more cells, as in obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
  * Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
  * has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
  * out of memory, cancelled. */

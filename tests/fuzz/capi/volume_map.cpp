@@ -99,6 +99,8 @@ void fill_along_frames(Input& in, Host& host) {
   if (options.cells > 1000 && options.cells <= 10'000'000) return;  // must end
   options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(4));
   if (in.one_in(3)) options.feature_angle = in.number();
+  if (in.one_in(3)) options.distance = in.number();
+  options.most_cells = in.below(200);
   obc_volume_map_frame_report report;
   report.struct_size = sizeof report;
   obc_volume_map_hexes* hexes = nullptr;

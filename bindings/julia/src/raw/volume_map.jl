@@ -82,6 +82,8 @@ mutable struct obc_volume_map_frame_options <: CStruct
     rounds::Int32
     cells::Csize_t
     feature_angle::Float64
+    distance::Float64
+    most_cells::Csize_t
     obc_volume_map_frame_options() = zeroed!(new())
 end
 
@@ -98,6 +100,8 @@ mutable struct obc_volume_map_frame_report <: CStruct
     tetrahedra::Csize_t
     inverted_at_start::Csize_t
     steps::Csize_t
+    distance::Float64
+    volume_error::Float64
     obc_volume_map_frame_report() = zeroed!(new())
 end
 

@@ -103,6 +103,8 @@ class obc_volume_map_frame_options(_Struct):
         ("rounds", _c.c_int32),
         ("cells", _c.c_size_t),
         ("feature_angle", _c.c_double),
+        ("distance", _c.c_double),
+        ("most_cells", _c.c_size_t),
     ]
 
 
@@ -121,6 +123,8 @@ class obc_volume_map_frame_report(_Struct):
         ("tetrahedra", _c.c_size_t),
         ("inverted_at_start", _c.c_size_t),
         ("steps", _c.c_size_t),
+        ("distance", _c.c_double),
+        ("volume_error", _c.c_double),
     ]
 
 

@@ -79,7 +79,9 @@ class obc_volume_map_frame_options(Struct):
     rounds: int
     cells: int
     feature_angle: float
-    def __init__(self, struct_size: int = ..., rounds: int = ..., cells: int = ..., feature_angle: float = ...) -> None: ...
+    distance: float
+    most_cells: int
+    def __init__(self, struct_size: int = ..., rounds: int = ..., cells: int = ..., feature_angle: float = ..., distance: float = ..., most_cells: int = ...) -> None: ...
 
 class obc_volume_map_frame_report(Struct):
     struct_size: int
@@ -94,7 +96,9 @@ class obc_volume_map_frame_report(Struct):
     tetrahedra: int
     inverted_at_start: int
     steps: int
-    def __init__(self, struct_size: int = ..., integers_optimal: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., off_surface: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ...) -> None: ...
+    distance: float
+    volume_error: float
+    def __init__(self, struct_size: int = ..., integers_optimal: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., off_surface: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., distance: float = ..., volume_error: float = ...) -> None: ...
 
 def obc_volume_map_tangle_init(tangle: Pointer, struct_size: int) -> int:
     """A mesh of nothing; the defaults, which the members' comments give; zeros."""
@@ -192,7 +196,8 @@ def obc_volume_map_frame_hexes_compute(positions: Pointer, vertex_count: int, te
     Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
     tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are
     made and repaired, until a map follows one. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary
-    that lie in one plane of the map. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
+    that lie in one plane of the map. Where their boundary is farther from that of the solid than asked for, it is held there, then
+    there are more cells, as in obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
     Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
     has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
     out of memory, cancelled."""

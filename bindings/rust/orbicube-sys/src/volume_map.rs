@@ -164,6 +164,9 @@ pub struct obc_volume_map_frame_options {
     /// where frames are not given: an axis follows edges of the boundary that turn by more (radians);
     /// 0: none. Default 0
     pub feature_angle: f64,
+    /// As in obc\_volume\_map\_hexes\_options, of the boundary of the solid. Defaults 1 and 100000
+    pub distance: f64,
+    pub most_cells: usize,
 }
 
 /// What was made. Fill struct\_size. Scaled Jacobians as in obc\_volume\_map\_hexes\_report.
@@ -191,6 +194,10 @@ pub struct obc_volume_map_frame_report {
     pub inverted_at_start: usize,
     /// of Newton's method until there were none and the map was better
     pub steps: usize,
+    /// as in obc\_volume\_map\_hexes\_report
+    pub distance: f64,
+    /// as in obc\_volume\_map\_hexes\_report
+    pub volume_error: f64,
 }
 
 extern "C" {
@@ -253,7 +260,8 @@ extern "C" {
     /// Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
     /// tetrahedron as in \<orbicube/frame\_field.h\>, with an axis along the normal at the boundary, or NULL: several smooth fields are
     /// made and repaired, until a map follows one. The faces of the result (obc\_volume\_map\_hexes\_copy) are the parts of the boundary
-    /// that lie in one plane of the map. options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
+    /// that lie in one plane of the map. Where their boundary is farther from that of the solid than asked for, it is held there, then
+    /// there are more cells, as in obc\_volume\_map\_hexes\_compute. options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
     /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
     /// has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
     /// out of memory, cancelled.
@@ -337,14 +345,16 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 56, "obc_volume_map_hexes_report.volume_error");
         assert_eq!(unsafe { addr_of!((*start).follows_sharp_edges) } as usize - start as usize, 64, "obc_volume_map_hexes_report.follows_sharp_edges");
         assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 68, "obc_volume_map_hexes_report.reserved");
-        assert_eq!((size_of::<obc_volume_map_frame_options>(), align_of::<obc_volume_map_frame_options>()), (24, 8));
+        assert_eq!((size_of::<obc_volume_map_frame_options>(), align_of::<obc_volume_map_frame_options>()), (40, 8));
         let it = MaybeUninit::<obc_volume_map_frame_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_frame_options.struct_size");
         assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 4, "obc_volume_map_frame_options.rounds");
         assert_eq!(unsafe { addr_of!((*start).cells) } as usize - start as usize, 8, "obc_volume_map_frame_options.cells");
         assert_eq!(unsafe { addr_of!((*start).feature_angle) } as usize - start as usize, 16, "obc_volume_map_frame_options.feature_angle");
-        assert_eq!((size_of::<obc_volume_map_frame_report>(), align_of::<obc_volume_map_frame_report>()), (88, 8));
+        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 24, "obc_volume_map_frame_options.distance");
+        assert_eq!(unsafe { addr_of!((*start).most_cells) } as usize - start as usize, 32, "obc_volume_map_frame_options.most_cells");
+        assert_eq!((size_of::<obc_volume_map_frame_report>(), align_of::<obc_volume_map_frame_report>()), (104, 8));
         let it = MaybeUninit::<obc_volume_map_frame_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_frame_report.struct_size");
@@ -359,5 +369,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).tetrahedra) } as usize - start as usize, 64, "obc_volume_map_frame_report.tetrahedra");
         assert_eq!(unsafe { addr_of!((*start).inverted_at_start) } as usize - start as usize, 72, "obc_volume_map_frame_report.inverted_at_start");
         assert_eq!(unsafe { addr_of!((*start).steps) } as usize - start as usize, 80, "obc_volume_map_frame_report.steps");
+        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 88, "obc_volume_map_frame_report.distance");
+        assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 96, "obc_volume_map_frame_report.volume_error");
     }
 }

@@ -1,0 +1,26 @@
+// What orbicube hex leaves behind, whatever the hexahedra follow: the mesh, a scene, figures and what is said of them.
+#pragma once
+
+#include <string>
+
+#include "hex_scene.h"
+#include "session.h"
+#include "volume_map/hex_draft.h"
+
+namespace orbicube::cli {
+
+struct HexOutput {
+  std::string path;
+  bool text = false;  // rather than binary VTK
+  std::string glb;    // to draw it in, or empty
+  Cut cut = Cut::quarter;
+};
+
+// Throws Failure where one of the files could not be written, by its name.
+void require_hex_output(const HexOutput& output);
+
+// `asked` is the distance that was, in percent; `besides` ends what is said of the scaled Jacobians.
+void write_hexahedra(const HexOutput& output, volume_map::HexResult result, double asked, const std::string& besides,
+                     Session& session);
+
+}  // namespace orbicube::cli
