@@ -183,7 +183,8 @@ TEST_CASE("The gradient is that of differences while the corner stays in one tri
           Vector2d p = at;
           p[k] += by;
           const double result = move.evaluate(p, nullptr);
-          same = same && move.place().face == place.face &&
+          // At the rim of where there are maps a shifted corner may have none.
+          same = same && std::isfinite(result) && move.place().face == place.face &&
                  std::count(move.place().weights.begin(), move.place().weights.end(), 0.0) == 0;
           return result;
         };
