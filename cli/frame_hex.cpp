@@ -15,7 +15,7 @@
 
 namespace orbicube::cli {
 
-void run_frame_hex(const FrameHexVerb& verb, Session& session) {
+HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session) {
   const base::Host& host = session.host();
   const double begin = session.seconds();
   volume_map::FramedSolid solid(host.memory);
@@ -43,13 +43,13 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
     solid.positions = std::move(input.mesh.positions);
     solid.tetrahedra = std::move(input.mesh.tetrahedra);
   }
-  session.figures()["seconds_fill"] = session.seconds() - begin;
+  const double seconds_fill = session.seconds() - begin;
   if (!verb.frames.empty()) {
     solid.frames = about(verb.frames, Role::input,
                          [&] { return frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host); });
   }
   const double start = session.seconds();
-  volume_map::FrameHexes made = about(verb.output.path, Role::output, [&] {
+  volume_map::FrameHexes made = about(verb.output, Role::output, [&] {
     const volume_map::FrameHexOptions options = {.cells = verb.cells,
                                                  .distance = verb.distance,
                                                  .most_cells = verb.most_cells,
@@ -60,22 +60,23 @@ void run_frame_hex(const FrameHexVerb& verb, Session& session) {
                                                    verb.features * std::numbers::pi / 180, options, host);
   });
   const volume_map::FrameMap& map = made.map;
-  session.figures().update(Json{{"inner_irregular_edges", made.inner_irregular_edges},
-                                {"tetrahedra", map.solid.tetrahedra.size()},
-                                {"singular_edges", map.singular_edges},
-                                {"cut_faces", map.cut_faces},
-                                {"integers", map.integers},
-                                {"layer_bounds", map.bounds},
-                                {"integers_optimal", map.integers_optimal},
-                                {"inverted_at_start", map.inverted_at_start},
-                                {"steps", map.steps},
-                                {"fields", made.fields},
-                                {"seconds_frames", made.field_seconds},
-                                {"seconds_compute", session.seconds() - start - made.field_seconds}});
   if (made.fields > 1)
     session.note("no map follows the smoothest field; that of the hexahedra is number " + std::to_string(made.fields));
-  write_hexahedra(verb.output, std::move(made.result), verb.distance,
-                  std::to_string(made.inner_irregular_edges) + " inner edges with other than four hexahedra", session);
+  const Json figures = {{"inner_irregular_edges", made.inner_irregular_edges},
+                        {"tetrahedra", map.solid.tetrahedra.size()},
+                        {"singular_edges", map.singular_edges},
+                        {"cut_faces", map.cut_faces},
+                        {"integers", map.integers},
+                        {"layer_bounds", map.bounds},
+                        {"integers_optimal", map.integers_optimal},
+                        {"inverted_at_start", map.inverted_at_start},
+                        {"steps", map.steps},
+                        {"fields", made.fields},
+                        {"seconds_fill", seconds_fill},
+                        {"seconds_frames", made.field_seconds},
+                        {"seconds_compute", session.seconds() - start - made.field_seconds}};
+  return {std::move(made.result), figures,
+          std::to_string(made.inner_irregular_edges) + " inner edges with other than four hexahedra"};
 }
 
 }  // namespace orbicube::cli

@@ -10,7 +10,7 @@ namespace orbicube::cli {
 
 struct FrameHexVerb {
   PolycubeSolidOptions solid;
-  HexOutput output;
+  std::string output;  // what failures are about
   std::string frames;  // a file of them, or empty
   std::size_t cells = 10000;
   double distance = 1;  // percent
@@ -18,6 +18,6 @@ struct FrameHexVerb {
   double features = 0;  // degrees
 };
 
-void run_frame_hex(const FrameHexVerb& verb, Session& session);
+HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session);
 
 }  // namespace orbicube::cli

@@ -1,14 +1,15 @@
 // orbicube hex: a hexahedral mesh of a solid.
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "frame_hex.h"
 #include "hex_output.h"
+#include "machined_shape.h"
 #include "polycube_solid.h"
-#include "text.h"
 #include "verbs.h"
 #include "volume_map/hex_pieces.h"
 
@@ -30,10 +31,72 @@ struct HexVerb {
   double distance = 1;
   std::size_t most_cells = 100'000;
   double sharp_edges = volume_map::HexOptions{}.sharp_angle;  // degrees
-  std::string method = "polycube";
+  std::string method = "auto";
   std::string frames;
   double features = 0;  // degrees
 };
+
+// Of the cells of polycubes. `machined`: whether the solid looks like a machined part.
+HexOutcome hexahedra_of_polycubes(const HexVerb& verb, bool& machined, Session& session) {
+  const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::nothing, session);
+  const double start = session.seconds();
+  std::vector<volume_map::PolycubeSurface> boundaries;
+  std::size_t corners = 0;
+  for (const PolycubeSolidInput& piece : pieces) {
+    corners += piece.made.certificate.corners;
+    boundaries.push_back(piece.boundary());
+  }
+  const PolycubeSolidInput& first = pieces.front();
+  machined = pieces.size() == 1 &&
+             (first.fine.triangles.empty() ? is_machined(first.positions, first.surface, session.host())
+                                           : is_machined(first.fine.positions, first.fine.triangles, session.host()));
+  HexOutcome made{volume_map::HexResult(session.host().memory), Json::object(),
+                  std::to_string(corners) + " corners of the polycube"};
+  about(verb.output.path, Role::output, [&] {
+    made.result = volume_map::make_hexahedra_of_pieces(boundaries,
+                                                       {.cells = verb.cells,
+                                                        .padding = paddings.at(verb.padding),
+                                                        .distance = verb.distance,
+                                                        .most_cells = verb.most_cells,
+                                                        .sharp_angle = verb.sharp_edges},
+                                                       session.host());
+  });
+  made.figures = {{"method", "polycube"},
+                  {"padded", made.result.padded},
+                  {"follows_sharp_edges", made.result.follows_sharp_edges},
+                  {"seconds_compute", session.seconds() - start}};
+  return made;
+}
+
+HexOutcome hexahedra_by_frames(const HexVerb& verb, double features, Session& session) {
+  HexOutcome made = hexahedra_along_frames(
+      {verb.solid, verb.output.path, verb.frames, verb.cells, verb.distance, verb.most_cells, features}, session);
+  made.figures["method"] = "frames";
+  return made;
+}
+
+// By polycubes; where these have no hexahedra, or poor ones of a machined part, by frames too, whichever is better.
+HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
+  constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
+  std::optional<HexOutcome> made;
+  std::optional<Failure> refused;
+  bool machined = false;
+  try {
+    made = hexahedra_of_polycubes(verb, machined, session);
+    if (!machined || made->result.quality.least_scaled_jacobian > poor) return std::move(*made);
+  } catch (const Failure& failure) {
+    if (failure.kind() != "no-valid-result") throw;
+    refused = failure;
+  }
+  try {
+    HexOutcome other = hexahedra_by_frames(verb, verb.features > 0 ? verb.features : verb.sharp_edges, session);
+    if (!made || volume_map::better(other.result, made->result, verb.distance)) return other;
+  } catch (const Failure& failure) {
+    if (failure.kind() == "cancelled") throw;
+  }
+  if (!made) throw *refused;
+  return std::move(*made);
+}
 
 void run_hex(const HexVerb& verb, Session& session) {
   HexOutput output = verb.output;
@@ -52,34 +115,12 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"glb", output.glb},
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
-  if (verb.method == "frames") {
-    run_frame_hex({verb.solid, output, verb.frames, verb.cells, verb.distance, verb.most_cells, verb.features},
-                  session);
-    return;
-  }
-  const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::nothing, session);
-  const double start = session.seconds();
-  std::vector<volume_map::PolycubeSurface> boundaries;
-  std::size_t corners = 0;
-  for (const PolycubeSolidInput& piece : pieces) {
-    corners += piece.made.certificate.corners;
-    boundaries.push_back(piece.boundary());
-  }
-  volume_map::HexResult result(session.host().memory);
-  about(output.path, Role::output, [&] {
-    result = volume_map::make_hexahedra_of_pieces(boundaries,
-                                                  {.cells = verb.cells,
-                                                   .padding = paddings.at(verb.padding),
-                                                   .distance = verb.distance,
-                                                   .most_cells = verb.most_cells,
-                                                   .sharp_angle = verb.sharp_edges},
-                                                  session.host());
-  });
-  session.figures().update(Json{{"padded", result.padded},
-                                {"follows_sharp_edges", result.follows_sharp_edges},
-                                {"seconds_compute", session.seconds() - start}});
-  write_hexahedra(output, std::move(result), verb.distance, std::to_string(corners) + " corners of the polycube",
-                  session);
+  bool machined = false;
+  const bool by_frames = verb.method == "frames" || (verb.method == "auto" && !verb.frames.empty());
+  HexOutcome made = by_frames                   ? hexahedra_by_frames(verb, verb.features, session)
+                    : verb.method == "polycube" ? hexahedra_of_polycubes(verb, machined, session)
+                                                : best_hexahedra(verb, session);
+  write_hexahedra(output, std::move(made), verb.distance, session);
 }
 
 }  // namespace
@@ -117,24 +158,21 @@ void add_hex(CLI::App& app, CommonOptions& common) {
   verb->add_option("--cut", options->cut, "what that leaves out: a quarter (the default), half or none")
       ->check(unnamed(CLI::IsMember({"quarter", "half", "none"})))
       ->type_name("C");
-  CLI::Option* method =
-      verb->add_option(
-              "--method", options->method,
-              "polycube: the cells of a polycube (the default); frames: along a frame field, with its singular "
-              "edges inside")
-          ->check(unnamed(CLI::IsMember({"polycube", "frames"})))
-          ->type_name("METHOD");
+  verb->add_option(
+          "--method", options->method,
+          "polycube: the cells of a polycube; frames: along a frame field, with its singular edges inside; auto "
+          "(the default): polycube, and where that does not do, frames, whichever is better")
+      ->check(unnamed(CLI::IsMember({"auto", "polycube", "frames"})))
+      ->type_name("METHOD");
   verb->add_option("--frames", options->frames,
-                   "frames of IN, a mesh of tetrahedra, for --method frames; else they are found")
-      ->type_name("FILE.frames")
-      ->needs(method);
+                   "frames of IN, a mesh of tetrahedra, that hexahedra are to follow; else they are found")
+      ->type_name("FILE.frames");
   verb->add_option(
           "--features", options->features,
           "where frames are found, an axis follows edges of the boundary that turn by more than so many degrees "
-          "(0: none)")
+          "(0: none; with --method auto, those of --sharp-edges)")
       ->check(unnamed(CLI::Range(0.0, 180.0)))
-      ->type_name("DEGREES")
-      ->needs(method);
+      ->type_name("DEGREES");
   verb->add_flag("--text", options->output.text, "text rather than binary VTK");
   add_common_options(*verb, common);
   verb->callback([options, &common] {

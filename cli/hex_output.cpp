@@ -17,10 +17,11 @@ void require_hex_output(const HexOutput& output) {
     throw Failure(Exit::wrong_input, output.glb, "unsupported-format", "--glb needs .glb or .gltf");
 }
 
-void write_hexahedra(const HexOutput& output, volume_map::HexResult result, double asked, const std::string& besides,
-                     Session& session) {
+void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Session& session) {
   const base::Host& host = session.host();
+  volume_map::HexResult& result = made.result;
   const volume_map::HexQuality& quality = result.quality;
+  session.figures().update(made.figures);
   session.figures().update(Json{{"output", output.path},
                                 {"vertices", result.mesh.positions.size()},
                                 {"hexahedra", result.mesh.hexahedra.size()},
@@ -46,7 +47,7 @@ void write_hexahedra(const HexOutput& output, volume_map::HexResult result, doub
   session.say("wrote " + output.path + ": " + std::to_string(cells.hexahedra.size()) +
               " hexahedra, each certified to be positive");
   session.say("  scaled Jacobians " + number(quality.least_scaled_jacobian) + " at least, " +
-              number(quality.mean_scaled_jacobian) + " on average; " + besides);
+              number(quality.mean_scaled_jacobian) + " on average; " + made.besides);
   session.say("  " + number(result.distance) + " % of the diagonal from the surface at most, volume off by " +
               number(result.volume_error) + " %");
   if (asked > 0 && std::max(result.distance, result.volume_error) > asked)

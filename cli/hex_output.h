@@ -16,11 +16,17 @@ struct HexOutput {
   Cut cut = Cut::quarter;
 };
 
+// Hexahedra, figures of how they were made, and what people may want to know besides scaled Jacobians.
+struct HexOutcome {
+  volume_map::HexResult result;
+  Json figures;
+  std::string besides;
+};
+
 // Throws Failure where one of the files could not be written, by its name.
 void require_hex_output(const HexOutput& output);
 
-// `asked` is the distance that was, in percent; `besides` ends what is said of the scaled Jacobians.
-void write_hexahedra(const HexOutput& output, volume_map::HexResult result, double asked, const std::string& besides,
-                     Session& session);
+// `asked` is the distance that was, in percent.
+void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Session& session);
 
 }  // namespace orbicube::cli

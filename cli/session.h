@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <nlohmann/json.hpp>
@@ -39,7 +40,10 @@ class Session {
   // What the verb was asked for, besides the common options.
   Json& options() { return verb_options_; }
   // Something that was done to the input, for the report and for people.
-  void note(const std::string& text) { notes_.push_back(text); }
+  // Once, however often it is done.
+  void note(const std::string& text) {
+    if (std::find(notes_.begin(), notes_.end(), text) == notes_.end()) notes_.push_back(text);
+  }
   const std::vector<std::string>& notes() const { return notes_; }
 
   double seconds() const;
