@@ -60,8 +60,9 @@ HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session) {
                                                    verb.features * std::numbers::pi / 180, options, host);
   });
   const volume_map::FrameMap& map = made.map;
-  if (made.fields > 1)
-    session.note("no map follows the smoothest field; that of the hexahedra is number " + std::to_string(made.fields));
+  const std::string note = made.fields > 1 ? "no map follows the smoothest field; that of the hexahedra is number " +
+                                                 std::to_string(made.fields)
+                                           : "";
   const Json figures = {{"inner_irregular_edges", made.inner_irregular_edges},
                         {"tetrahedra", map.solid.tetrahedra.size()},
                         {"singular_edges", map.singular_edges},
@@ -76,7 +77,7 @@ HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session) {
                         {"seconds_frames", made.field_seconds},
                         {"seconds_compute", session.seconds() - start - made.field_seconds}};
   return {std::move(made.result), figures,
-          std::to_string(made.inner_irregular_edges) + " inner edges with other than four hexahedra"};
+          std::to_string(made.inner_irregular_edges) + " inner edges with other than four hexahedra", note};
 }
 
 }  // namespace orbicube::cli

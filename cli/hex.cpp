@@ -10,8 +10,10 @@
 #include "hex_output.h"
 #include "machined_shape.h"
 #include "polycube_solid.h"
+#include "surface_file.h"
 #include "verbs.h"
 #include "volume_map/hex_pieces.h"
+#include "volume_map/solid_boundary.h"
 
 namespace orbicube::cli {
 namespace {
@@ -36,8 +38,7 @@ struct HexVerb {
   double features = 0;  // degrees
 };
 
-// Of the cells of polycubes. `machined`: whether the solid looks like a machined part.
-HexOutcome hexahedra_of_polycubes(const HexVerb& verb, bool& machined, Session& session) {
+HexOutcome hexahedra_of_polycubes(const HexVerb& verb, Session& session) {
   const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::nothing, session);
   const double start = session.seconds();
   std::vector<volume_map::PolycubeSurface> boundaries;
@@ -46,12 +47,8 @@ HexOutcome hexahedra_of_polycubes(const HexVerb& verb, bool& machined, Session& 
     corners += piece.made.certificate.corners;
     boundaries.push_back(piece.boundary());
   }
-  const PolycubeSolidInput& first = pieces.front();
-  machined = pieces.size() == 1 &&
-             (first.fine.triangles.empty() ? is_machined(first.positions, first.surface, session.host())
-                                           : is_machined(first.fine.positions, first.fine.triangles, session.host()));
   HexOutcome made{volume_map::HexResult(session.host().memory), Json::object(),
-                  std::to_string(corners) + " corners of the polycube"};
+                  std::to_string(corners) + " corners of the polycube", ""};
   about(verb.output.path, Role::output, [&] {
     made.result = volume_map::make_hexahedra_of_pieces(boundaries,
                                                        {.cells = verb.cells,
@@ -75,26 +72,47 @@ HexOutcome hexahedra_by_frames(const HexVerb& verb, double features, Session& se
   return made;
 }
 
-// By polycubes; where these have no hexahedra, or poor ones of a machined part, by frames too, whichever is better.
+bool looks_machined(const PolycubeSolidOptions& solid, Session& session) {
+  const base::Host& host = session.host();
+  const InputMesh input = read_input(solid.input, solid.weld, session);
+  try {
+    if (input.mesh.tetrahedra.empty()) return is_machined(input.mesh.positions, input.mesh.triangles, host);
+    const volume_map::BoundaryFirst first = volume_map::boundary_first(input.mesh, host);
+    return is_machined(first.positions, first.surface, host);
+  } catch (const base::Error& error) {
+    if (error.status() == base::Status::cancelled) throw;
+    return false;  // no surface of a solid; what is wrong is said by who wants one
+  }
+}
+
+// Of machined parts by frames, which know of other than right angles and of round edges; of others, and where frames do
+// not do, by polycubes; by frames again where there is no other way. The better one, if there are two.
 HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
   constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
+  // Layers are those of a polycube.
+  const bool frames_may = verb.padding == "auto", machined = frames_may && looks_machined(verb.solid, session);
+  const double features = verb.features > 0 ? verb.features : verb.sharp_edges;
   std::optional<HexOutcome> made;
-  std::optional<Failure> refused;
-  bool machined = false;
+  const auto take = [&](HexOutcome now) {
+    if (!made || volume_map::better(now.result, made->result, verb.distance)) made = std::move(now);
+  };
+  const auto try_frames = [&] {
+    try {
+      take(hexahedra_by_frames(verb, features, session));
+    } catch (const Failure& failure) {
+      if (failure.kind() == "cancelled") throw;
+    }
+  };
+  if (machined) try_frames();
+  if (made && made->result.quality.least_scaled_jacobian > poor && volume_map::excess(made->result, verb.distance) <= 1)
+    return std::move(*made);
   try {
-    made = hexahedra_of_polycubes(verb, machined, session);
-    if (!machined || made->result.quality.least_scaled_jacobian > poor) return std::move(*made);
-  } catch (const Failure& failure) {
-    if (failure.kind() != "no-valid-result") throw;
-    refused = failure;
-  }
-  try {
-    HexOutcome other = hexahedra_by_frames(verb, verb.features > 0 ? verb.features : verb.sharp_edges, session);
-    if (!made || volume_map::better(other.result, made->result, verb.distance)) return other;
+    take(hexahedra_of_polycubes(verb, session));
   } catch (const Failure& failure) {
     if (failure.kind() == "cancelled") throw;
+    if (!made && !machined && frames_may && failure.kind() == "no-valid-result") try_frames();
+    if (!made) throw;
   }
-  if (!made) throw *refused;
   return std::move(*made);
 }
 
@@ -115,10 +133,9 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"glb", output.glb},
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
-  bool machined = false;
   const bool by_frames = verb.method == "frames" || (verb.method == "auto" && !verb.frames.empty());
   HexOutcome made = by_frames                   ? hexahedra_by_frames(verb, verb.features, session)
-                    : verb.method == "polycube" ? hexahedra_of_polycubes(verb, machined, session)
+                    : verb.method == "polycube" ? hexahedra_of_polycubes(verb, session)
                                                 : best_hexahedra(verb, session);
   write_hexahedra(output, std::move(made), verb.distance, session);
 }

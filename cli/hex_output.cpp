@@ -22,6 +22,7 @@ void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Ses
   volume_map::HexResult& result = made.result;
   const volume_map::HexQuality& quality = result.quality;
   session.figures().update(made.figures);
+  if (!made.note.empty()) session.note(made.note);
   session.figures().update(Json{{"output", output.path},
                                 {"vertices", result.mesh.positions.size()},
                                 {"hexahedra", result.mesh.hexahedra.size()},

@@ -16,11 +16,12 @@ struct HexOutput {
   Cut cut = Cut::quarter;
 };
 
-// Hexahedra, figures of how they were made, and what people may want to know besides scaled Jacobians.
+// Hexahedra, figures of how they were made, what people may want to know besides scaled Jacobians, and a note or none.
 struct HexOutcome {
   volume_map::HexResult result;
   Json figures;
   std::string besides;
+  std::string note;
 };
 
 // Throws Failure where one of the files could not be written, by its name.

@@ -134,8 +134,11 @@ class Making {
   static constexpr double good = 0.4;
 
   // What is near to the surface by itself is better than what is held there. What is good in one way is not tried in
-  // another.
-  bool done() const { return (least_near_ > 0 ? least_near_ : least_) > good; }
+  // another; where it took more cells to be near, which are slow, a little less is good.
+  bool done(std::size_t cells) const {
+    constexpr double good_of_many = 0.3;
+    return (least_near_ > 0 ? least_near_ : least_) > (cells > options_.cells ? good_of_many : good);
+  }
 
   // Answers whether the mesh is valid and as near to the surface as wanted.
   bool attempt(const Way& way, std::size_t cells, const HexManner& manner) {
@@ -186,12 +189,12 @@ class Making {
     // More cells are there for what is far: held at once.
     const bool free_first = cells == options_.cells, distance_counts = options_.distance > 0;
     for (const Way& way : ways_) {
-      if (done()) return;
+      if (done(cells)) return;
       HexManner manner;
       bool near = free_first && attempt(way, cells, manner);
       if (!near && distance_counts) near = attempt(way, cells, manner = {.hold = true});
       manner.insist = true;
-      if (near && !done()) attempt(way, cells, manner);
+      if (near && !done(cells)) attempt(way, cells, manner);
     }
     // Vertices on the surface itself are less accurate and leave more room.
     for (const Way& way : ways_) {
