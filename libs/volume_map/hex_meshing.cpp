@@ -112,7 +112,7 @@ class Making {
 
   HexResult best() {
     // What is near but hardly valid is tried with twice as many cells, once.
-    constexpr double poor = 0.2;
+    constexpr double poor = 0.3;
     for (std::size_t cells = options_.cells;; cells *= 2) {
       make(cells);
       if (options_.distance == 0 || 2 * cells > options_.most_cells) break;
