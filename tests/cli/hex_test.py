@@ -64,12 +64,29 @@ def write_cylinder(path, frames):
             file.write(f"{math.cos(turn / 2)!r} 0 0 {math.sin(turn / 2)!r}\n")
 
 
+def write_prism(path, sides, cuts=4):
+    """A regular prism of height 2: quads in rings around the middle of both ends and in layers at the sides, in triangles."""
+    corners = [cmath.exp(2j * cmath.pi * k / sides) for k in range(sides + 1)]
+    rim = [corners[k] + (corners[k + 1] - corners[k]) * i / cuts for k in range(sides) for i in range(cuts)]
+    loops = [(r / cuts, 0) for r in range(1, cuts)] + [(1, 2 * l / cuts) for l in range(cuts + 1)]
+    loops += [(r / cuts, 2) for r in range(cuts - 1, 0, -1)]
+    n = len(rim)
+    with open(path, "w", encoding="ascii") as file:
+        for scale, z in loops:
+            file.writelines(f"v {scale * p.real!r} {scale * p.imag!r} {z!r}\n" for p in rim)
+        file.write("v 0 0 0\nv 0 0 2\n")
+        for k in range(n):
+            for loop in range(len(loops) - 1):
+                a, b = loop * n + k + 1, loop * n + (k + 1) % n + 1
+                file.write(f"f {a} {b} {b + n}\nf {a} {b + n} {a + n}\n")
+            last = (len(loops) - 1) * n + 1
+            file.write(f"f {1 + (k + 1) % n} {1 + k} {last + n}\nf {last + k} {last + (k + 1) % n} {last + n + 1}\n")
+
+
 class Hex(InFolder):
-    def test_hexahedra_are_positive_and_meet_in_whole_faces(self):
-        path, out, report = self.made("three-holes", 900), self.path("out.mesh"), self.path("report.json")
-        done = run("hex", path, "-o", out, "--cells", 900, "--distance", 3, "--report", report)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        positions, cells = read_medit(out, "Hexahedra", 8)
+    def check(self, path, handles):
+        """Positive corners, whole faces, and a boundary of one piece of that genus; answers the numbers of cells and quads."""
+        positions, cells = read_medit(path, "Hexahedra", 8)
         faces = Counter()
         for cell in cells:
             for k, near in enumerate(NEIGHBOURS):
@@ -79,15 +96,44 @@ class Hex(InFolder):
         self.assertEqual(set(faces.values()), {1, 2})
         outer = [face for face, count in faces.items() if count == 1]
         used = {v for face in outer for v in face}
-        self.assertEqual(len(used) - len(outer), 2 - 2 * 3)  # vertices - edges + faces, each face having two edges
+        self.assertEqual(len(used) - len(outer), 2 - 2 * handles)  # vertices - edges + faces, each face having two edges
+        return len(cells), len(outer)
+
+    def made_hexahedra(self, path, *options):
+        """What the report says, and the file."""
+        out, report = self.path("out.mesh"), self.path("report.json")
+        done = run("hex", path, "-o", out, "--report", report, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
         with open(report, encoding="utf-8") as file:
-            figures = json.load(file)
-        self.assertEqual(figures["hexahedra"], len(cells))
-        self.assertEqual(figures["boundary_quads"], len(outer))
-        self.assertEqual(figures["polycube"]["genus"], 3)
-        self.assertGreater(figures["scaled_jacobian_min"], 0.2)
-        self.assertLess(figures["distance_percent"], 3)
-        self.assertLess(figures["volume_error_percent"], 3)
+            return json.load(file), out
+
+    def test_hexahedra_are_positive_and_meet_in_whole_faces(self):
+        path = self.made("three-holes", 900)
+        for method in ("polycube", "frames"):
+            figures, out = self.made_hexahedra(path, "--cells", 900, "--distance", 3, "--method", method)
+            cells, quads = self.check(out, 3)
+            self.assertEqual((figures["method"], figures["hexahedra"], figures["boundary_quads"]), (method, cells, quads))
+            if method == "polycube":
+                self.assertEqual(figures["polycube"]["genus"], 3)
+            self.assertGreater(figures["scaled_jacobian_min"], 0.2)
+            self.assertLess(figures["distance_percent"], 3)
+            self.assertLess(figures["volume_error_percent"], 3)
+
+    def test_machined_parts_follow_frames_and_others_polycubes(self):
+        # Five sides, where a polycube has four corners: frames have a curve in the middle around which cells meet in fives.
+        prism = self.path("prism.obj")
+        write_prism(prism, 5)
+        figures, out = self.made_hexahedra(prism, "--cells", 100)
+        self.check(out, 0)
+        self.assertEqual(figures["method"], "frames")
+        self.assertGreater(figures["inner_irregular_edges"], 0)
+        self.assertGreater(figures["scaled_jacobian_min"], 0.9)
+        self.assertLess(figures["hexahedra"], 200)
+        # Layers are those of a polycube, and a round shape is not machined.
+        figures, _ = self.made_hexahedra(self.made("cube", 300), "--cells", 64, "--padding", "with")
+        self.assertEqual((figures["method"], figures["padded"]), ("polycube", True))
+        figures, _ = self.made_hexahedra(self.made("blob", 600), "--cells", 200, "--distance", 0)
+        self.assertEqual(figures["method"], "polycube")
 
     def test_the_scene_is_the_boundary_of_what_is_not_cut_away(self):
         path, out, scene, report = self.made("cube", 300), self.path("out.mesh"), self.path("out.glb"), self.path("report.json")
