@@ -178,7 +178,7 @@ void add_hex(CLI::App& app, CommonOptions& common) {
   verb->add_option(
           "--method", options->method,
           "polycube: the cells of a polycube; frames: along a frame field, with its singular edges inside; auto "
-          "(the default): polycube, and where that does not do, frames, whichever is better")
+          "(the default): frames for what looks like a machined part; else, and where frames do not do, polycube")
       ->check(unnamed(CLI::IsMember({"auto", "polycube", "frames"})))
       ->type_name("METHOD");
   verb->add_option("--frames", options->frames,
