@@ -52,7 +52,7 @@ void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Ses
   session.say("  " + number(result.distance) + " % of the diagonal from the surface at most, volume off by " +
               number(result.volume_error) + " %");
   if (asked > 0 && std::max(result.distance, result.volume_error) > asked)
-    session.say("  that is more than --distance " + number(asked) + ", with all the cells that --most-cells allows");
+    session.say("  that is more than --distance " + number(asked) + ", with any number of cells up to --most-cells");
 }
 
 }  // namespace orbicube::cli

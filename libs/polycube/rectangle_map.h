@@ -1,6 +1,8 @@
 // Every rectangle of a traced and decimated layout mapped to its rectangle on the polycube: boundaries by arc length,
-// interiors by mean-value coordinates (Floater 2003), whose weights are positive, so that the map is a bijection (Tutte
-// 1963, Floater 1997): the boundary is convex, and no edge joins two of its vertices.
+// interiors by the mean-value weights (Floater 2003) of both ends of an edge together, within a factor of their median:
+// they are positive, so that the map is a bijection (Tutte 1963, Floater 1997): the boundary is convex, and no edge
+// joins two of its vertices. One sparse factor of the free vertices, O(n log n) for the few hundred that a coarse
+// surface has.
 #pragma once
 
 #include "polycube/layout.h"
