@@ -62,7 +62,7 @@ HexResult HexDraft::finish(const HexManner& manner) {
                                          .most_weight = manner.insist ? 1000.0 : 60.0};
   if (!smooth_hexahedra(mesh_, boundary_, target_, smoothing, host_)) {
     // A few that stay inverted are turned right by the search.
-    search_hexahedra(mesh_, boundary_, {}, host_);
+    search_hexahedra(mesh_, boundary_, {.mean_passes = 0}, host_);
     smooth_hexahedra(mesh_, boundary_, target_, smoothing, host_);
   }
   HexResult result = searched(false);
@@ -73,11 +73,13 @@ HexResult HexDraft::finish(const HexManner& manner) {
 }
 
 HexResult HexDraft::searched(bool all) const {
-  constexpr double reach = 0.2;  // of the distance: how far the search may move what is held
+  // How far the search may move what is held, of the distance, and in cells where none is asked for.
+  constexpr double part = 0.2, free_reach = 0.1;
+  const double reach = aim_.distance > 0 ? part * distance() : free_reach;
   HexResult result(host_.memory);
   result.padded = padding_ > 0;
   result.mesh = mesh_;
-  result.off_surface = search_hexahedra(result.mesh, boundary_, {.reach = reach * distance(), .all = all}, host_);
+  result.off_surface = search_hexahedra(result.mesh, boundary_, {.reach = reach, .all = all}, host_);
   for (Vector3& p : result.mesh.positions)
     p /= scale_;
   measure(result);

@@ -63,9 +63,8 @@ class Search {
     return result;
   }
 
+  // The worst hexahedra, by moves of their vertices that make the worst around each better.
   void improve(const HexSearchOptions& options) {
-    std::mt19937_64 random(1);
-    const auto uniform = [&] { return static_cast<double>(random() >> 11) * 0x1p-52 - 1; };
     Array<std::pair<double, Index>> order(mesh_.hexahedra.size(), host_.memory);
     // Of all hexahedra, as of the last pass; few change in each.
     Array<double> qualities(order.size(), 0, host_.memory);
@@ -78,8 +77,7 @@ class Search {
     const Array<Vector3> start(mesh_.positions, host_.memory);
     for (int pass = 0; pass < options.passes; ++pass, radius = std::max(0.01, 0.93 * radius)) {
       for (Index i = 0; i < order.size(); ++i) {
-        if (i % 1024 == 0)
-          host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
+        if (i % 1024 == 0) report("improve", pass, options.passes);
         if (changed[i] != 0) qualities[i] = quality(i, lowest);
         changed[i] = 0;
         order[i] = {qualities[i], i};
@@ -93,37 +91,86 @@ class Search {
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       for (const Index v : vertices) {
-        host_.report("improve", static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(options.passes));
-        Vector3& x = mesh_.positions[v];
+        report("improve", pass, options.passes);
         const double before = worst_around(v, lowest);
         double worst = before;
-        const double edge = shortest_edge(v);
-        for (int trial = 0; trial < 8; ++trial) {
-          const Vector3 from = x;
-          const double reach = radius * edge * (trial < 4 ? 1 : 0.2);
-          // In this order: arguments of a call have none.
-          const double a = uniform(), b = uniform(), c = uniform();
-          x = from + reach * Vector3(a, b, c);
-          if (boundary_.kind(v) != HexBoundary::Kind::inside) {
-            x = boundary_.project(v, x).position;
-            if ((options.all || boundary_.hold(v) > 1) && (x - start[v]).norm() > options.reach) {
-              x = from;
-              continue;
-            }
-          }
+        const bool held = options.all || boundary_.hold(v) > 1;
+        try_places(v, radius, {start[v], held ? options.reach : infinity}, [&] {
           const double now = worst_around(v, worst);
-          if (now > worst + 1e-6)
-            worst = now;
-          else
-            x = from;
-        }
+          const bool better = now > worst + least_gain;
+          if (better) worst = now;
+          return better;
+        });
         for (Index i = begin_[v]; worst > before && i < begin_[v + 1]; ++i)
           changed[around_[i]] = 1;
       }
     }
   }
 
+  // All hexahedra on average, by moves after which the sum of the scaled Jacobians around a vertex is greater. The
+  // worst around it may become less good as long as it stays good, and better than the worst of the mesh.
+  void raise_mean(const HexSearchOptions& options) {
+    constexpr double nothing_to_gain = 0.985;
+    const double kept = std::max(options.kept, worst());
+    if (worst() <= 0) return;
+    const Array<Vector3> start(mesh_.positions, host_.memory);
+    double radius = 0.2;
+    for (int pass = 0; pass < options.mean_passes; ++pass, radius *= 0.85) {
+      for (Index v = 0; v < mesh_.positions.size(); ++v) {
+        if (v % 64 == 0) report("raise", pass, options.mean_passes);
+        double sum = sum_around(v);
+        if (sum > nothing_to_gain * (begin_[v + 1] - begin_[v])) continue;
+        const double floor = std::min(kept, worst_around(v, lowest));
+        try_places(v, radius, {start[v], options.reach}, [&] {
+          const double now = sum_around(v);
+          const bool better = now > sum + least_gain && worst_around(v, floor) >= floor;
+          if (better) sum = now;
+          return better;
+        });
+      }
+    }
+  }
+
  private:
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+  static constexpr double least_gain = 1e-6;
+
+  // Where a vertex of the boundary may be tried.
+  struct Range {
+    Vector3 center;
+    double reach;
+  };
+
+  void report(const char* phase, int pass, int passes) const {
+    host_.report(phase, static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(passes));
+  }
+
+  // From -1 to 1.
+  double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
+
+  // Places for a vertex within so many times its shortest edge; of those on the boundary on the surface and in the
+  // range. It stays where `accept` answers true.
+  template <class Accept>
+  void try_places(Index v, double radius, const Range& range, const Accept& accept) {
+    constexpr int far_trials = 4, near_trials = 4;
+    constexpr double near = 0.2;  // of the radius
+    Vector3& x = mesh_.positions[v];
+    const double edge = shortest_edge(v);
+    for (int trial = 0; trial < far_trials + near_trials; ++trial) {
+      const Vector3 from = x;
+      const double reach = radius * edge * (trial < far_trials ? 1 : near);
+      // In this order: arguments of a call have none.
+      const double a = uniform(), b = uniform(), c = uniform();
+      x = from + reach * Vector3(a, b, c);
+      bool allowed = true;
+      if (boundary_.kind(v) != HexBoundary::Kind::inside) {
+        x = boundary_.project(v, x).position;
+        allowed = (x - range.center).norm() <= range.reach;
+      }
+      if (!allowed || !accept()) x = from;
+    }
+  }
+
   // An inverted corner is worse than any coefficient.
   double corners(Index hexahedron) const {
     const double least = scaled_jacobian(mesh_.positions, mesh_.hexahedra[hexahedron]);
@@ -152,8 +199,14 @@ class Search {
     }
     return worst;
   }
+  double sum_around(Index v) const {
+    double sum = 0;
+    for (Index i = begin_[v]; i < begin_[v + 1]; ++i)
+      sum += scaled_jacobian(mesh_.positions, mesh_.hexahedra[around_[i]]);
+    return sum;
+  }
   double shortest_edge(Index v) const {
-    double least = std::numeric_limits<double>::infinity();
+    double least = infinity;
     for (Index i = begin_[v]; i < begin_[v + 1]; ++i) {
       const Hexahedron& h = mesh_.hexahedra[around_[i]];
       for (std::size_t k = 0; k < 8; ++k) {
@@ -169,6 +222,7 @@ class Search {
   const HexBoundary& boundary_;
   const base::Host& host_;
   Array<Index> begin_, around_;  // hexahedra around each vertex
+  std::mt19937_64 random_{1};
 };
 
 }  // namespace
@@ -180,6 +234,7 @@ std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const H
   for (int k = 0; k < 3; ++k)
     search.snap(floor);
   search.improve(options);
+  search.raise_mean(options);
   // What the search has won is not to be lost: places on a lifted surface move a little each time.
   const double won = std::max(floor, search.worst());
   search.snap(won);

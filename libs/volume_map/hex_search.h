@@ -1,5 +1,5 @@
-// The end of making hexahedra better: vertices of the boundary put onto the surface, and the worst hexahedra improved
-// by trying places for their vertices.
+// The end of making hexahedra better: vertices of the boundary put onto the surface, then the worst hexahedra and at
+// last all of them on average improved by trying places for their vertices.
 #pragma once
 
 #include "volume_map/hex_boundary.h"
@@ -7,16 +7,19 @@
 namespace orbicube::volume_map {
 
 struct HexSearchOptions {
-  int passes = 60;
+  int passes = 60;     // for the worst
   double part = 0.02;  // of the hexahedra, the worst ones
-  double reach = 0;    // how far from where they are those of the boundary may be tried that are held (hex_boundary.h)
+  int mean_passes = 12;
+  double kept = 0.75;  // what no hexahedron is brought below for the sake of the mean
+  double reach = 0;    // how far from where they are vertices of the boundary may be tried that are held, and all of
+                       // the boundary for the mean (hex_boundary.h)
   bool all = false;    // are held
 };
 
 // Everything is judged by the scaled Jacobian and the Bernstein coefficients of whole hexahedra: no change makes the
-// worst around a vertex worse, but for what puts it onto the surface before the search, which may lower it to 0.15;
-// after it not below the worst of the mesh. Answers how many vertices of the boundary could not be put onto the
-// surface. The same in every run. Throws Error "cancelled".
+// worst around a vertex worse, but for what puts it onto the surface before the search, which may lower it to 0.15, and
+// what serves the mean, to `kept`; after the search nothing goes below the worst of the mesh. Answers how many vertices
+// of the boundary could not be put onto the surface. The same in every run. Throws Error "cancelled".
 std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
                              const base::Host& host);
 

@@ -17,6 +17,7 @@
 #include "volume_map/coarse_surface.h"
 #include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
+#include "volume_map/hex_search.h"
 #include "volume_map/hex_smoothing.h"
 #include "volume_map/hex_tetrahedra.h"
 #include "volume_map/integer_domain.h"
@@ -55,6 +56,22 @@ double determinant(const std::vector<Vector3>& p, const Vector3& at) {
     }
   }
   return j.determinant();
+}
+
+// Of a polycube with about so many cells.
+HexMesh grid_of(const polycube::SurfaceMap& map, std::size_t cells, double scale, const base::Host& host) {
+  HexMesh mesh = sample_hexahedra(domain_of_cells(polycube::make_patch_graph(map, host), cells, 0, host), map, host);
+  for (Vector3& p : mesh.positions)
+    p *= scale;
+  return mesh;
+}
+
+// With which those cells are about 1 long.
+double scale_of_cells(const polycube::SurfaceMap& map, std::size_t cells, const base::Host& host) {
+  double volume = 0;
+  for (const mesh::Triangle& t : map.triangles)
+    volume += map.positions[t[0]].dot(map.positions[t[1]].cross(map.positions[t[2]])) / 6;
+  return std::cbrt(static_cast<double>(grid_of(map, cells, 1, host).hexahedra.size()) / volume);
 }
 
 }  // namespace
@@ -220,14 +237,8 @@ TEST_CASE("Smoothing leaves no hexahedron twisted where its corners are good") {
                                        radius - (radius - across[1]) * std::cos(angle * along), across[2]);
     }
     const base::Host host;
-    HexMesh mesh = sample_hexahedra(domain_of_cells(polycube::make_patch_graph(block.map, host), bar.cells, 0, host),
-                                    block.map, host);
-    double volume = 0;
-    for (const mesh::Triangle& t : block.map.triangles)
-      volume += block.map.positions[t[0]].dot(block.map.positions[t[1]].cross(block.map.positions[t[2]])) / 6;
-    const double scale = std::cbrt(static_cast<double>(mesh.hexahedra.size()) / volume);
-    for (Vector3& p : mesh.positions)
-      p *= scale;
+    const double scale = scale_of_cells(block.map, bar.cells, host);
+    HexMesh mesh = grid_of(block.map, bar.cells, scale, host);
     const SurfaceTarget target(block.map, {}, {}, scale, host);
     HexBoundary boundary(mesh, target, host);
     CHECK(smooth_hexahedra(mesh, boundary, target, {.distance = 0.1}, host));
@@ -236,6 +247,39 @@ TEST_CASE("Smoothing leaves no hexahedron twisted where its corners are good") {
       CHECK(least_bezier(mesh.positions, h) > 0);
     }
   }
+}
+
+TEST_CASE("The search makes hexahedra better on average, none worse than the worst, and leaves the boundary near") {
+  test::BlockSolid block(test::angle, 3, 0.8, 0.4);
+  REQUIRE(block.certificate == "");
+  const base::Host host;
+  const double scale = scale_of_cells(block.map, 400, host);
+  HexMesh start = grid_of(block.map, 400, scale, host);
+  const SurfaceTarget target(block.map, {}, {}, scale, host);
+  HexBoundary boundary(start, target, host);
+  REQUIRE(smooth_hexahedra(start, boundary, target, {}, host));
+  constexpr double reach = 0.1;
+  const auto searched = [&](const HexSearchOptions& options) {
+    HexMesh mesh(start);
+    search_hexahedra(mesh, boundary, options, host);
+    return mesh;
+  };
+  const auto quality = [&](const HexMesh& mesh) { return measure_hexahedra(mesh.positions, mesh.hexahedra, host); };
+  const HexMesh before = searched({.mean_passes = 0, .reach = reach}), after = searched({.reach = reach});
+  REQUIRE(quality(before).valid());
+  CHECK(quality(after).valid());
+  CHECK(quality(after).least_scaled_jacobian >= quality(before).least_scaled_jacobian);
+  CHECK(quality(after).mean_scaled_jacobian > quality(before).mean_scaled_jacobian + 0.003);
+  for (const Index v : boundary.vertices()) {
+    // The last step puts vertices onto the surface.
+    const double snapped = (boundary.project(v, after.positions[v]).position - after.positions[v]).norm();
+    CHECK((after.positions[v] - before.positions[v]).norm() <= reach + 0.05 + snapped);
+  }
+  CHECK(searched({.reach = reach}).positions == after.positions);
+  // Where the boundary may not move at all, what is inside still may.
+  const HexMesh inside = searched({.reach = 0});
+  CHECK(quality(inside).mean_scaled_jacobian > quality(before).mean_scaled_jacobian);
+  CHECK(quality(inside).mean_scaled_jacobian < quality(after).mean_scaled_jacobian);
 }
 
 TEST_CASE("The distance of two surfaces is that of the farthest point, whichever has it, for any number of threads") {
