@@ -73,13 +73,11 @@ HexResult HexDraft::finish(const HexManner& manner) {
 }
 
 HexResult HexDraft::searched(bool all) const {
-  // How far the search may move what is held, of the distance, and in cells where none is asked for.
-  constexpr double part = 0.2, free_reach = 0.1;
-  const double reach = aim_.distance > 0 ? part * distance() : free_reach;
+  constexpr double reach = 0.2;  // of the distance: how far the search may move what is held
   HexResult result(host_.memory);
   result.padded = padding_ > 0;
   result.mesh = mesh_;
-  result.off_surface = search_hexahedra(result.mesh, boundary_, {.reach = reach, .all = all}, host_);
+  result.off_surface = search_hexahedra(result.mesh, boundary_, {.reach = reach * distance(), .all = all}, host_);
   for (Vector3& p : result.mesh.positions)
     p /= scale_;
   measure(result);

@@ -94,8 +94,7 @@ class Search {
         report("improve", pass, options.passes);
         const double before = worst_around(v, lowest);
         double worst = before;
-        const bool held = options.all || boundary_.hold(v) > 1;
-        try_places(v, radius, {start[v], held ? options.reach : infinity}, [&] {
+        try_places(v, radius, {start[v], held(v, options) ? options.reach : infinity}, [&] {
           const double now = worst_around(v, worst);
           const bool better = now > worst + least_gain;
           if (better) worst = now;
@@ -121,7 +120,8 @@ class Search {
         double sum = sum_around(v);
         if (sum > nothing_to_gain * (begin_[v + 1] - begin_[v])) continue;
         const double floor = std::min(kept, worst_around(v, lowest));
-        try_places(v, radius, {start[v], options.reach}, [&] {
+        const double reach = held(v, options) ? std::min(options.reach, options.mean_reach) : options.mean_reach;
+        try_places(v, radius, {start[v], reach}, [&] {
           const double now = sum_around(v);
           const bool better = now > sum + least_gain && worst_around(v, floor) >= floor;
           if (better) sum = now;
@@ -144,6 +144,8 @@ class Search {
   void report(const char* phase, int pass, int passes) const {
     host_.report(phase, static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(passes));
   }
+
+  bool held(Index v, const HexSearchOptions& options) const { return options.all || boundary_.hold(v) > 1; }
 
   // From -1 to 1.
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }

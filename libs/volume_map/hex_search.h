@@ -10,10 +10,10 @@ struct HexSearchOptions {
   int passes = 60;     // for the worst
   double part = 0.02;  // of the hexahedra, the worst ones
   int mean_passes = 12;
-  double kept = 0.75;  // what no hexahedron is brought below for the sake of the mean
-  double reach = 0;    // how far from where they are vertices of the boundary may be tried that are held, and all of
-                       // the boundary for the mean (hex_boundary.h)
-  bool all = false;    // are held
+  double kept = 0.75;       // what no hexahedron is brought below for the sake of the mean
+  double mean_reach = 0.1;  // how far from where they are vertices of the boundary may be tried for the mean
+  double reach = 0;         // and for anything where they are held (hex_boundary.h)
+  bool all = false;         // are held
 };
 
 // Everything is judged by the scaled Jacobian and the Bernstein coefficients of whole hexahedra: no change makes the

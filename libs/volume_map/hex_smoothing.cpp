@@ -8,6 +8,7 @@
 
 #include "mesh/nearest.h"
 #include "volume_map/hex_tetrahedra.h"
+#include "volume_map/local_untangling.h"
 #include "volume_map/newton.h"
 
 namespace orbicube::volume_map {
@@ -112,10 +113,10 @@ class Smoothing {
  private:
   static constexpr double quick = 0.5, slow = 0.1;
   static constexpr double first_pull = 20;
+  static constexpr double volume_weight = 0.1;
 
   // From these values of the variables on, with the elements that there are now.
   void begin(std::span<const double> values) {
-    constexpr double volume_weight = 0.1;
     newton_.reset();
     energy_.emplace(elements_, variables_, volume_weight, host_);
     energy_->set_pulls(pulls_);
@@ -134,6 +135,8 @@ class Smoothing {
 
   // Until all elements are positive. The mesh follows.
   bool untangle(double pull, double least_fall) {
+    constexpr double hopeless_eps = 1e-6;
+    constexpr int turns = 8;  // of steps, between tries to turn right the few that are left
     double eps = 0;
     for (int k = 0; k < options_.untangling_steps; ++k) {
       variables_.expand(newton_->values(), mesh_.positions);
@@ -143,6 +146,12 @@ class Smoothing {
                    static_cast<double>(now.inverted));
       if (now.inverted == 0) return true;
       if (k == 0) eps = std::clamp(std::hypot(1e-3, 0.2 * now.least_determinant), 1e-3, 1.0);
+      if (k > 0 && k % turns == 0 && few(now.inverted)) {
+        const bool done = untangle_neighbourhoods();
+        newton_->restart(values());
+        if (done) return true;
+      }
+      if (eps < hopeless_eps) break;
       now = energy_->value(newton_->values(), eps);
       const double before = now.energy;
       newton_->step(eps, {.products = 80}, now);
@@ -154,8 +163,28 @@ class Smoothing {
     return energy_->value(newton_->values(), 1).inverted == 0;
   }
 
+  bool few(std::size_t inverted) const { return 1000 * inverted < elements_.size(); }
+
+  // Turns right what is inverted, each group of elements in its neighbourhood. Answers whether nothing is inverted any
+  // more.
+  bool untangle_neighbourhoods() {
+    constexpr int most_steps = 60;
+    const Array<std::uint8_t> none_fixed(3 * mesh_.positions.size(), 0, host_.memory);
+    return untangle_locally(elements_, none_fixed, volume_weight, most_steps, mesh_.positions, host_, pulls_).done;
+  }
+
+  // Of the variables, where the mesh is now.
+  Array<double> values() const {
+    Array<double> result(3 * mesh_.positions.size(), 0, host_.memory);
+    for (std::size_t v = 0; v < mesh_.positions.size(); ++v) {
+      for (std::size_t a = 0; a < 3; ++a)
+        result[variables_.of(v, a)] = mesh_.positions[v][static_cast<Eigen::Index>(a)];
+    }
+    return result;
+  }
+
   // Hexahedra whose corners are positive while the determinant inside may not be, or hardly: the tetrahedra along their
-  // edges are turned right, and count from now on. Where that fails all is as before.
+  // edges are turned right, and count from now on where that was possible.
   void untwist(double own, double pull) {
     constexpr double little = 0.02;  // of a coefficient: before it is too late
     Array<Index> twisted(host_.memory);
@@ -170,14 +199,27 @@ class Smoothing {
         elements_.push_back(hex_tetrahedra[k].element(mesh_.hexahedra[i]));
     }
     set_shapes(own);
-    const Array<double> before(newton_->values().begin(), newton_->values().end(), host_.memory);
-    begin(before);
-    if (untangle(pull, quick)) return;
-    elements_.resize(elements);
-    for (const Index i : twisted)
-      edges_[i] = no_index;
-    begin(before);
-    variables_.expand(before, mesh_.positions);
+    set_pulls(pull);
+    // In a small mesh a neighbourhood is half of it, and a step for all of it costs little.
+    constexpr std::size_t small = 20000;
+    if (!untangle_neighbourhoods() && elements_.size() < small) {
+      const Array<double> reached = values();
+      begin(reached);
+      if (!untangle(pull, quick)) variables_.expand(reached, mesh_.positions);
+    }
+    // Those of hexahedra that stay twisted count no more.
+    std::size_t end = elements;
+    for (const Index i : twisted) {
+      const std::size_t first = edges_[i];
+      bool positive = true;
+      for (std::size_t k = 0; k < edge_tetrahedra; ++k)
+        positive &= elements_[first + k].jacobian(mesh_.positions).determinant() > 0;
+      edges_[i] = positive ? static_cast<Index>(end) : no_index;
+      for (std::size_t k = 0; k < edge_tetrahedra && positive; ++k)
+        elements_[end++] = elements_[first + k];
+    }
+    elements_.resize(end);
+    begin(values());
   }
 
   // Each tetrahedron of a hexahedron that counts, and its element.

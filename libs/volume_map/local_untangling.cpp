@@ -11,13 +11,14 @@ namespace {
 class Neighbourhoods {
  public:
   Neighbourhoods(std::span<const Element> elements, std::span<const std::uint8_t> fixed, double lambda, int most_steps,
-                 std::span<Vector3> positions, const base::Host& host)
+                 std::span<Vector3> positions, const base::Host& host, std::span<const Pull> pulls)
       : elements_(elements),
         fixed_(fixed),
         lambda_(lambda),
         most_steps_(std::min(most_steps, steps_in_reason)),
         positions_(positions),
         host_(host),
+        pulls_(pulls),
         incident_begin_(positions.size() + 1, 0, host.memory),
         incident_(4 * elements.size(), host.memory),
         ring_(positions.size(), no_index, host.memory),
@@ -150,6 +151,13 @@ class Neighbourhoods {
     }
     const Variables variables(start, fixed, {}, host_.memory);
     FoldoverEnergy energy(around, variables, lambda_, host_);
+    Array<Pull> pulls(host_.memory);
+    if (!pulls_.empty()) {
+      pulls.resize(vertices.size());  // of those that stay: none
+      for (std::size_t i = 0; i < movable; ++i)
+        pulls[i] = pulls_[vertices[i]];
+      energy.set_pulls(pulls);
+    }
     Newton newton(energy, variables.start(), host_);
     const bool done = newton.untangle(most_steps_, 1, 1, {});
     if (done) newton.polish(polish_steps, least_gain, {.tolerance = 3e-2});
@@ -173,6 +181,7 @@ class Neighbourhoods {
   int most_steps_;
   std::span<Vector3> positions_;
   const base::Host& host_;
+  std::span<const Pull> pulls_;
   Array<Index> incident_begin_, incident_;  // elements of each vertex
   Array<Index> ring_;                       // of vertices that may move: how far from what is not positive
   Array<Index> place_;                      // of a vertex in its part
@@ -184,11 +193,12 @@ class Neighbourhoods {
 }  // namespace
 
 LocalUntangling untangle_locally(std::span<const Element> elements, std::span<const std::uint8_t> fixed, double lambda,
-                                 int most_steps, std::span<Vector3> positions, const base::Host& host) {
+                                 int most_steps, std::span<Vector3> positions, const base::Host& host,
+                                 std::span<const Pull> pulls) {
   constexpr Index first_rings = 2;
   constexpr Index most_rings = 8;
   LocalUntangling result(host.memory);
-  Neighbourhoods neighbourhoods(elements, fixed, lambda, most_steps, positions, host);
+  Neighbourhoods neighbourhoods(elements, fixed, lambda, most_steps, positions, host, pulls);
   for (Index rings = first_rings;; rings *= 2) {
     result.done = neighbourhoods.choose(rings) == 0;
     if (result.done || rings > most_rings || 2 * neighbourhoods.chosen() > positions.size()) break;

@@ -2,7 +2,7 @@
 // costs what a hundred for their neighbourhoods do; what is far from them hardly moves either way.
 #pragma once
 
-#include "volume_map/elements.h"
+#include "volume_map/foldover_energy.h"
 
 namespace orbicube::volume_map {
 
@@ -20,9 +20,11 @@ struct LocalUntangling {
 // newton.h with all else held, and lets the distortion there fall; then those within twice as many rings round what is
 // left, three times at most, and only as long as these are less than half of all vertices. A group that is not turned
 // right stays as it was. `fixed` has an entry a coordinate, not 0 for what stays. At most `most_steps` steps, and 150,
-// are made in each neighbourhood. The same for any number of threads. About 100 bytes an element, and 600 for those of
+// are made in each neighbourhood. `pulls` has what pulls each vertex besides, or nothing (foldover_energy.h). The same
+// for any number of threads. About 100 bytes an element, and 600 for those of
 // a neighbourhood. Throws Error "cancelled".
 LocalUntangling untangle_locally(std::span<const Element> elements, std::span<const std::uint8_t> fixed, double lambda,
-                                 int most_steps, std::span<Vector3> positions, const base::Host& host);
+                                 int most_steps, std::span<Vector3> positions, const base::Host& host,
+                                 std::span<const Pull> pulls = {});
 
 }  // namespace orbicube::volume_map
