@@ -62,7 +62,7 @@ HexResult HexDraft::finish(const HexManner& manner) {
                                          .most_weight = manner.insist ? 1000.0 : 60.0};
   if (!smooth_hexahedra(mesh_, boundary_, target_, smoothing, host_)) {
     // A few that stay inverted are turned right by the search.
-    search_hexahedra(mesh_, boundary_, {.mean_passes = 0}, host_);
+    search_hexahedra(mesh_, boundary_, {}, host_);
     smooth_hexahedra(mesh_, boundary_, target_, smoothing, host_);
   }
   HexResult result = searched(false);
@@ -74,10 +74,30 @@ HexResult HexDraft::finish(const HexManner& manner) {
 
 HexResult HexDraft::searched(bool all) const {
   constexpr double reach = 0.2;  // of the distance: how far the search may move what is held
+  HexSearchOptions options = {.reach = reach * distance(), .all = all};
+  HexMesh mesh = mesh_;
+  std::size_t off_surface = search_hexahedra(mesh, boundary_, options, host_);
+  HexResult result = measured(mesh, off_surface);
+  if (!result.quality.valid()) return result;
+  const auto raised = [&] {
+    HexMesh better = mesh;
+    off_surface = raise_mean(better, boundary_, options, host_);
+    return measured(better, off_surface);
+  };
+  HexResult now = raised();
+  // What slides may lose a tip or a ridge; the distance comes first.
+  if (excess(now, aim_.distance) > excess(result, aim_.distance)) {
+    options.mean_reach = 0;
+    now = raised();
+  }
+  return now;
+}
+
+HexResult HexDraft::measured(HexMesh mesh, std::size_t off_surface) const {
   HexResult result(host_.memory);
   result.padded = padding_ > 0;
-  result.mesh = mesh_;
-  result.off_surface = search_hexahedra(result.mesh, boundary_, {.reach = reach * distance(), .all = all}, host_);
+  result.off_surface = off_surface;
+  result.mesh = std::move(mesh);
   for (Vector3& p : result.mesh.positions)
     p /= scale_;
   measure(result);

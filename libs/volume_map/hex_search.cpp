@@ -9,12 +9,14 @@ namespace orbicube::volume_map {
 namespace {
 
 constexpr double lowest = -20, lowest_coefficients = -5;
+constexpr double floor_of_snapping = 0.15;
 
 class Search {
  public:
-  Search(HexMesh& mesh, const HexBoundary& boundary, const base::Host& host)
+  Search(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options, const base::Host& host)
       : mesh_(mesh),
         boundary_(boundary),
+        options_(options),
         host_(host),
         begin_(mesh.positions.size() + 1, 0, host.memory),
         around_(8 * mesh.hexahedra.size(), host.memory) {
@@ -56,6 +58,13 @@ class Search {
     return left;
   }
 
+  // What the search has won is not to be lost: places on a lifted surface move a little each time.
+  std::size_t snap_without_loss() {
+    const double won = std::max(floor_of_snapping, worst());
+    snap(won);
+    return snap(won);
+  }
+
   double worst() const {
     double result = 1;
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i)
@@ -64,20 +73,20 @@ class Search {
   }
 
   // The worst hexahedra, by moves of their vertices that make the worst around each better.
-  void improve(const HexSearchOptions& options) {
+  void improve() {
     Array<std::pair<double, Index>> order(mesh_.hexahedra.size(), host_.memory);
     // Of all hexahedra, as of the last pass; few change in each.
     Array<double> qualities(order.size(), 0, host_.memory);
     Array<std::uint8_t> changed(order.size(), 1, host_.memory);
     Array<Index> vertices(host_.memory);
-    const auto most =
-        std::min(order.size(),
-                 std::max<std::size_t>(30, static_cast<std::size_t>(options.part * static_cast<double>(order.size()))));
+    const auto most = std::min(
+        order.size(),
+        std::max<std::size_t>(30, static_cast<std::size_t>(options_.part * static_cast<double>(order.size()))));
     double radius = 0.2;
     const Array<Vector3> start(mesh_.positions, host_.memory);
-    for (int pass = 0; pass < options.passes; ++pass, radius = std::max(0.01, 0.93 * radius)) {
+    for (int pass = 0; pass < options_.passes; ++pass, radius = std::max(0.01, 0.93 * radius)) {
       for (Index i = 0; i < order.size(); ++i) {
-        if (i % 1024 == 0) report("improve", pass, options.passes);
+        if (i % 1024 == 0) report("improve", pass, options_.passes);
         if (changed[i] != 0) qualities[i] = quality(i, lowest);
         changed[i] = 0;
         order[i] = {qualities[i], i};
@@ -91,10 +100,10 @@ class Search {
       std::sort(vertices.begin(), vertices.end());
       vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
       for (const Index v : vertices) {
-        report("improve", pass, options.passes);
+        report("improve", pass, options_.passes);
         const double before = worst_around(v, lowest);
         double worst = before;
-        try_places(v, radius, {start[v], held(v, options) ? options.reach : infinity}, [&] {
+        try_places(v, radius, {start[v], held(v) ? options_.reach : infinity}, [&] {
           const double now = worst_around(v, worst);
           const bool better = now > worst + least_gain;
           if (better) worst = now;
@@ -108,19 +117,18 @@ class Search {
 
   // All hexahedra on average, by moves after which the sum of the scaled Jacobians around a vertex is greater. The
   // worst around it may become less good as long as it stays good, and better than the worst of the mesh.
-  void raise_mean(const HexSearchOptions& options) {
+  void raise_mean() {
     constexpr double nothing_to_gain = 0.985;
-    const double kept = std::max(options.kept, worst());
-    if (worst() <= 0) return;
+    const double kept = std::max(options_.kept, worst());
     const Array<Vector3> start(mesh_.positions, host_.memory);
     double radius = 0.2;
-    for (int pass = 0; pass < options.mean_passes; ++pass, radius *= 0.85) {
+    for (int pass = 0; pass < options_.mean_passes; ++pass, radius *= 0.85) {
       for (Index v = 0; v < mesh_.positions.size(); ++v) {
-        if (v % 64 == 0) report("raise", pass, options.mean_passes);
+        if (v % 64 == 0) report("raise", pass, options_.mean_passes);
         double sum = sum_around(v);
         if (sum > nothing_to_gain * (begin_[v + 1] - begin_[v])) continue;
         const double floor = std::min(kept, worst_around(v, lowest));
-        const double reach = held(v, options) ? std::min(options.reach, options.mean_reach) : options.mean_reach;
+        const double reach = held(v) ? std::min(options_.reach, options_.mean_reach) : options_.mean_reach;
         try_places(v, radius, {start[v], reach}, [&] {
           const double now = sum_around(v);
           const bool better = now > sum + least_gain && worst_around(v, floor) >= floor;
@@ -145,7 +153,7 @@ class Search {
     host_.report(phase, static_cast<std::uint64_t>(pass), static_cast<std::uint64_t>(passes));
   }
 
-  bool held(Index v, const HexSearchOptions& options) const { return options.all || boundary_.hold(v) > 1; }
+  bool held(Index v) const { return options_.all || boundary_.hold(v) > 1; }
 
   // From -1 to 1.
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
@@ -222,6 +230,7 @@ class Search {
 
   HexMesh& mesh_;
   const HexBoundary& boundary_;
+  const HexSearchOptions& options_;
   const base::Host& host_;
   Array<Index> begin_, around_;  // hexahedra around each vertex
   std::mt19937_64 random_{1};
@@ -231,16 +240,18 @@ class Search {
 
 std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
                              const base::Host& host) {
-  Search search(mesh, boundary, host);
-  constexpr double floor = 0.15;
+  Search search(mesh, boundary, options, host);
   for (int k = 0; k < 3; ++k)
-    search.snap(floor);
-  search.improve(options);
-  search.raise_mean(options);
-  // What the search has won is not to be lost: places on a lifted surface move a little each time.
-  const double won = std::max(floor, search.worst());
-  search.snap(won);
-  return search.snap(won);
+    search.snap(floor_of_snapping);
+  search.improve();
+  return search.snap_without_loss();
+}
+
+std::size_t raise_mean(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
+                       const base::Host& host) {
+  Search search(mesh, boundary, options, host);
+  search.raise_mean();
+  return search.snap_without_loss();
 }
 
 }  // namespace orbicube::volume_map

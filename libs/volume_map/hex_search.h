@@ -16,11 +16,17 @@ struct HexSearchOptions {
   bool all = false;         // are held
 };
 
-// Everything is judged by the scaled Jacobian and the Bernstein coefficients of whole hexahedra: no change makes the
-// worst around a vertex worse, but for what puts it onto the surface before the search, which may lower it to 0.15, and
-// what serves the mean, to `kept`; after the search nothing goes below the worst of the mesh. Answers how many vertices
-// of the boundary could not be put onto the surface. The same in every run. Throws Error "cancelled".
+// The worst hexahedra. Everything is judged by the scaled Jacobian and the Bernstein coefficients of whole hexahedra:
+// no change makes the worst around a vertex worse, but for what puts it onto the surface before the search, which may
+// lower it to 0.15; after it not below the worst of the mesh. Answers how many vertices of the boundary could not be
+// put onto the surface. The same in every run. Throws Error "cancelled".
 std::size_t search_hexahedra(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
                              const base::Host& host);
+
+// All hexahedra on average, once the worst are as good as they get: vertices move to where the sum of the scaled
+// Jacobians around them is greater. Judged and answered as above; the worst around a vertex may become less good, but
+// not less than `kept` nor than the worst of the mesh.
+std::size_t raise_mean(HexMesh& mesh, const HexBoundary& boundary, const HexSearchOptions& options,
+                       const base::Host& host);
 
 }  // namespace orbicube::volume_map
