@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "volume_map/hex_reach.h"
 #include "volume_map/hex_search.h"
 #include "volume_map/hex_smoothing.h"
 #include "volume_map/surface_distance.h"
@@ -79,6 +80,15 @@ HexResult HexDraft::searched(bool all) const {
   std::size_t off_surface = search_hexahedra(mesh, boundary_, options, host_);
   HexResult result = measured(mesh, off_surface);
   if (!result.quality.valid()) return result;
+  if (excess(result, aim_.distance) > 1) {
+    HexMesh nearer = mesh;
+    reach_surface(nearer, boundary_, target_, distance(), host_);
+    HexResult now = measured(nearer, off_surface);
+    if (now.quality.valid() && excess(now, aim_.distance) < excess(result, aim_.distance)) {
+      mesh = std::move(nearer);
+      result = std::move(now);
+    }
+  }
   const auto raised = [&] {
     HexMesh better = mesh;
     off_surface = raise_mean(better, boundary_, options, host_);

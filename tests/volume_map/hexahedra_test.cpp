@@ -17,6 +17,7 @@
 #include "volume_map/coarse_surface.h"
 #include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
+#include "volume_map/hex_reach.h"
 #include "volume_map/hex_search.h"
 #include "volume_map/hex_smoothing.h"
 #include "volume_map/hex_tetrahedra.h"
@@ -282,6 +283,54 @@ TEST_CASE("The search makes hexahedra better on average, none worse than the wor
   const HexMesh inside = raised({.mean_reach = 0});
   CHECK(quality(inside).mean_scaled_jacobian > quality(before).mean_scaled_jacobian);
   CHECK(quality(inside).mean_scaled_jacobian < quality(after).mean_scaled_jacobian);
+}
+
+TEST_CASE(
+    "A boundary that the surface is too far from somewhere is brought there, and stays valid and on the surface") {
+  test::BlockSolid block(test::angle, 4, 0.8, 0.4);
+  REQUIRE(block.certificate == "");
+  // A horn: what is near to a corner is drawn out.
+  const Vector3 corner = block.map.positions[0];
+  for (Vector3& p : block.map.positions)
+    p += 0.5 * std::exp(-20 * (p - corner).squaredNorm()) * Vector3(-1, -1, -1);
+  const base::Host host;
+  const double scale = scale_of_cells(block.map, 300, host);
+  HexMesh mesh = grid_of(block.map, 300, scale, host);
+  const SurfaceTarget target(block.map, {}, {}, scale, host);
+  HexBoundary boundary(mesh, target, host);
+  REQUIRE(smooth_hexahedra(mesh, boundary, target, {}, host));
+  search_hexahedra(mesh, boundary, {}, host);
+  const auto farthest = [&](const HexMesh& of) {
+    Array<mesh::Triangle> halves(host.memory);
+    for (const Quad& q : of.quads) {
+      halves.push_back({q[0], q[1], q[2]});
+      halves.push_back({q[0], q[2], q[3]});
+    }
+    const mesh::SurfaceSearch search(of.positions, halves, host);
+    double most = 0;
+    for (const Vector3& p : block.map.positions)
+      most = std::max(most, search.nearest(scale * p).distance);
+    return most;
+  };
+  const auto quality = [&](const HexMesh& of) { return measure_hexahedra(of.positions, of.hexahedra, host); };
+  REQUIRE(quality(mesh).valid());
+  const double before = farthest(mesh);
+  REQUIRE(before > 0.3);
+  HexMesh near(mesh), far(mesh);
+  reach_surface(near, boundary, target, 0.7 * before, host);
+  CHECK(quality(near).valid());
+  CHECK(quality(near).least_scaled_jacobian >= std::min(0.15, quality(mesh).least_scaled_jacobian));
+  CHECK(farthest(near) < 0.8 * before);
+  for (const Index v : boundary.vertices()) {
+    if (near.positions[v] == mesh.positions[v]) continue;
+    CHECK((boundary.project(v, near.positions[v]).position - near.positions[v]).norm() < 0.05);
+  }
+  HexMesh again(mesh);
+  reach_surface(again, boundary, target, 0.7 * before, host);
+  CHECK(again.positions == near.positions);
+  // What is near enough is left alone.
+  reach_surface(far, boundary, target, 2 * before, host);
+  CHECK(far.positions == mesh.positions);
 }
 
 TEST_CASE("The distance of two surfaces is that of the farthest point, whichever has it, for any number of threads") {
