@@ -43,27 +43,31 @@ class Reach {
   }
 
   void run() {
-    constexpr int most_passes = 20;
     find_samples();
     Array<Ward> wards(host_.memory);
-    for (int pass = 0; pass < most_passes; ++pass) {
-      share_out(wards);
-      bool any = false;
-      for (std::size_t begin = 0, end = 0; begin < wards.size(); begin = end) {
-        while (end < wards.size() && wards[end].vertex == wards[begin].vertex)
-          ++end;
-        host_.report("reach", static_cast<std::uint64_t>(pass), most_passes);
-        any |= reach(wards[begin].vertex, std::span(wards).subspan(begin, end - begin));
+    // Hexahedra lose as little as will do.
+    for (const double quality : {0.5, 0.3, 0.15}) {
+      floor_ = quality;
+      constexpr int most_passes = 20;
+      for (int pass = 0; pass < most_passes; ++pass) {
+        if (share_out(wards) <= near_enough * distance_) return;
+        bool any = false;
+        for (std::size_t begin = 0, end = 0; begin < wards.size(); begin = end) {
+          while (end < wards.size() && wards[end].vertex == wards[begin].vertex)
+            ++end;
+          host_.report("reach", static_cast<std::uint64_t>(pass), most_passes);
+          any |= reach(wards[begin].vertex, std::span(wards).subspan(begin, end - begin));
+        }
+        if (!any) break;
       }
-      if (!any) return;
     }
   }
 
  private:
-  static constexpr double enough = 0.85;  // of the distance: what is nearer than that is near
-  static constexpr double floor = 0.15;   // of the quality of hexahedra
-  static constexpr double watched = 0.6;  // of the distance: what is farther may become too far by what is moved
-  static constexpr double spacing = 0.2;  // of samples, in cells
+  static constexpr double near = 0.85;         // of the distance: samples that far are left alone
+  static constexpr double near_enough = 0.95;  // and nothing is done when all are that near
+  static constexpr double watched = 0.6;       // of the distance: what is farther may become too far by what is moved
+  static constexpr double spacing = 0.2;       // of samples, in cells
   static constexpr double least_gain = 1e-4;
 
   // A sample that a vertex of the boundary stands for, as a corner of the nearest half of a quad.
@@ -99,17 +103,20 @@ class Reach {
     }
   }
 
-  // Samples to the vertices of what is nearest to them, by vertices.
-  void share_out(Array<Ward>& wards) const {
+  // Samples to the vertices of what is nearest to them, by vertices. Answers how far the farthest is.
+  double share_out(Array<Ward>& wards) const {
     const mesh::SurfaceSearch search(mesh_.positions, halves_, host_);
     wards.clear();
+    double farthest = 0;
     for (Index i = 0; i < samples_.size(); ++i) {
       if (i % 64 == 0) host_.report("reach", 0, 0);
       const mesh::SurfacePoint found = search.nearest(samples_[i]);
+      farthest = std::max(farthest, found.distance);
       for (const Index v : halves_[found.triangle])
         wards.push_back({v, i, found.distance, samples_[i] - found.position});
     }
     std::sort(wards.begin(), wards.end());
+    return farthest;
   }
 
   // How far the farthest of these is from the quads around a vertex; not computed to the end where that is more than
@@ -136,7 +143,7 @@ class Reach {
     constexpr int straight_trials = 6, random_trials = 6;
     const Ward& worst =
         *std::max_element(wards.begin(), wards.end(), [](const Ward& a, const Ward& b) { return a.gap < b.gap; });
-    if (worst.gap < enough * distance_) return false;
+    if (worst.gap < near * distance_) return false;
     Vector3& x = mesh_.positions[v];
     // Others may have moved since.
     double now = gap(v, wards, std::numeric_limits<double>::infinity());
@@ -146,7 +153,7 @@ class Reach {
       const Vector3 move = trial < straight_trials ? Vector3(std::pow(0.5, trial) * worst.way)
                                                    : Vector3(0.5 * worst.gap * moves_.random_direction());
       choose_inner(v);
-      const double before = std::min(floor, worst_of_chosen(v));
+      const double before = std::min(floor_, worst_of_chosen(v));
       x = boundary_.project(v, from + move).position;
       const double then = gap(v, wards, now);
       if (then < now - least_gain && (moves_.worst_around(v, before) >= before || make_room(v, before))) {
@@ -202,6 +209,7 @@ class Reach {
   const double distance_;
   const base::Host& host_;
   HexMoves moves_;
+  double floor_ = 0;                           // of the quality of hexahedra
   Array<mesh::Triangle> halves_;               // of quads
   Array<Index> halves_begin_, halves_around_;  // each vertex
   Array<Vector3> samples_;
