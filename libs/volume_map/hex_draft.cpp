@@ -80,7 +80,9 @@ HexResult HexDraft::searched(bool all) const {
   std::size_t off_surface = search_hexahedra(mesh, boundary_, options, host_);
   HexResult result = measured(mesh, off_surface);
   if (!result.quality.valid()) return result;
-  if (excess(result, aim_.distance) > 1) {
+  // Farther than that is out of reach.
+  constexpr double reachable = 2;
+  if (excess(result, aim_.distance) > 1 && excess(result, aim_.distance) <= reachable) {
     HexMesh nearer = mesh;
     reach_surface(nearer, boundary_, target_, distance(), host_);
     HexResult now = measured(nearer, off_surface);
