@@ -77,9 +77,11 @@ class Smoothing {
     for (int round = 0; round < options_.rounds; ++round) {
       host_.report("smooth", static_cast<std::uint64_t>(round), static_cast<std::uint64_t>(options_.rounds));
       const double progress = std::min(1.0, round / (0.5 * options_.rounds));
-      const double own = std::min(1.0, round / 6.0), pull = first_pull * std::pow(50.0, progress);
-      // Where corners have had time to become good.
-      if (round % 4 == 0 && 2 * round >= options_.rounds && 10 * round <= 9 * options_.rounds) untwist(own, pull);
+      const double own = std::min(1.0, round / 6.0), pull = first_pull * std::pow(last_pull / first_pull, progress);
+      // Where corners have had time to become good, and before it is too late.
+      constexpr double little = 0.02;
+      if (round % 4 == 0 && 2 * round >= options_.rounds && 10 * round <= 9 * options_.rounds)
+        untwist(own, pull, little);
       set_shapes(own);
       if (round >= 4) set_weights();
       if (round % 4 == 0 && 10 * round >= 4 * options_.rounds && 10 * round <= 7 * options_.rounds)
@@ -107,12 +109,13 @@ class Smoothing {
       }
     }
     if (!best_positions.empty()) mesh_.positions = best_positions;
+    untwist_the_last();
     return true;
   }
 
  private:
   static constexpr double quick = 0.5, slow = 0.1;
-  static constexpr double first_pull = 20;
+  static constexpr double first_pull = 20, last_pull = 1000;
   static constexpr double volume_weight = 0.1;
 
   // From these values of the variables on, with the elements that there are now.
@@ -183,13 +186,33 @@ class Smoothing {
     return result;
   }
 
+  // Where the best of all rounds has some that are twisted, they are turned right with what is beside them left alone
+  // as far as that can be; what twists in turn is next.
+  void untwist_the_last() {
+    constexpr int most_turns = 4;
+    const auto count = [&] {
+      return std::count_if(mesh_.hexahedra.begin(), mesh_.hexahedra.end(),
+                           [&](const Hexahedron& h) { return least_bezier(mesh_.positions, h) <= 0; });
+    };
+    auto fewest = count();
+    Array<Vector3> best(mesh_.positions, host_.memory);
+    for (int turn = 0; turn < most_turns && fewest > 0; ++turn) {
+      begin(values());
+      untwist(1, last_pull, 0);
+      const auto left = count();
+      if (left >= fewest) continue;
+      fewest = left;
+      best = mesh_.positions;
+    }
+    mesh_.positions = best;
+  }
+
   // Hexahedra whose corners are positive while the determinant inside may not be, or hardly: the tetrahedra along their
   // edges are turned right, and count from now on where that was possible.
-  void untwist(double own, double pull) {
-    constexpr double little = 0.02;  // of a coefficient: before it is too late
+  void untwist(double own, double pull, double least) {
     Array<Index> twisted(host_.memory);
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
-      if (edges_[i] == no_index && least_bezier(mesh_.positions, mesh_.hexahedra[i]) <= little) twisted.push_back(i);
+      if (edges_[i] == no_index && least_bezier(mesh_.positions, mesh_.hexahedra[i]) <= least) twisted.push_back(i);
     }
     if (twisted.empty()) return;
     const std::size_t elements = elements_.size();
