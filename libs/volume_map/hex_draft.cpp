@@ -80,15 +80,17 @@ HexResult HexDraft::searched(bool all) const {
   std::size_t off_surface = search_hexahedra(mesh, boundary_, options, host_);
   HexResult result = measured(mesh, off_surface);
   if (!result.quality.valid()) return result;
-  // Farther than that is out of reach.
-  constexpr double reachable = 2;
-  if (excess(result, aim_.distance) > 1 && excess(result, aim_.distance) <= reachable) {
+  // Distances are measured at samples. What is twice as far as allowed is out of reach.
+  const double safe = 0.97 * aim_.distance, reachable = 2 * aim_.distance;
+  bool reached = false;
+  if (excess(result, safe) > 1 && excess(result, reachable) <= 1) {
     HexMesh nearer = mesh;
     reach_surface(nearer, boundary_, target_, distance(), host_);
     HexResult now = measured(nearer, off_surface);
-    if (now.quality.valid() && excess(now, aim_.distance) < excess(result, aim_.distance)) {
+    if (now.quality.valid() && excess(now, safe) < excess(result, safe)) {
       mesh = std::move(nearer);
       result = std::move(now);
+      reached = true;
     }
   }
   const auto raised = [&] {
@@ -98,10 +100,11 @@ HexResult HexDraft::searched(bool all) const {
   };
   HexResult now = raised();
   // What slides may lose a tip or a ridge; the distance comes first.
-  if (excess(now, aim_.distance) > excess(result, aim_.distance)) {
+  if (excess(now, safe) > excess(result, safe)) {
     options.mean_reach = 0;
     now = raised();
   }
+  now.hardly_near = reached || excess(now, safe) > 1;
   return now;
 }
 

@@ -140,8 +140,11 @@ class Making {
     return (least_near_ > 0 ? least_near_ : least_) > (cells > options_.cells ? good_of_many : good);
   }
 
-  // Answers whether the mesh is valid and as near to the surface as wanted.
-  bool attempt(const Way& way, std::size_t cells, const HexManner& manner) {
+  // Whether a mesh is valid and as near to the surface as wanted, and so much so that there is no need for another.
+  struct Nearness {
+    bool near = false, by_itself = false;
+  };
+  Nearness attempt(const Way& way, std::size_t cells, const HexManner& manner) {
     try {
       Grid grid(way, cells, host_);
       HexResult now = HexDraft(std::move(grid.mesh), grid.padding, grid.scale, way.guide->surface, wanted_,
@@ -149,21 +152,21 @@ class Making {
                           .finish(manner);
       if (!now.quality.valid()) {
         reason_ = what_is_wrong(now.quality);
-        return false;
+        return {};
       }
       now.follows_sharp_edges = way.guide->sharp;
       least_ = std::max(least_, now.quality.least_scaled_jacobian);
-      const bool near = excess(now, options_.distance) <= 1;
+      const bool near = excess(now, options_.distance) <= 1, by_itself = near && !now.hardly_near;
       if (near) least_near_ = std::max(least_near_, now.quality.least_scaled_jacobian);
       if (!best_ || better(now, *best_, options_.distance)) {
         best_ = std::move(now);
         best_guide_ = way.guide;
         best_padding_ = way.padding;
       }
-      return near;
+      return {near, by_itself};
     } catch (const base::Error& error) {
       tolerate(error);
-      return false;
+      return {};
     }
   }
 
@@ -191,8 +194,10 @@ class Making {
     for (const Way& way : ways_) {
       if (done(cells)) return;
       HexManner manner;
-      bool near = free_first && attempt(way, cells, manner);
-      if (!near && distance_counts) near = attempt(way, cells, manner = {.hold = true});
+      Nearness now;
+      if (free_first) now = attempt(way, cells, manner);
+      bool near = now.near;
+      if (!now.by_itself && distance_counts) near |= attempt(way, cells, manner = {.hold = true}).near;
       manner.insist = true;
       if (near && !done(cells)) attempt(way, cells, manner);
     }
