@@ -9,6 +9,7 @@
 
 #include "base/error.h"
 #include "mesh/predicates.h"
+#include "volume_map/cells_around.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -29,21 +30,8 @@ class Extraction {
       : map_(map),
         host_(host),
         connectivity_(map.solid.positions.size(), map.solid.tetrahedra, host),
-        begin_(map.solid.positions.size() + 1, 0, host.memory),
-        around_(4 * map.solid.tetrahedra.size(), host.memory),
-        mesh_(host.memory) {
-    for (const Tetrahedron& t : map.solid.tetrahedra) {
-      for (const Index v : t)
-        ++begin_[v + 1];
-    }
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
-      begin_[v + 1] += begin_[v];
-    Array<Index> next(begin_, host.memory);
-    for (Index t = 0; t < map.solid.tetrahedra.size(); ++t) {
-      for (const Index v : map.solid.tetrahedra[t])
-        around_[next[v]++] = t;
-    }
-  }
+        around_(std::span<const Tetrahedron>(map.solid.tetrahedra), map.solid.positions.size(), host.memory),
+        mesh_(host.memory) {}
 
   HexMesh run() {
     struct Key {
@@ -145,12 +133,12 @@ class Extraction {
     for (Index k = 0; k < 4; ++k) {
       if ((faces >> k & 1U) == 0) held[count++] = map_.solid.tetrahedra[t][k];
     }
-    for (Index i = begin_[held[0]]; i < begin_[held[0] + 1]; ++i) {
-      const Tetrahedron& other = map_.solid.tetrahedra[around_[i]];
+    for (const Index near : around_.of(held[0])) {
+      const Tetrahedron& other = map_.solid.tetrahedra[near];
       bool all = true;
       for (std::size_t k = 1; k < count; ++k)
         all = all && std::find(other.begin(), other.end(), held[k]) != other.end();
-      if (all) visit(around_[i]);
+      if (all) visit(near);
     }
   }
   // The first of the tetrahedra that have what lies on all these faces in common.
@@ -328,7 +316,7 @@ class Extraction {
   const FrameMap& map_;
   const base::Host& host_;
   const Connectivity connectivity_;
-  Array<Index> begin_, around_;  // tetrahedra of each vertex
+  CellsAround around_;
   HexMesh mesh_;
 };
 

@@ -10,20 +10,7 @@ constexpr double lowest_coefficients = -5;
 HexMoves::HexMoves(HexMesh& mesh, const HexBoundary& boundary, const base::Host& host)
     : mesh_(mesh),
       boundary_(boundary),
-      begin_(mesh.positions.size() + 1, 0, host.memory),
-      around_(8 * mesh.hexahedra.size(), host.memory) {
-  for (const Hexahedron& h : mesh.hexahedra) {
-    for (const Index v : h)
-      ++begin_[v + 1];
-  }
-  for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-    begin_[v + 1] += begin_[v];
-  Array<Index> next(begin_, host.memory);
-  for (Index i = 0; i < mesh.hexahedra.size(); ++i) {
-    for (const Index v : mesh.hexahedra[i])
-      around_[next[v]++] = i;
-  }
-}
+      around_(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory) {}
 
 double HexMoves::corners(Index hexahedron) const {
   const double least = scaled_jacobian(mesh_.positions, mesh_.hexahedra[hexahedron]);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "volume_map/cells_around.h"
 #include "volume_map/hex_boundary.h"
 
 namespace orbicube::volume_map {
@@ -17,9 +18,7 @@ class HexMoves {
   // Keeps references. About 8 bytes a vertex and 32 a hexahedron.
   HexMoves(HexMesh& mesh, const HexBoundary& boundary, const base::Host& host);
 
-  std::span<const Index> around(Index vertex) const {
-    return std::span(around_).subspan(begin_[vertex], begin_[vertex + 1] - begin_[vertex]);
-  }
+  std::span<const Index> around(Index vertex) const { return around_.of(vertex); }
 
   // The scaled Jacobian, or what is less: six times the least Bernstein coefficient (those of good hexahedra are below
   // the corners', too; they are to be positive, no more), and for an inverted corner 10 less than its own. Not computed
@@ -76,7 +75,7 @@ class HexMoves {
 
   HexMesh& mesh_;
   const HexBoundary& boundary_;
-  Array<Index> begin_, around_;  // hexahedra around each vertex
+  CellsAround around_;
   std::mt19937_64 random_{1};
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "mesh/nearest.h"
 #include "volume_map/hex_moves.h"
@@ -19,28 +20,11 @@ class Reach {
         distance_(distance),
         host_(host),
         moves_(mesh, boundary, host),
-        halves_(host.memory),
-        halves_begin_(mesh.positions.size() + 1, 0, host.memory),
-        halves_around_(6 * mesh.quads.size(), host.memory),
+        halves_(halves_of(mesh.quads, host)),
+        around_(std::span<const mesh::Triangle>(halves_), mesh.positions.size(), host.memory),
         samples_(host.memory),
         inner_(host.memory),
-        saved_(host.memory) {
-    for (const Quad& q : mesh.quads) {
-      halves_.push_back({q[0], q[1], q[2]});
-      halves_.push_back({q[0], q[2], q[3]});
-    }
-    for (const mesh::Triangle& t : halves_) {
-      for (const Index v : t)
-        ++halves_begin_[v + 1];
-    }
-    for (std::size_t v = 0; v < mesh.positions.size(); ++v)
-      halves_begin_[v + 1] += halves_begin_[v];
-    Array<Index> next(halves_begin_, host.memory);
-    for (Index i = 0; i < halves_.size(); ++i) {
-      for (const Index v : halves_[i])
-        halves_around_[next[v]++] = i;
-    }
-  }
+        saved_(host.memory) {}
 
   void run() {
     find_samples();
@@ -79,6 +63,15 @@ class Reach {
       return std::pair(vertex, sample) < std::pair(other.vertex, other.sample);
     }
   };
+
+  static Array<mesh::Triangle> halves_of(std::span<const Quad> quads, const base::Host& host) {
+    Array<mesh::Triangle> halves(host.memory);
+    for (const Quad& q : quads) {
+      halves.push_back({q[0], q[1], q[2]});
+      halves.push_back({q[0], q[2], q[3]});
+    }
+    return halves;
+  }
 
   // Points of the surface that are far from the boundary.
   void find_samples() {
@@ -126,8 +119,8 @@ class Reach {
     for (const Ward& ward : wards) {
       const Vector3& x = samples_[ward.sample];
       double least = std::numeric_limits<double>::infinity();
-      for (Index k = halves_begin_[v]; k < halves_begin_[v + 1]; ++k) {
-        const mesh::Triangle& t = halves_[halves_around_[k]];
+      for (const Index half : around_.of(v)) {
+        const mesh::Triangle& t = halves_[half];
         const mesh::TrianglePoint at =
             mesh::nearest_on_triangle(x, mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]);
         least = std::min(least, (at.position - x).squaredNorm());
@@ -209,9 +202,9 @@ class Reach {
   const double distance_;
   const base::Host& host_;
   HexMoves moves_;
-  double floor_ = 0;                           // of the quality of hexahedra
-  Array<mesh::Triangle> halves_;               // of quads
-  Array<Index> halves_begin_, halves_around_;  // each vertex
+  double floor_ = 0;                    // of the quality of hexahedra
+  const Array<mesh::Triangle> halves_;  // of quads
+  const CellsAround around_;            // of those
   Array<Vector3> samples_;
   Array<Index> inner_;  // around the vertex that is moved
   Array<Vector3> saved_;
