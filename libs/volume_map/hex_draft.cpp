@@ -12,6 +12,16 @@
 #include "volume_map/surface_distance.h"
 
 namespace orbicube::volume_map {
+namespace {
+
+// In the host's memory, which a plain copy would not be.
+HexMesh copy_of(const HexMesh& mesh, const base::Host& host) {
+  HexMesh result(host.memory);
+  result = mesh;
+  return result;
+}
+
+}  // namespace
 
 WantedSurface::WantedSurface(const PolycubeSurface& solid)
     : positions(solid.fine_triangles.empty() ? solid.map.positions : solid.fine_positions),
@@ -76,7 +86,7 @@ HexResult HexDraft::finish(const HexManner& manner) {
 HexResult HexDraft::searched(bool all) const {
   constexpr double reach = 0.2;  // of the distance: how far the search may move what is held
   HexSearchOptions options = {.reach = reach * distance(), .all = all};
-  HexMesh mesh = mesh_;
+  HexMesh mesh = copy_of(mesh_, host_);
   std::size_t off_surface = search_hexahedra(mesh, boundary_, options, host_);
   HexResult result = measured(mesh, off_surface);
   if (!result.quality.valid()) return result;
@@ -84,7 +94,7 @@ HexResult HexDraft::searched(bool all) const {
   const double safe = 0.97 * aim_.distance, reachable = 2 * aim_.distance;
   bool reached = false;
   if (excess(result, safe) > 1 && excess(result, reachable) <= 1) {
-    HexMesh nearer = mesh;
+    HexMesh nearer = copy_of(mesh, host_);
     reach_surface(nearer, boundary_, target_, distance(), host_);
     HexResult now = measured(nearer, off_surface);
     if (now.quality.valid() && excess(now, safe) < excess(result, safe)) {
@@ -94,7 +104,7 @@ HexResult HexDraft::searched(bool all) const {
     }
   }
   const auto raised = [&] {
-    HexMesh better = mesh;
+    HexMesh better = copy_of(mesh, host_);
     off_surface = raise_mean(better, boundary_, options, host_);
     return measured(better, off_surface);
   };
@@ -108,11 +118,11 @@ HexResult HexDraft::searched(bool all) const {
   return now;
 }
 
-HexResult HexDraft::measured(HexMesh mesh, std::size_t off_surface) const {
+HexResult HexDraft::measured(const HexMesh& mesh, std::size_t off_surface) const {
   HexResult result(host_.memory);
   result.padded = padding_ > 0;
   result.off_surface = off_surface;
-  result.mesh = std::move(mesh);
+  result.mesh = mesh;
   for (Vector3& p : result.mesh.positions)
     p /= scale_;
   measure(result);

@@ -76,7 +76,7 @@ class HexDraft {
   double distance() const { return 0.01 * aim_.distance * scale_ * wanted_.diagonal; }
   HexResult searched(bool all) const;
   // As it is to be answered.
-  HexResult measured(HexMesh mesh, std::size_t off_surface) const;
+  HexResult measured(const HexMesh& mesh, std::size_t off_surface) const;
   void measure(HexResult& result) const;
 
   const WantedSurface& wanted_;
