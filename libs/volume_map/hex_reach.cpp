@@ -48,8 +48,8 @@ class Reach {
   }
 
  private:
-  static constexpr double near = 0.85;         // of the distance: samples that far are left alone
-  static constexpr double near_enough = 0.95;  // and nothing is done when all are that near
+  static constexpr double near = 0.85;         // of the distance: samples nearer than that are left alone
+  static constexpr double near_enough = 0.95;  // nothing is done when all are nearer than that
   static constexpr double watched = 0.6;       // of the distance: what is farther may become too far by what is moved
   static constexpr double spacing = 0.2;       // of samples, in cells
   static constexpr double least_gain = 1e-4;
@@ -140,18 +140,19 @@ class Reach {
     Vector3& x = mesh_.positions[v];
     // Others may have moved since.
     double now = gap(v, wards, std::numeric_limits<double>::infinity());
+    choose_inner(v);
+    double before = std::min(floor_, worst_of_chosen(v));
     bool any = false;
     for (int trial = 0; trial < straight_trials + random_trials; ++trial) {
       const Vector3 from = x;
       const Vector3 move = trial < straight_trials ? Vector3(std::pow(0.5, trial) * worst.way)
                                                    : Vector3(0.5 * worst.gap * moves_.random_direction());
-      choose_inner(v);
-      const double before = std::min(floor_, worst_of_chosen(v));
       x = boundary_.project(v, from + move).position;
       const double then = gap(v, wards, now);
       if (then < now - least_gain && (moves_.worst_around(v, before) >= before || make_room(v, before))) {
         now = then;
         any = true;
+        before = std::min(floor_, worst_of_chosen(v));
       } else {
         x = from;
       }

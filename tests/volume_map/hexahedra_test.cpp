@@ -75,6 +75,24 @@ double scale_of_cells(const polycube::SurfaceMap& map, std::size_t cells, const 
   return std::cbrt(static_cast<double>(grid_of(map, cells, 1, host).hexahedra.size()) / volume);
 }
 
+// A grid on its way to be smoothed.
+struct Draft {
+  double scale;
+  HexMesh mesh;
+  SurfaceTarget target;
+  HexBoundary boundary;
+
+  Draft(const polycube::SurfaceMap& map, std::size_t cells, const base::Host& host)
+      : scale(scale_of_cells(map, cells, host)),
+        mesh(grid_of(map, cells, scale, host)),
+        target(map, {}, {}, scale, host),
+        boundary(mesh, target, host) {}
+
+  bool smooth(const HexSmoothingOptions& options, const base::Host& host) {
+    return smooth_hexahedra(mesh, boundary, target, options, host);
+  }
+};
+
 }  // namespace
 
 TEST_CASE("Bernstein coefficients are those of the trilinear map's determinant") {
@@ -238,14 +256,11 @@ TEST_CASE("Smoothing leaves no hexahedron twisted where its corners are good") {
                                        radius - (radius - across[1]) * std::cos(angle * along), across[2]);
     }
     const base::Host host;
-    const double scale = scale_of_cells(block.map, bar.cells, host);
-    HexMesh mesh = grid_of(block.map, bar.cells, scale, host);
-    const SurfaceTarget target(block.map, {}, {}, scale, host);
-    HexBoundary boundary(mesh, target, host);
-    CHECK(smooth_hexahedra(mesh, boundary, target, {.distance = 0.1}, host));
-    for (const Hexahedron& h : mesh.hexahedra) {
-      CHECK(scaled_jacobian(mesh.positions, h) > 0);
-      CHECK(least_bezier(mesh.positions, h) > 0);
+    Draft draft(block.map, bar.cells, host);
+    CHECK(draft.smooth({.distance = 0.1}, host));
+    for (const Hexahedron& h : draft.mesh.hexahedra) {
+      CHECK(scaled_jacobian(draft.mesh.positions, h) > 0);
+      CHECK(least_bezier(draft.mesh.positions, h) > 0);
     }
   }
 }
@@ -254,14 +269,12 @@ TEST_CASE("The search makes hexahedra better on average, none worse than the wor
   test::BlockSolid block(test::angle, 3, 0.8, 0.4);
   REQUIRE(block.certificate == "");
   const base::Host host;
-  const double scale = scale_of_cells(block.map, 400, host);
-  HexMesh start = grid_of(block.map, 400, scale, host);
-  const SurfaceTarget target(block.map, {}, {}, scale, host);
-  HexBoundary boundary(start, target, host);
-  REQUIRE(smooth_hexahedra(start, boundary, target, {}, host));
+  Draft draft(block.map, 400, host);
+  REQUIRE(draft.smooth({}, host));
+  const HexMesh& before = draft.mesh;
+  const HexBoundary& boundary = draft.boundary;
+  search_hexahedra(draft.mesh, boundary, {}, host);
   constexpr double reach = 0.2;
-  HexMesh before(start);
-  search_hexahedra(before, boundary, {}, host);
   const auto raised = [&](const HexSearchOptions& options) {
     HexMesh mesh(before);
     raise_mean(mesh, boundary, options, host);
@@ -294,12 +307,12 @@ TEST_CASE(
   for (Vector3& p : block.map.positions)
     p += 0.5 * std::exp(-20 * (p - corner).squaredNorm()) * Vector3(-1, -1, -1);
   const base::Host host;
-  const double scale = scale_of_cells(block.map, 300, host);
-  HexMesh mesh = grid_of(block.map, 300, scale, host);
-  const SurfaceTarget target(block.map, {}, {}, scale, host);
-  HexBoundary boundary(mesh, target, host);
-  REQUIRE(smooth_hexahedra(mesh, boundary, target, {}, host));
-  search_hexahedra(mesh, boundary, {}, host);
+  Draft draft(block.map, 300, host);
+  REQUIRE(draft.smooth({}, host));
+  const HexMesh& mesh = draft.mesh;
+  const HexBoundary& boundary = draft.boundary;
+  const SurfaceTarget& target = draft.target;
+  search_hexahedra(draft.mesh, boundary, {}, host);
   const auto farthest = [&](const HexMesh& of) {
     Array<mesh::Triangle> halves(host.memory);
     for (const Quad& q : of.quads) {
@@ -309,7 +322,7 @@ TEST_CASE(
     const mesh::SurfaceSearch search(of.positions, halves, host);
     double most = 0;
     for (const Vector3& p : block.map.positions)
-      most = std::max(most, search.nearest(scale * p).distance);
+      most = std::max(most, search.nearest(draft.scale * p).distance);
     return most;
   };
   const auto quality = [&](const HexMesh& of) { return measure_hexahedra(of.positions, of.hexahedra, host); };
