@@ -131,11 +131,7 @@ HexResult HexDraft::measured(const HexMesh& mesh, std::size_t off_surface) const
 
 void HexDraft::measure(HexResult& result) const {
   constexpr double spacing = 0.0025;  // of the diagonal
-  Array<mesh::Triangle> outer(host_.memory);
-  for (const Quad& q : result.mesh.quads) {
-    outer.push_back({q[0], q[1], q[2]});
-    outer.push_back({q[0], q[2], q[3]});
-  }
+  const Array<mesh::Triangle> outer = halves_of(result.mesh.quads, host_.memory);
   result.quality = measure_hexahedra(result.mesh.positions, result.mesh.hexahedra, host_);
   result.distance = 100 / wanted_.diagonal *
                     surface_distance(result.mesh.positions, outer, wanted_.positions, wanted_.triangles,

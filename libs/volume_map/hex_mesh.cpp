@@ -61,6 +61,16 @@ bool positive(const Coefficients& f, double margin, int depth) {
 
 }  // namespace
 
+Array<mesh::Triangle> halves_of(std::span<const Quad> quads, std::pmr::memory_resource* memory) {
+  Array<mesh::Triangle> halves(memory);
+  halves.reserve(2 * quads.size());
+  for (const Quad& q : quads) {
+    halves.push_back({q[0], q[1], q[2]});
+    halves.push_back({q[0], q[2], q[3]});
+  }
+  return halves;
+}
+
 double corner_jacobian(std::span<const Vector3> positions, const Hexahedron& h, std::size_t corner) {
   const auto& n = corner_neighbours[corner];
   const Vector3& o = positions[h[corner]];

@@ -23,6 +23,9 @@ struct HexMesh {
   Array<Index> quad_patches;
 };
 
+// Two triangles for each quad, beside each other.
+Array<mesh::Triangle> halves_of(std::span<const Quad> quads, std::pmr::memory_resource* memory);
+
 // Three neighbours of each corner, whose edges have a positive determinant in a good hexahedron.
 inline constexpr std::array<std::array<std::uint8_t, 3>, 8> corner_neighbours = {
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};

@@ -20,7 +20,7 @@ class Reach {
         distance_(distance),
         host_(host),
         moves_(mesh, boundary, host),
-        halves_(halves_of(mesh.quads, host)),
+        halves_(halves_of(mesh.quads, host.memory)),
         around_(std::span<const mesh::Triangle>(halves_), mesh.positions.size(), host.memory),
         samples_(host.memory),
         inner_(host.memory),
@@ -63,15 +63,6 @@ class Reach {
       return std::pair(vertex, sample) < std::pair(other.vertex, other.sample);
     }
   };
-
-  static Array<mesh::Triangle> halves_of(std::span<const Quad> quads, const base::Host& host) {
-    Array<mesh::Triangle> halves(host.memory);
-    for (const Quad& q : quads) {
-      halves.push_back({q[0], q[1], q[2]});
-      halves.push_back({q[0], q[2], q[3]});
-    }
-    return halves;
-  }
 
   // Points of the surface that are far from the boundary.
   void find_samples() {

@@ -197,7 +197,6 @@ class Smoothing {
     auto fewest = count();
     Array<Vector3> best(mesh_.positions, host_.memory);
     for (int turn = 0; turn < most_turns && fewest > 0; ++turn) {
-      begin(values());
       untwist(1, last_pull, 0);
       const auto left = count();
       if (left >= fewest) continue;

@@ -314,11 +314,7 @@ TEST_CASE(
   const SurfaceTarget& target = draft.target;
   search_hexahedra(draft.mesh, boundary, {}, host);
   const auto farthest = [&](const HexMesh& of) {
-    Array<mesh::Triangle> halves(host.memory);
-    for (const Quad& q : of.quads) {
-      halves.push_back({q[0], q[1], q[2]});
-      halves.push_back({q[0], q[2], q[3]});
-    }
+    const Array<mesh::Triangle> halves = halves_of(of.quads, host.memory);
     const mesh::SurfaceSearch search(of.positions, halves, host);
     double most = 0;
     for (const Vector3& p : block.map.positions)
