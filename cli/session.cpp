@@ -59,9 +59,11 @@ void Session::end() {
 void Session::end_with(const Failure& failure) {
   bar_.clear();
   Failure told = failure;
-  if (failure.kind() == "cancelled" && out_of_time_) {
-    told = Failure(failure.exit_code(), failure.file(), "time-limit",
-                   "the limit of " + Json(options_.time_limit).dump() + " s is over; " + failure.what());
+  if (failure.kind() == "cancelled") {
+    // What is stopped is the work on the input, whichever file it was at.
+    const std::string limit = "the limit of " + Json(options_.time_limit).dump() + " s is over; ";
+    told = Failure(failure.exit_code(), input_, out_of_time_ ? "time-limit" : "cancelled",
+                   (out_of_time_ ? limit : "") + failure.what());
   }
   try {
     write_report({{"exit_code", static_cast<int>(told.exit_code())},

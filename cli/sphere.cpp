@@ -182,11 +182,14 @@ void sphere(const SphereOptions& options, Session& session) {
   const double computed = session.seconds() - start;
   sphere_map::FaceDistortion faces(host.memory);
   sphere_map::Measurement m;
+  // Who wants unfinished maps kept does not want to lose a finished one while it is checked.
+  const base::Host unhurried;
+  const base::Host& writing = options.keep_partial ? unhurried : host;
   about(options.output, Role::output, [&] {
     CheckedFile file(options.output);
-    write_checked(file.path(), options, surface, directions, session, host);
+    write_checked(file.path(), options, surface, directions, session, writing);
     m = sphere_map::measure(surface.positions, surface.triangles, directions, options.angle_weight, options.area_weight,
-                            host, &faces);
+                            writing, &faces);
     if (!m.bijective) throw base::Error("no-valid-result", "the map covers the sphere more than once");
     file.commit();
   });

@@ -1,6 +1,7 @@
 """What the tests of the command share: running it, and reading what it wrote without its help."""
 import json
 import os
+import resource
 import struct
 import subprocess
 import sys
@@ -20,6 +21,16 @@ long = unittest.skipIf(SANITIZED, "long")
 def run(*arguments, **keywords):
     keywords.setdefault("timeout", 600 if SANITIZED else 240)
     return subprocess.run([COMMAND, *map(str, arguments)], capture_output=True, text=True, **keywords)
+
+
+def processor_seconds(process=None):
+    """What a process that runs has used of all processors, or all those that have ended."""
+    if process is None:
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        return used.ru_utime + used.ru_stime
+    with open(f"/proc/{process.pid}/stat", encoding="ascii") as file:
+        user, system = file.read().rpartition(")")[2].split()[11:13]
+    return (int(user) + int(system)) / os.sysconf("SC_CLK_TCK")
 
 
 def kind_of(line, file):

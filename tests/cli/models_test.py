@@ -9,12 +9,11 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 
-from command import InFolder, kind_of, main, not_positive, read_obj, run
+from command import InFolder, kind_of, main, not_positive, processor_seconds, read_obj, run
 
 MODELS = os.environ.get("ORBICUBE_MODELS", "")
-SECONDS = 2.0
+SECONDS = 2.0  # of the processor: machines may have other things to do
 # What a shape is like is no fault of its file: `info` tells it and ends well.
 SHAPES = {"not-closed", "non-manifold-edge", "non-manifold-vertex", "inconsistent-orientation", "non-orientable",
           "not-connected", "duplicate-face", "wrong-genus", "degenerate-face", "degenerate-geometry"}
@@ -37,13 +36,13 @@ class BadFiles(InFolder):
             allowed = set(re.findall(r"[a-z]+(?:-[a-z]+)*", kinds)) - {"or", "accept"}
             ends = {}
             for verb in (("info", path), ("sphere", path, "-o", self.path("out.obj"))):
-                start = time.monotonic()
+                start = processor_seconds()
                 try:
-                    done = run(*verb, timeout=20)
+                    done = run(*verb, timeout=60)
                 except subprocess.TimeoutExpired:
                     wrong.append(f"{verb[0]} {name}: does not end")
                     break
-                seconds = time.monotonic() - start
+                seconds = processor_seconds() - start
                 if seconds > SECONDS:
                     wrong.append(f"{verb[0]} {name}: {seconds:.1f} s")
                 kind = kind_of(done.stderr.strip(), path) if done.returncode else ""

@@ -1,8 +1,8 @@
 // The files of the folder bad/ of ORBICUBE_MODELS: each ends as bad.tsv says.
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -50,14 +50,14 @@ TEST_CASE("Each glTF file of bad.tsv ends as its row says, within two seconds") 
     for (std::string word; words >> word;) {
       if (word != "or" && word.front() != '(') allowed.insert(word);
     }
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // of the processor: the machine may have other things to do
     const std::string outcome = outcome_of(folder / name);
-    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const std::clock_t taken = std::clock() - start;
     CAPTURE(name);
     CAPTURE(kinds);
     CAPTURE(outcome);
     CHECK(allowed.contains(outcome));
-    CHECK(seconds.count() < 2);
+    CHECK(taken < 2 * CLOCKS_PER_SEC);
   }
   CHECK(rows > 80);
 }

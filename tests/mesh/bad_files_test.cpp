@@ -2,8 +2,8 @@
 // models are read.
 #include <doctest/doctest.h>
 
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <set>
 #include <sstream>
@@ -68,9 +68,9 @@ TEST_CASE("Each file of bad.tsv ends as its row says, within two seconds") {
     const std::string &file = row[0], &expected = row[1], &kind = row[2];
     if (!format_of_path(file)) continue;
     CAPTURE(line);
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();  // of the processor: the machine may have other things to do
     const std::string ended = outcome_of(folder / file);
-    CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(2));
+    CHECK(std::clock() - start < 2 * CLOCKS_PER_SEC);
     CAPTURE(ended);
     const std::string first_kind = kind.substr(0, kind.find(' '));
     const bool shape =

@@ -87,7 +87,7 @@ test('keys and mouse turn the picture', async () => {
   sums.push((await drawn()).sum);
   assert(new Set(sums).size === sums.length, `${sums}`);
   await page.press(' ', 'Space');
-  await page.until("document.getElementById('slider').value === '0'", 10000);
+  await page.until("document.getElementById('slider').value === '0'");
 });
 
 test('the GLB that is downloaded has the sphere as a morph target', async () => {

@@ -187,7 +187,7 @@ class Maps(unittest.TestCase):
         sent = []
 
         def send():
-            sent.append(time.monotonic())
+            sent.append(time.process_time())
             os.kill(os.getpid(), signal.SIGINT)
 
         timer = threading.Timer(0.3, send)
@@ -195,7 +195,7 @@ class Maps(unittest.TestCase):
         handler = signal.getsignal(signal.SIGINT)
         with self.assertRaises(KeyboardInterrupt):
             sphere_map.compute(shape)
-        self.assertLess(time.monotonic() - sent[0], 2)  # 0.05 on an idle machine, while the map takes many seconds
+        self.assertLess(time.process_time() - sent[0], 2)  # 0.05 and a little, while the map takes many seconds
         self.assertIs(signal.getsignal(signal.SIGINT), handler)
 
     def test_other_threads_run_meanwhile(self):
