@@ -1,12 +1,11 @@
 #include "frame_hex.h"
 
 #include <numbers>
+#include <string>
 #include <utility>
 
-#include "any_genus_surface.h"
 #include "frame_field/frames_file.h"
 #include "mesh/cells.h"
-#include "surface_file.h"
 #include "text.h"
 #include "volume_map/frame_hexes.h"
 #ifdef ORBICUBE_WITH_TETRAHEDRA
@@ -23,13 +22,15 @@ HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session) {
   InputMesh input = read_input(verb.solid.input, verb.solid.weld, session);
   if (input.mesh.tetrahedra.empty() && input.mesh.hexahedra.empty() && verb.frames.empty()) {
 #ifdef ORBICUBE_WITH_TETRAHEDRA
-    AnyGenusSurface surface = read_any_genus_surface(verb.solid.input, verb.solid.weld, session);
-    session.figures()["input"] = surface.figures;
-    FilledSolid filled =
-        about(verb.solid.input, Role::input, [&] { return filled_solid(surface.mesh, verb.solid.triangles, host); });
-    solid.positions = std::move(filled.solid.positions);
-    solid.tetrahedra = std::move(filled.solid.tetrahedra);
-    if (filled.surface.size() < surface.mesh.triangles.size()) fine = std::move(surface.mesh);
+    about(verb.solid.input, Role::input, [&] {
+      const volume_map::SurfacePieces pieces = pieces_of_surface(input, Inside::tetrahedra, session);
+      if (pieces.count > 1)
+        throw base::Error("not-connected", std::to_string(pieces.count) + " pieces; a frame field has one");
+      FilledSolid filled = filled_solid(input.mesh, verb.solid.triangles, host);
+      solid.positions = std::move(filled.solid.positions);
+      solid.tetrahedra = std::move(filled.solid.tetrahedra);
+      if (filled.surface.size() < input.mesh.triangles.size()) fine = std::move(input.mesh);
+    });
 #else
     throw Failure(Exit::wrong_input, verb.solid.input, "unsupported",
                   "this build has no TetGen to fill a surface; give a mesh of tetrahedra");

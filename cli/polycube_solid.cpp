@@ -11,10 +11,9 @@
 #include "mesh/orient.h"
 #include "mesh/topology.h"
 #include "mesh/write.h"
-#include "surface_file.h"
 #include "volume_map/coarse_surface.h"
 #include "volume_map/solid_boundary.h"
-#include "volume_map/solid_pieces.h"
+#include "volume_map/solid_polycube.h"
 #ifdef ORBICUBE_WITH_TETRAHEDRA
 #include "filled_solid.h"
 #endif
@@ -66,29 +65,15 @@ volume_map::Pieces cell_pieces(const mesh::Mesh& solid, const base::Host& host) 
   return volume_map::pieces_of(solid.tetrahedra, solid.positions.size(), host);
 }
 
-// Of a surface that bounds a solid, which is turned to look outward. Hexahedra stand it where one piece meets itself in
-// few places; what is filled is asked by TetGen's library.
-volume_map::Pieces pieces_of_surface(InputMesh& input, Inside inside, Session& session) {
-  constexpr double few = 0.05;
-  const base::Host& host = session.host();
-  mesh::Mesh& surface = input.mesh;
-  volume_map::require_closed_surface(surface.positions, surface.triangles, host);
-  const mesh::OrientReport turned = mesh::orient(surface.positions, surface.triangles, host);
-  if (turned.triangles_turned > 0)
-    session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbours");
-  if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
-  volume_map::Pieces pieces = volume_map::surface_pieces(surface.positions, surface.triangles, host);
-  if (inside == Inside::nothing || pieces.count > 1) {
-    const std::size_t pairs =
-        volume_map::refuse_self_intersections(surface.positions, surface.triangles, pieces.count > 1 ? 0 : few, host);
-    if (pairs > 0) session.note(std::to_string(pairs) + " pairs of triangles meet where they should not");
+// Solids are on the inner side of their outer walls and on the outer side of the walls of cavities.
+void turn_parts(const volume_map::SurfacePieces& pieces, std::span<mesh::Triangle> triangles, Session& session) {
+  std::size_t turned = 0;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    if (pieces.wrong_side[i] == 0) continue;
+    std::swap(triangles[i][1], triangles[i][2]);
+    ++turned;
   }
-  session.figures()["input"] = {
-      {"format", input.report.format},
-      {"vertices", surface.positions.size()},
-      {"triangles", surface.triangles.size()},
-      {"genus", mesh::topology(surface.positions, surface.triangles, host).genus.value_or(0)}};
-  return pieces;
+  if (turned > 0) session.note(std::to_string(turned) + " triangles of parts that looked into the solid were turned");
 }
 
 }  // namespace
@@ -109,6 +94,29 @@ void add_polycube_solid_options(CLI::App& verb, PolycubeSolidOptions& options) {
 
 Json json_of(const PolycubeSolidOptions& options) {
   return {{"corners", options.corners}, {"triangles", options.triangles}, {"weld", options.weld}};
+}
+
+volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, Session& session) {
+  constexpr double few = 0.05;
+  const base::Host& host = session.host();
+  mesh::Mesh& surface = input.mesh;
+  volume_map::require_closed_surface(surface.positions, surface.triangles, host);
+  const mesh::OrientReport turned = mesh::orient(surface.positions, surface.triangles, host);
+  if (turned.triangles_turned > 0)
+    session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbours");
+  if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
+  const volume_map::SurfacePieces pieces = volume_map::surface_pieces(surface.positions, surface.triangles, host);
+  turn_parts(pieces, surface.triangles, session);
+  if (inside == Inside::nothing || pieces.count + pieces.cavities > 1) {
+    const std::size_t pairs = volume_map::refuse_self_intersections(surface.positions, surface.triangles, few, host);
+    if (pairs > 0) session.note(std::to_string(pairs) + " pairs of triangles meet where they should not");
+  }
+  session.figures()["input"] = {{"format", input.report.format},
+                                {"vertices", surface.positions.size()},
+                                {"triangles", surface.triangles.size()},
+                                {"genus", mesh::topology(surface.positions, surface.triangles, host).genus.value_or(0)},
+                                {"cavities", pieces.cavities}};
+  return pieces;
 }
 
 std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& options, Inside inside,
@@ -147,10 +155,9 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
         for (const mesh::Index v : t)
           outer = std::max(outer, v + 1);
       }
-      polycube::BestConstruction best =
-          polycube::construct(std::span(result.positions).first(outer), result.surface,
-                              {.corners = options.corners, .preferred_corners = 60, .seed = session.seed()}, host);
-      result.made = std::move(best.made);
+      result.made = volume_map::construct_polycube(
+          std::span(result.positions).first(outer), result.surface,
+          {.corners = options.corners, .preferred_corners = 60, .seed = session.seed()}, host);
       results.push_back(std::move(result));
     }
   });

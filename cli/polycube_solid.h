@@ -8,7 +8,9 @@
 #include "mesh/mesh.h"
 #include "polycube/construction.h"
 #include "session.h"
+#include "surface_file.h"
 #include "volume_map/hex_meshing.h"
+#include "volume_map/solid_pieces.h"
 #include "volume_map/volume_map.h"
 
 namespace orbicube::cli {
@@ -35,6 +37,11 @@ struct PolycubeSolidInput {
 };
 
 enum class Inside { tetrahedra, nothing };
+
+// The solids that a surface bounds; its parts are turned to look out of them. Hexahedra stand it where one piece meets
+// itself in few places; what is filled is asked by TetGen's library. Figures and notes go to the session. Throws
+// base::Error for what bounds no solid, with the place.
+volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, Session& session);
 
 // The pieces of a solid, each with a polycube of its own. Of a surface, which is filled with tetrahedra where these are
 // wanted (in builds with TetGen), or of a solid of tetrahedra, which keeps them. Surfaces of more than twice as many

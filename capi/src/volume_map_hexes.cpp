@@ -1,6 +1,8 @@
 // The C functions of volume_map for solids on polycubes and hexahedral meshes.
+#include <algorithm>
 #include <cstring>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -9,12 +11,12 @@
 #include "mesh/cells.h"
 #include "mesh/measures.h"
 #include "orbicube/volume_map.h"
-#include "polycube/construction.h"
 #include "volume_map/coarse_surface.h"
 #include "volume_map/frame_hexes.h"
 #include "volume_map/hex_pieces.h"
 #include "volume_map/solid_boundary.h"
 #include "volume_map/solid_pieces.h"
+#include "volume_map/solid_polycube.h"
 #include "volume_map/volume_map.h"
 
 using namespace orbicube;
@@ -86,7 +88,7 @@ mesh::Mesh solid_of(const double* positions, size_t vertex_count, const uint32_t
   return solid;
 }
 
-// A connected part of a surface, with its polycube.
+// The surface of a piece, cavities included, with its polycube.
 struct PieceOfSurface {
   mesh::Mesh surface;
   polycube::Construction made;
@@ -104,8 +106,15 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
   mesh::Mesh whole(host.memory);
   whole.positions.assign(s.positions.begin(), s.positions.end());
   whole.triangles.assign(s.triangles.begin(), s.triangles.end());
-  const volume_map::Pieces pieces = volume_map::surface_pieces(whole.positions, whole.triangles, host);
-  if (pieces.count > 1) volume_map::refuse_self_intersections(whole.positions, whole.triangles, 0, host);
+  const volume_map::SurfacePieces pieces = volume_map::surface_pieces(whole.positions, whole.triangles, host);
+  const bool parts = pieces.count + pieces.cavities > 1;
+  if (parts) volume_map::refuse_self_intersections(whole.positions, whole.triangles, 1, host);
+  const auto wrong = std::find(pieces.wrong_side.begin(), pieces.wrong_side.end(), std::uint8_t{1});
+  if (parts && wrong != pieces.wrong_side.end()) {
+    throw base::Error("inconsistent-orientation", "triangles look into the solid, the first is " +
+                                                      std::to_string(wrong - pieces.wrong_side.begin()) +
+                                                      "; outer walls must look outward, walls of cavities into these");
+  }
   base::Array<PieceOfSurface> result(host.memory);
   for (std::size_t i = 0; i < pieces.count; ++i) {
     mesh::Mesh surface = pieces.count == 1 ? std::move(whole) : volume_map::piece(whole, pieces, i, host);
@@ -113,10 +122,10 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
     const bool coarser = o.triangles > 0 && surface.triangles.size() / 2 > o.triangles;
     const volume_map::CoarseSurface coarse = volume_map::coarse_surface(
         surface.positions, surface.triangles, coarser ? o.triangles : surface.triangles.size(), host);
-    polycube::BestConstruction best = polycube::construct(
+    polycube::Construction made = volume_map::construct_polycube(
         coarse.positions, coarse.triangles, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, host);
     const bool of_coarse = coarse.triangles.size() < surface.triangles.size();
-    result.push_back({std::move(surface), std::move(best.made), of_coarse});
+    result.push_back({std::move(surface), std::move(made), of_coarse});
   }
   return result;
 }
@@ -143,9 +152,9 @@ obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_c
     const base::Host& h = made->adapter.host();
     const mesh::Mesh solid = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
     const volume_map::BoundaryFirst first = volume_map::boundary_first(solid, h);
-    const polycube::BestConstruction best = polycube::construct(
+    const polycube::Construction found = volume_map::construct_polycube(
         first.outer_positions(), first.surface, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
-    made->map = volume_map::map_to_polycube({first.positions, first.tetrahedra, first.surface, best.made.map}, h);
+    made->map = volume_map::map_to_polycube({first.positions, first.tetrahedra, first.surface, found.map}, h);
     *out = made.release();
   });
 }

@@ -103,8 +103,9 @@ class Certifier {
       return refuse(std::string(error.kind()) + ": " + error.what());
     }
     if (t.inconsistent_edges > 0) return refuse("neighbouring triangles are oriented differently");
-    if (t.components != 1) return refuse("the surface has " + std::to_string(t.components) + " components");
-    result_.genus = t.genus.value_or(0);
+    result_.cavities = t.components - 1;
+    // Euler's characteristic is 2 - 2 genus of each part.
+    result_.genus = static_cast<std::int64_t>(t.components) - t.euler_characteristic / 2;
     return true;
   }
 
@@ -180,23 +181,35 @@ class Certifier {
     return true;
   }
 
-  // The face that is farthest along an axis looks along it.
+  // The face of a part that is farthest along an axis looks along it where the part looks outward. One part does;
+  // whether the others are cavities within that is seen where no two meet (embedding.h).
   bool outward() {
-    std::size_t farthest = triangles_.size();
-    for (std::size_t i = 0; i < triangles_.size(); ++i) {
-      if (axis_of(result_.labels[i]) != 0) continue;
-      if (farthest == triangles_.size() || positions_[triangles_[i][0]].x() > positions_[triangles_[farthest][0]].x())
-        farthest = i;
+    mesh::DisjointSets parts(positions_.size(), host_.memory);
+    for (const Triangle& t : triangles_) {
+      parts.unite(t[0], t[1]);
+      parts.unite(t[0], t[2]);
     }
-    if (farthest < triangles_.size() && sign_of(result_.labels[farthest]) > 0) return true;
-    return refuse("the polycube is inside out");
+    Array<Index> farthest(positions_.size(), no_index, host_.memory);  // of the part with that root
+    for (Index i = 0; i < triangles_.size(); ++i) {
+      report_now_and_then(i);
+      if (axis_of(result_.labels[i]) != 0) continue;
+      Index& of_part = farthest[parts.find(triangles_[i][0])];
+      if (of_part == no_index || positions_[triangles_[i][0]].x() > positions_[triangles_[of_part][0]].x()) of_part = i;
+    }
+    std::size_t outward = 0;
+    for (const Index i : farthest)
+      outward += i != no_index && sign_of(result_.labels[i]) > 0;
+    if (outward == 1) return true;
+    return refuse(outward == 0 ? "the polycube is inside out"
+                               : std::to_string(outward) + " components look outward; a solid has one, and cavities");
   }
 
   bool embedded(const Connectivity& connectivity) {
     constexpr std::size_t most_cells = 10'000'000;
     const auto contact =
-        self_contact(positions_, triangles_, result_.labels, result_.charts, connectivity, most_cells, host_);
-    if (contact) return contact->empty() || refuse("the polycube meets itself, " + *contact);
+        embedding_fault(positions_, triangles_, result_.labels, result_.charts, connectivity, most_cells, host_);
+    if (contact) return contact->empty() || refuse(*contact);
+    if (result_.cavities > 0) return refuse("there are too many corners to see where cavities lie");
     constexpr std::size_t most = 1;
     const auto pairs = mesh::intersecting_triangles(positions_, triangles_, host_, most);
     if (pairs.empty()) return true;

@@ -1,10 +1,11 @@
 // Whether a map to a polycube is what it should be, decided by exact arithmetic on the coordinates as they are.
 //
-// Valid means: the triangles are a closed, connected, oriented manifold; each lies exactly in an axis-aligned plane and
-// has area; around each vertex the triangles turn once (four quarter turns inside a face of the polycube, two in each
-// face along an edge, one, two or three in each face at a corner); no two triangles meet but in the vertices and edges
-// that they share (embedding.h); and the surface looks outward. Then the triangles are the boundary of a solid with
-// axis-aligned faces, and each of its points is covered once.
+// Valid means: the triangles are a closed, oriented manifold; each lies exactly in an axis-aligned plane and has area;
+// around each vertex the triangles turn once (four quarter turns inside a face of the polycube, two in each face along
+// an edge, one, two or three in each face at a corner); no two triangles meet but in the vertices and edges that they
+// share (embedding.h); and the surface is connected and looks outward, or one part of it does and the others are
+// cavities within that, which look inward. Then the triangles are the boundary of a connected solid with axis-aligned
+// faces, and each of its points is covered once.
 #pragma once
 
 #include <cstdint>
@@ -22,7 +23,8 @@ struct Certificate {
   bool valid() const { return reason.empty(); }
 
   std::string reason;  // what is wrong and where, or empty
-  std::int64_t genus = 0;
+  std::size_t cavities = 0;
+  std::int64_t genus = 0;   // with cavities, of all parts together
   std::size_t corners = 0;  // vertices where three faces of the polycube or more meet
   std::size_t patches = 0;  // faces of the polycube
   Array<AxisLabel> labels;  // of each triangle, while reason is empty

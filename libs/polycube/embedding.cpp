@@ -27,7 +27,8 @@ class Grid {
         crossings_(host.memory),
         cells_(host.memory),
         edges_(host.memory),
-        vertices_(host.memory) {}
+        vertices_(host.memory),
+        triangle_of_(host.memory) {}
 
   std::optional<std::string> run(std::size_t most_cells) {
     find_planes();
@@ -35,11 +36,13 @@ class Grid {
     if (crossings_.size() > most_cells) return std::nullopt;
     std::sort(crossings_.begin(), crossings_.end());
     if (count_cells() > most_cells) return std::nullopt;
-    if (overlapping_ != no_index) return "face " + std::to_string(overlapping_) + " overlaps itself";
+    if (overlapping_ != no_index)
+      return "the polycube meets itself, face " + std::to_string(overlapping_) + " overlaps itself";
     std::string wrong = check_cells();
     if (wrong.empty()) wrong = check_edges();
     if (wrong.empty()) wrong = check_vertices();
-    return wrong;
+    if (!wrong.empty()) return "the polycube meets itself, " + wrong;
+    return check_sides();
   }
 
  private:
@@ -130,9 +133,8 @@ class Grid {
 
   // By the crossings along each row; answers how many there are. A face's plane is that of any of its corners.
   std::size_t count_cells() {
-    Array<Index> triangle_of(host_.memory);  // of each chart, the first
     for (Index f = 0; f < triangles_.size(); ++f)
-      if (charts_[f] == triangle_of.size()) triangle_of.push_back(f);
+      if (charts_[f] == triangle_of_.size()) triangle_of_.push_back(f);
     int winding = 0;
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
       report(i);
@@ -144,10 +146,10 @@ class Grid {
         if (next.at == c.at) continue;
         if (winding < 0 || winding > 1) overlapping_ = c.chart;
         if (winding != 1) continue;
-        const AxisLabel label = labels_[triangle_of[c.chart]];
+        const AxisLabel label = labels_[triangle_of_[c.chart]];
         const auto axis = static_cast<std::size_t>(axis_of(label));
         Place place{};
-        place[axis] = place_of(triangles_[triangle_of[c.chart]][0])[axis];
+        place[axis] = place_of(triangles_[triangle_of_[c.chart]][0])[axis];
         place[(axis + 2) % 3] = c.row;
         for (Index k = c.at; k < next.at; ++k) {
           place[(axis + 1) % 3] = k;
@@ -224,6 +226,27 @@ class Grid {
     return {};
   }
 
+  // Along each row of the first axis faces look back and forth by turns, the first one back.
+  std::string check_sides() {
+    const auto row = [](const Cell& c) { return std::pair(c.place[1], c.place[2]); };
+    Array<Cell> across(host_.memory);
+    for (const Cell& c : cells_)
+      if (c.axis == 0) across.push_back(c);
+    std::sort(across.begin(), across.end(), [&](const Cell& a, const Cell& b) {
+      return std::pair(row(a), a.place[0]) < std::pair(row(b), b.place[0]);
+    });
+    int before = 1;
+    for (std::size_t i = 0; i < across.size(); ++i) {
+      report(i);
+      const int now = sign_of(labels_[triangle_of_[across[i].chart]]);
+      const bool last = i + 1 == across.size() || row(across[i + 1]) != row(across[i]);
+      if (now == before || (last && now < 0))
+        return "a part of the polycube lies in what is inside or outside already, " + at(across[i].place);
+      before = last ? 1 : now;
+    }
+    return {};
+  }
+
   // Each ray from the vertex has two of the quadrants or none. Those that hang together are looked for by rays.
   static bool one_ring(unsigned quadrants) {
     // Rays: 2 axis + 1 for what is beyond.
@@ -259,15 +282,16 @@ class Grid {
   Array<Cell> cells_;
   Array<Edge> edges_;
   Array<Vertex> vertices_;
+  Array<Index> triangle_of_;  // of each chart, the first
   Index overlapping_ = no_index;
 };
 
 }  // namespace
 
-std::optional<std::string> self_contact(std::span<const Vector3> polycube, std::span<const Triangle> triangles,
-                                        std::span<const AxisLabel> labels, std::span<const Index> charts,
-                                        const Connectivity& connectivity, std::size_t most_cells,
-                                        const base::Host& host) {
+std::optional<std::string> embedding_fault(std::span<const Vector3> polycube, std::span<const Triangle> triangles,
+                                           std::span<const AxisLabel> labels, std::span<const Index> charts,
+                                           const Connectivity& connectivity, std::size_t most_cells,
+                                           const base::Host& host) {
   return Grid(polycube, triangles, labels, charts, connectivity, host).run(most_cells);
 }
 

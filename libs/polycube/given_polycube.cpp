@@ -54,6 +54,7 @@ TargetPolycube target_of_mesh(std::span<const Vector3> positions, std::span<cons
   set_unrefined(result.map);
   const Certificate certificate = certify(result.map, host);
   if (!certificate.valid()) refuse(certificate.reason);
+  if (certificate.cavities > 0) refuse("it has cavities, which a connected surface has not");
   result.graph = make_patch_graph(result.map, host);
   result.genus = certificate.genus;
   return result;

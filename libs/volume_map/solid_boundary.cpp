@@ -24,7 +24,6 @@ BoundaryFirst boundary_first(const mesh::Mesh& solid, const base::Host& host) {
                           std::to_string(first) + ", at " + place_text(solid.positions[solid.tetrahedra[first][0]]) +
                           ", is not connected with the first one");
   }
-  refuse_cavities(solid.positions, result.surface, host);
   base::Array<mesh::Index> number(solid.positions.size(), mesh::no_index, host.memory);
   const auto take = [&](mesh::Index& v) {
     if (number[v] == mesh::no_index) {

@@ -20,8 +20,8 @@ struct BoundaryFirst {
 };
 
 // Vertices that no tetrahedron has are left out. Throws Error for cells that fill no solid (mesh/cells.h),
-// "not-connected" for several pieces and for cavities
-// (solid_pieces.h), with the place, "cancelled".
+// "not-connected" for several pieces, with the place, "cancelled". Walls of cavities are part of the surface and look
+// into these.
 BoundaryFirst boundary_first(const mesh::Mesh& solid, const base::Host& host);
 
 }  // namespace orbicube::volume_map

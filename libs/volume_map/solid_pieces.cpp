@@ -33,15 +33,6 @@ Pieces numbered(mesh::DisjointSets& sets, std::size_t items, std::size_t vertice
   return result;
 }
 
-Pieces connected(std::span<const Triangle> triangles, std::size_t vertices, const base::Host& host) {
-  mesh::DisjointSets sets(vertices, host.memory);
-  for (const Triangle& t : triangles) {
-    sets.unite(t[0], t[1]);
-    sets.unite(t[0], t[2]);
-  }
-  return numbered(sets, triangles.size(), vertices, host, [&](std::size_t i) { return triangles[i][0]; });
-}
-
 // A vertex of the place that a refusal of require_closed_manifold means.
 Index vertex_of(const std::string& kind, const mesh::Topology& facts, std::span<const Triangle> triangles) {
   if (kind == "degenerate-face") return triangles[facts.first_degenerate_face][0];
@@ -130,59 +121,89 @@ void require_closed_surface(std::span<const Vector3> positions, std::span<const 
 }
 
 std::size_t refuse_self_intersections(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                                      double part, const base::Host& host) {
+                                      double share, const base::Host& host) {
   const auto pairs = mesh::intersecting_triangles(positions, triangles, host);
+  if (pairs.empty()) return 0;
+  const Pieces parts = surface_parts(triangles, positions.size(), host);
   base::Array<std::uint8_t> meets(triangles.size(), 0, host.memory);
   std::size_t count = 0;
-  for (const auto& pair : pairs) {
-    for (const Index t : pair) {
+  auto between_parts = pairs.end();
+  for (auto pair = pairs.begin(); pair != pairs.end(); ++pair) {
+    for (const Index t : *pair) {
       count += meets[t] == 0;
       meets[t] = 1;
     }
+    if (between_parts == pairs.end() && parts.of[(*pair)[0]] != parts.of[(*pair)[1]]) between_parts = pair;
   }
-  if (static_cast<double>(count) > part * static_cast<double>(triangles.size())) {
-    const auto& [p, q] = pairs[0];
+  const bool meeting = between_parts != pairs.end();
+  if (meeting || static_cast<double>(count) > share * static_cast<double>(triangles.size())) {
+    const auto& [p, q] = meeting ? *between_parts : pairs[0];
     throw base::Error("self-intersection",
                       "pairs of faces that meet where they should not: " + std::to_string(pairs.size()) +
-                          "; first faces " + std::to_string(p) + " and " + std::to_string(q) + ", at " +
+                          (meeting ? "; parts of the surface meet, first in faces " : "; first faces ") +
+                          std::to_string(p) + " and " + std::to_string(q) + ", at " +
                           place_text(positions[triangles[p][0]]));
   }
   return pairs.size();
 }
 
-Pieces surface_pieces(std::span<const Vector3> positions, std::span<const Triangle> triangles, const base::Host& host) {
-  Pieces pieces = connected(triangles, positions.size(), host);
-  if (pieces.count < 2) return pieces;
+Pieces surface_parts(std::span<const Triangle> triangles, std::size_t vertices, const base::Host& host) {
+  mesh::DisjointSets sets(vertices, host.memory);
+  for (const Triangle& t : triangles) {
+    sets.unite(t[0], t[1]);
+    sets.unite(t[0], t[2]);
+  }
+  return numbered(sets, triangles.size(), vertices, host, [&](std::size_t i) { return triangles[i][0]; });
+}
+
+SurfacePieces surface_pieces(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                             const base::Host& host) {
+  const Pieces found = surface_parts(triangles, positions.size(), host);
   // Boxes first: what lies apart needs no sums.
   struct Part {
     Eigen::AlignedBox3d box;
     Index vertex = no_index;
+    double volume = 0;       // times six, about the vertex, for the digits
+    std::size_t around = 0;  // parts that it lies within
+    std::size_t piece = 0;
   };
-  base::Array<Part> parts(pieces.count, host.memory);
+  base::Array<Part> parts(found.count, host.memory);
   for (std::size_t i = 0; i < triangles.size(); ++i) {
-    Part& part = parts[pieces.of[i]];
-    for (const Index v : triangles[i])
+    const Triangle& t = triangles[i];
+    Part& part = parts[found.of[i]];
+    for (const Index v : t)
       part.box.extend(positions[v]);
-    if (part.vertex == no_index) part.vertex = triangles[i][0];
+    if (part.vertex == no_index) part.vertex = t[0];
+    const Vector3& at = positions[part.vertex];
+    part.volume += (positions[t[0]] - at).dot((positions[t[1]] - at).cross(positions[t[2]] - at));
+  }
+  const auto within = [&](std::size_t i, std::size_t k) {
+    return k != i && parts[k].box.contains(parts[i].box) &&
+           std::abs(winding(positions, triangles, found, static_cast<Index>(k), positions[parts[i].vertex], host)) >
+               0.5;
+  };
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    for (std::size_t k = 0; k < parts.size(); ++k)
+      parts[i].around += within(i, k);
+  }
+  SurfacePieces result(host.memory);
+  for (Part& part : parts) {
+    if (part.around % 2 == 0) part.piece = result.count++;
   }
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::size_t around = 0;
-    Index outer = no_index;
+    if (parts[i].around % 2 == 0) continue;
+    ++result.cavities;
+    // The wall of a cavity belongs to what is next around it.
     for (std::size_t k = 0; k < parts.size(); ++k) {
-      if (k == i || !parts[k].box.contains(parts[i].box)) continue;
-      const Vector3& p = positions[parts[i].vertex];
-      if (std::abs(winding(positions, triangles, pieces, static_cast<Index>(k), p, host)) < 0.5) continue;
-      ++around;
-      outer = parts[k].vertex;
-    }
-    if (around % 2 == 1) {
-      throw base::Error("not-connected",
-                        "a cavity, which no map to a polycube has: the part of the surface with vertex " +
-                            std::to_string(parts[i].vertex) + ", at " + place_text(positions[parts[i].vertex]) +
-                            ", lies within that with vertex " + std::to_string(outer));
+      if (parts[k].around + 1 == parts[i].around && within(i, k)) parts[i].piece = parts[k].piece;
     }
   }
-  return pieces;
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const Part& part = parts[found.of[i]];
+    result.of.push_back(static_cast<Index>(part.piece));
+    result.wrong_side.push_back((part.volume > 0) != (part.around % 2 == 0));
+  }
+  return result;
 }
 
 Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices, const base::Host& host) {
@@ -216,28 +237,6 @@ void require_conforming(std::span<const mesh::Tetrahedron> tetrahedra, std::span
                             " can never both be positive side by side: the order of their vertices at their " +
                             text(a));
     }
-  }
-}
-
-void refuse_cavities(std::span<const Vector3> positions, std::span<const Triangle> surface, const base::Host& host) {
-  const Pieces parts = connected(surface, positions.size(), host);
-  if (parts.count < 2) return;
-  base::Array<double> volume(parts.count, 0, host.memory);
-  base::Array<Index> first(parts.count, no_index, host.memory);
-  for (std::size_t i = 0; i < surface.size(); ++i) {
-    const Triangle& t = surface[i];
-    Index& v = first[parts.of[i]];
-    if (v == no_index) v = t[0];
-    // About a point of the part itself, for the digits.
-    const Vector3 a = positions[t[0]] - positions[v], b = positions[t[1]] - positions[v],
-                  c = positions[t[2]] - positions[v];
-    volume[parts.of[i]] += a.dot(b.cross(c));
-  }
-  for (std::size_t i = 0; i < parts.count; ++i) {
-    if (volume[i] > 0) continue;
-    throw base::Error("not-connected",
-                      "a cavity, which no map to a polycube has: the part of the boundary with vertex " +
-                          std::to_string(first[i]) + ", at " + place_text(positions[first[i]]) + ", looks inward");
   }
 }
 

@@ -1,9 +1,9 @@
-// What a surface must be to be the boundary of a solid that can be mapped, the pieces that a solid has, and refusals
-// that tell the place.
+// What a surface must be to be the boundary of a solid that can be mapped, the pieces that a solid has and their
+// cavities, and refusals that tell the place.
 #pragma once
 
+#include <cstdint>
 #include <span>
-#include <string>
 
 #include "base/host.h"
 #include "mesh/mesh.h"
@@ -28,16 +28,27 @@ using mesh::place_text;
 void require_closed_surface(std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
                             const base::Host& host);
 
-// Throws Error "self-intersection", likewise, where more than a `part` of the triangles meet others where they should
-// not. Answers how many pairs do.
+// Throws Error "self-intersection", likewise, where triangles of different connected parts meet, or more than a `share`
+// of all triangles meet others where they should not. Answers how many pairs do.
 std::size_t refuse_self_intersections(std::span<const mesh::Vector3> positions,
-                                      std::span<const mesh::Triangle> triangles, double part, const base::Host& host);
+                                      std::span<const mesh::Triangle> triangles, double share, const base::Host& host);
 
-// The connected parts of a closed surface, each the boundary of one piece. Triangles must be turned to agree with their
-// neighbours, inward or outward. Throws Error "not-connected" where parts lie within each other: a cavity, which no map
-// to a polycube has.
-Pieces surface_pieces(std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
-                      const base::Host& host);
+// The connected parts of a surface.
+Pieces surface_parts(std::span<const mesh::Triangle> triangles, std::size_t vertices, const base::Host& host);
+
+// The solids that a closed surface bounds. What an odd number of its parts surrounds is solid: a part within another is
+// the wall of a cavity of that, and a part within a cavity is a solid again.
+struct SurfacePieces : Pieces {
+  explicit SurfacePieces(std::pmr::memory_resource* memory) : Pieces(memory), wrong_side(memory) {}
+
+  std::size_t cavities = 0;              // of all
+  base::Array<std::uint8_t> wrong_side;  // 1 for each triangle that looks into its solid
+};
+
+// The parts must not meet, their triangles be turned to agree with their neighbours. O(n) for each part within the box
+// of another.
+SurfacePieces surface_pieces(std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
+                             const base::Host& host);
 
 // Tetrahedra that are connected through faces. Throws Error "index-range".
 Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices, const base::Host& host);
@@ -47,11 +58,6 @@ Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vert
 // coordinates; "cancelled". Inverted ones are fine. O(n log n).
 void require_conforming(std::span<const mesh::Tetrahedron> tetrahedra, std::span<const mesh::Vector3> positions,
                         const base::Host& host);
-
-// Throws Error "not-connected" where parts of a closed, oriented surface that bounds connected tetrahedra are cavities;
-// `surface` looks outward, so that these look inward, with the coordinates of one.
-void refuse_cavities(std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> surface,
-                     const base::Host& host);
 
 // A mesh of one piece: its cells, or triangles, and the vertices that they have, in their order.
 mesh::Mesh piece(const mesh::Mesh& mesh, const Pieces& pieces, std::size_t which, const base::Host& host);

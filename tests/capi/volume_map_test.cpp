@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -91,6 +92,29 @@ struct BoxSurface {
   BoxSurface(const BoxSurface&) = delete;
   BoxSurface& operator=(const BoxSurface&) = delete;
   ~BoxSurface() { obc_mesh_destroy(mesh); }
+};
+
+// The surface of the box, 3 by 2 by 2, and the same scaled about its middle and moved along x; with `turned`, that one
+// looks inward.
+struct TwoBoxes {
+  std::vector<double> positions;
+  std::vector<std::uint32_t> corners;
+  obc_surface surface{};
+
+  TwoBoxes(double scale, double move, bool turned) {
+    constexpr std::array<double, 3> middle = {1.5, 1, 1};
+    const BoxSurface box;
+    const std::size_t vertices = box.surface.vertex_count, triangles = box.surface.triangle_count;
+    positions.assign(box.surface.positions, box.surface.positions + 3 * vertices);
+    corners.assign(box.surface.triangles, box.surface.triangles + 3 * triangles);
+    for (std::size_t i = 0; i < 3 * vertices; ++i)
+      positions.push_back(middle[i % 3] + scale * (positions[i] - middle[i % 3]) + (i % 3 == 0 ? move : 0));
+    for (std::size_t t = 0; t < triangles; ++t) {
+      for (std::size_t k = 0; k < 3; ++k)
+        corners.push_back(static_cast<std::uint32_t>(vertices) + corners[3 * t + (turned ? 2 - k : k)]);
+    }
+    surface = {positions.data(), 2 * vertices, corners.data(), 2 * triangles};
+  }
 };
 
 obc_volume_map_hexes_options few_hexes() {
@@ -252,24 +276,13 @@ TEST_CASE("A box is filled with hexahedra that fill it") {
   CHECK(*std::max_element(faces.begin(), faces.end()) == 5);
 }
 
-TEST_CASE("Pieces that lie apart are filled together, cavities and pieces that meet are refused") {
-  const BoxSurface box;
-  const std::size_t vertices = box.surface.vertex_count, triangles = box.surface.triangle_count;
+TEST_CASE("Pieces that lie apart are filled together, cavities are left out, and pieces that meet are refused") {
   obc_volume_map_hexes_options options = few_hexes();
   options.cells = 450;
-  // Two of the box, the second one scaled about the origin and moved along x; with `turned`, it looks inward.
   const auto fill_with = [&](double scale, double move, bool turned, obc_volume_map_hexes_report* report,
                              obc_volume_map_hexes** hexes, obc_error* error) {
-    std::vector<double> positions(box.surface.positions, box.surface.positions + 3 * vertices);
-    std::vector<std::uint32_t> corners(box.surface.triangles, box.surface.triangles + 3 * triangles);
-    for (std::size_t i = 0; i < 3 * vertices; ++i)
-      positions.push_back(scale * positions[i] + (i % 3 == 0 ? move : 0));
-    for (std::size_t t = 0; t < triangles; ++t) {
-      for (std::size_t k = 0; k < 3; ++k)
-        corners.push_back(static_cast<std::uint32_t>(vertices) + corners[3 * t + (turned ? 2 - k : k)]);
-    }
-    const obc_surface both = {positions.data(), 2 * vertices, corners.data(), 2 * triangles};
-    return obc_volume_map_hexes_compute(&both, &options, nullptr, report, hexes, error);
+    const TwoBoxes both(scale, move, turned);
+    return obc_volume_map_hexes_compute(&both.surface, &options, nullptr, report, hexes, error);
   };
   obc_volume_map_hexes_report report{};
   report.struct_size = sizeof report;
@@ -299,12 +312,19 @@ TEST_CASE("Pieces that lie apart are filled together, cavities and pieces that m
   CHECK(count < 20 * in_first);
   CHECK(*std::max_element(faces.begin(), faces.end()) == 11);
 
-  CHECK(fill_with(0.2, 1, true, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
-  CHECK(std::string(error.message).find("a cavity") != std::string::npos);
+  // A wall that looks into its cavity, and one that does not.
+  REQUIRE(fill_with(0.4, 0.25, true, &report, &hexes, &error) == OBC_OK);
+  CHECK(report.volume == doctest::Approx(12 * (1 - 0.064)).epsilon(1e-6));
+  CHECK(report.polycube_corners == 16);
+  CHECK(report.least_scaled_jacobian > 0.5);
+  obc_volume_map_hexes_destroy(hexes);
+  hexes = nullptr;
+  CHECK(fill_with(0.4, 0.25, false, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
+  CHECK(std::string(error.message).find("walls of cavities") != std::string::npos);
   CHECK(fill_with(1, 1.5, false, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
   CHECK(std::string(error.message).find("meet where they should not") != std::string::npos);
-  CHECK(fill_with(1, 10, true, nullptr, &hexes, &error) == OBC_DEGENERATE);
-  CHECK(std::string(error.message).find("inward") != std::string::npos);
+  CHECK(fill_with(1, 10, true, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
+  CHECK(std::string(error.message).find("look into the solid") != std::string::npos);
   CHECK(hexes == nullptr);
 }
 
@@ -412,13 +432,16 @@ TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
 
 TEST_CASE("Each allocation that fails, and each report that cancels, ends the making of hexahedra") {
   const BoxSurface box;
+  const TwoBoxes hollow(0.4, 0.25, true);
   const obc_volume_map_hexes_options options = few_hexes();
-  const test::Call call =
-      test::destroying(obc_volume_map_hexes_destroy, [&](const obc_host* host, obc_volume_map_hexes** out) {
-        return obc_volume_map_hexes_compute(&box.surface, &options, host, nullptr, out, nullptr);
-      });
-  test::check_failing_allocations(call, 50);
-  test::check_cancelling(call);
+  for (const obc_surface* surface : {&box.surface, &hollow.surface}) {
+    const test::Call call =
+        test::destroying(obc_volume_map_hexes_destroy, [&](const obc_host* host, obc_volume_map_hexes** out) {
+          return obc_volume_map_hexes_compute(surface, &options, host, nullptr, out, nullptr);
+        });
+    test::check_failing_allocations(call, 50);
+    test::check_cancelling(call);
+  }
 }
 
 TEST_CASE("Each allocation that fails while a solid is mapped ends in out of memory") {

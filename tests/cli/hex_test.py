@@ -244,13 +244,32 @@ class Hex(InFolder):
         self.refused(2, "not-closed", opened, "hex", opened, "-o", out)
         self.refused(2, "not-closed", opened, "volume", opened, "-o", out)
         self.assertRegex(run("hex", opened, "-o", out).stderr, r"first edge \d+-\d+, at \([-0-9.e]+, [-0-9.e]+, [-0-9.e]+\)")
-        # A box within a box, and a box through a box.
-        for name, low, size, kind, place in (("cavity", 1, 1, "not-connected", "vertex 8, at (1, 1, 1)"),
-                                             ("crossing", 2, 2, "self-intersection", ", at (")):
-            path = self.boxes(name, ((0, 0, 0), 3), ((low, low, low), size))
-            for verb in ("hex", "volume"):
-                self.refused(2, kind, path, verb, path, "-o", out)
-                self.assertIn(place, run(verb, path, "-o", out).stderr)
+        # A box through a box.
+        path = self.boxes("crossing", ((0, 0, 0), 3), ((2, 2, 2), 2))
+        for verb in ("hex", "volume"):
+            self.refused(2, "self-intersection", path, verb, path, "-o", out)
+            self.assertIn(", at (", run(verb, path, "-o", out).stderr)
+
+    def test_a_cavity_stays_empty(self):
+        # Its wall looks to the wrong side and is turned.
+        path, out = self.boxes("cavity", ((0, 0, 0), 3), ((1, 1, 0.5), 1)), self.path("out.mesh")
+        for method in ("polycube", "frames"):
+            report = self.path("report.json")
+            done = run("hex", path, "-o", out, "--cells", 400, "--method", method, "--report", report)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("12 triangles of parts that looked into the solid were turned", done.stdout)
+            with open(report, encoding="ascii") as file:
+                figures = json.load(file)
+            self.assertEqual(figures["input"]["cavities"], 1)
+            self.assertLess(figures["volume_error_percent"], 1)
+            positions, cells = read_medit(out, "Hexahedra", 8)
+            # No corner and no middle of a hexahedron is in it.
+            for cell in cells:
+                middle = [sum(positions[v][k] for v in cell) / 8 for k in range(3)]
+                for p in [middle, *(positions[v] for v in cell)]:
+                    self.assertFalse(all(low + 0.01 < x < low + 0.99 for x, low in zip(p, (1, 1, 0.5))), p)
+        done = run("volume", path, "-o", out)
+        self.assertEqual(done.returncode, 0, done.stderr)
 
     def boxes(self, name, *boxes):
         path = self.path(name + ".obj")

@@ -164,6 +164,45 @@ TEST_CASE("Surfaces that are open, in parts or not manifold are refused") {
   CHECK_THROWS_AS(certificate_of(wild), base::Error);
 }
 
+TEST_CASE("Cavities are parts that look inward within the one that looks outward, and touch nothing") {
+  // Cubes of length `size` from `low` on, each looking outward or into itself.
+  struct Cube {
+    double low, size;
+    bool inward;
+  };
+  const auto cubes = [](const std::vector<Cube>& all) {
+    mesh::Mesh m;
+    for (const Cube& cube : all) {
+      const mesh::Mesh one = blocks(box_without({1, 1, 1}));
+      const auto first = static_cast<Index>(m.positions.size());
+      for (const Vector3& p : one.positions)
+        m.positions.push_back(Vector3::Constant(cube.low) + cube.size * p);
+      for (Triangle t : one.triangles) {
+        for (Index& v : t)
+          v += first;
+        if (cube.inward) std::swap(t[1], t[2]);
+        m.triangles.push_back(t);
+      }
+    }
+    return certificate_of(m);
+  };
+  const Certificate hollow = cubes({{0, 9, false}, {1, 2, true}, {4, 3, true}});
+  INFO(hollow.reason);
+  CHECK(hollow.valid());
+  CHECK(hollow.cavities == 2);
+  CHECK(hollow.genus == 0);
+  CHECK(hollow.corners == 24);
+  CHECK(hollow.patches == 18);
+  CHECK(certificate_of(blocks(box_without({3, 3, 3}, {{1, 1, 1}}))).cavities == 1);
+  CHECK(mentions(cubes({{0, 9, false}, {1, 2, false}}), "2 components look outward"));
+  CHECK(mentions(cubes({{0, 9, true}, {1, 2, true}}), "inside out"));
+  CHECK(mentions(cubes({{0, 9, false}, {10, 2, true}}), "inside or outside already"));
+  CHECK(mentions(cubes({{0, 9, false}, {1, 6, true}, {2, 1, true}}), "inside or outside already"));
+  CHECK(mentions(cubes({{0, 9, true}, {1, 2, false}}), "inside or outside already"));
+  CHECK(mentions(cubes({{0, 9, false}, {7, 2, true}}), "meets itself"));
+  CHECK(mentions(cubes({{0, 9, false}, {8, 2, true}}), "meets itself"));
+}
+
 TEST_CASE("A double cover of a cube's surface is refused") {
   // A branched cover: a square tube around twice, closed by caps whose centres the triangles go around twice.
   mesh::Mesh m;

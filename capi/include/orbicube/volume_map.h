@@ -90,8 +90,9 @@ OBC_API obc_status obc_volume_map_solid_options_init(obc_volume_map_solid_option
  * in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
  * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
  * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
- * Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: pieces
- * or cavities), not closed; no valid result with what stood in the way; out of memory, cancelled. */
+ * A cavity gets a polycube within that of the outer wall.
+ * Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: several pieces), not
+ * closed; no valid result with what stood in the way; out of memory, cancelled. */
 OBC_API obc_status obc_volume_map_solid_compute(const double *positions, size_t vertex_count, const uint32_t *tetrahedra,
                                                 size_t tetrahedron_count, const obc_volume_map_solid_options *options,
                                                 const obc_host *host, obc_volume_map_solid **out, obc_error *error);
@@ -149,11 +150,13 @@ typedef struct obc_volume_map_hexes_report {
 } obc_volume_map_hexes_report;
 
 /* Fills a closed surface with hexahedra: oriented, looking outward, of any genus, in one piece or in several that lie apart,
- * which get their parts of the cells by their volumes. They meet in whole faces, the boundary has the pieces and the genus of
- * the surface, each hexahedron has positive corners by exact signs and a trilinear map that is certainly positive. In the report
- * of several pieces, corners and vertices are all of them, distance and volume_error the largest, in percent of its own piece. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
- * Errors: invalid argument; not closed; not manifold (kinds not-connected: a cavity, self-intersection: pieces that meet);
- * degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled. */
+ * which get their parts of the cells by their volumes. Parts within a piece that look inward are the walls of cavities, which
+ * stay empty. Hexahedra meet in whole faces, the boundary has the parts and the genus of the surface, each hexahedron has
+ * positive corners by exact signs and a trilinear map that is certainly positive. In the report of several pieces, corners and
+ * vertices are all of them, distance and volume_error the largest, in percent of its own piece. options, host and report may be
+ * NULL; the allocator of the host must stay valid until _destroy.
+ * Errors: invalid argument; not closed; not manifold (kinds self-intersection: parts that meet, inconsistent-orientation: parts
+ * that look into the solid); degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled. */
 OBC_API obc_status obc_volume_map_hexes_compute(const obc_surface *surface, const obc_volume_map_hexes_options *options,
                                                 const obc_host *host, obc_volume_map_hexes_report *report,
                                                 obc_volume_map_hexes **out, obc_error *error);

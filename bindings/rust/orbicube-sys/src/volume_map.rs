@@ -222,8 +222,9 @@ extern "C" {
     /// in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
     /// meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
     /// host must stay valid until \_destroy. Minutes for a hundred thousand tetrahedra.
-    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: pieces
-    /// or cavities), not closed; no valid result with what stood in the way; out of memory, cancelled.
+    /// A cavity gets a polycube within that of the outer wall.
+    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: several pieces), not
+    /// closed; no valid result with what stood in the way; out of memory, cancelled.
     pub fn obc_volume_map_solid_compute(positions: *const f64, vertex_count: usize, tetrahedra: *const u32, tetrahedron_count: usize, options: *const obc_volume_map_solid_options, host: *const obc_host, out: *mut *mut obc_volume_map_solid, error: *mut obc_error) -> i32;
     /// NULL is fine, here and in the functions that count (0).
     pub fn obc_volume_map_solid_destroy(solid: *mut obc_volume_map_solid);
@@ -236,11 +237,13 @@ extern "C" {
     /// The defaults, which the members' comments give.
     pub fn obc_volume_map_hexes_options_init(options: *mut obc_volume_map_hexes_options, struct_size: usize) -> i32;
     /// Fills a closed surface with hexahedra: oriented, looking outward, of any genus, in one piece or in several that lie apart,
-    /// which get their parts of the cells by their volumes. They meet in whole faces, the boundary has the pieces and the genus of
-    /// the surface, each hexahedron has positive corners by exact signs and a trilinear map that is certainly positive. In the report
-    /// of several pieces, corners and vertices are all of them, distance and volume\_error the largest, in percent of its own piece. options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
-    /// Errors: invalid argument; not closed; not manifold (kinds not-connected: a cavity, self-intersection: pieces that meet);
-    /// degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled.
+    /// which get their parts of the cells by their volumes. Parts within a piece that look inward are the walls of cavities, which
+    /// stay empty. Hexahedra meet in whole faces, the boundary has the parts and the genus of the surface, each hexahedron has
+    /// positive corners by exact signs and a trilinear map that is certainly positive. In the report of several pieces, corners and
+    /// vertices are all of them, distance and volume\_error the largest, in percent of its own piece. options, host and report may be
+    /// NULL; the allocator of the host must stay valid until \_destroy.
+    /// Errors: invalid argument; not closed; not manifold (kinds self-intersection: parts that meet, inconsistent-orientation: parts
+    /// that look into the solid); degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled.
     pub fn obc_volume_map_hexes_compute(surface: *const obc_surface, options: *const obc_volume_map_hexes_options, host: *const obc_host, report: *mut obc_volume_map_hexes_report, out: *mut *mut obc_volume_map_hexes, error: *mut obc_error) -> i32;
     /// NULL is fine, here and in the functions that count (0).
     pub fn obc_volume_map_hexes_destroy(hexes: *mut obc_volume_map_hexes);

@@ -1,0 +1,112 @@
+// Polycubes of solids with cavities: where they are put, and the maps and hexahedra that come of them.
+#include <doctest/doctest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <vector>
+
+#include "base/error.h"
+#include "block_solid.h"
+#include "volume_map/cavity_placement.h"
+#include "volume_map/solid_polycube.h"
+
+using namespace orbicube;
+using namespace orbicube::volume_map;
+
+namespace {
+
+const base::Host host;
+
+// Blocks of a cube of three without the middle one, or others.
+std::vector<test::Block> shell(int size = 3) {
+  std::vector<test::Block> blocks;
+  for (int x = 0; x < size; ++x) {
+    for (int y = 0; y < size; ++y) {
+      for (int z = 0; z < size; ++z) {
+        if (std::min({x, y, z}) == 0 || std::max({x, y, z}) == size - 1) blocks.push_back({x, y, z});
+      }
+    }
+  }
+  return blocks;
+}
+
+}  // namespace
+
+TEST_CASE("A cavity is placed where the map of the surface around it has it, turned and scaled as that is") {
+  // The outer map moves all of space by one affine map; the cavity's own polycube is another turn and scale of it.
+  const Eigen::Matrix3d outer_turn = Eigen::AngleAxisd(M_PI / 2, Vector3::UnitZ()).toRotationMatrix();
+  const Eigen::Matrix3d own_turn =
+      (Eigen::AngleAxisd(M_PI / 2, Vector3::UnitX()) * Eigen::AngleAxisd(M_PI, Vector3::UnitY())).toRotationMatrix();
+  const Eigen::Matrix3d exact = outer_turn.array().round(), own = own_turn.array().round();
+  test::BlockSolid outer(test::angle, 4, 0, 0), cavity({{0, 0, 0}}, 3, 0, 0);
+  const Vector3 stretch(2, 3, 2.5), shift(7, -1, 2);
+  const auto wanted = [&](const Vector3& p) { return Vector3(exact * stretch.cwiseProduct(p) + shift); };
+  for (std::size_t v = 0; v < outer.map.positions.size(); ++v)
+    outer.map.polycube[v] = wanted(outer.map.positions[v]);
+  for (std::size_t v = 0; v < cavity.map.positions.size(); ++v) {
+    Vector3& p = cavity.map.positions[v];
+    p = Vector3(0.4, 0.3, 0.5) + 0.2 * p;
+    cavity.map.polycube[v] = own * (5 * p) + Vector3(1, 2, 3);
+  }
+  const CavityPlacement placement = place_cavity(outer.map, cavity.map, host);
+  // Mean value coordinates reproduce affine maps, so that nothing is left.
+  for (std::size_t v = 0; v < cavity.map.positions.size(); ++v)
+    CHECK((placement(cavity.map.polycube[v]) - wanted(cavity.map.positions[v])).norm() < 1e-9);
+  CHECK((placement.turn - exact * own.transpose()).norm() == 0);
+}
+
+TEST_CASE("A bent solid with a cavity has a certified polycube, a map to it and hexahedra between both walls") {
+  const test::BlockSolid block(shell(), 3, 0.5, 0.2);
+  REQUIRE(block.certificate == "");
+  const std::size_t outer = block.map.polycube.size();
+  const polycube::Construction made =
+      construct_polycube(std::span(block.positions).first(outer), block.surface, {}, host);
+  CHECK(made.certificate.valid());
+  CHECK(made.certificate.cavities == 1);
+  // Vertices of the surface keep their numbers, what is added lies on its triangles.
+  CHECK(made.map.positions.size() >= outer);
+  CHECK(std::equal(made.map.positions.begin(), made.map.positions.begin() + static_cast<std::ptrdiff_t>(outer),
+                   block.positions.begin()));
+  for (std::size_t v = 0; v < made.map.positions.size(); ++v) {
+    const polycube::VertexSource& source = made.map.vertex_sources[v];
+    Vector3 p = Vector3::Zero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (source.corner[k] != no_index) p += source.weight[k] * block.positions[source.corner[k]];
+    }
+    CHECK((p - made.map.positions[v]).norm() < 1e-12);
+  }
+  for (std::size_t i = 0; i < made.map.triangles.size(); ++i) {
+    const mesh::Triangle &t = made.map.triangles[i], &from = block.surface[made.map.triangle_sources[i]];
+    const auto normal = [](const auto& p, const mesh::Triangle& of) {
+      return Vector3((p[of[1]] - p[of[0]]).cross(p[of[2]] - p[of[0]]));
+    };
+    CHECK(normal(made.map.positions, t).dot(normal(block.positions, from)) > 0);
+  }
+
+  const VolumeMap map = map_to_polycube({block.positions, block.tetrahedra, block.surface, made.map}, host);
+  CHECK(count_inverted(map.tetrahedra, map.image, host).count == 0);
+  CHECK(count_inverted(map.tetrahedra, map.source, host).count == 0);
+
+  const HexResult hexes = make_hexahedra({made.map}, {.cells = 1000}, host);
+  CHECK(hexes.quality.valid());
+  CHECK(hexes.quality.least_scaled_jacobian > 0.4);
+  CHECK(hexes.distance < 1);
+  CHECK(hexes.volume_error < 1);
+  // Both walls are covered.
+  double volume = 0;
+  for (const Tetrahedron& t : block.tetrahedra)
+    volume += six_volumes(block.positions, t) / 6;
+  CHECK(hexes.quality.volume == doctest::Approx(volume).epsilon(0.01));
+}
+
+TEST_CASE("A cavity that is larger than it has room for is made smaller on the polycube") {
+  // The walls are a tenth of the cavity.
+  test::BlockSolid block(shell(5), 1, 0, 0);
+  const auto thin = [](double x) { return x <= 1 ? 0.2 * x : (x >= 4 ? 5 - 0.2 * (5 - x) : 0.2 + (x - 1) * 4.6 / 3); };
+  for (Vector3& p : block.positions)
+    p = Vector3(thin(p[0]), thin(p[1]), thin(p[2]));
+  const std::size_t outer = block.map.polycube.size();
+  const polycube::Construction made =
+      construct_polycube(std::span(block.positions).first(outer), block.surface, {}, host);
+  CHECK(made.certificate.cavities == 1);
+}
