@@ -7,7 +7,6 @@
 #include "frame_field/frames_file.h"
 #include "mesh/cells.h"
 #include "text.h"
-#include "volume_map/frame_hexes.h"
 #ifdef ORBICUBE_WITH_TETRAHEDRA
 #include "filled_solid.h"
 #endif
@@ -55,7 +54,8 @@ HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session) {
                                                  .distance = verb.distance,
                                                  .most_cells = verb.most_cells,
                                                  .fine_positions = fine.positions,
-                                                 .fine_triangles = fine.triangles};
+                                                 .fine_triangles = fine.triangles,
+                                                 .most_fields = verb.most_fields};
     if (!verb.frames.empty()) return volume_map::make_hexahedra_by_frames(solid, options, host);
     return volume_map::make_hexahedra_along_frames(solid.positions, solid.tetrahedra,
                                                    verb.features * std::numbers::pi / 180, options, host);

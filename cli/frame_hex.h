@@ -5,6 +5,7 @@
 
 #include "hex_output.h"
 #include "polycube_solid.h"
+#include "volume_map/frame_hexes.h"
 
 namespace orbicube::cli {
 
@@ -16,6 +17,7 @@ struct FrameHexVerb {
   double distance = 1;  // percent
   std::size_t most_cells = 100'000;
   double features = 0;  // degrees
+  std::size_t most_fields = volume_map::FrameHexOptions{}.most_fields;
 };
 
 HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session);

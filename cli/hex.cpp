@@ -38,8 +38,12 @@ struct HexVerb {
   double features = 0;  // degrees
 };
 
-HexOutcome hexahedra_of_polycubes(const HexVerb& verb, Session& session) {
-  const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::nothing, session);
+HexOutcome hexahedra_of_cells(const HexVerb& verb, volume_map::HexMethod method, Session& session) {
+  using volume_map::HexMethod;
+  const Polycubes polycubes = method == HexMethod::polycube ? Polycubes::needed
+                              : method == HexMethod::voxels ? Polycubes::none
+                                                            : Polycubes::where_there_are;
+  const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::nothing, polycubes, session);
   const double start = session.seconds();
   std::vector<volume_map::PolycubeSurface> boundaries;
   std::size_t corners = 0;
@@ -51,23 +55,27 @@ HexOutcome hexahedra_of_polycubes(const HexVerb& verb, Session& session) {
                   std::to_string(corners) + " corners of the polycube", ""};
   about(verb.output.path, Role::output, [&] {
     made.result = volume_map::make_hexahedra_of_pieces(boundaries,
-                                                       {.cells = verb.cells,
+                                                       {.method = method,
+                                                        .cells = verb.cells,
                                                         .padding = paddings.at(verb.padding),
                                                         .distance = verb.distance,
                                                         .most_cells = verb.most_cells,
                                                         .sharp_angle = verb.sharp_edges},
                                                        session.host());
   });
-  made.figures = {{"method", "polycube"},
+  made.besides =
+      made.result.by_voxels ? "cells of a grid in space" : std::to_string(corners) + " corners of the polycube";
+  made.figures = {{"method", made.result.by_voxels ? "voxels" : "polycube"},
                   {"padded", made.result.padded},
                   {"follows_sharp_edges", made.result.follows_sharp_edges},
                   {"seconds_compute", session.seconds() - start}};
   return made;
 }
 
-HexOutcome hexahedra_by_frames(const HexVerb& verb, double features, Session& session) {
+HexOutcome hexahedra_by_frames(const HexVerb& verb, double features, std::size_t most_fields, Session& session) {
   HexOutcome made = hexahedra_along_frames(
-      {verb.solid, verb.output.path, verb.frames, verb.cells, verb.distance, verb.most_cells, features}, session);
+      {verb.solid, verb.output.path, verb.frames, verb.cells, verb.distance, verb.most_cells, features, most_fields},
+      session);
   made.figures["method"] = "frames";
   return made;
 }
@@ -89,6 +97,8 @@ bool looks_machined(const PolycubeSolidOptions& solid, Session& session) {
 // not do, by polycubes; by frames again where there is no other way. The better one, if there are two.
 HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
   constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
+  // Each takes long, and what has a map at all has one along the first or the second most often.
+  constexpr std::size_t few_fields = 3;
   // Layers are those of a polycube.
   const bool frames_may = verb.padding == "auto", machined = frames_may && looks_machined(verb.solid, session);
   const double features = verb.features > 0 ? verb.features : verb.sharp_edges;
@@ -98,7 +108,7 @@ HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
   };
   const auto try_frames = [&] {
     try {
-      take(hexahedra_by_frames(verb, features, session));
+      take(hexahedra_by_frames(verb, features, few_fields, session));
     } catch (const Failure& failure) {
       if (failure.kind() == "cancelled") throw;
     }
@@ -107,7 +117,7 @@ HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
   if (made && made->result.quality.least_scaled_jacobian > poor && volume_map::excess(made->result, verb.distance) <= 1)
     return std::move(*made);
   try {
-    take(hexahedra_of_polycubes(verb, session));
+    take(hexahedra_of_cells(verb, volume_map::HexMethod::automatic, session));
   } catch (const Failure& failure) {
     if (failure.kind() == "cancelled") throw;
     if (!made && !machined && frames_may && failure.kind() == "no-valid-result") try_frames();
@@ -134,8 +144,9 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
   const bool by_frames = verb.method == "frames" || (verb.method == "auto" && !verb.frames.empty());
-  HexOutcome made = by_frames                   ? hexahedra_by_frames(verb, verb.features, session)
-                    : verb.method == "polycube" ? hexahedra_of_polycubes(verb, session)
+  HexOutcome made = by_frames ? hexahedra_by_frames(verb, verb.features, FrameHexVerb{}.most_fields, session)
+                    : verb.method == "polycube" ? hexahedra_of_cells(verb, volume_map::HexMethod::polycube, session)
+                    : verb.method == "voxels"   ? hexahedra_of_cells(verb, volume_map::HexMethod::voxels, session)
                                                 : best_hexahedra(verb, session);
   write_hexahedra(output, std::move(made), verb.distance, session);
 }
@@ -177,9 +188,10 @@ void add_hex(CLI::App& app, CommonOptions& common) {
       ->type_name("C");
   verb->add_option(
           "--method", options->method,
-          "polycube: the cells of a polycube; frames: along a frame field, with its singular edges inside; auto "
-          "(the default): frames for what looks like a machined part; else, and where frames do not do, polycube")
-      ->check(unnamed(CLI::IsMember({"auto", "polycube", "frames"})))
+          "polycube: the cells of a polycube; frames: along a frame field, with its singular edges inside; voxels: the "
+          "cells of a grid in space, with a layer around; auto (the default): frames for what looks like a machined "
+          "part; else, and where frames do not do, polycube; where that is far or poor, voxels")
+      ->check(unnamed(CLI::IsMember({"auto", "polycube", "frames", "voxels"})))
       ->type_name("METHOD");
   verb->add_option("--frames", options->frames,
                    "frames of IN, a mesh of tetrahedra, that hexahedra are to follow; else they are found")

@@ -60,6 +60,32 @@ void fill(const PolycubeSolidOptions& options, mesh::Mesh&& surface, PolycubeSol
 }
 #endif
 
+void make_polycube(const PolycubeSolidOptions& options, Polycubes polycubes, PolycubeSolidInput& result,
+                   Session& session) {
+  const base::Host& host = session.host();
+  // The surface's vertices are the first ones; what lies inside is of no interest to the polycube.
+  mesh::Index outer = 0;
+  for (const mesh::Triangle& t : result.surface) {
+    for (const mesh::Index v : t)
+      outer = std::max(outer, v + 1);
+  }
+  const std::span<const mesh::Vector3> positions = std::span(result.positions).first(outer);
+  try {
+    if (polycubes != Polycubes::none) {
+      result.made = volume_map::construct_polycube(
+          positions, result.surface, {.corners = options.corners, .preferred_corners = 60, .seed = session.seed()},
+          host);
+      return;
+    }
+  } catch (const base::Error& error) {
+    if (polycubes == Polycubes::needed || error.status() != base::Status::no_valid_result) throw;
+    session.note("there is no polycube: " + std::string(error.what()));
+  }
+  if (!result.fine.triangles.empty()) return;
+  result.fine.positions.assign(positions.begin(), positions.end());
+  result.fine.triangles.assign(result.surface.begin(), result.surface.end());
+}
+
 volume_map::Pieces cell_pieces(const mesh::Mesh& solid, const base::Host& host) {
   if (!solid.hexahedra.empty()) throw base::Error("unsupported", "a mesh of hexahedra already");
   return volume_map::pieces_of(solid.tetrahedra, solid.positions.size(), host);
@@ -120,7 +146,7 @@ volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, Ses
 }
 
 std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& options, Inside inside,
-                                                    Session& session) {
+                                                    Polycubes polycubes, Session& session) {
   const base::Host& host = session.host();
   const double start = session.seconds();
   InputMesh input = read_input(options.input, options.weld, session);
@@ -149,22 +175,16 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
         fill(options, std::move(part), result, session);
 #endif
       filling += session.seconds() - before;
-      // The surface's vertices are the first ones; what lies inside is of no interest to the polycube.
-      mesh::Index outer = 0;
-      for (const mesh::Triangle& t : result.surface) {
-        for (const mesh::Index v : t)
-          outer = std::max(outer, v + 1);
-      }
-      result.made = volume_map::construct_polycube(
-          std::span(result.positions).first(outer), result.surface,
-          {.corners = options.corners, .preferred_corners = 60, .seed = session.seed()}, host);
+      make_polycube(options, polycubes, result, session);
       results.push_back(std::move(result));
     }
   });
   std::size_t corners = 0, patches = 0, triangles = 0;
   std::int64_t genus = 0;
   double angles = 0, areas = 0;
+  bool all = true;
   for (const PolycubeSolidInput& result : results) {
+    all = all && !result.made.map.triangles.empty();
     corners += result.made.certificate.corners;
     patches += result.made.certificate.patches;
     genus += result.made.certificate.genus;
@@ -172,12 +192,14 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
     angles += result.made.distortion.angle_mean / static_cast<double>(results.size());
     areas += result.made.distortion.area_mean / static_cast<double>(results.size());
   }
-  session.figures()["polycube"] = {{"corners", corners},
-                                   {"patches", patches},
-                                   {"genus", genus},
-                                   {"surface_triangles", triangles},
-                                   {"distortion_of_angles", angles},
-                                   {"distortion_of_areas", areas}};
+  if (all) {
+    session.figures()["polycube"] = {{"corners", corners},
+                                     {"patches", patches},
+                                     {"genus", genus},
+                                     {"surface_triangles", triangles},
+                                     {"distortion_of_angles", angles},
+                                     {"distortion_of_areas", areas}};
+  }
   if (results.size() > 1) session.figures()["pieces"] = results.size();
   session.figures()["seconds_fill"] = filling;
   session.figures()["seconds_polycube"] = session.seconds() - start - filling;

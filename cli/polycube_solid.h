@@ -37,6 +37,8 @@ struct PolycubeSolidInput {
 };
 
 enum class Inside { tetrahedra, nothing };
+// Where there is no polycube, and none has to be, the surface of the file is `fine`.
+enum class Polycubes { needed, where_there_are, none };
 
 // The solids that a surface bounds; its parts are turned to look out of them. Hexahedra stand it where one piece meets
 // itself in few places; what is filled is asked by TetGen's library. Figures and notes go to the session. Throws
@@ -47,7 +49,7 @@ volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, Ses
 // wanted (in builds with TetGen), or of a solid of tetrahedra, which keeps them. Surfaces of more than twice as many
 // triangles as the options say are made coarser first. Figures go to the session.
 std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& options, Inside inside,
-                                                    Session& session);
+                                                    Polycubes polycubes, Session& session);
 
 // Written beside its place, read again and compared: what was certified is what the file holds.
 void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, const base::Host& host);

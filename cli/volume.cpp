@@ -63,7 +63,8 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   if (!verb.source.empty()) require_cells_writable(verb.source);
   session.options() = {{"output", verb.output}, {"source", verb.source}, {"solver", verb.solver}, {"text", verb.text}};
   session.options().update(json_of(verb.solid));
-  const std::vector<PolycubeSolidInput> pieces = read_polycube_solid(verb.solid, Inside::tetrahedra, session);
+  const std::vector<PolycubeSolidInput> pieces =
+      read_polycube_solid(verb.solid, Inside::tetrahedra, Polycubes::needed, session);
   const double start = session.seconds();
   volume_map::VolumeMap map(session.host().memory);
   std::size_t corners = 0;

@@ -95,7 +95,7 @@ struct PieceOfSurface {
   bool coarser = false;  // the polycube is that of a coarser surface
 
   volume_map::PolycubeSurface mapped() const {
-    if (!coarser) return {made.map};
+    if (!coarser && !made.map.triangles.empty()) return {made.map};
     return {made.map, surface.positions, surface.triangles};
   }
 };
@@ -122,8 +122,16 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
     const bool coarser = o.triangles > 0 && surface.triangles.size() / 2 > o.triangles;
     const volume_map::CoarseSurface coarse = volume_map::coarse_surface(
         surface.positions, surface.triangles, coarser ? o.triangles : surface.triangles.size(), host);
-    polycube::Construction made = volume_map::construct_polycube(
-        coarse.positions, coarse.triangles, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, host);
+    polycube::Construction made(host.memory);
+    try {
+      if (o.method != OBC_VOLUME_MAP_METHOD_VOXELS) {
+        made = volume_map::construct_polycube(coarse.positions, coarse.triangles,
+                                              {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, host);
+      }
+    } catch (const base::Error& error) {
+      if (o.method != OBC_VOLUME_MAP_METHOD_AUTO || error.status() != base::Status::no_valid_result) throw;
+      host.log(error.what());
+    }
     const bool of_coarse = coarse.triangles.size() < surface.triangles.size();
     result.push_back({std::move(surface), std::move(made), of_coarse});
   }
@@ -195,6 +203,8 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
     const obc_volume_map_hexes_options o = capi::copy_versioned(options, default_hexes_options());
     capi::require(o.padding >= OBC_VOLUME_MAP_PADDING_AUTO && o.padding <= OBC_VOLUME_MAP_PADDING_WITHOUT,
                   "options->padding is none of the constants");
+    capi::require(o.method >= OBC_VOLUME_MAP_METHOD_AUTO && o.method <= OBC_VOLUME_MAP_METHOD_VOXELS,
+                  "options->method is none of the constants");
     auto made = std::make_unique<obc_volume_map_hexes>(host);
     const base::Host& h = made->adapter.host();
     const base::Array<PieceOfSurface> pieces = pieces_of(s, o, h);
@@ -205,7 +215,8 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
       corners += piece.made.certificate.corners;
     }
     made->made = volume_map::make_hexahedra_of_pieces(mapped,
-                                                      {.cells = o.cells,
+                                                      {.method = static_cast<volume_map::HexMethod>(o.method),
+                                                       .cells = o.cells,
                                                        .padding = static_cast<volume_map::Padding>(o.padding),
                                                        .rounds = o.rounds,
                                                        .distance = o.distance,
@@ -223,6 +234,7 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
     r.distance = made->made.distance;
     r.volume_error = made->made.volume_error;
     r.follows_sharp_edges = made->made.follows_sharp_edges ? 1 : 0;
+    r.by_voxels = made->made.by_voxels ? 1 : 0;
     capi::write_versioned(report, r);
     *out = made.release();
   });

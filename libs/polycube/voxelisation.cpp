@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 
 #include "base/error.h"
@@ -132,33 +131,44 @@ double farthest_vertex(const VoxelSolid& solid, std::span<const Vector3> positio
   return farthest;
 }
 
-bool right_topology(const VoxelSolid& solid, std::int64_t genus, const base::Host& host) {
+bool right_topology(const VoxelSolid& solid, std::int64_t genus, std::size_t cavities, const base::Host& host) {
   const VoxelTopology topology = solid.topology(host);
-  return topology.bad_vertices == 0 && topology.genus == genus && topology.inside_components == 1 &&
-         topology.outside_components == 1;
+  // Each part of the surface adds 2 - 2 genus to Euler's number, from which the solid tells its own.
+  return topology.bad_vertices == 0 && topology.genus == genus - static_cast<std::int64_t>(cavities) &&
+         topology.inside_components == 1 && topology.outside_components == 1 + cavities;
 }
 
 }  // namespace
 
+std::optional<Voxelisation> voxelise_by_grid(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                                             std::int64_t genus, std::size_t cavities, const Occupancy& occupancy,
+                                             int cells, double threshold, const base::Host& host) {
+  Voxelisation grid = make_grid(occupancy, cells, host);
+  grid.threshold = threshold;
+  for (std::size_t i = 0; i < grid.solid.size(); ++i)
+    grid.solid.set(i, grid.fraction[i] > threshold);
+  const auto keep_largest = [&] {
+    grid.solid.keep_largest(true, host);
+    if (cavities == 0) grid.solid.keep_largest(false, host);
+  };
+  keep_largest();
+  repair(grid, host);
+  keep_largest();
+  if (!right_topology(grid.solid, genus, cavities, host)) return std::nullopt;
+  grid.farthest = farthest_vertex(grid.solid, positions, triangles, host) / cells;
+  return grid;
+}
+
 Voxelisation voxelise(std::span<const Vector3> positions, std::span<const Triangle> triangles, std::int64_t genus,
                       const Occupancy& occupancy, const VoxelisationOptions& options, const base::Host& host) {
-  constexpr std::array thresholds = {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.1, 0.03};
   constexpr std::array cell_counts = {12, 16, 20, 24, 30, 40, 48, 60, 72, 84, 100, 120, 140};
   std::optional<Voxelisation> best;
   const auto attempt = [&](int cells) {
-    for (const double threshold : thresholds) {
-      Voxelisation grid = make_grid(occupancy, cells, host);
-      grid.threshold = threshold;
-      for (std::size_t i = 0; i < grid.solid.size(); ++i)
-        grid.solid.set(i, grid.fraction[i] > threshold);
-      grid.solid.keep_largest(true, host);
-      grid.solid.keep_largest(false, host);
-      repair(grid, host);
-      grid.solid.keep_largest(true, host);
-      grid.solid.keep_largest(false, host);
-      if (!right_topology(grid.solid, genus, host)) continue;
-      grid.farthest = farthest_vertex(grid.solid, positions, triangles, host) / cells;
-      if (!best || grid.farthest < best->farthest) best = std::move(grid);
+    for (const double threshold : voxel_thresholds) {
+      std::optional<Voxelisation> grid =
+          voxelise_by_grid(positions, triangles, genus, 0, occupancy, cells, threshold, host);
+      if (!grid) continue;
+      if (!best || grid->farthest < best->farthest) best = std::move(grid);
       if (best->farthest <= options.far) return true;
     }
     return false;

@@ -96,6 +96,10 @@ std::size_t count_faults(const FramedSolid& solid, const base::Host& host) {
   return faults;
 }
 
+bool same_quaternion(const quaternion::Quaternion& p, const quaternion::Quaternion& q) {
+  return p.w == q.w && p.x == q.x && p.y == q.y && p.z == q.z;
+}
+
 struct FieldAttempt {
   frame_field::Start start;
   frame_field::Repairs repairs;
@@ -204,12 +208,20 @@ FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::
   FramedSolid best(host.memory);
   std::exception_ptr first_refusal;
   double seconds = 0;
+  Array<Array<quaternion::Quaternion>> refused(host.memory);  // frames
   for (const FieldAttempt& attempt : field_attempts) {
+    if (fields == options.most_fields) break;
     const auto start = Clock::now();
     FramedSolid solid = solid_with_frames(attempt, positions, tetrahedra, feature_angle, host);
     const std::size_t faults = count_faults(solid, host);
     seconds += std::chrono::duration<double>(Clock::now() - start).count();
     ++fields;
+    // Another start may lead to the same field.
+    const auto same = [&](const Array<quaternion::Quaternion>& frames) {
+      return std::equal(frames.begin(), frames.end(), solid.frames.begin(), solid.frames.end(), same_quaternion);
+    };
+    if (std::any_of(refused.begin(), refused.end(), same)) continue;
+    refused.push_back(Array<quaternion::Quaternion>(solid.frames, host.memory));
     if (faults == 0) {
       try {
         FrameHexes made = make_hexahedra_by_frames(solid, options, host);

@@ -16,6 +16,8 @@ struct FrameHexOptions {
   // The surface that counts, where the solid fills a coarser version of it; may be empty.
   std::span<const Vector3> fine_positions = {};
   std::span<const mesh::Triangle> fine_triangles = {};
+  // Where frames are not given: so many fields are tried.
+  std::size_t most_fields = 7;
 };
 
 struct FrameHexes {

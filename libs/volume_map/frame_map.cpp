@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <numbers>
 #include <string>
 
@@ -120,8 +121,13 @@ class Mapping {
                             beside(bad.front(), cut, connectivity, rings));
     }
     set_transitions(cut, system, connectivity, integers);
+    // More room has to help, or a map goes once too often around a vertex, where it will stay.
     bad = certify(cut, connectivity, rings, last);
-    if (!bad.empty()) return false;
+    if (!bad.empty()) {
+      if (bad.size() >= fewest_wound_) certify(cut, connectivity, rings, true);
+      fewest_wound_ = bad.size();
+      return false;
+    }
     map_.label = std::move(system.label);
     map_.patch = std::move(system.patch);
     map_.patches = system.patches;
@@ -339,6 +345,7 @@ class Mapping {
   const FrameMapOptions& options_;
   const base::Host& host_;
   FrameMap map_;
+  std::size_t fewest_wound_ = std::numeric_limits<std::size_t>::max();  // tetrahedra around edges with wrong angles
   std::string collapsed_;  // layers that the integers let collapse; the map may do without them
 };
 

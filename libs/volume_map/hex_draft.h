@@ -43,6 +43,7 @@ struct HexResult {
   bool padded = false;               // somewhere
   bool follows_sharp_edges = false;  // those that the polycube has edges for
   std::size_t off_surface = 0;       // vertices of the boundary that could not be put onto the surface
+  bool by_voxels = false;            // the cells of a grid in space, not of a polycube (voxel_hexes.h)
   bool hardly_near = false;          // as far from the surface as allowed, or moved to where it is near (hex_reach.h)
   // In percent, of the diagonal and of the volume of the surface.
   double distance = 0, volume_error = 0;

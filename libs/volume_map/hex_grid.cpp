@@ -12,27 +12,6 @@
 namespace orbicube::volume_map {
 namespace {
 
-// The corners of the grid around all cells.
-class Corners {
- public:
-  explicit Corners(const IntegerDomain& domain) {
-    for (std::size_t a = 0; a < 3; ++a)
-      size_[a] = domain.size(a) + 1;
-  }
-  std::size_t count() const {
-    return static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]);
-  }
-  std::size_t operator()(const Cell& c) const {
-    return (static_cast<std::size_t>(c[0]) * static_cast<std::size_t>(size_[1]) + static_cast<std::size_t>(c[1])) *
-               static_cast<std::size_t>(size_[2]) +
-           static_cast<std::size_t>(c[2]);
-  }
-  int size(std::size_t a) const { return size_[a]; }
-
- private:
-  std::array<int, 3> size_{};
-};
-
 // Vertices inside at the mean of their neighbours, by conjugate gradients on the corners of the hexahedra.
 void place_inner(HexMesh& mesh, std::span<const std::uint8_t> outer, const base::Host& host) {
   Array<Element> elements(8 * mesh.hexahedra.size(), host.memory);
@@ -51,30 +30,39 @@ void place_inner(HexMesh& mesh, std::span<const std::uint8_t> outer, const base:
 
 }  // namespace
 
-HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap& surface, const base::Host& host) {
+HexMesh hexahedra_of_cells(const std::array<int, 3>& size, std::span<const std::uint8_t> inside,
+                           const base::Host& host) {
   HexMesh mesh(host.memory);
-  const Corners corners(domain);
-  Array<Index> vertex(corners.count(), no_index, host.memory);
-  Array<Cell> corner_of_vertex(host.memory);
+  const auto place = [](const std::array<int, 3>& counts, const Cell& c) {
+    return (static_cast<std::size_t>(c[0]) * static_cast<std::size_t>(counts[1]) + static_cast<std::size_t>(c[1])) *
+               static_cast<std::size_t>(counts[2]) +
+           static_cast<std::size_t>(c[2]);
+  };
+  const std::array<int, 3> corners = {size[0] + 1, size[1] + 1, size[2] + 1};
+  const auto is_inside = [&](const Cell& c) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      if (c[a] < 0 || c[a] >= size[a]) return false;
+    }
+    return inside[place(size, c)] != 0;
+  };
+  Array<Index> vertex(place(corners, {size[0], size[1], size[2]}) + 1, no_index, host.memory);
   constexpr std::array<std::array<int, 3>, 8> offsets = {
       {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}};
   // The face of a hexahedron towards each side: axis, then below and above.
   constexpr std::array<std::array<std::size_t, 2>, 3> face_towards = {{{5, 3}, {2, 4}, {0, 1}}};
-  Array<Vector3> centers(host.memory);  // of boundary faces, on the polycube
   Cell c{};
-  for (c[0] = 0; c[0] < domain.size(0); ++c[0]) {
+  for (c[0] = 0; c[0] < size[0]; ++c[0]) {
     host.report("grid", 0, 0);
-    for (c[1] = 0; c[1] < domain.size(1); ++c[1]) {
-      for (c[2] = 0; c[2] < domain.size(2); ++c[2]) {
-        if (!domain.inside(c)) continue;
+    for (c[1] = 0; c[1] < size[1]; ++c[1]) {
+      for (c[2] = 0; c[2] < size[2]; ++c[2]) {
+        if (!is_inside(c)) continue;
         Hexahedron h{};
         for (std::size_t k = 0; k < 8; ++k) {
           const Cell corner{c[0] + offsets[k][0], c[1] + offsets[k][1], c[2] + offsets[k][2]};
-          Index& v = vertex[corners(corner)];
+          Index& v = vertex[place(corners, corner)];
           if (v == no_index) {
             v = static_cast<Index>(mesh.positions.size());
             mesh.positions.push_back(Vector3(corner[0], corner[1], corner[2]));
-            corner_of_vertex.push_back(corner);
           }
           h[k] = v;
         }
@@ -83,17 +71,20 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap
           for (std::size_t side = 0; side < 2; ++side) {
             Cell beside = c;
             beside[a] += side == 1 ? 1 : -1;
-            if (domain.inside(beside)) continue;
+            if (is_inside(beside)) continue;
             const auto& face = hexahedron_faces[face_towards[a][side]];
             mesh.quads.push_back({h[face[0]], h[face[1]], h[face[2]], h[face[3]]});
-            Vector3 center(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
-            center[static_cast<Eigen::Index>(a)] = c[a] + (side == 1 ? 1 : 0);
-            centers.push_back(center);
           }
         }
       }
     }
   }
+  mesh.quad_patches.assign(mesh.quads.size(), 0);
+  return mesh;
+}
+
+HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap& surface, const base::Host& host) {
+  HexMesh mesh = hexahedra_of_cells({domain.size(0), domain.size(1), domain.size(2)}, domain.inside(), host);
   // The boundary by the map of the surface: vertices, then centers of faces.
   polycube::SurfaceMap image(host.memory);
   image.positions = surface.positions;
@@ -111,9 +102,10 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap
   for (Index v = 0; v < outer.size(); ++v) {
     if (outer[v] == 0) continue;
     boundary.push_back(v);
-    points.push_back(Vector3(corner_of_vertex[v][0], corner_of_vertex[v][1], corner_of_vertex[v][2]));
+    points.push_back(Vector3(mesh.positions[v]));
   }
-  points.insert(points.end(), centers.begin(), centers.end());
+  for (const Quad& q : mesh.quads)
+    points.push_back(Vector3(0.5 * (mesh.positions[q[0]] + mesh.positions[q[2]])));
   const polycube::LocatedPoints located = polycube::locate(image, points, host);
   if (std::find(located.triangles.begin(), located.triangles.end(), no_index) != located.triangles.end())
     throw base::Error("no-valid-result", "a cell of the grid lies on no triangle of the boundary");
@@ -126,7 +118,6 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap
     if (outer[v] == 0) mesh.positions[v] = center;
   }
   place_inner(mesh, outer, host);
-  mesh.quad_patches.resize(mesh.quads.size());
   for (std::size_t i = 0; i < mesh.quads.size(); ++i)
     mesh.quad_patches[i] = surface.charts[located.triangles[boundary.size() + i]];
   return mesh;

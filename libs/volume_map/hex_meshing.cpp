@@ -11,6 +11,7 @@
 #include "volume_map/hex_grid.h"
 #include "volume_map/padding.h"
 #include "volume_map/sharp_map.h"
+#include "volume_map/voxel_hexes.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -92,12 +93,8 @@ struct Grid {
 class Making {
  public:
   Making(const PolycubeSurface& solid, const HexOptions& options, const base::Host& host)
-      : options_(options),
-        host_(host),
-        wanted_(solid),
-        plain_(map_with_even_lengths(solid.map, host)),
-        guides_(host.memory),
-        ways_(host.memory) {
+      : options_(options), host_(host), wanted_(solid), whole_(host.memory), guides_(host.memory), ways_(host.memory) {
+    if (solid.map.triangles.empty() || options.method == HexMethod::voxels) return;
     guides_.reserve(2);
     const auto add = [&](const polycube::SurfaceMap& map, bool sharp) {
       guides_.emplace_back(PolycubeSurface{map, solid.fine_positions, solid.fine_triangles}, sharp, host);
@@ -107,23 +104,46 @@ class Making {
       *sharp_ = map_with_even_lengths(*sharp_, host);
       add(*sharp_, true);
     }
-    add(plain_, false);
+    plain_ = map_with_even_lengths(solid.map, host);
+    add(*plain_, false);
   }
 
   HexResult best() {
-    // What is near but hardly valid is tried with twice as many cells, once.
-    constexpr double poor = 0.3;
-    for (std::size_t cells = options_.cells;; cells *= 2) {
-      make(cells);
-      if (options_.distance == 0 || 2 * cells > options_.most_cells) break;
-      const bool near = best_ && excess(*best_, options_.distance) <= 1;
-      if (near && (cells > options_.cells || best_->quality.least_scaled_jacobian > poor)) break;
-    }
+    if (!guides_.empty()) fill_polycube();
+    if (guides_.empty() || (options_.method == HexMethod::automatic && !(near() && !poor()))) fill_space();
     if (!best_) throw base::Error("no-valid-result", reason_);
     return std::move(*best_);
   }
 
  private:
+  bool near() const { return best_ && excess(*best_, options_.distance) <= 1; }
+  // Hardly valid.
+  bool poor() const {
+    constexpr double least = 0.3;
+    return best_->quality.least_scaled_jacobian <= least;
+  }
+
+  void fill_polycube() {
+    for (std::size_t cells = options_.cells;; cells *= 2) {
+      make(cells);
+      if (options_.distance == 0 || 2 * cells > options_.most_cells) return;
+      // What is near but poor is tried with twice as many cells, once.
+      const bool again = cells > options_.cells;
+      if (near() && (again || !poor())) return;
+      // What is this far will be with twice as many cells.
+      constexpr double hopeless = 1.5;
+      if (options_.method == HexMethod::automatic && (again || !best_ || excess(*best_, options_.distance) > hopeless))
+        return;
+    }
+  }
+
+  void fill_space() {
+    for (std::size_t cells = options_.cells;; cells *= 2) {
+      make_by_voxels(cells);
+      if (near() || options_.distance == 0 || 2 * cells > options_.most_cells) return;
+    }
+  }
+
   // What fails in one way may work in another; where more cells are more than there can be, what was found stays.
   void tolerate(const base::Error& error) {
     const bool too_many = best_ && error.status() == base::Status::invalid_argument;
@@ -150,23 +170,49 @@ class Making {
       HexResult now = HexDraft(std::move(grid.mesh), grid.padding, grid.scale, way.guide->surface, wanted_,
                                {.distance = options_.distance, .rounds = options_.rounds}, host_)
                           .finish(manner);
-      if (!now.quality.valid()) {
-        reason_ = what_is_wrong(now.quality);
-        return {};
-      }
       now.follows_sharp_edges = way.guide->sharp;
-      least_ = std::max(least_, now.quality.least_scaled_jacobian);
-      const bool near = excess(now, options_.distance) <= 1, by_itself = near && !now.hardly_near;
-      if (near) least_near_ = std::max(least_near_, now.quality.least_scaled_jacobian);
-      if (!best_ || better(now, *best_, options_.distance)) {
-        best_ = std::move(now);
-        best_guide_ = way.guide;
-        best_padding_ = way.padding;
-      }
-      return {near, by_itself};
+      return take(std::move(now), &way);
     } catch (const base::Error& error) {
       tolerate(error);
       return {};
+    }
+  }
+
+  // Keeps what is better than what there is.
+  Nearness take(HexResult&& now, const Way* way) {
+    if (!now.quality.valid()) {
+      reason_ = what_is_wrong(now.quality);
+      return {};
+    }
+    least_ = std::max(least_, now.quality.least_scaled_jacobian);
+    const bool near = excess(now, options_.distance) <= 1, by_itself = near && !now.hardly_near;
+    if (near) least_near_ = std::max(least_near_, now.quality.least_scaled_jacobian);
+    if (!best_ || better(now, *best_, options_.distance)) {
+      best_ = std::move(now);
+      best_guide_ = way != nullptr ? way->guide : nullptr;
+      best_padding_ = way != nullptr ? way->padding : 0;
+    }
+    return {near, by_itself};
+  }
+
+  void make_by_voxels(std::size_t cells) {
+    if (whole_.triangles.empty()) {
+      whole_.positions.assign(wanted_.positions.begin(), wanted_.positions.end());
+      whole_.triangles.assign(wanted_.triangles.begin(), wanted_.triangles.end());
+      whole_.charts.assign(whole_.triangles.size(), 0);
+    }
+    for (const bool hold : {false, true}) {
+      if (hold && (options_.distance == 0 || near())) return;
+      try {
+        VoxelHexes grid = voxel_hexahedra(wanted_.positions, wanted_.triangles, cells, host_);
+        HexResult now = HexDraft(std::move(grid.mesh), grid.padding, grid.scale, {whole_}, wanted_,
+                                 {.distance = options_.distance, .rounds = options_.rounds}, host_)
+                            .finish({.hold = hold});
+        now.by_voxels = true;
+        take(std::move(now), nullptr);
+      } catch (const base::Error& error) {
+        tolerate(error);
+      }
     }
   }
 
@@ -210,9 +256,9 @@ class Making {
   const HexOptions& options_;
   const base::Host& host_;
   const WantedSurface wanted_;
+  polycube::SurfaceMap whole_;  // what is wanted as one chart, for the cells of a grid
   // The map as it is and with sharp edges in their places, both of even lengths.
-  const polycube::SurfaceMap plain_;
-  std::optional<polycube::SurfaceMap> sharp_;
+  std::optional<polycube::SurfaceMap> plain_, sharp_;
   Array<Guide> guides_;
   Array<Way> ways_;
   std::optional<HexResult> best_;
@@ -231,6 +277,7 @@ HexResult make_hexahedra(const PolycubeSurface& solid, const HexOptions& options
   base::require(options.sharp_angle >= 0 && options.sharp_angle < 180, "the sharp angle must be from 0 to 180 degrees");
   base::require(options.distance >= 0 && options.distance <= 100, "the distance must be from 0 to 100 percent");
   base::require(options.most_cells <= 10'000'000, "most_cells must be 10 million at most");
+  base::require(!solid.map.triangles.empty() || options.method != HexMethod::polycube, "there is no polycube");
   return Making(solid, options, host).best();
 }
 

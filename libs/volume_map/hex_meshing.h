@@ -1,5 +1,6 @@
 // Hexahedral meshes of solids through the polycubes of their surfaces: the grid of a polycube with integer planes is
-// taken back by the map of the surface, filled, padded, and made better; what is answered is certified.
+// taken back by the map of the surface, filled, padded, and made better; what is answered is certified. Where no
+// polycube serves, the cells of a grid in space do.
 #pragma once
 
 #include "volume_map/hex_draft.h"
@@ -8,7 +9,12 @@ namespace orbicube::volume_map {
 
 enum class Padding : std::int32_t { automatic = 0, with = 1, without = 2 };
 
+// What is filled with cells: the polycube, space (voxel_hexes.h), or space where the polycube's hexahedra are not near
+// to the surface, even twice as many, or poor.
+enum class HexMethod : std::int32_t { automatic = 0, polycube = 1, voxels = 2 };
+
 struct HexOptions {
+  HexMethod method = HexMethod::automatic;
   std::size_t cells = 10000;             // about
   Padding padding = Padding::automatic;  // layers at the boundary; automatic: where they serve (padding.h)
   int rounds = 40;                       // of smoothing
@@ -23,7 +29,8 @@ struct HexOptions {
 
 // Every hexahedron of the result has positive corners by exact signs and a trilinear map that is certainly positive;
 // the mesh is conforming, with the components and the genus of the surface. Of several the first is taken that is as
-// near to the surface as wanted, or the nearest. The same for any number of threads. Throws Error "no-valid-result"
+// near to the surface as wanted, or the nearest. A map without triangles is none: then `fine_triangles` are filled, by
+// voxels. The same for any number of threads. Throws Error "no-valid-result"
 // with what failed and where, "invalid-argument", "cancelled".
 HexResult make_hexahedra(const PolycubeSurface& surface, const HexOptions& options, const base::Host& host);
 

@@ -5,7 +5,6 @@
 #include <numeric>
 
 #include "base/error.h"
-#include "mesh/measures.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -31,6 +30,7 @@ void add(const HexResult& piece, HexResult& all) {
     mesh.quad_patches.push_back(first_patch + patch);
   all.padded = all.padded || piece.padded;
   all.follows_sharp_edges = all.follows_sharp_edges || piece.follows_sharp_edges;
+  all.by_voxels = all.by_voxels || piece.by_voxels;
   all.off_surface += piece.off_surface;
   all.distance = std::max(all.distance, piece.distance);
   all.volume_error = std::max(all.volume_error, piece.volume_error);
@@ -44,7 +44,7 @@ HexResult make_hexahedra_of_pieces(std::span<const PolycubeSurface> pieces, cons
   if (pieces.size() == 1) return make_hexahedra(pieces[0], options, host);
   Array<double> volumes(host.memory);
   for (const PolycubeSurface& piece : pieces)
-    volumes.push_back(std::abs(mesh::measures(piece.map.positions, piece.map.triangles, host).volume));
+    volumes.push_back(std::abs(WantedSurface(piece).volume));
   const double whole = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   HexResult all(host.memory);
   for (std::size_t i = 0; i < pieces.size(); ++i) {

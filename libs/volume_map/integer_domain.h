@@ -29,6 +29,8 @@ class IntegerDomain {
     }
     return inside_[index(cell)] != 0;
   }
+  // Of each cell of the box, the last axis fastest.
+  std::span<const std::uint8_t> inside() const { return inside_; }
   std::size_t cells() const { return cells_; }
   // Faces of cells on the boundary.
   std::size_t faces() const { return faces_; }

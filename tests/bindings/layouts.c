@@ -514,7 +514,7 @@ _Static_assert(offsetof(obc_volume_map_hexes_options, corners) == 16, "obc_volum
 _Static_assert(offsetof(obc_volume_map_hexes_options, triangles) == 24, "obc_volume_map_hexes_options.triangles");
 _Static_assert(offsetof(obc_volume_map_hexes_options, seed) == 32, "obc_volume_map_hexes_options.seed");
 _Static_assert(offsetof(obc_volume_map_hexes_options, rounds) == 40, "obc_volume_map_hexes_options.rounds");
-_Static_assert(offsetof(obc_volume_map_hexes_options, reserved) == 44, "obc_volume_map_hexes_options.reserved");
+_Static_assert(offsetof(obc_volume_map_hexes_options, method) == 44, "obc_volume_map_hexes_options.method");
 _Static_assert(offsetof(obc_volume_map_hexes_options, distance) == 48, "obc_volume_map_hexes_options.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_options, most_cells) == 56, "obc_volume_map_hexes_options.most_cells");
 _Static_assert(offsetof(obc_volume_map_hexes_options, sharp_angle) == 64, "obc_volume_map_hexes_options.sharp_angle");
@@ -529,7 +529,7 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 40, "obc_vo
 _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 48, "obc_volume_map_hexes_report.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 56, "obc_volume_map_hexes_report.volume_error");
 _Static_assert(offsetof(obc_volume_map_hexes_report, follows_sharp_edges) == 64, "obc_volume_map_hexes_report.follows_sharp_edges");
-_Static_assert(offsetof(obc_volume_map_hexes_report, reserved) == 68, "obc_volume_map_hexes_report.reserved");
+_Static_assert(offsetof(obc_volume_map_hexes_report, by_voxels) == 68, "obc_volume_map_hexes_report.by_voxels");
 _Static_assert(sizeof(obc_volume_map_frame_options) == 40, "obc_volume_map_frame_options");
 _Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");
@@ -1052,7 +1052,7 @@ _Static_assert(offsetof(obc_volume_map_hexes_options, corners) == 12, "obc_volum
 _Static_assert(offsetof(obc_volume_map_hexes_options, triangles) == 16, "obc_volume_map_hexes_options.triangles");
 _Static_assert(offsetof(obc_volume_map_hexes_options, seed) == 24, "obc_volume_map_hexes_options.seed");
 _Static_assert(offsetof(obc_volume_map_hexes_options, rounds) == 32, "obc_volume_map_hexes_options.rounds");
-_Static_assert(offsetof(obc_volume_map_hexes_options, reserved) == 36, "obc_volume_map_hexes_options.reserved");
+_Static_assert(offsetof(obc_volume_map_hexes_options, method) == 36, "obc_volume_map_hexes_options.method");
 _Static_assert(offsetof(obc_volume_map_hexes_options, distance) == 40, "obc_volume_map_hexes_options.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_options, most_cells) == 48, "obc_volume_map_hexes_options.most_cells");
 _Static_assert(offsetof(obc_volume_map_hexes_options, sharp_angle) == 56, "obc_volume_map_hexes_options.sharp_angle");
@@ -1067,7 +1067,7 @@ _Static_assert(offsetof(obc_volume_map_hexes_report, off_surface) == 36, "obc_vo
 _Static_assert(offsetof(obc_volume_map_hexes_report, distance) == 40, "obc_volume_map_hexes_report.distance");
 _Static_assert(offsetof(obc_volume_map_hexes_report, volume_error) == 48, "obc_volume_map_hexes_report.volume_error");
 _Static_assert(offsetof(obc_volume_map_hexes_report, follows_sharp_edges) == 56, "obc_volume_map_hexes_report.follows_sharp_edges");
-_Static_assert(offsetof(obc_volume_map_hexes_report, reserved) == 60, "obc_volume_map_hexes_report.reserved");
+_Static_assert(offsetof(obc_volume_map_hexes_report, by_voxels) == 60, "obc_volume_map_hexes_report.by_voxels");
 _Static_assert(sizeof(obc_volume_map_frame_options) == 40, "obc_volume_map_frame_options");
 _Static_assert(offsetof(obc_volume_map_frame_options, struct_size) == 0, "obc_volume_map_frame_options.struct_size");
 _Static_assert(offsetof(obc_volume_map_frame_options, rounds) == 4, "obc_volume_map_frame_options.rounds");

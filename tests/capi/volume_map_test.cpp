@@ -328,6 +328,39 @@ TEST_CASE("Pieces that lie apart are filled together, cavities are left out, and
   CHECK(hexes == nullptr);
 }
 
+TEST_CASE("Cells of a grid in space fill a box, and one with a cavity, without a polycube") {
+  obc_volume_map_hexes_options options = few_hexes();
+  options.cells = 500;
+  options.rounds = 20;
+  options.method = OBC_VOLUME_MAP_METHOD_VOXELS;
+  obc_volume_map_hexes_report report{};
+  report.struct_size = sizeof report;
+  obc_error error;
+  const TwoBoxes hollow(0.4, 0.25, true);
+  const BoxSurface box;
+  const auto fill = [&](const obc_surface& surface, double volume) {
+    obc_volume_map_hexes* hexes = nullptr;
+    REQUIRE(obc_volume_map_hexes_compute(&surface, &options, nullptr, &report, &hexes, &error) == OBC_OK);
+    CHECK(report.by_voxels == 1);
+    CHECK(report.padded == 1);
+    CHECK(report.polycube_corners == 0);
+    CHECK(report.least_scaled_jacobian > 0.2);
+    // Edges of the box are cut off by less than a cell.
+    CHECK(report.volume == doctest::Approx(volume).epsilon(0.05));
+    CHECK(obc_volume_map_hexes_count(hexes) > 300);
+    CHECK(obc_volume_map_hexes_count(hexes) < 800);
+    std::vector<std::uint32_t> faces(obc_volume_map_hexes_quad_count(hexes));
+    REQUIRE(obc_volume_map_hexes_copy(hexes, nullptr, nullptr, nullptr, faces.data(), &error) == OBC_OK);
+    CHECK(*std::max_element(faces.begin(), faces.end()) == 0);
+    obc_volume_map_hexes_destroy(hexes);
+  };
+  fill(box.surface, 12);
+  fill(hollow.surface, 12 * (1 - 0.064));
+  options.method = 3;
+  obc_volume_map_hexes* hexes = nullptr;
+  CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, &report, &hexes, &error) == OBC_INVALID_ARGUMENT);
+}
+
 TEST_CASE("Sharp edges are followed from the angle that the options give") {
   const BoxSurface box;
   for (const double angle : {0.0, 89.0, 91.0}) {
@@ -433,11 +466,14 @@ TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
 TEST_CASE("Each allocation that fails, and each report that cancels, ends the making of hexahedra") {
   const BoxSurface box;
   const TwoBoxes hollow(0.4, 0.25, true);
-  const obc_volume_map_hexes_options options = few_hexes();
-  for (const obc_surface* surface : {&box.surface, &hollow.surface}) {
-    const test::Call call =
-        test::destroying(obc_volume_map_hexes_destroy, [&](const obc_host* host, obc_volume_map_hexes** out) {
-          return obc_volume_map_hexes_compute(surface, &options, host, nullptr, out, nullptr);
+  obc_volume_map_hexes_options options = few_hexes();
+  for (const auto& [surface, method] :
+       {std::pair{&box.surface, OBC_VOLUME_MAP_METHOD_AUTO}, std::pair{&hollow.surface, OBC_VOLUME_MAP_METHOD_AUTO},
+        std::pair{&box.surface, OBC_VOLUME_MAP_METHOD_VOXELS}}) {
+    options.method = method;
+    const test::Call call = test::destroying(
+        obc_volume_map_hexes_destroy, [&, of = surface](const obc_host* host, obc_volume_map_hexes** out) {
+          return obc_volume_map_hexes_compute(of, &options, host, nullptr, out, nullptr);
         });
     test::check_failing_allocations(call, 50);
     test::check_cancelling(call);

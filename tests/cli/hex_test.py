@@ -250,6 +250,24 @@ class Hex(InFolder):
             self.refused(2, "self-intersection", path, verb, path, "-o", out)
             self.assertIn(", at (", run(verb, path, "-o", out).stderr)
 
+    def test_cells_of_a_grid_in_space(self):
+        path, out, report = self.made("creature", 4000), self.path("out.mesh"), self.path("report.json")
+        done = run("hex", path, "-o", out, "--cells", 3000, "--method", "voxels", "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        with open(report, encoding="ascii") as file:
+            figures = json.load(file)
+        self.assertEqual(figures["method"], "voxels")
+        self.assertNotIn("polycube", figures)
+        self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+        self.assertGreater(figures["scaled_jacobian_min"], 0)
+        positions, cells = read_medit(out, "Hexahedra", 8)
+        self.assertEqual(len(cells), figures["hexahedra"])
+        self.assertLess(len(cells), 7000)
+        neighbours = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
+        for cell in cells:
+            for corner, around in enumerate(neighbours):
+                self.assertGreater(determinant(*(positions[cell[v]] for v in (corner, *around))), 0)
+
     def test_a_cavity_stays_empty(self):
         # Its wall looks to the wrong side and is turned.
         path, out = self.boxes("cavity", ((0, 0, 0), 3), ((1, 1, 0.5), 1)), self.path("out.mesh")

@@ -376,9 +376,14 @@ TEST_CASE("Where a mesh is far from the surface there are more cells, until it i
   REQUIRE(block.certificate == "");
   const base::Host host;
   const auto made = [&](double distance, std::size_t most) {
-    return make_hexahedra(
-        {block.map}, {.cells = 40, .padding = Padding::with, .rounds = 12, .distance = distance, .most_cells = most},
-        host);
+    return make_hexahedra({block.map},
+                          {.method = HexMethod::polycube,
+                           .cells = 40,
+                           .padding = Padding::with,
+                           .rounds = 12,
+                           .distance = distance,
+                           .most_cells = most},
+                          host);
   };
   const HexResult few = made(0, 40);
   REQUIRE(few.quality.valid());

@@ -130,6 +130,9 @@ export const constants: {
   readonly OBC_VOLUME_MAP_PADDING_AUTO: 0;
   readonly OBC_VOLUME_MAP_PADDING_WITH: 1;
   readonly OBC_VOLUME_MAP_PADDING_WITHOUT: 2;
+  readonly OBC_VOLUME_MAP_METHOD_AUTO: 0;
+  readonly OBC_VOLUME_MAP_METHOD_POLYCUBE: 1;
+  readonly OBC_VOLUME_MAP_METHOD_VOXELS: 2;
 };
 
 export interface Layout {

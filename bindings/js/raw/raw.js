@@ -128,6 +128,9 @@ export const constants = {
   OBC_VOLUME_MAP_PADDING_AUTO: 0,
   OBC_VOLUME_MAP_PADDING_WITH: 1,
   OBC_VOLUME_MAP_PADDING_WITHOUT: 2,
+  OBC_VOLUME_MAP_METHOD_AUTO: 0,
+  OBC_VOLUME_MAP_METHOD_POLYCUBE: 1,
+  OBC_VOLUME_MAP_METHOD_VOXELS: 2,
 };
 
 /** Of each struct its size in bytes, and of each member [type, offset, length of an array]. */
@@ -819,7 +822,7 @@ export const layouts = {
       triangles: ['u32', 16],
       seed: ['u64', 24],
       rounds: ['i32', 32],
-      reserved: ['i32', 36],
+      method: ['i32', 36],
       distance: ['f64', 40],
       most_cells: ['u32', 48],
       sharp_angle: ['f64', 56],
@@ -838,7 +841,7 @@ export const layouts = {
       distance: ['f64', 40],
       volume_error: ['f64', 48],
       follows_sharp_edges: ['i32', 56],
-      reserved: ['i32', 60],
+      by_voxels: ['i32', 60],
     },
   },
   obc_volume_map_frame_options: {

@@ -381,6 +381,8 @@ export function untangle(solid: SolidLike, options?: UntangleOptions & Host): { 
 export function solidMap(solid: SolidLike, options?: { corners?: number; seed?: number } & Host): Solid & { polycube: Float64Array };
 
 export interface HexahedraOptions {
+  /** Cells of a polycube, of a grid in space, or of that where the polycube's are far from the surface or poor. Default auto. */
+  method?: 'auto' | 'polycube' | 'voxels';
   cells?: number;
   padding?: 'auto' | 'with' | 'without';
   corners?: number;

@@ -158,13 +158,21 @@ export function options(scratch, struct, given, prefix) {
     if (value === undefined) continue;
     const name = snake(key);
     if (!(name in layouts[struct].fields)) throw new TypeError(`there is no option ${key}`);
-    setField(struct, address, name, typeof value === 'string' ? constant(prefix, value) : value);
+    setField(struct, address, name, typeof value === 'string' ? constantOf(prefix, name, value) : value);
   }
   return address;
 }
 
+// "voxels" of `method` is <prefix>METHOD_VOXELS, or <prefix>VOXELS.
+function constantOf(prefix, member, word) {
+  const own = `${prefix}${member.toUpperCase()}_`;
+  return own + wordOf(word) in constants ? constant(own, word) : constant(prefix, word);
+}
+
+const wordOf = (word) => snake(word).replace(/[- ]/g, '_').toUpperCase();
+
 export function constant(prefix, word) {
-  const name = prefix + snake(word).replace(/[- ]/g, '_').toUpperCase();
+  const name = prefix + wordOf(word);
   if (!(name in constants)) throw new TypeError(`"${word}" is not known here`);
   return constants[name];
 }

@@ -88,7 +88,9 @@ function filled(::Type{T}, init, given, prefix="") where {T}
         (hasfield(T, name) && name != :struct_size) ||
             throw(ArgumentError("no option $name; there are $(join(fieldnames(T)[2:end], ", "))"))
         if value isa Symbol
-            constant = Symbol(prefix * uppercase(string(value)))
+            word = uppercase(string(value))
+            constant = Symbol(prefix * uppercase(string(name)) * "_" * word)
+            isdefined(Raw, constant) || (constant = Symbol(prefix * word))
             isdefined(Raw, constant) || throw(ArgumentError("$name = :$value: there is no $constant"))
             value = getfield(Raw, constant)
         end

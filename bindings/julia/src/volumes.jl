@@ -104,11 +104,11 @@ end
 """
     fill_with_hexahedra(surface; options...)
 
-Fills a closed surface: a `Hexes`. Options: cells, padding (`:auto`, `:with`, `:without`), corners, triangles, seed, rounds, distance,
-most_cells, sharp_angle.
+Fills a closed surface: a `Hexes`. Options: method (`:auto`, `:polycube`, `:voxels`), cells, padding (`:auto`, `:with`, `:without`), corners,
+triangles, seed, rounds, distance, most_cells, sharp_angle.
 """
 function fill_with_hexahedra(surface::Surface; threads=0, progress=nothing, options...)
-    chosen = filled(Raw.obc_volume_map_hexes_options, Raw.obc_volume_map_hexes_options_init, values(options), "OBC_VOLUME_MAP_PADDING_")
+    chosen = filled(Raw.obc_volume_map_hexes_options, Raw.obc_volume_map_hexes_options_init, values(options), "OBC_VOLUME_MAP_")
     report = sized(Raw.obc_volume_map_hexes_report)
     hexes(report) do out
         with_surface(surface; threads=threads, progress=progress) do view, lent, error

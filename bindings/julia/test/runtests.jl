@@ -340,6 +340,7 @@ end
     @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.least_scaled_jacobian > 0.99
     @test mesh.report.volume ≈ topology(shape).volume
     @test sort(unique(mesh.quad_faces)) == 1:6
+    @test fill_with_hexahedra(shape; cells=64, method=:voxels).report.by_voxels == 1
     @test_throws OrbicubeError fill_with_hexahedra(shape; cells=27, progress=(_...) -> false)
 
     solid = map_to_polycube(corners, cells)

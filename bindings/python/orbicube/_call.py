@@ -204,8 +204,8 @@ def bar() -> Optional[Callable[[str, int, int, float], Any]]:
 
 
 def filled(kind: type[S], init: Any, given: dict[str, Any], module: Any = None, prefix: str = "") -> S:
-    """Options: the library's defaults, then what is given by name. The text "angle-area" stands for the constant
-    <prefix>ANGLE_AREA of the raw module."""
+    """Options: the library's defaults, then what is given by name. The text "angle-area" of `method` stands for the constant
+    <prefix>METHOD_ANGLE_AREA of the raw module, or <prefix>ANGLE_AREA."""
     options = kind()
     call_init(init, options)
     names = [row[0] for row in kind._fields_ if row[0] not in ("struct_size", "reserved")]
@@ -213,7 +213,10 @@ def filled(kind: type[S], init: Any, given: dict[str, Any], module: Any = None, 
         if name not in names:
             raise TypeError(f"no option {name!r}; there are {', '.join(names)}")
         if isinstance(value, str) and module is not None:
-            constant = prefix + value.upper().replace("-", "_").replace(" ", "_")
+            word = value.upper().replace("-", "_").replace(" ", "_")
+            constant = f"{prefix}{name.upper()}_{word}"
+            if not hasattr(module, constant):
+                constant = prefix + word
             if not hasattr(module, constant):
                 raise ValueError(f"{name}={value!r}: there is no {constant}")
             value = getattr(module, constant)

@@ -96,11 +96,11 @@ class Hexes:
 
 
 def fill_with_hexahedra(surface: Any, *, threads: int = 0, progress: Progress = None, **options: Any) -> Hexes:
-    """Fills a closed surface. Options: cells, padding ("auto", "with", "without"), corners, triangles, seed, rounds, distance,
-    most_cells, sharp_angle. The report has least_scaled_jacobian, mean_scaled_jacobian, volume, distance, ..."""
+    """Fills a closed surface. Options: method ("auto", "polycube", "voxels"), cells, padding ("auto", "with", "without"), corners,
+    triangles, seed, rounds, distance, most_cells, sharp_angle. The report has least_scaled_jacobian, mean_scaled_jacobian, volume, distance, ..."""
     given, report = Surface(surface), sized(raw.obc_volume_map_hexes_report)
     chosen = filled(raw.obc_volume_map_hexes_options, raw.obc_volume_map_hexes_options_init, options, raw,
-                    "OBC_VOLUME_MAP_PADDING_")
+                    "OBC_VOLUME_MAP_")
     handle = Handle(raw.obc_volume_map_hexes_destroy)
     call(raw.obc_volume_map_hexes_compute, given.pointer, byref(chosen), HOST, byref(report), byref(handle), threads=threads,
          progress=progress)

@@ -112,6 +112,10 @@ typedef struct obc_volume_map_hexes obc_volume_map_hexes;
 /* A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
  * or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere. */
 enum { OBC_VOLUME_MAP_PADDING_AUTO = 0, OBC_VOLUME_MAP_PADDING_WITH = 1, OBC_VOLUME_MAP_PADDING_WITHOUT = 2 };
+/* What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
+ * around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
+ * the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube. */
+enum { OBC_VOLUME_MAP_METHOD_AUTO = 0, OBC_VOLUME_MAP_METHOD_POLYCUBE = 1, OBC_VOLUME_MAP_METHOD_VOXELS = 2 };
 /* Fill with _init. */
 typedef struct obc_volume_map_hexes_options {
   uint32_t struct_size;
@@ -121,7 +125,7 @@ typedef struct obc_volume_map_hexes_options {
   size_t triangles; /* a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000 */
   uint64_t seed;    /* of what the polycube chooses at random. Default 0 */
   int32_t rounds;   /* of smoothing. Default 40 */
-  int32_t reserved;
+  int32_t method;   /* OBC_VOLUME_MAP_METHOD_...; auto by default */
   /* In percent, 0 to 100: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
    * box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most_cells;
    * the nearest is answered. 0: nothing is asked for. Default 1 */
@@ -141,12 +145,12 @@ typedef struct obc_volume_map_hexes_report {
   int32_t padded; /* 1: with a layer along the boundary or parts of it */
   double least_scaled_jacobian, mean_scaled_jacobian;
   double volume;           /* of the trilinear hexahedra */
-  size_t polycube_corners; /* of the polycube of the surface */
+  size_t polycube_corners; /* of the polycube of the surface; 0 where there is none */
   size_t off_surface;      /* vertices of the boundary that could not be put where they belong */
   /* In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface. */
   double distance, volume_error;
   int32_t follows_sharp_edges; /* 1: those that the polycube has edges for */
-  int32_t reserved;
+  int32_t by_voxels;           /* 1: cells of the box, of one piece at least */
 } obc_volume_map_hexes_report;
 
 /* Fills a closed surface with hexahedra: oriented, looking outward, of any genus, in one piece or in several that lie apart,

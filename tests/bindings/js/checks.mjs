@@ -399,6 +399,7 @@ export const checks = {
     const { volume } = o.topology(cube);
     assert(Math.abs(report.volume - volume) < 0.01 * volume, `volumes ${report.volume} and ${volume}`);
     assert(quads.every((v) => v < positions.length / 3));
+    same(o.hexahedra(cube, { cells: 64, method: 'voxels' }).report.byVoxels, 1);
     same(failure(() => o.hexahedra(cube, { onProgress: () => false })).kind, 'cancelled');
   },
 

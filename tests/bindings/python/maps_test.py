@@ -405,6 +405,9 @@ class Cubes(unittest.TestCase):
         padded = volume_map.fill_with_hexahedra(shape, cells=27, padding="with")
         self.assertEqual(padded.report.padded, 1)
         self.check_hexes(padded, volume, 0.01 * volume)  # what `distance` asks for
+        voxels = volume_map.fill_with_hexahedra(mesh.make("sphere", 800), method="voxels", cells=500)
+        self.assertEqual((voxels.report.by_voxels, hexes.report.by_voxels), (1, 0))
+        self.assertEqual(voxels.report.polycube_corners, 0)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "cube.vtk")
             mesh.write(path, hexes)
@@ -413,6 +416,8 @@ class Cubes(unittest.TestCase):
             volume_map.fill_with_hexahedra(shape, cells=27, progress=lambda *_: True)
         with self.assertRaises(ValueError):
             volume_map.fill_with_hexahedra(shape, padding="thick")
+        with self.assertRaises(ValueError):
+            volume_map.fill_with_hexahedra(shape, method="with")
         with self.assertRaises(orbicube.UnsuitableSurface):
             volume_map.fill_with_hexahedra((shape.positions, shape.triangles[1:]))
 

@@ -58,6 +58,7 @@ void fill_with_hexahedra(Input& in, Host& host) {
   options.cells = in.one_in(20) ? in.bits() : 1 + in.below(60);
   if (options.cells > 1000 && options.cells <= 10'000'000) return;  // must end
   options.padding = in.choice(3);
+  options.method = in.choice(3);
   options.corners = in.one_in(3) ? 8 : in.byte();
   options.triangles = in.one_in(3) ? in.byte() : 0;
   options.seed = in.byte();

@@ -4,6 +4,10 @@ const OBC_VOLUME_MAP_PADDING_AUTO = Int32(0)
 const OBC_VOLUME_MAP_PADDING_WITH = Int32(1)
 const OBC_VOLUME_MAP_PADDING_WITHOUT = Int32(2)
 
+const OBC_VOLUME_MAP_METHOD_AUTO = Int32(0)
+const OBC_VOLUME_MAP_METHOD_POLYCUBE = Int32(1)
+const OBC_VOLUME_MAP_METHOD_VOXELS = Int32(2)
+
 mutable struct obc_volume_map_tangle <: CStruct
     struct_size::UInt32
     reserved::Int32
@@ -55,7 +59,7 @@ mutable struct obc_volume_map_hexes_options <: CStruct
     triangles::Csize_t
     seed::UInt64
     rounds::Int32
-    reserved::Int32
+    method::Int32
     distance::Float64
     most_cells::Csize_t
     sharp_angle::Float64
@@ -73,7 +77,7 @@ mutable struct obc_volume_map_hexes_report <: CStruct
     distance::Float64
     volume_error::Float64
     follows_sharp_edges::Int32
-    reserved::Int32
+    by_voxels::Int32
     obc_volume_map_hexes_report() = zeroed!(new())
 end
 

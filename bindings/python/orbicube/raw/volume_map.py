@@ -8,6 +8,10 @@ OBC_VOLUME_MAP_PADDING_AUTO = 0
 OBC_VOLUME_MAP_PADDING_WITH = 1
 OBC_VOLUME_MAP_PADDING_WITHOUT = 2
 
+OBC_VOLUME_MAP_METHOD_AUTO = 0
+OBC_VOLUME_MAP_METHOD_POLYCUBE = 1
+OBC_VOLUME_MAP_METHOD_VOXELS = 2
+
 
 class obc_volume_map_tangle(_Struct):
     """A mesh to untangle: a view, kept by no function. Fill with _init, then set what there is. Coordinates are numbered
@@ -71,7 +75,7 @@ class obc_volume_map_hexes_options(_Struct):
         ("triangles", _c.c_size_t),
         ("seed", _c.c_uint64),
         ("rounds", _c.c_int32),
-        ("reserved", _c.c_int32),
+        ("method", _c.c_int32),
         ("distance", _c.c_double),
         ("most_cells", _c.c_size_t),
         ("sharp_angle", _c.c_double),
@@ -92,7 +96,7 @@ class obc_volume_map_hexes_report(_Struct):
         ("distance", _c.c_double),
         ("volume_error", _c.c_double),
         ("follows_sharp_edges", _c.c_int32),
-        ("reserved", _c.c_int32),
+        ("by_voxels", _c.c_int32),
     ]
 
 

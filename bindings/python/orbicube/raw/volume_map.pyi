@@ -7,6 +7,10 @@ OBC_VOLUME_MAP_PADDING_AUTO: int
 OBC_VOLUME_MAP_PADDING_WITH: int
 OBC_VOLUME_MAP_PADDING_WITHOUT: int
 
+OBC_VOLUME_MAP_METHOD_AUTO: int
+OBC_VOLUME_MAP_METHOD_POLYCUBE: int
+OBC_VOLUME_MAP_METHOD_VOXELS: int
+
 class obc_volume_map_tangle(Struct):
     struct_size: int
     reserved: int
@@ -54,11 +58,11 @@ class obc_volume_map_hexes_options(Struct):
     triangles: int
     seed: int
     rounds: int
-    reserved: int
+    method: int
     distance: float
     most_cells: int
     sharp_angle: float
-    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., reserved: int = ..., distance: float = ..., most_cells: int = ..., sharp_angle: float = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., method: int = ..., distance: float = ..., most_cells: int = ..., sharp_angle: float = ...) -> None: ...
 
 class obc_volume_map_hexes_report(Struct):
     struct_size: int
@@ -71,8 +75,8 @@ class obc_volume_map_hexes_report(Struct):
     distance: float
     volume_error: float
     follows_sharp_edges: int
-    reserved: int
-    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., distance: float = ..., volume_error: float = ..., follows_sharp_edges: int = ..., reserved: int = ...) -> None: ...
+    by_voxels: int
+    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., distance: float = ..., volume_error: float = ..., follows_sharp_edges: int = ..., by_voxels: int = ...) -> None: ...
 
 class obc_volume_map_frame_options(Struct):
     struct_size: int

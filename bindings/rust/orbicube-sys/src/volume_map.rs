@@ -14,6 +14,19 @@ pub const OBC_VOLUME_MAP_PADDING_WITH: i32 = 1;
 /// or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere.
 pub const OBC_VOLUME_MAP_PADDING_WITHOUT: i32 = 2;
 
+/// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
+/// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
+/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube.
+pub const OBC_VOLUME_MAP_METHOD_AUTO: i32 = 0;
+/// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
+/// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
+/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube.
+pub const OBC_VOLUME_MAP_METHOD_POLYCUBE: i32 = 1;
+/// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
+/// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
+/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube.
+pub const OBC_VOLUME_MAP_METHOD_VOXELS: i32 = 2;
+
 /// A map of a solid to a polycube, one to one.
 #[repr(C)]
 pub struct obc_volume_map_solid {
@@ -115,7 +128,8 @@ pub struct obc_volume_map_hexes_options {
     pub seed: u64,
     /// of smoothing. Default 40
     pub rounds: i32,
-    pub reserved: i32,
+    /// OBC\_VOLUME\_MAP\_METHOD\_...; auto by default
+    pub method: i32,
     /// In percent, 0 to 100: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
     /// box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most\_cells;
     /// the nearest is answered. 0: nothing is asked for. Default 1
@@ -139,7 +153,7 @@ pub struct obc_volume_map_hexes_report {
     pub mean_scaled_jacobian: f64,
     /// of the trilinear hexahedra
     pub volume: f64,
-    /// of the polycube of the surface
+    /// of the polycube of the surface; 0 where there is none
     pub polycube_corners: usize,
     /// vertices of the boundary that could not be put where they belong
     pub off_surface: usize,
@@ -149,7 +163,8 @@ pub struct obc_volume_map_hexes_report {
     pub volume_error: f64,
     /// 1: those that the polycube has edges for
     pub follows_sharp_edges: i32,
-    pub reserved: i32,
+    /// 1: cells of the box, of one piece at least
+    pub by_voxels: i32,
 }
 
 /// Fill with \_init.
@@ -330,7 +345,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).triangles) } as usize - start as usize, 24, "obc_volume_map_hexes_options.triangles");
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 32, "obc_volume_map_hexes_options.seed");
         assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 40, "obc_volume_map_hexes_options.rounds");
-        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 44, "obc_volume_map_hexes_options.reserved");
+        assert_eq!(unsafe { addr_of!((*start).method) } as usize - start as usize, 44, "obc_volume_map_hexes_options.method");
         assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_options.distance");
         assert_eq!(unsafe { addr_of!((*start).most_cells) } as usize - start as usize, 56, "obc_volume_map_hexes_options.most_cells");
         assert_eq!(unsafe { addr_of!((*start).sharp_angle) } as usize - start as usize, 64, "obc_volume_map_hexes_options.sharp_angle");
@@ -347,7 +362,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_report.distance");
         assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 56, "obc_volume_map_hexes_report.volume_error");
         assert_eq!(unsafe { addr_of!((*start).follows_sharp_edges) } as usize - start as usize, 64, "obc_volume_map_hexes_report.follows_sharp_edges");
-        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 68, "obc_volume_map_hexes_report.reserved");
+        assert_eq!(unsafe { addr_of!((*start).by_voxels) } as usize - start as usize, 68, "obc_volume_map_hexes_report.by_voxels");
         assert_eq!((size_of::<obc_volume_map_frame_options>(), align_of::<obc_volume_map_frame_options>()), (40, 8));
         let it = MaybeUninit::<obc_volume_map_frame_options>::uninit();
         let start = it.as_ptr();

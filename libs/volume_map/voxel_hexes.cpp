@@ -1,0 +1,97 @@
+#include "volume_map/voxel_hexes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "mesh/measures.h"
+#include "mesh/topology.h"
+#include "polycube/voxelisation.h"
+#include "volume_map/hex_grid.h"
+#include "volume_map/padding.h"
+
+namespace orbicube::volume_map {
+namespace {
+
+constexpr int most_along = 400;  // cells along the longest axis
+
+// Cells along the longest axis are cut into so many, for the parts of them that are inside.
+int occupancy_of(int along) {
+  constexpr int least = 240;
+  return along * std::max(1, (least + along - 1) / along);
+}
+
+// The first that is near to all of the surface, or the nearest.
+std::optional<polycube::Voxelisation> voxels(std::span<const Vector3> positions,
+                                             std::span<const mesh::Triangle> triangles, const mesh::Topology& topology,
+                                             int along, const base::Host& host) {
+  const auto parts = static_cast<std::int64_t>(topology.components);
+  const std::int64_t genus = parts - topology.euler_characteristic / 2;
+  constexpr double near = 1.5;  // cells
+  const polycube::Occupancy occupancy(positions, triangles, occupancy_of(along), host);
+  std::optional<polycube::Voxelisation> best;
+  for (const double threshold : polycube::voxel_thresholds) {
+    auto now = polycube::voxelise_by_grid(positions, triangles, genus, topology.components - 1, occupancy, along,
+                                          threshold, host);
+    if (!now || (best && best->farthest <= now->farthest)) continue;
+    best = std::move(now);
+    if (best->farthest * along <= near) break;
+  }
+  return best;
+}
+
+HexMesh hexahedra_of(const polycube::VoxelSolid& solid, const base::Host& host) {
+  Array<std::uint8_t> inside(solid.size(), 0, host.memory);
+  for (std::size_t i = 0; i < inside.size(); ++i)
+    inside[i] = solid.inside(i);
+  HexMesh mesh = hexahedra_of_cells({solid.count(0), solid.count(1), solid.count(2)}, inside, host);
+  for (Vector3& p : mesh.positions)
+    p = solid.position({static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2])});
+  return mesh;
+}
+
+}  // namespace
+
+VoxelHexes voxel_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                           std::size_t cells, const base::Host& host) {
+  const mesh::Measures measures = mesh::measures(positions, triangles, host);
+  const double longest = (measures.high - measures.low).maxCoeff();
+  const mesh::Topology topology = mesh::topology(positions, triangles, host);
+  const auto wanted = static_cast<double>(cells);
+  // What the layer takes is seen once there is one.
+  constexpr int most_rounds = 4;
+  constexpr double about = 0.15;
+  VoxelHexes best(host.memory);
+  double best_error = 0;
+  double along = longest / std::cbrt(measures.volume / wanted);
+  for (int round = 0; round < most_rounds; ++round) {
+    const int count = std::clamp(static_cast<int>(std::lround(along)), 3, most_along);
+    const auto found = voxels(positions, triangles, topology, count, host);
+    // Where a grid is not right another may be.
+    if (!found) {
+      along *= 1.07;
+      continue;
+    }
+    HexMesh mesh = hexahedra_of(found->solid, host);
+    const std::size_t inner = mesh.hexahedra.size();
+    const double all = static_cast<double>(inner + mesh.quads.size()), error = std::abs(std::log(all / wanted));
+    if (best.mesh.hexahedra.empty() || error < best_error) {
+      best.scale = count / longest;
+      for (Vector3& p : mesh.positions)
+        p *= best.scale;
+      constexpr std::array<std::uint8_t, 1> everywhere = {1};
+      pad(mesh, everywhere, 1, host);
+      best.padding = mesh.hexahedra.size() - inner;
+      best.mesh = std::move(mesh);
+      best_error = error;
+    }
+    if (error < about) break;
+    along *= std::pow(wanted / all, 1.0 / 3);
+  }
+  if (best.mesh.hexahedra.empty())
+    throw base::Error("no-valid-result", "no grid of cells has the genus and the cavities of the surface");
+  return best;
+}
+
+}  // namespace orbicube::volume_map

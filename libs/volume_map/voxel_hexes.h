@@ -1,0 +1,25 @@
+// Hexahedra of a solid that no polycube serves, as one with many thin limbs: the cells of a grid in space that are
+// inside, with a layer of hexahedra around them (Maréchal 2009, "Advances in octree-based all-hexahedral mesh
+// generation", of one size). Whatever the shape, there are such cells with the topology of its surface; but they lie as
+// the grid does, and edges of three and five hexahedra run all along the boundary.
+#pragma once
+
+#include "volume_map/hex_mesh.h"
+
+namespace orbicube::volume_map {
+
+struct VoxelHexes {
+  explicit VoxelHexes(std::pmr::memory_resource* memory) : mesh(memory) {}
+
+  HexMesh mesh;             // in units of a cell; all quads on patch 0
+  std::size_t padding = 0;  // so many of the last hexahedra are the layer
+  double scale = 1;         // from lengths in space to cells
+};
+
+// About so many, the layer included. Of the closed surface of one solid: a part that looks outward, and walls of
+// cavities, which look into these. Throws Error "no-valid-result" where no such cells have its topology, "cancelled".
+// O(1000 n) and what the grid takes: 4 bytes for each of its cells, 20 million at most.
+VoxelHexes voxel_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                           std::size_t cells, const base::Host& host);
+
+}  // namespace orbicube::volume_map
