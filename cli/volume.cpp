@@ -1,15 +1,12 @@
 // orbicube volume: a one-to-one map of a solid to a polycube.
-#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
-#include "base/error.h"
-#include "polycube/certificate.h"
 #include "polycube_solid.h"
 #include "solver_choice.h"
 #include "surface_file.h"
 #include "verbs.h"
-#include "volume_map/untangle.h"
 
 namespace orbicube::cli {
 namespace {
@@ -22,41 +19,6 @@ struct VolumeVerb {
   bool text = false;
 };
 
-// A further piece, beside those that are there: its polycube is moved along x, and certified again.
-void add(volume_map::VolumeMap& map, volume_map::VolumeMap&& piece, const polycube::SurfaceMap& surface,
-         const base::Host& host) {
-  if (map.source.empty()) {
-    map = std::move(piece);
-    return;
-  }
-  constexpr double gap = 0.1;
-  mesh::Vector3 high = map.image[0], low = piece.image[0];
-  double size = 0;
-  for (const mesh::Vector3& p : map.image) {
-    high = high.cwiseMax(p);
-    size = std::max(size, (p - map.image[0]).cwiseAbs().maxCoeff());
-  }
-  for (const mesh::Vector3& p : piece.image)
-    low = low.cwiseMin(p);
-  const double shift = high[0] + gap * size - low[0];
-  for (mesh::Vector3& p : piece.image)
-    p[0] += shift;
-  const polycube::Certificate certificate =
-      polycube::certify(std::span(piece.image).first(surface.positions.size()), surface.triangles, host);
-  if (!certificate.valid() || volume_map::count_inverted(piece.tetrahedra, piece.image, host).count > 0)
-    throw base::Error("no-valid-result", "a piece could not be moved beside the others: " + certificate.reason);
-  const auto first = static_cast<mesh::Index>(map.source.size());
-  map.source.insert(map.source.end(), piece.source.begin(), piece.source.end());
-  map.image.insert(map.image.end(), piece.image.begin(), piece.image.end());
-  for (mesh::Tetrahedron t : piece.tetrahedra) {
-    for (mesh::Index& v : t)
-      v += first;
-    map.tetrahedra.push_back(t);
-  }
-  map.inverted_at_start += piece.inverted_at_start;
-  map.steps += piece.steps;
-}
-
 void run_volume(const VolumeVerb& verb, Session& session) {
   const std::unique_ptr<volume_map::LinearEngine> engine = start_solver(verb.solver);
   require_cells_writable(verb.output);
@@ -66,15 +28,15 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   const std::vector<PolycubeSolidInput> pieces =
       read_polycube_solid(verb.solid, Inside::tetrahedra, Polycubes::needed, session);
   const double start = session.seconds();
-  volume_map::VolumeMap map(session.host().memory);
   std::size_t corners = 0;
+  std::vector<volume_map::PolycubeSolid> solids;
   for (const PolycubeSolidInput& piece : pieces) {
     corners += piece.made.certificate.corners;
-    about(verb.output, Role::output, [&] {
-      add(map, volume_map::map_to_polycube(piece.solid(), session.host(), engine.get()), piece.made.map,
-          session.host());
-    });
+    solids.push_back(piece.solid());
   }
+  volume_map::VolumeMap map = about(verb.output, Role::output, [&] {
+    return volume_map::map_pieces_to_polycubes(solids, session.host(), engine.get());
+  });
   session.figures().update(Json{{"output", verb.output},
                                 {"source", verb.source},
                                 {"vertices", map.source.size()},

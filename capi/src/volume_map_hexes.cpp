@@ -138,6 +138,12 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
   return result;
 }
 
+// A connected solid, with the polycube of its boundary.
+struct MappedSolid {
+  volume_map::BoundaryFirst solid;
+  polycube::Construction made;
+};
+
 template <class From>
 void copy_out(const From& from, void* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof from[0]);
@@ -158,11 +164,21 @@ obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_c
     const obc_volume_map_solid_options o = capi::copy_versioned(options, default_solid_options());
     auto made = std::make_unique<obc_volume_map_solid>(host);
     const base::Host& h = made->adapter.host();
-    const mesh::Mesh solid = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
-    const volume_map::BoundaryFirst first = volume_map::boundary_first(solid, h);
-    const polycube::Construction found = volume_map::construct_polycube(
-        first.outer_positions(), first.surface, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
-    made->map = volume_map::map_to_polycube({first.positions, first.tetrahedra, first.surface, found.map}, h);
+    const mesh::Mesh whole = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
+    const volume_map::Pieces pieces = volume_map::pieces_of(whole.tetrahedra, whole.positions.size(), h);
+    base::Array<MappedSolid> mapped(h.memory);
+    base::Array<volume_map::PolycubeSolid> solids(h.memory);
+    // One look at none tells what is wrong.
+    for (std::size_t i = 0; i < std::max<std::size_t>(pieces.count, 1); ++i) {
+      volume_map::BoundaryFirst first =
+          volume_map::boundary_first(pieces.count > 1 ? volume_map::piece(whole, pieces, i, h) : whole, h);
+      polycube::Construction found = volume_map::construct_polycube(
+          first.outer_positions(), first.surface, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
+      mapped.push_back({std::move(first), std::move(found)});
+    }
+    for (const MappedSolid& m : mapped)
+      solids.push_back({m.solid.positions, m.solid.tetrahedra, m.solid.surface, m.made.map});
+    made->map = volume_map::map_pieces_to_polycubes(solids, h);
     *out = made.release();
   });
 }

@@ -27,4 +27,9 @@ struct VolumeMap {
 // Throws the same.
 VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, LinearEngine* engine = nullptr);
 
+// Pieces that are not connected, each to its own polycube; these stand side by side along x. The numbers of vertices
+// and tetrahedra go on from piece to piece.
+VolumeMap map_pieces_to_polycubes(std::span<const PolycubeSolid> pieces, const base::Host& host,
+                                  LinearEngine* engine = nullptr);
+
 }  // namespace orbicube::volume_map

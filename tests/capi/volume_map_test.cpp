@@ -412,6 +412,39 @@ TEST_CASE("A box of tetrahedra is mapped to a polycube, every tetrahedron positi
   }
 }
 
+TEST_CASE("Solids of two pieces are mapped to polycubes side by side") {
+  Box box;
+  const std::size_t vertices = box.rest.size() / 3, tetrahedra = box.tetrahedra.size();
+  for (std::size_t i = 0; i < 3 * vertices; ++i)
+    box.rest.push_back(box.rest[i] + (i % 3 == 1 ? 5 : 0));
+  for (std::size_t i = 0; i < tetrahedra; ++i)
+    box.tetrahedra.push_back(static_cast<std::uint32_t>(vertices) + box.tetrahedra[i]);
+  obc_volume_map_solid* solid = nullptr;
+  obc_error error;
+  REQUIRE(obc_volume_map_solid_compute(box.rest.data(), 2 * vertices, box.tetrahedra.data(), tetrahedra / 2, nullptr,
+                                       nullptr, &solid, &error) == OBC_OK);
+  std::vector<double> source(3 * obc_volume_map_solid_vertex_count(solid)), image(source.size());
+  std::vector<std::uint32_t> cells(4 * obc_volume_map_solid_tetrahedron_count(solid));
+  REQUIRE(obc_volume_map_solid_copy(solid, source.data(), image.data(), cells.data(), &error) == OBC_OK);
+  obc_volume_map_solid_destroy(solid);
+  // Of each piece, how far along x it reaches on the polycube.
+  double first_high = -1e300, second_low = 1e300;
+  for (std::size_t t = 0; t < cells.size(); t += 4) {
+    CHECK(obc_mesh_orientation_3d(&image[3 * cells[t]], &image[3 * cells[t + 1]], &image[3 * cells[t + 2]],
+                                  &image[3 * cells[t + 3]]) == 1);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const bool second = source[3 * cells[t + k] + 1] > 3;
+      CHECK(second == (source[3 * cells[t] + 1] > 3));
+      const double x = image[3 * cells[t + k]];
+      if (second)
+        second_low = std::min(second_low, x);
+      else
+        first_high = std::max(first_high, x);
+    }
+  }
+  CHECK(first_high < second_low);
+}
+
 TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
   const BoxSurface box;
   const Box solid_box;

@@ -997,9 +997,8 @@ export interface RawFunctions {
    * in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
    * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
    * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
-   * A cavity gets a polycube within that of the outer wall.
-   * Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: several pieces), not
-   * closed; no valid result with what stood in the way; out of memory, cancelled. */
+   * A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
+   * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood in the way; out of memory, cancelled. */
   obc_volume_map_solid_compute(positions: Pointer, vertex_count: number, tetrahedra: Pointer, tetrahedron_count: number, options: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
   /** NULL is fine, here and in the functions that count (0). */
   obc_volume_map_solid_destroy(solid: Pointer): void;

@@ -90,9 +90,8 @@ OBC_API obc_status obc_volume_map_solid_options_init(obc_volume_map_solid_option
  * in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
  * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
  * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
- * A cavity gets a polycube within that of the outer wall.
- * Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: several pieces), not
- * closed; no valid result with what stood in the way; out of memory, cancelled. */
+ * A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
+ * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood in the way; out of memory, cancelled. */
 OBC_API obc_status obc_volume_map_solid_compute(const double *positions, size_t vertex_count, const uint32_t *tetrahedra,
                                                 size_t tetrahedron_count, const obc_volume_map_solid_options *options,
                                                 const obc_host *host, obc_volume_map_solid **out, obc_error *error);

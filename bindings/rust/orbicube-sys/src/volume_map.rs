@@ -237,9 +237,8 @@ extern "C" {
     /// in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
     /// meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
     /// host must stay valid until \_destroy. Minutes for a hundred thousand tetrahedra.
-    /// A cavity gets a polycube within that of the outer wall.
-    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold (kind not-connected: several pieces), not
-    /// closed; no valid result with what stood in the way; out of memory, cancelled.
+    /// A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
+    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood in the way; out of memory, cancelled.
     pub fn obc_volume_map_solid_compute(positions: *const f64, vertex_count: usize, tetrahedra: *const u32, tetrahedron_count: usize, options: *const obc_volume_map_solid_options, host: *const obc_host, out: *mut *mut obc_volume_map_solid, error: *mut obc_error) -> i32;
     /// NULL is fine, here and in the functions that count (0).
     pub fn obc_volume_map_solid_destroy(solid: *mut obc_volume_map_solid);
