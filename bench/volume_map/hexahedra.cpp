@@ -1,5 +1,6 @@
-// Hexahedral meshes of closed surfaces with one setting: cells, scaled Jacobians, distances to the surface both ways
-// in percent of the diagonal, error of the volume, and seconds on the clock, beside published figures.
+// Hexahedral meshes of closed surfaces with one setting, by their polycubes (or cells of a grid in space, where these
+// do not serve) and by cells of a grid in space alone: cells, scaled Jacobians, distances to the surface both ways in
+// percent of the diagonal, error of the volume, and seconds on the clock, beside published figures.
 //
 //     bench-hexahedra FOLDER [cells [solid.obj ...]]
 #include <chrono>
@@ -33,43 +34,73 @@ const char* published(const std::string& name) {
   return "";
 }
 
+struct Solid {
+  std::string name;
+  mesh::Mesh surface;
+};
+
+volume_map::HexResult filled(const Solid& solid, volume_map::HexMethod method, std::size_t cells,
+                             const base::Host& host) {
+  constexpr std::size_t triangles = 6000;
+  const mesh::Mesh& surface = solid.surface;
+  const bool coarser = surface.triangles.size() > 2 * triangles, by_polycube = method != volume_map::HexMethod::voxels;
+  polycube::SurfaceMap map;
+  if (by_polycube) {
+    const auto coarse = volume_map::coarse_surface(surface.positions, surface.triangles,
+                                                   coarser ? triangles : surface.triangles.size(), host);
+    map = polycube::construct(coarse.positions, coarse.triangles, {.corners = 100, .preferred_corners = 60}, host)
+              .made.map;
+  }
+  volume_map::PolycubeSurface mapped{map};
+  if (coarser || !by_polycube) {
+    mapped.fine_positions = surface.positions;
+    mapped.fine_triangles = surface.triangles;
+  }
+  return volume_map::make_hexahedra(mapped, {.method = method, .cells = cells}, host);
+}
+
+// Whether there is a mesh that is near to the surface.
+bool print_row(const Solid& solid, volume_map::HexMethod method, std::size_t cells) {
+  const auto start = std::chrono::steady_clock::now();
+  const char* const asked = method == volume_map::HexMethod::voxels ? "voxels" : "auto";
+  try {
+    const auto result = filled(solid, method, cells, {});
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    std::printf("%-14s %-7s %-9s %7zu %9.3f %9.3f %8.2f%% %8.2f%% %8.1f  %s\n", solid.name.c_str(), asked,
+                result.by_voxels ? "voxels" : "polycube", result.mesh.hexahedra.size(),
+                result.quality.least_scaled_jacobian, result.quality.mean_scaled_jacobian, result.distance,
+                result.volume_error, seconds, published(solid.name));
+    return result.distance < 1 && result.volume_error < 1;
+  } catch (const base::Error& error) {
+    std::printf("%-14s %-7s %s: %s\n", solid.name.c_str(), asked, error.kind(), error.what());
+    return false;
+  }
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   if (argc < 2) return std::printf("bench-hexahedra FOLDER [cells [solid ...]]\n"), 2;
   const std::size_t cells = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 11000;
   const std::vector<std::string> names = argc > 3 ? std::vector<std::string>(argv + 3, argv + argc) : solids;
-  std::printf("%-14s %7s %7s %9s %9s %9s %9s %8s  %s\n", "solid", "cells", "padded", "SJ min", "SJ mean", "distance",
-              "volume", "seconds", "published");
-  int valid = 0;
+  std::printf("%-14s %-7s %-9s %7s %9s %9s %9s %9s %8s  %s\n", "solid", "method", "cells of", "cells", "SJ min",
+              "SJ mean", "distance", "volume", "seconds", "published");
+  int near = 0, near_by_voxels = 0;
   for (const std::string& file : names) {
-    const std::string name = std::filesystem::path(file).stem().string();
-    const auto start = std::chrono::steady_clock::now();
+    Solid solid;
+    solid.name = std::filesystem::path(file).stem().string();
     try {
-      const base::Host host;
-      constexpr std::size_t triangles = 6000;
-      mesh::Mesh surface = mesh::read_mesh(std::filesystem::path(argv[1]) / file, {}, host);
-      mesh::orient(surface.positions, surface.triangles, host);
-      const bool coarser = surface.triangles.size() > 2 * triangles;
-      const auto coarse = volume_map::coarse_surface(surface.positions, surface.triangles,
-                                                     coarser ? triangles : surface.triangles.size(), host);
-      const auto best =
-          polycube::construct(coarse.positions, coarse.triangles, {.corners = 100, .preferred_corners = 60}, host);
-      volume_map::PolycubeSurface mapped{best.made.map};
-      if (coarser) {
-        mapped.fine_positions = surface.positions;
-        mapped.fine_triangles = surface.triangles;
-      }
-      const auto result = volume_map::make_hexahedra(mapped, {.cells = cells}, host);
-      const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      valid += result.distance < 1 && result.volume_error < 1;
-      std::printf("%-14s %7zu %7s %9.3f %9.3f %8.2f%% %8.2f%% %8.1f  %s\n", name.c_str(), result.mesh.hexahedra.size(),
-                  result.padded ? "yes" : "no", result.quality.least_scaled_jacobian,
-                  result.quality.mean_scaled_jacobian, result.distance, result.volume_error, seconds, published(name));
+      solid.surface = mesh::read_mesh(std::filesystem::path(argv[1]) / file, {}, {});
+      mesh::orient(solid.surface.positions, solid.surface.triangles, {});
     } catch (const base::Error& error) {
-      std::printf("%-14s %s: %s\n", name.c_str(), error.kind(), error.what());
+      std::printf("%-14s %s: %s\n", solid.name.c_str(), error.kind(), error.what());
+      continue;
     }
+    near += print_row(solid, volume_map::HexMethod::automatic, cells);
+    std::fflush(stdout);
+    near_by_voxels += print_row(solid, volume_map::HexMethod::voxels, cells);
     std::fflush(stdout);
   }
-  std::printf("%d of %zu valid with distance and volume within a percent\n", valid, names.size());
+  std::printf("%d of %zu valid with distance and volume within a percent; %d by voxels alone\n", near, names.size(),
+              near_by_voxels);
 }

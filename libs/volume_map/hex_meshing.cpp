@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "polycube/distortion.h"
 #include "polycube/patch_graph.h"
 #include "volume_map/even_lengths.h"
 #include "volume_map/hex_grid.h"
@@ -38,6 +39,12 @@ struct Guide {
   Guide(const PolycubeSurface& of, bool is_sharp, const base::Host& host)
       : surface(of), sharp(is_sharp), graph(polycube::make_patch_graph(of.map, host)) {}
 };
+
+// Whether limbs have no room on the polycube: what changes angles twofold on average has no hexahedra there.
+bool has_lost_limbs(const polycube::SurfaceMap& map, const base::Host& host) {
+  constexpr double most = 2;
+  return polycube::measure_distortion(map, host).angle_mean > most;
+}
 
 // One of the ways to mesh the solid.
 struct Way {
@@ -95,6 +102,7 @@ class Making {
   Making(const PolycubeSurface& solid, const HexOptions& options, const base::Host& host)
       : options_(options), host_(host), wanted_(solid), whole_(host.memory), guides_(host.memory), ways_(host.memory) {
     if (solid.map.triangles.empty() || options.method == HexMethod::voxels) return;
+    if (options.method == HexMethod::automatic && has_lost_limbs(solid.map, host)) return;
     guides_.reserve(2);
     const auto add = [&](const polycube::SurfaceMap& map, bool sharp) {
       guides_.emplace_back(PolycubeSurface{map, solid.fine_positions, solid.fine_triangles}, sharp, host);
