@@ -251,18 +251,18 @@ class Hex(InFolder):
             self.assertIn(", at (", run(verb, path, "-o", out).stderr)
 
     def test_cells_of_a_grid_in_space(self):
-        path, out, report = self.made("creature", 4000), self.path("out.mesh"), self.path("report.json")
-        done = run("hex", path, "-o", out, "--cells", 3000, "--method", "voxels", "--report", report)
+        path, out, report = self.made("creature", 2000), self.path("out.mesh"), self.path("report.json")
+        done = run("hex", path, "-o", out, "--cells", 1200, "--distance", 3, "--method", "voxels", "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(report, encoding="ascii") as file:
             figures = json.load(file)
         self.assertEqual(figures["method"], "voxels")
         self.assertNotIn("polycube", figures)
-        self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+        self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 3)
         self.assertGreater(figures["scaled_jacobian_min"], 0)
         positions, cells = read_medit(out, "Hexahedra", 8)
         self.assertEqual(len(cells), figures["hexahedra"])
-        self.assertLess(len(cells), 7000)
+        self.assertLess(len(cells), 2000)
         neighbours = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
         for cell in cells:
             for corner, around in enumerate(neighbours):
