@@ -117,7 +117,8 @@ HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
   if (made && made->result.quality.least_scaled_jacobian > poor && volume_map::excess(made->result, verb.distance) <= 1)
     return std::move(*made);
   try {
-    take(hexahedra_of_cells(verb, volume_map::HexMethod::automatic, session));
+    take(hexahedra_of_cells(verb, frames_may ? volume_map::HexMethod::automatic : volume_map::HexMethod::polycube,
+                            session));
   } catch (const Failure& failure) {
     if (failure.kind() == "cancelled") throw;
     if (!made && !machined && frames_may && failure.kind() == "no-valid-result") try_frames();
@@ -127,6 +128,9 @@ HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
 }
 
 void run_hex(const HexVerb& verb, Session& session) {
+  if (verb.method == "voxels" && verb.padding == "without")
+    throw Failure(Exit::wrong_input, "", "usage",
+                  "--padding without: the cells of a grid in space have a layer around");
   HexOutput output = verb.output;
   output.cut = cuts.at(verb.cut);
   require_hex_output(output);

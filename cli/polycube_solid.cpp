@@ -168,6 +168,8 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
       mesh::Mesh part = pieces.count == 1 ? std::move(input.mesh) : volume_map::piece(input.mesh, pieces, i, host);
       if (cells)
         take_tetrahedra(part, result, session);
+      else if (polycubes == Polycubes::none)
+        result.fine = std::move(part);
       else if (inside == Inside::nothing)
         take_surface(options, std::move(part), result, session);
 #ifdef ORBICUBE_WITH_TETRAHEDRA

@@ -48,11 +48,15 @@ volume_map::HexResult filled(const Solid& solid, volume_map::HexMethod method, s
   if (by_polycube) {
     const auto coarse = volume_map::coarse_surface(surface.positions, surface.triangles,
                                                    coarser ? triangles : surface.triangles.size(), host);
-    map = polycube::construct(coarse.positions, coarse.triangles, {.corners = 100, .preferred_corners = 60}, host)
-              .made.map;
+    try {
+      map = polycube::construct(coarse.positions, coarse.triangles, {.corners = 100, .preferred_corners = 60}, host)
+                .made.map;
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+    }
   }
   volume_map::PolycubeSurface mapped{map};
-  if (coarser || !by_polycube) {
+  if (coarser || map.triangles.empty()) {
     mapped.fine_positions = surface.positions;
     mapped.fine_triangles = surface.triangles;
   }

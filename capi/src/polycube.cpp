@@ -58,7 +58,9 @@ obc_status obc_polycube_create(const obc_surface* surface, const double* polycub
     const auto* const points = reinterpret_cast<const Vector3*>(polycube);
     map.polycube.assign(points, points + s.positions.size());
     polycube::set_unrefined(map);
-    const polycube::Certificate found = polycube::certify(map, made->adapter.host());
+    polycube::Certificate found = polycube::certify(map, made->adapter.host());
+    if (found.valid() && found.cavities > 0)
+      found.reason = "the surface has " + std::to_string(1 + found.cavities) + " components";
     write_certificate(found, certificate);
     if (!found.valid()) throw base::Error("no-valid-result", found.reason);
     made->corners = found.corners;

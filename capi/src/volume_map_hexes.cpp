@@ -119,15 +119,17 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
   for (std::size_t i = 0; i < pieces.count; ++i) {
     mesh::Mesh surface = pieces.count == 1 ? std::move(whole) : volume_map::piece(whole, pieces, i, host);
     capi::require_outward(mesh::measures(surface.positions, surface.triangles, host).volume);
+    polycube::Construction made(host.memory);
+    if (o.method == OBC_VOLUME_MAP_METHOD_VOXELS) {
+      result.push_back({std::move(surface), std::move(made)});
+      continue;
+    }
     const bool coarser = o.triangles > 0 && surface.triangles.size() / 2 > o.triangles;
     const volume_map::CoarseSurface coarse = volume_map::coarse_surface(
         surface.positions, surface.triangles, coarser ? o.triangles : surface.triangles.size(), host);
-    polycube::Construction made(host.memory);
     try {
-      if (o.method != OBC_VOLUME_MAP_METHOD_VOXELS) {
-        made = volume_map::construct_polycube(coarse.positions, coarse.triangles,
-                                              {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, host);
-      }
+      made = volume_map::construct_polycube(coarse.positions, coarse.triangles,
+                                            {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, host);
     } catch (const base::Error& error) {
       if (o.method != OBC_VOLUME_MAP_METHOD_AUTO || error.status() != base::Status::no_valid_result) throw;
       host.log(error.what());
@@ -165,13 +167,16 @@ obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_c
     auto made = std::make_unique<obc_volume_map_solid>(host);
     const base::Host& h = made->adapter.host();
     const mesh::Mesh whole = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
+    // What is wrong is told with the caller's numbers.
+    if (whole.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
+    mesh::require_valid_cells(whole, h);
     const volume_map::Pieces pieces = volume_map::pieces_of(whole.tetrahedra, whole.positions.size(), h);
     base::Array<MappedSolid> mapped(h.memory);
     base::Array<volume_map::PolycubeSolid> solids(h.memory);
-    // One look at none tells what is wrong.
-    for (std::size_t i = 0; i < std::max<std::size_t>(pieces.count, 1); ++i) {
-      volume_map::BoundaryFirst first =
-          volume_map::boundary_first(pieces.count > 1 ? volume_map::piece(whole, pieces, i, h) : whole, h);
+    for (std::size_t i = 0; i < pieces.count; ++i) {
+      mesh::Mesh part(h.memory);
+      if (pieces.count > 1) part = volume_map::piece(whole, pieces, i, h);
+      volume_map::BoundaryFirst first = volume_map::boundary_first(pieces.count > 1 ? part : whole, h);
       polycube::Construction found = volume_map::construct_polycube(
           first.outer_positions(), first.surface, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
       mapped.push_back({std::move(first), std::move(found)});

@@ -36,6 +36,7 @@ Voxelisation make_grid(const Occupancy& occupancy, int cells, const base::Host& 
   grid.cells = cells;
   grid.fraction.assign(grid.solid.size(), 0);
   for (int x = 0; x < counts[0]; ++x) {
+    host.report(phase, 0, 0);
     for (int y = 0; y < counts[1]; ++y) {
       for (int z = 0; z < counts[2]; ++z) {
         const std::array<int, 3> begin = {fine_plane(0, x), fine_plane(1, y), fine_plane(2, z)};
@@ -56,9 +57,9 @@ void repair(Voxelisation& grid, const base::Host& host) {
   VoxelSolid& solid = grid.solid;
   std::uint64_t random = 1;
   for (int round = 0; round < rounds; ++round) {
-    host.report(phase, 0, 0);
     bool repaired = true;
     for (int x = 1; x < solid.count(0); ++x) {
+      host.report(phase, 0, 0);
       for (int y = 1; y < solid.count(1); ++y) {
         for (int z = 1; z < solid.count(2); ++z) {
           if (VoxelSolid::manifold(solid.configuration({x, y, z}))) continue;
@@ -142,20 +143,36 @@ bool right_topology(const VoxelSolid& solid, std::int64_t genus, std::size_t cav
 
 std::optional<Voxelisation> voxelise_by_grid(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                              std::int64_t genus, std::size_t cavities, const Occupancy& occupancy,
-                                             int cells, double threshold, const base::Host& host) {
+                                             int cells, double far, const base::Host& host) {
+  // From what is most often right to what keeps the thinnest limbs.
+  constexpr std::array thresholds = {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.1, 0.03};
   Voxelisation grid = make_grid(occupancy, cells, host);
-  grid.threshold = threshold;
-  for (std::size_t i = 0; i < grid.solid.size(); ++i)
-    grid.solid.set(i, grid.fraction[i] > threshold);
+  VoxelSolid& solid = grid.solid;
   const auto keep_largest = [&] {
-    grid.solid.keep_largest(true, host);
-    if (cavities == 0) grid.solid.keep_largest(false, host);
+    solid.keep_largest(true, host);
+    if (cavities == 0) solid.keep_largest(false, host);
   };
-  keep_largest();
-  repair(grid, host);
-  keep_largest();
-  if (!right_topology(grid.solid, genus, cavities, host)) return std::nullopt;
-  grid.farthest = farthest_vertex(grid.solid, positions, triangles, host) / cells;
+  Array<std::uint8_t> best(host.memory);
+  for (const double threshold : thresholds) {
+    host.report(phase, 0, 0);
+    for (std::size_t i = 0; i < solid.size(); ++i)
+      solid.set(i, grid.fraction[i] > threshold);
+    keep_largest();
+    repair(grid, host);
+    keep_largest();
+    if (!right_topology(solid, genus, cavities, host)) continue;
+    const double farthest = farthest_vertex(solid, positions, triangles, host) / cells;
+    if (!best.empty() && farthest >= grid.farthest) continue;
+    grid.threshold = threshold;
+    grid.farthest = farthest;
+    best.resize(solid.size());
+    for (std::size_t i = 0; i < best.size(); ++i)
+      best[i] = solid.inside(i);
+    if (farthest <= far) break;
+  }
+  if (best.empty()) return std::nullopt;
+  for (std::size_t i = 0; i < best.size(); ++i)
+    solid.set(i, best[i] != 0);
   return grid;
 }
 
@@ -164,14 +181,9 @@ Voxelisation voxelise(std::span<const Vector3> positions, std::span<const Triang
   constexpr std::array cell_counts = {12, 16, 20, 24, 30, 40, 48, 60, 72, 84, 100, 120, 140};
   std::optional<Voxelisation> best;
   const auto attempt = [&](int cells) {
-    for (const double threshold : voxel_thresholds) {
-      std::optional<Voxelisation> grid =
-          voxelise_by_grid(positions, triangles, genus, 0, occupancy, cells, threshold, host);
-      if (!grid) continue;
-      if (!best || grid->farthest < best->farthest) best = std::move(grid);
-      if (best->farthest <= options.far) return true;
-    }
-    return false;
+    auto grid = voxelise_by_grid(positions, triangles, genus, 0, occupancy, cells, options.far, host);
+    if (grid && (!best || grid->farthest < best->farthest)) best = std::move(grid);
+    return best && best->farthest <= options.far;
   };
   for (const int cells : cell_counts)
     if (cells >= options.least_cells && cells <= options.most_cells && attempt(cells)) return std::move(*best);

@@ -6,7 +6,6 @@
 // enough: thin limbs must not be lost.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -28,21 +27,18 @@ struct Voxelisation {
   double farthest = 0;  // distance of the farthest vertex of the input from the solid, in parts of the longest axis
 };
 
-// From what is most often right to what keeps the thinnest limbs.
-inline constexpr std::array voxel_thresholds = {0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.1, 0.03};
-
 struct VoxelisationOptions {
   int least_cells = 40;  // along the longest axis; coarser grids are only tried when no finer one is right
   int most_cells = 140;  // likewise
   double far = 0.05;     // the farthest vertex that is near enough
 };
 
-// By one grid, of so many cells along the longest axis, what of a cell must be inside being the threshold. Nothing when
-// the topology is not that of the surface, which may have cavities: parts that look inward; `genus` then is that of all
-// parts together.
+// By one grid, of so many cells along the longest axis: the first of several thresholds that gives the topology of the
+// surface and has no vertex of it farther than `far`, or that with the nearest; nothing when none has the topology. The
+// surface may have cavities: parts that look inward; `genus` then is that of all parts together.
 std::optional<Voxelisation> voxelise_by_grid(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                              std::int64_t genus, std::size_t cavities, const Occupancy& occupancy,
-                                             int cells, double threshold, const base::Host& host);
+                                             int cells, double far, const base::Host& host);
 
 // The surface must be closed, connected and look outward; `genus` is its genus. Throws Error "no-valid-result" when no
 // grid gives the right topology, "cancelled".

@@ -45,10 +45,12 @@ std::array<double, 3> mean_value_weights(const std::array<Vector3, 3>& to) {
 }
 
 // The map of the surface, carried to a point inside.
-Vector3 carried(const polycube::SurfaceMap& map, const Vector3& p) {
+Vector3 carried(const polycube::SurfaceMap& map, const Vector3& p, const base::Host& host) {
   Vector3 sum = Vector3::Zero();
   double all = 0;
-  for (const Triangle& t : map.triangles) {
+  for (std::size_t i = 0; i < map.triangles.size(); ++i) {
+    if (i % 16384 == 0) host.report("cavities", 0, 0);
+    const Triangle& t = map.triangles[i];
     const auto weights =
         mean_value_weights({map.positions[t[0]] - p, map.positions[t[1]] - p, map.positions[t[2]] - p});
     for (std::size_t k = 0; k < 3; ++k) {
@@ -85,12 +87,11 @@ Array<Sample> samples_of(const polycube::SurfaceMap& outer, const polycube::Surf
   const std::size_t step = 1 + (cavity.triangles.size() - 1) / most;
   Array<Sample> samples(host.memory);
   for (std::size_t i = 0; i < cavity.triangles.size(); i += step) {
-    host.report("cavities", i, cavity.triangles.size());
     const Triangle& t = cavity.triangles[i];
     const auto center = [&](const Array<Vector3>& p) { return Vector3((p[t[0]] + p[t[1]] + p[t[2]]) / 3); };
     const Vector3 a = cavity.positions[t[1]] - cavity.positions[t[0]],
                   b = cavity.positions[t[2]] - cavity.positions[t[0]];
-    samples.push_back({center(cavity.polycube), carried(outer, center(cavity.positions)), a.cross(b).norm()});
+    samples.push_back({center(cavity.polycube), carried(outer, center(cavity.positions), host), a.cross(b).norm()});
   }
   return samples;
 }

@@ -204,6 +204,7 @@ void take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, co
 FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra,
                                        double feature_angle, const FrameHexOptions& options, const base::Host& host) {
   using Clock = std::chrono::steady_clock;
+  base::require(options.most_fields > 0, "one field has to be tried");
   std::size_t fewest = std::numeric_limits<std::size_t>::max(), fields = 0;
   FramedSolid best(host.memory);
   std::exception_ptr first_refusal;

@@ -100,25 +100,22 @@ struct Grid {
 class Making {
  public:
   Making(const PolycubeSurface& solid, const HexOptions& options, const base::Host& host)
-      : options_(options), host_(host), wanted_(solid), whole_(host.memory), guides_(host.memory), ways_(host.memory) {
-    if (solid.map.triangles.empty() || options.method == HexMethod::voxels) return;
-    if (options.method == HexMethod::automatic && has_lost_limbs(solid.map, host)) return;
-    guides_.reserve(2);
-    const auto add = [&](const polycube::SurfaceMap& map, bool sharp) {
-      guides_.emplace_back(PolycubeSurface{map, solid.fine_positions, solid.fine_triangles}, sharp, host);
-    };
-    if (options.sharp_angle > 0) sharp_ = map_with_sharp_edges(solid.map, options.sharp_angle, host);
-    if (sharp_) {
-      *sharp_ = map_with_even_lengths(*sharp_, host);
-      add(*sharp_, true);
-    }
-    plain_ = map_with_even_lengths(solid.map, host);
-    add(*plain_, false);
-  }
+      : solid_(solid),
+        options_(options),
+        host_(host),
+        wanted_(solid),
+        whole_(host.memory),
+        guides_(host.memory),
+        ways_(host.memory) {}
 
   HexResult best() {
-    if (!guides_.empty()) fill_polycube();
-    if (guides_.empty() || (options_.method == HexMethod::automatic && !(near() && !poor()))) fill_space();
+    const bool automatic = options_.method == HexMethod::automatic, both = automatic && !solid_.map.triangles.empty();
+    const bool late = both && has_lost_limbs(solid_.map, host_);
+    if (options_.method == HexMethod::polycube || (both && !late)) fill_polycube();
+    // A grid has a layer around.
+    const bool grid_may = options_.padding != Padding::without;
+    if (grid_may && (options_.method == HexMethod::voxels || (automatic && !(near() && !poor())))) fill_space();
+    if (late && !best_) fill_polycube();
     if (!best_) throw base::Error("no-valid-result", reason_);
     return std::move(*best_);
   }
@@ -131,7 +128,22 @@ class Making {
     return best_->quality.least_scaled_jacobian <= least;
   }
 
+  void make_guides() {
+    guides_.reserve(2);
+    const auto add = [&](const polycube::SurfaceMap& map, bool sharp) {
+      guides_.emplace_back(PolycubeSurface{map, solid_.fine_positions, solid_.fine_triangles}, sharp, host_);
+    };
+    if (options_.sharp_angle > 0) sharp_ = map_with_sharp_edges(solid_.map, options_.sharp_angle, host_);
+    if (sharp_) {
+      *sharp_ = map_with_even_lengths(*sharp_, host_);
+      add(*sharp_, true);
+    }
+    plain_ = map_with_even_lengths(solid_.map, host_);
+    add(*plain_, false);
+  }
+
   void fill_polycube() {
+    make_guides();
     for (std::size_t cells = options_.cells;; cells *= 2) {
       make(cells);
       if (options_.distance == 0 || 2 * cells > options_.most_cells) return;
@@ -147,8 +159,7 @@ class Making {
 
   void fill_space() {
     for (std::size_t cells = options_.cells;; cells *= 2) {
-      make_by_voxels(cells);
-      if (near() || options_.distance == 0 || 2 * cells > options_.most_cells) return;
+      if (make_by_voxels(cells) || options_.distance == 0 || 2 * cells > options_.most_cells) return;
     }
   }
 
@@ -203,28 +214,32 @@ class Making {
     return {near, by_itself};
   }
 
-  void make_by_voxels(std::size_t cells) {
+  // Whether there is one that is near.
+  bool make_by_voxels(std::size_t cells) {
     if (whole_.triangles.empty()) {
       whole_.positions.assign(wanted_.positions.begin(), wanted_.positions.end());
       whole_.triangles.assign(wanted_.triangles.begin(), wanted_.triangles.end());
       whole_.charts.assign(whole_.triangles.size(), 0);
     }
-    for (const bool hold : {false, true}) {
-      if (hold && (options_.distance == 0 || near())) return;
-      try {
-        VoxelHexes grid = voxel_hexahedra(wanted_.positions, wanted_.triangles, cells, host_);
-        HexResult now = HexDraft(std::move(grid.mesh), grid.padding, grid.scale, {whole_}, wanted_,
+    try {
+      const VoxelHexes grid = voxel_hexahedra(wanted_.positions, wanted_.triangles, cells, host_);
+      for (const bool hold : {false, true}) {
+        if (hold && options_.distance == 0) return false;
+        HexMesh mesh(host_.memory);
+        mesh = grid.mesh;
+        HexResult now = HexDraft(std::move(mesh), grid.padding, grid.scale, {whole_}, wanted_,
                                  {.distance = options_.distance, .rounds = options_.rounds}, host_)
                             .finish({.hold = hold});
         now.by_voxels = true;
-        take(std::move(now), nullptr);
-      } catch (const base::Error& error) {
-        tolerate(error);
+        if (take(std::move(now), nullptr).near) return true;
       }
+    } catch (const base::Error& error) {
+      tolerate(error);
     }
+    return false;
   }
 
-  // What has been good with fewer cells is with more.
+  // What has been good with fewer cells is with more; where voxels are next, what has been best.
   void find_ways(std::size_t cells) {
     ways_.clear();
     for (const Guide& guide : guides_) {
@@ -234,7 +249,8 @@ class Making {
         tolerate(error);
       }
     }
-    if (best_ && best_->quality.least_scaled_jacobian > good)
+    const bool one = options_.method == HexMethod::automatic && cells > options_.cells;
+    if (best_ && (one || best_->quality.least_scaled_jacobian > good))
       std::erase_if(ways_, [&](const Way& way) { return !way.same(best_guide_, best_padding_); });
   }
 
@@ -261,6 +277,7 @@ class Making {
     }
   }
 
+  const PolycubeSurface& solid_;
   const HexOptions& options_;
   const base::Host& host_;
   const WantedSurface wanted_;
@@ -286,6 +303,8 @@ HexResult make_hexahedra(const PolycubeSurface& solid, const HexOptions& options
   base::require(options.distance >= 0 && options.distance <= 100, "the distance must be from 0 to 100 percent");
   base::require(options.most_cells <= 10'000'000, "most_cells must be 10 million at most");
   base::require(!solid.map.triangles.empty() || options.method != HexMethod::polycube, "there is no polycube");
+  base::require(options.padding != Padding::without || options.method != HexMethod::voxels,
+                "the cells of a grid in space have a layer around");
   return Making(solid, options, host).best();
 }
 

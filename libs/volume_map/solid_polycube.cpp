@@ -133,8 +133,7 @@ polycube::Construction construct_polycube(std::span<const Vector3> positions, st
       if (all.certificate.valid()) break;
       if (k < most) continue;
       const Index first = parts[i].vertices[0];
-      throw base::Error("no-valid-result", "the polycube of the cavity with vertex " + std::to_string(first) + ", at " +
-                                               mesh::place_text(positions[first]) +
+      throw base::Error("no-valid-result", "the polycube of the cavity at " + mesh::place_text(positions[first]) +
                                                ", does not fit into that of the surface: " + all.certificate.reason);
     }
   }

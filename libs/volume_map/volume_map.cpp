@@ -52,7 +52,11 @@ VolumeMap map_pieces_to_polycubes(std::span<const PolycubeSolid> pieces, const b
   VolumeMap all(host.memory);
   for (const PolycubeSolid& piece : pieces) {
     VolumeMap map = map_to_polycube(piece, host, engine);
-    if (!all.source.empty()) move_beside(map, piece, all, host);
+    if (all.source.empty()) {
+      all = std::move(map);
+      continue;
+    }
+    move_beside(map, piece, all, host);
     const auto first = static_cast<Index>(all.source.size());
     all.source.insert(all.source.end(), map.source.begin(), map.source.end());
     all.image.insert(all.image.end(), map.image.begin(), map.image.end());

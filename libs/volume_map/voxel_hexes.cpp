@@ -14,37 +14,38 @@
 namespace orbicube::volume_map {
 namespace {
 
-constexpr int most_along = 400;  // cells along the longest axis
+constexpr double most_boxes = 40e6;  // of the box of the surface, for the parts of cells that are inside
 
-// Cells along the longest axis are cut into so many, for the parts of them that are inside.
-int occupancy_of(int along) {
-  constexpr int least = 240;
-  return along * std::max(1, (least + along - 1) / along);
+// Of the box with so many along its longest axis.
+double boxes(const Vector3& size, double along) {
+  return size.prod() * std::pow(along / size.maxCoeff(), 3);
 }
 
-// The first that is near to all of the surface, or the nearest.
+// Cells along the longest axis are cut into so many, for the parts of them that are inside.
+int occupancy_of(const Vector3& size, int along) {
+  constexpr int least = 240;
+  int parts = (least + along - 1) / along;
+  while (parts > 1 && boxes(size, along * parts) > most_boxes)
+    --parts;
+  return along * parts;
+}
+
 std::optional<polycube::Voxelisation> voxels(std::span<const Vector3> positions,
                                              std::span<const mesh::Triangle> triangles, const mesh::Topology& topology,
-                                             int along, const base::Host& host) {
-  const auto parts = static_cast<std::int64_t>(topology.components);
-  const std::int64_t genus = parts - topology.euler_characteristic / 2;
+                                             const Vector3& size, int along, const base::Host& host) {
   constexpr double near = 1.5;  // cells
-  const polycube::Occupancy occupancy(positions, triangles, occupancy_of(along), host);
-  std::optional<polycube::Voxelisation> best;
-  for (const double threshold : polycube::voxel_thresholds) {
-    auto now = polycube::voxelise_by_grid(positions, triangles, genus, topology.components - 1, occupancy, along,
-                                          threshold, host);
-    if (!now || (best && best->farthest <= now->farthest)) continue;
-    best = std::move(now);
-    if (best->farthest * along <= near) break;
-  }
-  return best;
+  const auto parts = static_cast<std::int64_t>(topology.components);
+  const polycube::Occupancy occupancy(positions, triangles, occupancy_of(size, along), host);
+  return polycube::voxelise_by_grid(positions, triangles, parts - topology.euler_characteristic / 2,
+                                    topology.components - 1, occupancy, along, near / along, host);
 }
 
 HexMesh hexahedra_of(const polycube::VoxelSolid& solid, const base::Host& host) {
   Array<std::uint8_t> inside(solid.size(), 0, host.memory);
-  for (std::size_t i = 0; i < inside.size(); ++i)
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    if (i % 1048576 == 0) host.report("grid", 0, 0);
     inside[i] = solid.inside(i);
+  }
   HexMesh mesh = hexahedra_of_cells({solid.count(0), solid.count(1), solid.count(2)}, inside, host);
   for (Vector3& p : mesh.positions)
     p = solid.position({static_cast<int>(p[0]), static_cast<int>(p[1]), static_cast<int>(p[2])});
@@ -56,7 +57,8 @@ HexMesh hexahedra_of(const polycube::VoxelSolid& solid, const base::Host& host) 
 VoxelHexes voxel_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
                            std::size_t cells, const base::Host& host) {
   const mesh::Measures measures = mesh::measures(positions, triangles, host);
-  const double longest = (measures.high - measures.low).maxCoeff();
+  const Vector3 size = measures.high - measures.low;
+  const double longest = size.maxCoeff(), most = longest * std::cbrt(most_boxes / size.prod());
   const mesh::Topology topology = mesh::topology(positions, triangles, host);
   const auto wanted = static_cast<double>(cells);
   // What the layer takes is seen once there is one.
@@ -64,13 +66,16 @@ VoxelHexes voxel_hexahedra(std::span<const Vector3> positions, std::span<const m
   constexpr double about = 0.15;
   VoxelHexes best(host.memory);
   double best_error = 0;
+  int before = 0;
   double along = longest / std::cbrt(measures.volume / wanted);
   for (int round = 0; round < most_rounds; ++round) {
-    const int count = std::clamp(static_cast<int>(std::lround(along)), 3, most_along);
-    const auto found = voxels(positions, triangles, topology, count, host);
+    const int count = static_cast<int>(std::lround(std::clamp(along, 3.0, most)));
+    if (count == before) break;
+    before = count;
+    const auto found = voxels(positions, triangles, topology, size, count, host);
     // Where a grid is not right another may be.
     if (!found) {
-      along *= 1.07;
+      along = 1.07 * count + 1;
       continue;
     }
     HexMesh mesh = hexahedra_of(found->solid, host);

@@ -18,7 +18,7 @@ struct VoxelHexes {
 
 // About so many, the layer included. Of the closed surface of one solid: a part that looks outward, and walls of
 // cavities, which look into these. Throws Error "no-valid-result" where no such cells have its topology, "cancelled".
-// O(1000 n) and what the grid takes: 4 bytes for each of its cells, 20 million at most.
+// O(1000 n), and some 10 bytes for each cell of the box of the surface, 40 million at most.
 VoxelHexes voxel_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
                            std::size_t cells, const base::Host& host);
 

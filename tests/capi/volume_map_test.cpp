@@ -333,6 +333,7 @@ TEST_CASE("Cells of a grid in space fill a box, and one with a cavity, without a
   options.cells = 500;
   options.rounds = 20;
   options.method = OBC_VOLUME_MAP_METHOD_VOXELS;
+  options.padding = OBC_VOLUME_MAP_PADDING_AUTO;
   obc_volume_map_hexes_report report{};
   report.struct_size = sizeof report;
   obc_error error;
@@ -356,8 +357,11 @@ TEST_CASE("Cells of a grid in space fill a box, and one with a cavity, without a
   };
   fill(box.surface, 12);
   fill(hollow.surface, 12 * (1 - 0.064));
-  options.method = 3;
   obc_volume_map_hexes* hexes = nullptr;
+  options.padding = OBC_VOLUME_MAP_PADDING_WITHOUT;
+  CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, &report, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  options.padding = OBC_VOLUME_MAP_PADDING_AUTO;
+  options.method = 3;
   CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, &report, &hexes, &error) == OBC_INVALID_ARGUMENT);
 }
 
@@ -504,6 +508,8 @@ TEST_CASE("Each allocation that fails, and each report that cancels, ends the ma
        {std::pair{&box.surface, OBC_VOLUME_MAP_METHOD_AUTO}, std::pair{&hollow.surface, OBC_VOLUME_MAP_METHOD_AUTO},
         std::pair{&box.surface, OBC_VOLUME_MAP_METHOD_VOXELS}}) {
     options.method = method;
+    options.padding =
+        method == OBC_VOLUME_MAP_METHOD_VOXELS ? OBC_VOLUME_MAP_PADDING_AUTO : OBC_VOLUME_MAP_PADDING_WITHOUT;
     const test::Call call = test::destroying(
         obc_volume_map_hexes_destroy, [&, of = surface](const obc_host* host, obc_volume_map_hexes** out) {
           return obc_volume_map_hexes_compute(of, &options, host, nullptr, out, nullptr);

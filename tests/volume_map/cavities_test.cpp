@@ -3,10 +3,13 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "base/error.h"
 #include "block_solid.h"
+#include "mesh/make_shape.h"
+#include "mesh/measures.h"
 #include "volume_map/cavity_placement.h"
 #include "volume_map/solid_polycube.h"
 
@@ -17,8 +20,9 @@ namespace {
 
 const base::Host host;
 
-// Blocks of a cube of three without the middle one, or others.
-std::vector<test::Block> shell(int size = 3) {
+// Blocks of a cube of three without the middle one.
+std::vector<test::Block> shell() {
+  constexpr int size = 3;
   std::vector<test::Block> blocks;
   for (int x = 0; x < size; ++x) {
     for (int y = 0; y < size; ++y) {
@@ -99,14 +103,52 @@ TEST_CASE("A bent solid with a cavity has a certified polycube, a map to it and 
   CHECK(hexes.quality.volume == doctest::Approx(volume).epsilon(0.03));
 }
 
-TEST_CASE("A cavity that is larger than it has room for is made smaller on the polycube") {
-  // The walls are a tenth of the cavity.
-  test::BlockSolid block(shell(5), 1, 0, 0);
-  const auto thin = [](double x) { return x <= 1 ? 0.2 * x : (x >= 4 ? 5 - 0.2 * (5 - x) : 0.2 + (x - 1) * 4.6 / 3); };
-  for (Vector3& p : block.positions)
-    p = Vector3(thin(p[0]), thin(p[1]), thin(p[2]));
-  const std::size_t outer = block.map.polycube.size();
-  const polycube::Construction made =
-      construct_polycube(std::span(block.positions).first(outer), block.surface, {}, host);
-  CHECK(made.certificate.cavities == 1);
+TEST_CASE(
+    "Of two round cavities side by side the second is made smaller on the polycube, where their boxes would meet") {
+  mesh::Mesh all = mesh::make_shape("cube", {.triangles = 300}, host);
+  const mesh::Mesh ball = mesh::make_shape("sphere", {.triangles = 300}, host);
+  const mesh::Measures box = mesh::measures(all.positions, all.triangles, host),
+                       round = mesh::measures(ball.positions, ball.triangles, host);
+  const Vector3 middle = 0.5 * (box.low + box.high), center = 0.5 * (round.low + round.high);
+  const double radius = 0.5 * (round.high - round.low).maxCoeff(), size = (box.high - box.low).maxCoeff();
+  // Apart by a fiftieth of their radius along a diagonal.
+  const auto outer = static_cast<Index>(all.positions.size());
+  for (const double side : {-1.0, 1.0}) {
+    const auto first = static_cast<Index>(all.positions.size());
+    const double r = 0.15 * size;
+    const Vector3 at = middle + side * 1.01 * r * Vector3(1, 1, 0).normalized();
+    for (const Vector3& p : ball.positions)
+      all.positions.push_back(at + r / radius * (p - center));
+    for (const mesh::Triangle& t : ball.triangles)
+      all.triangles.push_back({first + t[0], first + t[2], first + t[1]});
+  }
+  const polycube::Construction made = construct_polycube(all.positions, all.triangles, {}, host);
+  CHECK(made.certificate.valid());
+  CHECK(made.certificate.cavities == 2);
+  CHECK(made.certificate.corners == 24);
+  const std::size_t each = ball.positions.size();
+  const auto extent = [&](std::size_t begin) {
+    Vector3 low = made.map.polycube[begin], high = low;
+    for (std::size_t v = begin; v < begin + each; ++v) {
+      low = low.cwiseMin(made.map.polycube[v]);
+      high = high.cwiseMax(made.map.polycube[v]);
+    }
+    return (high - low).norm();
+  };
+  CHECK(extent(outer + each) < 0.9 * extent(outer));
+
+  // A wall that looks inward beside the solid, not within it.
+  mesh::Mesh beside = mesh::make_shape("cube", {.triangles = 300}, host);
+  const auto first = static_cast<Index>(beside.positions.size());
+  for (const Vector3& p : ball.positions)
+    beside.positions.push_back(p + 9 * size * Vector3::UnitX());
+  for (const mesh::Triangle& t : ball.triangles)
+    beside.triangles.push_back({first + t[0], first + t[2], first + t[1]});
+  std::string reason;
+  try {
+    construct_polycube(beside.positions, beside.triangles, {}, host);
+  } catch (const base::Error& error) {
+    reason = error.what();
+  }
+  CHECK(reason.find("does not fit") != std::string::npos);
 }

@@ -998,7 +998,8 @@ export interface RawFunctions {
    * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
    * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
    * A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
-   * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood in the way; out of memory, cancelled. */
+   * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood
+   * in the way; out of memory, cancelled. */
   obc_volume_map_solid_compute(positions: Pointer, vertex_count: number, tetrahedra: Pointer, tetrahedron_count: number, options: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
   /** NULL is fine, here and in the functions that count (0). */
   obc_volume_map_solid_destroy(solid: Pointer): void;
@@ -1028,7 +1029,7 @@ export interface RawFunctions {
   /** NULL is fine, here and in the functions that count (0). */
   obc_volume_map_hexes_quad_count(hexes: Pointer): number;
   /** x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
-   * counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
+   * counter-clockwise seen from outside, and the face of the polycube that it lies on (0 by voxels). Each may be NULL. Errors: invalid
    * argument. */
   obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_faces: Pointer, error: Pointer): number;
   /** The defaults, which the members' comments give. */

@@ -41,9 +41,9 @@ export function untangle({ positions, tetrahedra }, given = {}) {
  * "voxels"), cells, padding ("auto", "with", "without"), distance (in percent; more cells where a mesh is farther), mostCells, sharpAngle, corners, triangles, seed, rounds.
  */
 export function hexahedra(surface, given = {}) {
-  const [host, { padding, ...chosen }] = split(given);
+  const [host, chosen] = split(given);
   return onSurface(surface, host, (scratch, at, lent) => {
-    const picked = options(scratch, 'obc_volume_map_hexes_options', { ...chosen, padding }, 'OBC_VOLUME_MAP_');
+    const picked = options(scratch, 'obc_volume_map_hexes_options', chosen, 'OBC_VOLUME_MAP_');
     const report = scratch.struct('obc_volume_map_hexes_report');
     const hexes = make('obc_volume_map_hexes_compute', at, picked, lent, report);
     try {

@@ -80,7 +80,7 @@ typedef struct obc_volume_map_solid obc_volume_map_solid;
 typedef struct obc_volume_map_solid_options {
   uint32_t struct_size;
   int32_t reserved;
-  size_t corners; /* of the polycube at most, as in obc_polycube_options. Default 100 */
+  size_t corners; /* of the polycube of a wall at most, as in obc_polycube_options. Default 100 */
   uint64_t seed;  /* of what is chosen at random. Default 0 */
 } obc_volume_map_solid_options;
 /* The defaults, which the members' comments give. */
@@ -91,7 +91,8 @@ OBC_API obc_status obc_volume_map_solid_options_init(obc_volume_map_solid_option
  * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
  * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
  * A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
- * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood in the way; out of memory, cancelled. */
+ * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood
+ * in the way; out of memory, cancelled. */
 OBC_API obc_status obc_volume_map_solid_compute(const double *positions, size_t vertex_count, const uint32_t *tetrahedra,
                                                 size_t tetrahedron_count, const obc_volume_map_solid_options *options,
                                                 const obc_host *host, obc_volume_map_solid **out, obc_error *error);
@@ -113,14 +114,15 @@ typedef struct obc_volume_map_hexes obc_volume_map_hexes;
 enum { OBC_VOLUME_MAP_PADDING_AUTO = 0, OBC_VOLUME_MAP_PADDING_WITH = 1, OBC_VOLUME_MAP_PADDING_WITHOUT = 2 };
 /* What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
  * around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
- * the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube. */
+ * the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
+ * changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument. */
 enum { OBC_VOLUME_MAP_METHOD_AUTO = 0, OBC_VOLUME_MAP_METHOD_POLYCUBE = 1, OBC_VOLUME_MAP_METHOD_VOXELS = 2 };
 /* Fill with _init. */
 typedef struct obc_volume_map_hexes_options {
   uint32_t struct_size;
   int32_t padding;  /* OBC_VOLUME_MAP_PADDING_...; auto by default */
   size_t cells;     /* about so many hexahedra, 1 to 10 million. Default 10000 */
-  size_t corners;   /* of the polycube at most, as in obc_polycube_options. Default 100 */
+  size_t corners;   /* of the polycube of a wall at most, as in obc_polycube_options. Default 100 */
   size_t triangles; /* a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000 */
   uint64_t seed;    /* of what the polycube chooses at random. Default 0 */
   int32_t rounds;   /* of smoothing. Default 40 */
@@ -144,7 +146,7 @@ typedef struct obc_volume_map_hexes_report {
   int32_t padded; /* 1: with a layer along the boundary or parts of it */
   double least_scaled_jacobian, mean_scaled_jacobian;
   double volume;           /* of the trilinear hexahedra */
-  size_t polycube_corners; /* of the polycube of the surface; 0 where there is none */
+  size_t polycube_corners; /* of the polycubes of all walls; 0 where there is none */
   size_t off_surface;      /* vertices of the boundary that could not be put where they belong */
   /* In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface. */
   double distance, volume_error;
@@ -169,7 +171,7 @@ OBC_API size_t obc_volume_map_hexes_vertex_count(const obc_volume_map_hexes *hex
 OBC_API size_t obc_volume_map_hexes_count(const obc_volume_map_hexes *hexes);
 OBC_API size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes *hexes);
 /* x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
- * counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
+ * counter-clockwise seen from outside, and the face of the polycube that it lies on (0 by voxels). Each may be NULL. Errors: invalid
  * argument. */
 OBC_API obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes *hexes, double *positions, uint32_t *hexahedra,
                                              uint32_t *quads, uint32_t *quad_faces, obc_error *error);

@@ -16,15 +16,18 @@ pub const OBC_VOLUME_MAP_PADDING_WITHOUT: i32 = 2;
 
 /// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
 /// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
-/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube.
+/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
+/// changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument.
 pub const OBC_VOLUME_MAP_METHOD_AUTO: i32 = 0;
 /// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
 /// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
-/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube.
+/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
+/// changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument.
 pub const OBC_VOLUME_MAP_METHOD_POLYCUBE: i32 = 1;
 /// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
 /// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
-/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube.
+/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
+/// changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument.
 pub const OBC_VOLUME_MAP_METHOD_VOXELS: i32 = 2;
 
 /// A map of a solid to a polycube, one to one.
@@ -105,7 +108,7 @@ pub struct obc_volume_map_untangle_report {
 pub struct obc_volume_map_solid_options {
     pub struct_size: u32,
     pub reserved: i32,
-    /// of the polycube at most, as in obc\_polycube\_options. Default 100
+    /// of the polycube of a wall at most, as in obc\_polycube\_options. Default 100
     pub corners: usize,
     /// of what is chosen at random. Default 0
     pub seed: u64,
@@ -120,7 +123,7 @@ pub struct obc_volume_map_hexes_options {
     pub padding: i32,
     /// about so many hexahedra, 1 to 10 million. Default 10000
     pub cells: usize,
-    /// of the polycube at most, as in obc\_polycube\_options. Default 100
+    /// of the polycube of a wall at most, as in obc\_polycube\_options. Default 100
     pub corners: usize,
     /// a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000
     pub triangles: usize,
@@ -153,7 +156,7 @@ pub struct obc_volume_map_hexes_report {
     pub mean_scaled_jacobian: f64,
     /// of the trilinear hexahedra
     pub volume: f64,
-    /// of the polycube of the surface; 0 where there is none
+    /// of the polycubes of all walls; 0 where there is none
     pub polycube_corners: usize,
     /// vertices of the boundary that could not be put where they belong
     pub off_surface: usize,
@@ -238,7 +241,8 @@ extern "C" {
     /// meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
     /// host must stay valid until \_destroy. Minutes for a hundred thousand tetrahedra.
     /// A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
-    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood in the way; out of memory, cancelled.
+    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood
+    /// in the way; out of memory, cancelled.
     pub fn obc_volume_map_solid_compute(positions: *const f64, vertex_count: usize, tetrahedra: *const u32, tetrahedron_count: usize, options: *const obc_volume_map_solid_options, host: *const obc_host, out: *mut *mut obc_volume_map_solid, error: *mut obc_error) -> i32;
     /// NULL is fine, here and in the functions that count (0).
     pub fn obc_volume_map_solid_destroy(solid: *mut obc_volume_map_solid);
@@ -268,7 +272,7 @@ extern "C" {
     /// NULL is fine, here and in the functions that count (0).
     pub fn obc_volume_map_hexes_quad_count(hexes: *const obc_volume_map_hexes) -> usize;
     /// x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
-    /// counter-clockwise seen from outside, and the face of the polycube that it lies on. Each may be NULL. Errors: invalid
+    /// counter-clockwise seen from outside, and the face of the polycube that it lies on (0 by voxels). Each may be NULL. Errors: invalid
     /// argument.
     pub fn obc_volume_map_hexes_copy(hexes: *const obc_volume_map_hexes, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_faces: *mut u32, error: *mut obc_error) -> i32;
     /// The defaults, which the members' comments give.
