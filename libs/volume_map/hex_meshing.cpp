@@ -109,13 +109,12 @@ class Making {
         ways_(host.memory) {}
 
   HexResult best() {
-    const bool automatic = options_.method == HexMethod::automatic, both = automatic && !solid_.map.triangles.empty();
-    const bool late = both && has_lost_limbs(solid_.map, host_);
-    if (options_.method == HexMethod::polycube || (both && !late)) fill_polycube();
-    // A grid has a layer around.
-    const bool grid_may = options_.padding != Padding::without;
-    if (grid_may && (options_.method == HexMethod::voxels || (automatic && !(near() && !poor())))) fill_space();
-    if (late && !best_) fill_polycube();
+    if (options_.method == HexMethod::polycube)
+      fill_polycube();
+    else if (options_.method == HexMethod::voxels)
+      fill_space();
+    else
+      fill_either();
     if (!best_) throw base::Error("no-valid-result", reason_);
     return std::move(*best_);
   }
@@ -148,12 +147,7 @@ class Making {
       make(cells);
       if (options_.distance == 0 || 2 * cells > options_.most_cells) return;
       // What is near but poor is tried with twice as many cells, once.
-      const bool again = cells > options_.cells;
-      if (near() && (again || !poor())) return;
-      // What is this far will be with twice as many cells.
-      constexpr double hopeless = 1.5;
-      if (options_.method == HexMethod::automatic && (again || !best_ || excess(*best_, options_.distance) > hopeless))
-        return;
+      if (near() && (cells > options_.cells || !poor())) return;
     }
   }
 
@@ -161,6 +155,25 @@ class Making {
     for (std::size_t cells = options_.cells;; cells *= 2) {
       if (make_by_voxels(cells) || options_.distance == 0 || 2 * cells > options_.most_cells) return;
     }
+  }
+
+  // The polycube first; a grid, which has a layer around, where that is not near or poor. More cells of the polycube
+  // only where the first were not too far.
+  void fill_either() {
+    constexpr double hopeless = 1.5;
+    const bool is_map = !solid_.map.triangles.empty(), grid_may = options_.padding != Padding::without;
+    if (!grid_may) return is_map ? fill_polycube() : void();
+    const bool late = is_map && has_lost_limbs(solid_.map, host_);
+    if (is_map && !late) make_guides();
+    for (std::size_t cells = options_.cells;; cells *= 2) {
+      const bool first = cells == options_.cells, second = cells == 2 * options_.cells;
+      if (first || (second && best_ && excess(*best_, options_.distance) <= hopeless)) make(cells);
+      if (near() && !poor()) return;
+      make_by_voxels(cells);
+      if (near() && (!first || !poor())) return;
+      if (options_.distance == 0 || 2 * cells > options_.most_cells) break;
+    }
+    if (late && !best_) fill_polycube();
   }
 
   // What fails in one way may work in another; where more cells are more than there can be, what was found stays.
@@ -208,8 +221,10 @@ class Making {
     if (near) least_near_ = std::max(least_near_, now.quality.least_scaled_jacobian);
     if (!best_ || better(now, *best_, options_.distance)) {
       best_ = std::move(now);
-      best_guide_ = way != nullptr ? way->guide : nullptr;
-      best_padding_ = way != nullptr ? way->padding : 0;
+      if (way != nullptr) {
+        best_guide_ = way->guide;
+        best_padding_ = way->padding;
+      }
     }
     return {near, by_itself};
   }
@@ -250,7 +265,7 @@ class Making {
       }
     }
     const bool one = options_.method == HexMethod::automatic && cells > options_.cells;
-    if (best_ && (one || best_->quality.least_scaled_jacobian > good))
+    if (best_guide_ != nullptr && (one || best_->quality.least_scaled_jacobian > good))
       std::erase_if(ways_, [&](const Way& way) { return !way.same(best_guide_, best_padding_); });
   }
 
@@ -287,7 +302,7 @@ class Making {
   Array<Guide> guides_;
   Array<Way> ways_;
   std::optional<HexResult> best_;
-  const Guide* best_guide_ = nullptr;
+  const Guide* best_guide_ = nullptr;  // of the polycube's, the best when it was made
   int best_padding_ = 0;
   std::string reason_;
   // Scaled Jacobians of what is best among meshes of one number of cells: of all, and of those that are near.
