@@ -131,7 +131,8 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
       made = volume_map::construct_polycube(coarse.positions, coarse.triangles,
                                             {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, host);
     } catch (const base::Error& error) {
-      if (o.method != OBC_VOLUME_MAP_METHOD_AUTO || error.status() != base::Status::no_valid_result) throw;
+      const bool grid_may = o.method == OBC_VOLUME_MAP_METHOD_AUTO && o.padding != OBC_VOLUME_MAP_PADDING_WITHOUT;
+      if (!grid_may || error.status() != base::Status::no_valid_result) throw;
       host.log(error.what());
     }
     const bool of_coarse = coarse.triangles.size() < surface.triangles.size();

@@ -162,7 +162,8 @@ class Making {
   void fill_either() {
     constexpr double hopeless = 1.5;
     const bool is_map = !solid_.map.triangles.empty(), grid_may = options_.padding != Padding::without;
-    if (!grid_may) return is_map ? fill_polycube() : void();
+    base::require(is_map || grid_may, "there is no polycube, and the cells of a grid in space have a layer around");
+    if (!grid_may) return fill_polycube();
     const bool late = is_map && has_lost_limbs(solid_.map, host_);
     if (is_map && !late) make_guides();
     for (std::size_t cells = options_.cells;; cells *= 2) {
