@@ -255,7 +255,8 @@ class Making {
     return false;
   }
 
-  // What has been good with fewer cells is with more; where voxels are next, what has been best.
+  // What has been good with fewer cells is with more; where voxels are next and there is nothing near, what has been
+  // best.
   void find_ways(std::size_t cells) {
     ways_.clear();
     for (const Guide& guide : guides_) {
@@ -265,7 +266,8 @@ class Making {
         tolerate(error);
       }
     }
-    const bool one = options_.method == HexMethod::automatic && cells > options_.cells;
+    const bool near_by_polycube = near() && !best_->by_voxels;
+    const bool one = options_.method == HexMethod::automatic && cells > options_.cells && !near_by_polycube;
     if (best_guide_ != nullptr && (one || best_->quality.least_scaled_jacobian > good))
       std::erase_if(ways_, [&](const Way& way) { return !way.same(best_guide_, best_padding_); });
   }
