@@ -1,11 +1,13 @@
 #include "frame_hex.h"
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 #include <utility>
 
 #include "frame_field/frames_file.h"
 #include "mesh/cells.h"
+#include "mesh/place_text.h"
 #include "text.h"
 #ifdef ORBICUBE_WITH_TETRAHEDRA
 #include "filled_solid.h"
@@ -23,8 +25,13 @@ HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session) {
 #ifdef ORBICUBE_WITH_TETRAHEDRA
     about(verb.solid.input, Role::input, [&] {
       const volume_map::SurfacePieces pieces = pieces_of_surface(input, Inside::tetrahedra, session);
-      if (pieces.count > 1)
-        throw base::Error("not-connected", std::to_string(pieces.count) + " pieces; a frame field has one");
+      if (pieces.count > 1) {
+        const auto second = std::find(pieces.of.begin(), pieces.of.end(), 1U) - pieces.of.begin();
+        const mesh::Index v = input.mesh.triangles[static_cast<std::size_t>(second)][0];
+        throw base::Error("not-connected", std::to_string(pieces.count) +
+                                               " pieces, and a frame field has one; the second has vertex " +
+                                               std::to_string(v) + ", at " + mesh::place_text(input.mesh.positions[v]));
+      }
       FilledSolid filled = filled_solid(input.mesh, verb.solid.triangles, host);
       solid.positions = std::move(filled.solid.positions);
       solid.tetrahedra = std::move(filled.solid.tetrahedra);

@@ -304,6 +304,8 @@ class Hex(InFolder):
 
     def test_pieces_are_done_each_by_itself(self):
         path, out = self.boxes("two", ((0, 0, 0), 1), ((3, 0, 0), 2)), self.path("out.mesh")
+        self.refused(2, "not-connected", path, "hex", path, "-o", out, "--method", "frames")
+        self.assertIn("(3, 0, 0)", run("hex", path, "-o", out, "--method", "frames").stderr)
         done = run("hex", path, "-o", out, "--cells", 90)
         self.assertEqual(done.returncode, 0, done.stderr)
         positions, cells = read_medit(out, "Hexahedra", 8)
