@@ -1,26 +1,22 @@
 // The orbicube command: reads the command line and hands over to the verb.
 #include <CLI/CLI.hpp>
 #include <iostream>
+#include <map>
 #include <string>
 
 #include "base/version.h"
-#include "failure.h"
-#include "interrupt.h"
-#include "verbs.h"
+#include "session/failure.h"
+#include "session/interrupt.h"
+#ifdef ORBICUBE_WITH_CHOLMOD
+#include "linear/direct/cholmod_factor.h"
+#endif
+#include "session/mistakes.h"
+#include "verbs/verbs.h"
 
 namespace {
 
 using orbicube::cli::Exit;
-
-// What is wrong with the command line.
-std::string mistake(const CLI::ParseError& error, const CLI::App& app, int argc, char** argv) {
-  if (!app.get_subcommands().empty()) return error.what();
-  for (int i = 1; i < argc; ++i) {
-    if (argv[i][0] != '-') return "there is no verb '" + std::string(argv[i]) + "'";
-    if (std::string(argv[i]).find('=') == std::string::npos) break;  // what follows may be the value of an option
-  }
-  return error.get_name() == "RequiredError" ? "a verb is missing" : error.what();
-}
+using orbicube::cli::mistake;
 
 // The verb whose options were wrong, for the hint.
 std::string verb_of(const CLI::App& app) {
@@ -29,15 +25,38 @@ std::string verb_of(const CLI::App& app) {
   return "";
 }
 
+// Each verb's help ends with a line that works, its own.
+void add_examples(CLI::App& app) {
+  const std::map<std::string, const char*> examples = {
+      {"info", "scan.ply"},
+      {"convert", "scan.stl scan.ply"},
+      {"make", "bracket -o bracket.obj --resolution 50000"},
+      {"sphere", "creature.obj -o creature.glb --page creature.html"},
+      {"frames", "part.mesh -o part.frames --glb part.glb"},
+      {"morph", "a.obj b.obj -o ab.glb --place turned"},
+      {"harmonics", "creature.obj --sphere map.obj --degree 32 -o creature.coef"},
+      {"compare", "a.coef b.coef c.coef -o distances.txt --png distances.png"},
+      {"page", "creature.obj map.obj -o creature.html"},
+      {"polycube", "bracket.obj -o polycube.obj --surface surface.obj"},
+      {"tetrahedralize", "bracket.obj -o bracket.mesh --quality"},
+      {"hex", "bracket.obj -o bracket.mesh --cells 5000"},
+      {"untangle", "tangled.mesh -o right.mesh"},
+      {"volume", "bracket.obj -o polycube.mesh --source solid.mesh"}};
+  for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) {
+    const std::string own = "orbicube " + verb->get_name() + " ", before = verb->get_footer();
+    const auto example = examples.find(verb->get_name());
+    if (example == examples.end() || before.find(own) != std::string::npos) continue;
+    verb->footer(before + (before.empty() ? "" : "\n") + "For example:\n  " + own + example->second);
+  }
+}
+
 int run(int argc, char** argv) {
+#ifdef ORBICUBE_WITH_CHOLMOD
+  orbicube::linear::provide_cholmod(&orbicube::linear::make_cholmod_factor);
+#endif
   CLI::App app("Turns 3D shapes into regular ones: maps closed surfaces to the unit sphere, one to one.", "orbicube");
   app.set_version_flag("--version", std::string("orbicube ") + orbicube::base::version_text);
   app.require_subcommand(1);
-  app.footer(
-      "Exit code: 0 done and valid, 1 no valid result, 2 the input or the command line is wrong.\n"
-      "'orbicube VERB --help' tells more about a verb. For example:\n"
-      "  orbicube make creature -o creature.obj --resolution 50000\n"
-      "  orbicube sphere creature.obj -o creature.glb --report creature.json");
   orbicube::cli::CommonOptions common;
   orbicube::cli::add_common_options(app, common);
   orbicube::cli::add_info(app, common);
@@ -60,6 +79,12 @@ int run(int argc, char** argv) {
   orbicube::cli::add_untangle(app, common);
   orbicube::cli::add_volume(app, common);
 #endif
+  add_examples(app);
+  app.footer(
+      "Exit code: 0 success with a valid result, 1 no valid result, 2 a wrong input or command line.\n"
+      "'orbicube VERB --help' describes a verb. For example:\n"
+      "  orbicube make creature -o creature.obj --resolution 50000\n"
+      "  orbicube sphere creature.obj -o creature.glb --report creature.json");
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {  // help or version

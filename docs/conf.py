@@ -21,7 +21,7 @@ html_show_sphinx = False
 PARTS = {
     "Guides": ["guide_solvers", "guide_shapes", "guide_engines"],
     "The command": ["command", "file_formats", "mesh_formats", "error_kinds"],
-    "Libraries": ["base", "quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "harmonics", "harmonics_figures",
+    "Libraries": ["base", "quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "linear", "harmonics", "harmonics_figures",
                   "mesh", "gltf", "frame_field", "frame_field_tables", "sphere_map", "sphere_map_tables", "sphere_map_uses",
                   "tetrahedra", "polycube", "polycube_tables", "polycube_figures", "volume_map"],
     "Languages": ["cpp", "python", "rust", "julia", "javascript"],

@@ -95,12 +95,12 @@ def only_grown(text, library):
 
 
 def differences(old, name, library, folder, include):
-    """What abidiff finds that programs trip over; its answer has bits: 4 for a change, 8 for what it knows to be incompatible."""
+    """What abidiff finds that programs trip over; its result has bits: 4 for a change, 8 for what it knows to be incompatible."""
     said = subprocess.run(["abidiff", "--no-added-syms", old, written(name, library, folder, include)], capture_output=True,
                           text=True, check=False)
     if said.returncode == 0 or (said.returncode == 4 and only_grown(said.stdout, library)):
         return None
-    return f"{name}: abidiff answers {said.returncode}\n{said.stdout}{said.stderr}"
+    return f"{name}: abidiff returns {said.returncode}\n{said.stdout}{said.stderr}"
 
 
 def main():

@@ -4,8 +4,11 @@
     scripts/bindings.py           writes what changed: Python's modules, Rust's orbicube-sys, Julia's ccalls,
                                    JavaScript's layouts and types, layouts.c
     scripts/bindings.py --check   changes nothing; fails when writing would change something
+    scripts/bindings.py --defaults build/capi
+                                   first records what the libraries there fill options with, as the signatures of Python show it
 
-The layers that people use (bindings/python/orbicube/*.py and so on) are written by hand on top of them.
+The layers that people use (bindings/python/orbicube/*.py and so on) are written by hand on top of them, but for the options
+in the signatures of Python's functions: see raw/python_options.py.
 """
 
 import argparse
@@ -15,7 +18,7 @@ import os
 import sys
 
 sys.dont_write_bytecode = True
-from raw import javascript, julia, layouts, python, rust  # noqa: E402
+from raw import javascript, julia, layouts, python, python_options, rust  # noqa: E402
 from raw.c_types import Api  # noqa: E402
 
 # Folders with nothing in them but generated files: what lies there and is not written is out of date.
@@ -23,8 +26,8 @@ OWNED = ["bindings/python/orbicube/raw/*.py*", "bindings/julia/src/raw/*.jl", "b
          "bindings/js/raw/*"]
 
 
-def generated_files(api):
-    result = {}
+def generated_files(api, root):
+    result = python_options.files(api, root)
     for writer in (python, rust, julia, javascript, layouts):
         result.update(writer.files(api))
     return result
@@ -34,9 +37,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--root", default=os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
     parser.add_argument("--check", action="store_true")
+    parser.add_argument("--defaults", metavar="FOLDER")
     arguments = parser.parse_args()
     with open(os.path.join(arguments.root, "api.json"), encoding="utf-8") as file:
-        wanted = generated_files(Api(json.load(file)))
+        api = Api(json.load(file))
+    if arguments.defaults:
+        python_options.record_defaults(api, arguments.root, arguments.defaults)
+    wanted = generated_files(api, arguments.root)
     problems = []
     for pattern in OWNED:
         for path in glob.glob(os.path.join(arguments.root, pattern)):

@@ -44,7 +44,6 @@ class Header:
 
     def __init__(self, path, text, included):
         self.path = path
-        self.line_count = text.count("\n")
         self.includes, self.constants, self.aliases, self.handles = [], [], [], []
         self.structs, self.callbacks, self.functions = [], [], []
         self.types = set(SCALARS)

@@ -1,5 +1,5 @@
 // Checks that hold for the solver of every library that is asked step by step. A Run has the members result, x (the
-// best point) and asked (every point at which f was asked for).
+// best point) and asked (every point at which f was requested).
 #pragma once
 
 #include <doctest/doctest.h>
@@ -20,8 +20,8 @@ inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
 }
 
-// Saves `solver`, which is at its beginning, while each request waits and after it was answered, and lets
-// finish(blob), which loads the blob and answers the Run from there to its end, go on: it must be the rest of `whole`.
+// Saves `solver`, which is at its beginning, while each request waits and after it was fulfilled, and lets
+// finish(blob), which loads the blob and returns the Run from there to its end, go on: it must be the rest of `whole`.
 template <class Solver, class Run, class Answer, class Finish>
 void check_resuming(Solver& solver, const Run& whole, const Answer& answer, const Finish& finish) {
   std::vector<std::byte> blob;
@@ -79,8 +79,8 @@ void check_runs_at_once(const MakeRun& make_run) {
   }
 }
 
-// Ten evaluations by answer(solver, more), which tells the value plus `more` and answers the value; then `stop` is set,
-// by which the host of the solver cancels.
+// Ten evaluations by answer(solver, more), which supplies the value plus `more` and returns the value; then `stop` is
+// set, by which the host of the solver cancels.
 template <class Solver, class Answer>
 void check_cancelling(Solver& solver, bool& stop, const Answer& answer) {
   using Request = decltype(solver.step());
@@ -95,7 +95,7 @@ void check_cancelling(Solver& solver, bool& stop, const Answer& answer) {
     best = std::min(best, answer(solver, 0.0));
   }
   stop = true;
-  // Reports are passed on every 20 ms at most.
+  // Reports are passed on every at most 20 ms.
   for (int step = 0; step < 1000 && solver.step() != Request::done; ++step) {
     if (asks()) answer(solver, 1e6);
     std::this_thread::sleep_for(std::chrono::milliseconds(2));

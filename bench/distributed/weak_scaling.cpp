@@ -13,15 +13,15 @@
 
 #include "cli/distributed/petsc_engine.h"
 #include "tests/volume_map/tangled_cases.h"
-#include "volume_map/foldover_energy.h"
+#include "volume_map/untangle/foldover_energy.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
 
-extern "C" LinearEngine* orbicube_petsc_start();
+extern "C" BlockEngine* orbicube_petsc_start();
 
 int main(int argc, char** argv) {
-  const std::unique_ptr<LinearEngine> engine(orbicube_petsc_start());
+  const std::unique_ptr<BlockEngine> engine(orbicube_petsc_start());
   if (engine == nullptr) return 0;
   int processes = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &processes);

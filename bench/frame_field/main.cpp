@@ -2,8 +2,8 @@
 //
 //   bench-frame-field targets FOLDER   the meshes of the table below that FOLDER has: default options against the best
 //                                      energy known, and the harmonic start alone for its time
-//   bench-frame-field fields FILE...   the default and method seed on each mesh, the latter also with the default's
-//   frames
+//   bench-frame-field fields FILE...   the default and the method of the dissertation on each mesh, the latter also
+//   with the default's frames
 //                                      at the boundary: all figures, tab-separated, for tables.py
 //   bench-frame-field scaling [FILE...]  iterations and time by size, on a ball made here and on meshes cut into eight
 //   bench-frame-field repairs FOLDER   on the meshes of the table: what is not meshable and E, before repairs and after
@@ -22,16 +22,16 @@
 
 #include "base/error.h"
 #include "bench/measuring.h"
-#include "frame_field/boundary_indices.h"
-#include "frame_field/constraints.h"
-#include "frame_field/diffusion.h"
 #include "frame_field/frame_field.h"
-#include "frame_field/hierarchy.h"
-#include "frame_field/measurement.h"
-#include "frame_field/singularities.h"
-#include "frame_field/smoothing.h"
-#include "mesh/predicates.h"
-#include "mesh/read.h"
+#include "frame_field/graph/boundary_indices.h"
+#include "frame_field/graph/constraints.h"
+#include "frame_field/graph/hierarchy.h"
+#include "frame_field/singularities/measurement.h"
+#include "frame_field/singularities/singularities.h"
+#include "frame_field/smoothing/diffusion.h"
+#include "frame_field/smoothing/smoothing.h"
+#include "mesh/files/read.h"
+#include "mesh/search/predicates.h"
 
 using namespace orbicube;
 using namespace orbicube::frame_field;
@@ -39,7 +39,7 @@ using bench::cpu_seconds;
 
 namespace {
 
-// The least energies known before, of any method, on these very files (harmonic start, diffusion and Gauss-Seidel; the
+// The lowest energies of other methods on these files (harmonic start, diffusion and Gauss-Seidel; the
 // peer, AlgoHex, ends between 1.01 and 2.9 times that, with boundary frames off by up to 8 degrees).
 struct Known {
   const char* file;
@@ -133,7 +133,7 @@ void targets(const std::filesystem::path& folder) {
 
 // A line of figures for each mesh and method, and one of the parts of inner faces with an angle of at most 1, 2, ...
 // degrees. Columns: see FIELDS in tables.py.
-// The frames of a field at the boundary, to be held.
+// The frames of a field at the boundary, to be fixed.
 std::vector<GivenFrame> boundary_frames(const mesh::Mesh& solid, const Field& field, const base::Host& host) {
   const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
   std::vector<GivenFrame> frames;

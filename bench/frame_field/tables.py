@@ -33,21 +33,21 @@ FIELDS = ("tets", "faces", "E", "mean", "sd", "median", "p99", "max", "plain_mea
           "plain_max", "above_30", "edges", "quarter_turns", "curves", "nodes", "length_share", "off_normals", "seconds")
 
 MODELS_TEXT = """\
-The dissertation's meshes are not at hand: those here are of the same shapes, made by other programs, of other sizes. Its boundary frames
-came from the data of another program, whose fields were smooth: method `seed` has those of identity, turned to the normals, and in the rows
-`seed, boundary of default` those of the default's field, held as they are, which is what the printed experiments were like.
+The meshes here are of the same shapes as those of the dissertation, by other programs, of other sizes. Its boundary frames
+came from the data of another program, whose fields were smooth: method `seed` has those of identity, rotated to the normals, and in the rows
+`seed, boundary of default` those of the default field, fixed, as in the printed experiments.
 """
 
 ANGLES_TEXT = """\
 ## What the printed angles are
 
-Up to the 24 rotations no two frames are more than 62.80 degrees apart. The printed largest angles of 100 to 110 degrees, and of 180, are
-therefore not angles between frames but between the quaternions or labelled axes that stand for them, under matchings that were
+Up to the 24 rotations no two frames are more than 62.80 degrees apart. The printed maximum angles of 100 to 110 degrees, and of 180, are
+therefore not angles between frames but between the quaternions or labeled axes that stand for them, under matchings that were
 frozen or left out. `without` is that: the angle between the quaternions as they stand, up to their sign.
 
 - `seed` starts all frames inside as identity and never changes the name of a frame, so that its angles without symmetry are close to
-  those with it, and of the printed kind: a small mean, and a largest one of about 90 degrees.
-- The default writes each frame as whichever of the 24 quaternions comes out, and neighbours often by different ones. Its angles without
+  those with it, and of the printed kind: a small mean, and a maximum of about 90 degrees.
+- The default writes each frame as whichever of the 24 quaternions comes out, and neighbors often by different ones. Its angles without
   symmetry are far on the way to those of random rotations (126.5 degrees on average), and say nothing about the field. The compared
   method's printed means of 55 to 106 degrees are of this kind: names, not smoothness.
 
@@ -92,7 +92,7 @@ def printed_tables(fields):
     lines = ["| table | model | | tetrahedra | with symmetry: mean / sd / max | without: mean / sd / max | s |", "|---|---|---|---|---|---|---|"]
     for number, name, title, tets, compared, own, _ in PRINTED:
         for row, (who, values) in enumerate((("printed, compared method", compared), ("printed, dissertation", own))):
-            lines.append(f"| {number if row == 0 else ''} | {title if row == 0 else ''} | {who} | {tets} | not told | "
+            lines.append(f"| {number if row == 0 else ''} | {title if row == 0 else ''} | {who} | {tets} | not reported | "
                          + " / ".join(f"{v:.2f}" for v in values[:3]) + f" | {values[3]:g} |")
         for method in METHODS:
             if (name, method) in fields:
@@ -150,7 +150,7 @@ def scaling_table(text):
 
 
 def angle_picture(angles, path):
-    """Figure 6.3: the share of inner faces with angles of at most so many degrees; red the default, blue `seed`."""
+    """Figure 6.3: the share of inner faces with angles up to the abscissa in degrees; red the default, blue `seed`."""
     width, height, left, top, gap = 240, 170, 40, 30, 46
     shown = [row for row in PRINTED if (row[1], "default") in angles]
     columns = 3
@@ -198,7 +198,7 @@ def main():
     scaling = measured(options.build, "scaling.tsv", [program, "scaling", *small], "scaling" in options.again)
     angle_picture(angles, os.path.join(ROOT, "docs", "images", "frame_field_angles.svg"))
     whole, summary = all_table(fields, [stem(path) for path in options.meshes])
-    page = f"""# The dissertation's frame field tables, made again
+    page = f"""# The dissertation's frame field tables, recomputed
 
 `bench/frame_field/tables.py BUILD MESH...` measures, writes this page and draws its picture. `seed` is chapter 6 as printed
 ([frame_field](frame_field.md#the-dissertations-tables)), `default` what `orbicube frames` does without options. Angles are
@@ -212,14 +212,14 @@ of: {processor()}.
 {ANGLES_TEXT}
 ## Table 6.7: singularities
 
-Singular curves and the nodes where they meet:
+Numbers of singular curves and nodes:
 
 {structure_table(fields)}
 ## Figure 6.3: distribution of angles
 
 ![Cumulative share of inner faces by angle](images/frame_field_angles.svg)
 
-Per cent of inner faces with an angle (up to the 24 rotations) of at most so many degrees: red the default, blue `seed`. The picture that
+Per cent of inner faces with an angle (up to the 24 rotations) up to the abscissa in degrees: red the default, blue `seed`. The picture that
 `orbicube frames --plot` draws of one field has the same curve.
 
 ## All meshes
@@ -233,7 +233,7 @@ and boundary indices that add up to the Euler characteristic.
 ## Iterations by size
 
 Harmonic start and smoothing with one start (`bench-frame-field scaling MESH...`): iterations of the solver, which has nine unknowns a tetrahedron for the
-start and three for smoothing. Refined: each tetrahedron cut into eight.
+start and three for smoothing. Refined: each tetrahedron split into eight.
 
 {scaling_table(scaling)}"""
     path = os.path.join(ROOT, "docs", "frame_field_tables.md")

@@ -1,6 +1,7 @@
-// Prints a table: seconds and MB/s of writing and reading a torus of a million triangles (or as many as are asked for)
-// in the forms that a file may have, processor time, the best of five runs each. tinygltf reads beside: it copies
-// buffers and stops there, where ours checks every value, converts to doubles, and sees whether the surface is closed.
+// Prints a table: seconds and MB/s of writing and reading a torus of a million triangles (or the number in the
+// argument) in the forms that a file may have, processor time, the best of five runs each. tinygltf reads beside: it
+// copies buffers and stops there, where ours checks every value, converts to doubles, and sees whether the surface is
+// closed.
 //
 // Usage: bench-gltf [triangles]
 #include <orbicube/gltf.h>

@@ -103,10 +103,10 @@ def deformations(folder):
 def main():
     with tempfile.TemporaryDirectory() as folder:
         text = ["# Figures of the harmonics", "",
-                "Section 3.3 of the dissertation made again by `bench/harmonics/figures.py build/cli/orbicube FOLDER`; errors are",
+                "Section 3.3 of the dissertation, recomputed by `bench/harmonics/figures.py build/cli/orbicube FOLDER`; errors are",
                 "e(M, M^) for surfaces of area 4 pi.", "",
                 "## Figure 3.9: reconstructions", "",
-                "The model, then L_max = 6, 16 and 32, on maps of method `stretch`, vertices weighed by area.", "",
+                "The model, then L_max = 6, 16 and 32, on maps of method `stretch`, vertices weighted by area.", "",
                 "![Models and their reconstructions](images/harmonics_reconstruction.png)", ""]
         text += reconstructions(folder, {"bunny.ply": numpy.eye(3), "armadillo.ply": numpy.eye(3),
                                          "horse.ply": [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]})
@@ -117,8 +117,8 @@ def main():
                      f"![Error by ratio](images/harmonics_weights_{kind}.png)", ""]
             text += against_weights(folder, name, f"harmonics_weights_{kind}.png")
         text += ["", "## Figure 3.12: distances in a sequence of deformations", "",
-                 "Nine steps from one shape that `orbicube make` makes to another, each turned by 40 degrees against the last; its",
-                 "head models are not to be had. D_16 of default maps, from degree 1; black is alike.", "",
+                 "Nine steps from one shape of `orbicube make` to another, each rotated by 40 degrees against the last; the",
+                 "head models of the dissertation are not available. D_16 of default maps, from degree 1; black is equal.", "",
                  "![The sequence](images/harmonics_sequence.png)", "",
                  "![Distances](images/harmonics_distances.png)", ""]
         text += deformations(folder)

@@ -16,10 +16,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "harmonics/fit.h"
-#include "harmonics/surface.h"
-#include "mesh/measures.h"
-#include "mesh/read.h"
+#include "harmonics/fitting/fit.h"
+#include "harmonics/fitting/surface.h"
+#include "mesh/files/read.h"
+#include "mesh/search/measures.h"
 #include "sphere_map/sphere_map.h"
 
 using namespace orbicube;

@@ -17,7 +17,7 @@ def read_obj(path):
 
 
 def write_png(path, pixels):
-    """Rows of grey bytes."""
+    """Rows of gray bytes."""
     height, width = pixels.shape
 
     def chunk(kind, data):
@@ -29,7 +29,7 @@ def write_png(path, pixels):
 
 
 def read_png(path):
-    """The pixels of a grey picture as the command writes it: bytes, rows without a filter."""
+    """The pixels of a gray picture as the command writes it: bytes, rows without a filter."""
     with open(path, "rb") as file:
         data = file.read()
     width, height = struct.unpack(">II", data[16:24])
@@ -78,7 +78,7 @@ def shaded(positions, triangles, low, high, size):
 
 
 def chart(curves, width=520, height=320):
-    """Curves (x, y), x by its logarithm, in one frame from the least to the largest of each; circles at the points."""
+    """Curves (x, y), x by its logarithm, in one frame from the minimum to the maximum of each; circles at the points."""
     image = numpy.full((height, width), 255.0)
     margin = 20
     xs = numpy.log(numpy.concatenate([x for x, _ in curves]))

@@ -15,14 +15,14 @@
 #include <nanoflann.hpp>
 #endif
 
-#include "mesh/connectivity.h"
-#include "mesh/intersections.h"
-#include "mesh/make_shape.h"
-#include "mesh/nearest.h"
-#include "mesh/orient.h"
-#include "mesh/predicates.h"
-#include "mesh/topology.h"
-#include "mesh/weld.h"
+#include "mesh/search/intersections.h"
+#include "mesh/search/nearest.h"
+#include "mesh/search/predicates.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/connectivity.h"
+#include "mesh/topology/orient.h"
+#include "mesh/topology/topology.h"
+#include "mesh/topology/weld.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
@@ -124,7 +124,7 @@ void searches(const Mesh& surface) {
     differ += (surface.positions[at] - points[i]).norm() !=
               (surface.positions[vertices.nearest(points[i])] - points[i]).norm();
   });
-  std::printf("nanoflann: built in %.3f s, nearest vertex %.2f us, %zu answers at another distance\n", built,
+  std::printf("nanoflann: built in %.3f s, nearest vertex %.2f us, %zu results at another distance\n", built,
               1e6 * (peer - vertex), differ);
 #endif
 }

@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-#include "mesh/make_shape.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
+#include "mesh/files/read.h"
+#include "mesh/files/write.h"
+#include "mesh/shapes/make_shape.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;

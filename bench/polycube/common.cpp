@@ -7,10 +7,10 @@
 
 #include "base/error.h"
 #include "bench/measuring.h"
-#include "mesh/orient.h"
-#include "mesh/read.h"
-#include "polycube/common_polycube.h"
-#include "polycube/quad_mesh.h"
+#include "mesh/files/read.h"
+#include "mesh/topology/orient.h"
+#include "polycube/domain/common_polycube.h"
+#include "polycube/outputs/quad_mesh.h"
 
 namespace orbicube::bench {
 

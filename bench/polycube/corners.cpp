@@ -12,7 +12,7 @@
 
 #include "bench/measuring.h"
 #include "map_files.h"
-#include "polycube/optimal_corners.h"
+#include "polycube/corners/optimal_corners.h"
 
 namespace orbicube::bench {
 namespace {
@@ -34,7 +34,8 @@ void row(const std::string& name, const SurfaceMap& given, CornerMethod method, 
   std::fflush(stdout);
 }
 
-// All regions of one round: what they cost together with their corners at some places, and how often that was asked.
+// All regions of one round: what they cost together with their corners at some positions, and the number of
+// evaluations.
 struct Round {
   Round(const SurfaceMap& map, const base::Host& host)
       : working(map, host), regions(RegionFinder(working, host).find_disjoint(CornerOptions().most_vertices)) {

@@ -1,4 +1,4 @@
-// bench-polycube corners: what the best places for corners are worth, and what they cost beside NLopt's BOBYQA.
+// bench-polycube corners: what the best positions for corners are worth, and what they cost beside NLopt's BOBYQA.
 #pragma once
 
 #include <span>

@@ -9,7 +9,7 @@
 
 #include "bench/measuring.h"
 #include "map_files.h"
-#include "polycube/optimal_domain.h"
+#include "polycube/domain/optimal_domain.h"
 
 namespace orbicube::bench {
 namespace {
@@ -27,7 +27,7 @@ Spread spread_of(const DomainEnergy& energy, const DomainMinimum& minimum, const
   Spread result;
   std::mt19937_64 random(7);
   for (int i = 0; i < 40 && result.starts < 8; ++i) {
-    // Farther and farther less, until no triangle is turned over.
+    // Farther and farther less, until no triangle is flipped.
     const double most = std::log(3.0) * std::pow(0.8, i / 2);
     std::uniform_real_distribution<double> exponent(-most, most);
     std::vector<double> start(energy.lengths().begin(), energy.lengths().end());
@@ -78,7 +78,7 @@ void row(const std::string& name, const SurfaceMap& map, const base::Host& host)
 
 void measure_domains(std::span<const std::string> files, std::size_t corners, const base::Host& host) {
   std::printf(
-      "l, v: made by labels, by voxels; angle/area: means over triangles, before and after; eval.: evaluations, in "
+      "l, v: by labels, grid-based; angle/area: means over triangles, before and after; eval.: evaluations, in "
       "logarithms of lengths and in lengths;"
       "\nms of the processor: sums, minimum, certificate and the rest; spread: of the energies from other starts\n"
       "%-16s %-8s %7s %4s %4s %5s %6s %7s %7s %7s %12s %12s %4s %5s %5s %5s %5s %8s\n",

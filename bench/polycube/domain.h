@@ -8,7 +8,7 @@
 
 namespace orbicube::bench {
 
-// Rows for each surface, which is mapped by labels and by voxels first; a file NAME.surface.ply with NAME.polycube.ply
+// Rows for each surface, which is mapped by labels and grid-based first; a file NAME.surface.ply with NAME.polycube.ply
 // beside it is a map already.
 void measure_domains(std::span<const std::string> files, std::size_t corners, const base::Host& host);
 

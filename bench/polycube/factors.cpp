@@ -1,15 +1,15 @@
 #include "factors.h"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cstdio>
 #include <vector>
 
 #include "bench/measuring.h"
+#include "linear/direct/direct_factor.h"
 #include "map_files.h"
-#include "polycube/editable_surface.h"
-#ifdef ORBICUBE_POLYCUBE_CHOLMOD
-#include "polycube/cholmod_factor.h"
+#include "polycube/surface/editable_surface.h"
+#ifdef ORBICUBE_WITH_CHOLMOD
+#include "linear/direct/cholmod_factor.h"
 #endif
 
 namespace orbicube::bench {
@@ -43,7 +43,7 @@ class Faces {
       row_[v] = static_cast<int>(faces[chart].vertices.size());
       faces[chart].vertices.push_back(v);
     }
-    // Edges by the chart beyond them.
+    // Edges by the patch beyond them.
     for (Index chart = 0; chart < faces.size(); ++chart) {
       std::vector<std::pair<Index, int>> found;
       for (const Index v : faces[chart].vertices) {
@@ -99,66 +99,73 @@ class Faces {
   std::vector<int> row_;
 };
 
+struct Engine {
+  linear::DirectMethod method;
+  double fresh = 0, updated = 0;  // seconds
+};
+
 void row(const std::string& name, const SurfaceMap& map, const base::Host& host) {
   Faces finder(map, host);
   const std::vector<Face> faces = finder.find();
-  double eigen = 0, fresh = 0, updated = 0, removed = 0, farthest = 0, start = 0;
+  double removed = 0, farthest = 0, start = 0;
+  std::vector<Engine> engines = {{linear::DirectMethod::eigen}};
+  if (linear::has_cholmod()) engines.push_back({linear::DirectMethod::cholmod_simplicial});
   std::size_t moves = 0, most = 0;
   for (const Face& face : faces) {
     most = std::max(most, face.vertices.size());
-#ifdef ORBICUBE_POLYCUBE_CHOLMOD
     const Matrix before = finder.matrix_of(face, {});
-#endif
     for (const std::vector<int>& known : face.beside) {
       if (known.size() == face.vertices.size()) continue;
       const Matrix after = finder.matrix_of(face, known);
       const Eigen::VectorXd right = Eigen::VectorXd::LinSpaced(after.rows(), -1, 1);
+      const auto solution_of = [&](const linear::DirectFactor& factor) {
+        Eigen::VectorXd solution(right.size());
+        const auto size = static_cast<std::size_t>(right.size());
+        factor.solve({right.data(), size}, 1, {solution.data(), size});
+        return solution;
+      };
       ++moves;
       removed += static_cast<double>(known.size());
-      start = cpu_seconds();
-      Eigen::SimplicialLDLT<Matrix, Eigen::Lower, Eigen::AMDOrdering<int>> solver(after);
-      const Eigen::VectorXd solution = solver.solve(right);
-      eigen += cpu_seconds() - start;
-#ifdef ORBICUBE_POLYCUBE_CHOLMOD
-      CholmodFactor factor;
-      start = cpu_seconds();
-      factor.analyzePattern(after);
-      factor.factorize(after);
-      const Eigen::VectorXd other = factor.solve(right);
-      fresh += cpu_seconds() - start;
-      CholmodFactor kept;
-      kept.analyzePattern(before);
-      kept.factorize(before);
-      start = cpu_seconds();
-      for (const int r : known)
-        kept.remove_row(r);
-      const Eigen::VectorXd third = kept.solve(right);
-      updated += cpu_seconds() - start;
-      farthest =
-          std::max({farthest, (other - solution).cwiseAbs().maxCoeff(), (third - solution).cwiseAbs().maxCoeff()});
-#endif
+      Eigen::VectorXd first;
+      for (Engine& engine : engines) {
+        start = cpu_seconds();
+        const auto factor = linear::make_direct_factor(engine.method);
+        factor->analyze(after);
+        factor->factorize(after);
+        const Eigen::VectorXd fresh = solution_of(*factor);
+        engine.fresh += cpu_seconds() - start;
+        const auto kept = linear::make_direct_factor(engine.method);
+        kept->analyze(before);
+        kept->factorize(before);
+        start = cpu_seconds();
+        for (const int r : known)
+          kept->remove_row(static_cast<Index>(r));
+        const Eigen::VectorXd updated = solution_of(*kept);
+        engine.updated += cpu_seconds() - start;
+        if (first.size() == 0) first = fresh;
+        farthest = std::max({farthest, (fresh - first).cwiseAbs().maxCoeff(), (updated - first).cwiseAbs().maxCoeff()});
+      }
     }
   }
   const double each = moves > 0 ? 1e3 / static_cast<double>(moves) : 0;
-  std::printf("%-16s %6zu %7zu %6zu %7.1f %9.3f %9.3f %9.3f  %.1e\n", name.c_str(), faces.size(), most, moves,
-              moves > 0 ? removed / static_cast<double>(moves) : 0, each * eigen, each * fresh, each * updated,
-              farthest);
+  std::printf("%-16s %6zu %7zu %6zu %7.1f", name.c_str(), faces.size(), most, moves,
+              moves > 0 ? removed / static_cast<double>(moves) : 0);
+  for (const Engine& engine : engines)
+    std::printf(" %9.3f %9.3f", each * engine.fresh, each * engine.updated);
+  std::printf("  %.1e\n", farthest);
   std::fflush(stdout);
 }
 
 }  // namespace
 
 void measure_factors(std::span<const std::string> files, std::size_t corners, const base::Host& host) {
-  std::printf(
-      "vertices: inside the largest face; known: vertices that an edge moves onto; ms of the processor a move%s\n",
-#ifdef ORBICUBE_POLYCUBE_CHOLMOD
-      ""
-#else
-      " (without CHOLMOD)"
+#ifdef ORBICUBE_WITH_CHOLMOD
+  linear::provide_cholmod(&linear::make_cholmod_factor);
 #endif
-  );
-  std::printf("%-16s %6s %7s %6s %7s %9s %9s %9s  %s\n", "shape", "faces", "vertices", "moves", "known", "Eigen",
-              "CHOLMOD", "updated", "differ by");
+  std::printf(
+      "vertices: inside the largest face; known: vertices that an edge moves onto; ms of the processor a move\n");
+  std::printf("%-16s %6s %7s %6s %7s %9s %9s%s  differ by\n", "shape", "faces", "vertices", "moves", "known", "Eigen",
+              "updated", linear::has_cholmod() ? "   CHOLMOD   updated" : "");
   for (const std::string& file : files) {
     try {
       row(stem_of(file),

@@ -1,5 +1,5 @@
-// bench-polycube factors: what it costs to solve the harmonic maps of a polycube's faces again when one of their edges
-// has moved by a ring of triangles, by fresh factors and by factors that are brought up to date.
+// bench-polycube factors: what it costs to solve the harmonic maps of a polycube's patches again when one of their
+// edges has moved by a ring of triangles, by fresh factors and by factors that are brought up to date.
 #pragma once
 
 #include <span>

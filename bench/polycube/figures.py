@@ -4,8 +4,8 @@ docs/polycube_figures.md.
 
     bench/polycube/figures.py build/cli/orbicube FOLDER_OF_MODELS
 
-Figures 4.2 and 4.9: domain and corners optimised from a cube. Figure 4.10: shapes blended over a common polycube. Figure 4.11:
-more corners. Figure 4.12: weights of areas. Figure 4.13: the domain of a torus optimised. Needs numpy.
+Figures 4.2 and 4.9: domain and corners optimized from a cube. Figure 4.10: shapes blended over a common polycube. Figure 4.11:
+more corners. Figure 4.12: weights of areas. Figure 4.13: the domain of a torus optimized. Needs numpy.
 """
 import json
 import os
@@ -107,10 +107,10 @@ def from_a_cube(folder):
     second = optimised(folder, "bimba.obj")
     names = ("a cube", "best domain", "best corners", "both")
     text = ["## Figures 4.2 and 4.9: domain and corners", "",
-            "From a cube, which is no good domain, to the best of the same kind: the map drawn on the cube and smoothed, then "
+            "From a cube to the optimized domain: the map traced on the cube and smoothed, then "
             "`--optimise domain`, `corners` and `all`.", "",
             write("figure_4_2", [m.pictures() for m in first]), write("figure_4_9", [m.pictures() for m in second]),
-            "Means over triangles of the distortion of angles and areas (1 is none).", "",
+            "Means over triangles of angle and area distortion (1 for an isometry).", "",
             "| | " + " | ".join(names) + " |", "|---|" + "---|" * 4,
             *(f"| {ms[0].name} | " + " | ".join(m.figures() for m in ms) + " |" for ms in (first, second)), "",
             "The dissertation's Figure 4.2 reports the harmonic energy with the term of areas, whose minimum is not stated, as "
@@ -136,7 +136,7 @@ def blended(folder):
         panels.append(raster.panel((1 - part) * shapes[0] + part * shapes[1], triangles, np.array([0.62, 0.72, 0.85]), turn=TURN,
                                    tilt=TILT, edges=False))
     return ["## Figure 4.10: shapes blended over a common polycube", "",
-            "Horse and cow (no goat is at hand), each vertex of the polycube's grid of quads at the weighted mean of its two places.", "",
+            "Horse and cow (the goat is not available), each vertex of the polycube's grid of quads at the weighted mean of its two positions.", "",
             write("figure_4_10", panels)]
 
 
@@ -154,7 +154,7 @@ def best_rotation(moved, fixed):
 def more_corners(folder):
     maps = [Mapped(folder, "bimba.obj", "--corners", n, "--construct", how) for n, how in ((8, "auto"), (20, "voxels"))]
     return ["## Figure 4.11: more corners", "",
-            f"Bimba (the dissertation's Beethoven is not at hand) with {maps[0].corners} and with {maps[1].corners} corners: "
+            f"Bimba (the Beethoven of the dissertation is not available) with {maps[0].corners} and with {maps[1].corners} corners: "
             f"{maps[0].figures()} and {maps[1].figures()}.", "",
             write("figure_4_11", [m.pictures() for m in maps])]
 
@@ -173,7 +173,7 @@ def torus(folder):
     other_proportions(start.domain, flat, lambda size: size * np.array([1.5, 0.75, 1]))
     maps = [Mapped(folder, "torus.obj", "--from", flat), Mapped(folder, "torus.obj", "--from", flat, "--optimise", "domain")]
     return ["## Figure 4.13: the domain of a torus", "",
-            f"Drawn on a polycube of other proportions, {maps[0].figures()}, and with the best ones, {maps[1].figures()}.", "",
+            f"Traced on a polycube of other proportions, {maps[0].figures()}, and with the best ones, {maps[1].figures()}.", "",
             write("figure_4_13", [m.pictures() for m in maps])]
 
 
@@ -181,7 +181,7 @@ def main():
     with tempfile.TemporaryDirectory() as folder:
         parts = [from_a_cube(folder), blended(folder), more_corners(folder), weights(folder), torus(folder)]
     text = ["# The dissertation's figures of polycubes", "",
-            "Made by `bench/polycube/figures.py`. Above the surface, below its polycube, a colour for the faces across each axis and the same "
+            "Made by `bench/polycube/figures.py`. Above the surface, below its polycube, a color for the faces across each axis and the same "
             "checker on both: squares that stay square are angles that are kept, squares of one size are areas.", ""]
     for part in parts:
         text += part

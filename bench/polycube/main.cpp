@@ -1,5 +1,5 @@
 // Polycubes of surfaces in one fixed setting: whether there is a certified map, its corners and distortion, and the
-// seconds of the processor that it took.
+// seconds of the processor.
 //
 //     bench-polycube [-v] [--construct METHOD] [--corners N] [-o FOLDER] [surface files...]
 //     bench-polycube domain [--corners N] files...
@@ -25,11 +25,11 @@
 #include "corners.h"
 #include "domain.h"
 #include "factors.h"
-#include "mesh/make_shape.h"
-#include "mesh/orient.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
-#include "polycube/construction.h"
+#include "mesh/files/read.h"
+#include "mesh/files/write.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/orient.h"
+#include "polycube/map/construction.h"
 #include "tables.h"
 
 using namespace orbicube;

@@ -5,10 +5,10 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/orient.h"
-#include "mesh/read.h"
-#include "polycube/certificate.h"
-#include "polycube/construction.h"
+#include "mesh/files/read.h"
+#include "mesh/topology/orient.h"
+#include "polycube/map/certificate.h"
+#include "polycube/map/construction.h"
 
 namespace orbicube::bench {
 

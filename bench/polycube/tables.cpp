@@ -5,7 +5,7 @@
 
 #include "bench/measuring.h"
 #include "map_files.h"
-#include "polycube/optimal_corners.h"
+#include "polycube/corners/optimal_corners.h"
 
 namespace orbicube::bench {
 namespace {
@@ -45,7 +45,7 @@ void measure_tables(std::span<const std::string> files, const base::Host& host) 
   for (const std::string& entry : files) {
     const std::size_t colon = entry.rfind(':');
     try {
-      base::require(colon != std::string::npos, "FILE:CORNERS is wanted");
+      base::require(colon != std::string::npos, "FILE:CORNERS is required");
       measure(entry.substr(0, colon), std::strtoul(entry.c_str() + colon + 1, nullptr, 10), host);
     } catch (const base::Error& error) {
       std::printf("failed\t%s\t%s: %s\n", entry.c_str(), error.kind(), error.what());

@@ -8,7 +8,7 @@
 
 namespace orbicube::bench {
 
-// Lines of fields between tabs, for each FILE:CORNERS. Table 4.2: "map", name, triangles, corners asked for and had,
+// Lines of fields between tabs, for each FILE:CORNERS. Table 4.2: "map", name, triangles, corners requested and had,
 // means of angle and area over triangles as constructed and after Algorithm 3 by gradients, and seconds of the
 // processor for the construction, the best proportions of what was constructed, and Algorithm 3. Table 4.3: "weight",
 // name, weight of areas, both means, the energy before and after.

@@ -16,7 +16,7 @@ import subprocess
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
-# As printed: triangles, corners, angle and area before, angle and area after, seconds of domain and of map optimisation; and our
+# As printed: triangles, corners, angle and area before, angle and area after, seconds of domain and of map optimization; and our
 # file, where there is a mesh of the shape.
 TABLE_4_2 = (
     ("Isis", None, "5K", 8, (1.261, 1.429), (1.134, 1.385), 0.52, 112),
@@ -35,11 +35,11 @@ HEAD = """\
 
 Made by `bench/polycube/tables.py`, {where}. Seconds are of the processor, one thread. Means over triangles of the distortion of
 angles and of areas, each 1 for an isometry: half of what section 4.6 prints as formulas, whose minimum is 2, which is how
-the printed figures are meant. The meshes are of the same shapes, from other sources and of other sizes; of Isis, Beethoven and goat none is at hand.
+the printed figures are meant. The meshes are of the same shapes, from other sources and of other sizes; Isis, Beethoven and goat are not available.
 
 ## Table 4.1: methods
 
-As printed, with a row for this library. *Construction*: whether the polycube is found without a user; *optimal*: whether its shape is optimised;
+As printed, with a row for this library. *Construction*: whether the polycube is found without a user; *optimal*: whether its shape is optimized;
 *singularities*: whether their number can be bounded; *common*: whether several shapes can share one.
 
 | method | construction | optimal | singularities | common |
@@ -50,12 +50,12 @@ As printed, with a row for this library. *Construction*: whether the polycube is
 | Lin et al. 2008 | automatic | no | no | no |
 | He et al. 2009 | automatic | no | yes | no |
 | the dissertation | automatic | yes | yes | yes |
-| this library | automatic, or given, with features in their places | yes | at most N | up to ten shapes |
+| this library | automatic or supplied, with features | yes | at most N | up to ten shapes |
 
 ## Table 4.2: distortion and time
 
-Ours: *before*, as `--construct auto --corners N` makes it, which is smoothed already; *after*, by `--optimise all --corner-search gradient`. T1
-is the optimisation of the domain, T2 that of domain and map in turn; the construction's seconds are beside the triangles.
+Ours: *before*, by `--construct auto --corners N`, which includes smoothing; *after*, by `--optimise all --corner-search gradient`. T1
+is the optimization of the domain, T2 that of domain and map in turn; the construction's seconds are beside the triangles.
 
 """
 
@@ -113,7 +113,7 @@ def main():
         if row[0] == "failed":
             raise SystemExit("tables.py: " + " ".join(row[1:]))
     text = HEAD.format(where=f"{platform.machine()}, {os.cpu_count()} cores") + table_4_2(rows)
-    text += "\n## Table 4.3: the weight of areas\n\nAngle / area for each weight (alpha in eq. 4.4), after the same optimisation, with the corners of Table 4.2.\n\n"
+    text += "\n## Table 4.3: the weight of areas\n\nAngle / area for each weight (alpha in eq. 4.4), after the same optimization, with the corners of Table 4.2.\n\n"
     text += table_4_3(rows)
     path = os.path.join(ROOT, "docs", "polycube_tables.md")
     with open(path, "w", encoding="utf-8") as file:

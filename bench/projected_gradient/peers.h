@@ -1,4 +1,4 @@
-// The peers of the table, each as a function that runs it on a problem and says what it took: nothing where the peer
+// The peers of the table, each as a function that runs it on a problem and returns its cost: nothing where the peer
 // was not there when this was built, or is not made for the problem.
 #pragma once
 

@@ -222,7 +222,7 @@ Problem weighted_simplex(std::size_t n) {
   return p;
 }
 
-// 0.5 sum w (x - c)^2 + sum of fourth powers of neighbours' differences over the doubly stochastic matrices: 2 side
+// 0.5 sum w (x - c)^2 + sum of fourth powers of neighbors' differences over the doubly stochastic matrices: 2 side
 // rows, one of them redundant, weights over three decades.
 Problem transport(std::size_t side) {
   Problem p;

@@ -16,10 +16,10 @@
 
 #include "base/error.h"
 #include "measured_run.h"
-#include "mesh/make_shape.h"
-#include "mesh/read.h"
-#include "sphere_map/measure.h"
-#include "sphere_map/rounding.h"
+#include "mesh/files/read.h"
+#include "mesh/shapes/make_shape.h"
+#include "sphere_map/optimization/measure.h"
+#include "sphere_map/sampling/rounding.h"
 #include "sphere_map/sphere_map.h"
 
 using namespace orbicube;
@@ -105,10 +105,11 @@ int quality(const std::filesystem::path& folder, sphere_map::Method method) {
     return 1;
   }
   std::printf(
-      "%d of %d are bijections. Excess over the least energy relative to Praun and Hoppe's: %.3f (geometric mean), "
-      "%.3f (largest).\nLargest dilatation no worse on %d. Stretch efficiency relative to theirs: %.3f (geometric "
+      "%d of %d are bijections. Excess over the minimum energy relative to Praun and Hoppe's: %.3f (geometric mean), "
+      "%.3f (largest).\nLargest quasi-conformal distortion no worse on %d. Stretch efficiency relative to theirs: %.3f "
+      "(geometric "
       "mean). "
-      "CPU: %.0f times less (geometric mean), %.0f (least).\n",
+      "CPU: %.0f times less (geometric mean), %.0f (minimum).\n",
       valid, models, std::exp(log_excess / models), worst_excess, dilatation_no_worse, std::exp(log_stretch / models),
       std::exp(log_speed / models), least_speed);
   return valid == models ? 0 : 1;
@@ -131,7 +132,7 @@ class FittedPower {
   double count_ = 0, u_ = 0, v_ = 0, uu_ = 0, uv_ = 0;
 };
 
-// The map on so many threads, and how long it took on the clock.
+// The map on `threads` threads, and its time on the clock.
 struct TimedMap {
   sphere_map::Array<mesh::Vector3> directions;
   double seconds;

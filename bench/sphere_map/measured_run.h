@@ -7,7 +7,7 @@
 #include "base/host.h"
 #include "bench/measuring.h"
 #include "mesh/mesh.h"
-#include "sphere_map/measure.h"
+#include "sphere_map/optimization/measure.h"
 
 namespace orbicube::bench {
 
@@ -18,7 +18,7 @@ struct MeasuredRun {
   std::size_t peak_bytes = 0;
 };
 
-// `map` answers the directions of the surface, computed with the host that it is given.
+// `map` returns the directions of the surface, computed with the host that it is given.
 inline MeasuredRun measured_run(const mesh::Mesh& surface,
                                 const std::function<sphere_map::Array<mesh::Vector3>(const base::Host&)>& map) {
   CountingMemory memory;

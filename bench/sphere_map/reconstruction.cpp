@@ -13,8 +13,8 @@
 #include <string_view>
 #include <utility>
 
-#include "harmonics/fit.h"
-#include "harmonics/surface.h"
+#include "harmonics/fitting/fit.h"
+#include "harmonics/fitting/surface.h"
 #include "sphere_map/sphere_map.h"
 #include "table_models.h"
 

@@ -4,16 +4,17 @@
 #include <filesystem>
 #include <vector>
 
-#include "mesh/edge_table.h"
-#include "mesh/orient.h"
-#include "mesh/read.h"
+#include "mesh/files/read.h"
+#include "mesh/topology/edge_table.h"
+#include "mesh/topology/orient.h"
 
 namespace orbicube::bench {
 
 struct Model {
   const char* name;
   const char* file;
-  int subdivisions;  // each triangle in four, so many times: the shape stays, the vertices become four times as many
+  int subdivisions;  // number of splits of each triangle into four: the shape stays, the vertices become four times as
+                     // many
 };
 
 inline constexpr Model table_models[] = {{"cow", "cow.off", 1},           {"frog", "frog.obj", 1},
@@ -47,7 +48,7 @@ inline mesh::Mesh subdivided(const mesh::Mesh& coarse) {
   return fine;
 }
 
-// Looks outward.
+// Outward-oriented.
 inline mesh::Mesh read_model(const std::filesystem::path& folder, const Model& model, int subdivisions) {
   mesh::Mesh surface = mesh::read_mesh(folder / model.file, {}, base::Host());
   for (int i = 0; i < subdivisions; ++i)

@@ -4,7 +4,7 @@
 //
 // Tab-separated:
 //   map NAME METHOD vertices flipped E_D E_A E largest-dilatation stretch-efficiency CPU-seconds bytes-at-the-peak
-//   trace NAME iterations vertices E     of method seed
+//   trace NAME iterations vertices E     of the method of the dissertation
 #include <cinttypes>
 #include <cstdio>
 #include <filesystem>
@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "measured_run.h"
-#include "sphere_map/normalise.h"
-#include "sphere_map/seed.h"
+#include "sphere_map/dissertation/seed.h"
+#include "sphere_map/hierarchy/normalise.h"
 #include "sphere_map/sphere_map.h"
 #include "table_models.h"
 
@@ -33,7 +33,7 @@ void print(const Model& model, const char* method, const bench::MeasuredRun& run
 // In place of sphere_map::compute, for the trace; the model is known to be fit for a map.
 bench::MeasuredRun traced_seed(const Model& model, const mesh::Mesh& surface) {
   const base::Host plain;
-  const auto unit = sphere_map::normalised(surface.positions, plain.memory);
+  const auto unit = sphere_map::normalised(surface.positions, surface.triangles, plain.memory);
   std::vector<sphere_map::seed::TracePoint> points;
   sphere_map::seed::SeedOptions options;
   options.trace = [&](const sphere_map::seed::TracePoint& point) {

@@ -53,7 +53,7 @@ RECONSTRUCTION_TEXT = """\
 ## Table 3.5: reconstruction from spherical harmonics
 
 e(M, M^) of section 3.3.2 from vertices to vertices, the surface scaled to area 4 pi; 6 bands are 6 x 6 coefficients of each
-coordinate. The models as they are, none split; the fit is by least squares weighted by area.
+coordinate. The models without splits; the fit is by least squares weighted by area.
 
 """
 
@@ -61,14 +61,14 @@ STANDS_FOR = """\
 | dissertation | here | the same model? |
 |---|---|---|
 | Bunny, 34K | `bunny.ply` | yes, the Stanford bunny with its holes closed |
-| Cow, 11K | `cow.off` (2904 vertices), each triangle split in four | the same cow; how the dissertation's got its vertices is not said |
-| Gargoyle, 100K | `gargoyle.ply` (24992), each triangle split in four | by name only: the printed E_A of every method, three times the least there is and more, is of a shape with far longer protrusions |
+| Cow, 11K | `cow.off` (2904 vertices), each triangle split in four | the same cow; the source of the dissertation's vertices is not stated |
+| Gargoyle, 100K | `gargoyle.ply` (24992), each triangle split in four | by name only: the printed E_A of every method, at least three times the minimum, is of a shape with far longer protrusions |
 | Frog, 25K | `frog.obj` (9555), each triangle split in four | by name only |
-| Horse, 48K | `horse.ply` | yes, as far as its number of vertices tells |
+| Horse, 48K | `horse.ply` | yes, by its number of vertices |
 | David, 50K | `david.obj` (10671), each triangle split in four | by name only: a head |
-| Venus, 50K | `venus.ply` | yes, as far as its number of vertices tells |
+| Venus, 50K | `venus.ply` | yes, by its number of vertices |
 | Armadillo, 106K | `armadillo.ply` (43243), each triangle split in four | the same shape at another resolution |
-| Buddha, 400K | none | the Buddha at hand has six handles |
+| Buddha, 400K | none | the available Buddha has genus 6 |
 """
 
 
@@ -104,9 +104,9 @@ def distortion_table(number, maps):
              "our `angle-area` |", "|---|---|---|---|---|---|---|---|",
              "| vertices | | | | | " + " | ".join(f"{o['vertices']:.0f}" for o in ours) + " |"]
     total = tuple(0.1 * d + a for d, a in zip(printed["E_D"], printed["E_A"]))
-    rows = (("triangles turned over", "flips", "{:.0f}", printed["flips"]), ("E_D", "E_D", "{:.2f}", printed["E_D"]),
+    rows = (("flipped triangles", "flips", "{:.0f}", printed["flips"]), ("E_D", "E_D", "{:.2f}", printed["E_D"]),
             ("E_A", "E_A", "{:.2f}", printed["E_A"]), ("0.1 E_D + E_A", "E", "{:.2f}", total),
-            ("largest dilatation", "dilatation", "{:.3g}", ("",) * 4),
+            ("maximum quasi-conformal distortion", "dilatation", "{:.3g}", ("",) * 4),
             ("CPU seconds", "seconds", "{:.1f}", printed["seconds"]))
     for name, key, form, values in rows:
         cells = [value if value == "" else f"{value:.2f}" if key in ("E_D", "E_A", "E") else f"{value:g}"
@@ -197,15 +197,15 @@ def main():
     scaling = measured(options.build, "scaling.txt", [program, "scaling"], "scaling" in options.again)
     energy_picture(traces, os.path.join(ROOT, "docs", "images", "sphere_map_energy.png"))
     bunny = maps["bunny", "seed"]
-    page = f"""# The dissertation's sphere map tables, made again
+    page = f"""# The dissertation's sphere map tables, recomputed
 
 `bench/sphere_map/tables.py BUILD MODELS` measures, writes this page and draws its picture. Weights are the dissertation's,
 (0.1, 1). Energies are of the surface scaled to area 4 pi, with eq. 3.3 read so that E_D(T) is a density (as printed it vanishes
 under refinement): E_D is at least 50.27, E_A at least 12.57, 0.1 E_D + E_A at least 17.59. Flips are counted exactly. Printed
 times are of an AMD Athlon X2 at 2.9 GHz, ours of one core of: {processor()}.
 
-`seed` is chapter 3 as printed, mended only where it would fail: [what was mended](sphere_map.md#the-method-seed). `balanced` is
-the default; `angle-area` lowers the same energy as `seed` by today's means.
+`seed` is chapter 3 as printed, corrected only where it would fail: [corrections](sphere_map.md#the-dissertations-method). `balanced` is
+the default; `angle-area` minimizes the same energy as `seed` with the methods of this library.
 
 ## Which model stands for which
 
@@ -216,22 +216,22 @@ the default; `angle-area` lowers the same energy as `seed` by today's means.
 {distortion_table("3.2", maps)}
 {distortion_table("3.3", maps)}
 On the bunny, where both have the same surface, `seed` reaches E_D {bunny["E_D"]:.2f} and E_A {bunny["E_A"]:.2f}; printed are 61.37
-and 14.24. The dissertation's energy has no barrier: its best maps have needles, as their largest dilatations show.
+and 14.24. The dissertation's energy has no barrier: its best maps have needles, as their maximum quasi-conformal distortions show.
 
 ## Time
 
 {time_table(maps)}
 ## Figure 3.2: energy by iteration
 
-![Energy of method seed by iteration](images/sphere_map_energy.png)
+![Energy of the dissertation's method by iteration](images/sphere_map_energy.png)
 
 An iteration is one search of Algorithm 2. On the left the energy per vertex of the mesh as it is refined, which is what the
-dissertation draws; on the right E itself, from 150 vertices on. Most of the work is done while the mesh is coarse: one or two
+dissertation draws; on the right E itself, from 150 vertices on. Most iterations are on coarse meshes: one or two
 rounds over all vertices at the end change E in its fifth digit.
 
 {reconstruction}## Time and memory by size
 
-The default method on the shape that `orbicube make creature` makes (`bench-sphere-map scaling`), the same bits with one and with two threads:
+The default method on the shape of `orbicube make creature` (`bench-sphere-map scaling`), bit-identical with one and two threads:
 
 {scaling_table(scaling)}"""
     path = os.path.join(ROOT, "docs", "sphere_map_tables.md")

@@ -15,18 +15,18 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/make_shape.h"
-#include "mesh/nearest.h"
-#include "mesh/read.h"
-#include "sphere_map/geometry_image.h"
-#include "sphere_map/grids.h"
-#include "sphere_map/locator.h"
-#include "sphere_map/measure.h"
-#include "sphere_map/overlay.h"
-#include "sphere_map/sampling.h"
+#include "mesh/files/read.h"
+#include "mesh/search/nearest.h"
+#include "mesh/shapes/make_shape.h"
+#include "sphere_map/correspondence/overlay.h"
+#include "sphere_map/correspondence/sphere_warp.h"
+#include "sphere_map/optimization/measure.h"
+#include "sphere_map/sampling/geometry_image.h"
+#include "sphere_map/sampling/grids.h"
+#include "sphere_map/sampling/locator.h"
+#include "sphere_map/sampling/sampling.h"
+#include "sphere_map/sampling/surface_distance.h"
 #include "sphere_map/sphere_map.h"
-#include "sphere_map/sphere_warp.h"
-#include "sphere_map/surface_distance.h"
 
 using namespace orbicube;
 

@@ -1,7 +1,7 @@
 """Pymanopt's conjugate gradients and steepest descent on the problems of the table.
 Usage: compare.py PATH/TO/libsphere-optimizer-problems.so
 
-Prints one line a problem: evaluations (points at which the value was asked for, with or without gradient) and the longest
+Prints one line a problem: evaluations (points at which the value was requested, with or without gradient) and the longest
 tangent gradient of a block reached. Needs numpy and pymanopt."""
 import ctypes
 import sys
@@ -34,7 +34,7 @@ def pointer(array):
 
 
 class Counted:
-    """f with gradient, blocks as rows; asked twice at the same point it is evaluated once."""
+    """f with gradient, blocks as rows; two calls at the same point evaluate it once."""
 
     def __init__(self, library, problem):
         self.library, self.problem, self.count, self.last = library, problem, 0, None

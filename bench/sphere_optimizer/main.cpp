@@ -26,7 +26,7 @@ namespace {
 struct Outcome {
   obc_sphere_optimizer_result result{};
   std::vector<double> x;
-  double length_error = 0;  // largest |length of a block - 1| where f was asked for, in units of 2^-52
+  double length_error = 0;  // largest |length of a block - 1| where f was requested, in units of 2^-52
 };
 
 double length_error(const Problem& problem, const double* x) {
@@ -80,7 +80,7 @@ std::string evaluations(const Outcome& outcome) {
   return text;
 }
 
-// How far below the value the optimum may be, relative to it: from the least eigenvalue of W - diag(x_i . (W X)_i).
+// How far below the value the optimum may be, relative to it: from the minimum eigenvalue of W - diag(x_i . (W X)_i).
 double certificate(const Problem& problem, const Outcome& outcome) {
   const auto n = static_cast<Eigen::Index>(problem.count), d = static_cast<Eigen::Index>(problem.dimension);
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;

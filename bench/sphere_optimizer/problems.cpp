@@ -180,7 +180,7 @@ Problem synchronisation(bool near) {
                       near ? Problem::Reference{424, 34, 189} : Problem::Reference{});
 }
 
-// Quaternions on a cubic lattice, side^3 of them, with up to six neighbours each: sum of 1 - (x_i . x_j)^2.
+// Quaternions on a cubic lattice, side^3 of them, with up to six neighbors each: sum of 1 - (x_i . x_j)^2.
 Problem lattice(std::size_t side) {
   const std::size_t count = side * side * side;
   PairSum sum;

@@ -12,10 +12,10 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/make_shape.h"
-#include "mesh/read.h"
-#include "mesh/tetrahedron_quality.h"
-#include "mesh/write.h"
+#include "mesh/files/read.h"
+#include "mesh/files/write.h"
+#include "mesh/search/tetrahedron_quality.h"
+#include "mesh/shapes/make_shape.h"
 #include "tetrahedra/tetrahedra.h"
 
 using namespace orbicube;

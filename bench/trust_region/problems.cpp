@@ -73,7 +73,7 @@ void large_residuals(int kind, std::size_t n, const double* x, double* r) {
   }
 }
 
-// First n: weighted distances and products of neighbours. Then n with sign -1: smaller, of other sums.
+// First n: weighted distances and products of neighbors. Then n with sign -1: smaller, of other sums.
 void signed_residuals(std::size_t n, const double* x, double* r) {
   for (std::size_t i = 0; i < n; ++i) {
     const double next = x[(i + 1) % n], t = static_cast<double>(i + 1);

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/make_shape.h"
-#include "mesh/measures.h"
+#include "mesh/search/measures.h"
+#include "mesh/shapes/make_shape.h"
 #include "tetrahedra/tetrahedra.h"
-#include "volume_map/frame_hexes.h"
+#include "volume_map/frames/frame_hexes.h"
 
 using namespace orbicube;
 

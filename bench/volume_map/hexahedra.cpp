@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/orient.h"
-#include "mesh/read.h"
-#include "polycube/construction.h"
-#include "volume_map/coarse_surface.h"
-#include "volume_map/hex_meshing.h"
+#include "mesh/files/read.h"
+#include "mesh/topology/orient.h"
+#include "polycube/map/construction.h"
+#include "volume_map/meshing/coarse_surface.h"
+#include "volume_map/meshing/hex_meshing.h"
 
 using namespace orbicube;
 
@@ -26,7 +26,7 @@ const std::vector<std::string> solids = {"bunny.ply",       "hand.off",        "
                                          "joint.obj",       "hanger.off",      "kitten.ply",       "fandisk.obj",
                                          "b0.obj",          "anchor.off",      "torus.obj",        "block.off"};
 
-// Scaled Jacobians, least and mean, of the best published mesh of the shape.
+// Scaled Jacobians, minimum and mean, of the best published mesh of the shape.
 const char* published(const std::string& name) {
   if (name == "bunny") return ".606 / .972";
   if (name == "joint") return ".778";
@@ -105,6 +105,6 @@ int main(int argc, char** argv) {
     near_by_voxels += print_row(solid, volume_map::HexMethod::voxels, cells);
     std::fflush(stdout);
   }
-  std::printf("%d of %zu valid with distance and volume within a percent; %d by voxels alone\n", near, names.size(),
+  std::printf("%d of %zu valid with distance and volume within a percent; %d grid-based\n", near, names.size(),
               near_by_voxels);
 }

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/volume_map/block_solid.h"
-#include "volume_map/solid_map.h"
+#include "volume_map/solid/solid_map.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;

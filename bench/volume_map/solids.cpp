@@ -1,5 +1,5 @@
 // Maps of real solids to their polycubes with one setting, as `orbicube volume` makes them: tetrahedra, how many were
-// inverted at the start, steps, how often the boundary was held, distortion, and seconds of one processor for the
+// inverted at the start, steps, how often the boundary was fixed, distortion, and seconds of one processor for the
 // tetrahedra, the polycube, and the map. With OUT the solids are written there as NAME-source.mesh and NAME-image.mesh.
 //
 //     bench-solids FOLDER [OUT [solid.obj ...]]
@@ -12,13 +12,13 @@
 #include <vector>
 
 #include "base/error.h"
-#include "cli/filled_solid.h"
-#include "mesh/orient.h"
-#include "mesh/read.h"
-#include "mesh/write.h"
-#include "polycube/construction.h"
-#include "volume_map/boundary_refinement.h"
-#include "volume_map/solid_map.h"
+#include "cli/solids/filled_solid.h"
+#include "mesh/files/read.h"
+#include "mesh/files/write.h"
+#include "mesh/topology/orient.h"
+#include "polycube/map/construction.h"
+#include "volume_map/solid/boundary_refinement.h"
+#include "volume_map/solid/solid_map.h"
 
 using namespace orbicube;
 using mesh::Vector3;

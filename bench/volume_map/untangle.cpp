@@ -1,4 +1,4 @@
-// A hundred tangled meshes of up to 50000 tetrahedra, of four kinds, untangled with one setting: inverted before and
+// A hundred inverted meshes of up to 50000 tetrahedra, of four kinds, untangled with one setting: inverted before and
 // after by exact signs, steps, and seconds of all processors.
 //
 //     bench-untangle [first case [last case]]
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/volume_map/tangled_cases.h"
-#include "volume_map/untangle.h"
+#include "volume_map/untangle/untangle.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -58,7 +58,7 @@ int main(int argc, char** argv) {
   const std::size_t first = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 0;
   const std::size_t last = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : 99;
   std::printf("%4s %-9s %8s %8s %8s %6s %6s %10s %8s %8s\n", "case", "kind", "tets", "before", "after", "steps",
-              "polish", "least det", "energy", "s");
+              "polish", "min det", "energy", "s");
   std::size_t good = 0, count = 0;
   double slowest = 0;
   for (std::size_t i = first; i <= last && i < 100; ++i) {

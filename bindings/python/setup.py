@@ -2,7 +2,7 @@
 Meson from the tree that this folder lies in: all, or those that ORBICUBE_BUILD lists (trust_region,mesh) with what they
 use. Without either the package has none, and uses those that are installed.
 
-TetGen's licence, the AGPL 3, binds those who link it: the library `tetrahedra` is only put in with ORBICUBE_TETGEN=1.
+TetGen's license, the AGPL 3, binds those who link it: the library `tetrahedra` is only put in with ORBICUBE_TETGEN=1.
 """
 
 import glob

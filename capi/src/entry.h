@@ -4,13 +4,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory_resource>
 #include <new>
 #include <string>
 
+#include "base/catch_all.h"
 #include "base/error.h"
 #include "base/host.h"
+#include "base/threads/cancellation.h"
 #include "orbicube/base.h"
 
 namespace orbicube::capi {
@@ -30,27 +33,32 @@ inline void fill_error(obc_error* error, obc_status status, const char* kind, co
   copy(error->message, sizeof error->message, message);
 }
 
-// Runs `body` and answers its outcome; no exception leaves.
+// Runs `body` and returns its outcome; no exception leaves. A thread that ends inside a callback of the host is unwound
+// through here, so that this is not noexcept: destructors release what the call had, join its threads and leave its
+// handles usable.
 template <class Body>
-obc_status guarded(obc_error* error, const Body& body) noexcept {
-  try {
-    body();
-    fill_error(error, OBC_OK, "", "");
-    return OBC_OK;
-  } catch (const base::Error& e) {
-    const auto status = static_cast<obc_status>(e.status());
-    fill_error(error, status, e.kind(), e.what());
-    return status;
-  } catch (const std::bad_alloc&) {
-    fill_error(error, OBC_OUT_OF_MEMORY, "out-of-memory", "an allocation failed");
-    return OBC_OUT_OF_MEMORY;
-  } catch (const std::exception& e) {
-    fill_error(error, OBC_INTERNAL, "internal", e.what());
-    return OBC_INTERNAL;
-  } catch (...) {
+obc_status guarded(obc_error* error, const Body& body) {
+  const auto outcome = [&]() -> obc_status {
+    try {
+      body();
+      fill_error(error, OBC_OK, "", "");
+      return OBC_OK;
+    } catch (const base::Error& e) {
+      const auto status = static_cast<obc_status>(e.status());
+      fill_error(error, status, e.kind(), e.what());
+      return status;
+    } catch (const std::bad_alloc&) {
+      fill_error(error, OBC_OUT_OF_MEMORY, "out-of-memory", "an allocation failed");
+      return OBC_OUT_OF_MEMORY;
+    } catch (const std::exception& e) {
+      fill_error(error, OBC_INTERNAL, "internal", e.what());
+      return OBC_INTERNAL;
+    }
+  };
+  return base::catch_all(outcome, [&]() -> obc_status {
     fill_error(error, OBC_INTERNAL, "internal", "an unknown exception");
     return OBC_INTERNAL;
-  }
+  });
 }
 
 using base::require;
@@ -116,6 +124,10 @@ class AllocatorResource final : public std::pmr::memory_resource {
   obc_allocator allocator_;
 };
 
+// More threads than any machine of today has cores only cost memory; a count that was never set must not exhaust the
+// system.
+inline constexpr std::uint32_t max_threads = 1024;
+
 // The caller's obc_host as the C++ side takes it. Keep it alive as long as anything made with host() lives. `host()` is
 // a reference into this object, so it is not copied or moved.
 class HostAdapter {
@@ -124,9 +136,11 @@ class HostAdapter {
     obc_host defaults{};
     defaults.struct_size = sizeof defaults;
     const obc_host c = copy_versioned(given, defaults);
-    host_.thread_count = c.thread_count;
+    host_.thread_count = std::min(c.thread_count, max_threads);
     if (c.progress != nullptr) {
-      host_.on_progress = [call = c.progress, user = c.progress_user](const base::Progress& p) {
+      host_.on_progress = [call = c.progress, user = c.progress_user, fraction = c.fraction](const base::Progress& p) {
+        base::end_thread_if_cancelled();
+        if (fraction != nullptr) *fraction = p.fraction;
         return call(p.phase, p.done, p.total, p.best, user) == 0;
       };
     }

@@ -8,12 +8,12 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
-#include "frame_field/boundary_indices.h"
-#include "frame_field/faults.h"
 #include "frame_field/frame_field.h"
-#include "frame_field/measurement.h"
-#include "frame_field/meshability.h"
-#include "frame_field/singularities.h"
+#include "frame_field/graph/boundary_indices.h"
+#include "frame_field/singularities/faults.h"
+#include "frame_field/singularities/measurement.h"
+#include "frame_field/singularities/meshability.h"
+#include "frame_field/singularities/singularities.h"
 
 using namespace orbicube;
 using frame_field::Quaternion;

@@ -12,10 +12,10 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
-#include "gltf/checker.h"
-#include "gltf/morph.h"
-#include "gltf/read.h"
-#include "gltf/write.h"
+#include "gltf/reading/read.h"
+#include "gltf/writing/checker.h"
+#include "gltf/writing/morph.h"
+#include "gltf/writing/write.h"
 
 using namespace orbicube;
 

@@ -7,13 +7,13 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
-#include "harmonics/alignment.h"
-#include "harmonics/basis.h"
-#include "harmonics/coefficient_file.h"
-#include "harmonics/fit.h"
-#include "harmonics/rotation.h"
-#include "harmonics/spectrum.h"
-#include "harmonics/surface.h"
+#include "harmonics/fitting/fit.h"
+#include "harmonics/fitting/surface.h"
+#include "harmonics/functions/basis.h"
+#include "harmonics/functions/coefficient_file.h"
+#include "harmonics/functions/spectrum.h"
+#include "harmonics/rotations/alignment.h"
+#include "harmonics/rotations/rotation.h"
 
 using namespace orbicube;
 using harmonics::Coefficients;

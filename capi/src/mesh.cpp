@@ -9,19 +9,19 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
-#include "mesh/cells.h"
-#include "mesh/intersections.h"
-#include "mesh/make_shape.h"
+#include "mesh/files/read.h"
+#include "mesh/files/write.h"
 #include "mesh/mesh.h"
-#include "mesh/nearest.h"
-#include "mesh/orient.h"
-#include "mesh/predicates.h"
-#include "mesh/read.h"
-#include "mesh/surface_check.h"
-#include "mesh/tetrahedron_quality.h"
-#include "mesh/topology.h"
-#include "mesh/weld.h"
-#include "mesh/write.h"
+#include "mesh/search/intersections.h"
+#include "mesh/search/nearest.h"
+#include "mesh/search/predicates.h"
+#include "mesh/search/tetrahedron_quality.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/cells.h"
+#include "mesh/topology/orient.h"
+#include "mesh/topology/surface_check.h"
+#include "mesh/topology/topology.h"
+#include "mesh/topology/weld.h"
 
 using namespace orbicube;
 using mesh::Index;
@@ -211,7 +211,7 @@ std::span<const Vector3> queries(const double* points, std::size_t count) {
   return result;
 }
 
-// The sign that `predicate` answers for the points, or 2 when it cannot.
+// The sign that `predicate` returns for the points, or 2 when it cannot.
 template <int dimension, class Predicate, class... Points>
 int32_t sign_or_failure(const Predicate& predicate, const Points*... points) noexcept {
   using Point = Eigen::Matrix<double, dimension, 1>;

@@ -10,8 +10,8 @@
 #include "capi/src/polycube_handle.h"
 #include "capi/src/polycube_surface.h"
 #include "capi/src/surface_view.h"
-#include "polycube/certificate.h"
-#include "polycube/construction.h"
+#include "polycube/map/certificate.h"
+#include "polycube/map/construction.h"
 
 using namespace orbicube;
 using mesh::Vector3;

@@ -3,14 +3,15 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "capi/src/polycube_handle.h"
 #include "capi/src/polycube_surface.h"
 #include "capi/src/surface_view.h"
-#include "polycube/common_polycube.h"
-#include "polycube/drawn_construction.h"
+#include "polycube/domain/common_polycube.h"
+#include "polycube/layout/drawn_construction.h"
 
 using namespace orbicube;
 using mesh::Vector3;
@@ -60,11 +61,18 @@ void hand_out(Handles& handles, obc_polycube** out) {
     out[i] = handles[i].release();
 }
 
-void clear(obc_polycube** out, std::size_t count) {
+// A count that is no number of shapes is refused before anything is read or written by it.
+constexpr std::size_t max_shapes = 65536;
+
+// What several functions require of an array of `count` shapes or maps and of the handles for them, which are cleared.
+template <class Given>
+std::span<const Given> checked_array(const Given* given, std::size_t count, const char* missing, obc_polycube** out) {
   capi::require(out != nullptr, "out is NULL");
-  for (std::size_t i = 0; i < count; ++i)
-    out[i] = nullptr;
   capi::require(count > 0, "count is 0");
+  capi::require(count <= max_shapes, "count is larger than 65536");
+  std::fill_n(out, count, nullptr);
+  capi::require(given != nullptr, missing);
+  return {given, count};
 }
 
 }  // namespace
@@ -95,8 +103,7 @@ obc_status obc_polycube_compute_common(const obc_surface* surfaces, size_t count
                                        const obc_polycube_domain_options* domain, const obc_host* host,
                                        size_t* made_for, obc_polycube** out, obc_error* error) {
   return capi::guarded(error, [&] {
-    clear(out, count);
-    capi::require(surfaces != nullptr, "surfaces is NULL");
+    const auto given = checked_array(surfaces, count, "surfaces is NULL", out);
     obc_polycube_options defaults;
     obc_polycube_options_init(&defaults, sizeof defaults);
     const obc_polycube_options o = capi::copy_versioned(options, defaults);
@@ -107,8 +114,8 @@ obc_status obc_polycube_compute_common(const obc_surface* surfaces, size_t count
       handles.push_back(std::make_unique<obc_polycube>(host));
     const base::Host& on = handles.front()->adapter.host();
     std::vector<polycube::SurfaceSpan> shapes;
-    for (std::size_t i = 0; i < count; ++i) {
-      const capi::SurfaceView s(surfaces + i);
+    for (const obc_surface& surface : given) {
+      const capi::SurfaceView s(&surface);
       capi::require_one_surface(s, on);
       shapes.push_back({s.positions, s.triangles});
     }
@@ -135,15 +142,15 @@ obc_status obc_polycube_optimize_common_domain(const obc_polycube* const* maps, 
                                                const obc_polycube_domain_options* options, const obc_host* host,
                                                obc_polycube** out, obc_error* error) {
   return capi::guarded(error, [&] {
-    clear(out, count);
-    capi::require(maps != nullptr, "maps is NULL");
+    const auto given = checked_array(maps, count, "maps is NULL", out);
+    for (const obc_polycube* map : given)
+      capi::require(map != nullptr, "a map is NULL");
     Handles handles;
     std::vector<polycube::SurfaceMap*> copies;
-    for (std::size_t i = 0; i < count; ++i) {
-      capi::require(maps[i] != nullptr, "a map is NULL");
+    for (const obc_polycube* map : given) {
       handles.push_back(std::make_unique<obc_polycube>(host));
-      handles.back()->map = maps[i]->map;
-      handles.back()->construction = maps[i]->construction;
+      handles.back()->map = map->map;
+      handles.back()->construction = map->construction;
       copies.push_back(&handles.back()->map);
     }
     const polycube::CommonDomain found =

@@ -1,8 +1,8 @@
-// The C functions for the best places of a polycube's corners.
+// The C functions for the best positions of a polycube's corners.
 #include <cstddef>
 
 #include "capi/src/polycube_handle.h"
-#include "polycube/optimal_corners.h"
+#include "polycube/corners/optimal_corners.h"
 
 using namespace orbicube;
 

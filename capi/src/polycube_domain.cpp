@@ -2,7 +2,7 @@
 #include <cstddef>
 
 #include "capi/src/polycube_handle.h"
-#include "polycube/optimal_domain.h"
+#include "polycube/domain/optimal_domain.h"
 
 using namespace orbicube;
 

@@ -1,10 +1,10 @@
-// The C functions for points, curves and sharp edges that must be mapped to given places.
+// The C functions for points, curves and sharp edges that must be mapped to target positions.
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
 #include "capi/src/polycube_handle.h"
-#include "polycube/features.h"
+#include "polycube/features/features.h"
 
 using namespace orbicube;
 

@@ -8,7 +8,7 @@
 
 #include "capi/src/entry.h"
 #include "orbicube/polycube.h"
-#include "polycube/surface_map.h"
+#include "polycube/surface/surface_map.h"
 
 struct obc_polycube {
   explicit obc_polycube(const obc_host* host)
@@ -18,7 +18,7 @@ struct obc_polycube {
   std::size_t corners = 0;
   std::size_t patches = 0;
   std::int32_t construction = -1;
-  orbicube::base::Array<double> energies;  // of the optimisation that it comes from
+  orbicube::base::Array<double> energies;  // of the optimization that it comes from
 };
 
 namespace orbicube::capi {
@@ -28,7 +28,7 @@ void copy(const base::Array<Element>& from, Number* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
 }
 
-// What the two optimisations report alike.
+// What the two optimizations report alike.
 template <class Report, class Found>
 Report report_of_optimum(const Found& from) {
   Report report{};

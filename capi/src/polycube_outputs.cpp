@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "capi/src/polycube_handle.h"
-#include "polycube/patch_graph.h"
-#include "polycube/quad_mesh.h"
+#include "polycube/outputs/patch_graph.h"
+#include "polycube/outputs/quad_mesh.h"
 
 using namespace orbicube;
 using capi::copy;

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "capi/src/surface_view.h"
-#include "mesh/surface_check.h"
-#include "mesh/topology.h"
+#include "mesh/topology/surface_check.h"
+#include "mesh/topology/topology.h"
 
 namespace orbicube::capi {
 
@@ -13,15 +13,15 @@ inline mesh::Topology require_closed_surfaces(const SurfaceView& s, const base::
   const mesh::Topology facts = mesh::topology(s.positions, s.triangles, host);
   mesh::require_closed_manifold(facts);
   if (facts.inconsistent_edges > 0)
-    throw base::Error("inconsistent-orientation", "neighbouring triangles are oriented differently");
+    throw base::Error("inconsistent-orientation", "neighboring triangles are oriented differently");
   return facts;
 }
 
 inline void require_outward(double volume) {
-  if (!(volume > 0)) throw base::Error("degenerate-geometry", "the surface encloses no volume or looks inward");
+  if (!(volume > 0)) throw base::Error("degenerate-geometry", "the surface encloses no volume or is inward-oriented");
 }
 
-// Closed, connected, consistently oriented, looking outward.
+// Closed, connected, consistently oriented, outward-oriented.
 inline void require_one_surface(const SurfaceView& s, const base::Host& host) {
   const mesh::Topology facts = require_closed_surfaces(s, host);
   if (facts.components != 1) throw base::Error("not-connected", "the surface has more than one component");

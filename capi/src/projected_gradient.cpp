@@ -7,6 +7,7 @@
 #include <span>
 
 #include "capi/src/solver_entry.h"
+#include "projected_gradient/gradient_check.h"
 #include "projected_gradient/solver.h"
 
 using namespace orbicube;
@@ -221,6 +222,37 @@ obc_status obc_projected_gradient_project(const obc_projected_gradient_problem* 
       }
     }
     if (result != nullptr) capi::write_versioned(result, to_result(report));
+  });
+}
+
+obc_status obc_projected_gradient_check_gradient(const obc_projected_gradient_problem* problem,
+                                                 obc_projected_gradient_function f, void* user, const double* x,
+                                                 obc_projected_gradient_check* check, const obc_host* host,
+                                                 obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(f != nullptr && x != nullptr && check != nullptr, "f, x or check is NULL");
+    const capi::HostAdapter adapter(host);
+    const pg::Problem translated = to_problem(problem);
+    const std::size_t n = translated.n;
+    base::Array<double> spare(n, 0.0, adapter.host().memory);
+    const auto evaluate = [&](const double* at, double* gradient) {
+      double value = std::numeric_limits<double>::quiet_NaN();
+      const int32_t answer = f(at, n, &value, gradient != nullptr ? gradient : spare.data(), user);
+      if (answer == capi::answer_failed) return std::numeric_limits<double>::quiet_NaN();
+      if (answer != capi::answer_continue) throw base::Error("cancelled", "stopped by the callback");
+      return value;
+    };
+    const pg::GradientCheck found = pg::check_gradient(translated, {x, n}, evaluate, adapter.host());
+    obc_projected_gradient_check result{};
+    result.agrees = found.agrees ? 1 : 0;
+    result.worst = found.worst;
+    result.told = found.told;
+    result.difference = found.difference;
+    result.error = found.error;
+    result.uncertainty = found.uncertainty;
+    result.compared = found.compared;
+    result.evaluations = found.evaluations;
+    capi::write_versioned(check, result);
   });
 }
 

@@ -1,6 +1,7 @@
 #include "orbicube/quaternion.h"
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 #include "base/version.h"
@@ -42,29 +43,40 @@ qn::Matrix matrix_at(const double* m) {
   return matrix;
 }
 
+template <class... Pointers>
+bool any_null(const Pointers*... pointers) {
+  return (... || (pointers == nullptr));
+}
+
 }  // namespace
 
 void obc_quaternion_multiply(const double* p, const double* q, double* out) {
+  if (any_null(p, q, out)) return;
   write(qn::multiply(quaternion_at(p), quaternion_at(q)), out);
 }
 
 void obc_quaternion_inverse(const double* q, double* out) {
+  if (any_null(q, out)) return;
   write(qn::inverse(quaternion_at(q)), out);
 }
 
 void obc_quaternion_normalize(const double* q, double* out) {
+  if (any_null(q, out)) return;
   write(qn::normalised(quaternion_at(q)), out);
 }
 
 void obc_quaternion_exponential(const double* q, double* out) {
+  if (any_null(q, out)) return;
   write(qn::exponential(quaternion_at(q)), out);
 }
 
 void obc_quaternion_logarithm(const double* q, double* out) {
+  if (any_null(q, out)) return;
   write(qn::logarithm(quaternion_at(q)), out);
 }
 
 void obc_quaternion_slerp(const double* p, const double* q, double t, double* out) {
+  if (any_null(p, q, out)) return;
   write(qn::slerp(quaternion_at(p), quaternion_at(q), t), out);
 }
 
@@ -79,6 +91,7 @@ obc_status obc_quaternion_average(const double* q, const double* weights, size_t
 }
 
 void obc_quaternion_rotate(const double* q, const double* v, double* out) {
+  if (any_null(q, v, out)) return;
   write(qn::rotate(quaternion_at(q), vector_at(v)), out);
 }
 
@@ -90,20 +103,24 @@ obc_status obc_quaternion_from_axis_angle(const double* axis, double angle, doub
 }
 
 void obc_quaternion_to_axis_angle(const double* q, double* axis, double* angle) {
+  if (any_null(q, axis, angle)) return;
   const qn::AxisAngle turn = qn::to_axis_angle(quaternion_at(q));
   write(turn.axis, axis);
   *angle = turn.angle;
 }
 
 void obc_quaternion_from_rotation_vector(const double* v, double* out) {
+  if (any_null(v, out)) return;
   write(qn::from_rotation_vector(vector_at(v)), out);
 }
 
 void obc_quaternion_to_rotation_vector(const double* q, double* out) {
+  if (any_null(q, out)) return;
   write(qn::to_rotation_vector(quaternion_at(q)), out);
 }
 
 void obc_quaternion_to_matrix(const double* q, double* out) {
+  if (any_null(q, out)) return;
   const qn::Matrix matrix = qn::to_matrix(quaternion_at(q));
   std::copy(matrix.begin(), matrix.end(), out);
 }
@@ -151,38 +168,47 @@ int32_t obc_quaternion_cube_class(uint32_t number) {
 }
 
 uint32_t obc_quaternion_cube_nearest(const double* r) {
+  if (any_null(r)) return OBC_QUATERNION_CUBE_NONE;
   return qn::nearest_cube_rotation(quaternion_at(r));
 }
 
 double obc_quaternion_symmetric_distance(const double* p, const double* q) {
+  if (any_null(p, q)) return std::numeric_limits<double>::quiet_NaN();
   return qn::symmetric_distance(quaternion_at(p), quaternion_at(q));
 }
 
 double obc_quaternion_symmetric_sine_square(const double* p, const double* q) {
+  if (any_null(p, q)) return std::numeric_limits<double>::quiet_NaN();
   return qn::symmetric_sine_square(quaternion_at(p), quaternion_at(q));
 }
 
 uint32_t obc_quaternion_symmetric_matching(const double* from, const double* to) {
+  if (any_null(from, to)) return OBC_QUATERNION_CUBE_NONE;
   return qn::symmetric_matching(quaternion_at(from), quaternion_at(to));
 }
 
 void obc_quaternion_multiply_array(const double* p, const double* q, size_t count, double* out) {
+  if (any_null(p, q, out)) return;
   qn::multiply(p, q, count, out);
 }
 
 void obc_quaternion_normalize_array(const double* q, size_t count, double* out) {
+  if (any_null(q, out)) return;
   qn::normalise(q, count, out);
 }
 
 void obc_quaternion_rotate_array(const double* q, const double* v, size_t count, double* out) {
+  if (any_null(q, v, out)) return;
   qn::rotate(q, v, count, out);
 }
 
 void obc_quaternion_slerp_array(const double* p, const double* q, const double* t, size_t count, double* out) {
+  if (any_null(p, q, t, out)) return;
   qn::slerp(p, q, t, count, out);
 }
 
 void obc_quaternion_to_matrix_array(const double* q, size_t count, double* out) {
+  if (any_null(q, out)) return;
   qn::to_matrix(q, count, out);
 }
 
@@ -194,18 +220,22 @@ obc_status obc_quaternion_from_matrix_array(const double* matrices, size_t count
 }
 
 void obc_quaternion_symmetric_distance_array(const double* p, const double* q, size_t count, double* out) {
+  if (any_null(p, q, out)) return;
   qn::symmetric_distance(p, q, count, out);
 }
 
 void obc_quaternion_symmetric_sine_square_array(const double* p, const double* q, size_t count, double* out) {
+  if (any_null(p, q, out)) return;
   qn::symmetric_sine_square(p, q, count, out);
 }
 
 void obc_quaternion_symmetric_matching_array(const double* from, const double* to, size_t count, uint8_t* out) {
+  if (any_null(from, to, out)) return;
   qn::symmetric_matching(from, to, count, out);
 }
 
 void obc_quaternion_cube_nearest_array(const double* r, size_t count, uint8_t* out) {
+  if (any_null(r, out)) return;
   qn::nearest_cube_rotation(r, count, out);
 }
 

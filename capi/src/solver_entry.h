@@ -1,7 +1,8 @@
-// What the C functions of every solver have in common: requests, answers, callbacks, saved runs and versions. A handle
+// What the C functions of every solver have in common: requests, replies, callbacks, saved runs and versions. A handle
 // is a struct with the members `adapter` (HostAdapter) and `solver` (the C++ one).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -25,7 +26,7 @@ Handle& checked(Handle* solver) {
   return *solver;
 }
 
-// step(), with `take(solver)` to hand out what is asked for.
+// step(), with `take(solver)` to hand out what is requested.
 template <class Handle, class Take>
 int32_t step(Handle* handle, const Take& take) {
   if (handle == nullptr) return OBC_INVALID_ARGUMENT;
@@ -36,7 +37,7 @@ int32_t step(Handle* handle, const Take& take) {
   return request;
 }
 
-// The answer to a request for value and gradient.
+// The reply to a request for value and gradient.
 template <class Handle>
 obc_status tell_gradient(Handle* handle, double value, const double* gradient, obc_error* error) {
   return guarded(error, [&] {
@@ -50,13 +51,13 @@ obc_status tell_gradient(Handle* handle, double value, const double* gradient, o
   });
 }
 
-// What callbacks answer; the constants of each header have these values.
+// What callbacks return; the constants of each header have these values.
 inline constexpr int32_t answer_continue = 0, answer_stop = 1, answer_failed = 2;
 
-// Runs a solver to its end: evaluate(solver) answers like a callback, and on answer_continue tell(solver) passes on
-// what it found.
-template <class Solver, class Evaluate, class Tell>
-void drive(Solver& solver, const Evaluate& evaluate, const Tell& tell) {
+// Runs a solver to its end: evaluate(solver) returns what a callback does, and on answer_continue tell(solver) passes
+// on what it found. tell_last(solver) does so before the run is stopped: a value that comes with answer_stop counts.
+template <class Solver, class Evaluate, class Tell, class TellLast>
+void drive(Solver& solver, const Evaluate& evaluate, const Tell& tell, const TellLast& tell_last) {
   using Request = decltype(solver.step());
   for (Request request; (request = solver.step()) != Request::done;) {
     if (request == Request::iteration) continue;
@@ -66,6 +67,7 @@ void drive(Solver& solver, const Evaluate& evaluate, const Tell& tell) {
     } else if (answer == answer_continue) {
       tell(solver);
     } else {
+      tell_last(solver);
       solver.cancel();
     }
   }
@@ -82,7 +84,12 @@ void drive_gradient(Solver& solver, std::pmr::memory_resource* memory, const Fun
         value = std::numeric_limits<double>::quiet_NaN();
         return f(asking.point().data(), &value, gradient.data());
       },
-      [&](Solver& asking) { asking.tell(value, gradient); });
+      [&](Solver& asking) { asking.tell(value, gradient); },
+      [&](Solver& asking) {
+        if (!std::isfinite(value)) return;
+        std::fill(gradient.begin(), gradient.end(), 0.0);  // the value alone is used, and the gradient may be missing
+        asking.tell(value, gradient);
+      });
 }
 
 inline void throw_if_cancelled(bool cancelled_by_host) {

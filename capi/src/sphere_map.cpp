@@ -9,9 +9,9 @@
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "capi/src/sphere_map_surface.h"
-#include "mesh/surface_check.h"
-#include "sphere_map/measure.h"
-#include "sphere_map/rounding.h"
+#include "mesh/topology/surface_check.h"
+#include "sphere_map/optimization/measure.h"
+#include "sphere_map/sampling/rounding.h"
 #include "sphere_map/sphere_map.h"
 
 using namespace orbicube;

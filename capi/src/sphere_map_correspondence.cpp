@@ -5,9 +5,9 @@
 #include "capi/src/entry.h"
 #include "capi/src/sphere_map_surface.h"
 #include "orbicube/sphere_map.h"
-#include "sphere_map/alignment.h"
-#include "sphere_map/overlay.h"
-#include "sphere_map/pieces.h"
+#include "sphere_map/correspondence/alignment.h"
+#include "sphere_map/correspondence/overlay.h"
+#include "sphere_map/optimization/pieces.h"
 
 using namespace orbicube;
 using capi::view;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <new>
 #include <span>
+#include <string>
 #include <type_traits>
 
 #include "capi/src/entry.h"
@@ -51,6 +52,9 @@ inline void hand_out(std::span<const mesh::Vector3> positions, std::span<const m
     throw std::bad_alloc();
   } else if (status == OBC_CANCELLED) {
     throw base::Error("cancelled", error.message);
+  } else if (status == OBC_INVALID_ARGUMENT) {
+    // What the caller gave is finite, and sums or products of it are not.
+    throw base::Error("invalid-argument", error.message + std::string("; the given numbers are too large"));
   } else if (status != OBC_OK) {
     throw base::Error("internal", error.message);
   }

@@ -4,13 +4,13 @@
 
 #include "capi/src/entry.h"
 #include "capi/src/sphere_map_surface.h"
-#include "mesh/surface_check.h"
+#include "mesh/topology/surface_check.h"
 #include "orbicube/sphere_map.h"
-#include "sphere_map/geometry_image.h"
-#include "sphere_map/grids.h"
-#include "sphere_map/locator.h"
-#include "sphere_map/sampling.h"
-#include "sphere_map/surface_distance.h"
+#include "sphere_map/sampling/geometry_image.h"
+#include "sphere_map/sampling/grids.h"
+#include "sphere_map/sampling/locator.h"
+#include "sphere_map/sampling/sampling.h"
+#include "sphere_map/sampling/surface_distance.h"
 
 using namespace orbicube;
 using capi::Surface;

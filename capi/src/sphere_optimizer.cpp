@@ -68,7 +68,7 @@ void copy_result(const so::Solver& solver, obc_sphere_optimizer_result* result, 
 // The number of unknowns, which the solver checks again; here so that x0 can be looked at.
 so::Shape to_shape(size_t count, size_t dimension) {
   capi::require(count >= 1 && dimension >= 2 && count <= std::numeric_limits<size_t>::max() / dimension,
-                "there must be a sphere, in two dimensions at least");
+                "there must be a sphere, in at least two dimensions");
   return {count, dimension};
 }
 
@@ -108,13 +108,13 @@ obc_sphere_optimizer_blocks checked_blocks(const obc_sphere_optimizer_blocks* gi
   for (std::size_t i = 0; i < blocks.count; ++i)
     capi::require(blocks.neighbour_start[i] <= blocks.neighbour_start[i + 1], "neighbour_start must not fall");
   const std::size_t entries = blocks.neighbour_start[blocks.count];
-  capi::require(entries == 0 || blocks.neighbour != nullptr, "neighbour is NULL");
+  capi::require(entries == 0 || blocks.neighbour != nullptr, "the member `neighbour` is NULL");
   for (std::size_t k = 0; k < entries; ++k)
-    capi::require(blocks.neighbour[k] < blocks.count, "a neighbour is out of range");
+    capi::require(blocks.neighbour[k] < blocks.count, "a neighbor is out of range");
   return blocks;
 }
 
-// Who is whose neighbour, in the caller's arrays or in copies of them.
+// Who is whose neighbor, in the caller's arrays or in copies of them.
 struct Neighbours {
   std::span<const std::size_t> start;
   std::span<const std::uint32_t> list;
@@ -124,7 +124,7 @@ Neighbours neighbours_of(const obc_sphere_optimizer_blocks& blocks) {
   return {{blocks.neighbour_start, blocks.count + 1}, {blocks.neighbour, blocks.neighbour_start[blocks.count]}};
 }
 
-// An energy whose parts a callback gives; the answer to stop it becomes an Error "cancelled".
+// An energy whose parts a callback gives; the return value STOP becomes an Error "cancelled".
 template <class Dimension>
 class CallbackEnergy {
  public:
@@ -178,7 +178,7 @@ void normalise_blocks(const so::Shape& shape, double* x) {
   });
 }
 
-// Goes on with a relaxation of the points at x. Answers how it stands; a host that cancelled is an Error.
+// Goes on with a relaxation of the points at x. Returns how it stands; a host that cancelled is an Error.
 so::Stop run_relaxation(so::Relaxation& relaxation, const Neighbours& neighbours, obc_sphere_optimizer_block_function f,
                         void* user, double* x, std::uint64_t steps, const base::Host& host) {
   return so::with_dimension(relaxation.shape().dimension, [&](auto d) {
@@ -211,7 +211,7 @@ void copy_result(const so::RelaxationResult& from, so::Stop stop, obc_sphere_opt
   capi::write_versioned(result, to);
 }
 
-// Tells one set of neighbours from another.
+// Distinguishes one set of neighbors from another.
 std::uint64_t fingerprint(const Neighbours& neighbours) {
   base::Hash hash;
   hash.add(std::as_bytes(neighbours.start));
@@ -219,7 +219,7 @@ std::uint64_t fingerprint(const Neighbours& neighbours) {
   return hash.value();
 }
 
-// A relaxation with its points and neighbours, as capi::save and capi::load take it.
+// A relaxation with its points and neighbors, as capi::save and capi::load take it.
 class OwnRelaxation {
  public:
   OwnRelaxation(const obc_sphere_optimizer_blocks& blocks, const so::RelaxationOptions& options, const base::Host& host)

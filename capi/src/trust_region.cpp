@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 
+#include "base/sums.h"
 #include "capi/src/solver_entry.h"
 #include "trust_region/solver.h"
 
@@ -174,7 +175,10 @@ obc_status obc_trust_region_minimize(const obc_trust_region_problem* problem, co
           std::fill(outputs.begin(), outputs.end(), std::numeric_limits<double>::quiet_NaN());
           return f(asking.pending().data(), n, outputs.data(), user);
         },
-        [&](tr::Solver& asking) { asking.tell(outputs); });
+        [&](tr::Solver& asking) { asking.tell(outputs); },
+        [&](tr::Solver& asking) {
+          if (base::all_finite(outputs)) asking.tell(outputs);
+        });
     copy_result(run.solver, result, x, nullptr);
     capi::throw_if_cancelled(run.solver.cancelled_by_host());
   });

@@ -5,7 +5,7 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
-#include "volume_map/untangle.h"
+#include "volume_map/untangle/untangle.h"
 
 using namespace orbicube;
 using mesh::Tetrahedron;
@@ -71,7 +71,7 @@ obc_status obc_volume_map_untangle(const obc_volume_map_tangle* tangle, const ob
                                    const obc_host* host, double* result, obc_volume_map_untangle_report* report,
                                    obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(tangle != nullptr, "tangle is NULL");
+    capi::require(tangle != nullptr, "the argument `tangle` is NULL");
     capi::require(result != nullptr, "result is NULL");
     const volume_map::TangledMesh mesh = view_of(capi::copy_versioned(tangle, nothing()));
     const obc_volume_map_untangle_options o = capi::copy_versioned(options, default_options());

@@ -2,22 +2,23 @@
 #include <algorithm>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
 #include "capi/src/entry.h"
 #include "capi/src/polycube_surface.h"
-#include "mesh/cells.h"
-#include "mesh/measures.h"
+#include "mesh/search/measures.h"
+#include "mesh/topology/cells.h"
 #include "orbicube/volume_map.h"
-#include "volume_map/coarse_surface.h"
-#include "volume_map/frame_hexes.h"
-#include "volume_map/hex_pieces.h"
-#include "volume_map/solid_boundary.h"
-#include "volume_map/solid_pieces.h"
-#include "volume_map/solid_polycube.h"
-#include "volume_map/volume_map.h"
+#include "volume_map/frames/frame_hexes.h"
+#include "volume_map/meshing/coarse_surface.h"
+#include "volume_map/meshing/hex_pieces.h"
+#include "volume_map/solid/solid_boundary.h"
+#include "volume_map/solid/solid_pieces.h"
+#include "volume_map/solid/solid_polycube.h"
+#include "volume_map/solid/volume_map.h"
 
 using namespace orbicube;
 using mesh::Tetrahedron;
@@ -83,6 +84,10 @@ mesh::Mesh solid_of(const double* positions, size_t vertex_count, const uint32_t
   mesh::Mesh solid(host.memory);
   const auto* const places = reinterpret_cast<const Vector3*>(positions);
   const auto* const cells = reinterpret_cast<const Tetrahedron*>(tetrahedra);
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    if (!places[v].allFinite())
+      throw base::Error("invalid-argument", "the position of vertex " + std::to_string(v) + " is not finite");
+  }
   solid.positions.assign(places, places + vertex_count);
   solid.tetrahedra.assign(cells, cells + tetrahedron_count);
   return solid;
@@ -92,11 +97,12 @@ mesh::Mesh solid_of(const double* positions, size_t vertex_count, const uint32_t
 struct PieceOfSurface {
   mesh::Mesh surface;
   polycube::Construction made;
-  bool coarser = false;  // the polycube is that of a coarser surface
+  volume_map::WorkingSpace space;  // of both
+  bool coarser = false;            // the polycube is that of a coarser surface
 
   volume_map::PolycubeSurface mapped() const {
-    if (!coarser && !made.map.triangles.empty()) return {made.map};
-    return {made.map, surface.positions, surface.triangles};
+    if (!coarser && !made.map.triangles.empty()) return {.map = made.map, .space = &space};
+    return {made.map, surface.positions, surface.triangles, &space};
   }
 };
 
@@ -107,21 +113,28 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
   whole.positions.assign(s.positions.begin(), s.positions.end());
   whole.triangles.assign(s.triangles.begin(), s.triangles.end());
   const volume_map::SurfacePieces pieces = volume_map::surface_pieces(whole.positions, whole.triangles, host);
+  volume_map::require_cells_for_pieces(pieces.count, o.cells);
   const bool parts = pieces.count + pieces.cavities > 1;
   if (parts) volume_map::refuse_self_intersections(whole.positions, whole.triangles, 1, host);
   const auto wrong = std::find(pieces.wrong_side.begin(), pieces.wrong_side.end(), std::uint8_t{1});
   if (parts && wrong != pieces.wrong_side.end()) {
-    throw base::Error("inconsistent-orientation", "triangles look into the solid, the first is " +
-                                                      std::to_string(wrong - pieces.wrong_side.begin()) +
-                                                      "; outer walls must look outward, walls of cavities into these");
+    throw base::Error("inconsistent-orientation",
+                      "triangles look into the solid, the first is " +
+                          std::to_string(wrong - pieces.wrong_side.begin()) +
+                          "; outer components must be outward-oriented, boundaries of cavities into these");
   }
   base::Array<PieceOfSurface> result(host.memory);
+  const int exponent = volume_map::size_exponent(whole.positions);
+  std::optional<volume_map::PieceCutter> cutter;
+  if (pieces.count > 1) cutter.emplace(whole, pieces, host);
   for (std::size_t i = 0; i < pieces.count; ++i) {
-    mesh::Mesh surface = pieces.count == 1 ? std::move(whole) : volume_map::piece(whole, pieces, i, host);
+    mesh::Mesh surface = cutter ? cutter->piece(i) : std::move(whole);
+    const volume_map::WorkingSpace space(surface.positions, surface.triangles, exponent);
+    space.take(surface.positions);
     capi::require_outward(mesh::measures(surface.positions, surface.triangles, host).volume);
     polycube::Construction made(host.memory);
     if (o.method == OBC_VOLUME_MAP_METHOD_VOXELS) {
-      result.push_back({std::move(surface), std::move(made)});
+      result.push_back({std::move(surface), std::move(made), space});
       continue;
     }
     const bool coarser = o.triangles > 0 && surface.triangles.size() / 2 > o.triangles;
@@ -136,7 +149,7 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
       host.log(error.what());
     }
     const bool of_coarse = coarse.triangles.size() < surface.triangles.size();
-    result.push_back({std::move(surface), std::move(made), of_coarse});
+    result.push_back({std::move(surface), std::move(made), space, of_coarse});
   }
   return result;
 }
@@ -168,15 +181,17 @@ obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_c
     auto made = std::make_unique<obc_volume_map_solid>(host);
     const base::Host& h = made->adapter.host();
     const mesh::Mesh whole = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
-    // What is wrong is told with the caller's numbers.
+    // What is wrong is reported with the caller's numbers.
     if (whole.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
     mesh::require_valid_cells(whole, h);
     const volume_map::Pieces pieces = volume_map::pieces_of(whole.tetrahedra, whole.positions.size(), h);
     base::Array<MappedSolid> mapped(h.memory);
+    std::optional<volume_map::PieceCutter> cutter;
+    if (pieces.count > 1) cutter.emplace(whole, pieces, h);
     base::Array<volume_map::PolycubeSolid> solids(h.memory);
     for (std::size_t i = 0; i < pieces.count; ++i) {
       mesh::Mesh part(h.memory);
-      if (pieces.count > 1) part = volume_map::piece(whole, pieces, i, h);
+      if (cutter) part = cutter->piece(i);
       volume_map::BoundaryFirst first = volume_map::boundary_first(pieces.count > 1 ? part : whole, h);
       polycube::Construction found = volume_map::construct_polycube(
           first.outer_positions(), first.surface, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
@@ -279,8 +294,6 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
     auto made = std::make_unique<obc_volume_map_hexes>(host);
     const base::Host& h = made->adapter.host();
     mesh::Mesh given = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
-    for (const Vector3& p : given.positions)
-      capi::require(p.allFinite(), "a position is not finite");
     if (given.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
     mesh::require_valid_cells(given, h);
     const auto make = [&] {

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <exception>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "base/catch_all.h"
 #include "base/error.h"
 
 namespace orbicube::cli {
@@ -25,7 +27,7 @@ void check(PetscErrorCode code, const char* what) {
   throw base::Error("no-valid-result", std::string("PETSc failed: ") + what + ", error " + std::to_string(code));
 }
 
-// What the first process tells the others before each system.
+// What the first process sends to the others before each system.
 struct Order {
   PetscInt vertices = 0;  // rows of blocks of all processes; 0: the work is done
   PetscInt most_steps = 0;
@@ -154,7 +156,7 @@ std::vector<T> receive(int from, MPI_Datatype type) {
   return values;
 }
 
-// Asked at each step, by all processes alike: the first one says whether the host wants to stop.
+// Called at each step by all processes: the first one decides whether the host requests the end.
 struct Watch {
   const base::Host* host = nullptr;   // of the first process only
   std::exception_ptr reason_to_stop;  // of the first process only
@@ -162,12 +164,11 @@ struct Watch {
   PetscErrorCode converged(KSP ksp, PetscInt step, PetscReal norm, KSPConvergedReason* reason) {
     int stop = 0;
     if (host != nullptr) {
-      try {
-        host->report("solve", 0, 0);
-      } catch (...) {
-        reason_to_stop = std::current_exception();
-        stop = 1;
-      }
+      base::catch_all([&] { host->report("solve", 0, 0); },
+                      [&] {
+                        reason_to_stop = std::current_exception();
+                        stop = 1;
+                      });
     }
     if (const int code = MPI_Bcast(&stop, 1, MPI_INT, 0, PETSC_COMM_WORLD); code != 0) return code;
     if (stop != 0) {
@@ -267,7 +268,7 @@ void tell(Order& order) {
   std::abort();
 }
 
-class PetscEngine : public volume_map::LinearEngine {
+class PetscEngine : public volume_map::BlockEngine {
  public:
   ~PetscEngine() override {
     Order done;
@@ -348,10 +349,18 @@ void work() {
 }  // namespace
 }  // namespace orbicube::cli
 
-extern "C" __attribute__((visibility("default"))) orbicube::volume_map::LinearEngine* orbicube_petsc_start() {
+extern "C" __attribute__((visibility("default"))) orbicube::volume_map::BlockEngine* orbicube_petsc_start() {
   using namespace orbicube::cli;
-  // The command line is the command's own; PETSc's options come from the variable PETSC_OPTIONS.
-  if (PetscInitialize(nullptr, nullptr, nullptr, nullptr) != 0)
+  // The command line is the command's own; PETSc's options come from the variable PETSC_OPTIONS, and not from a file
+  // .petscrc in the current folder, whose options could load libraries.
+  const char* const given = std::getenv("PETSC_OPTIONS");
+  if (given != nullptr && std::strstr(given, "-dll_") != nullptr)
+    throw orbicube::base::Error("usage", "PETSC_OPTIONS must not load libraries (-dll_append, -dll_prepend)");
+  static char name[] = "orbicube", no_file[] = "-skip_petscrc";
+  static char* words[] = {name, no_file, nullptr};
+  int count = 2;
+  char** arguments = words;
+  if (PetscInitialize(&count, &arguments, nullptr, nullptr) != 0)
     throw orbicube::base::Error("no-valid-result", "PETSc could not be started");
   PetscPopSignalHandler();
   PetscPushErrorHandler(PetscReturnErrorHandler, nullptr);

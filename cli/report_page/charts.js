@@ -1,4 +1,4 @@
-// Histograms of distortion whose bars carry the colours of the scale, the legend beside the views, and the table.
+// Histograms of distortion whose bars carry the colors of the scale, the legend beside the views, and the table.
 
 function element(name, attributes = {}, ...children) {
   const svg = ["svg", "rect", "line", "text", "g", "polyline"].includes(name);
@@ -73,7 +73,7 @@ function drawChart(holder, quantity, result, range) {
   holder.replaceChildren(svg, element("p", {class: "chart-text"}, sentence));
 }
 
-// Energies of an optimisation by iteration, on a scale from the least to the most.
+// Energies of an optimization by iteration, on a scale from the minimum to the maximum.
 function drawCurve(holder, card, energies) {
   card.hidden = energies.length < 2;
   if (card.hidden) return;

@@ -1,4 +1,4 @@
-// Colour maps and the two quantities that they show. Colours run evenly to the eye: they are interpolated in OKLab
+// Color maps and the two quantities that they show. Colors run evenly to the eye: they are interpolated in OKLab
 // (Ottosson 2020), with a lightness that falls steadily away from what is good.
 
 function srgbOf([lightness, a, b]) {
@@ -15,7 +15,7 @@ function srgbOf([lightness, a, b]) {
   });
 }
 
-// 256 colours through stops of lightness, chroma and hue in degrees.
+// 256 colors through stops of lightness, chroma and hue in degrees.
 function colourMap(stops) {
   const lab = stops.map(([lightness, chroma, hue]) =>
       [lightness, chroma * Math.cos(hue * Math.PI / 180), chroma * Math.sin(hue * Math.PI / 180)]);
@@ -28,8 +28,8 @@ function colourMap(stops) {
 
 const cssColour = ([red, green, blue]) => `rgb(${red},${green},${blue})`;
 
-// The two quantities: a result's shares of area by level, the part of a colour scale's range that they use (a range r
-// stands for 1 to r or 1/r to r, in octaves), colours, and what values the levels stand for (packed_mesh.h).
+// The two quantities: a result's shares of area by level, the part of a color scale's range that they use (a range r
+// stands for 1 to r or 1/r to r, in octaves), colors, and what values the levels stand for (packed_mesh.h).
 function quantitiesOf(levels) {
   const quantity = (coding, more) => {
     const octaves = level => {
@@ -40,7 +40,7 @@ function quantitiesOf(levels) {
   };
   return {
     dilatation: quantity(levels.dilatation, {
-      title: "Dilatation",
+      title: "Quasi-conformal distortion",
       share: result => result.dilatationShare,
       bounds: range => [0, Math.log2(range)],
       colours: colourMap([[0.95, 0.025, 110], [0.87, 0.11, 92], [0.74, 0.16, 55], [0.58, 0.19, 20], [0.42, 0.16, 345],
@@ -58,7 +58,7 @@ function quantitiesOf(levels) {
 
 const scaleRanges = [1.25, 1.5, 2, 3, 4, 6, 8, 12, 16, 32, 64, 128];
 
-// The least octaves that `part` of the result's area stays below.
+// The minimum number of octaves that `part` of the result's area stays below.
 function quantile(quantity, result, part) {
   const share = quantity.share(result);
   let sum = 0, octaves = 0;

@@ -54,7 +54,7 @@ function trianglesOf(codes, triangleCount) {
 
 const shapeRadius = 1.15;  // of the shape's bounding sphere in the page
 
-// Four floats a vertex, as a texture takes them, and the frame: position = scale * (steps - centre). The shape's bounding sphere is a little larger than the
+// Four floats a vertex, as a texture takes them, and the frame: position = scale * (steps - center). The shape's bounding sphere is a little larger than the
 // unit sphere, which no shape fills so well.
 function positionsOf(result) {
   const bytes = bytesOf(result.positions);

@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "base/host.h"
-#include "gltf/base64.h"
-#include "mesh/edge_table.h"
-#include "mesh/rotations.h"
+#include "gltf/json/base64.h"
+#include "mesh/search/rotations.h"
+#include "mesh/topology/edge_table.h"
 
 namespace orbicube::cli {
 namespace {

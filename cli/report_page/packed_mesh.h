@@ -6,11 +6,11 @@
 #include <cstdint>
 #include <string>
 
-#include "report_page.h"
+#include "scenes/report_page.h"
 
 namespace orbicube::cli {
 
-// How a triangle's distortion becomes a level, one byte, from which every colour scale can be made. With
+// How a triangle's distortion becomes a level, one byte, from which every color scale can be made. With
 // s = (level - zero) / span from -1 to 1, the level stands for the value 2^(octaves s |s|): finest near 1.
 struct Levels {
   double zero;         // the level of value 1

@@ -1,5 +1,5 @@
 // The page: controls, mouse, touch and keys. The address may preset a view, as
-// #result=1&colour=checker&morph=0.5&degree=8&edges&theme=dark&turn=X,Y,Z,W&zoom=2&picture (only the views) &check (for
+// #result=1&color=checker&morph=0.5&degree=8&edges&theme=dark&turn=X,Y,Z,W&zoom=2&picture (only the views) &check (for
 // tests).
 
 (() => {
@@ -77,7 +77,7 @@
     if (!pointed) return;
     const text = (quantity, level) => (level === quantity.noLevel ? "none" : figure(quantity.octaves(level)));
     const [dilatation, area] = viewer.mesh.levels.subarray(2 * pointed.triangle, 2 * pointed.triangle + 2);
-    byId("reading").textContent = `Dilatation ${text(quantities.dilatation, dilatation)} · area ratio ` +
+    byId("reading").textContent = `Quasi-conformal distortion ${text(quantities.dilatation, dilatation)} · area ratio ` +
                                   text(quantities.area, area);
   }
 
@@ -163,7 +163,7 @@
     redraw();
   }
 
-  // Zooms about a place of the canvas, or about the centre of each view.
+  // Zooms about a place of the canvas, or about the center of each view.
   function zoomBy(factor, x, y) {
     const zoom = Math.min(400, Math.max(0.3, state.zoom * factor)), actual = zoom / state.zoom;
     state.zoom = zoom;
@@ -325,7 +325,7 @@
     }
   }
 
-  // For tests: every result in every colouring, and whether what is pointed at is found in the other view.
+  // For tests: every result in every coloring, and whether what is pointed at is found in the other view.
   function check() {
     const report = {frames: [], pointed: 0, reconstructions: []};
     results.forEach((result, index) => {

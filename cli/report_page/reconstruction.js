@@ -1,6 +1,6 @@
 // The shape as its spherical harmonics give it, to any degree up to that of the coefficients: sums of
 //   Y_lm = P_l|m|(z) { sqrt 2 Re, 1, sqrt 2 Im } (x + iy)^|m|    for m > 0, m = 0, m < 0
-// with the normalised P_lm of the recurrence in z (as in libs/harmonics), the factor sin^m put with x + iy.
+// with the normalized P_lm of the recurrence in z (as in libs/harmonics), the factor sin^m put with x + iy.
 
 class Reconstruction {
   // `mesh` as meshOf() makes it; result.harmonics: degree, coefficients (float32; x, y, z for each l, m) and facing, the

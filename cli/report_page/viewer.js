@@ -1,5 +1,5 @@
 // Draws shape and map side by side with WebGL 2. Meshes are in textures that the vertex shader reads by number,
-// so each triangle has its own colour without a copy of its vertices.
+// so each triangle has its own color without a copy of its vertices.
 
 const textureWidth = 4096;
 const eyeDistance = 5;
@@ -339,7 +339,7 @@ class Viewer {
     return Math.sign((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
   }
 
-  // For tests: how much of a view is drawn on and how many colours it has. Call right after draw.
+  // For tests: the fraction of a view that is drawn on and how many colors it has. Call right after draw.
   statistics(index) {
     const gl = this.gl, ratio = this.canvas.width / this.canvas.clientWidth, view = this.views()[index];
     const width = Math.floor(view.width * ratio), height = Math.floor(view.height * ratio);

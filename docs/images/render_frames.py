@@ -23,7 +23,7 @@ FINER = 2   # samples a pixel, each way
 
 
 def read_glb(path):
-    """Corners (n x 3 x 3) and colour of each part."""
+    """Corners (n x 3 x 3) and color of each part."""
     with open(path, "rb") as file:
         data = file.read()
     length = struct.unpack_from("<I", data, 12)[0]
@@ -127,7 +127,7 @@ def main(arguments):
                                 ["frames", solid, "-o", solid + ".frames", "--glb", scene, "--crosses", "400"]):
                     subprocess.run([os.path.abspath(arguments[0]), *command, "--quiet"], check=True)
                 scenes.append(panel(scene))
-    write_png(picture, without_margins(np.concatenate(scenes, axis=1)), gamma=0.6)  # colours of glTF are linear
+    write_png(picture, without_margins(np.concatenate(scenes, axis=1)), gamma=0.6)  # colors of glTF are linear
     print(f"{picture}: {os.path.getsize(picture)} bytes")
 
 

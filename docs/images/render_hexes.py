@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Draws hexahedral meshes, a quarter of each cut away: what is inside is coloured by scaled Jacobians, red 0.5 and less, blue 1.
+"""Draws hexahedral meshes, a quarter of each cut away: what is inside is colored by scaled Jacobians, red 0.5 and less, blue 1.
 
     docs/images/render_hexes.py OUT.png COLUMNS MESH.mesh ...
 

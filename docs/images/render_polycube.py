@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes docs/images/polycube.png: shapes that the command makes beside their polycubes, a colour for each axis and the same
+"""Makes docs/images/polycube.png: shapes that the command makes beside their polycubes, a color for each axis and the same
 checker on both.
 
     docs/images/render_polycube.py build/cli/orbicube [OUT.png]

@@ -1,5 +1,5 @@
-/* What every library is told by the program that uses it: an allocator that counts, and a progress callback.
- * Prints the version and the statuses that a function may answer. */
+/* What a program provides to every library: an allocator that counts, and a progress callback.
+ * Prints the version and the statuses that a function may return. */
 #include <orbicube/base.h>
 #include <stdio.h>
 

@@ -51,7 +51,7 @@ static void make_shapes(void) {
   set_vertex(SOUTH, 0, 0, -1, COLUMNS / 2, RINGS + 1);
 }
 
-/* How far the squares of the vertices' lengths are from 1 at most, in the file's surface or its morph target; -1 on
+/* Maximum distance of the squared lengths of the vertices from 1, in the file's surface or its morph target; -1 on
  * failure. */
 static double difference_from_sphere(const char* path, const char* morph_target) {
   obc_gltf_read_options options;

@@ -56,7 +56,7 @@ int main(void) {
   if (obc_mesh_create(&cells, NULL, &filled, &error) != OBC_OK) return fail(&error);
   if (obc_mesh_check_cells(filled, NULL, &error) != OBC_OK) return fail(&error);
   volume = six_volumes(&surface) / 6;
-  printf("%lu hexahedra, scaled Jacobians %.3f at least, %.3f on average, volume %.4f for %.4f\n",
+  printf("%lu hexahedra, scaled Jacobians at least %.3f, %.3f on average, volume %.4f for %.4f\n",
          (unsigned long)cells.hexahedron_count, report.least_scaled_jacobian, report.mean_scaled_jacobian,
          report.volume, volume);
   free(positions);

@@ -1,5 +1,5 @@
-/* Makes a torus, writes it to a file and reads it again to the bit; breaks it, and is told what and where: topology,
- * orientation, the nearest point, exact signs. */
+/* Makes a torus, writes it to a file and reads it again to the bit; breaks it, and prints the defect and its location:
+ * topology, orientation, the nearest point, exact signs. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

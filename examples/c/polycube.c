@@ -4,7 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* The faces of the polycube with their neighbours, and how many edges are convex. Answers 0 unless all are. */
+/* The patches of the polycube with their neighbors, and how many edges are convex. Returns 0 unless all are. */
 static int print_graph(const obc_polycube* map) {
   static const char* const directions[6] = {"+x", "-x", "+y", "-y", "+z", "-z"};
   uint32_t starts[7], neighbours[24];
@@ -31,7 +31,7 @@ static int print_graph(const obc_polycube* map) {
   return count == 12;
 }
 
-/* Answers the number of quads with edges about a fifth of the cube's. */
+/* Returns the number of quads with edges about a fifth of the cube's. */
 static size_t count_quads(const obc_polycube* map) {
   obc_polycube_quads_options options;
   obc_polycube_quads* quads;

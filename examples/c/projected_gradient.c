@@ -64,7 +64,7 @@ int main(void) {
   for (j = 0; j < FEEDS; ++j)
     printf("  feed %d: %.9f\n", (int)j, x[j]);
 
-  /* The same by asking for one evaluation at a time; after the second one the run goes through bytes. */
+  /* The same by requesting one evaluation at a time; after the second one the run goes through bytes. */
   if (obc_projected_gradient_create(&problem, NULL, start, NULL, &solver, &error) != OBC_OK) return 1;
   while ((request = obc_projected_gradient_step(solver, &point)) > 0 && request != OBC_PROJECTED_GRADIENT_DONE) {
     double f, gradient[FEEDS];

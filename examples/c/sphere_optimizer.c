@@ -11,7 +11,7 @@
 
 enum { POINTS = 12, UNKNOWNS = 3 * POINTS };
 
-/* Energy of point i at `place` with all others; its gradient where wanted. */
+/* Energy of point i at `place` with all others; its gradient where requested. */
 static int32_t one(size_t i, const double* place, const double* x, double* value, double* gradient, double* hessian,
                    void* user) {
   size_t j, k;

@@ -50,7 +50,7 @@ int main(void) {
   printf("%s after %d evaluations: sum of squares %.1e\n", obc_trust_region_stop_name(result.stop),
          (int)result.evaluations, result.value);
 
-  /* The same by asking for one evaluation at a time; after the fifth one the run goes through bytes. */
+  /* The same by requesting one evaluation at a time; after the fifth one the run goes through bytes. */
   if (obc_trust_region_create(&problem, NULL, start, NULL, &solver, &error) != OBC_OK) return 1;
   while ((request = obc_trust_region_step(solver, &points, &count)) > 0 && request != OBC_TRUST_REGION_DONE) {
     if (request != OBC_TRUST_REGION_NEED_VALUES) continue;

@@ -1,4 +1,4 @@
-// Maps a shape to the sphere, prints how good the map is, and looks up what lies at the north pole. Answers 0 only when
+// Maps a shape to the sphere, prints how good the map is, and looks up what lies at the north pole. Returns 0 only when
 // the map is a bijection.
 #include <array>
 #include <cstdio>
@@ -11,8 +11,8 @@ int main(int count, char** arguments) try {
   int reports = 0;
   host.on_progress([&](const orbicube::Progress&) { return ++reports > 0; });
   const auto map = orbicube::sphere_map::compute(mesh, {}, &host);
-  std::printf("%d vertices, %d reports of progress: mean dilatation %.3f\n", int(mesh.vertex_count()), reports,
-              map.report.dilatation_mean);
+  std::printf("%d vertices, %d reports of progress: mean quasi-conformal distortion %.3f\n", int(mesh.vertex_count()),
+              reports, map.report.dilatation_mean);
 
   const orbicube::sphere_map::Locator locator(mesh, map.directions);
   const auto at = locator.sample(std::array<double, 3>{0, 0, 1}, mesh.positions());

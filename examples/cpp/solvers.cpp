@@ -1,5 +1,5 @@
 // The example problems of examples/c in C++: a fit without derivatives, a mix of feeds, points that repel each other.
-// Answers 0 only when the results are right.
+// Returns 0 only when the results are right.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +29,7 @@ static bool decay() {
   std::printf("decay: %s after %d evaluations, %.9f %.9f %.9f\n", orbicube::trust_region::stop_name(result.stop),
               int(result.evaluations), x[0], x[1], x[2]);
 
-  // The same by questions and answers.
+  // The same by reverse communication.
   orbicube::trust_region::Solver solver(std::array<double, 3>{1, 0.1, 0}, 8, problem);
   std::vector<double> residuals(8);
   while (solver.ask()) {

@@ -3,12 +3,12 @@
 
     gallery.py [FOLDER] [--triangles N]
 
-sphere_map.png     a shape and its map to the sphere, coloured by the distortion of angles
+sphere_map.png     a shape and its map to the sphere, colored by the distortion of angles
 energy.png         how the energy falls while the method `seed` maps a shape (Figure 3.2)
 harmonics.png      the shape from its harmonics up to degrees 2, 6 and 12
 spectrum.png       norms of the degrees of several shapes, by which they are compared (section 3.3.3)
-polycube.png       a shape and its polycube, coloured by the directions of the faces
-frames.png         angles between neighbouring frames of a field (chapter 6); needs the library tetrahedra
+polycube.png       a shape and its polycube, colored by the directions of the faces
+frames.png         angles between neighboring frames of a field (chapter 6); needs the library tetrahedra
 """
 
 import argparse
@@ -24,7 +24,7 @@ from orbicube import frame_field, harmonics, mesh, polycube, sphere_map  # noqa:
 
 
 def draw(axes, positions, triangles, values=None, colors=None, title=""):
-    """Triangles in perspective, shaded; coloured by values from 0 to 1 or by colours."""
+    """Triangles in perspective, shaded; colored by values from 0 to 1 or by colors."""
     corners = positions[triangles]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
@@ -58,14 +58,14 @@ def sphere_maps(folder, n):
     values = np.clip((dilatation - 1) / 2, 0, 1)
     figure, (left, right) = row(2)
     draw(left, shape.positions, shape.triangles, values, title="surface")
-    draw(right, result.directions, shape.triangles, values, title=f"mean dilatation {result.report.dilatation_mean:.2f}")
+    draw(right, result.directions, shape.triangles, values, title=f"mean quasi-conformal distortion {result.report.dilatation_mean:.2f}")
     save(figure, folder, "sphere_map.png")
 
     told = []
     sphere_map.compute(mesh.make("creature", min(n, 1000)), method="seed", trace=lambda *what: told.append(what))
     figure, axes = plt.subplots(figsize=(6, 4))
     axes.plot([vertices for _, vertices, _ in told], [energy for *_, energy in told], ".-")
-    axes.set(xlabel="vertices of the mesh so far", ylabel="energy", title="method seed", yscale="log")
+    axes.set(xlabel="vertices of the mesh so far", ylabel="energy", title="the method of the dissertation", yscale="log")
     save(figure, folder, "energy.png")
     return shape, result
 
@@ -118,7 +118,7 @@ def frames(folder, n):
     angles = np.degrees(quaternion.symmetric_distance(field[pairs[:, 0]], field[pairs[:, 1]]))
     figure, axes = plt.subplots(figsize=(6, 4))
     axes.hist(angles, bins=60, range=(0, 63), log=True)
-    axes.set(xlabel="angle between neighbouring frames, degrees", ylabel="faces", title=f"mean {report.symmetric_mean:.1f}")
+    axes.set(xlabel="angle between neighboring frames, degrees", ylabel="faces", title=f"mean {report.symmetric_mean:.1f}")
     assert abs(angles.mean() - report.symmetric_mean) < 1e-6
     save(figure, folder, "frames.png")
 

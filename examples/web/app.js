@@ -136,7 +136,7 @@ async function show() {
     if (!map || shape !== of) return;
     of[target] = map;
     if (chosen('target') !== target) return;
-    say(`${of.name}: every triangle has its place on the ${target}, none is turned over; ${number.format((performance.now() - began) / 1000)} s.`);
+    say(`${of.name}: every triangle has its place on the ${target}, none is flipped; ${number.format((performance.now() - began) / 1000)} s.`);
   }
   const { from, to, triangles, kind } = shown();
   viewer.pattern = chosen('pattern') === 'checker' ? 1 : 0;

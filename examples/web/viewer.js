@@ -181,7 +181,7 @@ export class Viewer {
     });
   }
 
-  /** Draws soon; as often as wanted. */
+  /** Draws soon; as often as requested. */
   draw() {
     if (this.#wanted) return;
     this.#wanted = true;

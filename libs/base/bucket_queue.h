@@ -1,6 +1,6 @@
-// A priority queue of numbers 0 .. capacity - 1 whose priorities are only told apart by powers of two: every operation
-// takes constant time, and numbers of like priority leave in the order in which they came, which keeps memory accesses
-// near each other.
+// A priority queue of numbers 0 .. capacity - 1 whose priorities are only distinguished by powers of two: every
+// operation takes constant time, and numbers of like priority leave in the order in which they came, which keeps memory
+// accesses near each other.
 #pragma once
 
 #include <algorithm>
@@ -18,7 +18,7 @@
 
 namespace orbicube::base {
 
-// `bucket_count` powers of two are told apart, from that of the unit (start) down.
+// `bucket_count` powers of two are distinguished, from that of the unit (start) down.
 template <std::size_t bucket_count>
 class BucketQueue {
  public:

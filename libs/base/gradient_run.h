@@ -1,4 +1,4 @@
-// What every solver that asks its caller for value and gradient, one point at a time, keeps of its run: where it
+// What every solver that requests from its caller value and gradient, one point at a time, keeps of its run: where it
 // stands, its counts, which value and which stationarity were the lowest, and when to end. The method itself is the
 // solver's.
 #pragma once
@@ -13,8 +13,8 @@
 namespace orbicube::base {
 
 enum class Request : std::int32_t {
-  need_value_and_gradient = 1,  // of f at point(); answer with tell()
-  iteration = 2,                // point() is a new iterate; nothing to answer
+  need_value_and_gradient = 1,  // of f at point(); supply with tell()
+  iteration = 2,                // point() is a new iterate; nothing to supply
   done = 3,                     // see result()
 };
 
@@ -29,6 +29,7 @@ struct GradientRun {
   std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
   std::uint64_t cancelled_by_host = 0;
   std::uint64_t without_gain = 0;  // iterations since value or stationarity were lower than ever before
+  std::uint64_t gained_at = 0;     // evaluations then
   double value = 0, trial_value = 0;
   double best_value = std::numeric_limits<double>::infinity();
   double measure = std::numeric_limits<double>::infinity();       // of stationarity, at the iterate
@@ -40,7 +41,7 @@ struct GradientRun {
 
   bool asked() const { return phase == RunPhase::asked || phase == RunPhase::asked_first; }
 
-  // One step of the solver: advance() answers the request. Reports first; a host that cancels, there or inside, ends
+  // One step of the solver: advance() returns the request. Reports first; a host that cancels, there or inside, ends
   // the run.
   template <class Advance>
   Request step(const Host& host, const char* name, std::uint64_t max_evaluations, const Advance& advance) {
@@ -67,7 +68,7 @@ struct GradientRun {
     return Request::done;
   }
 
-  // The answer to a request: a finite value. True when it is the lowest so far, by more than rounding.
+  // The result to a request: a finite value. True when it is the lowest so far, by more than rounding.
   bool tell(double told) {
     ++evaluations;
     trial_value = told;
@@ -77,12 +78,13 @@ struct GradientRun {
     best_value = told;
     best_measure = std::numeric_limits<double>::infinity();
     without_gain = 0;
+    gained_at = evaluations;
     return true;
   }
 
   // f could not be evaluated.
   void tell_failure() {
-    require(asked(), "nothing was asked for");
+    require(asked(), "nothing was requested");
     ++evaluations;
     ++failed_evaluations;
     trial_value = std::numeric_limits<double>::quiet_NaN();
@@ -97,11 +99,19 @@ struct GradientRun {
     if (measure < lowest_measure) {
       lowest_measure = measure;
       without_gain = 0;
+      gained_at = evaluations;
     }
     if (!(measure < best_measure && value <= best_value + rounding_of(best_value))) return false;
     best_value = value;
     best_measure = measure;
     return true;
+  }
+
+  // The iterate's stationarity, known to be larger than it was thought.
+  void unsettle(double larger) {
+    if (!(larger > measure)) return;
+    if (best_measure == measure) best_measure = larger;
+    measure = lowest_measure = larger;
   }
 
   // Why the run is to end before another iteration, or running.
@@ -112,6 +122,12 @@ struct GradientRun {
     // Lower values are found for a while after the last that rounding resolves; nonmonotone searches may need more.
     constexpr std::uint64_t patience = 200;
     if (without_gain >= patience + 10 * options.history) return Stop::stalled;
+    // Searches that take many evaluations and gain nothing tell that f is at its floor of rounding, or that the
+    // gradient is not that of f.
+    constexpr std::uint64_t fruitless = 40, per_iteration = 4;
+    if (evaluations - gained_at >= fruitless && without_gain * per_iteration <= evaluations - gained_at) {
+      return Stop::stalled;
+    }
     if (iterations >= options.max_iterations) return Stop::iteration_budget;
     return Stop::running;
   }

@@ -1,4 +1,5 @@
-// FNV-1a, 64 bits, eight bytes at a time: tells a damaged or foreign blob from a good one (not meant against malice).
+// FNV-1a, 64 bits, eight bytes at a time: distinguishes a damaged or foreign blob from a good one (not meant against
+// malice).
 #pragma once
 
 #include <cstddef>

@@ -28,12 +28,37 @@ void WolfeSearch::start(double value, double lowest, double slope, double longes
   level = lowest + rounding * std::abs(lowest);
 }
 
+void WolfeSearch::count_doubts(double value, double slope) {
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+  const double rise = value - start_value;
+  if (std::abs(rise) <= rounding * std::abs(start_value)) {
+    ++unresolved;
+  } else if (rise > 0 && slope < 0.5 * start_slope) {
+    // What a wrong gradient makes f rise by falls with the length; what noise of f makes it rise by does not.
+    if (contradictions > 0 && length < contradicted_length &&
+        rise > std::sqrt(length / contradicted_length) * contradicted_rise)
+      noisy = 1;
+    ++contradictions;
+    contradicted_length = length;
+    contradicted_rise = rise;
+  }
+}
+
+// A smooth f agrees with its slopes once trials are close to the start; a gradient that is wrong, differenced or
+// rounded never does. Nor do slopes help for long where values do not. Noise of f says nothing against the slopes: then
+// the bracket is followed to its end, and the run counts what searches gain.
+bool WolfeSearch::hopeless() const {
+  constexpr std::uint64_t max_contradictions = 8, max_unresolved = 10;
+  return noisy == 0 && (contradictions >= max_contradictions || unresolved >= max_unresolved);
+}
+
 Search WolfeSearch::advance(double value, double slope) {
   constexpr double decrease = 1e-4, curvature = 0.9;
   constexpr std::uint64_t trial_limit = 30;
+  constexpr double endless_length = 1e15;
   ++trials;
   const bool finite = std::isfinite(value) && std::isfinite(slope);
-  if (returning) return finite ? Search::accept : Search::give_up;
+  if (returning) return finite && (value < start_value || noisy != 0) ? Search::accept : Search::give_up;
   const bool lower = value <= start_value + decrease * length * start_slope;
   const bool not_higher = value <= level;
   const bool flat_enough = slope >= curvature * start_slope;
@@ -41,8 +66,10 @@ Search WolfeSearch::advance(double value, double slope) {
     if (flat_enough && (lower || (not_higher && slope <= (2 * decrease - 1) * start_slope))) return Search::accept;
     if (!flat_enough && lower && length >= longest) return Search::accept;
   }
-  if (trials >= trial_limit || (has_high && high - low <= 1e-15 * high)) {
-    if (!(low > 0)) return Search::give_up;
+  if (finite) count_doubts(value, slope);
+  if (trials >= trial_limit && !has_high && low >= endless_length) return Search::endless;
+  if (trials >= trial_limit || hopeless() || (has_high && high - low <= 1e-15 * high)) {
+    if (!(low > 0) || !(low_value < start_value || noisy != 0)) return Search::give_up;
     returning = 1;
     length = low;
     return Search::again;

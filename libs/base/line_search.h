@@ -1,4 +1,4 @@
-// One-dimensional searches, a trial at a time, for a solver that asks its caller for every value.
+// One-dimensional searches, a trial at a time, for a solver that requests from its caller every value.
 //
 // WolfeSearch: bracketing and safeguarded cubic steps to the weak Wolfe conditions or, where f no longer resolves a
 // decrease, Hager and Zhang's approximate ones (2005, "A new conjugate gradient method with guaranteed descent").
@@ -10,7 +10,8 @@
 
 namespace orbicube::base {
 
-enum class Search : std::int32_t { again = 0, accept = 1, give_up = 2 };
+// endless: f falls along the direction as far as was looked, and no less steeply.
+enum class Search : std::int32_t { again = 0, accept = 1, give_up = 2, endless = 3 };
 
 // Plain data: saved and loaded as bytes.
 struct WolfeSearch {
@@ -18,14 +19,22 @@ struct WolfeSearch {
   double level;                         // f may end this high where it no longer resolves a decrease
   double longest;                       // the direction may be followed this far
   double low, low_value, low_slope;     // the best point with a sufficient decrease, 0 at first
-  double high, high_value, high_slope;  // beyond the wanted point, where there is one (NaN values: f failed there)
-  double length;                        // of the trial that is asked for
+  double high, high_value, high_slope;  // beyond the requested point, where there is one (NaN values: f failed there)
+  double length;                        // of the trial that is requested
   std::uint64_t trials, has_high, returning;
+  std::uint64_t contradictions;                   // trials where f is higher though it falls at both ends by the slopes
+  std::uint64_t unresolved;                       // trials that rounding of f does not tell from the start
+  double contradicted_length, contradicted_rise;  // of the last contradiction
+  std::uint64_t noisy;  // 1: f rises by as much at shorter lengths, which its slopes do not show
 
-  // `lowest` is the least value so far; the first trial is at length 1.
+  // `lowest` is the minimum value so far; the first trial is at length 1.
   void start(double value, double lowest, double slope, double longest_length);
   // Takes f and its derivative at `length` (NaN: failed). again: evaluate at the new `length`.
   Search advance(double value, double slope);
+
+ private:
+  void count_doubts(double value, double slope);
+  bool hopeless() const;
 };
 
 struct BacktrackingSearch {

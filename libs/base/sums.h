@@ -44,7 +44,7 @@ double blocked_sum(std::size_t count, const Term& term) {
   return total.value();
 }
 
-// 0 * inf and 0 * nan are nan, so one sum tells.
+// 0 * inf and 0 * nan are nan, so one sum suffices.
 inline bool all_finite(std::span<const double> v) {
   double sum = 0;
   for (const double value : v)

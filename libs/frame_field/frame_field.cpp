@@ -7,22 +7,22 @@
 #include <utility>
 
 #include "base/error.h"
-#include "frame_field/boundary_stars.h"
-#include "frame_field/canonical_solid.h"
-#include "frame_field/curve_search.h"
-#include "frame_field/diffusion.h"
-#include "frame_field/energy.h"
-#include "frame_field/features.h"
-#include "frame_field/hierarchy.h"
-#include "frame_field/recombination.h"
-#include "frame_field/seed_method.h"
-#include "frame_field/smoothing.h"
-#include "frame_field/starts.h"
+#include "frame_field/graph/boundary_stars.h"
+#include "frame_field/graph/canonical_solid.h"
+#include "frame_field/graph/features.h"
+#include "frame_field/graph/hierarchy.h"
+#include "frame_field/singularities/curve_search.h"
+#include "frame_field/smoothing/diffusion.h"
+#include "frame_field/smoothing/energy.h"
+#include "frame_field/smoothing/recombination.h"
+#include "frame_field/smoothing/seed_method.h"
+#include "frame_field/smoothing/smoothing.h"
+#include "frame_field/smoothing/starts.h"
 
 namespace orbicube::frame_field {
 namespace {
 
-// Nodes of the coarsest graph at most.
+// Maximum number of nodes of the coarsest graph.
 constexpr std::size_t smallest_graph = 60;
 // Times of Start::diffusion, in mean squared edges: wide enough for curves to cross a solid.
 constexpr std::initializer_list<double> falling_times = {64, 32, 16, 8};
@@ -85,7 +85,7 @@ class Search {
   }
 
  private:
-  // Answers the energy.
+  // Returns the energy.
   double smoothed(Field& field, double gain, Constraints& constraints) {
     const SmoothingResult result = smooth(graph_, hierarchy_, constraints, {.relative_gain = gain}, host_, field);
     iterations_ += result.solver_iterations;
@@ -222,7 +222,7 @@ void check(std::size_t count, const Options& options, const Given& given) {
   require(in_range(options.method, Method::seed), "no such method");
   require(in_range(options.weighting, Weighting::geometric), "no such weighting");
   require(in_range(options.repairs, Repairs::single_axis), "no such repairs");
-  require(options.repairs == Repairs::none || options.method == Method::smooth, "method seed knows no repairs");
+  require(options.repairs == Repairs::none || options.method == Method::smooth, "method `seed` knows no repairs");
   require(options.feature_angle >= 0 && options.feature_angle < 4, "the feature angle is not in [0, pi]");
   require(options.relative_gain > 0 && options.relative_gain < 1, "the relative gain is not between 0 and 1");
   for (const GivenFrame& g : given.frames) {
@@ -276,7 +276,10 @@ Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron>
   if (options.method == Method::seed) {
     outcome = seed_method(graph, constraints, solid.turned(Quaternion{1, 0, 0, 0}), host);
   } else {
-    outcome = Search(graph, constraints, options, host).run(solid, given);
+    {
+      const base::Stage stage(host, 0.6);
+      outcome = Search(graph, constraints, options, host).run(solid, given);
+    }
     if ((options.start == Start::automatic && options.rounds > 0) || options.repairs != Repairs::none)
       improve_structure(solid.positions, connectivity, graph, constraints, options, host, outcome);
   }

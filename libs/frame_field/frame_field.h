@@ -6,9 +6,9 @@
 #include <span>
 
 #include "base/host.h"
-#include "frame_field/constraints.h"
-#include "frame_field/dual_graph.h"
-#include "frame_field/repair.h"
+#include "frame_field/graph/constraints.h"
+#include "frame_field/graph/dual_graph.h"
+#include "frame_field/singularities/repair.h"
 
 namespace orbicube::frame_field {
 
@@ -51,7 +51,7 @@ struct Options {
 
 // What the caller gives besides the mesh; all may be empty.
 struct Given {
-  std::span<const GivenFrame> frames;      // held as they are
+  std::span<const GivenFrame> frames;      // fixed
   std::span<const GivenAxis> axes;         // one axis of these frames lies along a direction
   std::span<const Quaternion> start = {};  // by tetrahedron, for Start::given
 };
@@ -67,7 +67,7 @@ struct Outcome {
   RepairOutcome repair;  // with repairs
 };
 
-// The field of least energy that was found. Positions must be finite and tetrahedra positive (mesh/cells.h).
+// The field of minimum energy that was found. Positions must be finite and tetrahedra positive (mesh/topology/cells.h).
 // Throws Error: "empty-mesh" without tetrahedra; "invalid-argument" for what is given or options that are out of range;
 // those of TetrahedralConnectivity; "cancelled". O(n), at most 1 KB a tetrahedron.
 Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra, const Options& options,

@@ -3,9 +3,9 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/file.h"
-#include "mesh/text_scanner.h"
-#include "mesh/text_writer.h"
+#include "mesh/files/file.h"
+#include "mesh/files/text_scanner.h"
+#include "mesh/files/text_writer.h"
 
 namespace orbicube::frame_field {
 

@@ -6,11 +6,11 @@
 #include <span>
 
 #include "base/host.h"
-#include "frame_field/dual_graph.h"
+#include "frame_field/graph/dual_graph.h"
 
 namespace orbicube::frame_field {
 
-// Whole or not at all (mesh/file.h). Throws Error "io", "cancelled". O(n).
+// Whole or not at all (mesh/files/file.h). Throws Error "io", "cancelled". O(n).
 void write_frames(const std::filesystem::path& path, std::span<const Quaternion> field, const base::Host& host);
 
 // A field of `count` frames, scaled to length 1. Empty lines and what follows a # are passed over. Throws Error "io";

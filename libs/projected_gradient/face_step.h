@@ -1,5 +1,5 @@
-// Where to go next: the limited-memory model of f at x, minimised over the feasible set. Projected Barzilai-Borwein
-// steps on the model find the face, the model's minimiser in that face is exact; a few rounds of both settle the face
+// Where to go next: the limited-memory model of f at x, minimized over the feasible set. Projected Barzilai-Borwein
+// steps on the model find the face, the model's minimizer in that face is exact; a few rounds of both settle the face
 // without evaluating f (the two phases of Hager and Zhang 2006, "A new active set algorithm for box constrained
 // optimization", taken on the model; with rows, the exact subproblem of Schmidt et al. 2009).
 #pragma once

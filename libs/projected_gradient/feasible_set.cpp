@@ -100,7 +100,7 @@ Projected FeasibleSet::project_one_row(std::span<const double> y, std::span<doub
   return Projected::done;
 }
 
-// Maximises the concave dual function of t, whose gradient is b - A clip(y + A't): Newton steps with A_F A_F' + shift I
+// Maximizes the concave dual function of t, whose gradient is b - A clip(y + A't): Newton steps with A_F A_F' + shift I
 // for the second derivative (semismooth Newton; Li, Sun, Toh 2018 and Qi, Sun 1993), each followed by a search along
 // the step, which is again one row equation. The shift keeps rows without free unknowns moving.
 Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<double> x, double step,
@@ -154,7 +154,7 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     const bool bounded = root.feasible && std::abs(root.t) * largest_magnitude(newton_) < reach;
     if (!bounded && certify(newton_)) return Projected::infeasible;
     // Searches to the end cross the flat pieces of the function of t; full steps, between them and for whole blocks,
-    // bring the residual to the least that the bounds allow, which proves infeasible rows (along those the function
+    // bring the residual to the minimum that the bounds allow, which proves infeasible rows (along those the function
     // rises for ever).
     const bool to_the_end = bounded && (root.t < 1 || (iteration % 3 == 0 && iteration / block % 2 == 0));
     const double length = to_the_end ? root.t : 1;

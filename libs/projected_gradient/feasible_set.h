@@ -66,7 +66,7 @@ class FeasibleSet {
   // The multipliers of the last projection with a step, for one of length 1: P(y) = clip(y + A't).
   std::span<double> guess() { return guess_; }
 
-  // A number that tells problems apart: a hash of bounds and rows.
+  // A number that distinguishes problems: a hash of bounds and rows.
   std::uint64_t fingerprint() const;
   // Shows what a saved run must hold to `visit` as spans of numbers.
   template <class Self, class Visit>

@@ -1,6 +1,6 @@
 // The limited-memory BFGS model of the Hessian in its compact form (Byrd, Nocedal, Schnabel 1994),
 //   B = sigma I - W N^-1 W',  W = [sigma S, Y],  N = [sigma S'S, L; L', -D],
-// with L the strictly lower and D the diagonal part of S'Y, and the minimiser of a quadratic with this Hessian in a
+// with L the strictly lower and D the diagonal part of S'Y, and the minimizer of a quadratic with this Hessian in a
 // face.
 #pragma once
 
@@ -39,7 +39,7 @@ class LimitedMemory {
 
   // Readies minimise_in_face for the face that `set` has chosen; false when the model there is not resolvable.
   bool enter_face(const FeasibleSet& set, const base::Host& host);
-  // d = -(P B P)^+ P gradient, with P the projection to the face: the step to the model's minimiser there.
+  // d = -(P B P)^+ P gradient, with P the projection to the face: the step to the model's minimizer there.
   void minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d,
                         const base::Host& host) const;
 

@@ -37,7 +37,7 @@ NormalFactor::NormalFactor(const SparseRows& rows, std::pmr::memory_resource* me
       permuted_(rows.rows(), 0.0, memory) {
   const std::size_t m = rows.rows();
   order_.reserve(m);
-  // Minimum degree on the explicit graph: the neighbours of the row taken out become a clique. The lists left at each
+  // Minimum degree on the explicit graph: the neighbors of the row taken out become a clique. The lists left at each
   // row's elimination are the pattern of its column of L.
   Lists later = neighbours_of(rows, memory);
   base::Array<std::uint8_t> done(m, 0, memory);

@@ -1,5 +1,5 @@
 // Sparse factor L D L' of A_F A_F' + shift I, where F is a changing set of free unknowns. The elimination order and the
-// pattern of L are those of the full A A', found once; a factorisation then allocates nothing. Rows that depend on
+// pattern of L are those of the full A A', found once; a factorization then allocates nothing. Rows that depend on
 // earlier ones (redundant rows, or rows whose unknowns are all at bounds) get a zero pivot and a zero multiplier.
 #pragma once
 

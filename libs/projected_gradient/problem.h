@@ -1,4 +1,4 @@
-// What is minimised over what: min f(x) subject to A x = b and lower <= x <= upper, how, and how it ended.
+// What is minimized over what: min f(x) subject to A x = b and lower <= x <= upper, how, and how it ended.
 #pragma once
 
 #include <cstddef>
@@ -22,14 +22,14 @@ struct Problem {
   std::span<const double> rhs;  // b, m entries
 
   // Instead of rows and bounds: the nearest point of a closed convex set, from y into x (n each, never the same array).
-  // Answers false when it cannot. Must be a function of y alone.
+  // Returns false when it cannot. Must be a function of y alone.
   std::function<bool(const double* y, double* x)> project;
 
   std::size_t rows() const { return rhs.size(); }
 };
 
 enum class Method : std::int32_t {
-  face = 0,  // Barzilai-Borwein steps find the face, a limited-memory model is minimised in it
+  face = 0,  // Barzilai-Borwein steps find the face, a limited-memory model is minimized in it
   seed = 1,  // the dissertation's: eq. 4.11 to 4.13 with a nonmonotone line search
 };
 
@@ -61,6 +61,7 @@ enum class Stop : std::int32_t {
   cancelled = 7,
   evaluation_failed = 8,  // f or its gradient not finite at the start, or at every point tried along two directions
   projection_failed = 9,  // the user's projection failed, or the rows are too ill-conditioned to be met
+  unbounded = 10,         // f falls along a direction without end, or below every number
 };
 
 const char* stop_name(Stop stop);
@@ -68,8 +69,9 @@ const char* stop_name(Stop stop);
 // What is known of a run at any time.
 struct Result {
   Stop stop = Stop::running;
-  double value = std::numeric_limits<double>::quiet_NaN();              // f at the point handed out
-  double projected_gradient = std::numeric_limits<double>::infinity();  // |P(x - g) - x|inf at the current iterate
+  double value = std::numeric_limits<double>::quiet_NaN();  // f at the point handed out
+  // |P(x - g) - x|inf at the current iterate; where x is so large that x - g rounds to x, by the multipliers
+  double projected_gradient = std::numeric_limits<double>::infinity();
   double equality_residual = 0;  // largest |a'x - b| / (|b| + sum |a_j x_j|) of a row, at the point handed out
   std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
   std::uint64_t projection_passes = 0;  // over the unknowns, all projections together

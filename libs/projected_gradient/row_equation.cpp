@@ -217,7 +217,7 @@ RowRoot solve_row_equation(const RowEquation& equation, double start, double acc
         return root;
       }
     }
-    if (!usable(candidate)) break;  // neighbouring numbers
+    if (!usable(candidate)) break;  // neighboring numbers
     root.t = candidate;
   }
   best.passes = root.passes;

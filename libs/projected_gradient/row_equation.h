@@ -18,7 +18,7 @@ struct RowEquation {
 struct RowRoot {
   double t = 0;
   double residual = 0;       // left side minus rhs at t
-  bool feasible = true;      // false: no t can reach rhs; sign(residual) tells on which side it stays
+  bool feasible = true;      // false: no t can reach rhs; sign(residual) is the side on which it stays
   std::uint32_t passes = 0;  // over the n unknowns
 };
 

@@ -1,5 +1,5 @@
 // A run as bytes.
-#include "base/saved_run.h"
+#include "base/files/saved_run.h"
 #include "projected_gradient/solver.h"
 
 namespace orbicube::projected_gradient {
@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t fingerprint;  // of the problem
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCPGRD2", "projected_gradient");
+constexpr base::SavedRun<Description> saved_run("OBCPGRD3", "projected_gradient");
 
 }  // namespace
 

@@ -1,6 +1,6 @@
 // The iteration of both methods. Method::seed is the dissertation's section 4.3.1: x + alpha d with
 // d = P(x - g / lambda) - x (eq. 4.11), lambda = max(s'y / s's, 1e-10) (eq. 4.13) and a nonmonotone line search.
-// Method::face takes d from the minimiser of a limited-memory model over the feasible set (face_step.h).
+// Method::face takes d from the minimizer of a limited-memory model over the feasible set (face_step.h).
 #include "projected_gradient/solver.h"
 
 #include <algorithm>
@@ -18,6 +18,8 @@ using base::Search;
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+// No f that is bounded has such a value.
+constexpr double bottomless = -1e200;
 
 const Options& checked(const Options& options) {
   require(options.method == Method::face || options.method == Method::seed, "unknown method");
@@ -44,8 +46,9 @@ double longest_step(std::span<const double> x, std::span<const double> d, std::s
 }  // namespace
 
 const char* stop_name(Stop stop) {
-  return base::name_of(stop, {"running", "converged", "target reached", "evaluation budget", "iteration budget",
-                              "stalled", "infeasible", "cancelled", "evaluation failed", "projection failed"});
+  return base::name_of(
+      stop, {"running", "converged", "target reached", "evaluation budget", "iteration budget", "stalled", "infeasible",
+             "cancelled", "evaluation failed", "projection failed", "unbounded"});
 }
 
 Solver::Solver(const Problem& problem, const Options& options, std::span<const double> start, const base::Host& host)
@@ -97,7 +100,7 @@ Request Solver::advance() {
 }
 
 void Solver::tell(double value, std::span<const double> gradient) {
-  require(state_.asked(), "nothing was asked for");
+  require(state_.asked(), "nothing was requested");
   require(gradient.size() == x_.size(), "the gradient must have n entries");
   if (!std::isfinite(value) || !all_finite(gradient)) return tell_failure();
   std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
@@ -144,11 +147,41 @@ void Solver::accept_trial() {
   for (std::size_t i = 0; i < multipliers_.size(); ++i)
     multipliers_[i] += change[i];
   std::fill(change.begin(), change.end(), 0.0);
+  if (measure <= options_.gradient_tolerance) state_.unsettle(measure_in_large());
+}
+
+// The projected gradient without the rounding of x - g, where that may hide it: where x is large, and the gradient is
+// larger than what the rounding of x alone makes of it. Else what is known already.
+double Solver::measure_in_large() {
+  constexpr double slack = 100, moved = 1e-6;
+  const double largest = largest_magnitude(x_), steepest = largest_magnitude(gradient_);
+  const double curvature = options_.method == Method::seed ? state_.curvature
+                           : model_.count() > 0            ? model_.sigma()
+                                                           : 0.0;
+  const double rounding = std::numeric_limits<double>::epsilon() * largest;
+  if (!(steepest > std::max(options_.gradient_tolerance, slack * curvature * rounding)) ||
+      !(steepest < slack * rounding))
+    return state_.measure;
+  double measure = state_.measure;
+  if (set_.custom()) {
+    // A step that the arithmetic resolves.
+    const double factor = moved * largest / steepest;
+    for (std::size_t j = 0; j < x_.size(); ++j)
+      trial_[j] = x_[j] - factor * gradient_[j];
+    if (!project(trial_, target_, factor)) return measure;
+    for (std::size_t j = 0; j < x_.size(); ++j)
+      measure = std::max(measure, std::abs(target_[j] - x_[j]) / factor);
+  } else {
+    for (std::size_t j = 0; j < x_.size(); ++j)
+      measure = std::max(measure, std::abs(clip(-gradient_[j], set_.lower()[j] - x_[j], set_.upper()[j] - x_[j])));
+  }
+  return measure;
 }
 
 Request Solver::begin_iteration() {
   const Stop reason = state_.reason_to_end(options_);
   if (reason != Stop::running) return state_.finish(reason);
+  if (state_.best_value <= bottomless) return state_.finish(Stop::unbounded);
   const bool seed = options_.method == Method::seed;
   const bool found = seed ? choose_seed_direction() : choose_direction();
   if (state_.phase == Phase::done) return Request::done;
@@ -218,7 +251,7 @@ Request Solver::take_trial() {
                                             : std::max(largest_magnitude(trial_gradient_), 1e-10);
     } else {
       // The curvature that sigma stands for is that of the face: y on bounds would make every step too short. In a
-      // small face too little of y may be left; s'y / s's is the least that y'y / s'y can be. The old gradient is not
+      // small face too little of y may be left; s'y / s's is the minimum that y'y / s'y can be. The old gradient is not
       // needed any more.
       std::copy(target_.begin(), target_.end(), gradient_.begin());
       if (!set_.custom()) {
@@ -243,9 +276,10 @@ Request Solver::take_trial() {
     }
     return state_.ask(Phase::asked, options_.max_evaluations);
   }
+  if (verdict == Search::endless) return state_.finish(Stop::unbounded);
   const bool failed = !std::isfinite(state_.trial_value);
   if (seed || state_.without_memory) return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
-  // The model may be at fault: once more along the projected gradient.
+  // The model may be at fault: again along the projected gradient.
   model_.clear();
   model_.set_sigma(std::max(largest_magnitude(gradient_), 1e-10));
   return begin_iteration();

@@ -1,5 +1,5 @@
-// The solver, one evaluation at a time: step() says what is wanted, tell() gives it. Everything is allocated when the
-// solver is made; a run can be saved between any two calls and goes on with the same bits.
+// The solver, one evaluation at a time: step() says what is requested, tell() gives it. Everything is allocated when
+// the solver is made; a run can be saved between any two calls and goes on with the same bits.
 #pragma once
 
 #include <cstddef>
@@ -39,7 +39,7 @@ class Solver {
 
   Result result() const;
   // The point that result() speaks of: the iterate that met the tolerance, else the lowest feasible point evaluated
-  // (among values that differ by rounding only, the one with the least projected gradient); before the first
+  // (among values that differ by rounding only, the one with the minimum projected gradient); before the first
   // evaluation, the projected start.
   std::span<const double> best_point() const;
   std::span<const double> certificate() const { return set_.certificate(); }
@@ -79,6 +79,7 @@ class Solver {
   bool project(std::span<const double> y, std::span<double> x, double step);
   bool settle_projection(Projected outcome);
   double reference_value() const;
+  double measure_in_large();
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit);
 

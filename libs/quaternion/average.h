@@ -1,4 +1,4 @@
-// The mean of rotations (Markley, Cheng, Crassidis, Oshman 2007, "Averaging quaternions"): the unit q that maximises
+// The mean of rotations (Markley, Cheng, Crassidis, Oshman 2007, "Averaging quaternions"): the unit q that maximizes
 // sum w_i (q . q_i)^2, the dominant eigenvector of sum w_i q_i q_i'. The signs of the q_i do not matter.
 #pragma once
 

@@ -1,6 +1,6 @@
 // Distance and matching of frames: rotations up to the 24 of the cube, where q and q g stand for the same three axes.
 // With Hamilton's product and active rotations the symmetry is on the right, so the distance of frames p and q is the
-// least angle of q^-1 p g over the group: it does not change when either frame is replaced by an equal one, nor when
+// smallest angle of q^-1 p g over the group: it does not change when either frame is replaced by an equal one, nor when
 // both are rotated. It is at most 62.8 degrees. Nothing here branches on data, so that loops become vector
 // instructions.
 #pragma once
@@ -21,7 +21,7 @@ constexpr double larger(double a, double b) {
   return a > b ? a : b;
 }
 
-// asin(sqrt s) / sqrt s on [0, 0.28] to 3e-17: the least largest error of degree 13, by Chebyshev interpolation.
+// asin(sqrt s) / sqrt s on [0, 0.28] to 3e-17: the minimum largest error of degree 13, by Chebyshev interpolation.
 constexpr double arc_over_chord(double s) {
   constexpr std::array<double, 13> coefficient = {
       0.16666666666666674,  0.07499999999992399,   0.04464285715800273,  0.030381943262825294, 0.022372206804869146,

@@ -40,7 +40,7 @@ Matrix to_matrix(const Quaternion& q);
 // (1978) the one with the largest component, never one that cancels. Throws invalid-argument unless R'R is the unit
 // matrix to 1e-6 and det R > 0.
 Quaternion from_matrix(const Matrix& matrix);
-// The rotation R that maximises the trace of R'M, which is nearest to M in the Frobenius norm (Davenport's q-method:
+// The rotation R that maximizes the trace of R'M, which is nearest to M in the Frobenius norm (Davenport's q-method:
 // the dominant eigenvector of a 4x4 matrix); for a rotation with noise, or for columns to be made orthonormal. Throws
 // no-valid-result when M is not finite or has no unique nearest rotation, such as zero or a reflection.
 Quaternion nearest_to_matrix(const Matrix& matrix);

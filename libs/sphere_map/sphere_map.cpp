@@ -7,14 +7,15 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/topology.h"
-#include "sphere_map/decimation.h"
-#include "sphere_map/measure.h"
-#include "sphere_map/method.h"
-#include "sphere_map/normalise.h"
-#include "sphere_map/partial.h"
-#include "sphere_map/refinement.h"
-#include "sphere_map/seed.h"
+#include "mesh/topology/degenerate_triangles.h"
+#include "mesh/topology/topology.h"
+#include "sphere_map/dissertation/seed.h"
+#include "sphere_map/hierarchy/decimation.h"
+#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/hierarchy/partial.h"
+#include "sphere_map/hierarchy/refinement.h"
+#include "sphere_map/optimization/measure.h"
+#include "sphere_map/optimization/method.h"
 
 namespace orbicube::sphere_map {
 namespace {
@@ -31,16 +32,21 @@ double total_area(std::span<const Vector3> positions, std::span<const Triangle> 
 // decimation and a stronger barrier get past that, or else triangles that count as having some area, in the end all
 // alike: maps of that kind exist for every surface (Tutte 1963).
 Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                                double surface_area, const Schedule& schedule, std::uint64_t seed,
-                                const base::Host& host, Partial* partial) {
+                                const RestTriangles& rest, double surface_area, const Schedule& schedule,
+                                std::uint64_t seed, const base::Host& host, Partial* partial) {
   const double mean_area = surface_area / static_cast<double>(triangles.size());
   const std::array least_areas = {0.0, 0.0, 1e-2, 1.0, 1e3};  // times the mean area
   const base::Team team(host);
   for (std::size_t attempt = 0;; ++attempt) {
+    const base::Stage stage(host, 0.9);
     try {
-      Decimation decimation = decimate(positions, VertexRings(positions.size(), triangles, host), seed, host, team);
-      return refine(decimation, positions, schedule.with_stronger_barrier(attempt), least_areas[attempt] * mean_area,
-                    host, team, partial);
+      Decimation decimation = [&] {
+        const base::Stage first(host, 0.1);
+        return decimate(positions, VertexRings(positions.size(), triangles, host), seed, host, team);
+      }();
+      RestTriangles attempted = rest;
+      attempted.least_area = least_areas[attempt] * mean_area;
+      return refine(decimation, positions, schedule.with_stronger_barrier(attempt), attempted, host, team, partial);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || attempt + 1 == least_areas.size()) throw;
       host.log(std::string("trying again: ") + e.what());
@@ -49,11 +55,36 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
   }
 }
 
+// Of a surface, `unit` of diagonal 1.
+RestTriangles rest_triangles(std::span<const Vector3> positions, std::span<const Vector3> unit,
+                             std::span<const Triangle> triangles) {
+  RestTriangles rest;
+  const Placing placing = placing_of(positions, triangles);
+  if (!(placing.half_size > 0)) {
+    rest.release_degenerate = true;
+    return rest;
+  }
+  // A height that is lost in rounding before the surface is scaled to the diagonal 1.
+  double farthest = 0;
+  for (const Triangle& t : triangles) {
+    for (const Index v : t)
+      farthest = std::max(farthest, positions[v].cwiseAbs().maxCoeff());
+  }
+  rest.least_height = mesh::degenerate_height_roundings * mesh::rounding_unit(positions, triangles) *
+                      (farthest / placing.half_size / placing.diagonal);
+  rest.sliver_area = sliver_area_share * total_area(unit, triangles) / static_cast<double>(triangles.size());
+  rest.release_degenerate = std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
+    const Vector3 pq = unit[t[1]] - unit[t[0]], pr = unit[t[2]] - unit[t[0]];
+    const double longest_square = std::max({pq.squaredNorm(), pr.squaredNorm(), (pr - pq).squaredNorm()});
+    return is_released(rest, pq.cross(pr).norm(), longest_square);
+  });
+  return rest;
+}
+
 // Vertices in no triangle, which have no direction yet.
-void place_unused(std::span<const Vector3> positions, std::span<Vector3> directions) {
+void place_unused(const Placing& placing, std::span<const Vector3> positions, std::span<Vector3> directions) {
   for (std::size_t v = 0; v < directions.size(); ++v) {
-    if (directions[v] == Vector3::Zero())
-      directions[v] = positions[v].norm() > 0 ? positions[v].normalized() : Vector3::UnitZ();
+    if (directions[v] == Vector3::Zero()) directions[v] = placing.direction(positions[v]);
   }
 }
 
@@ -76,7 +107,8 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
   const Schedule schedule = schedule_of(options);
   const mesh::Topology facts = mesh::topology(positions, triangles, host);
   mesh::require_closed_genus_zero(facts);
-  const Array<Vector3> unit = normalised(positions, host.memory);
+  const Array<Vector3> unit = normalised(positions, triangles, host.memory);
+  const RestTriangles rest = rest_triangles(positions, unit, triangles);
 
   // Inward surfaces are mapped as they look from outside.
   Array<Triangle> outward(triangles.begin(), triangles.end(), host.memory);
@@ -91,17 +123,18 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
                                                                 {.angle_weight = options.angle_weight,
                                                                  .area_weight = options.area_weight,
                                                                  .seed = options.seed,
+                                                                 .rest = rest,
                                                                  .trace = options.trace},
                                                                 host, partial)
-                                                : map_with_retries(unit, outward, total_area(unit, outward), schedule,
-                                                                   options.seed, host, partial);
+                                                : map_with_retries(unit, outward, rest, total_area(unit, outward),
+                                                                   schedule, options.seed, host, partial);
     check_exactly(outward, directions, host);
   } catch (const base::Error&) {
     keep_partial({}, directions, partial);
-    if (partial != nullptr) place_unused(unit, partial->directions);
+    if (partial != nullptr) place_unused(placing_of(positions, triangles), positions, partial->directions);
     throw;
   }
-  place_unused(unit, directions);
+  place_unused(placing_of(positions, triangles), positions, directions);
   return directions;
 }
 

@@ -3,7 +3,7 @@
 // The hierarchical method of the dissertation's chapter 3 and of Praun and Hoppe (2003), with what is known today put
 // in where it is better: the surface is decimated to a tetrahedron (decimation.h), the tetrahedron is put on the
 // sphere, and the vertices are inserted again one by one, each into the spherical kernel of its ring
-// (spherical_kernel.h), with local optimisation (vertex_step.h, relaxation.h) of a distortion energy that grows without
+// (spherical_kernel.h), with local optimization (vertex_step.h, relaxation.h) of a distortion energy that grows without
 // bound as a triangle collapses (distortion.h). No step is taken that makes a triangle non-positive by exact
 // predicates, so the map is a bijection at every moment.
 #pragma once
@@ -31,10 +31,10 @@ enum class Method : std::int32_t {
   seed = 5,        // chapter 3 of the dissertation as printed, mended only where it would fail (seed.h)
 };
 
-// Where the optimisation of method `seed` is, for the dissertation's Figure 3.2.
+// Where the optimization of method `seed` is, for the dissertation's Figure 3.2.
 struct TracePoint {
   std::uint64_t iterations;  // calls of Algorithm 2 so far
-  std::size_t vertices;      // of the mesh that is optimised
+  std::size_t vertices;      // of the mesh that is optimized
   double energy;             // E of that mesh, eq. 3.5
 };
 
@@ -44,7 +44,7 @@ struct Options {
   double area_weight = 1.0;   // mu of eq. 3.5; not negative
   std::uint64_t seed = 0;     // varies the order of equally good decimation steps
   // Method `seed` calls it when a level ends, and once in as many iterations as there are vertices at the end;
-  // iterations count from zero again when a kernel was empty and the map is begun anew. May be empty.
+  // iterations count from zero again when a kernel was empty and the map is begun again. May be empty.
   std::function<void(const TracePoint&)> trace = nullptr;
 };
 
@@ -58,8 +58,8 @@ struct Partial {
 };
 
 // Maps the vertices of a closed, connected, consistently oriented surface of genus 0 to unit vectors, one a vertex in
-// the order of `positions`. Vertices in no triangle get the direction from the bounding box's centre. Orientation is
-// kept: det[p q r] > 0 for every triangle, exactly, and so that rounding each coordinate once more cannot change it.
+// the order of `positions`. Vertices in no triangle get the direction from the bounding box's center. Orientation is
+// kept: det[p q r] > 0 for every triangle, exactly, and so that rounding each coordinate again cannot change it.
 // O(n log n) time, at most 1 KB a vertex.
 // Throws Error: invalid-argument (options, sizes), the kinds of mesh::require_closed_genus_zero, cancelled,
 // no-valid-result when no valid map was found. For the last two kinds `partial`, which may be null, gets what there is

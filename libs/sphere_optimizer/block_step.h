@@ -8,14 +8,14 @@
 //   void for_each_neighbour(block, visit) const            visit(other) for each block whose terms contain this one
 // and may have
 //   double value_gradient_and_hessian(block, gradient, hessian) const  d x d: makes each step a Newton step
-//   bool minimiser(block, x) const                         x becomes the best place in closed form; true if there is
+//   bool minimizer(block, x) const                         x becomes the best place in closed form; true if there is
 //   one double longest_angle(block, direction) const           how far along the unit tangent the energy may be
 //   evaluated bool valid(block, x) const                             whether x may be taken at all
 // Values and gradients that are not finite are taken for places where the block cannot be.
 //
 // The step is the dissertation's Algorithm 2 with its flaws mended: it goes along the tangent gradient (or Newton's
 // direction, whose Hessian is that of the sphere, P (H - (g.x) I) P, made positive by a shift), as far as the curvature
-// that the block met last time asks, and shortens by the parabola through the values. Method::seed is Algorithm 2 as
+// of the last step of the block, and shortens by the parabola through the values. Method::seed is Algorithm 2 as
 // printed.
 #pragma once
 
@@ -166,8 +166,8 @@ bool newton_direction(Dimension d, const double* x, const double* whole, const d
 // How a block's step is made.
 struct StepRule {
   double gradient_tolerance = 0;  // a block whose tangent gradient is at most this long stays
-  double over_relaxation = 1;  // how many times as far as the energy's curvature along the arc asks, from 1 to below 2
-  bool as_printed = false;     // Algorithm 2 as printed
+  double over_relaxation = 1;     // step length relative to the minimizer along the arc, from 1 to below 2
+  bool as_printed = false;        // Algorithm 2 as printed
 };
 
 // Moves `block` from x (d numbers of the caller's, which the energy sees) to a better place if there is one. `reach` is

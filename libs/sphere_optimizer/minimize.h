@@ -6,9 +6,9 @@
 
 namespace orbicube::sphere_optimizer {
 
-// Answers the solver's requests with f(x, gradient), which fills the gradient (N d numbers, in the solver's own memory)
-// and answers the value, until the run ends. Nothing is allocated. Throws cancelled when the host cancelled the run,
-// and what f throws (minimize() again then asks for the same point); best_point() is known in any case.
+// Returns the solver's requests with f(x, gradient), which fills the gradient (N d numbers, in the solver's own memory)
+// and returns the value, until the run ends. Nothing is allocated. Throws cancelled when the host cancelled the run,
+// and what f throws (minimize() again then requires the same point); best_point() is known in any case.
 template <class Function>
 Result minimize(Solver& solver, const Function& f) {
   for (Request request; (request = solver.step()) != Request::done;) {

@@ -1,4 +1,4 @@
-// What the all-at-once solver is asked for and what it answers.
+// Options and result of the all-at-once solver.
 #pragma once
 
 #include <cstddef>

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "base/saved_run.h"
+#include "base/files/saved_run.h"
 
 namespace orbicube::sphere_optimizer {
 
@@ -63,7 +63,7 @@ void Relaxation::end_pass() {
 
 // Gains of passes fall by the square of the rate at which the distance from the optimum falls. Where Gauss-Seidel with
 // factor w has the rate r, the Jacobi method has the rate m with (r + w - 1)^2 = r w^2 m^2, and the best factor is
-// 2 / (1 + sqrt(1 - m^2)), approached from below as Carre advises: beyond it the rate tells nothing more.
+// 2 / (1 + sqrt(1 - m^2)), approached from below as Carre advises: beyond it the rate has no information.
 void Relaxation::choose_over_relaxation() {
   constexpr std::uint64_t passes = 4;  // that the rate is seen over; one more settles after each change
   constexpr double largest = 1.97;     // the rate is w - 1 at best

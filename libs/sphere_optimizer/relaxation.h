@@ -1,9 +1,9 @@
 // Block by block (Gauss-Seidel): the dissertation's Algorithm 1 without its hierarchy.
 //
-// First by a queue, those blocks first that promise most. The priority is the gain that the block's or its neighbour's
+// First by a queue, those blocks first that promise most. The priority is the gain that the block's or its neighbor's
 // latest step brought, which costs nothing; with Method::seed it is eq. 3.6, violation of the first-order condition
-// times mean distance from the neighbours. When what is left is spread over all blocks, which shows in gains that fall
-// slowly from pass to pass, sweeps over the blocks in their order take over, and steps are over-relaxed by Young's
+// times mean distance from the neighbors. When the remaining gain is spread over all blocks, which shows in gains that
+// fall slowly from pass to pass, sweeps over the blocks in their order take over, and steps are over-relaxed by Young's
 // factor for the rate that was seen (Young 1954, "Iterative methods for solving partial difference equations of
 // elliptic type"; its estimate after Carre 1961).
 //
@@ -53,7 +53,7 @@ struct RelaxationResult {
 
 namespace detail {
 
-// Mean distance of a block from its neighbours, the dissertation's d of eq. 3.6.
+// Mean distance of a block from its neighbors, the dissertation's d of eq. 3.6.
 template <class Energy>
 double mean_distance(const Energy& energy, std::size_t block, std::span<const double> points) {
   const auto d = energy.dimension();
@@ -87,11 +87,11 @@ double tangent_gradient_norm(const Energy& energy, std::size_t block, std::span<
 class Relaxation {
  public:
   // Throws invalid-argument. `problem` is a number of the caller's that load() compares, e.g. a hash of who is whose
-  // neighbour.
+  // neighbor.
   Relaxation(const Shape& shape, const RelaxationOptions& options, std::pmr::memory_resource* memory,
              std::uint64_t problem = 0);
 
-  // Starts anew; throws invalid-argument.
+  // Starts again; throws invalid-argument.
   void begin(const RelaxationOptions& options);
 
   // Lowers the energy of `points`, unit vectors that the energy sees where they are, until the end, or for about
@@ -119,7 +119,7 @@ class Relaxation {
   // All that a run is besides its arrays; saved as bytes, so it holds no pointer.
   struct State {
     Phase phase = Phase::filling;
-    std::uint32_t woken = 0;   // the block whose neighbours are to be woken before the next step
+    std::uint32_t woken = 0;   // the block whose neighbors are to be woken before the next step
     std::uint64_t waking = 0;  // 1: they are
     std::uint64_t sweeping = 0;
     std::uint64_t next = 0;  // block to be put into the queue, stepped in a sweep, or measured
@@ -150,7 +150,7 @@ class Relaxation {
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit);
 
-  // Gains of any size are told apart: one bucket for each exponent.
+  // Gains of any size are distinguished: one bucket for each exponent.
   static constexpr std::size_t exponents = 2048;
 
   Shape shape_;
@@ -225,7 +225,7 @@ void Relaxation::take_step(const Energy& energy, std::span<double> points) {
   state_.waking = 1;
 }
 
-// Puts the block of the last step and its neighbours into the queue. To do it twice does no harm, so it may be broken
+// Puts the block of the last step and its neighbors into the queue. To do it twice does no harm, so it may be broken
 // off anywhere.
 template <class Energy>
 void Relaxation::wake(const Energy& energy, std::span<const double> points) {

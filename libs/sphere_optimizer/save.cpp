@@ -1,5 +1,5 @@
 // A run as bytes.
-#include "base/saved_run.h"
+#include "base/files/saved_run.h"
 #include "sphere_optimizer/solver.h"
 
 namespace orbicube::sphere_optimizer {
@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t count, dimension;
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCSPHR2", "sphere_optimizer");
+constexpr base::SavedRun<Description> saved_run("OBCSPHR3", "sphere_optimizer");
 
 }  // namespace
 

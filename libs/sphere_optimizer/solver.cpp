@@ -38,7 +38,7 @@ const Options& checked(const Options& options) {
 
 const Shape& checked(const Shape& shape) {
   require(shape.count >= 1, "there must be a sphere");
-  require(shape.dimension >= 2, "spheres must be in two dimensions at least");
+  require(shape.dimension >= 2, "spheres must be in at least two dimensions");
   constexpr auto most = static_cast<std::size_t>(std::min<std::uint64_t>(1ULL << 40U, PTRDIFF_MAX / sizeof(double)));
   require(shape.count < most / shape.dimension, "there are too many unknowns");
   return shape;
@@ -114,7 +114,7 @@ Request Solver::advance() {
 }
 
 void Solver::tell(double value, std::span<const double> gradient) {
-  require(state_.asked(), "nothing was asked for");
+  require(state_.asked(), "nothing was requested");
   require(gradient.size() == shape_.size(), "the gradient must have as many entries as the point");
   if (!std::isfinite(value) || !base::all_finite(gradient)) return tell_failure();
   if (gradient.data() != trial_gradient_.data()) std::copy(gradient.begin(), gradient.end(), trial_gradient_.begin());
@@ -207,7 +207,7 @@ bool Solver::choose_direction() {
 }
 
 // On the sphere the Hessian of block i is P (H - (G.x) I) P. Of it -G.x is known, the whole of it where f is bilinear
-// in its blocks, as sums over neighbours often are; where it is positive it says which blocks are stiff.
+// in its blocks, as sums over neighbors often are; where it is positive it says which blocks are stiff.
 void Solver::estimate_curvature() {
   constexpr double range = 10;
   const double mean = -base::blocked_sum(radial_.size(), [&](std::size_t i) { return radial_[i]; }) /
@@ -317,7 +317,7 @@ Request Solver::take_trial() {
   if (options_.method != Method::limited_memory || state_.without_memory) {
     return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
   }
-  // The memory may be at fault: once more along the gradient.
+  // The memory may be at fault: again along the gradient.
   memory_.clear();
   return begin_iteration();
 }

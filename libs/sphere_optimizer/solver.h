@@ -1,5 +1,5 @@
-// All spheres at once, one evaluation at a time: step() says what is wanted, tell() gives it. Everything is allocated
-// when the solver is made; a run can be saved between any two calls and goes on with the same bits.
+// All spheres at once, one evaluation at a time: step() says what is requested, tell() gives it. Everything is
+// allocated when the solver is made; a run can be saved between any two calls and goes on with the same bits.
 #pragma once
 
 #include <cstddef>
@@ -31,7 +31,7 @@ class Solver {
   // or an entry that is not finite says that f could not be evaluated there.
   void tell(double value, std::span<const double> gradient);
   void tell_failure() { state_.tell_failure(); }
-  // While a request waits, memory of the solver's that the gradient may be written to before it is told, which saves
+  // While a request waits, memory of the solver's that the gradient may be written to before tell(), which saves
   // the copy.
   std::span<double> gradient_room() { return trial_gradient_; }
   // Ends the run as cancelled; what is known stays available.
@@ -40,7 +40,7 @@ class Solver {
 
   Result result() const;
   // The point that result() speaks of: the iterate that met the tolerance, else the lowest point evaluated (among
-  // values that differ by rounding only, the one with the least gradient); before the first evaluation, the start.
+  // values that differ by rounding only, the one with the minimum gradient); before the first evaluation, the start.
   std::span<const double> best_point() const { return state_.stop == Stop::converged ? x_ : best_; }
   const Shape& shape() const { return shape_; }
 
@@ -68,7 +68,7 @@ class Solver {
 
   static constexpr const char* phase_name = "sphere optimizer";
 
-  // Tells the host how far the run is; throws when it cancels.
+  // Reports to the host how far the run is; throws when it cancels.
   void report() const { host_.report(phase_name, state_.evaluations, options_.max_evaluations, state_.best_value); }
   // body(d, i) for every block i, with reports in between.
   template <class Body>
@@ -97,7 +97,7 @@ class Solver {
   base::Array<double> x_, gradient_, trial_, trial_gradient_, direction_, velocity_, best_;  // N d each
   base::Array<double> radial_, trial_radial_;    // N each: parts of the gradient along the points
   base::Array<double> curvature_;                // N: what is known of the Hessian's size, by block
-  base::Array<double> ambient_, trial_ambient_;  // the gradients as told, for Method::seed
+  base::Array<double> ambient_, trial_ambient_;  // the gradients as supplied, for Method::seed
   base::Array<double> last_values_;              // ring of Options::history values of f, for barzilai_borwein
 };
 

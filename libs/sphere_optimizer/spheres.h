@@ -62,7 +62,7 @@ bool normalise(Dimension d, double* a) {
   return true;
 }
 
-// v loses its part along the unit vector x, which is answered.
+// v loses its part along the unit vector x, which is returned.
 template <class Dimension>
 double make_tangent(Dimension d, const double* x, double* v) {
   const double along = block_dot(d, x, v);

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 #include "tetrahedra/regions.h"
 
 namespace orbicube::tetrahedra {

@@ -1,5 +1,5 @@
-// The result, made of TetGen's mesh and checked: inside told from cavities, vertices and triangles numbered as in the
-// surface, signs exact.
+// The result, made of TetGen's mesh and checked: inside distinguished from cavities, vertices and triangles numbered as
+// in the surface, signs exact.
 #pragma once
 
 #include <span>

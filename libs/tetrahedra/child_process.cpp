@@ -19,6 +19,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/threads/cancellation.h"
 
 namespace orbicube::tetrahedra {
 namespace {
@@ -120,6 +121,7 @@ ChildProcess::ChildProcess(const std::function<void(const Output&)>& work, OnExc
 }
 
 ChildProcess::~ChildProcess() {
+  const base::CancellationOff off;
   close(input_);
   if (child_ <= 0) return;
   kill(child_, SIGKILL);
@@ -146,7 +148,7 @@ int ChildProcess::wait() {
     answer = waitpid(child_, &status, 0);
   } while (answer < 0 && errno == EINTR);
   child_ = -1;
-  // Without an answer the host waits for its children itself; how this one ended stays unknown.
+  // Without a status the host waits for its children itself; how this one ended stays unknown.
   return answer > 0 && WIFSIGNALED(status) ? WTERMSIG(status) : 0;
 }
 

@@ -39,7 +39,7 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  // Fills `bytes` with what the child writes next; answers false when it ended before that. Throws Error "cancelled".
+  // Fills `bytes` with what the child writes next; returns false when it ended before that. Throws Error "cancelled".
   bool read(std::span<std::byte> bytes, const base::Host& host, const char* phase);
 
   // Waits for the end of a child that has closed its output. The signal that ended it, 0 if none did.

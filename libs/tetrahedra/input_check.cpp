@@ -3,9 +3,9 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/intersections.h"
-#include "mesh/surface_check.h"
-#include "mesh/topology.h"
+#include "mesh/search/intersections.h"
+#include "mesh/topology/surface_check.h"
+#include "mesh/topology/topology.h"
 
 namespace orbicube::tetrahedra {
 

@@ -1,4 +1,4 @@
-// Whether a surface can be filled: asked exactly and in full before TetGen sees it, which would fail in ways of its
+// Whether a surface can be filled: decided exactly and completely before TetGen runs, which would fail in ways of its
 // own.
 #pragma once
 

@@ -1,12 +1,12 @@
 // How long edges should be where: lengths given at some points, from each of which they grow in proportion to the
-// distance. The least of what all points allow is as smooth as that growth, whatever was given.
+// distance. The minimum of what all points allow is as smooth as that growth, whatever was given.
 #pragma once
 
 #include <span>
 
 #include "base/host.h"
-#include "mesh/bounding_volume_tree.h"
 #include "mesh/mesh.h"
+#include "mesh/search/bounding_volume_tree.h"
 
 namespace orbicube::tetrahedra {
 
@@ -24,7 +24,7 @@ class Sizing {
 
   bool empty() const { return points_.empty(); }
 
-  // The least length + growth * distance over all points; infinite without points. O(log n) where lengths differ by
+  // The minimum length + growth * distance over all points; infinite without points. O(log n) where lengths differ by
   // about what growth allows.
   double length_at(const mesh::Vector3& place) const;
 

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/catch_all.h"
 #include "base/error.h"
 #include "tetrahedra/child_process.h"
 
@@ -61,7 +62,8 @@ struct Input : tetgenio {
   Input& operator=(const Input&) = delete;
 };
 
-// What TetGen asks about a tetrahedron, without a word on who asks: a child has one mesh only, so this is the child's.
+// TetGen's test of a tetrahedron, without an argument for the caller: a child has one mesh only, so this is the
+// child's.
 const TetgenOptions* options_of_child = nullptr;
 
 bool is_too_large(double* a, double* b, double* c, double* d, double*, double) {
@@ -72,7 +74,7 @@ bool is_too_large(double* a, double* b, double* c, double* d, double*, double) {
 }
 
 void set(tetgenbehavior& to, const TetgenOptions& options) {
-  // A polygonal surface; numbers from 0; neighbours; no merging of vertices or facets; quiet.
+  // A polygonal surface; numbers from 0; neighbors; no merging of vertices or facets; quiet.
   std::string switches = "pznMQ";
   if (options.keep_surface) switches += 'Y';
   if (options.radius_edge_ratio > 0) switches += 'q';
@@ -113,19 +115,20 @@ void work(std::span<const mesh::Vector3> positions, std::span<const mesh::Triang
   output.write_values(made->trifacemarkerlist, header.faces);
 }
 
-// TetGen throws numbers, and frees what it has once more while they are on their way: they are asked for before that.
+// TetGen throws numbers, and frees what it has again while they are on their way: they are read before that.
 void tell(const ChildProcess::Output& output) {
   Header header;
-  try {
-    throw;
-  } catch (int number) {
-    header.kind = number == 1 ? TetgenOutcome::Kind::out_of_memory : TetgenOutcome::Kind::refused;
-    header.number = number;
-  } catch (const std::bad_alloc&) {
-    header.kind = TetgenOutcome::Kind::out_of_memory;
-  } catch (...) {
-    header.kind = TetgenOutcome::Kind::refused;
-  }
+  const auto known = [&] {
+    try {
+      throw;
+    } catch (int number) {
+      header.kind = number == 1 ? TetgenOutcome::Kind::out_of_memory : TetgenOutcome::Kind::refused;
+      header.number = number;
+    } catch (const std::bad_alloc&) {
+      header.kind = TetgenOutcome::Kind::out_of_memory;
+    }
+  };
+  base::catch_all(known, [&] { header.kind = TetgenOutcome::Kind::refused; });
   output.write_values(&header, 1);
 }
 

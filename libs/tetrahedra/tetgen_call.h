@@ -41,7 +41,7 @@ struct TetgenOutcome {
   int number = 0;  // TetGen's, of a refusal, or the signal of a crash
 };
 
-// Answers how it went, and the mesh if it went well. Throws Error "unsupported", "out-of-memory", "cancelled".
+// Returns how it went, and the mesh if it went well. Throws Error "unsupported", "out-of-memory", "cancelled".
 TetgenOutcome call_tetgen(std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
                           const TetgenOptions& options, const base::Host& host, TetgenMesh& result);
 

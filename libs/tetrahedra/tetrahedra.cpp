@@ -53,7 +53,7 @@ double volume_of_regular(double edge) {
   return edge * edge * edge / (6 * std::sqrt(2.0));
 }
 
-// Of a regular tetrahedron with such edges, or what was asked for if that is less; in the coordinates of TetGen.
+// Of a regular tetrahedron with such edges, or what was requested if that is less; in the coordinates of TetGen.
 double largest_volume(const Options& options, const ScaledSurface& surface) {
   const double of_edge = volume_of_regular(surface.scaled_length(options.edge_length));
   const double asked = surface.scaled_volume(options.max_volume);

@@ -1,6 +1,6 @@
 // Fills a closed surface with tetrahedra: checks the surface exactly, has TetGen fill it (Si 2015, "TetGen, a
-// Delaunay-based quality tetrahedral mesh generator", ACM TOMS 41(2)), tells inside from cavities, and checks the
-// result exactly again.
+// Delaunay-based quality tetrahedral mesh generator", ACM TOMS 41(2)), distinguishes inside from cavities, and checks
+// the result exactly again.
 #pragma once
 
 #include <span>
@@ -42,7 +42,7 @@ struct Solid {
 
   Array<Vector3> positions;       // the surface's own first, to the bit and in its order, then those added
   Array<Tetrahedron> tetrahedra;  // each of positive volume by exact arithmetic
-  Array<Triangle> boundary;       // looks outward; with keep_surface triangle i is the surface's triangle i
+  Array<Triangle> boundary;       // is outward-oriented; with keep_surface triangle i is the surface's triangle i
   Array<Index> boundary_source;   // the surface's triangle that each boundary triangle lies in
   std::size_t parts = 0;          // of the solid, that share no face
   std::size_t cavities = 0;       // empty regions within
@@ -50,7 +50,7 @@ struct Solid {
 
 // Fills the surface, whose components may lie beside each other or within each other: what an odd number of them
 // surrounds is solid, what an even number does is not, so a shell within a shell is a cavity. Which way triangles look
-// is not asked. Vertices in no triangle stay, in no tetrahedron.
+// has no effect. Vertices in no triangle stay, in no tetrahedron.
 //
 // TetGen runs in a child process (fork), since it cannot be stopped, keeps its state in globals, prints, and crashes
 // where it means to report an error. The host's threads go on; the child ends with this call, whatever happens.

@@ -179,7 +179,7 @@ void combination(double* y, std::size_t size, const double* factor, const double
 ORBICUBE_VECTOR_VARIANTS
 double quadratic_form(const double* a, std::size_t size, const double* x) {
   double sum = 0;
-  // So many entries of A x at a time.
+  // Number of entries of A x at a time.
   constexpr std::size_t width = 48;
   std::array<double, width> y;
   for (std::size_t j = 0; j < size; j += width) {

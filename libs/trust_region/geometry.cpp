@@ -9,13 +9,13 @@
 namespace orbicube::trust_region {
 namespace {
 
-// Radii beyond which a point asks to be replaced: with 2n + 1 points as Powell, and where there are more for a model to
+// Radii beyond which a point must be replaced: with 2n + 1 points as Powell, and where there are more for a model to
 // hold on to.
 constexpr double far_of_few = 2, far_of_many = 5;
 
 }  // namespace
 
-// Asks for a point in the place of the farthest, when that is too far from the best one.
+// Requests a point in place of the farthest, when that is too far from the best one.
 Request Solver::improve_geometry() {
   const std::size_t n = variables_.free_size(), best = interpolation_.best();
   // A set that grows soon has near points enough.
@@ -43,6 +43,11 @@ Request Solver::improve_geometry() {
   const double* low = variables_.bounded() ? low_.data() : nullptr;
   const double* high = variables_.bounded() ? high_.data() : nullptr;
   quadratic_step_.minimise_and_maximise(gradient, hessian, radius, low, high, step_.data(), move_.data());
+  if (edges_.any()) edges_.find(interpolation_, reach_of_edges * state_.radius);
+  if (edges_.count() > 0) {
+    edges_.confine(step_.data());
+    edges_.confine(move_.data());
+  }
   const double lowest = lagrange(step_.data()), highest = lagrange(move_.data());
   double most = std::max(-lowest, highest);
   const bool comparable = std::min(-lowest, highest) > 0.7 * most;
@@ -54,7 +59,7 @@ Request Solver::improve_geometry() {
     // along an axis.
     const auto consider = [&] {
       const double value = std::abs(lagrange(move_.data()));
-      if (value <= 1.2 * most) return;
+      if (value <= 1.2 * most || (edges_.count() > 0 && edges_.excess(move_.data()) > 0)) return;
       most = value;
       std::copy_n(move_.data(), n, step_.data());
     };
@@ -100,6 +105,7 @@ Request Solver::take_geometry() {
     include(state_.leaving, state_.told_value);
     return Request::iteration;
   }
+  forget_cliffs();
   // No value there: without the far point where that can be, else to the other side, else with a smaller radius.
   if (interpolation_.size() > n + 1) {
     forget_point(state_.leaving);

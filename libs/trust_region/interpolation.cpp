@@ -88,22 +88,36 @@ bool invert_symmetric(double* a, std::size_t stride, std::size_t size, std::uint
 
 }  // namespace
 
-Interpolation::Interpolation(std::size_t n, std::size_t capacity, std::pmr::memory_resource* memory)
+Interpolation::Interpolation(std::size_t n, std::pmr::memory_resource* memory)
     : n_(n),
-      capacity_(capacity),
-      stride_(n + capacity),
-      points_(capacity * n, 0.0, memory),
-      offsets_(capacity * n, 0.0, memory),
-      across_(n * capacity, 0.0, memory),
-      base_(n, 0.0, memory),
-      inverse_(stride_ * stride_, 0.0, memory),
-      product_(stride_, 0.0, memory),
-      new_point_(n, 0.0, memory),
-      new_offset_(n, 0.0, memory),
-      work_(4 * stride_, 0.0, memory),
-      matrix_(stride_ * stride_, 0.0, memory),
-      work_square_(stride_ * stride_, 0.0, memory),
-      order_(stride_, 0, memory) {}
+      points_(memory),
+      offsets_(memory),
+      across_(memory),
+      base_(memory),
+      inverse_(memory),
+      product_(memory),
+      new_point_(memory),
+      new_offset_(memory),
+      work_(memory),
+      matrix_(memory),
+      work_square_(memory),
+      order_(memory) {}
+
+void Interpolation::allocate(std::size_t capacity, bool inverse) {
+  capacity_ = capacity;
+  stride_ = n_ + capacity;
+  points_.resize(capacity * n_);
+  if (!inverse) return;
+  offsets_.resize(capacity * n_);
+  across_.resize(n_ * capacity);
+  for (auto* array : {&base_, &new_point_, &new_offset_})
+    array->resize(n_);
+  for (auto* array : {&inverse_, &matrix_, &work_square_})
+    array->resize(stride_ * stride_);
+  product_.resize(stride_);
+  work_.resize(4 * stride_);
+  order_.resize(stride_);
+}
 
 double Interpolation::distance_to_best(std::size_t j) const {
   double square = 0;

@@ -1,8 +1,9 @@
 // The interpolation points and what every least-Frobenius-norm interpolant on them shares: the inverse of the KKT
 // matrix of Powell 2004, "Least Frobenius norm updating of quadratic models that satisfy interpolation conditions". A
 // quadratic q(x) = c + g'x + 0.5 sum_j lambda_j (s_j'x)^2 with q(s_j) = b_j and sum_j lambda_j = 0, sum_j lambda_j s_j
-// = 0 has the Hessian of least Frobenius norm. The inverse, without the row of c, holds the coefficients (g, lambda) of
-// all Lagrange functions. It is updated in O(size^2) when a point comes or goes, and made afresh when rounding shows.
+// = 0 has the Hessian of minimum Frobenius norm. The inverse, without the row of c, holds the coefficients (g, lambda)
+// of all Lagrange functions. It is updated in O(size^2) when a point comes or goes, and made afresh when rounding
+// shows.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +17,9 @@ namespace orbicube::trust_region {
 
 class Interpolation {
  public:
-  Interpolation(std::size_t n, std::size_t capacity, std::pmr::memory_resource* memory);
+  Interpolation(std::size_t n, std::pmr::memory_resource* memory);
+  // Makes room for `capacity` points, and with `inverse` for what rebuild() and all after it need; points stay.
+  void allocate(std::size_t capacity, bool inverse);
 
   std::size_t dimension() const { return n_; }
   std::size_t size() const { return size_; }
@@ -96,7 +99,7 @@ class Interpolation {
   double residual(std::size_t count);
   bool refine(std::size_t count);
 
-  std::size_t n_, capacity_, stride_;
+  std::size_t n_, capacity_ = 0, stride_ = 0;
   std::size_t size_ = 0, best_ = 0;
   std::uint64_t updates_ = 0, rebuilds_ = 0;
   double beta_ = 0;

@@ -21,13 +21,18 @@ constexpr double decay = 0.15, decay_growing = 0.2;
 constexpr double very_good = 0.7, very_good_growing = 0.3;
 // Radii beyond which a point is given up, where the set may grow again.
 constexpr double too_far = 30;
+// Failures in a row after which a radius falls: before, another step with the edge that they indicate is tried.
+constexpr std::uint64_t tries_at_edge = 4;  // times n + 1
 
 }  // namespace
 
 Request Solver::iterate() {
   while (state_.phase == Phase::iterate) {
     if (state_.best_value <= options_.target) return finish(Stop::target_reached);
-    if (state_.failures_in_row > 20 + 2 * variables_.free_size()) return finish(Stop::evaluation_failed);
+    if (state_.failures_in_row > max_failures()) {
+      restart_or_finish(Stop::evaluation_failed);
+      continue;
+    }
     if (!prepare_models()) return begin_around(interpolation_.size());
     switch (state_.next) {
       case Next::step:
@@ -83,66 +88,6 @@ void Solver::forget_point(std::size_t j) {
   if (!interpolation_.remove(j)) state_.spoiled = 1;
 }
 
-// The box as seen from the best point + d.
-void Solver::relative_bounds(const double* d) {
-  const double* best = interpolation_.point(interpolation_.best());
-  for (std::size_t i = 0; i < low_.size(); ++i) {
-    const double at = best[i] + (d != nullptr ? d[i] : 0.0);
-    low_[i] = std::min(0.0, variables_.lower()[i] - at);
-    high_[i] = std::max(0.0, variables_.upper()[i] - at);
-  }
-}
-
-// Into d; answers the change of f that the models predict.
-double Solver::choose_step(double* d) {
-  const std::size_t n = variables_.free_size(), best = interpolation_.best();
-  const double* low = variables_.bounded() ? low_.data() : nullptr;
-  const double* high = variables_.bounded() ? high_.data() : nullptr;
-  std::fill_n(d, n, 0.0);
-  models_.expand(d, best, gradient_.data(), hessian_.data());
-  relative_bounds(nullptr);
-  quadratic_step_.minimise(gradient_.data(), hessian_.data(), state_.radius, low, high, d);
-  double value = models_.change(d, best);
-  if (!models_.least_squares()) return value;
-  for (int halving = 0; halving < 10 && !(value < 0); ++halving) {
-    for (std::size_t i = 0; i < n; ++i)
-      d[i] *= 0.5;
-    value = models_.change(d, best);
-  }
-  // The sum of squared quadratics is a quartic: a trust-region iteration of its own, which costs no evaluation.
-  double inner = std::max(0.5 * norm(d, n), 1e-3 * state_.radius);
-  double* trial = candidate_.data();
-  for (int iteration = 0; iteration < 30; ++iteration) {
-    host_.report("trust region", state_.evaluations, options_.max_evaluations, state_.best_value);
-    models_.expand(d, best, gradient_.data(), hessian_.data());
-    relative_bounds(d);
-    quadratic_step_.minimise(gradient_.data(), hessian_.data(), inner, low, high, move_.data());
-    double square = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      trial[i] = d[i] + move_[i];
-      square += trial[i] * trial[i];
-    }
-    const double shrink = square > state_.radius * state_.radius ? state_.radius / std::sqrt(square) : 1;
-    double moved = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      trial[i] *= shrink;
-      moved += (trial[i] - d[i]) * (trial[i] - d[i]);
-    }
-    const double next = models_.change(trial, best);
-    if (next < value) {
-      const double gain = value - next;
-      std::copy_n(trial, n, d);
-      value = next;
-      inner = std::min(2 * inner, 2 * state_.radius);
-      if (gain < 1e-6 * std::abs(value) || moved < 1e-16 * state_.radius * state_.radius) break;
-    } else {
-      inner *= 0.25;
-      if (inner < 1e-4 * state_.radius) break;
-    }
-  }
-  return value;
-}
-
 Request Solver::try_step() {
   const std::size_t n = variables_.free_size();
   double* d = step_.data();
@@ -152,7 +97,7 @@ Request Solver::try_step() {
   const double least = std::max(1e-15 * std::abs(state_.best_value), 0.1 * noise());
   bool worth = predicted > (is_short || noise() > 0 ? least : 0);
   if (is_short) {
-    // Good models make a short step worth an evaluation: it tells whether the resolution can fall with it.
+    // Good models make a short step worth an evaluation: it decides whether the resolution can fall with it.
     worth = worth && length > 0.1 * options_.radius_end && length > 1e-15 * norm(best, n);
   }
   if (worth) {
@@ -186,8 +131,18 @@ Request Solver::take_trial() {
   const double length = norm(step_.data(), n), before = values_[best], slack = noise();
   const double ratio = failed ? -1 : (before - state_.told_value + slack) / (state_.predicted + slack);
   const double resolution = state_.resolution;
-  if (ratio < enough) ++state_.poor_steps;
   state_.phase = Phase::iterate;
+  const bool edged = failed && follows_edges();
+  if (edged) forget_cliffs();
+  if (edged && state_.failures_in_row % patience() == 0) {
+    state_.next = Next::reduce;
+    return Request::iteration;
+  }
+  if (edged && state_.failures_in_row % (tries_at_edge * (n + 1)) != 0) {
+    state_.next = Next::step;
+    return Request::iteration;
+  }
+  if (ratio < enough) ++state_.poor_steps;
   if (!failed) models_.judge(step_.data(), told_.data(), best);
   if (state_.short_step != 0) {
     if (ratio >= enough && !seed) {
@@ -228,8 +183,8 @@ Request Solver::take_trial() {
   return Request::iteration;
 }
 
-// The told point best + step_ takes the place of point j, or, where j is the number of points, that of whichever can go
-// best, or is added.
+// The evaluated point best + step_ takes the place of point j, or, where j is the number of points, that of whichever
+// can go best, or is added.
 void Solver::include(std::size_t j, double value) {
   const std::size_t n = variables_.free_size();
   const bool better = value < values_[interpolation_.best()];
@@ -324,6 +279,19 @@ bool Solver::at_noise_level() const {
   return near > variables_.free_size();
 }
 
+// Whether the models, too, have their lowest point here. They do not where f has a corner, or ends: there a step of the
+// resolution would still help by a part of what f has fallen that is in proportion to its length, where that of a
+// smooth f is in proportion to the square.
+bool Solver::models_are_flat() {
+  constexpr double proportion = 1e-4;
+  if (options_.method != Method::two_radii) return true;  // its radius falls whatever the models say
+  edges_.forget();
+  const double predicted = -choose_step(step_.data()), fallen = state_.first_value - state_.best_value;
+  const double least = std::max(1e-15 * std::abs(state_.best_value), 0.1 * noise());
+  return norm(step_.data(), step_.size()) < 0.5 * state_.resolution ||
+         !(predicted > std::max(least, proportion * fallen * state_.resolution / state_.radius_begin));
+}
+
 Request Solver::reduce_resolution() {
   state_.next = Next::step;
   const double end = options_.radius_end;
@@ -332,7 +300,11 @@ Request Solver::reduce_resolution() {
     return Request::iteration;
   }
   if (at_noise_level()) return restart_or_finish(Stop::noise_limit);
-  if (state_.resolution <= 1.0001 * end) return restart_or_finish(Stop::converged);
+  if (state_.resolution <= 1.0001 * end)
+    return restart_or_finish(models_are_flat() ? Stop::converged : Stop::resolution_limit);
+  // What is known of edges is from longer steps.
+  edges_.forget();
+  state_.failures_of_level = 0;
   // Powell 2006, section 7: in the end by few steps of equal ratio.
   const double ratio = state_.resolution / end, fall = growing() && !models_.least_squares() ? decay_growing : decay;
   state_.radius = 0.5 * state_.resolution;

@@ -18,8 +18,6 @@ constexpr double power = 0.25;
 constexpr double floor_of_eigenvalues = 1e-6;
 // Not worth a rebuild where lengths would differ by less.
 constexpr double least_change = 2;
-// Eigenvectors take a while: not for more unknowns.
-constexpr std::size_t most_unknowns = 200;
 // Poor steps after which coordinates may change, and evaluations since the last change, in units of n + 1.
 constexpr std::uint64_t poor_steps = 3, wait = 3;
 
@@ -28,8 +26,8 @@ constexpr std::uint64_t poor_steps = 3, wait = 3;
 bool Solver::wants_metric() const {
   const std::size_t n = variables_.free_size();
   return !variables_.bounded() && state_.next == Next::step && options_.method == Method::two_radii &&
-         state_.poor_steps >= poor_steps && interpolation_.size() >= 2 * n + 1 && n >= 2 && n <= most_unknowns &&
-         state_.evaluations - state_.metric_at >= wait * (n + 1);
+         state_.poor_steps >= poor_steps && interpolation_.size() >= 2 * n + 1 && n >= 2 &&
+         n <= Variables::max_turned && state_.evaluations - state_.metric_at >= wait * (n + 1);
 }
 
 bool Solver::adapt_metric() {
@@ -69,6 +67,7 @@ bool Solver::adapt_metric() {
   models_.transform(matrix);
   fill(stretch, false);
   multiply(matrix, n, n, n, interpolation_.point(best), candidate_.data());
+  edges_.transform(matrix, interpolation_.point(best), candidate_.data());
   interpolation_.transform(matrix, candidate_.data());
   state_.radius *= stretch;
   state_.resolution = std::max(state_.resolution * stretch, options_.radius_end);

@@ -9,26 +9,43 @@
 namespace orbicube::trust_region {
 
 Models::Models(std::size_t n, std::size_t outputs, bool least_squares, std::span<const double> sign, bool two_families,
-               std::size_t capacity, std::pmr::memory_resource* memory)
+               std::pmr::memory_resource* memory)
     : n_(n),
       outputs_(outputs),
       least_squares_(least_squares),
       two_families_(two_families),
       sign_(outputs, 1.0, memory),
-      outputs_at_(capacity * outputs, 0.0, memory),
-      remembering_{base::Array<double>(outputs * n, 0.0, memory), base::Array<double>(outputs * n * n, 0.0, memory)},
-      afresh_{base::Array<double>(two_families ? outputs * n : 0, 0.0, memory),
-              base::Array<double>(two_families ? outputs * n * n : 0, 0.0, memory)},
+      outputs_at_(memory),
+      remembering_{base::Array<double>(memory), base::Array<double>(memory)},
+      afresh_{base::Array<double>(memory), base::Array<double>(memory)},
       errors_(2, 0.0, memory),
-      lagrange_gradient_(n, 0.0, memory),
-      lagrange_hessian_(n * n, 0.0, memory),
-      work_(2 * (n + capacity), 0.0, memory),
-      values_(capacity, 0.0, memory),
-      change_(outputs, 0.0, memory),
-      slopes_(outputs * n, 0.0, memory),
-      surprise_(outputs, 0.0, memory),
-      surprise_afresh_(two_families ? outputs : 0, 0.0, memory) {
+      lagrange_gradient_(memory),
+      lagrange_hessian_(memory),
+      work_(memory),
+      values_(memory),
+      change_(memory),
+      slopes_(memory),
+      surprise_(memory),
+      surprise_afresh_(memory) {
   std::copy(sign.begin(), sign.end(), sign_.begin());
+}
+
+void Models::allocate(std::size_t capacity, bool quadratics) {
+  outputs_at_.resize(capacity * outputs_);
+  if (!quadratics) return;
+  for (Family* family : {&remembering_, &afresh_}) {
+    if (family == &afresh_ && !two_families_) continue;
+    family->gradient.resize(outputs_ * n_);
+    family->hessian.resize(outputs_ * n_ * n_);
+  }
+  lagrange_gradient_.resize(n_);
+  lagrange_hessian_.resize(n_ * n_);
+  work_.resize(2 * (n_ + capacity));
+  values_.resize(capacity);
+  change_.resize(outputs_);
+  slopes_.resize(least_squares_ ? outputs_ * n_ : 0);
+  surprise_.resize(outputs_);
+  surprise_afresh_.resize(two_families_ ? outputs_ : 0);
 }
 
 double Models::objective(const double* outputs) const {
@@ -58,7 +75,7 @@ void Models::meet(const Interpolation& interpolation) {
   for (std::size_t i = 0; i < outputs_; ++i) {
     double* hessian = remembering_.hessian.data() + i * n_ * n_;
     double* gradient = remembering_.gradient.data() + i * n_;
-    // What the Hessian of before leaves to be met; its gradient is found anew.
+    // What the Hessian of before leaves to be met; its gradient is found again.
     for (std::size_t j = 0; j < interpolation.size(); ++j)
       values_[j] = row(j)[i] - row(best)[i] - 0.5 * quadratic_form(hessian, n_, interpolation.offset(j));
     interpolation.interpolant(values_.data(), gradient, lagrange_hessian_.data(), work_.data());
@@ -78,7 +95,7 @@ void Models::make_afresh(const Interpolation& interpolation) {
   }
 }
 
-// The interpolant of least norm on the other points: what point j's square contributes goes, without a change of the
+// The interpolant of minimum norm on the other points: what point j's square contributes goes, without a change of the
 // values at the others, when lambda_j / alpha_j of its Lagrange function is taken off.
 void Models::leave(const Interpolation& interpolation, std::size_t j) {
   if (!two_families_ || stale_ != 0) return;

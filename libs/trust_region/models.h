@@ -1,6 +1,6 @@
 // The quadratic models of the outputs (f itself, or each residual) around the best point, and of the objective that
-// they make. One family changes by the least Frobenius norm at each evaluation (Powell 2004). A second, where it is
-// kept, has the least Frobenius norm itself, without memory; the family that has predicted better is used.
+// they make. One family changes by the minimum Frobenius norm at each evaluation (Powell 2004). A second, where it is
+// kept, has the minimum Frobenius norm itself, without memory; the family that has predicted better is used.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +17,9 @@ class Models {
  public:
   // sign: one entry a residual, empty for a scalar f. `two_families` keeps both.
   Models(std::size_t n, std::size_t outputs, bool least_squares, std::span<const double> sign, bool two_families,
-         std::size_t capacity, std::pmr::memory_resource* memory);
+         std::pmr::memory_resource* memory);
+  // Makes room for the outputs at `capacity` points, and with `quadratics` for the models themselves; outputs stay.
+  void allocate(std::size_t capacity, bool quadratics);
 
   std::size_t outputs() const { return outputs_; }
   bool least_squares() const { return least_squares_; }
@@ -30,8 +32,8 @@ class Models {
 
   // No Hessian, no memory of predictions.
   void forget();
-  // After a rebuild of the interpolation: the remembering family gets the least change that meets all points, the other
-  // is made afresh.
+  // After a rebuild of the interpolation: the remembering family gets the minimum change that meets all points, the
+  // other is made afresh.
   void meet(const Interpolation& interpolation);
   // Before point j goes, whether or not another takes its place: the family without memory gives up its part in it.
   void leave(const Interpolation& interpolation, std::size_t j);
@@ -45,7 +47,7 @@ class Models {
   void shift(const double* d);
   // The unknowns u become C u, `inverse` is C^-1 (n x n by rows).
   void transform(const double* inverse);
-  // Compares the predictions of both families at best + d with what was told there.
+  // Compares the predictions of both families at best + d with the values there.
   void judge(const double* d, const double* outputs, std::size_t best);
 
   // Change of the objective.

@@ -1,4 +1,4 @@
-// What is minimised, how, and how it ended.
+// What is minimized, how, and how it ended.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ struct Problem {
   std::size_t n = 0;                     // unknowns
   std::size_t residuals = 0;             // m, or 0 for a scalar f
   std::span<const double> lower, upper;  // n each, or empty: unbounded; infinities allowed
-  std::span<const double> scale;         // n typical magnitudes, or empty: 1. Radii are lengths of (x - y) / scale
+  std::span<const double> scale;         // n typical magnitudes, or empty: chosen. Radii are lengths of (x - y) / scale
   std::span<const double> sign;          // m entries +1 or -1, or empty: all +1
 
   std::size_t outputs() const { return residuals == 0 ? 1 : residuals; }
@@ -34,24 +34,27 @@ enum class Start : std::int32_t {
 struct Options {
   Method method = Method::two_radii;
   Start start = Start::automatic;
-  std::uint64_t points = 0;  // interpolated at most, n + 2 to (n+1)(n+2)/2; 0: automatic
-  double radius_begin = 0;   // 0: a tenth of max(1, |x0 / scale|inf)
+  std::uint64_t points = 0;  // maximum number interpolated, n + 2 to (n+1)(n+2)/2; 0: automatic
+  double radius_begin = 0;   // 0: a tenth of max(1, |x0 / scale|inf), of 1 where the scale is chosen
   double radius_end = 1e-8;  // of the resolution
   double target = -std::numeric_limits<double>::infinity();  // stop once f <= target
   double noise_absolute = 0, noise_relative = 0;  // f is known to max(noise_absolute, noise_relative |f|) only
   std::uint64_t restarts = 0;                     // times to begin again around the best point
   std::uint64_t max_evaluations = 0;              // 0: 500 (n + 1)
+  // 0: a failed evaluation only shortens a step, which is enough for a run of few evaluations.
+  std::uint64_t follow_edges = 1;
 };
 
 enum class Stop : std::int32_t {
   running = 0,
-  converged = 1,  // the resolution reached radius_end
+  converged = 1,  // the resolution reached radius_end, and no step improves the models
   target_reached = 2,
   evaluation_budget = 3,
   noise_limit = 4,  // the values left to compare differ by less than the noise
   stalled = 5,      // no step that the arithmetic resolves
   cancelled = 6,
   evaluation_failed = 7,  // no value at the start, or too many failures in a row
+  resolution_limit = 8,   // the resolution reached radius_end where f ends or is not smooth: the models still slope
 };
 
 const char* stop_name(Stop stop);

@@ -127,7 +127,7 @@ void QuadraticStep::solve(std::size_t size, const double* right, double* x) cons
     x[i] = x[i] * inverse_pivot_[i] - lower_[i] * x[i + 1];
 }
 
-// A unit vector near the lowest eigenvalue's, by inverse iteration with the factors at hand; answers z'(T + shift I) z.
+// A unit vector near the lowest eigenvalue's, by inverse iteration with the factors at hand; returns z'(T + shift I) z.
 double QuadraticStep::lowest_direction(std::size_t size, double* z) {
   for (std::size_t i = 0; i < size; ++i)
     z[i] = i % 2 == 0 ? 1 : -0.5;

@@ -19,7 +19,7 @@ class QuadraticStep {
   // lower <= 0 <= upper, n each, or both null. s (n) is within the bounds exactly and in the ball to rounding.
   void minimise(const double* gradient, const double* matrix, double radius, const double* lower, const double* upper,
                 double* s);
-  // The minimiser, and that of the quadratic with the opposite sign.
+  // The minimizer, and that of the quadratic with the opposite sign.
   void minimise_and_maximise(const double* gradient, const double* matrix, double radius, const double* lower,
                              const double* upper, double* lowest, double* highest);
 
@@ -37,7 +37,7 @@ class QuadraticStep {
   double slope_ = 0;                                  // |g|
   Tridiagonal tridiagonal_;                           // of the free part of B
   base::Array<double> gradient_;                      // g in its coordinates
-  base::Array<double> diagonal_, below_;              // of it, with the sign wanted
+  base::Array<double> diagonal_, below_;              // of it, with the sign requested
   base::Array<double> inverse_pivot_, lower_;         // its factors LDL'
   base::Array<double> rotated_, trial_, derivative_;  // n each
   base::Array<double> free_gradient_, free_step_;

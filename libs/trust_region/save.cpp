@@ -1,5 +1,5 @@
 // A run as bytes.
-#include "base/saved_run.h"
+#include "base/files/saved_run.h"
 #include "trust_region/solver.h"
 
 namespace orbicube::trust_region {
@@ -7,9 +7,10 @@ namespace {
 
 struct Description {
   std::uint64_t fingerprint;  // of the problem
+  std::uint64_t whole;        // what room the solver had
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCTRGN4", "trust_region");
+constexpr base::SavedRun<Description> saved_run("OBCTRGN5", "trust_region");
 
 }  // namespace
 
@@ -23,6 +24,7 @@ void Solver::visit_state(Self& self, const Visit& visit) {
   Variables::visit_state(self.variables_, visit);
   Interpolation::visit_state(self.interpolation_, visit);
   Models::visit_state(self.models_, visit);
+  Edges::visit_state(self.edges_, visit);
 }
 
 std::size_t Solver::save_size() const {
@@ -30,7 +32,8 @@ std::size_t Solver::save_size() const {
 }
 
 void Solver::save(std::span<std::byte> blob) const {
-  saved_run.write(blob, {variables_.fingerprint(), options_}, [this](const auto& visit) { visit_state(*this, visit); });
+  saved_run.write(blob, {variables_.fingerprint(), whole_, options_},
+                  [this](const auto& visit) { visit_state(*this, visit); });
 }
 
 Options Solver::options_of(std::span<const std::byte> blob) {
@@ -40,6 +43,7 @@ Options Solver::options_of(std::span<const std::byte> blob) {
 void Solver::load(std::span<const std::byte> blob) {
   const Description saved = saved_run.description(blob);
   const bool same = saved.fingerprint == variables_.fingerprint();
+  if (same && saved.whole != 0) allocate(true);
   saved_run.read(blob, same, [this](const auto& visit) { visit_state(*this, visit); });
   options_ = saved.options;
 }

@@ -1,5 +1,7 @@
-// The solver, one evaluation at a time: step() says what is wanted, tell() gives it. Everything is allocated when the
-// solver is made; a run can be saved between any two calls and goes on with the same bits.
+// The solver, one evaluation at a time: step() says what is requested, tell() gives it. Everything is allocated when
+// the solver is made, or a run is given evaluations or loaded: room for as many points as the budget of evaluations
+// allows, and for models only where it allows one. A run can be saved between any two calls and goes on with the same
+// bits.
 #pragma once
 
 #include <cstddef>
@@ -9,6 +11,7 @@
 
 #include "base/array.h"
 #include "base/host.h"
+#include "trust_region/edges.h"
 #include "trust_region/interpolation.h"
 #include "trust_region/models.h"
 #include "trust_region/problem.h"
@@ -19,8 +22,8 @@
 namespace orbicube::trust_region {
 
 enum class Request : std::int32_t {
-  need_values = 1,  // f, or all residuals, at the points of pending(); answer with tell(), one point after the other
-  iteration = 2,    // best_point() and radii are those of a new iteration; nothing to answer
+  need_values = 1,  // f, or all residuals, at the points of pending(); supply with tell(), one point after the other
+  iteration = 2,    // best_point() and radii are those of a new iteration; nothing to supply
   done = 3,         // see result()
 };
 
@@ -35,12 +38,12 @@ class Solver {
   void give(std::span<const double> x, std::span<const double> outputs);
 
   Request step();
-  // The points asked for, pending_count() rows of n entries; they may be evaluated at the same time. One, but at the
+  // The points requested, pending_count() rows of n entries; they may be evaluated at the same time. One, but at the
   // start of a run with Start::cross.
   std::size_t pending_count() const { return asked() ? design_count() - state_.design_next : 0; }
   std::span<const double> pending() const;
-  // f or the residuals at the first of the points asked for. A number that is not finite says that it could not be
-  // evaluated there. Throws invalid-argument when nothing was asked.
+  // f or the residuals at the first of the points requested. A number that is not finite says that it could not be
+  // evaluated there. Throws invalid-argument when no request waits.
   void tell(std::span<const double> outputs);
   void tell_failure();
   // Ends the run as cancelled; what is known stays available.
@@ -91,22 +94,39 @@ class Solver {
     std::uint64_t metric_at = 0, poor_steps = 0;  // evaluations at the last change of coordinates; steps since
     std::uint64_t leaving = 0;                    // the point that the geometry step replaces
     std::uint64_t geometry_tries = 0, start_tries = 0, poise_failures = 0;
+    std::uint64_t cliffs = 0;  // 1 once values are known to be beyond an edge, 2 once earlier ones are forgotten
+    std::uint64_t failures_of_level = 0;                        // since the resolution fell
+    double last_end = std::numeric_limits<double>::infinity();  // the lowest value when an edge ended the run
+    double cliff_height = 0, cliff_length = 0;
     double radius = 0, resolution = 0, radius_begin = 0, predicted = 0;
     double best_value = 0, told_value = 0;
+    double first_value = std::numeric_limits<double>::infinity();
   };
 
   bool asked() const {
     return state_.phase == Phase::start || state_.phase == Phase::trial || state_.phase == Phase::geometry;
   }
   std::size_t design_count() const { return state_.design_end; }
+  // Radii within which failed points and others determine edges.
+  static constexpr double reach_of_edges = 2;
   Request advance();
   Request ask(Phase phase);
   Request finish(Stop stop);
   void put_request(std::size_t row, const double* u);
   double noise() const;
   bool at_noise_level() const;
+  bool beyond_cliff(double value);
+  void forget_cliffs();
+  bool follows_edges() const { return options_.method == Method::two_radii && options_.follow_edges != 0; }
+  // Failures in a row after which steps get shorter, and after which the run ends.
+  std::uint64_t patience() const { return 30 + 2 * variables_.free_size(); }
+  std::uint64_t max_failures() const {
+    const std::uint64_t n = variables_.free_size();
+    return follows_edges() ? 80 + 8 * n : 20 + 2 * n;
+  }
   // Whether there may be more than Powell's 2n + 1 points.
-  bool growing() const { return interpolation_.capacity() > 2 * variables_.free_size() + 1; }
+  bool growing() const { return max_points_ > 2 * variables_.free_size() + 1; }
+  void allocate(bool whole);
 
   // start.cpp
   Request begin();
@@ -117,15 +137,19 @@ class Solver {
   double axis_step(const double* center, std::size_t axis, double length) const;
   Request restart_or_finish(Stop stop);
 
-  // iteration.cpp
+  // iteration.cpp, step.cpp
   Request iterate();
   bool prepare_models();
   bool mend();
   void forget_point(std::size_t j);
   std::size_t farthest_point(double* distance);
   double choose_step(double* d);
+  double change_of(const double* d);
+  void expand_at(const double* d);
+  void refine_step(double* d, double* value);
   Request try_step();
   Request take_trial();
+  bool models_are_flat();
   Request reduce_resolution();
   void include(std::size_t j, double value);
   std::size_t who_leaves(bool better);
@@ -146,14 +170,19 @@ class Solver {
   const base::Host& host_;
   Options options_;
   Variables variables_;
+  std::size_t max_points_ = 0;  // that a budget without end would have
+  bool cross_ = false;          // the first points are those of Start::cross
+  std::uint64_t whole_ = 0;     // 1: there is room for max_points_ and a model, whatever the budget
   Interpolation interpolation_;
   Models models_;
+  Edges edges_;
   QuadraticStep quadratic_step_;
   State state_;
+  double edge_weight_ = 0;                   // of the penalty beyond planes, for one step
   base::Array<double> best_, best_outputs_;  // n of the caller's, outputs
   base::Array<double> values_;               // f at the interpolation points
   base::Array<double> start_;                // free unknowns
-  base::Array<double> design_;               // rows of free unknowns asked for
+  base::Array<double> design_;               // rows of free unknowns requested
   base::Array<std::uint32_t> axes_;
   base::Array<double> requests_;      // the same rows as the caller sees them
   base::Array<double> told_, error_;  // outputs

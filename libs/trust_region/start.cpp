@@ -11,6 +11,8 @@ namespace orbicube::trust_region {
 namespace {
 
 constexpr std::uint64_t tries_of_an_axis = 8;
+// The part of f by which it must fall from one end at an edge of the domain to the next for another start.
+constexpr double gain_of_restart = 1e-3;
 
 }  // namespace
 
@@ -22,13 +24,11 @@ Request Solver::begin() {
   state_.design_next = 0;
   state_.design_end = 1;
   put_request(0, start_.data());
-  const bool cross = options_.start == Start::cross ||
-                     (options_.start == Start::automatic && !models_.least_squares() && variables_.bounded());
-  if (cross) {
+  if (cross_) {
     for (std::size_t k = 0; k < n; ++k) {
       for (const bool second : {false, true}) {
         const std::size_t row = 1 + k + (second ? n : 0);
-        if (row >= interpolation_.capacity()) continue;
+        if (row >= interpolation_.capacity() || row * size() >= requests_.size()) continue;
         const double first = axis_step(start_.data(), k, state_.radius), center = start_[k];
         double length = first;
         if (second) {
@@ -57,7 +57,7 @@ double Solver::axis_step(const double* center, std::size_t axis, double length) 
   return up >= down ? up : -down;
 }
 
-// The answer to one of the design's points.
+// The value at one of the design's points.
 Request Solver::take_start() {
   const std::size_t n = variables_.free_size(), j = interpolation_.size();
   const bool good = std::isfinite(state_.told_value);
@@ -83,7 +83,8 @@ Request Solver::take_start() {
 
 Request Solver::next_of_start() {
   const std::size_t n = variables_.free_size();
-  if (interpolation_.size() == 0 || state_.failures_in_row > 20 + 2 * n) return finish(Stop::evaluation_failed);
+  if (interpolation_.size() == 0) return finish(Stop::evaluation_failed);
+  if (state_.failures_in_row > max_failures()) return restart_or_finish(Stop::evaluation_failed);
   if (state_.best_value <= options_.target) return finish(Stop::target_reached);
   if (n == 0) return finish(Stop::converged);
   if (state_.axes_next == state_.axes_end) {
@@ -97,6 +98,12 @@ Request Solver::next_of_start() {
       return iterate();
     }
     if (interpolation_.size() >= n + 1 && ++state_.poise_failures > 3) return restart_or_finish(Stop::stalled);
+    if (state_.evaluations >= options_.max_evaluations) return finish(Stop::evaluation_budget);
+    if (state_.failures_in_row > 0 && follows_edges()) {
+      // No value along an axis, nor to its other side: shorter steps.
+      state_.radius = std::max(0.1 * state_.radius, options_.radius_end);
+      state_.resolution = std::min(state_.resolution, state_.radius);
+    }
     plan_axes();
     if (state_.axes_next == state_.axes_end) return next_of_start();
   }
@@ -186,6 +193,14 @@ void Solver::plan_axes() {
     }
   }
   interpolation_.resize(kept);
+  if (kept == 1) {
+    // Nothing is covered: every axis, in order.
+    state_.axes_next = state_.start_tries = 0;
+    state_.axes_end = n;
+    for (std::size_t i = 0; i < n; ++i)
+      axes_[i] = static_cast<std::uint32_t>(i);
+    return;
+  }
   // The axes with the largest part outside of what is covered.
   state_.axes_next = state_.axes_end = 0;
   state_.start_tries = 0;
@@ -209,8 +224,16 @@ void Solver::plan_axes() {
 }
 
 Request Solver::restart_or_finish(Stop stop) {
-  if (state_.restarts >= options_.restarts) return finish(stop);
+  if (state_.restarts >= options_.restarts) {
+    // At an edge of the domain a run may end before the lowest point: it goes on while that helps.
+    const bool at_edge = follows_edges() && state_.failures_of_level > 0 && stop != Stop::evaluation_failed;
+    const bool helps = state_.last_end - state_.best_value > gain_of_restart * std::abs(state_.best_value);
+    if (!at_edge || !helps) return finish(stop);
+    state_.last_end = state_.best_value;
+  }
   ++state_.restarts;
+  state_.failures_in_row = 0;
+  edges_.forget();
   state_.radius =
       std::max(10 * options_.radius_end, state_.radius_begin * std::pow(0.1, static_cast<double>(state_.restarts % 4)));
   if (options_.method != Method::seed) state_.resolution = state_.radius;

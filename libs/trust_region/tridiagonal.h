@@ -24,7 +24,7 @@ class Tridiagonal {
   void from_reduced(double* x) const;                    // x = Q x
 
   // Of the matrix put into matrix(): eigenvalues (size, in no order), and its eigenvectors as the rows of `vectors`
-  // (size x size; null: not wanted). False when the iteration does not end, as with numbers that are not finite.
+  // (size x size; null: not requested). False when the iteration does not end, as with numbers that are not finite.
   bool eigen(std::size_t size, double* values, double* vectors);
 
  private:

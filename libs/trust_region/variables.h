@@ -1,6 +1,7 @@
 // The unknowns as the method sees them: those whose bounds leave room, divided by their scale, and without bounds in
 // coordinates u that the run may change, x / scale = T u. Turning them back gives values within the caller's bounds to
-// the bit.
+// the bit. Where the caller gives no scale and the unknowns are of unlike units, the scale is that of their boxes, or
+// of their start.
 #pragma once
 
 #include <cstddef>
@@ -16,13 +17,23 @@ namespace orbicube::trust_region {
 
 class Variables {
  public:
-  // Throws invalid-argument.
-  Variables(const Problem& problem, std::pmr::memory_resource* memory);
+  // Radii for more unknowns stay round: T needs eigenvectors, which take a while.
+  static constexpr std::size_t max_turned = 200;
+
+  // `start` (empty for a run that is loaded: its scale is part of its state) and whether the caller gave the first
+  // radius choose the scale where the problem has none. Throws invalid-argument.
+  Variables(const Problem& problem, std::span<const double> start, bool radius_given,
+            std::pmr::memory_resource* memory);
+  // Makes room for T.
+  void allow_turns();
 
   std::size_t size() const { return full_lower_.size(); }
   std::size_t free_size() const { return free_.size(); }
   bool bounded() const { return bounded_; }
-  const double* lower() const { return lower_.data(); }  // of the free unknowns, scaled
+  // Whether the scale is that of boxes and start, where lengths of 1 are whole boxes.
+  bool scaled_by_boxes() const { return scaled_by_boxes_; }
+  double scale(std::size_t k) const { return scale_[k]; }  // of free unknown k
+  const double* lower() const { return lower_.data(); }    // of the free unknowns, scaled
   const double* upper() const { return upper_.data(); }
 
   void to_free(std::span<const double> x, double* u) const;  // before T changes
@@ -38,14 +49,17 @@ class Variables {
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit) {
     visit(std::span(&self.turned_, 1));
-    visit(std::span(self.turn_));
+    for (auto* array : {&self.turn_, &self.scale_, &self.lower_, &self.upper_})
+      visit(std::span(*array));
   }
 
  private:
-  base::Array<double> full_lower_, full_upper_, full_scale_;
+  void choose_scale(const Problem& problem, std::span<const double> start, bool radius_given);
+
+  base::Array<double> full_lower_, full_upper_;
   base::Array<std::uint32_t> free_;
   base::Array<double> lower_, upper_, scale_;
-  bool bounded_ = false;
+  bool bounded_ = false, scaled_by_boxes_ = false;
   std::uint64_t turned_ = 0;              // 1 once T is not the identity
   base::Array<double> turn_, turn_work_;  // T (free x free by rows), empty with bounds
   std::uint64_t fingerprint_ = 0;

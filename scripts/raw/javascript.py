@@ -1,6 +1,7 @@
 """The raw layer of JavaScript: constants, layouts of structs and types of functions in a 32-bit WebAssembly module."""
 
 from raw.c_types import in_order
+from raw.python_options import words_by_option
 
 FIELDS = {"char": "char", "int8_t": "i8", "uint8_t": "u8", "int16_t": "i16", "uint16_t": "u16", "int32_t": "i32",
           "uint32_t": "u32", "int64_t": "i64", "uint64_t": "u64", "float": "f32", "double": "f64", "size_t": "u32"}
@@ -9,8 +10,9 @@ LETTERS = {"void": "v", "int64_t": "j", "uint64_t": "j", "float": "f", "double":
 FOLDER = "bindings/js/raw/"
 HEAD = "// What the C headers declare, {0}. Written by scripts/bindings.py; not to be edited.\n"
 POINTER = 4
-# Not in the module, as bindings/js/build says: a library whose licence would bind users.
-LEFT_OUT = ["tetrahedra"]
+# Not in the module: a library whose license would bind users, and one whose functions are for programs that assemble
+# large systems, which would make pages load more than 3 MB. What polycubes and hexahedra use of the latter is in it.
+LEFT_OUT = ["linear", "tetrahedra"]
 
 
 def parts(api):
@@ -83,7 +85,7 @@ def documentation(text, indent):
 
 
 def types(api):
-    out = [HEAD.format("with what their functions are told"),
+    out = [HEAD.format("with the parameters of their functions"),
            "\n/** An address in the module's memory. */\nexport type Pointer = number;\n"
            "\nexport const constants: {\n"]
     for library in parts(api):
@@ -112,5 +114,16 @@ def safe(name):
     return name + "_" if name in ("function", "in", "new", "with", "default", "export", "import", "void") else name
 
 
+def words(api):
+    """The words that options take."""
+    known = {struct["name"] for library in parts(api) for struct in library["structs"]}
+    rows = "".join(
+        f"  {struct}: {{\n" + "".join(f"    {option}: {{ " + ", ".join(f"'{word}': {number}" for word, number in found.items()) + " },\n"
+                                    for option, found in options.items()) + "  },\n"
+        for struct, options in words_by_option(api).items() if struct in known)
+    return f"\n/** The words that options take, and their constants. */\nexport const words = {{\n{rows}}};\n"
+
+
 def files(api):
-    return {FOLDER + "raw.js": module(api), FOLDER + "raw.d.ts": types(api)}
+    more = "\nexport const words: Readonly<Record<string, Readonly<Record<string, Readonly<Record<string, number>>>>>>;\n"
+    return {FOLDER + "raw.js": module(api) + words(api), FOLDER + "raw.d.ts": types(api) + more}

@@ -1,6 +1,7 @@
 """The raw layer of Julia: a file of ccalls a library, and a test of the layouts."""
 
 from raw.c_types import in_order
+from raw.python_options import words_by_option
 
 NUMBERS = {"char": "UInt8", "int8_t": "Int8", "uint8_t": "UInt8", "int16_t": "Int16", "uint16_t": "UInt16",
            "int32_t": "Int32", "uint32_t": "UInt32", "int64_t": "Int64", "uint64_t": "UInt64", "float": "Float32",
@@ -83,8 +84,17 @@ def libraries(api):
             f"const libraries = [\n{rows}]\n")
 
 
+def words(api):
+    """The symbols that options take."""
+    rows = "".join(f"    (:{struct}, :{option}) => [" + ", ".join(f":{word.replace('-', '_')} => {number}" for word, number in found.items()) +
+                   "],\n" for struct, options in words_by_option(api).items() for option, found in options.items())
+    return ("# The words that options take, and their constants. Written by scripts/bindings.py; not to be edited.\n"
+            f"const words = Dict{{Tuple{{Symbol,Symbol}},Vector{{Pair{{Symbol,Int}}}}}}(\n{rows})\n")
+
+
 def files(api):
     result = {FOLDER + f"src/raw/{name}.jl": module(api, name) for name in api.libraries}
     result[FOLDER + "src/raw/libraries.jl"] = libraries(api)
+    result[FOLDER + "src/raw/words.jl"] = words(api)
     result[FOLDER + "test/layouts.jl"] = layouts(api)
     return result

@@ -67,13 +67,13 @@ def module(api, name):
         rows += f'    ("{function["name"]}", {ctype(api, {"type": function["returns"]})}, [{types}]),\n'
     uses = ", ".join(f'"{used}"' for used in api.used(name))
     out.append(f"\n\n_functions = [\n{rows}]\n\n\ndef __getattr__(name):\n"
-               f'    """A function; the shared library is loaded when the first one is asked for."""\n'
+               f'    """A function; the shared library is loaded at the first use."""\n'
                f'    return _bind("{name}", [{uses}], _functions, globals(), name)\n')
     return "".join(out)
 
 
 def needed_at_run_time(api, library, name):
-    """Pointers to structs are addresses, so only what is held or passed by value is needed."""
+    """Pointers to structs are addresses, so only structs that are members or passed by value are needed."""
     def used(entry):
         if "function" in entry:
             return any(used(p) for p in entry["function"]["parameters"])

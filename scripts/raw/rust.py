@@ -9,7 +9,7 @@ NUMBERS = {"char": "c_char", "int8_t": "i8", "uint8_t": "u8", "int16_t": "i16", 
            "void": "c_void"}
 KEYWORDS = {"type", "box", "fn", "in", "loop", "match", "mod", "move", "ref", "self", "static", "use", "where", "yield"}
 FOLDER = "bindings/rust/orbicube-sys/src/"
-NOT_DEFAULT = {"tetrahedra"}  # TetGen's licence, the AGPL 3, binds programs that use it
+NOT_DEFAULT = {"tetrahedra"}  # TetGen's license, the AGPL 3, binds programs that use it
 MANIFEST = """# Written by scripts/bindings.py; not to be edited.
 [package]
 name = "orbicube-sys"
@@ -122,7 +122,7 @@ def root(api):
 
 
 def manifest(api):
-    """A feature a library; those whose licences bind programs that use them are not among the default ones."""
+    """A feature a library; those whose licenses bind programs that use them are not among the default ones."""
     features = {name: [used for used in library["uses"] if used != "base"]
                 for name, library in api.libraries.items() if name != "base"}
     default = ", ".join(f'"{name}"' for name in features if name not in NOT_DEFAULT)

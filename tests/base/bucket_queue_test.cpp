@@ -54,7 +54,7 @@ TEST_CASE("Priorities are counted from the unit down to as many powers of two as
   CHECK(emptied(queue) == std::vector<std::uint32_t>{4, 5, 3, 0, 1, 2});
 }
 
-TEST_CASE("A number that is held stays out until it is released") {
+TEST_CASE("A number that is fixed stays out until it is released") {
   base::BucketQueue<64> queue(3, std::pmr::get_default_resource());
   for (std::uint32_t item = 0; item < 3; ++item)
     queue.raise(item, 1);

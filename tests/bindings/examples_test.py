@@ -19,7 +19,7 @@ def main():
         subprocess.run(["meson", "install", "-C", sys.argv[1], "--no-rebuild", "--quiet", "--destdir", staging], check=True)
         packages = [path for path, _, _ in os.walk(staging) if os.path.basename(path) == "pkgconfig"][0]
         libraries = os.path.dirname(packages)
-        # A library that another one needs is looked for where the linker is told, since it is not where the system looks.
+        # A library that another one needs is looked for where the linker looks, since it is not where the system looks.
         environment = dict(os.environ, PKG_CONFIG_LIBDIR=packages, PKG_CONFIG_SYSROOT_DIR=staging, LIBRARY_PATH=libraries,
                            LD_LIBRARY_PATH=libraries, LDFLAGS="-Wl,-rpath-link," + libraries, ORBICUBE_LIBRARIES=libraries)
         done = subprocess.run([os.path.join(ROOT, "scripts", "examples")], env=environment, stdout=subprocess.PIPE, text=True,

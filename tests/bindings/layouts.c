@@ -4,6 +4,7 @@
 #include <orbicube/frame_field.h>
 #include <orbicube/gltf.h>
 #include <orbicube/harmonics.h>
+#include <orbicube/linear.h>
 #include <orbicube/mesh.h>
 #include <orbicube/polycube.h>
 #include <orbicube/projected_gradient.h>
@@ -23,7 +24,7 @@ _Static_assert(sizeof(obc_allocator) == 24, "obc_allocator");
 _Static_assert(offsetof(obc_allocator, allocate) == 0, "obc_allocator.allocate");
 _Static_assert(offsetof(obc_allocator, release) == 8, "obc_allocator.release");
 _Static_assert(offsetof(obc_allocator, user) == 16, "obc_allocator.user");
-_Static_assert(sizeof(obc_host) == 64, "obc_host");
+_Static_assert(sizeof(obc_host) == 72, "obc_host");
 _Static_assert(offsetof(obc_host, struct_size) == 0, "obc_host.struct_size");
 _Static_assert(offsetof(obc_host, thread_count) == 4, "obc_host.thread_count");
 _Static_assert(offsetof(obc_host, progress) == 8, "obc_host.progress");
@@ -33,6 +34,7 @@ _Static_assert(offsetof(obc_host, log_user) == 32, "obc_host.log_user");
 _Static_assert(offsetof(obc_host, parallel_for) == 40, "obc_host.parallel_for");
 _Static_assert(offsetof(obc_host, parallel_for_user) == 48, "obc_host.parallel_for_user");
 _Static_assert(offsetof(obc_host, allocator) == 56, "obc_host.allocator");
+_Static_assert(offsetof(obc_host, fraction) == 64, "obc_host.fraction");
 _Static_assert(sizeof(obc_frame_field_solid) == 32, "obc_frame_field_solid");
 _Static_assert(offsetof(obc_frame_field_solid, positions) == 0, "obc_frame_field_solid.positions");
 _Static_assert(offsetof(obc_frame_field_solid, vertex_count) == 8, "obc_frame_field_solid.vertex_count");
@@ -161,6 +163,25 @@ _Static_assert(offsetof(obc_harmonics_alignment, reserved) == 4, "obc_harmonics_
 _Static_assert(offsetof(obc_harmonics_alignment, rotation) == 8, "obc_harmonics_alignment.rotation");
 _Static_assert(offsetof(obc_harmonics_alignment, values) == 80, "obc_harmonics_alignment.values");
 _Static_assert(offsetof(obc_harmonics_alignment, correlation) == 152, "obc_harmonics_alignment.correlation");
+_Static_assert(sizeof(obc_linear_matrix) == 32, "obc_linear_matrix");
+_Static_assert(offsetof(obc_linear_matrix, size) == 0, "obc_linear_matrix.size");
+_Static_assert(offsetof(obc_linear_matrix, row_begin) == 8, "obc_linear_matrix.row_begin");
+_Static_assert(offsetof(obc_linear_matrix, columns) == 16, "obc_linear_matrix.columns");
+_Static_assert(offsetof(obc_linear_matrix, values) == 24, "obc_linear_matrix.values");
+_Static_assert(sizeof(obc_linear_direct_options) == 8, "obc_linear_direct_options");
+_Static_assert(offsetof(obc_linear_direct_options, struct_size) == 0, "obc_linear_direct_options.struct_size");
+_Static_assert(offsetof(obc_linear_direct_options, method) == 4, "obc_linear_direct_options.method");
+_Static_assert(sizeof(obc_linear_iterative_options) == 24, "obc_linear_iterative_options");
+_Static_assert(offsetof(obc_linear_iterative_options, struct_size) == 0, "obc_linear_iterative_options.struct_size");
+_Static_assert(offsetof(obc_linear_iterative_options, method) == 4, "obc_linear_iterative_options.method");
+_Static_assert(offsetof(obc_linear_iterative_options, block_size) == 8, "obc_linear_iterative_options.block_size");
+_Static_assert(offsetof(obc_linear_iterative_options, max_iterations) == 12, "obc_linear_iterative_options.max_iterations");
+_Static_assert(offsetof(obc_linear_iterative_options, tolerance) == 16, "obc_linear_iterative_options.tolerance");
+_Static_assert(sizeof(obc_linear_iterative_report) == 24, "obc_linear_iterative_report");
+_Static_assert(offsetof(obc_linear_iterative_report, struct_size) == 0, "obc_linear_iterative_report.struct_size");
+_Static_assert(offsetof(obc_linear_iterative_report, converged) == 4, "obc_linear_iterative_report.converged");
+_Static_assert(offsetof(obc_linear_iterative_report, iterations) == 8, "obc_linear_iterative_report.iterations");
+_Static_assert(offsetof(obc_linear_iterative_report, residual) == 16, "obc_linear_iterative_report.residual");
 _Static_assert(sizeof(obc_surface) == 32, "obc_surface");
 _Static_assert(offsetof(obc_surface, positions) == 0, "obc_surface.positions");
 _Static_assert(offsetof(obc_surface, vertex_count) == 8, "obc_surface.vertex_count");
@@ -357,6 +378,16 @@ _Static_assert(offsetof(obc_projected_gradient_result, failed_evaluations) == 40
 _Static_assert(offsetof(obc_projected_gradient_result, iterations) == 48, "obc_projected_gradient_result.iterations");
 _Static_assert(offsetof(obc_projected_gradient_result, projection_passes) == 56, "obc_projected_gradient_result.projection_passes");
 _Static_assert(offsetof(obc_projected_gradient_result, certificate_gap) == 64, "obc_projected_gradient_result.certificate_gap");
+_Static_assert(sizeof(obc_projected_gradient_check) == 64, "obc_projected_gradient_check");
+_Static_assert(offsetof(obc_projected_gradient_check, struct_size) == 0, "obc_projected_gradient_check.struct_size");
+_Static_assert(offsetof(obc_projected_gradient_check, agrees) == 4, "obc_projected_gradient_check.agrees");
+_Static_assert(offsetof(obc_projected_gradient_check, worst) == 8, "obc_projected_gradient_check.worst");
+_Static_assert(offsetof(obc_projected_gradient_check, told) == 16, "obc_projected_gradient_check.told");
+_Static_assert(offsetof(obc_projected_gradient_check, difference) == 24, "obc_projected_gradient_check.difference");
+_Static_assert(offsetof(obc_projected_gradient_check, error) == 32, "obc_projected_gradient_check.error");
+_Static_assert(offsetof(obc_projected_gradient_check, uncertainty) == 40, "obc_projected_gradient_check.uncertainty");
+_Static_assert(offsetof(obc_projected_gradient_check, compared) == 48, "obc_projected_gradient_check.compared");
+_Static_assert(offsetof(obc_projected_gradient_check, evaluations) == 56, "obc_projected_gradient_check.evaluations");
 _Static_assert(sizeof(obc_sphere_map_options) == 48, "obc_sphere_map_options");
 _Static_assert(offsetof(obc_sphere_map_options, struct_size) == 0, "obc_sphere_map_options.struct_size");
 _Static_assert(offsetof(obc_sphere_map_options, method) == 4, "obc_sphere_map_options.method");
@@ -561,7 +592,7 @@ _Static_assert(sizeof(obc_allocator) == 12, "obc_allocator");
 _Static_assert(offsetof(obc_allocator, allocate) == 0, "obc_allocator.allocate");
 _Static_assert(offsetof(obc_allocator, release) == 4, "obc_allocator.release");
 _Static_assert(offsetof(obc_allocator, user) == 8, "obc_allocator.user");
-_Static_assert(sizeof(obc_host) == 36, "obc_host");
+_Static_assert(sizeof(obc_host) == 40, "obc_host");
 _Static_assert(offsetof(obc_host, struct_size) == 0, "obc_host.struct_size");
 _Static_assert(offsetof(obc_host, thread_count) == 4, "obc_host.thread_count");
 _Static_assert(offsetof(obc_host, progress) == 8, "obc_host.progress");
@@ -571,6 +602,7 @@ _Static_assert(offsetof(obc_host, log_user) == 20, "obc_host.log_user");
 _Static_assert(offsetof(obc_host, parallel_for) == 24, "obc_host.parallel_for");
 _Static_assert(offsetof(obc_host, parallel_for_user) == 28, "obc_host.parallel_for_user");
 _Static_assert(offsetof(obc_host, allocator) == 32, "obc_host.allocator");
+_Static_assert(offsetof(obc_host, fraction) == 36, "obc_host.fraction");
 _Static_assert(sizeof(obc_frame_field_solid) == 16, "obc_frame_field_solid");
 _Static_assert(offsetof(obc_frame_field_solid, positions) == 0, "obc_frame_field_solid.positions");
 _Static_assert(offsetof(obc_frame_field_solid, vertex_count) == 4, "obc_frame_field_solid.vertex_count");
@@ -699,6 +731,25 @@ _Static_assert(offsetof(obc_harmonics_alignment, reserved) == 4, "obc_harmonics_
 _Static_assert(offsetof(obc_harmonics_alignment, rotation) == 8, "obc_harmonics_alignment.rotation");
 _Static_assert(offsetof(obc_harmonics_alignment, values) == 80, "obc_harmonics_alignment.values");
 _Static_assert(offsetof(obc_harmonics_alignment, correlation) == 152, "obc_harmonics_alignment.correlation");
+_Static_assert(sizeof(obc_linear_matrix) == 16, "obc_linear_matrix");
+_Static_assert(offsetof(obc_linear_matrix, size) == 0, "obc_linear_matrix.size");
+_Static_assert(offsetof(obc_linear_matrix, row_begin) == 4, "obc_linear_matrix.row_begin");
+_Static_assert(offsetof(obc_linear_matrix, columns) == 8, "obc_linear_matrix.columns");
+_Static_assert(offsetof(obc_linear_matrix, values) == 12, "obc_linear_matrix.values");
+_Static_assert(sizeof(obc_linear_direct_options) == 8, "obc_linear_direct_options");
+_Static_assert(offsetof(obc_linear_direct_options, struct_size) == 0, "obc_linear_direct_options.struct_size");
+_Static_assert(offsetof(obc_linear_direct_options, method) == 4, "obc_linear_direct_options.method");
+_Static_assert(sizeof(obc_linear_iterative_options) == 24, "obc_linear_iterative_options");
+_Static_assert(offsetof(obc_linear_iterative_options, struct_size) == 0, "obc_linear_iterative_options.struct_size");
+_Static_assert(offsetof(obc_linear_iterative_options, method) == 4, "obc_linear_iterative_options.method");
+_Static_assert(offsetof(obc_linear_iterative_options, block_size) == 8, "obc_linear_iterative_options.block_size");
+_Static_assert(offsetof(obc_linear_iterative_options, max_iterations) == 12, "obc_linear_iterative_options.max_iterations");
+_Static_assert(offsetof(obc_linear_iterative_options, tolerance) == 16, "obc_linear_iterative_options.tolerance");
+_Static_assert(sizeof(obc_linear_iterative_report) == 24, "obc_linear_iterative_report");
+_Static_assert(offsetof(obc_linear_iterative_report, struct_size) == 0, "obc_linear_iterative_report.struct_size");
+_Static_assert(offsetof(obc_linear_iterative_report, converged) == 4, "obc_linear_iterative_report.converged");
+_Static_assert(offsetof(obc_linear_iterative_report, iterations) == 8, "obc_linear_iterative_report.iterations");
+_Static_assert(offsetof(obc_linear_iterative_report, residual) == 16, "obc_linear_iterative_report.residual");
 _Static_assert(sizeof(obc_surface) == 16, "obc_surface");
 _Static_assert(offsetof(obc_surface, positions) == 0, "obc_surface.positions");
 _Static_assert(offsetof(obc_surface, vertex_count) == 4, "obc_surface.vertex_count");
@@ -895,6 +946,16 @@ _Static_assert(offsetof(obc_projected_gradient_result, failed_evaluations) == 40
 _Static_assert(offsetof(obc_projected_gradient_result, iterations) == 48, "obc_projected_gradient_result.iterations");
 _Static_assert(offsetof(obc_projected_gradient_result, projection_passes) == 56, "obc_projected_gradient_result.projection_passes");
 _Static_assert(offsetof(obc_projected_gradient_result, certificate_gap) == 64, "obc_projected_gradient_result.certificate_gap");
+_Static_assert(sizeof(obc_projected_gradient_check) == 64, "obc_projected_gradient_check");
+_Static_assert(offsetof(obc_projected_gradient_check, struct_size) == 0, "obc_projected_gradient_check.struct_size");
+_Static_assert(offsetof(obc_projected_gradient_check, agrees) == 4, "obc_projected_gradient_check.agrees");
+_Static_assert(offsetof(obc_projected_gradient_check, worst) == 8, "obc_projected_gradient_check.worst");
+_Static_assert(offsetof(obc_projected_gradient_check, told) == 16, "obc_projected_gradient_check.told");
+_Static_assert(offsetof(obc_projected_gradient_check, difference) == 24, "obc_projected_gradient_check.difference");
+_Static_assert(offsetof(obc_projected_gradient_check, error) == 32, "obc_projected_gradient_check.error");
+_Static_assert(offsetof(obc_projected_gradient_check, uncertainty) == 40, "obc_projected_gradient_check.uncertainty");
+_Static_assert(offsetof(obc_projected_gradient_check, compared) == 48, "obc_projected_gradient_check.compared");
+_Static_assert(offsetof(obc_projected_gradient_check, evaluations) == 56, "obc_projected_gradient_check.evaluations");
 _Static_assert(sizeof(obc_sphere_map_options) == 40, "obc_sphere_map_options");
 _Static_assert(offsetof(obc_sphere_map_options, struct_size) == 0, "obc_sphere_map_options.struct_size");
 _Static_assert(offsetof(obc_sphere_map_options, method) == 4, "obc_sphere_map_options.method");

@@ -1,5 +1,5 @@
 /* Runs the problems that every language's tests run, with callbacks, and prints how they end: a line each with a name,
- * the number of evaluations and the bits of the answer. The other languages must print the same. */
+ * the number of evaluations and the bits of the result. The other languages must print the same. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -37,7 +37,7 @@ typedef struct obc_thing_options {
   void (*log)(const char *line, void *user);
 } obc_thing_options;
 
-/* Answers 0 to go on. */
+/* Returns 0 to go on. */
 typedef int32_t (*obc_thing_function)(const double *x, double *const *rows, void *user);
 
 /* Fills the options. */
@@ -127,7 +127,6 @@ class Rules(unittest.TestCase):
                 ("double *const *rows, void *user", "void *user, double *const *rows", "takes void *user last"),
                 ("OBC_API void obc_thing_destroy(obc_thing *thing);", "", "no function obc_thing_destroy"),
                 ("obc_thing_options_init(", "obc_thing_options_fill(", "no function obc_thing_options_init"),
-                ("/* A library. */", "/* A library." + "\n" * 300 + "*/", "at most 300"),
         ):
             with self.subTest(said):
                 changed = GOOD.replace(old, new)

@@ -54,7 +54,7 @@ inline std::int32_t callback(const double* x, std::size_t count, std::size_t dim
   return OBC_SPHERE_OPTIMIZER_CONTINUE;
 }
 
-// Everybody is everybody's neighbour.
+// Everybody is everybody's neighbor.
 struct Blocks {
   std::array<std::size_t, charges + 1> start{};
   std::array<std::uint32_t, charges*(charges - 1)> neighbour{};

@@ -4,12 +4,13 @@
     consume.py --library NAME --uses A,B --folder BUILD [--kind both|shared|static]
 
 Checks that the build says no warning, that nothing but the library and those that it uses is installed, that the installed
-files name no build folder, and that examples/c/NAME.c, compiled as C99 against the shared and against the static libraries,
+files name no build folder, that each library can be loaded by its path alone, and that examples/c/NAME.c, compiled as C99 against the shared and against the static libraries,
 runs and prints the same, and that its header works from C++.
 """
 
 import argparse
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -41,16 +42,31 @@ def expected_files(libraries, kind, version):
 
 
 def check_installed(prefix, folder):
-    """No installed shared library is told where to search, and no pkg-config file names the build folder."""
+    """Installed shared libraries look for others in their own folder only, and no pkg-config file names the build folder."""
     for name in sorted(installed_files(prefix)):
         path = os.path.join(prefix, name)
-        if ".so." in name and "PATH)" in run(["readelf", "-dW", path]):
-            sys.exit(f"{name} has a RPATH or RUNPATH")
+        if ".so." in name:
+            searched = re.findall(r"\((R(?:UN)?PATH)\).*\[(.*)\]", run(["readelf", "-dW", path]))
+            if searched != [("RUNPATH", "$ORIGIN")]:
+                sys.exit(f"{name} looks for libraries in {searched}")
         if name.endswith(".pc"):
             with open(path, encoding="utf-8") as file:
                 text = file.read().replace(prefix, "")
             if folder in text or ROOT in text:
                 sys.exit(f"{name} names a folder of the build:\n{text}")
+
+
+def check_loads_alone(prefix, folder):
+    """Each library is loaded by its path, as languages with a foreign-function interface do, also where the prefix was moved to."""
+    moved = os.path.join(folder, "moved")
+    os.rename(prefix, moved)
+    environment = {key: value for key, value in os.environ.items() if key != "LD_LIBRARY_PATH"}
+    for file in sorted(os.listdir(os.path.join(moved, "lib"))):
+        if ".so" in file:
+            path = os.path.join(moved, "lib", file)
+            run([sys.executable, "-c", "import ctypes, os, sys; ctypes.CDLL(sys.argv[1], mode=os.RTLD_NOW)", path],
+                env=environment, cwd="/")
+    os.rename(moved, prefix)
 
 
 def compiled_and_run(compiler, source, prefix, name, static, output):
@@ -94,6 +110,8 @@ def main():
         sys.exit(f"installed but not expected: {sorted(installed - expected)}\n"
                  f"expected but not installed: {sorted(expected - installed)}")
     check_installed(prefix, build)
+    if arguments.kind != "static":
+        check_loads_alone(prefix, folder)
 
     example = os.path.join(ROOT, "examples", "c", arguments.library + ".c")
     name = "orbicube-" + arguments.library.replace("_", "-")

@@ -47,7 +47,7 @@ void* allocate(std::size_t size, std::size_t alignment, bool throwing) {
   void* pointer = nullptr;
   if (!fails_now(throwing)) {
     alignment = alignment < sizeof(void*) ? sizeof(void*) : alignment;
-    // aligned_alloc asks for a multiple of the alignment.
+    // aligned_alloc requires a multiple of the alignment.
     const std::size_t padding = (alignment - size % alignment) % alignment;
     if (size <= never - padding) pointer = std::aligned_alloc(alignment, size + padding + (size == 0 ? alignment : 0));
   }
@@ -66,7 +66,7 @@ void release(void* pointer) {
   std::free(pointer);
 }
 
-// A block of the host's allocator remembers in front of it what was asked for.
+// A block of the host's allocator remembers in front of it what was requested.
 struct Header {
   std::size_t size;
   std::size_t alignment;
@@ -81,7 +81,7 @@ void* host_allocate(std::size_t size, std::size_t alignment, void*) {
   if (size > never - space) return nullptr;
   void* block = allocate(size + space, space, false);
   if (block == nullptr) {
-    shared().could_throw = true;  // unlike with nothrow, the library is to answer "out of memory"
+    shared().could_throw = true;  // unlike with nothrow, the library is to return "out of memory"
     return nullptr;
   }
   char* pointer = static_cast<char*>(block) + space;
@@ -106,7 +106,7 @@ obc_host counting_host() {
   return host;
 }
 
-// What is wrong with a run that answered `status`, or nothing.
+// What is wrong with a run that returned `status`, or nothing.
 std::string problem_of_run(std::size_t run, obc_status status, obc_status expected, std::size_t live_before) {
   const std::size_t live_after = live_blocks.load();
   const std::string where = "run " + std::to_string(run) + ": ";
@@ -122,11 +122,14 @@ struct Reports {
   std::size_t until_stop;
   bool stopped = false;
   bool reported_again = false;
+  double fraction = 0;
+  bool wrong_fraction = false;  // not within 0 and 1
 };
 
 std::int32_t count_report(const char*, std::uint64_t, std::uint64_t, double, void* user) {
   auto& reports = *static_cast<Reports*>(user);
   if (reports.stopped) reports.reported_again = true;
+  if (!(reports.fraction >= 0 && reports.fraction <= 1)) reports.wrong_fraction = true;
   if (reports.until_stop-- == 0) reports.stopped = true;
   return reports.stopped ? 1 : 0;
 }
@@ -164,12 +167,16 @@ Outcome cancel_everywhere(const Call& call, std::size_t most_runs) {
   for (bool disturbed = true; disturbed && outcome.problem.empty(); ++outcome.runs) {
     Reports reports{stop_at};
     host.progress_user = &reports;
+    host.fraction = &reports.fraction;
     const std::size_t before = live_blocks.load();
     const obc_status status = call(host);
     disturbed = reports.stopped;
     outcome.problem = problem_of_run(outcome.runs, status, disturbed ? OBC_CANCELLED : OBC_OK, before);
     if (outcome.problem.empty() && reports.reported_again) {
       outcome.problem = "run " + std::to_string(outcome.runs) + ": reported progress after it was cancelled";
+    }
+    if (outcome.problem.empty() && reports.wrong_fraction) {
+      outcome.problem = "run " + std::to_string(outcome.runs) + ": reported a fraction that is not within 0 and 1";
     }
     if (outcome.runs >= most_runs) step *= 2;
     stop_at += step;

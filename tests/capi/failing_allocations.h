@@ -17,22 +17,22 @@ struct Outcome {
   std::string problem;   // empty when every run did as it should
 };
 
-// A call that gets a host to hand to the library, releases everything that it made and answers its status. It starts
+// A call that gets a host to hand to the library, releases everything that it made and returns its status. It starts
 // from nothing each time it is called; it does not allocate for itself what it keeps.
 using Call = std::function<obc_status(const obc_host& host)>;
 
 // Runs `call` with the n-th allocation (operator new or the host's allocator, counted together) failing, for n = 0, 1,
 // 2,
-// ... until a run has fewer. Each disturbed run must answer OBC_OUT_OF_MEMORY, the last one OBC_OK, and after each
+// ... until a run has fewer. Each disturbed run must return OBC_OUT_OF_MEMORY, the last one OBC_OK, and after each
 // every block must be released, the host's with the size and alignment it was allocated with. An allocation that cannot
-// throw (new (std::nothrow), with which the standard library asks for memory that it can do without) may fail
+// throw (new (std::nothrow), with which the standard library requires memory that it can do without) may fail
 // unnoticed. The host has one thread, so that the order of allocations is always the same. Past the first `each_until`
 // allocations only every seventh fails: a long call comes to the same places again and again, and each run repeats all
 // that went before.
 Outcome fail_each_allocation(const Call& call, std::size_t each_until = SIZE_MAX);
 
 // Runs `call` with a progress callback that stops at its n-th call, for n = 0, 1, 2, ... until a run has fewer reports.
-// Each stopped run must answer OBC_CANCELLED without another report, the last one OBC_OK, and after each every block
+// Each stopped run must return OBC_CANCELLED without another report, the last one OBC_OK, and after each every block
 // must be released. `most_runs` bounds the work: from there on the step from n to the next doubles.
 Outcome cancel_everywhere(const Call& call, std::size_t most_runs = 64);
 

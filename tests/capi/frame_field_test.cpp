@@ -226,7 +226,7 @@ TEST_CASE("Weights make constraints soft") {
         OBC_INVALID_ARGUMENT);
 }
 
-TEST_CASE("Wrong arguments are answered, not followed") {
+TEST_CASE("Wrong arguments are refused, not followed") {
   const Solid solid = bent_box(2);
   obc_frame_field_solid view = solid.view();
   std::vector<double> frames = solid.identity();

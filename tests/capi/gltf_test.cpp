@@ -97,17 +97,18 @@ TEST_CASE("A surface goes to a file and comes back through C, with its morph tar
         CHECK(obc_gltf_reconstructed(base, obc_gltf_delta(base, wanted)) == wanted);
       }
       CHECK(obc_gltf_surface_copy(raw, nullptr, nullptr, nullptr) == OBC_OK);
-      // The edges are lines, which are left out.
-      REQUIRE(obc_gltf_surface_note_count(raw) == 1);
+      // The edges are lines, which are left out, and so is what decorates the surface.
+      REQUIRE(obc_gltf_surface_note_count(raw) == 2);
       CHECK(std::strlen(obc_gltf_surface_note(raw, 0)) > 0);
-      CHECK(obc_gltf_surface_note(raw, 1) == nullptr);
+      CHECK(std::string(obc_gltf_surface_note(raw, 1)).starts_with("left out: "));
+      CHECK(obc_gltf_surface_note(raw, 2) == nullptr);
     }
   }
   REQUIRE(obc_gltf_write_surface(fixture.path.c_str(), fixture.positions.data(), 6, fixture.triangles.data(), 8,
                                  nullptr, nullptr) == OBC_OK);
   obc_gltf_surface* plain = nullptr;
   REQUIRE(obc_gltf_read(fixture.path.c_str(), nullptr, nullptr, &plain, nullptr) == OBC_OK);
-  CHECK(obc_gltf_surface_note_count(plain) == 0);
+  CHECK(obc_gltf_surface_note_count(plain) == 1);
   obc_gltf_surface_destroy(plain);
 }
 
@@ -238,6 +239,6 @@ TEST_CASE("A program with a shorter header of the same library is served") {
   REQUIRE(obc_gltf_read_options_init(&options, offsetof(obc_gltf_read_options, morph_target)) == OBC_OK);
   obc_gltf_surface* surface = nullptr;
   REQUIRE(obc_gltf_read(fixture.path.c_str(), &options, nullptr, &surface, nullptr) == OBC_OK);
-  CHECK(obc_gltf_surface_note_count(surface) == 0);
+  CHECK(obc_gltf_surface_note_count(surface) == 1);  // its material
   obc_gltf_surface_destroy(surface);
 }

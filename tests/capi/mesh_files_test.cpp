@@ -95,7 +95,7 @@ TEST_CASE("A mesh written to each format is read again to the bit") {
   CHECK_FALSE(std::filesystem::exists(flat.path()));
 }
 
-TEST_CASE("Files in memory: what was changed is told, what is wrong is told with its place") {
+TEST_CASE("Files in memory: changes are reported, defects are reported with their locations") {
   obc_mesh* made = nullptr;
   obc_error error;
   const std::string quads =
@@ -114,7 +114,7 @@ TEST_CASE("Files in memory: what was changed is told, what is wrong is told with
   CHECK(obc_mesh_note(made, notes + 1) == nullptr);
   obc_mesh_destroy(made);
 
-  // The same cube with its own four vertices a face, joined when asked for.
+  // The same cube with its own four vertices a face, welded on request.
   std::string loose;
   const std::array<std::array<int, 4>, 6> faces = {
       {{3, 2, 1, 0}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};

@@ -233,7 +233,7 @@ TEST_CASE("What is nearest, what is at one place, what intersects") {
   CHECK(count == 2);
 }
 
-TEST_CASE("Predicates answer exact signs, and 2 where there is none") {
+TEST_CASE("Predicates return exact signs, and 2 where there is none") {
   const double a[3] = {0.1, 0.1, 0.1}, b[3] = {0.2, 0.2, 0.2}, c[3] = {0.3, 0.3, 0.3}, d[3] = {0, 0, 1};
   CHECK(obc_mesh_orientation_from_origin(a, b, d) == 0);
   CHECK(obc_mesh_orientation_3d(a, b, c, d) == 0);

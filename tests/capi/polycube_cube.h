@@ -1,4 +1,4 @@
-// A cube as a polycube, and what every call with a host is asked for.
+// A cube as a polycube, and the requirements on every call with a host.
 #pragma once
 
 #include <doctest/doctest.h>

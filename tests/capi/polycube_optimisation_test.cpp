@@ -47,7 +47,7 @@ TEST_CASE("A cube's map to a longer box gets the cube's proportions back, certif
   CHECK(energies.front() == report.energy_before);
   CHECK(energies.back() == report.energy);
   CHECK(std::is_sorted(energies.rbegin(), energies.rend()));
-  // The area of the box, 56, on a cube with the box's centre.
+  // The area of the box, 56, on a cube with the box's center.
   std::vector<double> polycube(24), before(24);
   REQUIRE(obc_polycube_copy(best, nullptr, polycube.data(), nullptr, &error) == OBC_OK);
   REQUIRE(obc_polycube_copy(map, nullptr, before.data(), nullptr, &error) == OBC_OK);
@@ -218,7 +218,7 @@ TEST_CASE("Each allocation of better corners that fails ends in out of memory, a
   obc_polycube_destroy(map);
 }
 
-TEST_CASE("Points and curves in their places on the polycube, and what cannot be there") {
+TEST_CASE("Points and curves in their target positions on the polycube, and what cannot be there") {
   const Ball ball;
   obc_polycube* const map = ball.map();
   obc_error error;
@@ -303,7 +303,7 @@ TEST_CASE("Points and curves in their places on the polycube, and what cannot be
   CHECK(obc_polycube_meet_features(nullptr, nullptr, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_meet_features(map, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_feature_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
-  // Nothing asked for is met by the map as it is.
+  // The map satisfies no target at first.
   REQUIRE(obc_polycube_meet_features(map, nullptr, nullptr, nullptr, &made, &error) == OBC_OK);
   std::vector<double> same(ball.polycube.size());
   REQUIRE(obc_polycube_copy(made, nullptr, same.data(), nullptr, &error) == OBC_OK);

@@ -141,7 +141,7 @@ TEST_CASE("The polycube of a cube's map as a graph, and its quads") {
   obc_polycube_destroy(map);
 }
 
-TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a corner where it is told to be" *
+TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a corner at its target" *
           doctest::test_suite("long")) {
   obc_mesh* mesh = nullptr;
   obc_surface surface;
@@ -218,6 +218,48 @@ TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a
     return status;
   };
   check_every_end(call, 300);
+}
+
+TEST_CASE(
+    "Arrays of surfaces and of maps are refused where they, a member or the count is none, and no handle is left") {
+  const obc_surface box = {cube.data(), 8, triangles.data(), 12};
+  obc_error error;
+  obc_polycube* map = nullptr;
+  REQUIRE(obc_polycube_create(&box, cube.data(), nullptr, nullptr, &map, &error) == OBC_OK);
+  obc_polycube* const untouched = map;
+  for (const std::size_t count : {SIZE_MAX, SIZE_MAX / sizeof(obc_surface), std::size_t{65537}, std::size_t{0}}) {
+    obc_polycube* out[2] = {untouched, untouched};
+    CHECK(obc_polycube_compute_common(&box, count, nullptr, nullptr, nullptr, nullptr, out, &error) ==
+          OBC_INVALID_ARGUMENT);
+    CHECK(obc_polycube_compute_common(nullptr, count, nullptr, nullptr, nullptr, nullptr, out, &error) ==
+          OBC_INVALID_ARGUMENT);
+    CHECK(obc_polycube_optimize_common_domain(&map, count, nullptr, nullptr, out, &error) == OBC_INVALID_ARGUMENT);
+    CHECK(obc_polycube_optimize_common_domain(nullptr, count, nullptr, nullptr, out, &error) == OBC_INVALID_ARGUMENT);
+    CHECK((out[0] == untouched && out[1] == untouched));
+  }
+  for (const obc_surface& none : {obc_surface{nullptr, 8, triangles.data(), 12},
+                                  obc_surface{cube.data(), 8, nullptr, 12}, obc_surface{nullptr, 0, nullptr, 0}}) {
+    const obc_surface given[2] = {box, none};
+    obc_polycube* out[2] = {untouched, untouched};
+    CHECK(obc_polycube_compute_common(given, 2, nullptr, nullptr, nullptr, nullptr, out, &error) != OBC_OK);
+    CHECK(error.message[0] != '\0');
+    CHECK((out[0] == nullptr && out[1] == nullptr));
+  }
+  for (const std::size_t missing : {0U, 1U}) {
+    const obc_polycube* given[2] = {map, map};
+    given[missing] = nullptr;
+    obc_polycube* out[2] = {untouched, untouched};
+    CHECK(obc_polycube_optimize_common_domain(given, 2, nullptr, nullptr, out, &error) == OBC_INVALID_ARGUMENT);
+    CHECK(std::string(error.message) == "a map is NULL");
+    CHECK((out[0] == nullptr && out[1] == nullptr));
+  }
+  obc_polycube* out[1] = {untouched};
+  CHECK(obc_polycube_compute_common(nullptr, 1, nullptr, nullptr, nullptr, nullptr, out, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(out[0] == nullptr);
+  CHECK(obc_polycube_compute_common(&box, 1, nullptr, nullptr, nullptr, nullptr, nullptr, &error) ==
+        OBC_INVALID_ARGUMENT);
+  obc_polycube_destroy(map);
 }
 
 TEST_CASE("Two boxes share a polycube with the proportions that suit both") {

@@ -126,7 +126,7 @@ TEST_CASE("A polycube of a sphere's triangles is found, with its sources") {
   obc_mesh_destroy(mesh);
 }
 
-TEST_CASE("Wrong arguments are answered, not followed") {
+TEST_CASE("Wrong arguments are refused, not followed") {
   const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
   obc_polycube* map = nullptr;
   obc_error error;

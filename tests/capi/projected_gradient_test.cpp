@@ -81,7 +81,7 @@ Handle create(const Fixture& fixture) {
   return Handle(solver);
 }
 
-// Answers requests until the end, or until `evaluations` have been told.
+// Fulfils requests until the end, or until `evaluations` values were supplied.
 void drive(obc_projected_gradient* solver, int evaluations = -1) {
   const double* x = nullptr;
   std::array<double, unknowns> gradient;
@@ -102,7 +102,7 @@ std::array<double, unknowns> best(const obc_projected_gradient* solver) {
 
 }  // namespace
 
-TEST_CASE("Minimising with a callback and by steps ends in the same bits") {
+TEST_CASE("Minimizing with a callback and by steps ends in the same bits") {
   const Fixture fixture;
   int calls = 0;
   std::array<double, unknowns> x = fixture.start;
@@ -133,7 +133,7 @@ TEST_CASE("Minimising with a callback and by steps ends in the same bits") {
   }
 }
 
-TEST_CASE("Each allocation of create, load, minimise and project fails in turn and nothing is leaked") {
+TEST_CASE("Each allocation of create, load, minimize and project fails in turn and nothing is leaked") {
   const Fixture fixture;
   Handle saved = create(fixture);
   drive(saved.get(), 3);
@@ -216,12 +216,77 @@ TEST_CASE("A callback can stop the run or say that f has no value") {
   std::array<double, unknowns> gradient;
   CHECK(evaluate(x.data(), gradient.data()) == result.value);
 
+  // The value that comes with STOP counts, with and without a gradient.
+  for (const bool with_gradient : {false, true}) {
+    struct Last {
+      bool with_gradient;
+      int calls;
+    } last{with_gradient, 0};
+    const obc_projected_gradient_function at_last = [](const double* at, std::size_t, double* value, double* slopes,
+                                                       void* user) -> std::int32_t {
+      Last& plan = *static_cast<Last*>(user);
+      *value = evaluate(at, slopes);
+      if (++plan.calls < 3) return OBC_PROJECTED_GRADIENT_CONTINUE;
+      *value = -1e6;
+      if (!plan.with_gradient) slopes[0] = std::numeric_limits<double>::quiet_NaN();
+      return OBC_PROJECTED_GRADIENT_STOP;
+    };
+    x = fixture.start;
+    CHECK(obc_projected_gradient_minimize(&fixture.problem, nullptr, at_last, &last, x.data(), &result, nullptr,
+                                          nullptr) == OBC_OK);
+    CHECK(result.stop == OBC_PROJECTED_GRADIENT_CANCELLED);
+    CHECK(result.value == -1e6);
+    CHECK(result.evaluations == 3);
+  }
+
   Plan failing{0, -1, 3};
   x = fixture.start;
   CHECK(obc_projected_gradient_minimize(&fixture.problem, nullptr, f, &failing, x.data(), &result, nullptr, nullptr) ==
         OBC_OK);
   CHECK(result.stop == OBC_PROJECTED_GRADIENT_CONVERGED);
   CHECK(result.failed_evaluations == 1);
+}
+
+TEST_CASE("A gradient is checked through C: entries, failing allocations, a host that cancels, arguments") {
+  const Fixture fixture;
+  const obc_projected_gradient_function wrong = [](const double* x, std::size_t, double* value, double* gradient,
+                                                   void*) -> std::int32_t {
+    *value = evaluate(x, gradient);
+    gradient[3] += 1;
+    return OBC_PROJECTED_GRADIENT_CONTINUE;
+  };
+  obc_projected_gradient_check check{};
+  check.struct_size = sizeof check;
+  const double* x = fixture.start.data();
+  CHECK(obc_projected_gradient_check_gradient(&fixture.problem, callback, nullptr, x, &check, nullptr, nullptr) ==
+        OBC_OK);
+  CHECK(check.agrees == 1);
+  CHECK(check.compared == unknowns);
+  CHECK(obc_projected_gradient_check_gradient(&fixture.problem, wrong, nullptr, x, &check, nullptr, nullptr) == OBC_OK);
+  CHECK(check.agrees == 0);
+  CHECK(check.worst == 3);
+  CHECK(check.told - check.difference == doctest::Approx(1));
+  const auto run = [&](const obc_host& host) {
+    obc_projected_gradient_check result{};
+    result.struct_size = sizeof result;
+    return obc_projected_gradient_check_gradient(&fixture.problem, callback, nullptr, x, &result, &host, nullptr);
+  };
+  CHECK(test::fail_each_allocation(run).problem == "");
+  CHECK(test::cancel_everywhere(run).problem == "");
+  const obc_projected_gradient_function stop = [](const double*, std::size_t, double*, double*, void*) -> std::int32_t {
+    return OBC_PROJECTED_GRADIENT_STOP;
+  };
+  CHECK(obc_projected_gradient_check_gradient(&fixture.problem, stop, nullptr, x, &check, nullptr, nullptr) ==
+        OBC_CANCELLED);
+  const obc_projected_gradient_function failed = [](const double*, std::size_t, double*, double*,
+                                                    void*) -> std::int32_t { return OBC_PROJECTED_GRADIENT_FAILED; };
+  for (const auto status :
+       {obc_projected_gradient_check_gradient(nullptr, callback, nullptr, x, &check, nullptr, nullptr),
+        obc_projected_gradient_check_gradient(&fixture.problem, nullptr, nullptr, x, &check, nullptr, nullptr),
+        obc_projected_gradient_check_gradient(&fixture.problem, callback, nullptr, nullptr, &check, nullptr, nullptr),
+        obc_projected_gradient_check_gradient(&fixture.problem, callback, nullptr, x, nullptr, nullptr, nullptr),
+        obc_projected_gradient_check_gradient(&fixture.problem, failed, nullptr, x, &check, nullptr, nullptr)})
+    CHECK(status == OBC_INVALID_ARGUMENT);
 }
 
 TEST_CASE("Infeasible constraints come with a certificate") {

@@ -180,3 +180,22 @@ TEST_CASE("Arrays agree with the functions for one, and nothing is allocated") {
   obc_quaternion_multiply_array(p.data(), q.data(), count, p.data());  // in place
   obc_quaternion_symmetric_distance_array(p.data(), q.data(), 0, nullptr);
 }
+
+TEST_CASE("Functions without a status do nothing where a pointer is NULL") {
+  const Four q{1, 0, 0, 0};
+  Four out{7, 7, 7, 7};
+  const double* const none = nullptr;
+  obc_quaternion_multiply(q.data(), none, out.data());
+  obc_quaternion_multiply(q.data(), q.data(), nullptr);
+  obc_quaternion_rotate(none, q.data(), out.data());
+  obc_quaternion_slerp(none, q.data(), 0.5, out.data());
+  obc_quaternion_to_matrix(none, out.data());
+  obc_quaternion_multiply_array(none, none, SIZE_MAX, out.data());
+  obc_quaternion_slerp_array(q.data(), q.data(), none, SIZE_MAX, out.data());
+  obc_quaternion_cube_nearest_array(q.data(), SIZE_MAX, nullptr);
+  CHECK(out == Four{7, 7, 7, 7});
+  CHECK(std::isnan(obc_quaternion_symmetric_distance(q.data(), none)));
+  CHECK(std::isnan(obc_quaternion_symmetric_sine_square(none, q.data())));
+  CHECK(obc_quaternion_symmetric_matching(q.data(), none) == OBC_QUATERNION_CUBE_NONE);
+  CHECK(obc_quaternion_cube_nearest(none) == OBC_QUATERNION_CUBE_NONE);
+}

@@ -10,7 +10,7 @@ namespace orbicube::test {
 using Bytes = std::vector<unsigned char>;
 
 // Runs this program again in a new process, only its test case `name`, which gets `blob` by blob_of_first_process() and
-// gives an answer by answer_first_process(). Answers that, or nothing when the process failed.
+// gives a reply by answer_first_process(). Returns that, or nothing when the process failed.
 Bytes in_new_process(const std::string& name, const Bytes& blob);
 
 // In the second process. A test case that is for it alone is decorated with doctest::skip(!in_second_process()).

@@ -126,7 +126,7 @@ TEST_CASE("A map computed through C is a bijection and its report agrees with me
   CHECK(measured.bijective == 1);
 }
 
-TEST_CASE("Wrong arguments are answered, not followed") {
+TEST_CASE("Wrong arguments are refused, not followed") {
   const Shape shape = stretched_octahedron(1);
   std::vector<double> directions(shape.positions.size());
   obc_error error;
@@ -159,7 +159,7 @@ TEST_CASE("Wrong arguments are answered, not followed") {
         OBC_INVALID_ARGUMENT);
 }
 
-TEST_CASE("A map that is stopped leaves what there is of it, with no triangle turned over") {
+TEST_CASE("A map that is stopped leaves what there is of it, with no triangle flipped") {
   const Shape shape = stretched_octahedron(3);
   const obc_surface surface = shape.surface();
   const std::vector<double> untouched(shape.positions.size(), 7);
@@ -210,7 +210,7 @@ TEST_CASE("A map that is stopped leaves what there is of it, with no triangle tu
   CHECK(placed == 0);
 }
 
-TEST_CASE("The method seed tells of its course") {
+TEST_CASE("The method seed reports its course") {
   const Shape shape = stretched_octahedron(3);
   const obc_surface surface = shape.surface();
   std::vector<TracePoint> points;

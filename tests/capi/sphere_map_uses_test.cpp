@@ -104,7 +104,7 @@ TEST_CASE("Through C, the vertices of a map are found, and samples are their own
   obc_sphere_map_locator_destroy(nullptr);
 }
 
-TEST_CASE("Wrong arguments of the inverse are answered, not followed") {
+TEST_CASE("Wrong arguments of the inverse are refused, not followed") {
   const Ball ball(1);
   const obc_surface surface = ball.surface();
   obc_error error;
@@ -273,8 +273,14 @@ TEST_CASE("Through C, geometry images go to files and back to the surface") {
   std::size_t resolution = 0;
   CHECK(obc_sphere_map_image_read("no/such/file.png", nullptr, &layout, &resolution, nullptr, 0, &error) == OBC_IO);
   CHECK(obc_sphere_map_image_read("image.jpeg", nullptr, &layout, &resolution, nullptr, 0, &error) == OBC_UNSUPPORTED);
-  pixels[5] = std::nan("");
   obc_mesh* nothing = nullptr;
+  std::vector<double> far(pixels.size());  // finite, and their differences beyond the range of double
+  for (std::size_t i = 0; i < far.size(); ++i)
+    far[i] = (i / 3 * 2654435761U >> 7U) % 2 == 0 ? 1.7e308 : -1.7e308;
+  CHECK(obc_sphere_map_image_surface(far.data(), OBC_SPHERE_MAP_OCTAHEDRON, 16, nullptr, &nothing, &gap, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(nothing == nullptr);
+  pixels[5] = std::nan("");
   CHECK(obc_sphere_map_image_surface(pixels.data(), OBC_SPHERE_MAP_OCTAHEDRON, 16, nullptr, &nothing, &gap, &error) ==
         OBC_INVALID_ARGUMENT);
   CHECK(nothing == nullptr);
@@ -317,7 +323,7 @@ TEST_CASE("Through C, a warp carries landmarks there and back, and an overlay ha
   CHECK(obc_mesh_check_closed_genus_zero(&both, nullptr, &error) == OBC_OK);
 }
 
-TEST_CASE("Wrong arguments of remeshing, images, warps and overlays are answered, not followed") {
+TEST_CASE("Wrong arguments of remeshing, images, warps and overlays are refused, not followed") {
   const Ball ball(1);
   const LocatorHandle locator(ball);
   const obc_surface surface = ball.surface();

@@ -34,7 +34,7 @@ Handle create(const obc_sphere_optimizer_options* options = nullptr) {
   return Handle(solver);
 }
 
-// Answers requests until the end, or until `evaluations` have been told.
+// Fulfils requests until the end, or until `evaluations` values were supplied.
 void drive(obc_sphere_optimizer* solver, int evaluations = -1) {
   const double* x = nullptr;
   Points gradient;
@@ -54,7 +54,7 @@ Points best(const obc_sphere_optimizer* solver) {
 
 }  // namespace
 
-TEST_CASE("Minimising with a callback and by steps ends in the same bits") {
+TEST_CASE("Minimizing with a callback and by steps ends in the same bits") {
   for (std::int32_t method = 0; method <= OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE; ++method) {
     obc_sphere_optimizer_options options;
     REQUIRE(obc_sphere_optimizer_options_init(&options, sizeof options) == OBC_OK);
@@ -114,7 +114,7 @@ TEST_CASE("A run that was loaded knows its shape") {
   obc_sphere_optimizer_destroy(loaded);
 }
 
-TEST_CASE("Each allocation of create, load, minimise and relax fails in turn and nothing is leaked") {
+TEST_CASE("Each allocation of create, load, minimize and relax fails in turn and nothing is leaked") {
   Handle saved = create();
   drive(saved.get(), 5);
   std::vector<unsigned char> blob(obc_sphere_optimizer_save_size(saved.get()));
@@ -245,6 +245,22 @@ TEST_CASE("A callback can stop the run or say that f has no value") {
   CHECK(result.stop == OBC_SPHERE_OPTIMIZER_CANCELLED);
   CHECK(stopping.calls == 5);
   CHECK(evaluate(x.data(), gradient.data()) == result.value);
+  // The value that comes with STOP counts.
+  int calls = 0;
+  const obc_sphere_optimizer_function at_last = [](const double* at, std::size_t, std::size_t, double* value,
+                                                   double* slopes, void* user) -> std::int32_t {
+    *value = evaluate(at, slopes);
+    if (++*static_cast<int*>(user) < 3) return OBC_SPHERE_OPTIMIZER_CONTINUE;
+    *value = -1e6;
+    return OBC_SPHERE_OPTIMIZER_STOP;
+  };
+  x = start();
+  CHECK(obc_sphere_optimizer_minimize(charges, 3, nullptr, at_last, &calls, x.data(), &result, nullptr, nullptr) ==
+        OBC_OK);
+  CHECK(result.stop == OBC_SPHERE_OPTIMIZER_CANCELLED);
+  CHECK(result.value == -1e6);
+  CHECK(result.evaluations == 3);
+
   Plan failing{0, -1, 3};
   x = start();
   CHECK(obc_sphere_optimizer_minimize(charges, 3, nullptr, f, &failing, x.data(), &result, nullptr, nullptr) == OBC_OK);

@@ -133,7 +133,7 @@ TEST_CASE("Saved after each step, a relaxation goes on in a new process with the
   }
 }
 
-TEST_CASE("A saved relaxation that is damaged, or of other neighbours, is refused") {
+TEST_CASE("A saved relaxation that is damaged, or of other neighbors, is refused") {
   const Blocks fixture;
   const RelaxationHandle relaxation = create_relaxation(fixture, relaxation_options());
   REQUIRE(run(relaxation, 10) == OBC_OK);

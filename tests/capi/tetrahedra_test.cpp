@@ -122,7 +122,7 @@ TEST_CASE("Faces that meet come back as pairs, as many as there is room for, and
   CHECK(obc_tetrahedra_check_surface(&open, nullptr, nullptr, 0, &count, &error) == OBC_NOT_CLOSED);
 }
 
-TEST_CASE("Wrong arguments are answered, not followed") {
+TEST_CASE("Wrong arguments are refused, not followed") {
   const obc_surface surface = octahedron.surface();
   obc_tetrahedra* solid = nullptr;
   obc_error error;

@@ -91,7 +91,7 @@ Handle create(const Fixture& fixture) {
   return Handle(solver);
 }
 
-// Answers requests until the end, or until `evaluations` have been told.
+// Fulfils requests until the end, or until `evaluations` values were supplied.
 void drive(const Fixture& fixture, obc_trust_region* solver, int evaluations = -1) {
   const double* x = nullptr;
   std::size_t count = 0;
@@ -115,7 +115,7 @@ std::array<double, unknowns> best(const obc_trust_region* solver) {
 }  // namespace
 
 TEST_CASE(
-    "Minimising with a callback and by steps ends in the same bits, at the same minimum with residuals and without") {
+    "Minimizing with a callback and by steps ends in the same bits, at the same minimum with residuals and without") {
   std::array<double, 2> minimum{};
   for (const bool with_residuals : {false, true}) {
     const Fixture fixture(with_residuals);
@@ -140,7 +140,7 @@ TEST_CASE(
   CHECK(minimum[0] == doctest::Approx(minimum[1]).epsilon(1e-9));
 }
 
-TEST_CASE("Each allocation of create, load and minimise fails in turn and nothing is leaked") {
+TEST_CASE("Each allocation of create, load and minimize fails in turn and nothing is leaked") {
   for (const bool with_residuals : {false, true}) {
     const Fixture fixture(with_residuals);
     Handle saved = create(fixture);
@@ -204,6 +204,28 @@ TEST_CASE("A callback can stop the run or say that f has no value") {
   CHECK(result.stop == OBC_TRUST_REGION_CANCELLED);
   CHECK(stopping.count == 7);
   CHECK(value_at(x.data()) == result.value);
+
+  // What comes with STOP counts, and is the lowest here.
+  for (const bool with_residuals : {false, true}) {
+    const Fixture told(with_residuals);
+    Calls last{told, 0, 6, -1};
+    const obc_trust_region_function at_last = [](const double* at, std::size_t n, double* outputs,
+                                                 void* user) -> std::int32_t {
+      Calls& calls = *static_cast<Calls*>(user);
+      if (calls.count < calls.stop_at) return callback(at, n, outputs, user);
+      const std::array<double, unknowns> lowest{0.5, 0.25, 0.5, 0.5};
+      evaluate(calls.fixture, lowest.data(), outputs);
+      if (calls.fixture.problem.residuals == 0) *outputs = -1e6;
+      ++calls.count;
+      return OBC_TRUST_REGION_STOP;
+    };
+    x = told.start;
+    CHECK(obc_trust_region_minimize(&told.problem, nullptr, at_last, &last, x.data(), &result, nullptr, nullptr) ==
+          OBC_OK);
+    CHECK(result.stop == OBC_TRUST_REGION_CANCELLED);
+    CHECK(result.evaluations == 7);
+    if (!with_residuals) CHECK(result.value == -1e6);
+  }
 
   Calls failing{fixture, 0, -1, 3};
   x = fixture.start;

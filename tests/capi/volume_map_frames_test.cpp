@@ -86,7 +86,7 @@ TEST_CASE("A box with the frames of the axes becomes its cubes, and so it does w
   }
 }
 
-TEST_CASE("Wrong arguments of hexahedra along frames are answered") {
+TEST_CASE("Wrong arguments of hexahedra along frames are refused") {
   const FramedBox box;
   obc_volume_map_hexes* hexes = nullptr;
   obc_error error;

@@ -95,7 +95,7 @@ struct BoxSurface {
 };
 
 // The surface of the box, 3 by 2 by 2, and the same scaled about its middle and moved along x; with `turned`, that one
-// looks inward.
+// is inward-oriented.
 struct TwoBoxes {
   std::vector<double> positions;
   std::vector<std::uint32_t> corners;
@@ -129,7 +129,7 @@ obc_volume_map_hexes_options few_hexes() {
 
 }  // namespace
 
-TEST_CASE("A tangled box is untangled, in place too, and the report says how") {
+TEST_CASE("An inverted box is untangled, in place too, and the report says how") {
   Box box;
   obc_volume_map_tangle tangle = box.tangle();
   std::vector<double> result(box.start.size());
@@ -194,7 +194,7 @@ TEST_CASE("Ties and options reach the method") {
   CHECK(std::equal(result.begin(), result.end(), box.start.begin()));
 }
 
-TEST_CASE("Wrong arguments are answered, not followed") {
+TEST_CASE("Wrong arguments are refused, not followed") {
   const Box box;
   const obc_volume_map_tangle tangle = box.tangle();
   std::vector<double> result(box.start.size(), 99);
@@ -320,7 +320,7 @@ TEST_CASE("Pieces that lie apart are filled together, cavities are left out, and
   obc_volume_map_hexes_destroy(hexes);
   hexes = nullptr;
   CHECK(fill_with(0.4, 0.25, false, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
-  CHECK(std::string(error.message).find("walls of cavities") != std::string::npos);
+  CHECK(std::string(error.message).find("boundaries of cavities") != std::string::npos);
   CHECK(fill_with(1, 1.5, false, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
   CHECK(std::string(error.message).find("meet where they should not") != std::string::npos);
   CHECK(fill_with(1, 10, true, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
@@ -449,7 +449,7 @@ TEST_CASE("Solids of two pieces are mapped to polycubes side by side") {
   CHECK(first_high < second_low);
 }
 
-TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
+TEST_CASE("Wrong arguments of solids and hexahedra are refused") {
   const BoxSurface box;
   const Box solid_box;
   obc_volume_map_hexes* hexes = nullptr;
@@ -486,6 +486,14 @@ TEST_CASE("Wrong arguments of solids and hexahedra are answered") {
   CHECK(obc_volume_map_solid_compute(solid_box.rest.data(), 1, solid_box.tetrahedra.data(), 1, nullptr, nullptr, &solid,
                                      &error) != OBC_OK);
   const std::vector<std::uint32_t> inverted = {0, 1, 3, 9};
+  for (const double wrong : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+    std::vector<double> positions(solid_box.rest.begin(), solid_box.rest.end());
+    positions[4] = wrong;
+    CHECK(obc_volume_map_solid_compute(positions.data(), positions.size() / 3, solid_box.tetrahedra.data(),
+                                       solid_box.tetrahedra.size() / 4, nullptr, nullptr, &solid,
+                                       &error) == OBC_INVALID_ARGUMENT);
+    CHECK(std::string(error.message).find("vertex 1 is not finite") != std::string::npos);
+  }
   CHECK(obc_volume_map_solid_compute(solid_box.rest.data(), solid_box.rest.size() / 3, inverted.data(), 1, nullptr,
                                      nullptr, &solid, &error) != OBC_OK);
   CHECK(hexes == nullptr);

@@ -1,6 +1,7 @@
 """What the tests of the command share: running it, and reading what it wrote without its help."""
 import json
 import os
+import pty
 import resource
 import struct
 import subprocess
@@ -124,6 +125,24 @@ class InFolder(unittest.TestCase):
         done = run("make", shape, "-o", path, "--resolution", resolution, "--seed", seed)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         return path
+
+    def on_terminal(self, *arguments):
+        """What the command draws there."""
+        try:
+            terminal, end = pty.openpty()
+        except OSError as error:  # a root folder without devpts
+            self.skipTest(str(error))
+        with subprocess.Popen([COMMAND, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=end) as process:
+            os.close(end)
+            seen = b""
+            try:
+                while piece := os.read(terminal, 4096):
+                    seen += piece
+            except OSError:  # how the end of the other side shows on Linux
+                pass
+        os.close(terminal)
+        self.assertEqual(process.returncode, 0, arguments)
+        return seen
 
     def refused(self, exit_code, kind, file, *arguments, **keywords):
         done = run(*arguments, **keywords)

@@ -59,7 +59,7 @@ def read_frames(path):
 
 
 def glb_parts(path):
-    """Corners of the triangles, and colour, of each named part."""
+    """Corners of the triangles, and color, of each named part."""
     with open(path, "rb") as file:
         data = file.read()
     length = struct.unpack_from("<I", data, 12)[0]
@@ -220,7 +220,7 @@ class Frames(InFolder):
         crosses, _ = parts.pop("frames")
         self.assertEqual(len(crosses) % 72, 0)  # corners of 24 triangles each
         self.assertTrue(30 < len(crosses) // 72 < 300)
-        # The tip of each spindle lies along an axis of a frame from the centre of its tetrahedron.
+        # The tip of each spindle lies along an axis of a frame from the center of its tetrahedron.
         centers = [[sum(positions[v][k] for v in cell) / 4 for k in range(3)] for cell in cells]
         for first in range(0, min(len(crosses), 5 * 72), 72):
             cross = crosses[first:first + 72]

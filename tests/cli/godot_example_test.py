@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The scene of examples/godot, played by Godot 3 without a display: godot_example_test.py COMMAND EXAMPLE GLTF_TESTS
 
-Its file is made as the example's README says, but from boxes. Answers 77 where there is no godot3-server.
+Its file is made as the example's README says, but from boxes. Returns 77 where there is no godot3-server.
 """
 import json
 import os

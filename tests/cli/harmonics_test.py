@@ -6,7 +6,7 @@ import struct
 import unittest
 import zlib
 
-from command import InFolder, main, read_obj, run
+from command import InFolder, main, not_positive, read_obj, run
 
 
 def legendre(degree, order, x):
@@ -163,7 +163,7 @@ class Harmonics(InFolder):
             self.fitted(path, sphere, 5, name)
             files.append(self.path(name))
         table, picture, report = self.path("matrix.txt"), self.path("matrix.png"), self.path("compare.json")
-        done = run("compare", *files, "-o", table, "--png", picture, "--report", report)
+        done = run("compare", *files, "-o", table, "--png", picture, "--report", report, "--keep-size")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         norms = []
         for file in files:
@@ -183,34 +183,99 @@ class Harmonics(InFolder):
         with open(picture, "rb") as file:
             data = file.read()
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
-        # Grey pixels: the diagonal is black, the largest distance white.
+        # The diagonal is black, the largest distance light yellow.
         width, height, bits, colour = struct.unpack(">IIBB", data[16:26])
-        self.assertEqual((bits, colour), (8, 0))
+        self.assertEqual((bits, colour), (8, 2))
         pixels, at = b"", 8
         while at < len(data):
             length, kind = struct.unpack(">I4s", data[at:at + 8])
             pixels += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
             at += 12 + length
-        rows_of = self.unfiltered(zlib.decompress(pixels), width, height)
-        self.assertEqual(rows_of[30][30], 0)
+        rows_of = self.unfiltered(zlib.decompress(pixels), 3 * width, height)
+        self.assertEqual(rows_of[30][90:93], bytes(3))
         largest = max(max(row) for row in rows)
         i, j = next((i, j) for i in range(3) for j in range(3) if rows[i][j] == largest)
-        self.assertEqual(rows_of[30 + 64 * i][30 + 64 * j], 255)
+        at = 3 * (30 + 64 * j)
+        self.assertEqual(rows_of[30 + 64 * i][at:at + 3], bytes((255, 255, 190)))
+        self.assertNotIn("\033", done.stdout)  # colors are for terminals
+        lines = done.stdout.splitlines()
+        self.assertEqual([line.split()[:2] for line in lines[1:]], [[str(k + 1), f"blob{k}.sh"] for k in range(3)])
 
     @staticmethod
     def unfiltered(data, width, height):
-        """The rows of a PNG of one byte a pixel."""
+        """The rows of a PNG of three bytes a pixel."""
         rows, before = [], bytes(width)
         for y in range(height):
             kind, row = data[y * (width + 1)], bytearray(data[y * (width + 1) + 1:(y + 1) * (width + 1)])
             for x in range(width):
-                left, up, corner = (row[x - 1] if x else 0), before[x], (before[x - 1] if x else 0)
+                left, up, corner = (row[x - 3] if x > 2 else 0), before[x], (before[x - 3] if x > 2 else 0)
                 estimate = left + up - corner
                 near = min((abs(estimate - left), 0, left), (abs(estimate - up), 1, up), (abs(estimate - corner), 2, corner))[2]
                 row[x] = (row[x] + (0, left, up, (left + up) // 2, near)[kind]) % 256
             rows.append(bytes(row))
             before = rows[-1]
         return rows
+
+    def test_shapes_of_other_sizes_are_alike_unless_sizes_are_kept(self):
+        path, sphere = self.mapped("blob", 800)
+        self.fitted(path, sphere, 6, "a.sh")
+        large = self.path("large.obj")
+        positions, triangles = read_obj(path)
+        with open(large, "w", encoding="ascii") as file:
+            file.writelines("v %r %r %r\n" % tuple(7 * c for c in p) for p in positions)
+            file.writelines("f %d %d %d\n" % tuple(c + 1 for c in t) for t in triangles)
+        self.fitted(large, sphere, 6, "b.sh")
+        report = self.path("compare.json")
+        for options, alike in (((), True), (("--keep-size",), False)):
+            done = run("compare", self.path("a.sh"), self.path("b.sh"), "--from", 1, "--report", report, *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)
+            self.assertAlmostEqual(figures["size"][1] / figures["size"][0], 7, delta=1e-9)
+            self.assertEqual(figures["distance"][0][1] < 1e-20, alike)
+
+    def test_a_turned_copy_is_brought_to_lie_as_the_other(self):
+        path, sphere = self.mapped("creature", 1500)
+        self.fitted(path, sphere, 10, "a.sh")
+        turned = self.path("turned.obj")
+        positions, triangles = read_obj(path)
+        with open(turned, "w", encoding="ascii") as file:  # a third of a turn about (1, 1, 1)
+            file.writelines("v %r %r %r\n" % (p[2], p[0], p[1]) for p in positions)
+            file.writelines("f %d %d %d\n" % tuple(c + 1 for c in t) for t in triangles)
+        report = self.fitted(turned, sphere, 10, "b.sh", "--align-to", self.path("a.sh"))
+        self.assertAlmostEqual(report["alignment"]["turn_degrees"], 120, delta=1e-3)
+        self.assertAlmostEqual(report["alignment"]["correlation"], 1, delta=1e-9)
+        for a, b in zip(read_shtools(self.path("a.sh")), read_shtools(self.path("b.sh"))):
+            for key, pair in a.items():
+                for x, y in zip(pair, b[key]):
+                    self.assertAlmostEqual(x, y, delta=1e-6)
+
+    def test_flipped_triangles_and_lengths_of_a_map_are_told(self):
+        path, sphere = self.mapped("blob", 600)
+        directions, triangles = read_obj(sphere)
+
+        def write(directions):
+            with open(self.path("map.obj"), "w", encoding="ascii") as file:
+                file.writelines("v %r %r %r\n" % tuple(d) for d in directions)
+                file.writelines("f %d %d %d\n" % tuple(c + 1 for c in t) for t in triangles)
+        self.assertEqual(self.fitted(path, sphere, 4, "c.sh")["map"]["flipped"], 0)
+        v = triangles[10][0]
+        write([[-c for c in d] if k == v else d for k, d in enumerate(directions)])
+        report = self.fitted(path, self.path("map.obj"), 4, "c.sh")
+        self.assertGreater(report["map"]["flipped"], 0)
+        self.assertEqual(report["map"]["flipped"], not_positive(read_obj(self.path("map.obj"))[0], triangles))
+        self.assertTrue(any("flips" in note for note in report["notes"]))
+        write([[2 * c for c in d] if k % 2 else d for k, d in enumerate(directions)])
+        report = self.fitted(path, self.path("map.obj"), 4, "c.sh")
+        self.assertAlmostEqual(report["map"]["length_max"], 2, delta=1e-12)
+        self.assertTrue(any("lengths" in note for note in report["notes"]))
+        # A mirrored map is one of a surface that is inward-oriented, and no fault; one of random points is no map.
+        write([[-d[0], d[1], d[2]] for d in directions])
+        self.assertEqual(self.fitted(path, self.path("map.obj"), 4, "c.sh")["map"]["flipped"], 0)
+        write([directions[(97 * k) % len(directions)] for k in range(len(directions))])
+        line = self.refused(2, "invalid-argument", self.path("map.obj"), "harmonics", path, "--sphere",
+                            self.path("map.obj"), "--degree", 4, "-o", self.path("c.sh"))
+        self.assertIn("orbicube sphere", line)
 
     def test_compare_refuses_damaged_and_different_files(self):
         good, bad, one = self.path("good.sh"), self.path("bad.coef"), self.path("one.sh")

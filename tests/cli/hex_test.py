@@ -4,8 +4,10 @@
     hex_test.py COMMAND
 """
 import cmath
+import importlib.util
 import json
 import math
+import os
 from collections import Counter
 from fractions import Fraction
 from itertools import product
@@ -32,6 +34,25 @@ def determinant(o, a, b, c):
     u, v, w = ([p[i] - o[i] for i in range(3)] for p in (a, b, c))
     return (u[0] * (v[1] * w[2] - v[2] * w[1]) - u[1] * (v[0] * w[2] - v[2] * w[0])
             + u[2] * (v[0] * w[1] - v[1] * w[0]))
+
+
+def hexahedron_volume(p):
+    """Of the trilinear map, by Gauss's two points each way, which are exact for its determinant."""
+    points = (0.5 - 0.5 / math.sqrt(3), 0.5 + 0.5 / math.sqrt(3))
+    corners = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+    volume = 0.0
+    for place in product(points, repeat=3):
+        rows = []
+        for axis in range(3):
+            row = [0.0, 0.0, 0.0]
+            for corner, position in zip(corners, p):
+                weight = 1.0
+                for k in range(3):
+                    weight *= (1 if corner[k] else -1) if k == axis else place[k] if corner[k] else 1 - place[k]
+                row = [x + weight * y for x, y in zip(row, position)]
+            rows.append(row)
+        volume += determinant((0, 0, 0), *rows) / 8
+    return volume
 
 
 def write_cylinder(path, frames):
@@ -267,6 +288,79 @@ class Hex(InFolder):
         for cell in cells:
             for corner, around in enumerate(neighbours):
                 self.assertGreater(determinant(*(positions[cell[v]] for v in (corner, *around))), 0)
+
+    def rod(self, name, sides, radius, length, scale=1.0):
+        """A closed rod along a slanted direction."""
+        axis, across = (0.36, 0.48, 0.8), (0.8, -0.6, 0)
+        third = tuple(axis[i - 2] * across[i - 1] - axis[i - 1] * across[i - 2] for i in range(3))
+        path = self.path(name + ".obj")
+        with open(path, "w", encoding="ascii") as file:
+            for k in range(sides):
+                a = cmath.rect(radius, 2 * math.pi * k / sides)
+                for z in (0, length):
+                    file.write("v %r %r %r\n" % tuple(scale * (a.real * u + a.imag * v + z * w)
+                                                      for u, v, w in zip(across, third, axis)))
+            for k in range(sides):
+                a, b = 2 * k + 1, 2 * ((k + 1) % sides) + 1
+                file.write(f"f {a} {b} {b + 1}\nf {a} {b + 1} {a + 1}\n")
+                if 0 < k < sides - 1:
+                    file.write(f"f 1 {b} {a}\nf 2 {a + 1} {b + 1}\n")
+        return path
+
+    def test_long_rods_keep_their_volume_at_any_size(self):
+        for scale in (1.0, 1e-200, 1e150):
+            path = self.rod("rod", 12, 1, 2000, scale)
+            figures, out = self.made_hexahedra(path, "--cells", 1500)
+            self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+            positions, cells = read_medit(out, "Hexahedra", 8)
+            volume = sum(hexahedron_volume([[float(x / Fraction(scale)) for x in positions[v]] for v in cell])
+                         for cell in cells)
+            self.assertAlmostEqual(volume / (12 * math.sin(math.pi / 6) / 2 * 2000), 1, delta=0.0101)
+
+    def test_what_is_too_far_is_kept_where_that_is_asked_for_alone(self):
+        path, out, report = self.made("torus", 2000), self.path("out.mesh"), self.path("report.json")
+        options = ("--cells", 20, "--most-cells", 20, "--distance", 0.05, "--report", report)
+        message = self.refused(1, "no-valid-result", out, "hex", path, "-o", out, *options)
+        self.assertIn("--keep-partial", message)
+        self.assertFalse(os.path.exists(out))
+        self.refused(1, "no-valid-result", out, "hex", path, "-o", out, "--keep-partial", *options)
+        self.check(out, 1)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertGreater(max(figures["distance_percent"], figures["volume_error_percent"]), 0.1)
+
+    def test_figures_are_of_the_whole_and_of_each_piece(self):
+        path = self.boxes("speck", ((0, 0, 0), 3), ((4, 1, 1), 0.1))
+        figures, _ = self.made_hexahedra(path, "--cells", 100)
+        pieces = figures["by_piece"]
+        self.assertEqual(figures["pieces"], 2)
+        self.assertEqual(sum(piece["hexahedra"] for piece in pieces), figures["hexahedra"])
+        for piece, center in zip(pieces, ((1.5, 1.5, 1.5), (4.05, 1.05, 1.05))):
+            for x, y in zip(piece["place"], center):
+                self.assertAlmostEqual(x, y, delta=1e-12)
+            self.assertLess(piece["volume_error_percent"], 1)
+        message = self.refused(2, "invalid-argument", path, "hex", path, "-o", self.path("out.mesh"), "--cells", 1)
+        self.assertIn("2 pieces", message)
+
+    def test_a_ball_in_a_bowl_stays_off_it(self):
+        # Its gap is much narrower than a cell: walls that are fitted each by itself would meet across it.
+        spec = importlib.util.spec_from_file_location(
+            "gap_shapes", os.path.join(os.path.dirname(__file__), "..", "..", "bench", "volume_map", "gap_shapes.py"))
+        shapes = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(shapes)
+        family, _, vertices, faces = shapes.shape(49)
+        self.assertEqual(family, "ball-bowl")
+        path = self.path("bowl.off")
+        with open(path, "w", encoding="ascii") as file:
+            file.write(f"OFF\n{len(vertices)} {len(faces)} 0\n")
+            file.writelines("%.17g %.17g %.17g\n" % v for v in vertices)
+            file.writelines("3 %d %d %d\n" % f for f in faces)
+        figures, _ = self.made_hexahedra(path, "--cells", 600)
+        self.assertEqual(figures["intersecting_quads"], 0)
+        self.assertEqual(figures["pieces"], 2)
+        self.assertLessEqual(figures["distance_percent"], 2)
+        for piece in figures["by_piece"]:
+            self.assertLess(piece["volume_error_percent"], 4)
 
     def test_a_cavity_stays_empty(self):
         # Its wall looks to the wrong side and is turned.

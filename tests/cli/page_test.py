@@ -226,7 +226,7 @@ def check_read_back(meshes, results):
 
 
 def basis(directions, degree):
-    """Real spherical harmonics as libs/harmonics/coefficients.h has them, by the recurrence of the plain P_lm."""
+    """Real spherical harmonics as libs/harmonics/functions/coefficients.h has them, by the recurrence of the plain P_lm."""
     x, y, z = directions.T
     sine, phi = numpy.hypot(x, y), numpy.arctan2(y, x)
     values = numpy.zeros((len(directions), (degree + 1) ** 2))
@@ -306,7 +306,7 @@ def check_in_browser(folder, path, results):
         check(0.02 < frame["shape"]["drawn"] < 0.6, f"shape: {frame}")
         check(min(frame["shape"]["colours"], frame["sphere"]["colours"]) > 50, f"colours: {frame}")
     shown = {(frame["result"], frame["shape"]["colours"], frame["sphere"]["colours"]) for frame in report["frames"]}
-    check(len(shown) == len(report["frames"]), "colourings look alike")
+    check(len(shown) == len(report["frames"]), "colorings look alike")
     check([entry["result"] for entry in report["reconstructions"]] == names, "shapes made of harmonics")
     for rebuilt, result in zip(report["reconstructions"], results):
         off = distances(result)
@@ -321,7 +321,7 @@ def check_in_browser(folder, path, results):
     message = re.search(r'<p class="message"[^>]*>', document)
     check(message and "hidden" not in message.group(0), "without WebGL there is no message")
     check("One to one, checked exactly" in document, "without WebGL there are no figures")
-    print("in the browser: every result in every colouring, and the message without WebGL")
+    print("in the browser: every result in every coloring, and the message without WebGL")
 
 
 def main():

@@ -39,7 +39,7 @@ class Polycube(InFolder):
             self.assertEqual(positions[:len(surface)], surface)
             labels = [looks_along(on_polycube, t) for t in triangles]
             self.assertNotIn(None, labels)
-            # Neighbours in one plane look the same way.
+            # Neighbors in one plane look the same way.
             edges = {}
             for t, triangle in enumerate(triangles):
                 for k in range(3):
@@ -131,11 +131,24 @@ class Polycube(InFolder):
         self.assertEqual(len(positions) - len(edges) // 2 + len(faces), 2 - 2 * figures["genus"])
         # Vertices lie on the surface, so nothing is far from it that way.
         self.assertLess(figures["quads"]["distance"]["to_surface"]["rms_of_diagonal"], 0.02)
+        self.assertEqual(figures["quads"]["self_intersections"], 0)
+        self.assertNotIn("intersects itself", done.stdout)
         again = self.path("again.obj")
         done = run("polycube", path, "-o", self.path("out.obj"), "--quads", again, "--cell-size", 0.2)
         self.assertEqual(done.returncode, 0)
         done = run("polycube", path, "-o", self.path("out.obj"), "--quads", again, "--cell-size", 0.2, "--cells", 10)
         self.assertEqual(done.returncode, 2)
+
+    @long
+    def test_quads_too_few_for_narrow_parts_are_reported_where_they_intersect(self):
+        path, report = self.made("creature", 6000), self.path("report.json")
+        done = run("polycube", path, "-o", self.path("out.obj"), "--quads", self.path("quads.obj"), "--cells", 50, "--report",
+                   report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertGreater(figures["quads"]["self_intersections"], 0)
+        self.assertRegex(done.stdout, r"note: .*quads.obj intersects itself: \d+ pairs of faces, the first at \(")
 
     def test_the_polycube_by_itself_is_read_again_and_mapped_to(self):
         path, domain, report = self.made("creature", 1200), self.path("domain.json"), self.path("report.json")

@@ -75,6 +75,20 @@ class Untangle(InFolder):
         self.assertEqual(run("convert", vtk, self.path("again.mesh")).returncode, 0)
         self.assertEqual(read_medit(self.path("again.mesh")), read_medit(self.path("out1.mesh")))
 
+    def test_a_boundary_that_lies_over_itself_is_reported(self):
+        positions, cells, _ = unit_box(2)
+        out, report = self.path("out.mesh"), self.path("report.json")
+        for shift, meets in ((0.3, True), (1.5, False)):
+            both = positions + [[c + shift for c in p] for p in positions]
+            write_medit(self.path("two.mesh"), both, cells + [[v + len(positions) for v in t] for t in cells])
+            done = run("untangle", self.path("two.mesh"), "-o", out, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)
+            self.assertEqual(figures["self_intersections"] > 0, meets)
+            self.assertEqual("intersects itself" in done.stdout, meets)
+            self.assertEqual(any("intersects itself" in note for note in figures["notes"]), meets)
+
     def test_without_steps_it_fails_and_keeps_what_it_has_on_request(self):
         self.tangled(3)
         out, tangled = self.path("out.mesh"), self.path("tangled.mesh")

@@ -5,6 +5,7 @@
 """
 import json
 import math
+import random
 import struct
 import zlib
 
@@ -254,6 +255,47 @@ class Morphs(Uses):
             self.assertAlmostEqual(placement["rotation"][c][(c + 1) % 3], 1, delta=0.02)
         report, _ = self.report(*arguments)
         self.assertEqual(report["shapes"][1]["placement"], {"scale": 1, "rotation": [[1, 0, 0], [0, 1, 0], [0, 0, 1]], "shift": [0, 0, 0]})
+
+    @staticmethod
+    def random_rotation(choice):
+        w, x, y, z = (choice.gauss(0, 1) for _ in range(4))
+        n = math.sqrt(w * w + x * x + y * y + z * z)
+        w, x, y, z = w / n, x / n, y / n, z / n
+        return ((1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+                (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+                (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)))
+
+    def test_a_turned_copy_is_found_to_be_one_and_becomes_the_shape_itself(self):
+        choice = random.Random(5)
+        # Maps of the copies were found apart from each other, so they agree to the size of triangles where the shape has protrusions
+        # (measured: .015 of the size, and 4e-4 of the rotation), and to rounding for a simple one.
+        for shape, triangles, scale, near in (("blob", 1500, 1, 1e-6), ("blob", 1500, 3, 1e-6), ("creature", 8000, 1, 0.03)):
+            a = self.made(shape, triangles)
+            positions, triangles = read_obj(a)
+            size = max(abs(x) for p in positions for x in p)
+            r = self.random_rotation(choice)
+            b = self.path("turned.obj")
+            with open(b, "w", encoding="ascii") as file:
+                for p in positions:
+                    file.write("v %r %r %r\n" % tuple(scale * sum(row[k] * p[k] for k in range(3)) for row in r))
+                file.writelines("f {} {} {}\n".format(*(i + 1 for i in t)) for t in triangles)
+            arguments = ("morph", a, b, "-o", self.path("morph.glb"), "--grid", "first")
+            report, text = self.report(*arguments, "--place", "scaled")
+            self.assertEqual(report["alignment"], "shape")
+            figures = report["shapes"][1]
+            self.assertGreater(figures["correlation"], 0.999)
+            angle = math.degrees(math.acos(max(-1, min(1, (sum(r[k][k] for k in range(3)) - 1) / 2))))
+            self.assertAlmostEqual(figures["turn"]["angle"], angle, delta=57 * near)
+            for i in range(3):
+                for j in range(3):
+                    self.assertAlmostEqual(figures["turn"]["rotation"][i][j], r[j][i], delta=near)
+            self.assertIn("correlation", text)
+            deltas = Glb(self.path("morph.glb"), texture=False).deltas
+            self.assertLess(math.sqrt(sum(x * x for d in deltas for x in d) / len(deltas)), near * size)
+            report, text = self.report(*arguments)
+            self.assertTrue(any("--place turned" in note for note in report["notes"]), report["notes"])
+            report, _ = self.report(*arguments, "--align", "rotation")
+            self.assertLess(report["shapes"][1]["correlation"], figures["correlation"])
 
     def test_a_shape_into_itself_is_itself(self):
         a = self.made("star", 2000)

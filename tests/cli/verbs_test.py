@@ -6,10 +6,12 @@
 import json
 import math
 import random
+import re
 
 from command import Glb, InFolder, as_float32, main, not_positive, read_obj, run
 
-VERBS = ("info", "convert", "make", "sphere", "frames", "morph", "page")
+# Those that the command itself lists: "  NAME  what it does" below "Subcommands:".
+VERBS = tuple(re.findall(r"^  ([a-z]+) ", run("--help").stdout.split("Subcommands:")[1].split("\n\n")[0], re.M))
 # Endings of formats that keep vertices and doubles.
 EXACT = (".obj", ".off", ".ply", ".mesh", ".vtk")
 GENUS = {"creature": 0, "blob": 0, "star": 0, "sphere": 0, "cube": 0, "torus": 1, "three-holes": 3, "bracket": 4,
@@ -19,6 +21,8 @@ GENUS = {"creature": 0, "blob": 0, "star": 0, "sphere": 0, "cube": 0, "torus": 1
 class CommandLine(InFolder):
     def test_help_names_every_verb_and_each_has_its_own(self):
         general = run("--help")
+        for verb in ("info", "convert", "make", "sphere", "frames", "morph", "harmonics", "compare", "page"):
+            self.assertIn(verb, VERBS)  # these are in every build
         self.assertEqual((general.returncode, general.stderr), (0, ""))
         for verb in VERBS:
             self.assertIn(f"  {verb} ", general.stdout)
@@ -26,6 +30,53 @@ class CommandLine(InFolder):
             self.assertEqual((own.returncode, own.stderr), (0, ""))
             for option in ("--quiet", "--threads", "--seed", "--time-limit", "--report"):
                 self.assertIn(option, own.stdout)
+            self.assertRegex(own.stdout, rf"\n  orbicube {verb} [^\n]+")  # an example of its own
+
+    def test_mistyped_verbs_and_options_get_the_nearest_ones(self):
+        cube, out = self.made("cube"), self.path("out.obj")
+        for arguments, meant in ((("sphera", cube), "sphere"), (("shpere", cube, "-o", out), "sphere"), (("comvert",), "convert"),
+                                 (("sphere", cube, "-o", out, "--methd", "stretch"), "--method"),
+                                 (("sphere", cube, "-o", out, "--remseh=x.obj"), "--remesh"),
+                                 (("make", "cube", "-o", out, "--resolutoin", "5"), "--resolution")):
+            done = run(*arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("did you mean " + meant, done.stderr)
+        for arguments in (("sing",), ("sphere", cube, "-o", out, "--xylophone")):
+            self.assertNotIn("did you mean", run(*arguments).stderr)
+
+    def write(self, name, positions, triangles):
+        with open(self.path(name), "w", encoding="ascii") as file:
+            file.writelines("v %r %r %r\n" % tuple(p) for p in positions)
+            file.writelines("f %d %d %d\n" % tuple(c + 1 for c in t) for t in triangles)
+        return self.path(name)
+
+    def test_refusals_name_what_helps(self):
+        positions, triangles = read_obj(self.made("sphere", 300))
+        out = self.path("out.obj")
+        # Three vertices of one face doubled: a hole that welding closes.
+        doubled = triangles[:-1] + [tuple(len(positions) + k for k in range(3))]
+        twins = self.write("doubled.obj", positions + [positions[v] for v in triangles[-1]], doubled)
+        line = self.refused(2, "not-closed", twins, "sphere", twins, "-o", out)
+        self.assertIn("3 vertices stand at the place of others: try --weld", line)
+        self.assertEqual(run("sphere", twins, "-o", out, "--weld").returncode, 0)
+        # One face divided at the middle of an edge, its neighbor not.
+        a, b, c = triangles[0]
+        middle = [(x + y) / 2 for x, y in zip(positions[a], positions[b])]
+        junction = self.write("junction.obj", positions + [middle],
+                              triangles[1:] + [(a, len(positions), c), (len(positions), b, c)])
+        line = self.refused(2, "not-closed", junction, "sphere", junction, "-o", out)
+        self.assertIn(f"vertex {len(positions)} at ", line)
+        self.assertRegex(line, rf"lies on the edge ({a}-{b}|{b}-{a})\b")
+        hole = self.write("hole.obj", positions, triangles[1:])
+        self.assertIn("close the holes", self.refused(2, "not-closed", hole, "sphere", hole, "-o", out))
+        small = [(5, 0, 0), (6, 0, 0), (5, 1, 0), (5, 0, 1)]
+        n = len(positions)
+        parts = self.write("parts.obj", positions + small,
+                           triangles + [(n, n + 2, n + 1), (n, n + 1, n + 3), (n + 1, n + 2, n + 3), (n, n + 3, n + 2)])
+        line = self.refused(2, "not-connected", parts, "sphere", parts, "-o", out)
+        self.assertIn(f"{len(triangles)}, 4 triangles", line)
+        torus = self.made("torus")
+        self.assertIn("polycube", self.refused(2, "wrong-genus", torus, "sphere", torus, "-o", out))
 
     def test_version(self):
         self.assertRegex(run("--version").stdout, r"^orbicube \d+\.\d+\.\d+$")
@@ -90,7 +141,7 @@ class Shapes(InFolder):
             self.assertEqual(triangles, read_obj(path)[1])
             self.assertEqual(not_positive(directions, triangles), 0)
             for d in directions:
-                self.assertLess(abs(math.hypot(*d) - 1), 1e-15)  # a few roundings of a normalised vector
+                self.assertLess(abs(math.hypot(*d) - 1), 1e-15)  # a few roundings of a normalized vector
 
     def test_the_same_options_make_the_same_bytes(self):
         with open(self.made("creature", 3000, 5, "a.obj"), "rb") as a, \
@@ -222,7 +273,7 @@ class SphereMaps(InFolder):
             self.assertEqual(not_positive(*read_obj(out)), 0)
             with open(report, encoding="utf-8") as file:
                 energy[method] = json.load(file)
-        del energy["seed"]  # minimises what angle-area does, from another place
+        del energy["seed"]  # minimizes what angle-area does, from another place
         self.assertEqual(min(energy, key=lambda m: energy[m]["energy"]), "angle-area")
         self.assertEqual(min(energy, key=lambda m: energy[m]["isometric_mean"]), "isometric")
         self.assertEqual(max(energy, key=lambda m: energy[m]["stretch_efficiency"]), "stretch")

@@ -1,4 +1,4 @@
-// Run by mpirun on two processes: the answers of PETSc's conjugate gradients against a direct solver's.
+// Run by mpirun on two processes: the results of PETSc's conjugate gradients against a direct solver's.
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <chrono>
@@ -13,12 +13,12 @@
 #include "base/error.h"
 #include "cli/distributed/petsc_engine.h"
 #include "tests/volume_map/tangled_cases.h"
-#include "volume_map/foldover_energy.h"
+#include "volume_map/untangle/foldover_energy.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
 
-extern "C" LinearEngine* orbicube_petsc_start();
+extern "C" BlockEngine* orbicube_petsc_start();
 
 namespace {
 
@@ -61,7 +61,7 @@ Eigen::SparseMatrix<double> sparse(const BlockMatrix& m) {
   return result;
 }
 
-void compare(const test::TangledCase& c, LinearEngine& engine) {
+void compare(const test::TangledCase& c, BlockEngine& engine) {
   const base::Host host;
   const auto elements = elements_of(c.tetrahedra, c.rest, 1, host);
   const Variables variables(c.start, c.fixed, c.ties, host.memory);
@@ -89,7 +89,7 @@ void compare(const test::TangledCase& c, LinearEngine& engine) {
 
 int main() {
   try {
-    const std::unique_ptr<LinearEngine> engine(orbicube_petsc_start());
+    const std::unique_ptr<BlockEngine> engine(orbicube_petsc_start());
     if (engine == nullptr) return 0;
     compare(test::strewn(2, 8, 0, 1), *engine);
     compare(test::twisted(3, 7, 1), *engine);
@@ -108,7 +108,7 @@ int main() {
       base::Host impatient;
       int reports = 0;
       // Hosts are asked at most every 20 ms, and a fast machine is done by then: a host that takes longer than that to
-      // answer is asked again at the very next step, however fast these are.
+      // callback is called again at the very next step, however fast these are.
       impatient.on_progress = [&](const base::Progress&) {
         std::this_thread::sleep_for(std::chrono::milliseconds(25));
         return reports++ < steps;

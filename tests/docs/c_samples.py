@@ -22,6 +22,7 @@ ARRAYS = "double *positions = 0; uint32_t *triangles = 0, *tetrahedra = 0; size_
 NAMES = {
     "frame_field": ARRAYS + "double *frames = 0; ",
     "harmonics": ARRAYS + "double *areas = 0, *directions = 0, *coefficients = 0; ",
+    "linear": "double *b = 0, *x = 0; obc_linear_matrix matrix = {0}; ",
     "mesh": ARRAYS,
     "projected_gradient": "double lower[2], x0[2], best[2], gradient[2]; const double *x; obc_projected_gradient *solver; int32_t request; "
                           "obc_projected_gradient_result result; result.struct_size = sizeof result; ",

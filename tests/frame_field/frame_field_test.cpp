@@ -10,14 +10,14 @@
 #include <random>
 
 #include "base/error.h"
-#include "frame_field/boundary_indices.h"
-#include "frame_field/energy.h"
-#include "frame_field/hierarchy.h"
-#include "frame_field/measurement.h"
-#include "frame_field/recombination.h"
-#include "frame_field/singularities.h"
-#include "frame_field/smoothing.h"
-#include "frame_field/starts.h"
+#include "frame_field/graph/boundary_indices.h"
+#include "frame_field/graph/hierarchy.h"
+#include "frame_field/singularities/measurement.h"
+#include "frame_field/singularities/singularities.h"
+#include "frame_field/smoothing/energy.h"
+#include "frame_field/smoothing/recombination.h"
+#include "frame_field/smoothing/smoothing.h"
+#include "frame_field/smoothing/starts.h"
 #include "quaternion/frame_distance.h"
 #include "solids.h"
 
@@ -269,7 +269,8 @@ TEST_CASE("Recombination takes the better region of two fields and nothing else"
   CHECK(take_better_regions(graph, Constraints(host.memory), b, 0.01, host, best) == 0);
 }
 
-TEST_CASE("The seed's method starts from identity, holds the boundary and never ends lower than smoothing does") {
+TEST_CASE(
+    "The dissertation's method starts from identity, holds the boundary and never ends lower than smoothing does") {
   const test::Solid solid = test::ball(7);
   const Outcome seed = computed(solid, {.method = Method::seed});
   const Measurement m = measured(solid, seed.field);
@@ -321,4 +322,11 @@ TEST_CASE("A single tetrahedron has a field") {
     CHECK(outcome.energy == 0);
     CHECK(measured(solid, outcome.field).several_best_largest < 1e-6);
   }
+}
+
+TEST_CASE("Vertices in no cell change no bit of a field") {
+  const test::Solid solid = test::ball(4);
+  test::Solid with = solid;
+  with.positions.insert(with.positions.end(), {{1e6, -2e5, 3}, {0.01, 0, 0}, {-7, 7, 1e9}});
+  CHECK(same_bits(computed(solid).field, computed(with).field));
 }

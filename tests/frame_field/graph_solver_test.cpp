@@ -1,5 +1,5 @@
 // The graph's equations against dense ones, its hierarchy and its order.
-#include "frame_field/graph_solver.h"
+#include "frame_field/graph/graph_solver.h"
 
 #include <doctest/doctest.h>
 
@@ -166,7 +166,7 @@ TEST_CASE("Iterations hardly grow with the mesh") {
     const test::Solid solid = test::cubes(size, size, size);
     const DualGraph graph = graph_of(solid);
     const auto levels = make_hierarchy(graph, 60, quiet_host());
-    // The layer that touches one corner is held.
+    // The layer that touches one corner is fixed.
     std::vector<GraphSolver<9>::Tangent> tangents;
     for (Index i = 0; i < graph.size() / 50; ++i)
       tangents.push_back({i, {}});

@@ -1,5 +1,5 @@
 // Frames as vectors of nine numbers, and back.
-#include "frame_field/harmonic_frame.h"
+#include "frame_field/smoothing/harmonic_frame.h"
 
 #include <doctest/doctest.h>
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "frame_field/energy.h"
 #include "frame_field/frame_field.h"
+#include "frame_field/smoothing/energy.h"
 #include "quaternion/frame_distance.h"
 #include "solids.h"
 

@@ -1,6 +1,6 @@
 // Faults of a field, found and repaired: what zipping does to known structures, that parts do not depend on each other,
 // and what a repaired field still satisfies.
-#include "frame_field/repair.h"
+#include "frame_field/singularities/repair.h"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +9,11 @@
 #include <numbers>
 #include <random>
 
-#include "frame_field/energy.h"
 #include "frame_field/frame_field.h"
-#include "frame_field/measurement.h"
-#include "frame_field/region_relaxation.h"
-#include "frame_field/zipping.h"
+#include "frame_field/singularities/measurement.h"
+#include "frame_field/singularities/zipping.h"
+#include "frame_field/smoothing/energy.h"
+#include "frame_field/smoothing/region_relaxation.h"
 #include "solids.h"
 
 using namespace orbicube;
@@ -52,7 +52,7 @@ test::Solid in_order_of_nodes(const test::Solid& solid) {
   return result;
 }
 
-// Everything that repairs work on, without constraints unless asked for.
+// Everything that repairs work on, without constraints unless requested.
 struct Setting {
   explicit Setting(const test::Solid& s, bool align_boundary = false)
       : solid(in_order_of_nodes(s)),

@@ -1,5 +1,5 @@
 // Matchings, singular edges and curves of fields that are known, and what every field has in common.
-#include "frame_field/singularities.h"
+#include "frame_field/singularities/singularities.h"
 
 #include <doctest/doctest.h>
 
@@ -10,10 +10,10 @@
 #include <random>
 #include <set>
 
-#include "frame_field/boundary_indices.h"
-#include "frame_field/constraints.h"
-#include "frame_field/measurement.h"
-#include "frame_field/meshability.h"
+#include "frame_field/graph/boundary_indices.h"
+#include "frame_field/graph/constraints.h"
+#include "frame_field/singularities/measurement.h"
+#include "frame_field/singularities/meshability.h"
 #include "solids.h"
 
 using namespace orbicube;
@@ -235,7 +235,7 @@ TEST_CASE("Plain angles know no symmetry, symmetric ones do") {
 }
 
 TEST_CASE("Vertices of hexahedra are those whose edges are the corners of a triangulated sphere") {
-  // With degrees 3, 4 and 5 at n3, n4 and n5 corners, Euler's formula asks for 3 n3 + 2 n4 + n5 = 12.
+  // With degrees 3, 4 and 5 at n3, n4 and n5 corners, Euler's formula requires 3 n3 + 2 n4 + n5 = 12.
   std::size_t accepted = 0;
   for (std::size_t three = 0; three <= 12; ++three) {
     for (std::size_t five = 0; five <= 12; ++five) {

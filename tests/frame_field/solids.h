@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "mesh/mesh.h"
-#include "mesh/predicates.h"
-#include "mesh/tetrahedral_connectivity.h"
+#include "mesh/search/predicates.h"
+#include "mesh/topology/tetrahedral_connectivity.h"
 #include "quaternion/quaternion.h"
 #include "quaternion/rotation.h"
 

@@ -1,5 +1,5 @@
 // One reader of mesh files on arbitrary bytes (libFuzzer). Compiled once a format: FUZZED_FORMAT is its name in Format.
-// The reader may answer with a mesh or with an Error of a known kind; a mesh must be one that the rest of the tree can
+// The reader may return with a mesh or with an Error of a known kind; a mesh must be one that the rest of the tree can
 // trust, and memory must be bounded by the size of the file whatever counts it claims.
 #include <cmath>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <span>
 
 #include "base/error.h"
-#include "mesh/read.h"
+#include "mesh/files/read.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
@@ -23,7 +23,7 @@ class BoundedMemory final : public std::pmr::memory_resource {
 
  private:
   // The densest files: a binary triangle strip of one-byte indices makes a triangle (12 bytes, twice while it is kept
-  // as a face, with the room that growing arrays leave) of each byte, and topology is asked about it when vertices are
+  // as a face, with the room that growing arrays leave) of each byte, and its topology is computed when vertices are
   // joined.
   static constexpr std::size_t bytes_a_byte = 256;
 

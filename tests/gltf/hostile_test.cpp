@@ -5,7 +5,7 @@
 #include <memory_resource>
 #include <random>
 
-#include "gltf/json.h"
+#include "gltf/json/json.h"
 #include "made_files.h"
 
 using namespace orbicube;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "gltf/read.h"
+#include "gltf/reading/read.h"
 
 namespace orbicube::gltf::test {
 

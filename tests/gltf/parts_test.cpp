@@ -1,5 +1,5 @@
 // Several meshes in one file: each is there with its name, place and look.
-#include "gltf/parts.h"
+#include "gltf/writing/parts.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "gltf/read.h"
+#include "gltf/reading/read.h"
 #include "made_files.h"
 
 using namespace orbicube;

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <fstream>
 
-#include "gltf/base64.h"
+#include "gltf/json/base64.h"
 #include "made_files.h"
-#include "mesh/topology.h"
+#include "mesh/topology/topology.h"
 
 using namespace orbicube;
 using gltf::test::is_tetrahedron;
@@ -88,6 +88,11 @@ TEST_CASE("Buffers are read from base64 and from a file of the same folder") {
   CHECK(outcome("b%20c.bin") == "read");
   CHECK(outcome("b c.bin") == "read");
   CHECK(outcome("./below/d.bin") == "read");
+  for (const char* uri : {"below/../b%20c.bin", "missing/../below/./d.bin", "below/%2e%2e/below//d.bin"}) {
+    CAPTURE(uri);
+    CHECK(outcome(uri) == "read");
+  }
+  CHECK(outcome("below/..") == "unsupported-uri");
   CHECK(outcome("inside.bin") == "read");
   CHECK(outcome("missing.bin") == "io");
   CHECK(outcome("below") == "unsafe-path");
@@ -297,4 +302,70 @@ TEST_CASE("What is required and does not change positions is accepted, what may 
   CHECK(is_tetrahedron(read_text(file.glb())));
   file.json["asset"]["minVersion"] = "2.1";
   CHECK(kind_of(file.glb()) == "unsupported-version");
+}
+
+TEST_CASE("Nodes of scale 0 on all axes hide their meshes, those below them too; flattened ones are refused") {
+  MadeFile file = tetrahedron();
+  file.json["nodes"] = Json::parse(
+      R"([{"mesh": 0}, {"mesh": 0, "scale": [0, 0, 0]}, {"scale": [0, 0, 0], "children": [3]}, {"mesh": 0}])");
+  file.json["scenes"][0]["nodes"] = {0, 1, 2};
+  mesh::ReadReport report;
+  CHECK(is_tetrahedron(read_text(file.glb(), {}, &report)));
+  CHECK(report.notes ==
+        std::vector<std::string>{"2 meshes of nodes of scale 0, left out; the first is that of nodes[1]"});
+  file.json["scenes"][0]["nodes"] = {1, 2};
+  CHECK(kind_of(file.glb()) == "degenerate-geometry");
+  file.json["nodes"][0]["scale"] = {1, 0, 1};
+  file.json["scenes"][0]["nodes"] = {0};
+  CHECK(kind_of(file.glb()) == "degenerate-geometry");
+}
+
+TEST_CASE("Morph targets count with their default weights, those of the node before those of the mesh") {
+  MadeFile file = tetrahedron();
+  for (int target = 0; target < 2; ++target) {
+    std::array<float, 12> deltas{};
+    deltas[static_cast<std::size_t>(9 + target)] = 4;  // of the last vertex, along x or y
+    file.json["accessors"].push_back(
+        {{"bufferView", file.add_view(deltas)}, {"componentType", 5126}, {"count", 4}, {"type", "VEC3"}});
+    file.json["meshes"][0]["primitives"][0]["targets"].push_back({{"POSITION", 2 + target}});
+  }
+  mesh::ReadReport report;
+  CHECK(is_tetrahedron(read_text(file.glb(), {}, &report)));
+  CHECK(report.notes == std::vector<std::string>{"left out: 2 morph targets"});
+  file.json["meshes"][0]["weights"] = {0.0, 0.0};
+  CHECK(is_tetrahedron(read_text(file.glb())));
+  file.json["meshes"][0]["weights"] = {0.0, 0.5};
+  CHECK(read_text(file.glb(), {}, &report).positions[3] == mesh::Vector3(0, 2, 1));
+  CHECK(report.notes ==
+        std::vector<std::string>{"1 meshes with morph targets, taken with the weights that the file gives them"});
+  file.json["nodes"][0]["weights"] = {0.25, -0.25};
+  CHECK(read_text(file.glb()).positions[3] == mesh::Vector3(1, -1, 1));
+  // One that is asked for counts in full, whatever the weights.
+  file.json["meshes"][0]["extras"]["targetNames"] = {"a", "b"};
+  gltf::ReadOptions options;
+  options.morph_target = "b";
+  CHECK(gltf::test::read_text(file.glb(), options).positions[3] == mesh::Vector3(0, 4, 1));
+  file.json["nodes"][0]["weights"] = {0, 0, 1};
+  CHECK(kind_of(file.glb()) == "parse");
+  file.json["nodes"][0]["weights"] = {"x"};
+  CHECK(kind_of(file.glb()) == "parse");
+  file.json["nodes"][0]["weights"] = {1e300, 1};
+  CHECK(kind_of(file.glb()) == "accepted");
+}
+
+TEST_CASE("What decorates a surface is counted in one note") {
+  MadeFile file = tetrahedron();
+  auto& attributes = file.json["meshes"][0]["primitives"][0]["attributes"];
+  attributes["TEXCOORD_0"] = 0;
+  attributes["COLOR_0"] = 0;
+  attributes["NORMAL"] = 0;
+  file.json["materials"] = Json::array({Json::object(), Json::object()});
+  file.json["textures"] = Json::array({Json::object()});
+  file.json["skins"] = Json::array({Json::object()});
+  file.json["animations"] = Json::array({Json::object()});
+  file.json["cameras"] = Json::array({Json::object()});
+  mesh::ReadReport report;
+  CHECK(is_tetrahedron(read_text(file.glb(), {}, &report)));
+  CHECK(report.notes == std::vector<std::string>{"left out: 2 materials, 1 texture, 1 primitive's texture coordinates, "
+                                                 "1 primitive's colors, 1 skin, 1 animation, 1 camera"});
 }

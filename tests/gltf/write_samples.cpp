@@ -8,9 +8,9 @@
 #include <filesystem>
 #include <vector>
 
-#include "gltf/checker.h"
-#include "gltf/parts.h"
-#include "gltf/write.h"
+#include "gltf/writing/checker.h"
+#include "gltf/writing/parts.h"
+#include "gltf/writing/write.h"
 
 using namespace orbicube;
 

@@ -1,5 +1,5 @@
 // The basis functions against closed forms, identities and an independent implementation, and the sums of them.
-#include "harmonics/basis.h"
+#include "harmonics/functions/basis.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "harmonics/gauss_legendre.h"
+#include "harmonics/functions/gauss_legendre.h"
 #include "samples.h"
 
 using namespace orbicube;

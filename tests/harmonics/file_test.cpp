@@ -1,5 +1,5 @@
 // Files of coefficients: what other programs mean by theirs, round trips, and damage.
-#include "harmonics/coefficient_file.h"
+#include "harmonics/functions/coefficient_file.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "harmonics/basis.h"
+#include "harmonics/functions/basis.h"
 #include "samples.h"
 
 using namespace orbicube;
@@ -61,7 +61,7 @@ void kind_is(const std::string& text, FileFormat format, const std::string& kind
 }  // namespace
 
 TEST_CASE("SHTOOLS's coefficients mean the sum that its manual gives") {
-  // f = sum over l, m of (C cos m phi + S sin m phi) P, with P normalised so that the mean square of a function is 1
+  // f = sum over l, m of (C cos m phi + S sin m phi) P, with P normalized so that the mean square of a function is 1
   // and without the phase that the standard library's version has.
   const std::string text =
       "# made for this test\n"

@@ -1,5 +1,5 @@
 // Fits: exact where they can be, at the minimum where not, and honest about what the samples do not determine.
-#include "harmonics/fit.h"
+#include "harmonics/fitting/fit.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "harmonics/gram_operator.h"
+#include "harmonics/fitting/gram_operator.h"
 #include "samples.h"
 
 using namespace orbicube;
@@ -126,7 +126,7 @@ TEST_CASE("With noise, both methods end in the minimum: the residual is orthogon
   CHECK(largest_difference(answers[0], answers[1]) < 1e-12);
 }
 
-TEST_CASE("The condition that is told is that of the weighted basis") {
+TEST_CASE("The condition that is reported is that of the weighted basis") {
   constexpr std::uint32_t degree = 9;
   const Problem p = problem(degree, 1, 700, 0.1, 15);
   Eigen::MatrixXd rows;
@@ -184,7 +184,7 @@ TEST_CASE("Samples on one circle determine what can be seen there and nothing el
   }
 }
 
-TEST_CASE("A hole in the samples is told by the condition, and as rank-deficient when it is beyond rounding" *
+TEST_CASE("A hole in the samples is reported by the condition, and as rank-deficient when it is beyond rounding" *
           doctest::test_suite("long")) {
   Samples samples(17);
   std::vector<Vector3> directions;
@@ -206,7 +206,7 @@ TEST_CASE("A hole in the samples is told by the condition, and as rank-deficient
   CHECK(report.rank == report.unknowns);
 }
 
-TEST_CASE("Smoothing minimises the sum with the squared Laplacian, by both methods") {
+TEST_CASE("Smoothing minimizes the sum with the squared Laplacian, by both methods") {
   constexpr std::uint32_t degree = 6;
   constexpr double smoothing = 2e-3;
   const Problem p = problem(degree, 1, 300, 0.2, 18);

@@ -1,5 +1,5 @@
 // Rotations by coefficients, and the search for the best one.
-#include "harmonics/rotation.h"
+#include "harmonics/rotations/rotation.h"
 
 #include <doctest/doctest.h>
 
@@ -7,11 +7,11 @@
 #include <cmath>
 #include <vector>
 
-#include "harmonics/alignment.h"
-#include "harmonics/basis.h"
-#include "harmonics/correlation_search.h"
-#include "harmonics/generators.h"
-#include "harmonics/spectrum.h"
+#include "harmonics/functions/basis.h"
+#include "harmonics/functions/spectrum.h"
+#include "harmonics/rotations/alignment.h"
+#include "harmonics/rotations/correlation_search.h"
+#include "harmonics/rotations/generators.h"
 #include "samples.h"
 
 using namespace orbicube;
@@ -185,6 +185,32 @@ TEST_CASE("Shapes that lie differently in space are aligned in both") {
     CHECK(angle_between(found.rotation, r) < 1e-8);
     CHECK(angle_between(found.values, q) < 1e-8);
     CHECK(found.correlation == doctest::Approx(1).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("Of poses that are about as good, the one that turns the values least is taken on request") {
+  Samples samples(71);
+  for (int round = 0; round < 4; ++round) {
+    // An ellipsoid as its own parameters: degree 1 alone, so four poses agree wholly, half turns apart.
+    Coefficients ellipsoid(1, 3, host.memory);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::array<double, 3> axes{1, 2, 3};
+      const std::array<std::size_t, 3> order{3, 1, 2};  // x goes with m = 1, y with m = -1, z with m = 0
+      ellipsoid.values[3 * order[k] + k] = axes[k];
+    }
+    const Matrix3 r = random_rotation(samples);
+    const Coefficients turned = rotate(ellipsoid, r, host);
+    const Alignment found = align(turned, ellipsoid, {.turn_values = true, .prefer_standing = true}, host);
+    CHECK(found.correlation == doctest::Approx(1).epsilon(1e-9));
+    CHECK(angle_between(found.values, Matrix3::Identity()) < 1e-6);
+    CHECK(angle_between(found.rotation, r) < 1e-6);
+    // What lies differently is found as without.
+    const Coefficients g = smooth(samples, 12, 3);
+    const Matrix3 q = random_rotation(samples);
+    Coefficients f = rotate(g, r, host);
+    rotate_values(f, q);
+    const Alignment other = align(f, g, {.turn_values = true, .prefer_standing = true}, host);
+    CHECK(angle_between(other.values, q) < 1e-8);
   }
 }
 

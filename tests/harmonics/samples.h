@@ -6,8 +6,8 @@
 #include <random>
 #include <vector>
 
-#include "harmonics/basis.h"
-#include "harmonics/coefficients.h"
+#include "harmonics/functions/basis.h"
+#include "harmonics/functions/coefficients.h"
 
 namespace orbicube::harmonics {
 

@@ -1,5 +1,5 @@
 // Norms of the degrees, distances and filters.
-#include "harmonics/spectrum.h"
+#include "harmonics/functions/spectrum.h"
 
 #include <doctest/doctest.h>
 
@@ -25,7 +25,7 @@ TEST_CASE("The norms of the degrees add up to the norm of the function") {
         doctest::Approx(std::sqrt(f.values[0] * f.values[0] + f.values[1] * f.values[1] + f.values[2] * f.values[2])));
 }
 
-TEST_CASE("D_n is the sum of the squared differences of the norms, between the degrees asked for") {
+TEST_CASE("D_n is the sum of the squared differences of the norms, between the degrees requested") {
   Samples samples(32);
   const Coefficients f = samples.coefficients(4, 2), g = samples.coefficients(6, 2);
   std::vector<double> a(7), b(7);

@@ -1,5 +1,5 @@
 // Areas of vertices and the mean distance of point sets.
-#include "harmonics/surface.h"
+#include "harmonics/fitting/surface.h"
 
 #include <doctest/doctest.h>
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <sstream>
 
-#include "mesh/topology.h"
+#include "mesh/topology/topology.h"
 #include "read_text.h"
 
 using namespace orbicube;
@@ -95,7 +95,8 @@ TEST_CASE("The real models are read, and what is written of them is read again")
   }
   std::size_t read = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(models)) {
-    if (entry.path().parent_path().filename() == "bad" || !format_of_path(entry.path())) continue;
+    const std::string folder = entry.path().parent_path().filename().string();
+    if (folder == "bad" || folder == "cases" || !format_of_path(entry.path())) continue;  // these are made to be odd
     CAPTURE(entry.path());
     const Mesh mesh = read_mesh(entry.path(), {}, base::Host());
     CHECK(mesh.positions.size() > 3);

@@ -1,5 +1,5 @@
 // Cells of solids that are right, and each way in which they can be wrong.
-#include "mesh/cells.h"
+#include "mesh/topology/cells.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/topology.h"
+#include "mesh/topology/topology.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
@@ -95,9 +95,9 @@ TEST_CASE("Turning any two vertices of a cell inverts it") {
   CHECK(kind(hexahedra) == "inverted-cell");
 }
 
-TEST_CASE("Moving one corner of a cube through its neighbours' plane is seen to the last bit") {
+TEST_CASE("Moving one corner of a cube through its neighbors' plane is seen to the last bit") {
   for (Index corner = 0; corner < 8; ++corner) {
-    // The corner on the plane through its three neighbours is flat; a bit inside it is not, a bit beyond it is
+    // The corner on the plane through its three neighbors is flat; a bit inside it is not, a bit beyond it is
     // inverted.
     const Mesh cube = cubes(1, true);
     const Index vertex = cube.hexahedra[0][corner];
@@ -164,7 +164,7 @@ TEST_CASE("A face of three cells and an edge between parts that only touch there
   CHECK(kind(hexahedra) == "non-manifold-edge");
 }
 
-TEST_CASE("The boundary of a solid is a closed surface that looks outward and encloses its volume") {
+TEST_CASE("The boundary of a solid is a closed surface that is outward-oriented and encloses its volume") {
   for (const bool as_hexahedra : {false, true}) {
     const Mesh mesh = cubes(3, as_hexahedra);
     const auto triangles = boundary_triangles(mesh, base::Host());
@@ -186,4 +186,68 @@ TEST_CASE("The boundary of a solid is a closed surface that looks outward and en
   CHECK(t.genus == 1);
   CHECK(t.volume == doctest::Approx(24));
   CHECK(boundary_triangles(Mesh(), base::Host()).empty());
+}
+
+TEST_CASE("The quads of a boundary begin where their hexahedra have them begin") {
+  Mesh one;
+  one.positions.assign(8, Vector3::Zero());
+  one.hexahedra = {{7, 6, 5, 4, 3, 2, 1, 0}};
+  auto quads = boundary_quads(one, base::Host());
+  std::sort(quads.begin(), quads.end());
+  const std::vector<std::array<Index, 4>> expected = {{3, 2, 1, 0}, {4, 7, 3, 0}, {5, 4, 0, 1},
+                                                      {6, 5, 1, 2}, {7, 4, 5, 6}, {7, 6, 2, 3}};
+  CHECK(std::equal(quads.begin(), quads.end(), expected.begin(), expected.end()));
+  CHECK(boundary_quads(cubes(3, true), base::Host()).size() == 6 * 9);
+  CHECK(boundary_quads(cubes(3, false), base::Host()).empty());
+}
+
+TEST_CASE("A face of a hexahedron is filled by two triangles of tetrahedra or by none, and then lies inside") {
+  Mesh mesh = cubes(1, true);
+  mesh.positions.emplace_back(0.5, 0.5, 2);
+  const auto& h = mesh.hexahedra[0];
+  // The two halves of a pyramid on top.
+  const Tetrahedron one = {h[4], h[5], h[6], 8}, other = {h[4], h[6], h[7], 8};
+  mesh.tetrahedra = {one, other};
+  CHECK(refusal(mesh) == "");
+  const Topology t = topology(mesh.positions, boundary_triangles(mesh, base::Host()), base::Host());
+  CHECK(t.triangles == 5 * 2 + 4);
+  CHECK(t.genus == 0);
+  CHECK(t.volume == doctest::Approx(1 + 1.0 / 3));
+  mesh.tetrahedra = {one};
+  CHECK(kind(mesh) == "non-manifold-face");
+  CHECK(refusal(mesh).find("with 1 on it, at (") != std::string::npos);
+  CHECK_THROWS(boundary_triangles(mesh, base::Host()));
+  // The halves along both diagonals do not fit.
+  mesh.positions.emplace_back(0.5, 0.5, 3);
+  mesh.tetrahedra = {one, {h[5], h[6], h[7], 9}};
+  CHECK(kind(mesh) == "non-manifold-face");
+  // On one edge only.
+  mesh.tetrahedra = {{h[4], h[5], 9, 8}};
+  mesh.positions[9] = {0.5, -1, 2};
+  if (!refusal(mesh).starts_with("non-manifold-edge")) std::swap(mesh.tetrahedra[0][2], mesh.tetrahedra[0][3]);
+  CHECK(kind(mesh) == "non-manifold-edge");
+}
+
+TEST_CASE("Cells that are all inverted are turned, and only those") {
+  for (const bool as_hexahedra : {false, true}) {
+    const Mesh right = cubes(2, as_hexahedra);
+    Mesh mesh = right;
+    CHECK(turn_inverted_cells(mesh, base::Host()).tetrahedra + turn_inverted_cells(mesh, base::Host()).hexahedra == 0);
+    for (Vector3& p : mesh.positions)
+      p.x() = -p.x();
+    CHECK(refusal(mesh).starts_with("inverted-cell: all cells are inside out"));
+    const CellTurnReport report = turn_inverted_cells(mesh, base::Host());
+    CHECK(report.tetrahedra == mesh.tetrahedra.size());
+    CHECK(report.hexahedra == mesh.hexahedra.size());
+    CHECK(refusal(mesh) == "");
+    // One that is right among them: no convention.
+    mesh = right;
+    for (std::size_t i = 1; i < mesh.tetrahedra.size(); ++i)
+      std::swap(mesh.tetrahedra[i][0], mesh.tetrahedra[i][1]);
+    for (std::size_t i = 1; i < mesh.hexahedra.size(); ++i) {
+      auto& c = mesh.hexahedra[i];
+      c = {c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3]};
+    }
+    CHECK(turn_inverted_cells(mesh, base::Host()).tetrahedra + turn_inverted_cells(mesh, base::Host()).hexahedra == 0);
+  }
 }

@@ -1,5 +1,5 @@
 // Half-edges and walks round vertices of closed and open surfaces.
-#include "mesh/connectivity.h"
+#include "mesh/topology/connectivity.h"
 
 #include <doctest/doctest.h>
 
@@ -72,7 +72,7 @@ TEST_CASE(
       std::size_t outgoing = 0;
       c.for_each_outgoing(v, [&](Index h) {
         CHECK(c.start(h) == v);
-        // Counter-clockwise: each triangle has the vertex and two neighbours that follow each other.
+        // Counter-clockwise: each triangle has the vertex and two neighbors that follow each other.
         CHECK(c.end(h) == ring[outgoing]);
         CHECK(c.start(c.previous(h)) == ring[(outgoing + 1) % ring.size()]);
         ++outgoing;
@@ -82,8 +82,7 @@ TEST_CASE(
     }
     CHECK(corners == 3 * triangles.size());
     CHECK(c.outgoing(static_cast<Index>(vertices)) == no_index);
-    c.for_each_neighbour(static_cast<Index>(vertices),
-                         [](Index) { FAIL("a vertex in no triangle has no neighbours"); });
+    c.for_each_neighbour(static_cast<Index>(vertices), [](Index) { FAIL("a vertex in no triangle has no neighbors"); });
   }
 }
 

@@ -1,5 +1,5 @@
 // Intersections of triangles against the separating axis theorem in integers, and of surfaces that are made to meet.
-#include "mesh/intersections.h"
+#include "mesh/search/intersections.h"
 
 #include <doctest/doctest.h>
 
@@ -148,4 +148,69 @@ TEST_CASE("A sphere does not meet itself; two spheres meet as testing all pairs 
   for (std::size_t t = 0; t < half; ++t)
     twice.push_back({twice[t][0], twice[t][1], twice[t][2]});
   CHECK(intersecting_triangles(copies, twice, base::Host()).size() >= half);
+}
+
+TEST_CASE("Quads intersect when a half by either diagonal does, beyond the vertices that they share") {
+  using Quad = std::array<Index, 4>;
+  // A unit square in z = 0, one beside it, one folded onto it, and others.
+  std::vector<Vector3> x = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0},    {0, 1, 0},
+                            {2, 0, 0}, {2, 1, 0}, {0.25, 0, 0}, {0.25, 1, 0}};
+  const Quad square = {0, 1, 2, 3};
+  CHECK_FALSE(quads_intersect(x, square, {1, 4, 5, 2}));
+  CHECK(quads_intersect(x, square, {1, 6, 7, 2}));  // neighbors that lie over each other in one plane
+  CHECK(quads_intersect(x, square, {2, 1, 0, 3}));  // three vertices in common
+  // Vertical beside the edge: apart, touching it, and through the square.
+  for (const double height : {0.01, 0.0, -0.01}) {
+    x.resize(8);
+    x.insert(x.end(), {{0.5, -1, height}, {0.5, 2, height}, {0.5, 2, height + 1}, {0.5, -1, height + 1}});
+    CHECK(quads_intersect(x, square, {8, 9, 10, 11}) == (height <= 0));
+    CHECK(quads_intersect(x, {11, 10, 9, 8}, {3, 2, 1, 0}) == (height <= 0));
+  }
+  // A bent quad is on both sides of its bilinear patch: what is between its halves meets one of them.
+  x = {{0, 0, 0}, {1, 0, 1}, {1, 1, 0}, {0, 1, 1}, {0.4, 0.5, 0.4}, {0.6, 0.5, 0.4}, {0.6, 0.5, 2}, {0.4, 0.5, 2}};
+  CHECK(quads_intersect(x, {0, 1, 2, 3}, {4, 5, 6, 7}));
+  // Between the halves by one diagonal, which are below, and those by the other: the rest of a closed surface that goes
+  // on from there has to come out through one of them.
+  x = {{0, 0, 0},        {1, 0, 1},        {1, 1, 0},        {0, 1, 1},
+       {0.45, 0.2, 0.5}, {0.55, 0.2, 0.5}, {0.55, 0.8, 0.5}, {0.45, 0.8, 0.5}};
+  CHECK_FALSE(quads_intersect(x, {0, 1, 2, 3}, {4, 5, 6, 7}));
+}
+
+TEST_CASE("Pairs of intersecting quads are found as by all pairs, folded quads too, whatever the threads") {
+  using Quad = std::array<Index, 4>;
+  // Two sheets of squares, one through the other at a slant, and the first with a quad that folds over itself.
+  std::vector<Vector3> x;
+  std::vector<Quad> quads;
+  constexpr Index n = 12;
+  for (const double slope : {0.0, 0.3}) {
+    const auto first = static_cast<Index>(x.size());
+    for (Index i = 0; i <= n; ++i) {
+      for (Index k = 0; k <= n; ++k)
+        x.emplace_back(i, k, slope * (i - 5.37));
+    }
+    for (Index i = 0; i < n; ++i) {
+      for (Index k = 0; k < n; ++k) {
+        const Index at = first + i * (n + 1) + k;
+        quads.push_back({at, at + n + 1, at + n + 2, at + 1});
+      }
+    }
+  }
+  CHECK(intersecting_quads(x, std::span(quads).first(n * n), base::Host()).empty());
+  std::vector<std::array<Index, 2>> expected;
+  for (Index i = 0; i < quads.size(); ++i) {
+    for (Index k = i + 1; k < quads.size(); ++k) {
+      if (quads_intersect(x, quads[i], quads[k])) expected.push_back({i, k});
+    }
+  }
+  CHECK(expected.size() >= n);
+  for (const unsigned threads : {1U, 4U}) {
+    base::Host host;
+    host.thread_count = threads;
+    const auto found = intersecting_quads(x, quads, host);
+    CHECK(std::equal(found.begin(), found.end(), expected.begin(), expected.end()));
+  }
+  x = {{0, 0, 0}, {2, 0, 0}, {0.5, 0.5, 0}, {0, 2, 0}};
+  CHECK(intersecting_quads(x, std::vector<Quad>{{0, 1, 2, 3}}, base::Host()).size() == 1);
+  x[2] = {2, 2, 0};
+  CHECK(intersecting_quads(x, std::vector<Quad>{{0, 1, 2, 3}}, base::Host()).empty());
 }

@@ -1,6 +1,6 @@
 // Every shape at random resolutions and seeds: closed, manifold, outward, of its genus, not meeting itself, and planar
 // where it has planes.
-#include "mesh/make_shape.h"
+#include "mesh/shapes/make_shape.h"
 
 #include <doctest/doctest.h>
 
@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
-#include "mesh/topology.h"
+#include "mesh/search/predicates.h"
+#include "mesh/topology/topology.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
@@ -182,7 +182,7 @@ TEST_CASE("the underside of the bracket is exactly flat") {
 
 TEST_CASE("sphere and torus are on their surfaces, the cube has its volume") {
   for (const Vector3& p : make("sphere", 5000, 3).positions)
-    CHECK(std::abs(p.norm() - 1) < 4e-16);  // two roundings of a normalised vector
+    CHECK(std::abs(p.norm() - 1) < 4e-16);  // two roundings of a normalized vector
   for (const Vector3& p : make("torus", 5000, 0).positions) {
     const double from_circle = std::hypot(std::hypot(p[0], p[1]) - 1, p[2]);
     CHECK(std::abs(from_circle - 0.35) < 1e-15);
@@ -191,7 +191,7 @@ TEST_CASE("sphere and torus are on their surfaces, the cube has its volume") {
   CHECK(topology(cube.positions, cube.triangles, base::Host()).volume == doctest::Approx(8).epsilon(1e-13));
 }
 
-TEST_CASE("a million triangles come within a hundredth of what was asked for") {
+TEST_CASE("a million triangles come within a hundredth of what was requested") {
   const Mesh mesh = make("creature", 1'000'000, 1);
   CHECK(std::abs(static_cast<double>(mesh.triangles.size()) - 1e6) < 1e4);
 }

@@ -1,5 +1,5 @@
 // Searches against looking at everything.
-#include "mesh/nearest.h"
+#include "mesh/search/nearest.h"
 
 #include <doctest/doctest.h>
 
@@ -106,4 +106,19 @@ TEST_CASE("The nearest point of a surface is that of its nearest triangle") {
     }
   }
   CHECK(SurfaceSearch(positions, {}, base::Host()).nearest(Vector3::Zero()).triangle == no_index);
+  // Of some triangles, and of none.
+  for (int trial = 0; trial < 300; ++trial) {
+    const Vector3 p = 1.5 * random.point();
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 1; t < triangles.size(); t += 3) {
+      const Triangle& c = triangles[t];
+      least = std::min(least,
+                       (nearest_on_triangle(p, positions[c[0]], positions[c[1]], positions[c[2]]).position - p).norm());
+    }
+    const SurfacePoint found = search.nearest_of(p, [](Index t) { return t % 3 == 1; });
+    REQUIRE(found.triangle % 3 == 1);
+    REQUIRE(found.distance == doctest::Approx(least).epsilon(1e-14));
+    REQUIRE((found.position - p).norm() == doctest::Approx(least).epsilon(1e-14));
+  }
+  CHECK(search.nearest_of(Vector3::Zero(), [](Index) { return false; }).triangle == no_index);
 }

@@ -1,5 +1,5 @@
 // How faces of many corners become triangles.
-#include "mesh/polygons.h"
+#include "mesh/files/polygons.h"
 
 #include <doctest/doctest.h>
 
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 #include "read_text.h"
 
 using namespace orbicube;
@@ -67,7 +67,7 @@ TEST_CASE("A convex face is a fan from its first corner") {
     CHECK(triangles[i] == Triangle{0, i + 1, i + 2});
 }
 
-TEST_CASE("Concave faces, wherever they start and however they lie, are cut without turning a triangle over") {
+TEST_CASE("Concave faces, wherever they start and however they lie, are cut without flipping a triangle") {
   std::mt19937_64 engine(11);
   const auto uniform = [&] { return static_cast<double>(engine() >> 11U) * 0x1p-53; };
   for (const int size : {4, 5, 7, 10, 33, 200}) {
@@ -123,7 +123,7 @@ TEST_CASE("Faces that cross themselves, lie on a line or in a point still end as
   CHECK(cut(wild).size() == 298);
 }
 
-TEST_CASE("The number of larger faces is told") {
+TEST_CASE("The number of larger faces is reported") {
   ReadReport report;
   const Mesh mesh = read_text(
       Format::obj, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nf 1 2 5\nf 1 2 3 4 5\n", {}, &report);

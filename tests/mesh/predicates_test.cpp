@@ -1,5 +1,5 @@
 // The predicates against rational arithmetic, on inputs that rounding alone would get wrong.
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 
 #include <doctest/doctest.h>
 

@@ -32,15 +32,16 @@ TEST_CASE("MEDIT: all kinds of cells, comments, and sections that are of no inte
       Format::medit,
       "MeshVersionFormatted 1 # comment\n\nDimension 3\nVertices 9\n0 0 0 0\n1 0 0 0\n1 1 0 0\n0 1 0 0\n0 0 1 0\n"
       "1 0 1 0\n1 1 1 0\n0 1 1 0\n0.5 0.5 2 0\nCorners\n2\n1 2\nTriangles\n1\n1 3 2 5\nQuadrilaterals 1\n1 2 6 5 9\n"
-      "RequiredVertices 1\n-1\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nTetrahedra\n1\n5 6 7 9 1\nEnd\nanything",
+      "RequiredVertices 1\n-1\nHexahedra 1\n1 2 3 4 5 6 7 8 0\nTetrahedra\n2\n5 6 7 9 1\n5 7 8 9 2\nEnd\nanything",
       {}, &report);
   CHECK(mesh.positions.size() == 9);
   CHECK(mesh.triangles.size() == 3);
   CHECK(mesh.triangles[0] == Triangle{0, 2, 1});
   CHECK(mesh.hexahedra == Array<Hexahedron>{{0, 1, 2, 3, 4, 5, 6, 7}});
-  CHECK(mesh.tetrahedra == Array<Tetrahedron>{{4, 5, 6, 8}});
+  CHECK(mesh.tetrahedra == Array<Tetrahedron>{{4, 5, 6, 8}, {4, 6, 7, 8}});
   CHECK(report.polygons == 1);
-  CHECK(report.notes.size() == 2);
+  CHECK(report.notes == std::vector<std::string>{"sections passed over: 'Corners', 'RequiredVertices'",
+                                                 "left out: 2 reference numbers"});
 }
 
 TEST_CASE("MEDIT: the version and the End may be missing, lines may end anywhere") {
@@ -60,7 +61,7 @@ TEST_CASE("MEDIT: what is wrong is refused with its line, and cells that are tho
   CHECK(ends_as(Format::medit, "Triangles 1\n1 2 3 0\n", "parse", "before the section Vertices"));
   CHECK(ends_as(Format::medit, "Vertices 1\n0 0 inf 0\n", "non-finite", "line 2"));
   CHECK(ends_as(Format::medit, medit_points + "1 2 3\n", "parse", "line 10"));
-  CHECK(ends_as(Format::medit, medit_points + "Tetrahedra 1\n1 3 2 4 0\n", "inverted-cell"));
+  CHECK(ends_as(Format::medit, medit_points + "Tetrahedra 2\n1 3 2 4 0\n1 2 3 4 0\n", "inverted-cell"));
   CHECK(ends_as(Format::medit, medit_points + "Tetrahedra 1\n1 3 2 1 0\n", "degenerate-cell"));
   CHECK(ends_as(Format::medit, medit_points + "Quadrilaterals 1\n1 3 2 1 0\n", "degenerate-face"));
 }
@@ -88,8 +89,8 @@ TEST_CASE("VTK: grids, with every type that is read") {
   CHECK(mesh.hexahedra == Array<Hexahedron>{{0, 1, 3, 2, 4, 5, 7, 6}, {4, 5, 7, 6, 8, 9, 11, 10}});
   CHECK(mesh.triangles.size() == 1 + 2 + 2 + 2);
   CHECK(report.notes.size() == 1);
-  CHECK(ends_as(Format::vtk, vtk_head + vtk_points + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n14\n", "unsupported",
-                "type 14"));
+  CHECK(ends_as(Format::vtk, vtk_head + vtk_points + "CELLS 2 10\n4 0 1 2 3\n4 0 1 2 3\nCELL_TYPES 2\n42 42\n",
+                "unsupported", "2 of type 42 (polyhedron)"));
 }
 
 TEST_CASE("VTK: versions 4 and 5, ASCII and binary, hold the same tetrahedron") {

@@ -43,7 +43,7 @@ TEST_CASE("OBJ: every form of a corner, and lines that are of no interest") {
                        "p 1\nf -4 -1 -2\n")));
 }
 
-TEST_CASE("OBJ: colours and weights after a vertex, comments, signs, exponents and blanks") {
+TEST_CASE("OBJ: colors and weights after a vertex, comments, signs, exponents and blanks") {
   CHECK(is_tetrahedron(
       read_text(Format::obj, "# v 9 9 9\n\n \tv\t-0 0.0 0e5 1 0 0.5\nv +1 0 .0\nv 0 1.0E+0 0 1\n  v 0 0 1e0 # top\n" +
                                  faces_obj + "# f 1 2 3")));
@@ -93,7 +93,7 @@ TEST_CASE("A triangle with a repeated corner is a fact of the shape, and stays i
   CHECK(mesh.triangles[4] == Triangle{0, 0, 1});
 }
 
-TEST_CASE("OFF: prefixes, comments, colours, counts on the first line") {
+TEST_CASE("OFF: prefixes, comments, colors, counts on the first line") {
   const std::string corners = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n";
   const std::string faces = "3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
   CHECK(is_tetrahedron(read_text(Format::off, "OFF\n4 4 6\n" + corners + faces)));
@@ -152,7 +152,7 @@ TEST_CASE("PLY: elements and properties in any order and of any type, in all thr
   }
 }
 
-TEST_CASE("PLY: strips of triangles turn every other one round, and start anew at -1") {
+TEST_CASE("PLY: strips of triangles turn every other one round, and start again at -1") {
   const Mesh mesh = read_text(Format::ply,
                               "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty "
                               "float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
@@ -185,7 +185,7 @@ TEST_CASE("PLY: what is wrong is refused with its line") {
   CHECK(ends_as(Format::ply, "ply\nformat ascii 1.0\nelement vertex 3\n", "truncated"));
 }
 
-TEST_CASE("STL: both forms are told apart, and their corners are joined") {
+TEST_CASE("STL: both forms are distinguished, and their corners are joined") {
   std::string text = "solid two words\n";
   std::string binary = std::string("solid, but binary").append(63, ' ') + bytes_of(std::uint32_t{4});
   const Mesh surface = read_text(Format::obj, corners_obj + faces_obj);
@@ -212,7 +212,14 @@ TEST_CASE("STL: both forms are told apart, and their corners are joined") {
   }
   CHECK(ends_as(Format::stl, std::string_view(text).substr(0, text.size() / 2), "truncated", "line"));
   CHECK(ends_as(Format::stl, std::string_view(binary).substr(0, binary.size() - 1), "truncated", "byte"));
-  CHECK(ends_as(Format::stl, binary + "x", "trailing-data", "byte"));
+  // Padding is passed over, a facet more than the file counts is not.
+  for (const std::string& padding : {std::string("x"), std::string(50, '\0'), std::string(428, '\0')}) {
+    ReadReport report;
+    CHECK(read_text(Format::stl, binary + padding, {}, &report).triangles.size() == 4);
+    CHECK(report.notes ==
+          std::vector{std::to_string(padding.size()) + " bytes behind the last facet were passed over"});
+  }
+  CHECK(ends_as(Format::stl, binary + std::string(50, 'x'), "trailing-data", "byte"));
   CHECK(ends_as(Format::stl, replaced(text, "endloop", "endlop"), "parse", "line 7"));
   std::string infinite = binary;
   infinite.replace(84 + 12, 4, bytes_of(HUGE_VALF));

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
-#include "mesh/read.h"
+#include "mesh/files/read.h"
 
 namespace orbicube::mesh {
 

@@ -1,5 +1,5 @@
 // Rotations found from directions.
-#include "mesh/rotations.h"
+#include "mesh/search/rotations.h"
 
 #include <doctest/doctest.h>
 

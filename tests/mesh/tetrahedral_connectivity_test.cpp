@@ -1,5 +1,5 @@
 // Faces, boundary and rings of edges of tetrahedra.
-#include "mesh/tetrahedral_connectivity.h"
+#include "mesh/topology/tetrahedral_connectivity.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;

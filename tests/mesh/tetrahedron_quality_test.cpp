@@ -1,5 +1,5 @@
 // Shapes of tetrahedra, against those that are known in closed form.
-#include "mesh/tetrahedron_quality.h"
+#include "mesh/search/tetrahedron_quality.h"
 
 #include <doctest/doctest.h>
 

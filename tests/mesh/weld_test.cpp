@@ -1,5 +1,5 @@
-// Joining vertices at identical positions.
-#include "mesh/weld.h"
+// Welding vertices at identical positions.
+#include "mesh/topology/weld.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-#include "mesh/topology.h"
+#include "mesh/topology/topology.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;

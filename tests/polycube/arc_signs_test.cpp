@@ -1,6 +1,6 @@
 // Signs of arcs against the convexity of edges of polycubes that are known: a cube, an L, a bump, a hole, a torus with
 // a bump, a notch.
-#include "polycube/arc_signs.h"
+#include "polycube/labels/arc_signs.h"
 
 #include <doctest/doctest.h>
 
@@ -9,8 +9,8 @@
 #include <cmath>
 
 #include "blocks.h"
-#include "polycube/certificate.h"
-#include "polycube/chart_order.h"
+#include "polycube/labels/chart_order.h"
+#include "polycube/map/certificate.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -32,7 +32,7 @@ struct Labelled {
     charts = find_charts(surface, labels, host);
   }
 
-  // Whether an arc is convex in space: the neighbour's triangle lies below the plane of the arc's own.
+  // Whether an arc is convex in space: the neighbor's triangle lies below the plane of the arc's own.
   bool is_convex(const ArcNetwork& network, const Arc& arc) const {
     const Index h = network.half_edges_of(arc).front();
     const Index apex = surface.start(mesh::Connectivity::previous(surface.opposite(h)));
@@ -62,7 +62,7 @@ std::vector<mesh::Mesh> shapes() {
 
 }  // namespace
 
-TEST_CASE("The signs of a polycube's own edges obey the rules, and are kept when they are wanted") {
+TEST_CASE("The signs of a polycube's own edges obey the rules, and are kept when they are the targets") {
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
     REQUIRE(l.certificate.valid());
@@ -105,7 +105,7 @@ TEST_CASE("Corners: chi, and their number for each genus") {
   }
 }
 
-TEST_CASE("Signs are found though others are wanted") {
+TEST_CASE("Signs are found though others are the targets") {
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
     const ArcNetwork network(l.surface, l.charts, host);
@@ -132,7 +132,7 @@ TEST_CASE("The labels of a cube seen in a mirror are those of no polycube") {
   CHECK(signs.violation > 0);
 }
 
-TEST_CASE("Charts of a polycube have an order, and none when an arc runs the other way than those beside it") {
+TEST_CASE("Patches of a polycube have an order, and none when an arc runs the other way than those beside it") {
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
     const ArcNetwork network(l.surface, l.charts, host);

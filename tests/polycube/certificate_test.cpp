@@ -1,5 +1,5 @@
 // The certificate against polycubes with known corners and faces, and against maps that are wrong in one way each.
-#include "polycube/certificate.h"
+#include "polycube/map/certificate.h"
 
 #include <doctest/doctest.h>
 
@@ -11,7 +11,7 @@
 
 #include "base/error.h"
 #include "blocks.h"
-#include "mesh/intersections.h"
+#include "mesh/search/intersections.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -59,7 +59,7 @@ TEST_CASE("Polycubes made of cells have the corners, faces and genus that they m
   }
 }
 
-TEST_CASE("Labels are the directions that triangles look in, and charts are connected in one plane") {
+TEST_CASE("Labels are the directions that triangles look in, and patches are connected in one plane") {
   const mesh::Mesh m = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));
   const Certificate c = certificate_of(m);
   REQUIRE(c.valid());
@@ -84,7 +84,7 @@ TEST_CASE("A vertex that is off by the last bit is refused") {
   CHECK(mentions(certificate_of(m), "axis-aligned"));
 }
 
-TEST_CASE("A triangle that is turned over within its plane, or has no area, is refused") {
+TEST_CASE("A triangle that is flipped within its plane, or has no area, is refused") {
   for (const double x : {2.5, 2.0}) {
     mesh::Mesh m = blocks(box_without({2, 2, 2}));
     for (Vector3& p : m.positions) {
@@ -138,7 +138,7 @@ TEST_CASE("Polycubes meet themselves just when two of their triangles do") {
     for (std::size_t v = 0; v < moves.size(); ++v)
       if (moves[v] != 0) m.positions[v][axis] += shift;
     const Certificate after = certificate_of(m);
-    if (!after.valid() && !mentions(after, "meets itself")) continue;  // a triangle is turned over
+    if (!after.valid() && !mentions(after, "meets itself")) continue;  // a triangle is flipped
     CHECK(after.valid() == mesh::intersecting_triangles(m.positions, m.triangles, host, 1).empty());
     (after.valid() ? apart : meeting) += 1;
   }
@@ -164,8 +164,8 @@ TEST_CASE("Surfaces that are open, in parts or not manifold are refused") {
   CHECK_THROWS_AS(certificate_of(wild), base::Error);
 }
 
-TEST_CASE("Cavities are parts that look inward within the one that looks outward, and touch nothing") {
-  // Cubes of length `size` from `low` on, each looking outward or into itself.
+TEST_CASE("Cavities are parts that are inward-oriented within the one that is outward-oriented, and touch nothing") {
+  // Cubes of length `size` from `low` on, each outward-oriented or into itself.
   struct Cube {
     double low, size;
     bool inward;
@@ -194,7 +194,7 @@ TEST_CASE("Cavities are parts that look inward within the one that looks outward
   CHECK(hollow.corners == 24);
   CHECK(hollow.patches == 18);
   CHECK(certificate_of(blocks(box_without({3, 3, 3}, {{1, 1, 1}}))).cavities == 1);
-  CHECK(mentions(cubes({{0, 9, false}, {1, 2, false}}), "2 components look outward"));
+  CHECK(mentions(cubes({{0, 9, false}, {1, 2, false}}), "2 components are outward-oriented"));
   CHECK(mentions(cubes({{0, 9, true}, {1, 2, true}}), "inside out"));
   CHECK(mentions(cubes({{0, 9, false}, {10, 2, true}}), "inside or outside already"));
   CHECK(mentions(cubes({{0, 9, false}, {1, 6, true}, {2, 1, true}}), "inside or outside already"));
@@ -204,7 +204,7 @@ TEST_CASE("Cavities are parts that look inward within the one that looks outward
 }
 
 TEST_CASE("A double cover of a cube's surface is refused") {
-  // A branched cover: a square tube around twice, closed by caps whose centres the triangles go around twice.
+  // A branched cover: a square tube around twice, closed by caps whose centers the triangles go around twice.
   mesh::Mesh m;
   const std::array<std::array<double, 2>, 4> square = {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}};
   for (const double z : {0.0, 2.0}) {

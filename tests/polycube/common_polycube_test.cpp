@@ -1,5 +1,5 @@
 // One polycube for several shapes: maps of space through points, the sum of energies, drawings that follow a map.
-#include "polycube/common_polycube.h"
+#include "polycube/domain/common_polycube.h"
 
 #include <doctest/doctest.h>
 
@@ -9,8 +9,8 @@
 #include <random>
 
 #include "blocks.h"
-#include "mesh/nearest.h"
-#include "polycube/drawn_construction.h"
+#include "mesh/search/nearest.h"
+#include "polycube/layout/drawn_construction.h"
 #include "shapes.h"
 
 using namespace orbicube;
@@ -117,7 +117,7 @@ TEST_CASE("The best proportions for one map are those that it has alone") {
     CHECK((one.polycube[v] - alone.polycube[v]).norm() < 1e-6);
 }
 
-TEST_CASE("Two shapes share the proportions that minimise the sum of their energies") {
+TEST_CASE("Two shapes share the proportions that minimize the sum of their energies") {
   const mesh::Mesh cube = test::blocks(test::box_without({2, 2, 2}));
   mesh::Mesh tall = cube, wide = cube;
   for (Vector3& p : tall.positions)

@@ -1,4 +1,4 @@
-// The best places for corners: regions that are unfolded rightly, derivatives, edges that are drawn again without
+// The best positions for corners: regions that are unfolded rightly, derivatives, edges that are drawn again without
 // changing the map, optima that are known, and maps that stay valid.
 #include <doctest/doctest.h>
 
@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "blocks.h"
-#include "polycube/corner_cut.h"
-#include "polycube/optimal_corners.h"
-#include "polycube/voxel_construction.h"
+#include "polycube/corners/corner_cut.h"
+#include "polycube/corners/optimal_corners.h"
+#include "polycube/voxels/voxel_construction.h"
 #include "shapes.h"
 
 using namespace orbicube;

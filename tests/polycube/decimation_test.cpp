@@ -1,5 +1,5 @@
 // Surfaces decimated and brought back, with labels and with maps.
-#include "polycube/decimation.h"
+#include "polycube/surface/decimation.h"
 
 #include <doctest/doctest.h>
 
@@ -7,14 +7,14 @@
 #include <cmath>
 
 #include "blocks.h"
-#include "mesh/make_shape.h"
-#include "mesh/topology.h"
-#include "polycube/certificate.h"
-#include "polycube/distortion.h"
-#include "polycube/label_repair.h"
-#include "polycube/label_smoothing.h"
-#include "polycube/map_refinement.h"
-#include "polycube/refinement.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/topology.h"
+#include "polycube/labels/label_repair.h"
+#include "polycube/labels/label_smoothing.h"
+#include "polycube/map/certificate.h"
+#include "polycube/map/map_refinement.h"
+#include "polycube/surface/distortion.h"
+#include "polycube/surface/refinement.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -47,7 +47,7 @@ Array<AxisLabel> good_labels(const Surface& surface, double compactness) {
   return labels;
 }
 
-// What must not change: charts by label, loops, corners.
+// What must not change: patches by label, loops, corners.
 struct Combinatorics {
   Combinatorics(const Surface& surface, std::span<const AxisLabel> labels)
       : charts(find_charts(surface, labels, host)), faults(find_faults(surface, charts)) {
@@ -91,7 +91,7 @@ TEST_CASE("Every surface on the way down is a closed manifold of the same genus,
   }
 }
 
-TEST_CASE("Labels that come back with the triangles, and smoothed ones, have the charts, loops and corners they had") {
+TEST_CASE("Labels that come back with the triangles, and smoothed ones, have the patches, loops and corners they had") {
   for (const char* name : {"bracket", "torus", "creature"}) {
     const mesh::Mesh m = mesh::make_shape(name, {.triangles = 4000, .seed = 2}, host);
     const Surface surface = surface_of(m);
@@ -112,7 +112,7 @@ TEST_CASE("Labels that come back with the triangles, and smoothed ones, have the
   }
 }
 
-TEST_CASE("Decimation with labels keeps charts and makes no chords") {
+TEST_CASE("Decimation with labels keeps patches and makes no chords") {
   const mesh::Mesh m = mesh::make_shape("bracket", {.triangles = 4000, .seed = 2}, host);
   const Surface surface = surface_of(m);
   SurfaceMap map = unrefined(m.positions, m.triangles, good_labels(surface, 0.02), host);

@@ -10,9 +10,9 @@
 
 #include "base/error.h"
 #include "blocks.h"
-#include "mesh/make_shape.h"
-#include "polycube/optimal_domain.h"
-#include "polycube/voxel_construction.h"
+#include "mesh/shapes/make_shape.h"
+#include "polycube/domain/optimal_domain.h"
+#include "polycube/voxels/voxel_construction.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -161,7 +161,7 @@ TEST_CASE("A stretched box gets the box's proportions, an isometry, whatever is 
   }
 }
 
-TEST_CASE("Layers that are no neighbours in space share their slabs, and an isometry with them is found again") {
+TEST_CASE("Layers that are no neighbors in space share their slabs, and an isometry with them is found again") {
   // An L with a notch, stretched slab by slab.
   const std::vector<test::Cell> cells = test::box_without({4, 3, 2}, {{3, 2, 0}, {3, 2, 1}, {0, 1, 1}, {2, 0, 0}});
   SurfaceMap map = stretched(cells, {1, 1, 1});
@@ -215,7 +215,7 @@ TEST_CASE("From other starts, and in lengths as in logarithms, the same energy i
 }
 
 TEST_CASE(
-    "Maps stay valid and keep their area and centre, energies never rise, and bits are the same for all threads") {
+    "Maps stay valid and keep their area and center, energies never rise, and bits are the same for all threads") {
   for (const DomainMeasure measure : measures) {
     SurfaceMap map = creature();
     const Vector3 size = extent(map.polycube);
@@ -239,7 +239,7 @@ TEST_CASE(
     CHECK(area_of(map.polycube, map.triangles) == doctest::Approx(area).epsilon(1e-12));
     CHECK((extent(map.polycube) - size).norm() > 1e-3);
     // There is hardly anything left to gain: the solver stops at a small gradient, and in logarithms that of a thin
-    // layer is small long before its thickness is found. A start from positions rounds lengths once more.
+    // layer is small long before its thickness is found. A start from positions rounds lengths again.
     const OptimalDomain once_more = optimise_domain(map, {.measure = measure}, host);
     CHECK(once_more.energies.back() <= found.energies.back() * (1 + 1e-14));
     CHECK(once_more.energies.back() == doctest::Approx(found.energies.back()).epsilon(1e-5));

@@ -1,15 +1,15 @@
 // Features that are met: points and curves exactly where they must be, ties by their weights, sharp edges on edges of
 // the polycube, and refusals that leave the map as it was.
-#include "polycube/features.h"
+#include "polycube/features/features.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "mesh/nearest.h"
-#include "polycube/construction.h"
-#include "polycube/patch_graph.h"
+#include "mesh/search/nearest.h"
+#include "polycube/map/construction.h"
+#include "polycube/outputs/patch_graph.h"
 #include "shapes.h"
 
 using namespace orbicube;
@@ -110,7 +110,7 @@ TEST_CASE("Curves are mapped to lines in faces and to edges of the polycube, in 
   for (const bool on_edge : {false, true}) {
     CAPTURE(on_edge);
     SurfaceMap map = before;
-    // Vertices nearest to places along a line that is bent against the one that is asked for.
+    // Vertices nearest to places along a line that is bent against the target.
     std::vector<Index> vertices;
     const double side = on_edge ? 0.93 : 0.5;
     for (double part = 0.1; part < 0.95; part += 0.2) {

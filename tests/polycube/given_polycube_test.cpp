@@ -1,5 +1,5 @@
 // Polycubes that are given: read from meshes and loops, refused when they are none, drawn on surfaces.
-#include "polycube/given_polycube.h"
+#include "polycube/layout/given_polycube.h"
 
 #include <doctest/doctest.h>
 
@@ -12,8 +12,8 @@
 
 #include "base/error.h"
 #include "blocks.h"
-#include "polycube/drawn_construction.h"
-#include "polycube/layout.h"
+#include "polycube/layout/drawn_construction.h"
+#include "polycube/layout/layout.h"
 #include "shapes.h"
 
 using namespace orbicube;
@@ -169,7 +169,7 @@ TEST_CASE("A surface is mapped to the very polycube that is given") {
   }
 }
 
-TEST_CASE("Corners go where they are told to") {
+TEST_CASE("Corners go to their targets") {
   const mesh::Mesh m = shape("sphere", 1500);
   const TargetPolycube target = target_of(test::box_without({2, 2, 2}));
   // A box on its corner, as it were: turned by 45 degrees about z, and one corner at a point within a triangle.

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <random>
 
-#include "mesh/topology.h"
-#include "polycube/map_improvement.h"
-#include "polycube/patch_graph.h"
-#include "polycube/polycube_edges.h"
-#include "polycube/unfolded_smoothing.h"
-#include "polycube/voxel_construction.h"
+#include "mesh/topology/topology.h"
+#include "polycube/outputs/patch_graph.h"
+#include "polycube/unfolded/map_improvement.h"
+#include "polycube/unfolded/polycube_edges.h"
+#include "polycube/unfolded/unfolded_smoothing.h"
+#include "polycube/voxels/voxel_construction.h"
 #include "shapes.h"
 
 using namespace orbicube;
@@ -170,7 +170,8 @@ TEST_CASE("Improving never makes a map worse, and its proof is that of the map")
   }
 }
 
-TEST_CASE("Without other proportions the polycube stays to the bit, and corners that are held stay at their vertices") {
+TEST_CASE(
+    "Without other proportions the polycube stays to the bit, and corners that are fixed stay at their vertices") {
   const mesh::Mesh m = shape("creature", 700);
   const Construction made = by_voxels(m, 24);
   const auto vertex_at = [](const SurfaceMap& map, const Vector3& place) {

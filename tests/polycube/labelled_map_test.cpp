@@ -1,4 +1,4 @@
-// Maps of labelled surfaces. A polycube is its own best map, so the optimum is known: no distortion at all.
+// Maps of labeled surfaces. A polycube is its own best map, so the optimum is known: no distortion at all.
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
@@ -6,17 +6,17 @@
 
 #include "base/error.h"
 #include "blocks.h"
-#include "mesh/make_shape.h"
-#include "mesh/topology.h"
-#include "polycube/distortion.h"
-#include "polycube/label_construction.h"
-#include "polycube/label_search.h"
-#include "polycube/labelled_map.h"
-#include "polycube/labelled_target.h"
-#include "polycube/normal_turning.h"
-#include "polycube/random.h"
-#include "polycube/refinement.h"
-#include "polycube/untangling.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/topology.h"
+#include "polycube/labels/label_construction.h"
+#include "polycube/labels/label_search.h"
+#include "polycube/labels/normal_turning.h"
+#include "polycube/map/labelled_map.h"
+#include "polycube/map/labelled_target.h"
+#include "polycube/map/untangling.h"
+#include "polycube/surface/distortion.h"
+#include "polycube/surface/random.h"
+#include "polycube/surface/refinement.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -36,7 +36,7 @@ std::vector<mesh::Mesh> shapes() {
 
 }  // namespace
 
-TEST_CASE("A labelled polycube is mapped to itself") {
+TEST_CASE("A labeled polycube is mapped to itself") {
   for (const mesh::Mesh& m : shapes()) {
     const Certificate own = certify(m.positions, m.triangles, host);
     SurfaceMap map = unrefined(m.positions, m.triangles, own.labels, host);
@@ -73,7 +73,7 @@ TEST_CASE("Scrambled positions are untangled") {
       for (std::size_t axis = 0; axis < 3; ++axis)
         tied.value[tied.variable[v][axis]] = positions[v][static_cast<Eigen::Index>(axis)];
     }
-    // By less than half a cell, so that charts keep their order; most triangles are turned over at first.
+    // By less than half a cell, so that patches keep their order; most triangles are flipped at first.
     for (double& x : tied.value)
       x += 0.8 * frame.scale * (random.unit() - 0.5);
     Untangling untangling(tied, host);
@@ -88,7 +88,7 @@ TEST_CASE("Scrambled positions are untangled") {
   }
 }
 
-TEST_CASE("A map with triangles turned over is drawn anew, with its corners where they are") {
+TEST_CASE("A map with triangles flipped is drawn again, with its corners where they are") {
   for (const std::vector<test::Cell>& cells :
        {box_without({2, 2, 2}), box_without({3, 3, 1}, {{2, 2, 0}}), box_without({5, 5, 1}, {{2, 2, 0}})}) {
     const mesh::Mesh m = blocks(cells);
@@ -97,7 +97,7 @@ TEST_CASE("A map with triangles turned over is drawn anew, with its corners wher
     map.polycube.assign(m.positions.begin(), m.positions.end());
     const Surface surface(Array<Vector3>(map.positions), Array<Triangle>(map.triangles), host);
     const Charts charts = find_charts(surface, map.labels, host);
-    // One vertex inside a face goes past its neighbours.
+    // One vertex inside a face goes past its neighbors.
     Index moved = 0;
     while (charts.valence[moved] > 0)
       ++moved;
@@ -110,8 +110,13 @@ TEST_CASE("A map with triangles turned over is drawn anew, with its corners wher
     CHECK(drawn.certificate.patches == own.patches);
     CHECK(drawn.certificate.genus == own.genus);
     CHECK(std::equal(m.positions.begin(), m.positions.end(), drawn.map.positions.begin()));
-    for (Index v = 0; v < m.positions.size(); ++v)
-      if (charts.is_corner(v)) CHECK(drawn.map.polycube[v] == m.positions[v]);
+    std::size_t corners = 0;
+    for (Index v = 0; v < m.positions.size(); ++v) {
+      if (!charts.is_corner(v)) continue;
+      CHECK(drawn.map.polycube[v] == m.positions[v]);
+      ++corners;
+    }
+    CHECK(corners == own.corners);
   }
 }
 
@@ -159,7 +164,7 @@ TEST_CASE("Normals of a bent bar are turned towards the axes, those of a straigh
     CHECK(n.norm() == doctest::Approx(1));
 }
 
-TEST_CASE("Labels lose their smallest charts until a budget of corners is kept") {
+TEST_CASE("Labels lose their smallest patches until a budget of corners is kept") {
   std::vector<test::Cell> cells = box_without({6, 6, 2});
   cells.push_back({2, 2, 2});
   const mesh::Mesh m = blocks(cells);

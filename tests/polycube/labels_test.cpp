@@ -1,14 +1,14 @@
-// Charts, graph cuts and repairs of labels.
+// Patches, graph cuts and repairs of labels.
 #include <doctest/doctest.h>
 
 #include <cmath>
 
 #include "blocks.h"
-#include "mesh/make_shape.h"
-#include "polycube/certificate.h"
-#include "polycube/label_repair.h"
-#include "polycube/random.h"
-#include "polycube/refinement.h"
+#include "mesh/shapes/make_shape.h"
+#include "polycube/labels/label_repair.h"
+#include "polycube/map/certificate.h"
+#include "polycube/surface/random.h"
+#include "polycube/surface/refinement.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;
@@ -25,7 +25,7 @@ Surface surface_of(const mesh::Mesh& m) {
 
 }  // namespace
 
-TEST_CASE("Charts of a plate with a hole: two with a hole each, no faults") {
+TEST_CASE("Patches of a plate with a hole: two with a hole each, no faults") {
   const mesh::Mesh m = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));
   const Certificate certificate = certify(m.positions, m.triangles, host);
   const Surface surface = surface_of(m);

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "blocks.h"
-#include "polycube/certificate.h"
-#include "polycube/distorted_regions.h"
-#include "polycube/label_construction.h"
+#include "polycube/labels/label_construction.h"
+#include "polycube/map/certificate.h"
+#include "polycube/map/distorted_regions.h"
 #include "shapes.h"
 
 using namespace orbicube;
@@ -20,12 +20,12 @@ namespace {
 const base::Host host;
 constexpr int side = 18;
 
-// A horn on the upper face of a cube, of a cone's form.
+// A protrusion on the upper face of a cube, of a cone's form.
 double height(const Vector3& p, double x, double y, double radius, double length) {
   return p.z() < side ? 0 : length * std::max(0.0, 1 - std::hypot(p.x() - x, p.y() - y) / radius);
 }
 
-// The map of a cube with two horns to the cube.
+// The map of a cube with two protrusions to the cube.
 SurfaceMap horned(double long_one, double short_one) {
   const mesh::Mesh cube = blocks(box_without({side, side, side}));
   SurfaceMap map;
@@ -39,7 +39,7 @@ SurfaceMap horned(double long_one, double short_one) {
 
 }  // namespace
 
-TEST_CASE("Horns on a face are distorted regions, with their tips, and the cube below is none") {
+TEST_CASE("Protrusions on a face are distorted regions, with their tips, and the cube below is none") {
   const SurfaceMap map = horned(12, 8);
   const Surface surface(Array<Vector3>(map.positions), Array<Triangle>(map.triangles), host);
   const DistortedRegions regions = find_distorted_regions(surface, map, host);
@@ -69,7 +69,7 @@ TEST_CASE("Spikes of a star get boxes of their own" * doctest::test_suite("long"
   Construction made = construct_by_labels(star.positions, star.triangles, {}, host);
   CHECK(made.certificate.valid());
   CHECK(certify(made.map, host).valid());
-  // Labelled in one piece alone its best polycube has 42 corners and a product of 1.60.
+  // Labeled in one piece alone its best polycube has 42 corners and a product of 1.60.
   CHECK(made.certificate.corners > 42);
   CHECK(made.distortion.angle_weighted_mean * made.distortion.area_weighted_mean < 1.5);
 }

@@ -8,10 +8,10 @@
 #include <set>
 
 #include "blocks.h"
-#include "mesh/predicates.h"
-#include "polycube/certificate.h"
-#include "polycube/construction.h"
-#include "polycube/quad_mesh.h"
+#include "mesh/search/predicates.h"
+#include "polycube/map/certificate.h"
+#include "polycube/map/construction.h"
+#include "polycube/outputs/quad_mesh.h"
 #include "shapes.h"
 
 using namespace orbicube;
@@ -134,7 +134,7 @@ void check_quads(const SurfaceMap& map, const QuadMesh& mesh) {
 
 }  // namespace
 
-TEST_CASE("A box has eight corners, twelve convex edges and six patches with four neighbours each") {
+TEST_CASE("A box has eight corners, twelve convex edges and six patches with four neighbors each") {
   const SurfaceMap map = identity(test::blocks(test::box_without({2, 3, 4})));
   const PatchGraph graph = make_patch_graph(map, host);
   CHECK(graph.corners.size() == 8);
@@ -165,7 +165,7 @@ TEST_CASE("A tunnel has concave edges along it and makes holes in the patches at
   CHECK(std::count(steps.convex.begin(), steps.convex.end(), 0) == 5);
 }
 
-TEST_CASE("Grids have integer cells between layers, one at least, near to the number that is asked for") {
+TEST_CASE("Grids have integer cells between layers, at least one, near to the number that is requested") {
   const PatchGraph box = make_patch_graph(identity(test::blocks(test::box_without({2, 3, 4}))), host);
   const PolycubeGrid grid = make_grid(box, {.edge_length = 0.5}, host);
   CHECK(grid.cells[0] == Array<Index>{4});

@@ -1,7 +1,7 @@
 // Surfaces for the tests of constructions.
 #pragma once
 
-#include "mesh/make_shape.h"
+#include "mesh/shapes/make_shape.h"
 
 namespace orbicube::test {
 

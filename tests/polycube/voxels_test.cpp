@@ -5,15 +5,15 @@
 #include <random>
 
 #include "blocks.h"
-#include "mesh/make_shape.h"
-#include "mesh/topology.h"
-#include "polycube/grid_rectangles.h"
-#include "polycube/layout.h"
-#include "polycube/local_thickness.h"
-#include "polycube/occupancy.h"
-#include "polycube/simplification.h"
-#include "polycube/voxel_solid.h"
-#include "polycube/voxelisation.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/topology.h"
+#include "polycube/layout/layout.h"
+#include "polycube/voxels/grid_rectangles.h"
+#include "polycube/voxels/local_thickness.h"
+#include "polycube/voxels/occupancy.h"
+#include "polycube/voxels/simplification.h"
+#include "polycube/voxels/voxel_solid.h"
+#include "polycube/voxels/voxelisation.h"
 
 using namespace orbicube;
 using namespace orbicube::polycube;

@@ -181,7 +181,7 @@ TEST_CASE("A host that cancels gets the best point so far") {
   });
 }
 
-TEST_CASE("What is not asked for cannot be told") {
+TEST_CASE("A value without a request is refused") {
   const Case problem = hock_schittkowski(1.5);
   const base::Host host;
   Solver solver(problem.constraints.problem(), {}, problem.start, host);

@@ -34,10 +34,10 @@ struct Case {
 struct Run {
   Result result;
   std::vector<double> x;
-  std::vector<std::vector<double>> asked;  // every point at which f was asked for
+  std::vector<std::vector<double>> asked;  // every point at which f was requested
 };
 
-// Answers requests until the end, and answers what was asked from here on; gives up where a run would not end.
+// Fulfils requests until the end, and returns the queried points from here on; gives up where a run would not end.
 inline Run drive(Solver& solver, const Function& function) {
   Run run;
   std::vector<double> gradient(solver.size());

@@ -80,7 +80,7 @@ TEST_CASE("The nearest element is the one that a search over all 24 finds, of an
     CHECK(nearest_cube_rotation(cube_group.element[a]) == a);
 }
 
-TEST_CASE("The distance of frames is the least angle over the group") {
+TEST_CASE("The distance of frames is the smallest angle over the group") {
   std::mt19937_64 random(12);
   const auto searched = [](const Quaternion& p, const Quaternion& q) {
     double least = 10;

@@ -34,7 +34,7 @@ TEST_CASE("The product is Hamilton's: i j = k, and it is associative with length
   }
 }
 
-TEST_CASE("Inverse and normalisation work for every length that a double has") {
+TEST_CASE("Inverse and normalization work for every length that a double has") {
   std::mt19937_64 random(2);
   for (const double size : {1e-320, 1e-300, 1e-160, 1e-3, 1.0, 1e100, 1e160, 1e300}) {
     const Quaternion u = random_rotation(random);

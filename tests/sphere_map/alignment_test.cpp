@@ -1,5 +1,5 @@
 // Rotations and warps between the spheres of two shapes.
-#include "sphere_map/alignment.h"
+#include "sphere_map/correspondence/alignment.h"
 
 #include <doctest/doctest.h>
 
@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/error.h"
-#include "sphere_map/correspondence.h"
-#include "sphere_map/landmark_flow.h"
+#include "sphere_map/correspondence/correspondence.h"
+#include "sphere_map/correspondence/landmark_flow.h"
 #include "uneven_maps.h"
 
 using namespace orbicube;

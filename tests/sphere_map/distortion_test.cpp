@@ -1,5 +1,5 @@
 // The energy against its definition, and its derivatives against finite differences.
-#include "sphere_map/distortion.h"
+#include "sphere_map/optimization/distortion.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "sphere_map/vertex_step.h"
+#include "sphere_map/optimization/vertex_step.h"
 
 using namespace orbicube::sphere_map;
 
@@ -71,7 +71,7 @@ TEST_CASE("D, N and d of a triangle are the sums of eq. 3.3 and 3.4") {
   }
 }
 
-TEST_CASE("The isometric and the dilatation terms are what singular values say") {
+TEST_CASE("The isometric and the quasi-conformal distortion terms are what singular values say") {
   // A right triangle with legs 1 and 1, mapped to one with legs s1 and s2 that is small, so that d is nearly 1.
   const double s1 = 3e-3;
   const double s2 = 1e-3;
@@ -94,7 +94,7 @@ TEST_CASE("Partial derivatives by D, N and M agree with finite differences") {
   RandomTriangles random;
   const Energy energy = every_term();
   const auto value = [&](const TriangleShape& shape, double D, double N, double M, double d2) {
-    // The energy as a function of the three, written out once more.
+    // The energy as a function of the three, written out again.
     const Weights& w = energy.weights;
     const double area = shape.area * energy.area_scale;
     const double m = D / (2 * std::sqrt(M));

@@ -1,5 +1,5 @@
 // Surfaces as images and back, in memory and through files.
-#include "sphere_map/geometry_image.h"
+#include "sphere_map/sampling/geometry_image.h"
 
 #include <doctest/doctest.h>
 
@@ -15,10 +15,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/bounding_volume_tree.h"
-#include "mesh/topology.h"
-#include "sphere_map/grids.h"
-#include "sphere_map/surface_distance.h"
+#include "mesh/search/bounding_volume_tree.h"
+#include "mesh/topology/topology.h"
+#include "sphere_map/sampling/grids.h"
+#include "sphere_map/sampling/surface_distance.h"
 #include "uneven_maps.h"
 
 using namespace orbicube;

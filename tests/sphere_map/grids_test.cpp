@@ -1,5 +1,5 @@
 // The regular triangulations of the sphere.
-#include "sphere_map/grids.h"
+#include "sphere_map/sampling/grids.h"
 
 #include <doctest/doctest.h>
 
@@ -7,8 +7,8 @@
 #include <set>
 
 #include "base/error.h"
-#include "mesh/topology.h"
-#include "sphere_map/measure.h"
+#include "mesh/topology/topology.h"
+#include "sphere_map/optimization/measure.h"
 
 using namespace orbicube;
 using sphere_map::Grid;

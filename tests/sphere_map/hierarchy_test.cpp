@@ -7,13 +7,13 @@
 #include <cmath>
 #include <set>
 
-#include "mesh/predicates.h"
-#include "mesh/topology.h"
+#include "mesh/search/predicates.h"
+#include "mesh/topology/topology.h"
 #include "shapes.h"
-#include "sphere_map/bucket_queue.h"
-#include "sphere_map/decimation.h"
-#include "sphere_map/spherical_kernel.h"
-#include "sphere_map/vertex_step.h"
+#include "sphere_map/hierarchy/bucket_queue.h"
+#include "sphere_map/hierarchy/decimation.h"
+#include "sphere_map/hierarchy/spherical_kernel.h"
+#include "sphere_map/optimization/vertex_step.h"
 
 using namespace orbicube;
 using namespace orbicube::sphere_map;
@@ -144,7 +144,7 @@ TEST_CASE("The centroid of a kernel sees its whole ring, also of a ring that is 
     for (int i = 0; i < n; ++i) {
       const double angle = 2 * M_PI * (i + 0.8 * uniform(random)) / n;
       const double radius = size * (i == 0 ? 0 : 0.3 + uniform(random));
-      // The first vertex, which the new one is split from, is at the centre of the others.
+      // The first vertex, which the new one is split from, is at the center of the others.
       directions.push_back(Vector3(radius * std::cos(angle), radius * std::sin(angle), 1).normalized());
       ring.push_back(static_cast<Index>(i));
     }
@@ -160,7 +160,7 @@ TEST_CASE("The centroid of a kernel sees its whole ring, also of a ring that is 
   CHECK(found > 500);
 }
 
-TEST_CASE("The centroid of a regular ring is its centre, of a ring with a clockwise corner nothing") {
+TEST_CASE("The centroid of a regular ring is its center, of a ring with a clockwise corner nothing") {
   KernelPolygon polygon(memory);
   std::vector<Vector3> directions;
   std::vector<Index> ring;

@@ -1,5 +1,5 @@
-// The inverse map: exactness, the rule for borders, uneven maps, the same answers on threads.
-#include "sphere_map/locator.h"
+// The inverse map: exactness, the rule for borders, uneven maps, the same results on threads.
+#include "sphere_map/sampling/locator.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 #include "shapes.h"
 #include "uneven_maps.h"
 

@@ -1,5 +1,5 @@
 // Figures of maps that are known.
-#include "sphere_map/measure.h"
+#include "sphere_map/optimization/measure.h"
 
 #include <doctest/doctest.h>
 
@@ -42,7 +42,7 @@ TEST_CASE("The identity of a fine sphere has no distortion") {
   CHECK(faces.dilatation.size() == s.triangles.size());
 }
 
-TEST_CASE("The normalised positions of an ellipsoid have the dilatation that its axes say") {
+TEST_CASE("The normalized positions of an ellipsoid have the quasi-conformal distortion that its axes say") {
   // Seen from the poles, the ellipsoid x^2 + y^2 + (z / 2)^2 = 1 is round; at the equator z is stretched by 2.
   test::Surface s = test::sphere(5);
   const std::vector<Vector3> directions = s.positions;

@@ -1,5 +1,5 @@
 // Newton's method on a whole level: its Hessian is right when it converges as Newton's method does.
-#include "sphere_map/newton.h"
+#include "sphere_map/optimization/newton.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 #include "shapes.h"
 #include "sphere_map/sphere_map.h"
 

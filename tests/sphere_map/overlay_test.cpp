@@ -1,5 +1,5 @@
 // One triangulation with the vertices of several maps.
-#include "sphere_map/overlay.h"
+#include "sphere_map/correspondence/overlay.h"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/bounding_volume_tree.h"
-#include "mesh/topology.h"
+#include "mesh/search/bounding_volume_tree.h"
+#include "mesh/topology/topology.h"
 #include "shapes.h"
-#include "sphere_map/correspondence.h"
-#include "sphere_map/surface_distance.h"
+#include "sphere_map/correspondence/correspondence.h"
+#include "sphere_map/sampling/surface_distance.h"
 #include "uneven_maps.h"
 
 using namespace orbicube;
@@ -71,7 +71,7 @@ TEST_CASE("An overlay has the vertices of all maps, is a positive sphere, and ke
   CHECK(d.from_second.largest < 1e-12);
 }
 
-TEST_CASE("Refinement brings the other shape as near as is wanted and leaves the first as it is") {
+TEST_CASE("Refinement brings the other shape as near as is requested and leaves the first as it is") {
   const test::MappedShape a = test::mapped("blob", 1000);
   const test::MappedShape b = test::mapped("star", 2500);
   const sphere_map::Locator locator_a(a.surface.triangles, a.directions, base::Host());

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 #include "shapes.h"
 #include "sphere_map/sphere_map.h"
 
@@ -60,14 +60,14 @@ void check_partial(const Surface& s, const Partial& partial) {
 
 }  // namespace
 
-TEST_CASE("What is kept of a map that is stopped has no triangle turned over, and is a bijection once all are placed") {
+TEST_CASE("What is kept of a map that is stopped has no triangle flipped, and is a bijection once all are placed") {
   const Surface s = test::creature(4);
   for (const Method method : {Method::balanced, Method::seed}) {
     Options options;
     options.method = method;
     const Stopped whole = stopped(s, options, 1'000'000);
     REQUIRE(whole.finished);
-    CHECK(whole.partial.directions.empty());  // the map itself is the answer
+    CHECK(whole.partial.directions.empty());  // the map itself is the result
     std::size_t placed = 0;
     bool partly = false;
     for (std::size_t i = 1; i <= 12; ++i) {

@@ -1,5 +1,5 @@
 // A shape's map on the common sphere: exact signs, whatever the warp does.
-#include "sphere_map/placement.h"
+#include "sphere_map/correspondence/placement.h"
 
 #include <doctest/doctest.h>
 
@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/topology.h"
-#include "sphere_map/landmark_flow.h"
-#include "sphere_map/measure.h"
+#include "mesh/topology/topology.h"
+#include "sphere_map/correspondence/landmark_flow.h"
+#include "sphere_map/optimization/measure.h"
 #include "uneven_maps.h"
 
 using namespace orbicube;
@@ -46,7 +46,7 @@ double area(std::span<const Vector3> x, std::span<const Triangle> triangles) {
 
 }  // namespace
 
-TEST_CASE("A map that a warp would turn over in places is placed one to one, and its surface stays as it is") {
+TEST_CASE("A map that a warp would flip in places is placed one to one, and its surface stays as it is") {
   std::size_t turned_over = 0;
   for (const std::size_t size : {300U, 1500U}) {
     const test::MappedShape shape = test::mapped("creature", size);

@@ -1,5 +1,5 @@
 // Maps that are stored with fewer bits than they were computed with.
-#include "sphere_map/rounding.h"
+#include "sphere_map/sampling/rounding.h"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "shapes.h"
-#include "sphere_map/measure.h"
+#include "sphere_map/optimization/measure.h"
 #include "sphere_map/sphere_map.h"
 
 using namespace orbicube;
@@ -26,7 +26,7 @@ TEST_CASE("A map rounded to float32 holds floats and is a bijection by exact ari
   }
 }
 
-TEST_CASE("Triangles that a coarse grid turns over are repaired on the grid") {
+TEST_CASE("Triangles that a coarse grid flips are repaired on the grid") {
   const test::Surface s = test::creature(4);
   const auto map = compute(s.positions, s.triangles, {}, base::Host());
   const double grid = 1.0 / 24;
@@ -45,7 +45,7 @@ TEST_CASE("Triangles that a coarse grid turns over are repaired on the grid") {
     CHECK(repaired.directions[v] == coarse(v, repaired.directions[v]));
 }
 
-TEST_CASE("Slack leaves room: every vertex may move by it and no triangle turns over") {
+TEST_CASE("Slack leaves room: every vertex may move by it and no triangle flips") {
   const test::Surface s = test::creature(3);
   const auto map = compute(s.positions, s.triangles, {}, base::Host());
   const double slack = 1e-4;

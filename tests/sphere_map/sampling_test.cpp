@@ -1,5 +1,5 @@
 // Values sampled through the inverse of a map.
-#include "sphere_map/sampling.h"
+#include "sphere_map/sampling/sampling.h"
 
 #include <doctest/doctest.h>
 

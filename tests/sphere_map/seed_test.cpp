@@ -1,5 +1,5 @@
 // The dissertation's own method: its search against finite differences, and its maps as a whole.
-#include "sphere_map/seed.h"
+#include "sphere_map/dissertation/seed.h"
 
 #include <doctest/doctest.h>
 
@@ -11,9 +11,9 @@
 
 #include "base/error.h"
 #include "shapes.h"
-#include "sphere_map/measure.h"
-#include "sphere_map/normalise.h"
-#include "sphere_map/seed_step.h"
+#include "sphere_map/dissertation/seed_step.h"
+#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/optimization/measure.h"
 
 using namespace orbicube;
 using namespace orbicube::sphere_map;
@@ -25,7 +25,7 @@ constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 Array<Vector3> seed_map(const Surface& s, const seed::SeedOptions& options = {}) {
   const base::Host host;
-  return seed::compute(normalised(s.positions, host.memory), s.triangles, options, host);
+  return seed::compute(normalised(s.positions, s.triangles, host.memory), s.triangles, options, host);
 }
 
 Measurement measured(const Surface& s, std::span<const Vector3> directions) {
@@ -64,7 +64,8 @@ Star star(std::mt19937& random, double radius) {
 
 }  // namespace
 
-TEST_CASE("The seed's priority is the length of the energy's tangent gradient times the mean distance to the ring") {
+TEST_CASE(
+    "The dissertation's priority is the length of the energy's tangent gradient times the mean distance to the ring") {
   std::mt19937 random(7);
   for (const double radius : {0.02, 0.5, 1.2}) {
     for (int trial = 0; trial < 20; ++trial) {
@@ -115,7 +116,7 @@ TEST_CASE("The great-circle search lowers the energy by what it says, stays on t
   CHECK(moved > 500);
 }
 
-TEST_CASE("The great-circle search does not raise a dilatation above its bound") {
+TEST_CASE("The great-circle search does not raise a quasi-conformal distortion above its bound") {
   std::mt19937 random(13);
   for (int trial = 0; trial < 50; ++trial) {
     Star s = star(random, 0.3);
@@ -161,7 +162,8 @@ TEST_CASE("Surfaces with triangles without area get a map from the seed too") {
   CHECK(measured(s, seed_map(s)).bijective);
 }
 
-TEST_CASE("The seed's trace is the energy of the map that it ends with, and falls while the mesh stays the same") {
+TEST_CASE(
+    "The dissertation's trace is the energy of the map that it ends with, and falls while the mesh stays the same") {
   const Surface s = test::creature(4);
   std::vector<seed::TracePoint> points;
   seed::SeedOptions options;
@@ -185,7 +187,7 @@ TEST_CASE("The seed gives the same bits each time, and other maps for other numb
   CHECK(seed_map(s, {.seed = 5}) != first);
 }
 
-TEST_CASE("The seed's weights shift its map from areas to angles") {
+TEST_CASE("The dissertation's weights shift its map from areas to angles") {
   const Surface s = test::creature(4);
   const Measurement areas = measured(s, seed_map(s, {.angle_weight = 0.01}));
   const Measurement angles = measured(s, seed_map(s, {.angle_weight = 1, .area_weight = 0.01}));
@@ -205,7 +207,7 @@ TEST_CASE("The seed refuses options that mean nothing, and can be cancelled") {
   base::Host host;
   host.on_progress = [](const base::Progress&) { return false; };
   try {
-    seed::compute(normalised(s.positions, host.memory), s.triangles, {}, host);
+    seed::compute(normalised(s.positions, s.triangles, host.memory), s.triangles, {}, host);
     FAIL("not cancelled");
   } catch (const base::Error& e) {
     CHECK(std::string(e.kind()) == "cancelled");

@@ -12,7 +12,7 @@
 
 #include "base/error.h"
 #include "shapes.h"
-#include "sphere_map/measure.h"
+#include "sphere_map/optimization/measure.h"
 
 using namespace orbicube;
 using namespace orbicube::sphere_map;
@@ -72,7 +72,7 @@ TEST_CASE("A sphere is mapped nearly onto itself: its energy is close to the lea
   CHECK(m.stretch_efficiency > 0.95);
 }
 
-TEST_CASE("Every method wins in what it minimises") {
+TEST_CASE("Every method wins in what it minimizes") {
   const Surface s = test::creature(4);
   const auto with = [&](Method method) {
     Options options;
@@ -92,7 +92,7 @@ TEST_CASE("Every method wins in what it minimises") {
     CHECK(angle_area.energy < other->energy);
   for (const Measurement* other : {&balanced, &angle_area, &isometric, &stretch})
     CHECK(conformal.energy_angle < other->energy_angle);
-  // The bound is that of smooth maps: triangles as large as those at the ends of the limbs stay above it.
+  // The bound is that of smooth maps: triangles as large as those at the ends of the protrusions stay above it.
   CHECK(conformal.energy_angle < 1.02 * 16 * std::numbers::pi);
 }
 
@@ -133,7 +133,7 @@ TEST_CASE("Quality does not depend on the order of vertices, nor on where a surf
   }
 }
 
-TEST_CASE("A surface that looks inward is mapped as it looks from outside: all triangles are clockwise") {
+TEST_CASE("A surface that is inward-oriented is mapped as it looks from outside: all triangles are clockwise") {
   Surface s = test::creature(3);
   for (Triangle& t : s.triangles)
     std::swap(t[0], t[1]);

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "base/host.h"
-#include "mesh/make_shape.h"
-#include "sphere_map/measure.h"
+#include "mesh/shapes/make_shape.h"
+#include "sphere_map/optimization/measure.h"
 #include "sphere_map/sphere_map.h"
 
 namespace orbicube::test {

@@ -71,7 +71,7 @@ class ChargeEnergyWithHessian : public ChargeEnergy {
   }
 };
 
-// Vectors in R^d on a ring: sum of 1 - (x_i . x_j)^2 over neighbours, with the two ends of one place held by what pins
+// Vectors in R^d on a ring: sum of 1 - (x_i . x_j)^2 over neighbors, with the two ends of one place held by what pins
 // them. Least with all blocks equal up to sign.
 template <class Dimension>
 class RingEnergy {
@@ -119,7 +119,7 @@ class RingEnergy {
   std::size_t count_;
 };
 
-// The same for quaternions, each step to the best place: with two neighbours their sum or difference.
+// The same for quaternions, each step to the best place: with two neighbors their sum or difference.
 class ClosedRingEnergy : public RingEnergy<sphere_optimizer::FixedDimension<4>> {
  public:
   explicit ClosedRingEnergy(const std::vector<double>& points) : RingEnergy({}, points) {}

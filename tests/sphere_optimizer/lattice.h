@@ -10,7 +10,7 @@
 
 namespace orbicube::test {
 
-// Sum of 1 - (x_i . x_j)^2 over neighbours in a cube of side^3 quaternions: rotations that want to agree, x or -x.
+// Sum of 1 - (x_i . x_j)^2 over neighbors in a cube of side^3 quaternions: rotations that want to agree, x or -x.
 class LatticeEnergy {
  public:
   LatticeEnergy(std::size_t side, std::span<const double> points) : side_(side), points_(points) {}

@@ -31,7 +31,7 @@ double lattice_energy(std::size_t side, std::span<const double> points) {
 
 }  // namespace
 
-TEST_CASE("A million quaternions are minimised all at once without an allocation in the loop" *
+TEST_CASE("A million quaternions are minimized all at once without an allocation in the loop" *
           doctest::test_suite("long")) {
   constexpr std::size_t side = 100, count = side * side * side;
   const std::vector<double> start = lattice_start(side);

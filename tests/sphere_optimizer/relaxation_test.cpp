@@ -174,7 +174,7 @@ TEST_CASE("Values that are not finite at any one evaluation do no harm") {
       const RelaxationResult result = relaxed(Spoiled(points, bad, kind), points, options);
       CHECK(length_error({6, 3}, points) <= 2);
       CHECK(result.stop != Stop::running);
-      // A block that failed once is woken by its neighbours, unless nothing moves any more.
+      // A block that failed once is woken by its neighbors, unless nothing moves any more.
       CHECK(result.gain > 0);
     }
   }

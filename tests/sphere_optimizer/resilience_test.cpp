@@ -178,7 +178,7 @@ TEST_CASE("A host that cancels gets the best point so far") {
   });
 }
 
-TEST_CASE("What is not asked for cannot be told") {
+TEST_CASE("A value without a request is refused") {
   const Problem problem = thomson(3, 1);
   const base::Host host;
   Solver solver(problem.shape, {}, problem.start, host);

@@ -77,7 +77,7 @@ TEST_CASE("The relaxation of max-cut is solved to a certificate below 1e-6") {
   CHECK(run(problem, few).result.value > end.result.value + 1);
 }
 
-TEST_CASE("Blocks have length 1 to 2 units of the last place wherever f is asked for, in any dimension") {
+TEST_CASE("Blocks have length 1 to 2 units of the last place wherever f is requested, in any dimension") {
   for (const Method method : every_method) {
     for (const Problem& problem : {thomson(20, 2), laplacian(500, 2), maximum_cut(6, 2, 1), maximum_cut(6, 4, 1),
                                    maximum_cut(6, 7, 1), maximum_cut(4, 64, 1)}) {

@@ -54,7 +54,7 @@ TEST_CASE("What the child writes comes back whole, also when it is more than a p
   CHECK(no_child_left());
 }
 
-TEST_CASE("Exceptions are told to the child's own function before anything is unwound") {
+TEST_CASE("Exceptions reach the child's own function before anything is unwound") {
   struct Unwound {
     ~Unwound() { raise(SIGKILL); }
   };

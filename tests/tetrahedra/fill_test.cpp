@@ -1,4 +1,4 @@
-// Solids that come out of filling: that they are the surface's, exactly, and what the options ask for.
+// Solids that come out of filling: that they are the surface's, exactly, and what the options request.
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -129,7 +129,7 @@ TEST_CASE("Size and distance from the origin do not matter: powers of two give t
   check_kept(far, filled(far, {.quality = 2}));
 }
 
-TEST_CASE("Few tetrahedra are larger than asked for, and edges inside come near the length asked for") {
+TEST_CASE("Few tetrahedra are larger than requested, and edges inside come near the length requested") {
   const Surface surface = made("sphere", 500);
   const double whole = mesh::measures(surface.positions, surface.triangles, host).volume;
   for (const double part : {1e-2, 1e-3, 1e-4}) {
@@ -169,7 +169,7 @@ TEST_CASE("Few tetrahedra are larger than asked for, and edges inside come near 
   CHECK(sum / static_cast<double>(count) < 1.25 * length);
 }
 
-TEST_CASE("Most tetrahedra have the quality asked for, at the price of more vertices") {
+TEST_CASE("Most tetrahedra have the quality requested, at the price of more vertices") {
   // Not all: TetGen's last step flips and moves for better angles, and leaves what lies between edges of the surface
   // that meet at small angles, of which the triangles of a ring have many. Measured: 4 to 12 %.
   const Surface torus = made("torus", 2000);

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "mesh/intersections.h"
+#include "mesh/search/intersections.h"
 #include "shapes.h"
 
 using namespace orbicube;

@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "mesh/read.h"
+#include "mesh/files/read.h"
 #include "shapes.h"
 
 using namespace orbicube;

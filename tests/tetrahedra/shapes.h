@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/cells.h"
-#include "mesh/make_shape.h"
-#include "mesh/measures.h"
-#include "mesh/tetrahedron_quality.h"
+#include "mesh/search/measures.h"
+#include "mesh/search/tetrahedron_quality.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/cells.h"
 #include "tetrahedra/tetrahedra.h"
 
 namespace orbicube::test {
@@ -29,7 +29,7 @@ struct Surface {
       : positions(mesh.positions.begin(), mesh.positions.end()),
         triangles(mesh.triangles.begin(), mesh.triangles.end()) {}
 
-  // Adds another, scaled and moved, its triangles turned round if wanted.
+  // Adds another, scaled and moved, its triangles turned round if requested.
   void add(const Surface& other, double scale, const mesh::Vector3& shift, bool turned = false) {
     const auto first = static_cast<mesh::Index>(positions.size());
     for (const mesh::Vector3& p : other.positions)

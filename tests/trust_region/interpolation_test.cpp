@@ -16,7 +16,8 @@ namespace {
 
 // A random set of `count` points around the origin, the first of which is the best.
 Interpolation random_set(std::size_t n, std::size_t capacity, std::size_t count, std::mt19937_64& random) {
-  Interpolation set(n, capacity, std::pmr::get_default_resource());
+  Interpolation set(n, std::pmr::get_default_resource());
+  set.allocate(capacity, true);
   std::normal_distribution<double> normal;
   std::vector<double> x(n);
   set.resize(count);
@@ -183,7 +184,8 @@ TEST_CASE("With points for it, the interpolant of a quadratic is the quadratic; 
 }
 
 TEST_CASE("Points in a plane are not poised, and that is said") {
-  Interpolation set(2, 6, std::pmr::get_default_resource());
+  Interpolation set(2, std::pmr::get_default_resource());
+  set.allocate(6, true);
   set.resize(4);
   for (std::size_t j = 0; j < 4; ++j) {
     const double x[] = {static_cast<double>(j), 2 * static_cast<double>(j)};

@@ -18,13 +18,15 @@ using trust_region::Interpolation;
 using trust_region::Models;
 using trust_region::Tridiagonal;
 
-TEST_CASE("Updated point by point, the models without memory are those of least norm on the points of now") {
+TEST_CASE("Updated point by point, the models without memory are those of minimum norm on the points of now") {
   std::mt19937_64 random(3);
   std::normal_distribution<double> normal;
   const std::size_t n = 4, full = 15;
   auto* memory = std::pmr::get_default_resource();
-  Interpolation set(n, full, memory);
-  Models models(n, 1, false, {}, true, full, memory);
+  Interpolation set(n, memory);
+  Models models(n, 1, false, {}, true, memory);
+  set.allocate(full, true);
+  models.allocate(full, true);
   std::vector<double> x(n), d(n), gradient(n), hessian(n * n), work(2 * (n + full));
   const auto f = [&](const double* p) { return std::sin(p[0] + 2 * p[1]) + p[2] * p[2] * p[3] + std::exp(0.3 * p[3]); };
   std::vector<double> values(full);
@@ -79,7 +81,7 @@ TEST_CASE("Updated point by point, the models without memory are those of least 
     const auto predicted = [&](const double* step) {
       return trust_region::dot(gradient.data(), step, n) + 0.5 * trust_region::quadratic_form(hessian.data(), n, step);
     };
-    // What the least norm predicts is told as the truth: then the models without memory are the better family.
+    // What the minimum norm predicts is supplied as the truth: then the models without memory are the better family.
     for (double& entry : d)
       entry = normal(random);
     const double told = values[set.best()] + predicted(d.data());

@@ -51,7 +51,7 @@ void check_optimal(const Quadratic& q, const std::vector<double>& s, double radi
     CHECK(std::abs(residual[i] + t * s[i]) < tolerance * scale);
   CHECK(t > -tolerance * scale / radius);
   if (length < radius * (1 - 1e-8)) CHECK(std::abs(t) < tolerance * scale / radius);
-  // Cholesky of B + t I, lifted by the tolerance.
+  // Cholesky of B + t I, raised by the tolerance.
   std::vector<double> a = q.matrix;
   for (std::size_t i = 0; i < n; ++i)
     a[i * n + i] += t + 10 * tolerance * scale / radius;

@@ -55,7 +55,7 @@ TEST_CASE("A value that is not finite at any one evaluation does not keep the ru
         };
         const Run end = run(spoiled);
         CHECK(end.result.failed_evaluations <= 1);
-        // A cross is asked for at once, so that it can do without x0.
+        // A cross is requested at once, so that it can do without x0.
         if (bad == 0 && (c.residuals > 0 || c.lower.empty())) {
           CHECK(end.result.stop == Stop::evaluation_failed);
           CHECK(std::isnan(end.result.value));
@@ -72,7 +72,7 @@ TEST_CASE("A value that is not finite at any one evaluation does not keep the ru
   }
 }
 
-TEST_CASE("A function without values in half of the space is minimised in the other half") {
+TEST_CASE("A function without values in half of the space is minimized in the other half") {
   for (Case c : {rosenbrock(), as_scalar(rosenbrock())}) {
     c.function = [inner = c.function](std::span<const double> x) {
       std::vector<double> outputs = inner(x);
@@ -170,7 +170,7 @@ TEST_CASE("A host that cancels gets the best point so far") {
   });
 }
 
-TEST_CASE("What is not asked for cannot be told") {
+TEST_CASE("A value without a request is refused") {
   const Case c = rosenbrock();
   const base::Host host;
   Solver solver(c.problem(), {}, c.start, host);
@@ -181,4 +181,74 @@ TEST_CASE("What is not asked for cannot be told") {
   CHECK_THROWS_AS(solver.tell(std::vector<double>(3)), base::Error);
   solver.tell(outputs);
   CHECK_THROWS_AS(solver.tell(outputs), base::Error);
+}
+
+TEST_CASE("Room is made for what the budget allows, and results do not depend on it") {
+  struct Counting : std::pmr::memory_resource {
+    std::size_t bytes = 0;
+    void* do_allocate(std::size_t size, std::size_t alignment) override {
+      bytes += size;
+      return std::pmr::new_delete_resource()->allocate(size, alignment);
+    }
+    void do_deallocate(void* p, std::size_t size, std::size_t alignment) override {
+      std::pmr::new_delete_resource()->deallocate(p, size, alignment);
+    }
+    bool do_is_equal(const std::pmr::memory_resource& other) const noexcept override { return this == &other; }
+  };
+  for (const std::size_t n : {1000U, 5000U}) {
+    Counting memory;
+    base::Host host;
+    host.memory = &memory;
+    Case c{"distance", std::vector<double>(n, 0.0), 0, {}, 0, {}, {}, {}, {}};
+    c.function = [](std::span<const double> x) {
+      double sum = 0;
+      for (const double value : x)
+        sum += (value - 0.3) * (value - 0.3);
+      return std::vector<double>{sum};
+    };
+    Options options;
+    options.max_evaluations = 100;
+    Solver solver(c.problem(), options, c.start, host);
+    const Run end = drive(solver, c.function);
+    CHECK(end.result.stop == Stop::evaluation_budget);
+    CHECK(end.result.evaluations == 100);
+    CHECK(end.result.value < 0.09 * static_cast<double>(n));
+    CHECK(memory.bytes < 8 * n * 300);  // some points, nothing square in n
+  }
+  // A run that is cut short requests the points that a longer one begins with.
+  for (const Case& c : every_case()) {
+    const Run whole = run(c);
+    for (const std::uint64_t budget : {1U, 2U, 3U, 4U, 6U, 9U, 15U, 25U}) {
+      Options options;
+      options.max_evaluations = budget;
+      const Run few = run(c, options);
+      REQUIRE(few.asked.size() <= whole.asked.size());
+      for (std::size_t k = 0; k < few.asked.size(); ++k)
+        CHECK(few.asked[k] == whole.asked[k]);
+    }
+  }
+}
+
+TEST_CASE("Evaluations that are given make room beyond the budget, also in a run that is loaded") {
+  const Case c = as_scalar(wood());
+  const base::Host host;
+  Options options;
+  options.max_evaluations = 3;
+  Solver solver(c.problem(), options, c.start, host);
+  std::vector<std::vector<double>> points = {c.start};
+  for (std::size_t k = 0; k < c.start.size(); ++k) {
+    points.push_back(c.start);
+    points.back()[k] += 0.3;
+  }
+  for (const auto& x : points)
+    solver.give(x, c.function(x));
+  std::vector<std::byte> blob(solver.save_size());
+  solver.save(blob);
+  Solver loaded(c.problem(), Solver::options_of(blob), {}, host);
+  loaded.load(blob);
+  const Run end = drive(solver, c.function), same = drive(loaded, c.function);
+  CHECK(end.result.points > c.start.size());
+  CHECK(end.result.evaluations == 3);
+  CHECK(end.asked == same.asked);
+  CHECK(end.result.value < c.function(c.start)[0]);
 }

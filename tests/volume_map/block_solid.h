@@ -6,10 +6,10 @@
 #include <map>
 #include <vector>
 
-#include "polycube/certificate.h"
+#include "polycube/map/certificate.h"
 #include "tangled_cases.h"
-#include "volume_map/hex_meshing.h"
-#include "volume_map/volume_map.h"
+#include "volume_map/meshing/hex_meshing.h"
+#include "volume_map/solid/volume_map.h"
 
 namespace orbicube::volume_map::test {
 

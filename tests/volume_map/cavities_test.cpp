@@ -8,10 +8,10 @@
 
 #include "base/error.h"
 #include "block_solid.h"
-#include "mesh/make_shape.h"
-#include "mesh/measures.h"
-#include "volume_map/cavity_placement.h"
-#include "volume_map/solid_polycube.h"
+#include "mesh/search/measures.h"
+#include "mesh/shapes/make_shape.h"
+#include "volume_map/solid/cavity_placement.h"
+#include "volume_map/solid/solid_polycube.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -137,7 +137,7 @@ TEST_CASE(
   };
   CHECK(extent(outer + each) < 0.9 * extent(outer));
 
-  // A wall that looks inward beside the solid, not within it.
+  // A wall that is inward-oriented beside the solid, not within it.
   mesh::Mesh beside = mesh::make_shape("cube", {.triangles = 300}, host);
   const auto first = static_cast<Index>(beside.positions.size());
   for (const Vector3& p : ball.positions)

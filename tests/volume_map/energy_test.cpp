@@ -1,5 +1,6 @@
-// The foldover energy: values, gradient and the kept part of the Hessian against formulas written anew and differences.
-#include "volume_map/foldover_energy.h"
+// The foldover energy: values, gradient and the kept part of the Hessian against formulas written again and
+// differences.
+#include "volume_map/untangle/foldover_energy.h"
 
 #include <doctest/doctest.h>
 
@@ -34,7 +35,7 @@ double weight_sum(const Array<Element>& elements) {
 
 }  // namespace
 
-TEST_CASE("A rigid motion of the wanted shapes has the least energy, five times the weights") {
+TEST_CASE("A rigid motion of the target shapes has the minimum energy, five times the weights") {
   Sample s(0);
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(1, Vector3(1, 2, 2) / 3).toRotationMatrix();
   for (Vector3& p : s.start)

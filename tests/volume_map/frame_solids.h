@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "tangled_cases.h"
-#include "volume_map/framed_solid.h"
+#include "volume_map/frames/framed_solid.h"
 
 namespace orbicube::volume_map::test {
 

@@ -8,11 +8,11 @@
 #include "base/error.h"
 #include "block_solid.h"
 #include "frame_solids.h"
-#include "mesh/cells.h"
-#include "mesh/predicates.h"
-#include "volume_map/frame_energy.h"
-#include "volume_map/frame_hexes.h"
-#include "volume_map/grid_extraction.h"
+#include "mesh/search/predicates.h"
+#include "mesh/topology/cells.h"
+#include "volume_map/frames/frame_energy.h"
+#include "volume_map/frames/frame_hexes.h"
+#include "volume_map/frames/grid_extraction.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -183,7 +183,7 @@ TEST_CASE("where frames do not turn, a bar is mapped as it is, and no face is cu
   check_hexahedra(hexes);
 }
 
-TEST_CASE("frames named anew by any of the 24 rotations give the same grid") {
+TEST_CASE("frames named again by any of the 24 rotations give the same grid") {
   FramedSolid solid = framed(BlockMesh(angle, 2));
   const FrameMap plain = map_by_frames(solid, {.cell_length = 0.25}, base::Host());
   std::mt19937_64 random(6);
@@ -230,7 +230,7 @@ TEST_CASE("a cylinder has four inner curves around which cells meet in threes") 
   CHECK(made.result.quality.volume == doctest::Approx(volume).epsilon(0.03));
 }
 
-TEST_CASE("hexahedra along frames are as near to the solid as asked for, with more cells where it takes them") {
+TEST_CASE("hexahedra along frames are as near to the solid as requested, with more cells where it takes them") {
   const FramedSolid solid = cylinder(8, 4, 1.2);
   const auto made_with = [&](double distance) {
     FrameHexes made = make_hexahedra_by_frames(solid, {.cells = 120, .rounds = 10, .distance = distance}, base::Host());
@@ -241,7 +241,7 @@ TEST_CASE("hexahedra along frames are as near to the solid as asked for, with mo
   const HexResult as_it_comes = made_with(0).result;
   const double off = std::max(as_it_comes.distance, as_it_comes.volume_error);
   REQUIRE(off > 1.5);
-  // What is asked for is there already.
+  // The target is satisfied already.
   CHECK(made_with(1.1 * off).result.mesh.positions == as_it_comes.mesh.positions);
   const HexResult near = made_with(1).result;
   CHECK(near.distance <= 1);
@@ -330,7 +330,7 @@ TEST_CASE("fields that no map has are named, with the place") {
   CHECK(reason_of(solid, 0.3).find("half a turn about an axis") != std::string::npos);
 }
 
-TEST_CASE("wrong arguments are answered") {
+TEST_CASE("wrong arguments are refused") {
   FramedSolid solid = framed(BlockMesh({{0, 0, 0}}, 1));
   CHECK(reason_of(solid, 0).find("invalid-argument") == 0);
   CHECK(reason_of(solid, -1).find("invalid-argument") == 0);

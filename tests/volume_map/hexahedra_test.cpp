@@ -8,23 +8,23 @@
 #include <set>
 
 #include "block_solid.h"
-#include "mesh/cells.h"
-#include "mesh/make_shape.h"
-#include "mesh/nearest.h"
-#include "polycube/certificate.h"
-#include "polycube/construction.h"
-#include "polycube/patch_graph.h"
-#include "volume_map/coarse_surface.h"
-#include "volume_map/even_lengths.h"
-#include "volume_map/hex_grid.h"
-#include "volume_map/hex_reach.h"
-#include "volume_map/hex_search.h"
-#include "volume_map/hex_smoothing.h"
-#include "volume_map/hex_tetrahedra.h"
-#include "volume_map/integer_domain.h"
-#include "volume_map/padding.h"
-#include "volume_map/sharp_map.h"
-#include "volume_map/surface_distance.h"
+#include "mesh/search/nearest.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/cells.h"
+#include "polycube/map/certificate.h"
+#include "polycube/map/construction.h"
+#include "polycube/outputs/patch_graph.h"
+#include "volume_map/certificate/surface_distance.h"
+#include "volume_map/meshing/coarse_surface.h"
+#include "volume_map/meshing/even_lengths.h"
+#include "volume_map/meshing/hex_grid.h"
+#include "volume_map/meshing/integer_domain.h"
+#include "volume_map/meshing/padding.h"
+#include "volume_map/meshing/sharp_map.h"
+#include "volume_map/quality/hex_reach.h"
+#include "volume_map/quality/hex_search.h"
+#include "volume_map/quality/hex_smoothing.h"
+#include "volume_map/quality/hex_tetrahedra.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -128,7 +128,7 @@ TEST_CASE(
     CHECK(jacobian.determinant() == doctest::Approx(1));
     CHECK(t.scaled_jacobian(box, element) == doctest::Approx(1));
   }
-  // In a cube of edges 1 determinants are those of the wanted shape's map.
+  // In a cube of edges 1 determinants are those of the target shape's map.
   for (int trial = 0; trial < 100; ++trial) {
     const std::vector<Vector3> p = cube(0.7, random);
     const auto coefficients = bezier_coefficients(p, whole);
@@ -227,8 +227,9 @@ TEST_CASE("A bent solid gets a valid hexahedral mesh on its surface, the same fo
       for (const Index v : outer)
         farthest = std::max(farthest, search.nearest(m.positions[v]).distance);
       const double cell = std::cbrt(volume / static_cast<double>(m.hexahedra.size()));
-      if (result.off_surface == 0) CHECK(farthest < 0.2 * cell);
-      CHECK(farthest < cell);
+      // A vertex or two may be inside, so that a hexahedron is valid, and are then near.
+      CHECK(result.off_surface <= 2);
+      CHECK(farthest < 0.2 * cell);
       CHECK(result.quality.volume == doctest::Approx(volume).epsilon(0.02));
       if (first.empty()) first.assign(m.positions.begin(), m.positions.end());
       CHECK(std::equal(first.begin(), first.end(), m.positions.begin(), m.positions.end()));
@@ -302,7 +303,7 @@ TEST_CASE(
     "A boundary that the surface is too far from somewhere is brought there, and stays valid and on the surface") {
   test::BlockSolid block(test::angle, 4, 0.8, 0.4);
   REQUIRE(block.certificate == "");
-  // A horn: what is near to a corner is drawn out.
+  // A protrusion: what is near to a corner is drawn out.
   const Vector3 corner = block.map.positions[0];
   for (Vector3& p : block.map.positions)
     p += 0.5 * std::exp(-20 * (p - corner).squaredNorm()) * Vector3(-1, -1, -1);
@@ -544,7 +545,7 @@ TEST_CASE("Faces that meet in right angles are not padded, round ones are, and t
   CHECK(all.size() == 6);
   for (const std::uint8_t face : all)
     CHECK(face == 1);
-  // One whose upper face is a dome that goes on into its neighbours, which meet the lower one at right angles.
+  // One whose upper face is a dome that goes on into its neighbors, which meet the lower one at right angles.
   test::BlockSolid dome({{0, 0, 0}}, 6, 0, 0);
   for (std::size_t v = 0; v < dome.map.positions.size(); ++v) {
     Vector3 p = dome.map.polycube[v];
@@ -554,15 +555,24 @@ TEST_CASE("Faces that meet in right angles are not padded, round ones are, and t
   }
   const HexMesh grid = grid_of(dome, 1.0 / 6);
   const auto some = choose_padding(grid, host);
+  std::size_t lower = 0, upper = 0;
   for (std::size_t i = 0; i < grid.quads.size(); ++i) {
     double low = 2, high = 0;
     for (const Index v : grid.quads[i]) {
       low = std::min(low, grid.positions[v][2]);
       high = std::max(high, grid.positions[v][2]);
     }
-    if (high == 0) CHECK(some[grid.quad_patches[i]] == 0);
-    if (low > 0.9) CHECK(some[grid.quad_patches[i]] == 1);
+    if (high == 0) {
+      CHECK(some[grid.quad_patches[i]] == 0);
+      ++lower;
+    }
+    if (low > 0.9) {
+      CHECK(some[grid.quad_patches[i]] == 1);
+      ++upper;
+    }
   }
+  CHECK(lower == 36);
+  CHECK(upper >= 4);
 }
 
 TEST_CASE(

@@ -5,9 +5,9 @@
 #include <limits>
 #include <random>
 
-#include "volume_map/integer_rounding.h"
-#include "volume_map/transitions.h"
-#include "volume_map/variables.h"
+#include "volume_map/frames/integer_rounding.h"
+#include "volume_map/frames/transitions.h"
+#include "volume_map/untangle/variables.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -162,7 +162,7 @@ TEST_CASE("rounding finds the known optimum, with bounds and without") {
   }
 }
 
-TEST_CASE("bounds that contradict each other are told") {
+TEST_CASE("bounds that contradict each other are reported") {
   IntegerForms forms(std::pmr::get_default_resource());
   const Index difference = forms.sum(forms.of_unknown(0), 1, forms.of_unknown(1), -1);
   const std::vector<LowerBound> bounds = {{difference, 1}, {forms.sum(difference, -1, 0, 1), 1}};
@@ -172,9 +172,22 @@ TEST_CASE("bounds that contradict each other are told") {
   CHECK_FALSE(found.optimal);
 }
 
+TEST_CASE("rounding ends where numbers are not finite, or so large that a step of 1 is none") {
+  IntegerForms forms(std::pmr::get_default_resource());
+  const Index difference = forms.sum(forms.of_unknown(0), 1, forms.of_unknown(1), -1);
+  const std::vector<LowerBound> bounds = {{difference, 1}, {forms.sum(difference, -1, 0, 1), 1}};
+  for (const double far : {1e17, 1e300, std::nan(""), -std::numeric_limits<double>::infinity()}) {
+    for (const double stiff : {1.0, 1e300, std::nan("")}) {
+      const Rounding found = round_integers(stiff * Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(-far, far), forms,
+                                            bounds, {.most_nodes = 1000}, base::Host());
+      CHECK(found.integers.size() == 2);
+    }
+  }
+}
+
 TEST_CASE("coordinates that are tied with signs and shifts: values, changes and forces agree") {
   using Affine = Variables::Affine;
-  // Two vertices share unknowns 0 and 2, the latter turned over and shifted; unknown 1 is one vertex's own.
+  // Two vertices share unknowns 0 and 2, the latter flipped and shifted; unknown 1 is one vertex's own.
   const std::vector<Affine> coordinates = {{0, 1, 0}, {1, -1, 4}, {no_index, 0, 7}, {2, 1, 0}, {2, -1, 3}, {0, 1, -2}};
   const std::vector<double> start = {0.5, 0.25, 2};
   const Variables variables(coordinates, start, std::pmr::get_default_resource());

@@ -1,5 +1,5 @@
-// Inverted elements turned right in their neighbourhoods: positive by exact signs, and nothing elsewhere has moved.
-#include "volume_map/local_untangling.h"
+// Inverted elements untangled in their neighborhoods: positive by exact signs, and nothing elsewhere has moved.
+#include "volume_map/untangle/local_untangling.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 #include "tangled_cases.h"
 
 using namespace orbicube;
@@ -48,7 +48,7 @@ struct Case {
 
 }  // namespace
 
-TEST_CASE("Neighbourhoods are turned right and the rest stays to the bit, with any number of threads") {
+TEST_CASE("Neighborhoods are untangled and the rest stays to the bit, with any number of threads") {
   const Case c({1.0, 4.0});
   REQUIRE(c.inverted(c.start) > 0);
   std::vector<Vector3> first;
@@ -66,7 +66,7 @@ TEST_CASE("Neighbourhoods are turned right and the rest stays to the bit, with a
       if (positions[v] == c.start[v]) continue;
       ++moved;
       CHECK_FALSE(c.mesh.on_boundary(v));
-      // The middle between both, three units away, is in no neighbourhood.
+      // The middle between both, three units away, is in no neighborhood.
       CHECK(std::abs(positions[v][0] - 2.5) > 0.4);
     }
     CHECK(moved > 2);
@@ -75,7 +75,7 @@ TEST_CASE("Neighbourhoods are turned right and the rest stays to the bit, with a
   }
 }
 
-TEST_CASE("What cannot be turned right stays as it was and is told apart from what can") {
+TEST_CASE("What cannot be untangled stays as it was and is distinguished from what can") {
   Case c({1.0, 4.0});
   // Nothing next to the first may move, and it alone is at fault; the second is free.
   for (std::size_t v = 0; v < c.start.size(); ++v) {
@@ -102,7 +102,7 @@ TEST_CASE("What cannot be turned right stays as it was and is told apart from wh
   CHECK(c.inverted(positions) < c.inverted(c.start));
 }
 
-TEST_CASE("Where all that is inverted is held, or most of the mesh is, neighbourhoods are not tried") {
+TEST_CASE("Where all that is inverted is fixed, or most of the mesh is, neighborhoods are not tried") {
   Case held({1.0});
   std::fill(held.fixed.begin(), held.fixed.end(), std::uint8_t{1});
   const base::Host host;

@@ -1,5 +1,5 @@
-// What no map can be made of is refused with its kind, its number and where it is; pieces are told apart.
-#include "volume_map/solid_pieces.h"
+// What no map can be made of is refused with its kind, its number and where it is; pieces are distinguished.
+#include "volume_map/solid/solid_pieces.h"
 
 #include <doctest/doctest.h>
 
@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "base/error.h"
+#include "box_surface.h"
 #include "tangled_cases.h"
-#include "volume_map/solid_boundary.h"
+#include "volume_map/solid/solid_boundary.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -17,25 +18,7 @@ using mesh::Triangle;
 
 namespace {
 
-struct Surface {
-  std::vector<Vector3> positions;
-  std::vector<Triangle> triangles;
-
-  // A box looking outward, or inward.
-  void add_box(const Vector3& low, const Vector3& size, bool inward = false) {
-    const auto first = static_cast<Index>(positions.size());
-    for (int i = 0; i < 8; ++i)
-      positions.push_back(low + size.cwiseProduct(Vector3(i & 1, i >> 1 & 1, i >> 2)));
-    constexpr Triangle faces[] = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                                  {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    for (Triangle t : faces) {
-      for (Index& v : t)
-        v += first;
-      if (inward) std::swap(t[1], t[2]);
-      triangles.push_back(t);
-    }
-  }
-};
+using Surface = test::BoxSurface;
 
 template <class Work>
 std::string refusal(const Work& work) {
@@ -64,7 +47,7 @@ mesh::Mesh solid_of(const std::vector<test::Block>& blocks, int n) {
 
 }  // namespace
 
-TEST_CASE("Surfaces that bound no solid are refused with their places") {
+TEST_CASE("Surfaces that bound no solid are refused with the location") {
   const base::Host host;
   const auto closed = [&](const Surface& s) {
     return refusal([&] { require_closed_surface(s.positions, s.triangles, host); });
@@ -111,7 +94,7 @@ TEST_CASE("Parts beside each other are pieces, and parts that meet are refused")
   mesh::Mesh whole;
   whole.positions.assign(s.positions.begin(), s.positions.end());
   whole.triangles.assign(s.triangles.begin(), s.triangles.end());
-  const mesh::Mesh second = piece(whole, pieces, 1, host);
+  const mesh::Mesh second = PieceCutter(whole, pieces, host).piece(1);
   CHECK(second.positions.size() == 8);
   CHECK(second.positions[0] == Vector3(5, 0, 0));
   CHECK(second.triangles.size() == 12);
@@ -157,7 +140,7 @@ TEST_CASE("A part within another is a cavity of it, and a part within that a pie
 }
 
 TEST_CASE(
-    "Solids of several pieces, or that are none are refused with their places, cavities are part of the boundary") {
+    "Solids of several pieces, or that are none are refused with the location, cavities are part of the boundary") {
   const base::Host host;
   const auto whole = [&](const mesh::Mesh& m) { return refusal([&] { boundary_first(m, host); }); };
   const mesh::Mesh good = solid_of({{0, 0, 0}, {1, 0, 0}}, 2);
@@ -179,7 +162,7 @@ TEST_CASE(
   CHECK(pieces.count == 2);
   tells(whole(two), "not-connected", "tetrahedron 6, at (4, 0, 0)");
   for (std::size_t i = 0; i < 2; ++i)
-    CHECK(whole(piece(two, pieces, i, host)) == "");
+    CHECK(whole(PieceCutter(two, pieces, host).piece(i)) == "");
 
   mesh::Mesh inverted = good;
   inverted.positions[inverted.tetrahedra[0][3]] = Vector3(-3, -3, -3);

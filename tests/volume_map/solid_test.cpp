@@ -5,12 +5,12 @@
 
 #include "base/error.h"
 #include "block_solid.h"
-#include "mesh/predicates.h"
-#include "volume_map/boundary_refinement.h"
-#include "volume_map/elements.h"
-#include "volume_map/freeing_splits.h"
-#include "volume_map/integer_domain.h"
-#include "volume_map/untangle.h"
+#include "mesh/search/predicates.h"
+#include "volume_map/meshing/integer_domain.h"
+#include "volume_map/solid/boundary_refinement.h"
+#include "volume_map/solid/freeing_splits.h"
+#include "volume_map/untangle/elements.h"
+#include "volume_map/untangle/untangle.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -42,14 +42,18 @@ TEST_CASE(
   std::set<std::set<Index>> faces;
   for (const mesh::Triangle& t : block.surface)
     faces.insert({t[0], t[1], t[2]});
+  std::size_t walls = 0;
   for (const Tetrahedron& t : tetrahedra) {
     std::set<Index> on_boundary;
     for (const Index v : t) {
       if (v < outer) on_boundary.insert(v);
     }
     CHECK(on_boundary.size() < 4);
-    if (on_boundary.size() == 3) CHECK(faces.count(on_boundary) == 1);
+    if (on_boundary.size() != 3) continue;
+    CHECK(faces.count(on_boundary) == 1);
+    ++walls;
   }
+  CHECK(walls >= block.surface.size());
 }
 
 TEST_CASE("A solid is cut where its surface is") {
@@ -83,7 +87,7 @@ TEST_CASE("A solid is cut where its surface is") {
     CHECK(uses.at({t[0], t[1], t[2]}) == 1);
 }
 
-TEST_CASE("Planes of a polycube get integers near to their places, and cells as they are asked for") {
+TEST_CASE("Planes of a polycube get integers near to their positions, and cells of the given number") {
   const test::BlockSolid block({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}}, 2, 0, 0);
   const base::Host host;
   const auto graph = polycube::make_patch_graph(block.map, host);
@@ -98,7 +102,7 @@ TEST_CASE("Planes of a polycube get integers near to their places, and cells as 
   CHECK(!domain.inside({12, 0, 0}));
   CHECK(domain.place(Vector3(2, 1, 0.5)) == Vector3(8, 4, 2));
   const IntegerDomain coarse(graph, 100, host);
-  CHECK(coarse.cells() == 3);  // one between neighbouring planes
+  CHECK(coarse.cells() == 3);  // one between neighboring planes
   for (const std::size_t wanted : {100U, 1000U, 20000U}) {
     const auto cells = static_cast<double>(domain_of_cells(graph, wanted, false, host).cells());
     CHECK(cells > 0.6 * static_cast<double>(wanted));

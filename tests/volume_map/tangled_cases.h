@@ -1,4 +1,4 @@
-// Tangled meshes that have an untangled state, of four kinds: vertices strewn about, boxes folded flat, twisted bars,
+// Inverted meshes that have an untangled state, of four kinds: vertices strewn about, boxes folded flat, twisted bars,
 // and starts of polycube maps. Used by tests and by bench/volume_map.
 #pragma once
 
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "volume_map/untangle.h"
+#include "volume_map/untangle/untangle.h"
 
 namespace orbicube::volume_map::test {
 

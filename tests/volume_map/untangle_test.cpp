@@ -1,5 +1,5 @@
-// Tangled meshes of every kind end positive, with what is fixed and tied as it should be.
-#include "volume_map/untangle.h"
+// Inverted meshes of every kind end positive, with what is fixed and tied as it should be.
+#include "volume_map/untangle/untangle.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/predicates.h"
+#include "mesh/search/predicates.h"
 #include "tangled_cases.h"
 
 using namespace orbicube;
@@ -58,7 +58,7 @@ std::string refusal(const TangledMesh& mesh, const UntangleOptions& options = {}
 
 }  // namespace
 
-TEST_CASE("Vertices strewn about in a box find their places") {
+TEST_CASE("Random vertices in a box are untangled") {
   check(test::strewn(2, 4, 1, 1));
 }
 
@@ -71,11 +71,11 @@ TEST_CASE("A twisted bar keeps its ends") {
   check(test::twisted(4, 3, 0.9 * pi));
 }
 
-TEST_CASE("Boundary faces of a bent solid become planes that find their places") {
+TEST_CASE("Boundary faces of a bent solid become planes at free positions") {
   check(test::polycube_start({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}}, 3, 0.8, 0.4, 0.6));
 }
 
-TEST_CASE("Regular tetrahedra are wanted where no shapes are given") {
+TEST_CASE("Regular tetrahedra are the targets where no shapes are given") {
   test::TangledCase c = test::strewn(1, 4, 1, 2);
   c.rest.clear();
   check(c);
@@ -91,7 +91,7 @@ TEST_CASE("A positive mesh is only polished, and without steps stays as it is") 
   CHECK(polished.energy < same.energy);
 }
 
-TEST_CASE("What cannot be untangled is told, not returned as if it were") {
+TEST_CASE("What cannot be untangled is reported, not returned as if it were") {
   test::TangledCase c = test::strewn(1, 2, 1, 3);
   c.fixed.assign(c.fixed.size(), 1);
   c.start[0] = Vector3(0.9, 0.9, 0.9);

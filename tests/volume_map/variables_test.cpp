@@ -1,5 +1,5 @@
 // Variables of a map: which coordinates share one, which stay.
-#include "volume_map/variables.h"
+#include "volume_map/untangle/variables.h"
 
 #include <doctest/doctest.h>
 

@@ -7,13 +7,14 @@
 
 #include "base/error.h"
 #include "block_solid.h"
-#include "mesh/cells.h"
-#include "mesh/make_shape.h"
-#include "mesh/nearest.h"
-#include "mesh/topology.h"
-#include "polycube/construction.h"
-#include "volume_map/hex_grid.h"
-#include "volume_map/voxel_hexes.h"
+#include "mesh/search/nearest.h"
+#include "mesh/shapes/make_shape.h"
+#include "mesh/topology/cells.h"
+#include "mesh/topology/topology.h"
+#include "polycube/map/construction.h"
+#include "volume_map/meshing/hex_draft.h"
+#include "volume_map/meshing/hex_grid.h"
+#include "volume_map/meshing/voxel_hexes.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -31,7 +32,7 @@ mesh::Topology boundary_of(const HexMesh& hexes) {
 
 }  // namespace
 
-TEST_CASE("Cells of a grid become a conforming mesh whose quads look outward") {
+TEST_CASE("Cells of a grid become a conforming mesh whose quads are outward-oriented") {
   // A ring of eight around an empty one.
   std::vector<std::uint8_t> inside(9, 1);
   inside[4] = 0;
@@ -46,7 +47,7 @@ TEST_CASE("Cells of a grid become a conforming mesh whose quads look outward") {
   CHECK(topology.volume == doctest::Approx(8));
 }
 
-TEST_CASE("About as many cells as asked for, with the topology of the surface and a layer around") {
+TEST_CASE("About as many cells as requested, with the topology of the surface and a layer around") {
   for (const char* shape : {"sphere", "torus", "three-holes", "creature"}) {
     CAPTURE(std::string(shape));
     const mesh::Mesh surface = mesh::make_shape(shape, {.triangles = 3000}, host);
@@ -110,4 +111,15 @@ TEST_CASE("Where a polycube serves its hexahedra stay, and are the same for any 
     else
       CHECK(std::equal(first.begin(), first.end(), made.mesh.positions.begin(), made.mesh.positions.end()));
   }
+}
+
+TEST_CASE("The volume of a surface far from the origin keeps its digits") {
+  mesh::Mesh surface = mesh::make_shape("torus", {.triangles = 300}, host);
+  const polycube::SurfaceMap none;
+  const double volume = WantedSurface({none, surface.positions, surface.triangles}).volume;
+  CHECK(volume > 0);
+  for (Vector3& p : surface.positions)
+    p += Vector3(0x1p20, -0x1p21, 0x1p19);
+  // Coordinates keep 30 digits (of two) there.
+  CHECK(WantedSurface({none, surface.positions, surface.triangles}).volume == doctest::Approx(volume).epsilon(1e-7));
 }

@@ -15,16 +15,39 @@
 #include <exception>
 #include <functional>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
 
+#if defined(__GLIBCXX__)
+#include <cxxabi.h>
+#endif
+
 #include <orbicube/base.h>
 
 namespace orbicube {
 inline namespace api {
+namespace detail {
+
+// Returns body(), or handler() when body throws. A thread that ends inside body (pthread_exit) is unwound by something
+// that looks like an exception and must not be swallowed.
+template <class Body, class Handler>
+auto catch_all(const Body& body, const Handler& handler) -> decltype(body()) {
+  try {
+    return body();
+#if defined(__GLIBCXX__)
+  } catch (const abi::__forced_unwind&) {
+    throw;
+#endif
+  } catch (...) {
+    return handler();
+  }
+}
+
+}  // namespace detail
 
 // What a library refused or failed at.
 class Error : public std::runtime_error {
@@ -84,7 +107,7 @@ class Host {
     host_.thread_count = count;
     return *this;
   }
-  // Called with a Progress; answers whether to go on. What it throws is thrown again by the function that was called.
+  // Called with a Progress; returns whether to go on. What it throws is thrown again by the function that was called.
   Host& on_progress(std::function<bool(const Progress&)> function) {
     progress_ = std::move(function);
     host_.progress = report;
@@ -107,20 +130,21 @@ class Host {
  private:
   static std::int32_t report(const char* phase, std::uint64_t done, std::uint64_t total, double best, void* user) {
     Host& self = *static_cast<Host*>(user);
-    try {
-      return !self.thrown_ && self.progress_(Progress{phase, done, total, best}) ? 0 : 1;
-    } catch (...) {
-      self.thrown_ = std::current_exception();
-      return 1;
-    }
+    return detail::catch_all(
+        [&]() -> std::int32_t {
+          return !self.thrown_ && self.progress_(Progress{phase, done, total, best}) ? 0 : 1;
+        },
+        [&]() -> std::int32_t {
+          self.thrown_ = std::current_exception();
+          return 1;
+        });
   }
   static void write(const char* line, void* user) {
     Host& self = *static_cast<Host*>(user);
-    try {
-      self.log_(line);
-    } catch (...) {
-      if (!self.thrown_) self.thrown_ = std::current_exception();
-    }
+    detail::catch_all([&] { self.log_(line); },
+                      [&] {
+                        if (!self.thrown_) self.thrown_ = std::current_exception();
+                      });
   }
 
   obc_host host_;
@@ -135,7 +159,7 @@ inline const obc_host* c(Host* host) noexcept {
   return host == nullptr ? nullptr : &host->c();
 }
 
-// Calls f(error), which answers a status.
+// Calls f(error), which returns a status.
 template <class F>
 void call(Host* host, F&& f) {
   obc_error error;
@@ -160,13 +184,12 @@ inline std::size_t rows(std::size_t size, std::size_t columns, const char* what)
 class Caught {
  public:
   template <class F>
-  std::int32_t guard(F&& f, std::int32_t stop = 1) noexcept {
-    try {
-      return f();
-    } catch (...) {
-      thrown_ = std::current_exception();
-      return stop;
-    }
+  std::int32_t guard(F&& f, std::int32_t stop = 1) {
+    return catch_all([&]() -> std::int32_t { return f(); },
+                     [&]() -> std::int32_t {
+                       thrown_ = std::current_exception();
+                       return stop;
+                     });
   }
   void rethrow() {
     if (thrown_) std::rethrow_exception(std::exchange(thrown_, nullptr));
@@ -186,7 +209,7 @@ struct Destroy {
 template <class T, auto destroy>
 using Handle = std::unique_ptr<T, Destroy<destroy>>;
 
-// Calls f(&out, error), which answers a status. What it hands out is owned at once: the host's log may have thrown
+// Calls f(&out, error), which returns a status. What it hands out is owned at once: the host's log may have thrown
 // while the work went on to its end.
 template <class T, auto destroy, class F>
 Handle<T, destroy> take(Host* host, F&& f) {
@@ -220,8 +243,11 @@ T sized() {
 
 // Thrown by a user's function where it has no value: the solver goes on elsewhere.
 struct EvaluationFailed {};
-// Thrown by a user's function: the run ends as cancelled, with the best point so far.
-struct Stop {};
+// Thrown by a user's function: the run ends as cancelled, with the best point so far; Stop{value} counts the value at
+// x, and for residuals what was filled, if all of it was.
+struct Stop {
+  double value = std::numeric_limits<double>::quiet_NaN();
+};
 
 }  // namespace api
 }  // namespace orbicube

@@ -154,7 +154,7 @@ inline obc_mesh_tetrahedron_quality_report tetrahedron_quality(const Mesh& mesh,
   });
   return report;
 }
-// Turns triangles in place so that neighbours agree and a closed surface looks outward.
+// Turns triangles in place so that neighbors agree and a closed surface is outward-oriented.
 inline obc_mesh_orient_report orient(Doubles positions, View<std::uint32_t> triangles, Host* host = nullptr) {
   detail::Filled<obc_mesh_orient_report, obc_mesh_orient_report_init> report;
   detail::call(host, [&](obc_error* error) {

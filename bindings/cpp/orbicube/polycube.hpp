@@ -27,7 +27,7 @@ class Polycube {
       return obc_polycube_compute(&surface, &options, detail::c(host), out, error);
     });
   }
-  // On the given polycube, with places of corners or without.
+  // On the given polycube, with positions of corners or without.
   static Polycube compute_on(const Surface& surface, const Surface& polycube,
                              const obc_polycube_places* places = nullptr, Host* host = nullptr) {
     return made(host, [&](obc_polycube** out, obc_error* error) {
@@ -51,7 +51,7 @@ class Polycube {
                                          error);
     });
   }
-  // The proportions with the least sum of energies of maps to one polycube.
+  // The proportions with the minimum sum of energies of maps to one polycube.
   static std::vector<Polycube> optimize_common_domain(View<const Polycube> maps, const DomainOptions& options = {},
                                                       Host* host = nullptr) {
     std::vector<const obc_polycube*> given;
@@ -140,7 +140,7 @@ class Polycube {
   // OBC_POLYCUBE_LABELS, ...: how it was made.
   std::int32_t construction() const noexcept { return obc_polycube_construction(handle()); }
 
-  // Corners, straight edges and patches without triangles; <orbicube/polycube.h> tells of each array.
+  // Corners, straight edges and patches without triangles; <orbicube/polycube.h> describes each array.
   struct Graph {
     std::vector<double> corner_positions;
     std::vector<std::uint32_t> corner_vertices, edge_corners, edge_patches;

@@ -1,4 +1,4 @@
-// Minimises with gradients under bounds and linear equations, and projects; wraps orbicube/projected_gradient.h.
+// Minimizes with gradients under bounds and linear equations, and projects; wraps orbicube/projected_gradient.h.
 //
 //   orbicube::projected_gradient::Problem problem;
 //   problem.lower.assign(5, 0.0);
@@ -102,7 +102,8 @@ struct Function {
         return OBC_PROJECTED_GRADIENT_CONTINUE;
       } catch (const EvaluationFailed&) {
         return OBC_PROJECTED_GRADIENT_FAILED;
-      } catch (const Stop&) {
+      } catch (const Stop& stop) {
+        *value = stop.value;
         return OBC_PROJECTED_GRADIENT_STOP;
       }
     });
@@ -110,7 +111,7 @@ struct Function {
 };
 }  // namespace detail
 
-// f(Doubles x, View<double> gradient) fills the gradient and answers the value; x is the start and receives the best
+// f(Doubles x, View<double> gradient) fills the gradient and returns the value; x is the start and receives the best
 // point.
 template <class F>
 Result minimize(F&& f, View<double> x, const Problem& problem = {}, const Options& options = {}, Host* host = nullptr) {
@@ -128,7 +129,7 @@ Result minimize(F&& f, View<double> x, const Problem& problem = {}, const Option
   return result;
 }
 
-// x becomes the point of the feasible set that is nearest to y; answers the multipliers of the rows.
+// x becomes the point of the feasible set that is nearest to y; returns the multipliers of the rows.
 inline std::vector<double> project(Doubles y, View<double> x, const Problem& problem, Result* result = nullptr,
                                    Host* host = nullptr) {
   orbicube::detail::check_size(x.size(), y.size(), "x");
@@ -143,7 +144,7 @@ inline std::vector<double> project(Doubles y, View<double> x, const Problem& pro
   return multipliers;
 }
 
-// A run by questions and answers:
+// A run by reverse communication:
 //   while (solver.ask()) solver.tell(value, gradient);   // at solver.point()
 // A host that it is given must outlive it; what the host's functions throw comes out of ask().
 class Solver {
@@ -180,7 +181,7 @@ class Solver {
       if (request != OBC_PROJECTED_GRADIENT_ITERATION) return request == OBC_PROJECTED_GRADIENT_NEED_FG;
     }
   }
-  Doubles point() const { return {point_, problem_->n}; }  // that is asked about, until the next ask
+  Doubles point() const { return {point_, problem_->n}; }  // the queried point, until the next call of ask()
   // Value and gradient there; NaN: there is none.
   void tell(double value, Doubles gradient) {
     detail::check_size(gradient.size(), problem_->n, "gradient");

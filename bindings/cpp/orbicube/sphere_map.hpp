@@ -199,7 +199,7 @@ struct Image {
       return obc_sphere_map_image_write(path.c_str(), pixels.data(), layout, resolution, detail::c(host), error);
     });
   }
-  // The closed surface back; seam_gap: the greatest distance between pixels that are one vertex.
+  // The closed surface back; seam_gap: the largest distance between pixels that are one vertex.
   Mesh surface(double* seam_gap = nullptr, Host* host = nullptr) const {
     check();
     return detail::mesh(host, [&](obc_mesh** out, obc_error* error) {

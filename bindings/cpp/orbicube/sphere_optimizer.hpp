@@ -1,4 +1,4 @@
-// Minimises over products of unit spheres; wraps orbicube/sphere_optimizer.h.
+// Minimizes over products of unit spheres; wraps orbicube/sphere_optimizer.h.
 //
 //   auto result = orbicube::sphere_optimizer::minimize(f, x, 3);   // f(Doubles x, View<double> gradient) -> value
 #ifndef ORBICUBE_SPHERE_OPTIMIZER_HPP
@@ -32,14 +32,15 @@ struct Function {
   Caught caught;
 
   template <class Call>
-  std::int32_t guarded(Call&& call) {
+  std::int32_t guarded(double* value, Call&& call) {
     return caught.guard([&]() -> std::int32_t {
       try {
         call();
         return OBC_SPHERE_OPTIMIZER_CONTINUE;
       } catch (const EvaluationFailed&) {
         return OBC_SPHERE_OPTIMIZER_FAILED;
-      } catch (const Stop&) {
+      } catch (const Stop& stop) {
+        *value = stop.value;
         return OBC_SPHERE_OPTIMIZER_STOP;
       }
     });
@@ -48,12 +49,12 @@ struct Function {
                           void* user) {
     Function& self = *static_cast<Function*>(user);
     const std::size_t n = count * dimension;
-    return self.guarded([&] { *value = self.f(Doubles(x, n), View<double>(gradient, n)); });
+    return self.guarded(value, [&] { *value = self.f(Doubles(x, n), View<double>(gradient, n)); });
   }
   static std::int32_t one(std::size_t block, const double* place, const double* points, double* value, double* gradient,
                           double* hessian, void* user) {
     Function& self = *static_cast<Function*>(user);
-    return self.guarded([&] { *value = self.f(block, place, points, gradient, hessian); });
+    return self.guarded(value, [&] { *value = self.f(block, place, points, gradient, hessian); });
   }
 };
 
@@ -81,7 +82,7 @@ class Blocks {
 };
 }  // namespace detail
 
-// f(Doubles x, View<double> gradient) fills the gradient and answers the value; x, blocks of `dimension` numbers, is
+// f(Doubles x, View<double> gradient) fills the gradient and returns the value; x, blocks of `dimension` numbers, is
 // the start and receives the best point.
 template <class F>
 Result minimize(F&& f, View<double> x, std::size_t dimension, const Options& options = {}, Host* host = nullptr) {
@@ -99,7 +100,7 @@ Result minimize(F&& f, View<double> x, std::size_t dimension, const Options& opt
 }
 
 // Block by block. f(block, place, points, gradient, hessian), pointers as in obc_sphere_optimizer_block_function, fills
-// what is not NULL and answers the value. neighbours[i]: the blocks whose part of f contains block i.
+// what is not NULL and returns the value. `neighbours[i]`: the blocks whose part of f contains block i.
 template <class F>
 RelaxationResult relax(F&& f, View<double> x, std::uint32_t dimension,
                        const std::vector<std::vector<std::uint32_t>>& neighbours, const RelaxationOptions& options = {},
@@ -132,7 +133,7 @@ class Relaxation {
     });
     handle_.reset(out);
   }
-  // Goes on with one that was saved, of the same neighbours.
+  // Goes on with one that was saved, of the same neighbors.
   static Relaxation load(const std::vector<unsigned char>& bytes, std::uint32_t dimension,
                          const std::vector<std::vector<std::uint32_t>>& neighbours, Host* host = nullptr) {
     Relaxation relaxation;
@@ -147,8 +148,8 @@ class Relaxation {
     return relaxation;
   }
 
-  // At most so many more steps of one block each, with f as of relax. The result's stop is RUNNING when there is more
-  // to do. Whatever breaks it off, the next call goes on as if it had not been.
+  // Relaxes up to the given number of further blocks, with f as of relax. The result's stop is RUNNING when there is
+  // more to do. Whatever breaks it off, the next call goes on as if it had not been.
   template <class F>
   RelaxationResult run(F&& f, std::uint64_t steps) {
     using Called = detail::Function<std::remove_reference_t<F>>;
@@ -191,7 +192,7 @@ class Relaxation {
   detail::Handle<obc_sphere_optimizer_relaxation, obc_sphere_optimizer_relaxation_destroy> handle_;
 };
 
-// A run by questions and answers:
+// A run by reverse communication:
 //   while (solver.ask()) solver.tell(value, gradient);   // at solver.point()
 // A host that it is given must outlive it; what the host's functions throw comes out of ask().
 class Solver {
@@ -230,7 +231,7 @@ class Solver {
       if (request != OBC_SPHERE_OPTIMIZER_ITERATION) return request == OBC_SPHERE_OPTIMIZER_NEED_FG;
     }
   }
-  Doubles point() const { return {point_, n_}; }  // that is asked about, until the next ask
+  Doubles point() const { return {point_, n_}; }  // the queried point, until the next call of ask()
   // Value and gradient there; NaN: there is none.
   void tell(double value, Doubles gradient) {
     detail::check_size(gradient.size(), n_, "gradient");

@@ -1,4 +1,4 @@
-// Minimises without derivatives; wraps orbicube/trust_region.h.
+// Minimizes without derivatives; wraps orbicube/trust_region.h.
 //
 //   std::vector<double> x = {0, 0};
 //   auto result = orbicube::trust_region::minimize([](orbicube::Doubles x) { return x[0] * x[0] + x[1]; }, x, {{-1,
@@ -18,7 +18,7 @@ namespace trust_region {
 using Options = detail::Filled<obc_trust_region_options, obc_trust_region_options_init>;
 using Result = obc_trust_region_result;
 
-// What is minimised, beside the function. Empty: none.
+// What is minimized, beside the function. Empty: none.
 struct Problem {
   std::vector<double> lower, upper, scale, sign;
 };
@@ -49,7 +49,7 @@ struct Filled : orbicube::detail::Filled<obc_trust_region_problem, obc_trust_reg
 template <class F>
 struct Function {
   F& f;
-  std::size_t outputs;  // 0: f answers the value, else it fills the residuals
+  std::size_t outputs;  // 0: f returns the value, else it fills the residuals
   Caught caught;
 
   static std::int32_t call(const double* x, std::size_t n, double* out, void* user) {
@@ -63,7 +63,8 @@ struct Function {
         return OBC_TRUST_REGION_CONTINUE;
       } catch (const EvaluationFailed&) {
         return OBC_TRUST_REGION_FAILED;
-      } catch (const Stop&) {
+      } catch (const Stop& stop) {
+        if (self.outputs == 0) *out = stop.value;
         return OBC_TRUST_REGION_STOP;
       }
     });
@@ -86,7 +87,7 @@ Result minimize(F& f, View<double> x, std::size_t residuals, const Problem& prob
 }
 }  // namespace detail
 
-// f(Doubles) answers the value; x is the start and receives the best point.
+// f(Doubles) returns the value; x is the start and receives the best point.
 template <class F>
 Result minimize(F&& f, View<double> x, const Problem& problem = {}, const Options& options = {}, Host* host = nullptr) {
   return detail::minimize(f, x, 0, problem, options, host);
@@ -99,7 +100,7 @@ Result least_squares(F&& f, View<double> x, std::size_t residuals, const Problem
   return detail::minimize(f, x, residuals, problem, options, host);
 }
 
-// A run by questions and answers:
+// A run by reverse communication:
 //   while (solver.ask()) solver.tell(f(solver.point()));
 // A host that it is given must outlive it; what the host's functions throw comes out of ask().
 class Solver {
@@ -136,8 +137,10 @@ class Solver {
       if (request != OBC_TRUST_REGION_ITERATION) return request == OBC_TRUST_REGION_NEED_VALUES;
     }
   }
-  Doubles point(std::size_t i = 0) const { return {points_ + i * n_, n_}; }  // of those asked about, until the next ask
-  std::size_t point_count() const { return count_; }                         // they may be evaluated at the same time
+  Doubles point(std::size_t i = 0) const {
+    return {points_ + i * n_, n_};
+  }                                                   // of the queried ones, until the next call of ask()
+  std::size_t point_count() const { return count_; }  // they may be evaluated at the same time
   // The value, or the residuals, at the first of them; NaN: there is none.
   void tell(double value) { tell(Doubles(&value, 1)); }
   void tell(Doubles outputs) {
@@ -145,7 +148,7 @@ class Solver {
     detail::call(nullptr,
                  [&](obc_error* error) { return obc_trust_region_tell(handle_.get(), outputs.data(), error); });
   }
-  // Evaluations made before: rows of points with their outputs; before the first ask.
+  // Evaluations made before: rows of points with their outputs; before the first call of ask().
   void give(Doubles points, Doubles outputs) {
     const std::size_t count = detail::rows(points.size(), n_, "points");
     detail::check_size(outputs.size(), count * outputs_, "outputs");

@@ -14,7 +14,7 @@ namespace volume_map {
 using UntangleOptions = detail::Filled<obc_volume_map_untangle_options, obc_volume_map_untangle_options_init>;
 using UntangleReport = detail::Filled<obc_volume_map_untangle_report, obc_volume_map_untangle_report_init>;
 
-// A mesh in the caller's arrays. Rest, fixed and ties are set as members where they are wanted.
+// A mesh in the caller's arrays. Rest, fixed and ties are set as members where they are requested.
 struct Tangle : detail::Filled<obc_volume_map_tangle, obc_volume_map_tangle_init> {
   Tangle(Doubles places, Indices cells) {
     positions = places.data();

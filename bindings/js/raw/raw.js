@@ -65,6 +65,7 @@ export const constants = {
   OBC_PROJECTED_GRADIENT_CANCELLED: 7,
   OBC_PROJECTED_GRADIENT_EVALUATION_FAILED: 8,
   OBC_PROJECTED_GRADIENT_PROJECTION_FAILED: 9,
+  OBC_PROJECTED_GRADIENT_UNBOUNDED: 10,
   OBC_PROJECTED_GRADIENT_CONTINUE: 0,
   OBC_PROJECTED_GRADIENT_STOP: 1,
   OBC_PROJECTED_GRADIENT_FAILED: 2,
@@ -122,6 +123,7 @@ export const constants = {
   OBC_TRUST_REGION_STALLED: 5,
   OBC_TRUST_REGION_CANCELLED: 6,
   OBC_TRUST_REGION_EVALUATION_FAILED: 7,
+  OBC_TRUST_REGION_RESOLUTION_LIMIT: 8,
   OBC_TRUST_REGION_CONTINUE: 0,
   OBC_TRUST_REGION_STOP: 1,
   OBC_TRUST_REGION_FAILED: 2,
@@ -152,7 +154,7 @@ export const layouts = {
     },
   },
   obc_host: {
-    size: 36,
+    size: 40,
     fields: {
       struct_size: ['u32', 0],
       thread_count: ['u32', 4],
@@ -163,6 +165,7 @@ export const layouts = {
       parallel_for: ['u32', 24],
       parallel_for_user: ['u32', 28],
       allocator: ['u32', 32],
+      fraction: ['u32', 36],
     },
   },
   obc_frame_field_solid: {
@@ -613,6 +616,20 @@ export const layouts = {
       certificate_gap: ['f64', 64],
     },
   },
+  obc_projected_gradient_check: {
+    size: 64,
+    fields: {
+      struct_size: ['u32', 0],
+      agrees: ['i32', 4],
+      worst: ['u32', 8],
+      told: ['f64', 16],
+      difference: ['f64', 24],
+      error: ['f64', 32],
+      uncertainty: ['f64', 40],
+      compared: ['u32', 48],
+      evaluations: ['u64', 56],
+    },
+  },
   obc_sphere_map_options: {
     size: 40,
     fields: {
@@ -1045,6 +1062,7 @@ export const functions = {
   obc_projected_gradient_destroy: 'vi',
   obc_projected_gradient_minimize: 'iiiiiiiii',
   obc_projected_gradient_project: 'iiiiiiii',
+  obc_projected_gradient_check_gradient: 'iiiiiiii',
   obc_projected_gradient_stop_name: 'ii',
   obc_projected_gradient_version: 'i',
   obc_quaternion_multiply: 'viii',
@@ -1166,4 +1184,48 @@ export const functions = {
   obc_volume_map_frame_options_init: 'iii',
   obc_volume_map_frame_hexes_compute: 'iiiiiiiiiii',
   obc_volume_map_version: 'i',
+};
+
+/** The words that options take, and their constants. */
+export const words = {
+  obc_frame_field_options: {
+    start: { 'auto': 0, 'identity': 1, 'propagated': 2, 'harmonic': 3, 'diffusion': 4, 'given': 5 },
+    method: { 'smooth': 0, 'seed': 1 },
+    weighting: { 'uniform': 0, 'geometric': 1 },
+    repair: { 'no-repair': 0, 'repair': 1, 'single-axis': 2 },
+  },
+  obc_harmonics_fit_options: {
+    method: { 'automatic': 0, 'dense': 1, 'iterative': 2 },
+  },
+  obc_polycube_options: {
+    construction: { 'auto': 0, 'labels': 1, 'voxels': 2 },
+  },
+  obc_polycube_domain_options: {
+    measure: { 'surface-mean': 0, 'face-mean': 1, 'harmonic': 2 },
+  },
+  obc_polycube_corner_options: {
+    method: { 'trust-region': 0, 'gradient': 1 },
+  },
+  obc_projected_gradient_options: {
+    method: { 'face': 0, 'seed': 1 },
+    line_search: { 'largest-of-last': 0, 'average': 1 },
+  },
+  obc_sphere_map_options: {
+    method: { 'balanced': 0, 'angle-area': 1, 'isometric': 2, 'stretch': 3, 'conformal': 4, 'seed': 5 },
+  },
+  obc_sphere_optimizer_options: {
+    method: { 'limited-memory': 0, 'barzilai-borwein': 1, 'great-circle': 2, 'seed': 3 },
+  },
+  obc_sphere_optimizer_relaxation_options: {
+    method: { 'great-circle': 2, 'seed': 3 },
+    order: { 'automatic': 0, 'queue': 1, 'sweeps': 2 },
+  },
+  obc_trust_region_options: {
+    method: { 'two-radii': 0, 'seed': 1 },
+    start: { 'automatic': 0, 'chain': 1, 'cross': 2 },
+  },
+  obc_volume_map_hexes_options: {
+    padding: { 'auto': 0, 'with': 1, 'without': 2 },
+    method: { 'auto': 0, 'polycube': 1, 'voxels': 2 },
+  },
 };

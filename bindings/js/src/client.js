@@ -1,4 +1,4 @@
-// Work in a thread of its own: a page stays alive meanwhile, is told of progress, and can end it.
+// Work in a thread of its own: a page stays alive meanwhile, receives progress, and can end it.
 import { OrbicubeError } from './errors.js';
 
 const aborted = () => new DOMException('the work was cancelled', 'AbortError');
@@ -13,7 +13,7 @@ async function startWorker() {
 }
 
 /**
- * A worker with a module of its own. `run(work, given, { onProgress, signal })` answers a promise; works are read, make, sphereMap,
+ * A worker with a module of its own. `run(work, given, { onProgress, signal })` returns a promise; works are read, make, sphereMap,
  * polycube, morph, sphereGlb and glb, one at a time. An aborted signal ends the work: at once by its next report where memory can
  * be shared (node, and pages that are cross-origin isolated), else by ending the thread, and the next work starts another one.
  */

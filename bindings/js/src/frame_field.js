@@ -15,7 +15,7 @@ const onSolid = ({ positions, tetrahedra }, host, body) => withHost(host, (lent)
   }), lent);
 }));
 
-/** What is held: `tetrahedra`, what each has, and weights; as members of the struct of constraints. */
+/** What is fixed: `tetrahedra`, what each has, and weights; as members of the struct of constraints. */
 function held(scratch, one, many, width, given) {
   if (!given) return {};
   const { tetrahedra, weights } = given;
@@ -39,7 +39,7 @@ export function frameField(solid, given = {}) {
     if (startFrames) view('f64', frames, length).set(startFrames);
     else view('f64', frames, length).fill(0);
     const picked = options(scratch, 'obc_frame_field_options',
-      { ...chosen, alignBoundary: alignBoundary === undefined ? undefined : Number(alignBoundary) }, 'OBC_FRAME_FIELD_');
+      { ...chosen, alignBoundary: alignBoundary === undefined ? undefined : Number(alignBoundary) });
     const constraints = scratch.struct('obc_frame_field_constraints',
       { ...held(scratch, 'frame', 'frames', 4, heldFrames), ...held(scratch, 'axis', 'axes', 3, heldAxes) });
     const report = scratch.struct('obc_frame_field_report');

@@ -36,7 +36,7 @@ export function fit(directions, values, given = {}) {
   const [host, { channels = 3, weights, ...chosen }] = split(given);
   const count = directions.length / 3;
   return withHost(host, (lent) => scratched((scratch) => {
-    const picked = options(scratch, 'obc_harmonics_fit_options', chosen, 'OBC_HARMONICS_');
+    const picked = options(scratch, 'obc_harmonics_fit_options', chosen);
     const degree = view('u32', picked, 2)[1];
     const length = raw('obc_harmonics_size', degree) * channels;
     const coefficients = scratch.room('f64', length);

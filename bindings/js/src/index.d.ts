@@ -14,8 +14,11 @@ export class OrbicubeError extends Error {
 
 /** Throw it in a function that a solver calls where it has no value. */
 export class EvaluationFailed extends Error {}
-/** Throw it in a function that a solver calls to end the run. */
-export class StopRun extends Error {}
+/** Throw it in a function that a solver calls to end the run; a value, or residuals, at x count. */
+export class StopRun extends Error {
+  constructor(message?: string, told?: { value?: number | ArrayLike<number> });
+  value?: number | ArrayLike<number>;
+}
 
 export type Numbers = ArrayLike<number>;
 
@@ -30,7 +33,7 @@ export interface Progress {
 
 /** What a computation is lent. */
 export interface Host {
-  /** Answer false to cancel. */
+  /** Return false to cancel. */
   onProgress?: (at: Progress) => boolean | void;
   signal?: AbortSignal;
 }
@@ -94,7 +97,7 @@ export namespace trustRegion {
   function leastSquares(f: (x: Float64Array) => Numbers, x0: Numbers, count: number, options?: TrustRegionOptions & Host): RunResult;
 }
 
-/** Writes the gradient and answers the value. */
+/** Writes the gradient and returns the value. */
 export type WithGradient = (x: Float64Array, gradient: Float64Array) => number;
 
 export interface ProjectedGradientProblem {
@@ -186,7 +189,7 @@ export class Mesh implements Surface {
   close(): void;
 }
 
-/** The format that the name of a file asks for. */
+/** The format that the name of a file requires. */
 export function formatOf(name: string): Format;
 export function writeMesh(surface: SurfaceLike, ending: 'obj' | 'off' | 'ply' | 'stl' | 'mesh' | 'vtk', options?: { binary?: boolean } & Host): Uint8Array;
 export function topology(surface: SurfaceLike, host?: Host): Record<string, number> & { low: number[]; high: number[] };
@@ -257,7 +260,7 @@ export function overlay(first: SurfaceLike, firstDirections: Numbers, second: Su
 
 export interface PolycubeOptions {
   construction?: 'auto' | 'labels' | 'voxels';
-  /** At most; 0: any number. */
+  /** Maximum; 0: no limit. */
   corners?: number;
   seed?: number;
 }
@@ -276,7 +279,7 @@ export class Polycube {
   readonly arrays: Surface & { polycube: Float64Array };
   readonly triangleParts: { labels: Uint8Array; patches: Uint32Array; sources: Uint32Array };
   optimizeDomain(options?: DomainOptions & Host): Polycube;
-  /** A mesh of about so many quads, the same for maps to one polycube: where its vertices are on surface and polycube. */
+  /** A mesh of about the given number of quads, the same for maps to one polycube: where its vertices are on surface and polycube. */
   quads(count?: number, host?: Host): { positions: Float64Array; polycube: Float64Array; corners: Uint32Array; patches: Uint32Array };
   close(): void;
 }
@@ -401,7 +404,7 @@ export interface Hexahedra {
   /** Eight vertices each, in the order of VTK. */
   hexahedra: Uint32Array;
   quads: Uint32Array;
-  /** Of each quad the face of the polycube that it lies on. */
+  /** Of each quad the patch of the polycube that it lies on. */
   quadFaces: Uint32Array;
   report: Record<string, number>;
 }

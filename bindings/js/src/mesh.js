@@ -24,7 +24,7 @@ export function surfaceAt(scratch, surface) {
 export const onSurface = (surface, host, body) =>
   withHost(host, (lent) => scratched((scratch) => body(scratch, surfaceAt(scratch, surface), lent)));
 
-/** The format that a file's name asks for. */
+/** The format that a file's name requires. */
 export function formatOf(name) {
   const ending = name.toLowerCase().split('.').pop();
   const format = { mesh: 'medit' }[ending] ?? ending;
@@ -47,7 +47,7 @@ export class Mesh extends Handle {
     }));
   }
 
-  /** A closed surface by name, of about so many triangles. */
+  /** A closed surface by name, of about the given number of triangles. */
   static make(shape, triangles, { seed = 0, ...host } = {}) {
     return withHost(host, (lent) => scratched((scratch) =>
       new Mesh(make('obc_mesh_make', scratch.text(shape), triangles, BigInt(seed), lent))));
@@ -122,7 +122,7 @@ export class Mesh extends Handle {
   }
 }
 
-/** Runs body(path) on a file of its own in the module's memory, and answers what it wrote. */
+/** Runs body(path) on a file of its own in the module's memory, and returns what it wrote. */
 export function written(ending, body) {
   const { FS } = module();
   const path = `/written.${ending}`;
@@ -140,7 +140,7 @@ export function writeMesh(surface, ending, { binary = true, ...host } = {}) {
     scratch.text(path), at, options(scratch, 'obc_mesh_write_options', { binary: binary ? 1 : 0 }), lent)));
 }
 
-/** Closed, manifold, genus, area, defects with their places: the members of obc_mesh_topology_report. */
+/** Closed, manifold, genus, area, defects with their locations: the members of obc_mesh_topology_report. */
 export function topology(surface, host = {}) {
   return onSurface(surface, host, (scratch, at, lent) => {
     const report = scratch.struct('obc_mesh_topology_report');
@@ -154,7 +154,7 @@ export function checkClosedGenusZero(surface, host = {}) {
   onSurface(surface, host, (scratch, at, lent) => call('obc_mesh_check_closed_genus_zero', at, lent));
 }
 
-/** Triangles turned so that neighbours agree and the surface looks outward, as a new array. */
+/** Triangles turned so that neighbors agree and the surface is outward-oriented, as a new array. */
 export function orient({ positions, triangles }, host = {}) {
   return withHost(host, (lent) => scratched((scratch) => {
     const turned = scratch.room('u32', triangles.length);

@@ -1,7 +1,7 @@
 // The WebAssembly module, and the way into it: memory, structs, texts, errors, callbacks. Everything else is made of these.
 import create from './wasm.mjs';
 import { OrbicubeError } from './errors.js';
-import { callbacks, constants, layouts } from './raw/raw.js';
+import { callbacks, constants, layouts, words } from './raw/raw.js';
 
 let wasm = null;
 
@@ -151,29 +151,57 @@ export function object(struct, address) {
   return result;
 }
 
+// Of the known names the one most like a wrong one, as the end of a sentence.
+function nearest(wrong, known) {
+  const distance = (a, b) => {
+    const row = Array.from({ length: b.length + 1 }, (_, j) => j);
+    for (let i = 1; i <= a.length; ++i) {
+      let corner = row[0];
+      row[0] = i;
+      for (let j = 1; j <= b.length; ++j) {
+        const kept = corner + (a[i - 1] === b[j - 1] ? 0 : 1);
+        corner = row[j];
+        row[j] = Math.min(row[j] + 1, row[j - 1] + 1, kept);
+      }
+    }
+    return row[b.length];
+  };
+  const found = known.map((name) => ({ name, far: distance(wrong, name) })).sort((a, b) => a.far - b.far)[0];
+  return found && found.far <= Math.max(1, found.name.length / 3) ? `; did you mean '${found.name}'?` : '';
+}
+
+// "voxels" among the words of an option.
+function wordAmong(allowed, key, word) {
+  const found = Object.keys(allowed).find((known) => wordOf(known) === wordOf(word));
+  if (found === undefined) {
+    const all = Object.keys(allowed).map((known) => `'${known}'`).join(', ');
+    throw new TypeError(`${key}: one of ${all} is needed, not '${word}'${nearest(word, Object.keys(allowed))}`);
+  }
+  return allowed[found];
+}
+
 /** An options struct: names in camel case, constants as words ("seed" for OBC_SPHERE_MAP_SEED). */
-export function options(scratch, struct, given, prefix) {
+export function options(scratch, struct, given) {
   const address = scratch.struct(struct);
   for (const [key, value] of Object.entries(given ?? {})) {
     if (value === undefined) continue;
     const name = snake(key);
-    if (!(name in layouts[struct].fields)) throw new TypeError(`there is no option ${key}`);
-    setField(struct, address, name, typeof value === 'string' ? constantOf(prefix, name, value) : value);
+    if (!(name in layouts[struct].fields) || name === 'struct_size') {
+      const known = Object.keys(layouts[struct].fields).filter((field) => field !== 'struct_size' && field !== 'reserved').map(camel);
+      throw new TypeError(`there is no option ${key}${nearest(key, known) || '.'} There are: ${known.join(', ')}`);
+    }
+    const allowed = words[struct]?.[name];
+    if (typeof value === 'string' && !allowed) throw new TypeError(`${key}: a number is needed, not '${value}'`);
+    setField(struct, address, name, typeof value === 'string' ? wordAmong(allowed, key, value) : value);
   }
   return address;
-}
-
-// "voxels" of `method` is <prefix>METHOD_VOXELS, or <prefix>VOXELS.
-function constantOf(prefix, member, word) {
-  const own = `${prefix}${member.toUpperCase()}_`;
-  return own + wordOf(word) in constants ? constant(own, word) : constant(prefix, word);
 }
 
 const wordOf = (word) => snake(word).replace(/[- ]/g, '_').toUpperCase();
 
 export function constant(prefix, word) {
   const name = prefix + wordOf(word);
-  if (!(name in constants)) throw new TypeError(`"${word}" is not known here`);
+  if (!(name in constants)) throw new TypeError(`'${word}' is none of the words that are known here`);
   return constants[name];
 }
 
@@ -186,7 +214,7 @@ function failure(error, status) {
   return new OrbicubeError(status, getField('obc_error', error, 'kind'), getField('obc_error', error, 'message'));
 }
 
-/** A function that answers a status and takes an obc_error last. */
+/** A function that returns a status and takes an obc_error last. */
 export function call(name, ...given) {
   const error = allocate(layouts.obc_error.size);
   try {
@@ -230,7 +258,7 @@ export function withCallback(type, closure, body) {
 }
 
 /**
- * Runs body(host) with an obc_host, or 0 when nothing is lent. `onProgress({phase, done, total, best})` cancels by answering
+ * Runs body(host) with an obc_host, or 0 when nothing is lent. `onProgress({phase, done, total, best})` cancels by returning
  * false, an aborted `signal` does as well. What it throws comes out of here.
  */
 export function withHost({ onProgress, signal } = {}, body) {
@@ -286,7 +314,7 @@ export class Handle {
 }
 
 /**
- * An array in the module's memory, which calls take without a copy: fill `array`, or have calls fill it. `array` is made anew at
+ * An array in the module's memory, which calls take without a copy: fill `array`, or have calls fill it. `array` is recreated at
  * each use, as views end when that memory grows.
  */
 export class HeapArray extends Handle {

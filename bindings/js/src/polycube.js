@@ -54,7 +54,7 @@ export class Polycube extends Handle {
     });
   }
 
-  /** A mesh of about so many quads, the same for maps to one polycube: where its vertices are on surface and polycube. */
+  /** A mesh of about the given number of quads, the same for maps to one polycube: where its vertices are on surface and polycube. */
   quads(count = 10000, host = {}) {
     return withHost(host, (lent) => scratched((scratch) => {
       const quads = make('obc_polycube_quads_create', this.address, options(scratch, 'obc_polycube_quads_options', { quads: count }), lent);
@@ -70,12 +70,12 @@ export class Polycube extends Handle {
     }));
   }
 
-  /** The same with the proportions of least distortion. */
+  /** The same with the proportions of minimum distortion. */
   optimizeDomain(given = {}) {
     const [host, chosen] = split(given);
     return withHost(host, (lent) => scratched((scratch) => {
       const out = scratch.bytes(4);
-      const picked = options(scratch, 'obc_polycube_domain_options', chosen, 'OBC_POLYCUBE_');
+      const picked = options(scratch, 'obc_polycube_domain_options', chosen);
       call('obc_polycube_optimize_domain', this.address, picked, lent, 0, out);
       return new Polycube(view('u32', out, 1)[0]);
     }));
@@ -86,7 +86,7 @@ export class Polycube extends Handle {
 export function polycube(surface, given = {}) {
   const [host, chosen] = split(given);
   return onSurface(surface, host, (scratch, at, lent) => {
-    const picked = options(scratch, 'obc_polycube_options', chosen, 'OBC_POLYCUBE_');
+    const picked = options(scratch, 'obc_polycube_options', chosen);
     return new Polycube(make('obc_polycube_compute', at, picked, lent));
   });
 }
@@ -102,8 +102,8 @@ export function commonPolycube(surfaces, given = {}) {
       view('u32', at + size * i, 4).set(view('u32', surfaceAt(scratch, surface), 4)));
     const out = scratch.room('u32', count);
     call('obc_polycube_compute_common', at, count,
-      options(scratch, 'obc_polycube_options', { construction, corners, seed }, 'OBC_POLYCUBE_'),
-      options(scratch, 'obc_polycube_domain_options', domain, 'OBC_POLYCUBE_'), lent, 0, out);
+      options(scratch, 'obc_polycube_options', { construction, corners, seed }),
+      options(scratch, 'obc_polycube_domain_options', domain), lent, 0, out);
     return Array.from(view('u32', out, count).slice(), (address) => new Polycube(address));
   }));
 }

@@ -1,4 +1,4 @@
-// Minimises f with gradients, subject to bounds and linear equations: docs/projected_gradient.md.
+// Minimizes f with gradients, subject to bounds and linear equations: docs/projected_gradient.md.
 import { call, make, object, options, raw, scratched, text, view } from './module.js';
 import { GradientRun, minimizeWithGradients, spread } from './solver.js';
 
@@ -29,14 +29,14 @@ function problemOf(scratch, n, { lower, upper, A, b }) {
   return scratch.struct(`${PREFIX}_problem`, members);
 }
 
-/** A run by questions and answers. */
+/** A run by reverse communication. */
 export class ProjectedGradient extends GradientRun {
   constructor(x0, { lower, upper, A, b, saved, ...chosen } = {}) {
     const n = x0.length;
     const address = scratched((scratch) => {
       const problem = problemOf(scratch, n, { lower, upper, A, b });
       if (saved) return make(`${PREFIX}_load`, problem, scratch.array('u8', saved, saved.length), saved.length, 0);
-      const picked = options(scratch, `${PREFIX}_options`, chosen, 'OBC_PROJECTED_GRADIENT_');
+      const picked = options(scratch, `${PREFIX}_options`, chosen);
       return make(`${PREFIX}_create`, problem, picked, scratch.array('f64', x0, n, 'x0'), 0);
     });
     super(PREFIX, address, n, n);
@@ -58,7 +58,7 @@ export class ProjectedGradient extends GradientRun {
   }
 }
 
-/** The least value of f(x, gradient) that is found from x0. What f gets is used again: copy what you keep. */
+/** The minimum value of f(x, gradient) that is found from x0. What f gets is used again: copy what you keep. */
 export function minimize(f, x0, given = {}) {
   return minimizeWithGradients(ProjectedGradient, f, x0, given);
 }

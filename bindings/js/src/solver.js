@@ -1,4 +1,4 @@
-// What the solvers have in common: a run asks what it wants to know and is told it.
+// What the solvers have in common: reverse communication, callbacks, saved runs.
 import { constants } from './raw/raw.js';
 import { Handle, allocate, call, module, object, raw, scratched, text, view } from './module.js';
 
@@ -10,11 +10,15 @@ export class EvaluationFailed extends Error {
   }
 }
 
-/** Throw it in a function that a solver calls to end the run; the best point so far is handed out. */
+/**
+ * Throw it in a function that a solver calls to end the run; the best point so far is handed out. `value`, or the residuals,
+ * at x count.
+ */
 export class StopRun extends Error {
-  constructor(message = 'the run was stopped') {
+  constructor(message = 'the run was stopped', { value } = {}) {
     super(message);
     this.name = 'StopRun';
+    this.value = value;
   }
 }
 
@@ -27,7 +31,7 @@ export function spread(scratch, value, length, name) {
   return scratch.array('f64', typeof value === 'number' ? new Float64Array(length).fill(value) : value, length, name);
 }
 
-/** A run of a solver; `prefix` is the beginning of its C names, `outputs` how many numbers it is told besides gradients. */
+/** A run of a solver; `prefix` is the beginning of its C names, `outputs` the number of values of an evaluation besides gradients. */
 export class Run extends Handle {
   #prefix;
   #step;
@@ -55,7 +59,7 @@ export class Run extends Handle {
     for (;;) {
       const request = this.#step(this.address, this.#out, this.#out + 4);
       if (request === DONE) return null;
-      if (request < 0) throw new Error(`${this.#prefix}_step answered ${request}`);
+      if (request < 0) throw new Error(`${this.#prefix}_step returned ${request}`);
       if (request === NEED) {
         const address = view('u32', this.#out, 1)[0];
         if (this.#seen?.byteOffset !== address || this.#seen.length === 0) this.#seen = view('f64', address, this.n);
@@ -71,12 +75,12 @@ export class Run extends Handle {
     }
   }
 
-  /** Points that wait for an answer, where several may. */
+  /** Points that wait for values, where there may be several. */
   get waiting() {
     return view('u32', this.#out + 4, 1)[0];
   }
 
-  /** Where numbers are put before they are told. */
+  /** Where numbers are stored before tell. */
   get answers() {
     if (this.#put === null || this.#put.length === 0) this.#put = view('f64', this.answersAt, this.outputs);
     return this.#put;
@@ -95,16 +99,18 @@ export class Run extends Handle {
     this.#stopped = true;
   }
 
-  /** Asks `evaluate(x)` for each point until the run has ended; it answers false where there is no value. */
-  drive(evaluate, fail, { onProgress, signal, limit = 0 } = {}) {
+  /** Calls `evaluate(x)` for each point until the run has ended; `fail()` where there is no value, `told(value)` at the last. */
+  drive(evaluate, fail, told, { onProgress, signal, limit = 0 } = {}) {
     const report = onProgress || signal ? (at) => !signal?.aborted && onProgress?.(at) !== false : null;
     for (let x; !this.#stopped && (x = this.next(report, limit)) !== null;) {
       try {
         evaluate(x);
       } catch (problem) {
         if (problem instanceof EvaluationFailed) fail();
-        else if (problem instanceof StopRun) this.#stopped = true;
-        else throw problem;
+        else if (problem instanceof StopRun) {
+          if (problem.value !== undefined) told(problem.value);
+          this.#stopped = true;
+        } else throw problem;
       }
     }
     return this.result;
@@ -149,30 +155,30 @@ export class Run extends Handle {
 
 /** A run of a solver that wants a gradient with each value. */
 export class GradientRun extends Run {
-  /** The point at which value and gradient are wanted next; null when the run has ended. */
+  /** The point at which value and gradient are requested next; null when the run has ended. */
   ask() {
     return this.next()?.slice() ?? null;
   }
 
-  /** Value and gradient at the point asked for; a value that is not finite: there is none. */
+  /** Value and gradient at the point requested; a value that is not finite: there is none. */
   tell(value, gradient) {
     if (!Number.isFinite(value) || !gradient) return this.answer(NaN, 0);
     if (gradient !== this.answers) this.answers.set(gradient);
     return this.answer(value, this.answersAt);
   }
 
-  /** Asks f(x, gradient) until the run has ended; it writes the gradient and answers the value. */
+  /** Calls f(x, gradient) until the run has ended; it writes the gradient and returns the value. */
   run(f, host) {
     return this.drive((x) => {
       const { answers } = this;
       const value = f(x, answers);
       if (answers.length === 0) throw new Error('the memory grew within f: the gradient is lost');
       this.tell(value, answers);
-    }, () => this.tell(NaN), host);
+    }, () => this.tell(NaN), (value) => this.tell(value, new Float64Array(this.n)), host);
   }
 }
 
-/** The least value of f that a run of the class finds from x0. */
+/** The minimum value of f that a run of the class finds from x0. */
 export function minimizeWithGradients(Solver, f, x0, { onProgress, signal, ...given }) {
   const solver = new Solver(x0, given);
   try {

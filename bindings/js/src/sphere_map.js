@@ -28,7 +28,7 @@ export function sphereMap(surface, { out, ...given } = {}) {
   return onSurface(surface, host, (scratch, at, lent) => {
     const [directions, answer] = target(scratch, 'f64', lengthOf(surface), out);
     const report = scratch.struct(REPORT);
-    call('obc_sphere_map_compute', at, options(scratch, OPTIONS, chosen, PREFIX), lent, directions, report);
+    call('obc_sphere_map_compute', at, options(scratch, OPTIONS, chosen), lent, directions, report);
     return { directions: answer(directions), report: object(REPORT, report) };
   });
 }
@@ -39,12 +39,12 @@ export function measure(surface, directions, given = {}) {
   return onSurface(surface, host, (scratch, at, lent) => {
     const report = scratch.struct(REPORT);
     call('obc_sphere_map_measure', at, scratch.array('f64', directions, lengthOf(surface), 'directions'),
-      options(scratch, OPTIONS, chosen, PREFIX), lent, report);
+      options(scratch, OPTIONS, chosen), lent, report);
     return object(REPORT, report);
   });
 }
 
-/** Of each triangle its dilatation and area ratio, for colouring. */
+/** Of each triangle its quasi-conformal distortion and area ratio, for coloring. */
 export function faceDistortion(surface, directions, host = {}) {
   const count = surface instanceof Mesh ? surface.triangleCount : surface.triangles.length / 3;
   return onSurface(surface, host, (scratch, at, lent) => {

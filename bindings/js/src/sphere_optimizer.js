@@ -1,16 +1,16 @@
-// Minimises f over products of unit spheres: docs/sphere_optimizer.md.
+// Minimizes f over products of unit spheres: docs/sphere_optimizer.md.
 import { make, options, scratched } from './module.js';
 import { GradientRun, minimizeWithGradients } from './solver.js';
 
 const PREFIX = 'obc_sphere_optimizer';
 
-/** A run by questions and answers over unit vectors of `dimension` numbers, one after the other in x0. */
+/** A run by reverse communication over unit vectors of `dimension` numbers, one after the other in x0. */
 export class SphereOptimizer extends GradientRun {
   constructor(x0, { dimension = 3, saved, ...chosen } = {}) {
     const n = x0.length;
     const address = scratched((scratch) => {
       if (saved) return make(`${PREFIX}_load`, scratch.array('u8', saved, saved.length), saved.length, 0);
-      const picked = options(scratch, `${PREFIX}_options`, chosen, 'OBC_SPHERE_OPTIMIZER_');
+      const picked = options(scratch, `${PREFIX}_options`, chosen);
       if (n % dimension !== 0) throw new RangeError(`${n} numbers are not vectors of ${dimension}`);
       return make(`${PREFIX}_create`, n / dimension, dimension, picked, scratch.array('f64', x0, n), 0);
     });
@@ -23,7 +23,7 @@ export class SphereOptimizer extends GradientRun {
   }
 }
 
-/** The least value of f(x, gradient) that is found from x0. What f gets is used again: copy what you keep. */
+/** The minimum value of f(x, gradient) that is found from x0. What f gets is used again: copy what you keep. */
 export function minimize(f, x0, given = {}) {
   return minimizeWithGradients(SphereOptimizer, f, x0, given);
 }

@@ -1,4 +1,4 @@
-// Minimises f(x), or a sum of squares of residuals, within bounds, from values alone: docs/trust_region.md.
+// Minimizes f(x), or a sum of squares of residuals, within bounds, from values alone: docs/trust_region.md.
 import { call, make, options, scratched, view } from './module.js';
 import { Run, spread } from './solver.js';
 
@@ -10,14 +10,14 @@ function problemOf(scratch, n, residuals, { lower, upper, scale, sign }) {
   });
 }
 
-/** A run by questions and answers. */
+/** A run by reverse communication. */
 export class TrustRegion extends Run {
   constructor(x0, { residuals = 0, lower, upper, scale, sign, saved, ...chosen } = {}) {
     const n = x0.length;
     const address = scratched((scratch) => {
       const problem = problemOf(scratch, n, residuals, { lower, upper, scale, sign });
       if (saved) return make('obc_trust_region_load', problem, scratch.array('u8', saved, saved.length), saved.length, 0);
-      const picked = options(scratch, 'obc_trust_region_options', chosen, 'OBC_TRUST_REGION_');
+      const picked = options(scratch, 'obc_trust_region_options', chosen);
       return make('obc_trust_region_create', problem, picked, scratch.array('f64', x0, n, 'x0'), 0);
     });
     super('obc_trust_region', address, n, Math.max(1, residuals));
@@ -28,19 +28,19 @@ export class TrustRegion extends Run {
     return new TrustRegion(x0, { ...problem, saved });
   }
 
-  /** The point at which f, or the residuals, are wanted next; null when the run has ended. */
+  /** The point at which f, or the residuals, are requested next; null when the run has ended. */
   ask() {
     return this.next()?.slice() ?? null;
   }
 
-  /** All points that may be evaluated at the same time; tell of each in order. */
+  /** All points that may be evaluated at the same time; tell each in order. */
   askAll() {
     const first = this.next();
     if (first === null) return null;
     return Array.from({ length: this.waiting }, (_, i) => view('f64', first.byteOffset + 8 * i * this.n, this.n).slice());
   }
 
-  /** The value, or the residuals, at the first point asked for; null: there is none. */
+  /** The value, or the residuals, at the first point requested; null: there is none. */
   tell(outputs) {
     if (outputs === null || outputs === undefined) return this.answer(0);
     const { answers } = this;
@@ -64,9 +64,9 @@ export class TrustRegion extends Run {
     return [x, 0];
   }
 
-  /** Asks f until the run has ended. */
+  /** Calls f until the run has ended. */
   run(f, host) {
-    return this.drive((x) => this.tell(f(x)), () => this.tell(null), host);
+    return this.drive((x) => this.tell(f(x)), () => this.tell(null), (outputs) => this.tell(outputs), host);
   }
 }
 
@@ -80,8 +80,8 @@ function run(f, x0, given) {
   }
 }
 
-/** The least value of f that is found from x0. The x that f gets is used again: copy what you keep. */
+/** The minimum value of f that is found from x0. The x that f gets is used again: copy what you keep. */
 export const minimize = (f, x0, given = {}) => run(f, x0, given);
 
-/** The least sum of squares of `count` residuals; f answers them. */
+/** The minimum sum of squares of `count` residuals; f returns them. */
 export const leastSquares = (f, x0, count, given = {}) => run(f, x0, { ...given, residuals: count });

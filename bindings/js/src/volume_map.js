@@ -37,13 +37,13 @@ export function untangle({ positions, tetrahedra }, given = {}) {
 
 /**
  * Fills a closed surface with hexahedra, certified: `positions`, `hexahedra` (eight vertices each, as VTK orders them), the `quads` of
- * the boundary, of each the face of the polycube that it lies on, and a `report`. Options: method ("auto", "polycube",
+ * the boundary, of each the patch of the polycube that it lies on, and a `report`. Options: method ("auto", "polycube",
  * "voxels"), cells, padding ("auto", "with", "without"), distance (in percent; more cells where a mesh is farther), mostCells, sharpAngle, corners, triangles, seed, rounds.
  */
 export function hexahedra(surface, given = {}) {
   const [host, chosen] = split(given);
   return onSurface(surface, host, (scratch, at, lent) => {
-    const picked = options(scratch, 'obc_volume_map_hexes_options', chosen, 'OBC_VOLUME_MAP_');
+    const picked = options(scratch, 'obc_volume_map_hexes_options', chosen);
     const report = scratch.struct('obc_volume_map_hexes_report');
     const hexes = make('obc_volume_map_hexes_compute', at, picked, lent, report);
     try {

@@ -1,4 +1,4 @@
-// The worker's side of client.js: one piece of work after the other, with progress and an end when it is asked for.
+// The worker's side of client.js: one piece of work after the other, with progress and cancellation.
 import { ready } from './module.js';
 import { Mesh, formatOf } from './mesh.js';
 import { sphereMap } from './sphere_map.js';

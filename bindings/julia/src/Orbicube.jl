@@ -9,6 +9,7 @@ export TrustRegion, ProjectedGradient, SphereOptimizer, optimize, least_squares,
 export minimizer, converged, iterations, f_calls, stop_reason, report
 export Run, ask!, tell!, result, multipliers, save, load
 export relax, Relaxation, relax!
+export LinearFactor, solve, refactor!, remove_row!, update!, entry_count, LinearIterations
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
 export Mesh, shape_names, read_mesh, write_mesh, check_cells, boundary, tetrahedron_quality, fill_with_tetrahedra, check_fillable
 export check_closed_genus_zero, orient, intersections, first_at_same_position, Search, nearest_vertices, nearest_points
@@ -22,6 +23,8 @@ export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, op
 export energies, polycube_graph, polycube_quads
 export untangle, map_to_polycube, fill_with_hexahedra, fill_along_frames
 
+using SparseArrays
+
 include("raw.jl")
 include("call.jl")
 include("solvers.jl")
@@ -31,5 +34,6 @@ include("spheres.jl")
 include("frames.jl")
 include("polycubes.jl")
 include("volumes.jl")
+include("linear.jl")
 
 end

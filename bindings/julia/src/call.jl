@@ -12,8 +12,16 @@ Base.showerror(io::IO, error::OrbicubeError) = print(io, "OrbicubeError: ", erro
 "Throw it in a function that a solver calls where it has no value: the method goes on elsewhere."
 struct EvaluationFailed <: Exception end
 
-"Throw it in a function that a solver calls: the run ends as cancelled, with the best point so far."
-struct StopRun <: Exception end
+"""
+    StopRun([value])
+
+Throw it in a function that a solver calls: the run ends as cancelled, with the best point so far. A `value` at x counts, and of
+residuals what was filled, if all of it was.
+"""
+struct StopRun <: Exception
+    value::Float64
+end
+StopRun() = StopRun(NaN)
 
 text(characters::NTuple{N,UInt8}) where {N} = String(UInt8[c for c in Iterators.takewhile(!iszero, characters)])
 text(string::Cstring) = string == C_NULL ? "" : unsafe_string(string)
@@ -23,11 +31,17 @@ function check(status::Int32, error::Raw.obc_error)
     nothing
 end
 
-"Calls `f(error)`, which answers a status."
+"Calls `f(error)`, which returns a status."
 function checked(f)
     error = Raw.obc_error()
     check(f(error), error)
 end
+
+# Finalizers of all handles run when the program ends, also where another thread is inside of a call with one: what is left then,
+# the system takes back.
+const ending = Ref(false)
+__init__() = atexit(() -> ending[] = true)
+released(destroy, handle) = ending[] ? nothing : destroy(handle)
 
 # What a closure throws is kept, and thrown again when C has returned.
 mutable struct Caught
@@ -60,8 +74,8 @@ end
 progress_function(::F) where {F} = @cfunction(reported, Int32, (Cstring, UInt64, UInt64, Float64, Ref{Report{F}}))
 
 """
-Calls `f(host, error)` with a host that has so many threads (0: one a core) and a function `progress(phase, done, total, best)`,
-which cancels by answering `false`. An exception in it comes out.
+Calls `f(host, error)` with a host of the given number of threads (0: one a core) and a function `progress(phase, done, total, best)`,
+which cancels by returning `false`. An exception in it comes out.
 """
 function hosted(f; threads::Integer=0, progress=nothing)
     host = Raw.obc_host()
@@ -79,22 +93,63 @@ function hosted(f; threads::Integer=0, progress=nothing)
     check(status, error)
 end
 
-"A struct with its defaults, then what is given by name; a symbol such as `:angle_area` is the constant PREFIX_ANGLE_AREA."
+"Of the known names those most like a wrong one, as the end of a sentence."
+function nearest(wrong, known)
+    best = filter(name -> distance(string(wrong), string(name)) <= max(1, length(string(name)) ÷ 3), collect(known))
+    isempty(best) ? "" : "; did you mean $(join(repr.(few(sort(best, by=name -> distance(string(wrong), string(name))), 2)), " or "))?"
+end
+
+few(values, count) = values[1:min(count, length(values))]
+
+"The number of characters to insert, remove or replace."
+function distance(a, b)
+    row = collect(0:length(b))
+    for (i, x) in enumerate(a)
+        corner, row[1] = row[1], i
+        for (j, y) in enumerate(b)
+            corner, row[j+1] = row[j+1], min(row[j] + 1, row[j+1] + 1, corner + (x != y))
+        end
+    end
+    row[end]
+end
+
+"The constant of a word among those allowed."
+function chosen_word(name, word::Symbol, allowed)
+    for (known, number) in allowed
+        known == word && return number
+    end
+    throw(ArgumentError("$name = :$word: one of $(join(repr.(first.(allowed)), ", ")) is needed$(nearest(word, first.(allowed)))"))
+end
+
+"A number as a member of a struct has it."
+function number_for(T, name, value)
+    value isa Union{AbstractString,AbstractArray,Nothing} &&
+        throw(ArgumentError("$name = $(repr(value)): a number is needed"))
+    try
+        convert(fieldtype(T, name), value)
+    catch error
+        error isa InexactError || rethrow()
+        throw(ArgumentError("$name = $value: out of range, or no integer"))
+    end
+end
+
+"A struct with its defaults, then what is given by name; a symbol such as `:angle_area` is one of the words of the option."
 function filled(::Type{T}, init, given, prefix="") where {T}
     it = T()
     status = init(it, sizeof(it))
     status == Raw.OBC_OK || throw(OrbicubeError(status, "invalid-argument", string(T)))
+    options = filter(name -> !(name in (:struct_size, :reserved)), collect(fieldnames(T)))
     for (name, value) in pairs(given)
-        (hasfield(T, name) && name != :struct_size) ||
-            throw(ArgumentError("no option $name; there are $(join(fieldnames(T)[2:end], ", "))"))
-        if value isa Symbol
-            word = uppercase(string(value))
-            constant = Symbol(prefix * uppercase(string(name)) * "_" * word)
-            isdefined(Raw, constant) || (constant = Symbol(prefix * word))
-            isdefined(Raw, constant) || throw(ArgumentError("$name = :$value: there is no $constant"))
-            value = getfield(Raw, constant)
+        name in options || begin
+            near = nearest(name, options)
+            throw(ArgumentError("no option $name$(isempty(near) ? "." : near) There are: $(join(options, ", "))"))
         end
-        setfield!(it, name, convert(fieldtype(T, name), value))
+        if value isa Symbol
+            allowed = get(Raw.words, (nameof(T), name), nothing)
+            allowed === nothing && throw(ArgumentError("$name = :$value: a number is needed"))
+            value = chosen_word(name, value, allowed)
+        end
+        setfield!(it, name, number_for(T, name, value))
     end
     it
 end

@@ -57,7 +57,7 @@ module Quaternions
 
 using ..Orbicube: Raw, checked, expect, columns
 
-# Each column of the arguments, which have so many rows; single ones again and again.
+# Each column of the arguments, which have the given number of rows; single ones repeatedly.
 function each(f, rows, given, arrays...)
     counts = [columns(array, height, "an argument") for (array, height) in zip(arrays, given)]
     n = maximum(counts)

@@ -43,7 +43,7 @@ function taken(f; host...)
     end
 end
 
-"A closed surface by name, of about so many triangles."
+"A closed surface by name, of about the given number of triangles."
 make_surface(shape, count=10000; seed=0, host...) =
     taken((out, lent, error) -> Raw.obc_mesh_make(shape, count, seed, lent, out, error); host...)
 
@@ -101,7 +101,7 @@ function Locator(surface::Surface, directions::AbstractMatrix; host...)
     expect(length(directions), 3 * vertex_count(surface), "directions")
     out, places = Ref(C_NULL), doubles(directions)
     with_surface((view, lent, error) -> Raw.obc_sphere_map_locator_create(view, places, lent, out, error), surface; host...)
-    finalizer(it -> Raw.obc_sphere_map_locator_destroy(it.handle), Locator(out[], vertex_count(surface)))
+    finalizer(it -> released(Raw.obc_sphere_map_locator_destroy, it.handle), Locator(out[], vertex_count(surface)))
 end
 
 "The triangle (from 1) of each direction, and its weights at the corners."
@@ -128,7 +128,7 @@ end
 "The surface on a regular triangulation: :icosphere, :cube, :latitude or :octahedron."
 function remesh(locator::Locator, positions::AbstractMatrix, grid::Symbol, resolution::Integer; host...)
     expect(length(positions), 3 * locator.vertices, "positions")
-    given, kind = doubles(positions), getfield(Raw, Symbol("OBC_SPHERE_MAP_", uppercase(string(grid))))
+    given, kind = doubles(positions), grid_of(grid)
     GC.@preserve locator taken(; host...) do out, lent, error
         Raw.obc_sphere_map_remesh(locator.handle, given, kind, resolution, lent, out, error)
     end
@@ -204,7 +204,7 @@ function frame_field(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Int
     frames, report
 end
 
-# Tetrahedra from 0, what is held there, and weights, of which there may be none.
+# Tetrahedra from 0, what is fixed there, and weights, of which there may be none.
 function held_arrays(held, rows, m, what)
     held === nothing && return UInt32[], zeros(rows, 0), Float64[]
     all(t -> 1 <= t <= m, held[1]) || throw(ArgumentError("$what: numbers of tetrahedra from 1 to $m are needed"))

@@ -1,6 +1,6 @@
 # Meshes of cells, searches, exact signs, files of engines, and surfaces filled with tetrahedra.
 
-# What f(0), f(1), ... answer until there is no more.
+# What f(0), f(1), ... return until there is no more.
 function texts(f)
     found = String[]
     while (one = f(length(found))) != C_NULL
@@ -118,7 +118,7 @@ end
 check_closed_genus_zero(surface::Surface; host...) =
     with_surface((view, lent, error) -> Raw.obc_mesh_check_closed_genus_zero(view, lent, error), surface; host...)
 
-"The surface with triangles turned so that neighbours agree and a closed one looks outward, and what was done."
+"The surface with triangles turned so that neighbors agree and a closed one is outward-oriented, and what was done."
 function orient(surface::Surface; host...)
     report = filled(Raw.obc_mesh_orient_report, Raw.obc_mesh_orient_report_init, NamedTuple())
     turned = copy(surface.triangles)
@@ -151,7 +151,7 @@ end
 function Search(surface::Surface; host...)
     out = Ref(C_NULL)
     with_surface((view, lent, error) -> Raw.obc_mesh_search_create(view, lent, out, error), surface; host...)
-    finalizer(it -> Raw.obc_mesh_search_destroy(it.handle), Search(out[]))
+    finalizer(it -> released(Raw.obc_mesh_search_destroy, it.handle), Search(out[]))
 end
 
 "The vertex nearest to each point (3 by n)."
@@ -259,7 +259,7 @@ end
 """
     fill_with_tetrahedra(surface; size_positions, size_lengths, options...)
 
-A closed surface filled by TetGen, whose licence, the AGPL 3, binds programs that call this: `positions` (the surface's first), `tetrahedra`,
+A closed surface filled by TetGen, whose license, the AGPL 3, binds programs that call this: `positions` (the surface's first), `tetrahedra`,
 `boundary`, `boundary_source` (triangles of the surface), `parts` and `cavities`. Options: keep_surface, quality, max_volume, edge_length,
 size_growth.
 """

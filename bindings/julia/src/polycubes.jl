@@ -2,7 +2,7 @@
 
 """
 A certified polycube map: `positions` in space and `polycube` (3 by n; the surface's vertices first), `triangles` (3 by m), numbers of
-`corners` and `patches`, and the `report` of the optimisation that it comes from, if it comes from one.
+`corners` and `patches`, and the `report` of the optimization that it comes from, if it comes from one.
 """
 mutable struct PolycubeMap
     handle::Ptr{Cvoid}
@@ -19,7 +19,7 @@ function PolycubeMap(handle::Ptr{Cvoid}, report=nothing)
     n, m = Raw.obc_polycube_vertex_count(handle), Raw.obc_polycube_triangle_count(handle)
     map = PolycubeMap(handle, Matrix{Float64}(undef, 3, n), Matrix{Float64}(undef, 3, n), Matrix{Int}(undef, 3, m),
                       Raw.obc_polycube_corner_count(handle), Raw.obc_polycube_patch_count(handle), report)
-    finalizer(it -> Raw.obc_polycube_destroy(it.handle), map)
+    finalizer(it -> released(Raw.obc_polycube_destroy, it.handle), map)
     faces = Matrix{UInt32}(undef, 3, m)
     checked(error -> Raw.obc_polycube_copy(handle, map.positions, map.polycube, faces, error))
     map.triangles .= Int.(faces) .+ 1
@@ -111,7 +111,7 @@ function optimize_domain(map::PolycubeMap; threads=0, progress=nothing, options.
     end
 end
 
-"The same for maps to one polycube: the least sum of energies."
+"The same for maps to one polycube: the minimum sum of energies."
 function optimize_domain(maps::AbstractVector{PolycubeMap}; threads=0, progress=nothing, options...)
     chosen, handles = domain_options(values(options)), [map.handle for map in maps]
     GC.@preserve maps made_together(length(maps); threads=threads, progress=progress) do lent, out, error
@@ -119,7 +119,7 @@ function optimize_domain(maps::AbstractVector{PolycubeMap}; threads=0, progress=
     end
 end
 
-"Better places of the corners on the surface. Options: method (`:trust_region`, `:gradient`), area_weight, domain, rounds."
+"Better positions of the corners on the surface. Options: method (`:trust_region`, `:gradient`), area_weight, domain, rounds."
 function optimize_corners(map::PolycubeMap; threads=0, progress=nothing, options...)
     chosen = filled(Raw.obc_polycube_corner_options, Raw.obc_polycube_corner_options_init, values(options), "OBC_POLYCUBE_")
     report = sized(Raw.obc_polycube_corner_report)
@@ -159,7 +159,7 @@ function meet_features(map::PolycubeMap; vertices=Int[], places=zeros(3, 0), wei
     end
 end
 
-"Of the optimisation that a map comes from; they never rise."
+"Of the optimization that a map comes from; they never rise."
 function energies(map::PolycubeMap)
     GC.@preserve map begin
         found = Vector{Float64}(undef, Raw.obc_polycube_energy_count(map.handle))

@@ -22,6 +22,7 @@ function Base.show(io::IO, it::CStruct)
 end
 
 include("raw/libraries.jl")
+include("raw/words.jl")
 
 const loaded = Dict{Symbol,Ptr{Cvoid}}()
 

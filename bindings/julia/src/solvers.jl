@@ -1,26 +1,26 @@
-# The solvers: optimize with functions, as in Optim; and by questions and answers.
+# The solvers: optimize with functions, as in Optim; and by reverse communication.
 
 abstract type Method end
 
-"Minimises without derivatives, within bounds. Options are the members of `obc_trust_region_options`."
+"Minimizes without derivatives, within bounds. Options are the members of `obc_trust_region_options`."
 struct TrustRegion{O} <: Method
     options::O
 end
 TrustRegion(; options...) = TrustRegion(values(options))
 
-"Minimises with gradients, subject to bounds and `A x = b`. Options are the members of `obc_projected_gradient_options`."
+"Minimizes with gradients, subject to bounds and `A x = b`. Options are the members of `obc_projected_gradient_options`."
 struct ProjectedGradient{O} <: Method
     options::O
 end
 ProjectedGradient(; options...) = ProjectedGradient(values(options))
 
-"Minimises with gradients over unit vectors, the columns of x. Options are the members of `obc_sphere_optimizer_options`."
+"Minimizes with gradients over unit vectors, the columns of x. Options are the members of `obc_sphere_optimizer_options`."
 struct SphereOptimizer{O} <: Method
     options::O
 end
 SphereOptimizer(; options...) = SphereOptimizer(values(options))
 
-"How a run ended; ask it with `minimizer`, `minimum`, `converged`, `iterations`, `f_calls`, `stop_reason` and `report`."
+"The end of a run; query it with `minimizer`, `minimum`, `converged`, `iterations`, `f_calls`, `stop_reason` and `report`."
 struct Result{X,R}
     x::X
     report::R
@@ -36,7 +36,7 @@ report(result::Result) = result.report
 Base.show(io::IO, result::Result) = print(io, "Result: ", result.stop, " after ", f_calls(result), " evaluations, minimum ",
                                           minimum(result), " at ", minimizer(result))
 
-"A function that answers the value and fills the gradient: `fg!(G, x)`."
+"A function that returns the value and fills the gradient: `fg!(G, x)`."
 struct ValueAndGradient{F}
     fg!::F
 end
@@ -51,33 +51,38 @@ mutable struct Called{F,N}
     caught::Caught
 end
 
-function answered(f, called)::Int32
+function answered(f, called, stopped=_ -> nothing)::Int32
     try
         f()
         Int32(0)
     catch error
         error isa EvaluationFailed && return Int32(2)
-        error isa StopRun && return Int32(1)
+        if error isa StopRun
+            stopped(error)
+            return Int32(1)
+        end
         keep!(called.caught, error)
     end
 end
 
 function value_called(x::Ptr{Float64}, n::Csize_t, output::Ptr{Float64}, called::Called)::Int32
     unsafe_copyto!(pointer(called.x), x, n)
-    answered(() -> unsafe_store!(output, convert(Float64, called.f(called.x))), called)
+    answered(() -> unsafe_store!(output, convert(Float64, called.f(called.x))), called, stop -> unsafe_store!(output, stop.value))
 end
 
 function residuals_called(x::Ptr{Float64}, n::Csize_t, output::Ptr{Float64}, called::Called)::Int32
     unsafe_copyto!(pointer(called.x), x, n)
-    answered(called) do
+    fill!(called.output, NaN)  # what is not filled before a StopRun does not count
+    told(_=nothing) = unsafe_copyto!(output, pointer(called.output), length(called.output))
+    answered(called, told) do
         called.f(called.output, called.x)
-        unsafe_copyto!(output, pointer(called.output), length(called.output))
+        told()
     end
 end
 
 function gradient_called(x::Ptr{Float64}, n::Csize_t, value::Ptr{Float64}, gradient::Ptr{Float64}, called::Called)::Int32
     unsafe_copyto!(pointer(called.x), x, n)
-    answered(called) do
+    answered(called, stop -> unsafe_store!(value, stop.value)) do
         unsafe_store!(value, convert(Float64, called.f(called.output, called.x)))
         unsafe_copyto!(gradient, pointer(called.output), length(called.output))
     end
@@ -161,7 +166,7 @@ end
     optimize(f, g!, x0, ProjectedGradient(); ...)
     optimize(only_fg!(fg!), x0, SphereOptimizer())
 
-The least value that is found from x0. `fg!(G, x)` fills the gradient and answers the value; `g!(G, x)` only fills it. The x that
+The minimum value that is found from x0. `fg!(G, x)` fills the gradient and returns the value; `g!(G, x)` only fills it. The x that
 functions are given is used again. For ProjectedGradient also `optimize(..., lower, upper, x0, method)`, as in Optim.
 """
 function optimize(f, x0::AbstractVector, method::TrustRegion; problem...)
@@ -179,7 +184,7 @@ end
 """
     least_squares(r!, count, x0, TrustRegion(); lower, upper, scale, sign)
 
-The least sum of squares of `count` residuals, which `r!(R, x)` fills, with signs 1 or -1 if they are given.
+The minimum sum of squares of `count` residuals, which `r!(R, x)` fills, with signs 1 or -1 if they are given.
 """
 function least_squares(r!, count::Integer, x0::AbstractVector, method::TrustRegion=TrustRegion(); problem...)
     count > 0 || throw(ArgumentError("no residuals"))
@@ -239,7 +244,7 @@ function project(y::AbstractVector; threads=0, progress=nothing, problem...)
     x, multipliers
 end
 
-# -- by questions and answers --------------------------------------------------------------------------------------------------
+# -- by reverse communication --------------------------------------------------------------------------------------------------
 
 """
     Run(x0, method; ...)                    the arguments of optimize; residuals=count for least squares
@@ -265,8 +270,8 @@ start(x0, ::SphereOptimizer) = throw(DimensionMismatch("x0: a column a sphere is
 function opened(handle, set, x, method::M, outputs) where {M}
     run = Run{M,ndims(x)}(handle, set, x, outputs)
     finalizer(run) do it
-        M <: TrustRegion ? Raw.obc_trust_region_destroy(it.handle) :
-        M <: ProjectedGradient ? Raw.obc_projected_gradient_destroy(it.handle) : Raw.obc_sphere_optimizer_destroy(it.handle)
+        released(M <: TrustRegion ? Raw.obc_trust_region_destroy :
+                 M <: ProjectedGradient ? Raw.obc_projected_gradient_destroy : Raw.obc_sphere_optimizer_destroy, it.handle)
     end
 end
 
@@ -311,7 +316,7 @@ step!(run::Run{<:TrustRegion}, x) = Raw.obc_trust_region_step(run.handle, x, C_N
 step!(run::Run{<:ProjectedGradient}, x) = Raw.obc_projected_gradient_step(run.handle, x)
 step!(run::Run{<:SphereOptimizer}, x) = Raw.obc_sphere_optimizer_step(run.handle, x)
 
-"The point that is asked about, a copy; `nothing` when the run has ended."
+"The point that is queried, a copy; `nothing` when the run has ended."
 function ask!(run::Run)
     x = Ref(Ptr{Float64}(C_NULL))
     GC.@preserve run while true
@@ -322,7 +327,7 @@ function ask!(run::Run)
     end
 end
 
-"What there is at the point asked about; what is not finite: nothing."
+"The value at the point; not finite: undefined."
 function tell!(run::Run{<:TrustRegion}, outputs)
     values = outputs isa Real ? Float64[outputs] : doubles(outputs)
     expect(length(values), run.outputs, "outputs")
@@ -432,9 +437,9 @@ Base.show(io::IO, result::Relaxed) = print(io, "Result: ", result.stop, " after 
 """
     relax(part!, x0, neighbours; ...)
 
-Lowers f over unit vectors, the columns of x, block by block. `part!(G, H, block, place, points)` answers the part of f that
+Lowers f over unit vectors, the columns of x, block by block. `part!(G, H, block, place, points)` returns the part of f that
 contains this block if it were at `place` and all others as in `points`; it fills the gradient `G` and, with `second_order=1`, the
-Hessian `H`, each `nothing` where it is not asked for. `points` is the library's own and only there during the call: read it, and
+Hessian `H`, each `nothing` where it is not needed. `points` is the library's own and only there during the call: read it, and
 copy what you keep. `neighbours[i]` are the blocks whose part of f contains block i. Options are the members of
 `obc_sphere_optimizer_relaxation_options`.
 """
@@ -462,7 +467,7 @@ mutable struct Relaxation
     handle::Ptr{Cvoid}
     size::NTuple{2,Int}
     function Relaxation(handle::Ptr{Cvoid}, size)
-        finalizer(it -> Raw.obc_sphere_optimizer_relaxation_destroy(it.handle), new(handle, size))
+        finalizer(it -> released(Raw.obc_sphere_optimizer_relaxation_destroy, it.handle), new(handle, size))
     end
 end
 
@@ -473,7 +478,7 @@ function Relaxation(x0::AbstractMatrix, neighbours::AbstractVector; options...)
     Relaxation(out[], size(x))
 end
 
-"Goes on with a relaxation that was saved, of the same neighbours; of x0 only the size counts."
+"Goes on with a relaxation that was saved, of the same neighbors; of x0 only the size counts."
 function load(bytes::Vector{UInt8}, x0::AbstractMatrix, neighbours::AbstractVector)
     set, out = blocks(x0, neighbours), Ref(C_NULL)
     checked(error -> GC.@preserve set Raw.obc_sphere_optimizer_relaxation_load(set.c, bytes, length(bytes), C_NULL, out, error))
@@ -483,7 +488,7 @@ end
 """
     relax!(part!, relaxation, steps)
 
-At most so many more steps of one block each, with `part!` as of `relax`; answers what is known then, whose `stop_reason` is
+Relaxes up to the given number of further blocks, with `part!` as of `relax`; returns what is known then, whose `stop_reason` is
 "running" when there is more to do. Whatever `part!` throws, `StopRun` too, the next call goes on as if it had not been broken off.
 """
 function relax!(part!, relaxation::Relaxation, steps::Integer)

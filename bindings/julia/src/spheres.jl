@@ -20,7 +20,7 @@ function partial_sphere_map(surface::Surface; threads=0, progress=nothing, optio
     directions, Int(placed[]), failed
 end
 
-"Dilatation and area ratio of each triangle."
+"Quasi-conformal distortion and area ratio of each triangle."
 function face_distortion(surface::Surface, directions::AbstractMatrix; host...)
     expect(length(directions), 3 * vertex_count(surface), "directions")
     m, places = size(surface.triangles, 2), doubles(directions)
@@ -29,7 +29,7 @@ function face_distortion(surface::Surface, directions::AbstractMatrix; host...)
     dilatation, ratio
 end
 
-"The map in 32-bit floats, repaired where rounding turns triangles over."
+"The map in 32-bit floats, repaired where rounding flips triangles."
 function round_to_float(surface::Surface, directions::AbstractMatrix; host...)
     expect(length(directions), 3 * vertex_count(surface), "directions")
     places, rounded = doubles(directions), Matrix{Float32}(undef, 3, vertex_count(surface))
@@ -44,7 +44,10 @@ function vertex_normals(surface::Surface; host...)
     normals
 end
 
-grid_of(name::Symbol) = getfield(Raw, Symbol("OBC_SPHERE_MAP_", uppercase(string(name))))
+const grids = [:icosphere => Raw.OBC_SPHERE_MAP_ICOSPHERE, :cube => Raw.OBC_SPHERE_MAP_CUBE,
+               :latitude => Raw.OBC_SPHERE_MAP_LATITUDE, :octahedron => Raw.OBC_SPHERE_MAP_OCTAHEDRON]
+
+grid_of(name::Symbol) = chosen_word(:grid, name, grids)
 
 "A regular triangulation of the sphere: :icosphere, :cube, :latitude or :octahedron."
 sphere_grid(grid::Symbol, resolution::Integer; host...) =
@@ -86,7 +89,7 @@ function expect_image(pixels, layout, resolution)
     doubles(pixels)
 end
 
-"The closed surface of a geometry image, and the greatest distance between pixels that are one vertex."
+"The closed surface of a geometry image, and the largest distance between pixels that are one vertex."
 function image_surface(pixels::AbstractArray{<:Real,3}, layout::Symbol, resolution::Integer; host...)
     given, gap = expect_image(pixels, layout, resolution), Ref(0.0)
     surface = taken(; host...) do out, lent, error
@@ -130,7 +133,7 @@ function Warp(from::AbstractMatrix, to::AbstractMatrix; host...)
     expect(columns(to, 3, "to"), n, "columns of to")
     a, b = doubles(from), doubles(to)
     hosted((lent, error) -> Raw.obc_sphere_map_warp_create(a, b, n, lent, out, error); host...)
-    finalizer(it -> Raw.obc_sphere_map_warp_destroy(it.handle), Warp(out[]))
+    finalizer(it -> released(Raw.obc_sphere_map_warp_destroy, it.handle), Warp(out[]))
 end
 
 function (warp::Warp)(directions::AbstractArray; backward=false, host...)
@@ -196,7 +199,7 @@ function shape_distance(f::AbstractMatrix, g::AbstractMatrix; first=0, last=max(
     distance[]
 end
 
-"A copy of which the degrees from low to high stay, with soft ends of so many degrees."
+"A copy of which the degrees from low to high stay, with a transition over the given number of degrees."
 function filter_harmonics(a::AbstractMatrix, low::Integer, high::Integer; width=0, keep_mean=false)
     kept = copy(coefficients(a))
     checked(error -> Raw.obc_harmonics_filter(kept, degree_of(a), size(a, 1), low, high, width, keep_mean, error))

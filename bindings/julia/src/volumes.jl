@@ -5,7 +5,7 @@
 
 Moves vertices until every tetrahedron (4 by m, from 1) is positive. rest: positions where each has the shape that it should have. fixed: a
 flag a coordinate (3 by n) or a vertex (n). ties: a group a coordinate (3 by n), from 1 to 3 n, of which all are to be equal, or 0. Where some
-stay inverted an OrbicubeError is thrown or, with `keep_best`, the best is answered: `report.inverted` says how many. Options: steps,
+stay inverted an OrbicubeError is thrown or, with `keep_best`, the best is returned: `report.inverted` says how many. Options: steps,
 polish_steps, volume_weight.
 """
 function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
@@ -75,7 +75,7 @@ end
 
 """
 A certified mesh of hexahedra: `positions` (3 by n), `hexahedra` (8 by m, as MEDIT and VTK order their vertices), `quads` of the boundary
-(4 by k, counter-clockwise seen from outside), `quad_faces`, the face of the polycube that each lies on, and the `report`. All count from 1.
+(4 by k, counter-clockwise seen from outside), `quad_faces`, the patch of the polycube that each lies on, and the `report`. All count from 1.
 """
 struct Hexes
     positions::Matrix{Float64}

@@ -1,5 +1,6 @@
 using Test
 using Orbicube
+using SparseArrays
 include("layouts.jl")
 
 model(x, i) = x[1] / (1 + x[2] * (0.5 * i)) + x[3]
@@ -57,7 +58,7 @@ end
     end
 end
 
-@testset "the bits of C, by functions and by questions and answers" begin
+@testset "the bits of C, by functions and by reverse communication" begin
     r1 = least_squares(misfit!, 8, [1, 0.1, 0]; decay...)
     r2 = optimize(only_fg!(cost!), zeros(5), ProjectedGradient(); feeds...)
     r3 = optimize(only_fg!(charges!), scattered, SphereOptimizer())
@@ -146,7 +147,7 @@ end
         @test bits(minimizer(r)) == bits(minimizer(whole)) && report(r).gain === report(whole).gain
         @test (stop_reason(r), iterations(r)) == (stop_reason(whole), iterations(whole))
     end
-    error = try load(save(relaxation), scattered, [Int[] for _ in 1:12]); nothing catch e; e end # other neighbours
+    error = try load(save(relaxation), scattered, [Int[] for _ in 1:12]); nothing catch e; e end # other neighbors
     @test error isa OrbicubeError && error.status == Orbicube.Raw.OBC_INVALID_ARGUMENT
     error = try load(save(relaxation)[1:20], scattered, others); nothing catch e; e end
     @test error isa OrbicubeError && error.status == Orbicube.Raw.OBC_MALFORMED_FILE
@@ -168,12 +169,28 @@ end
     r = optimize(f, [-1.2, 1], TrustRegion())
     @test stop_reason(r) == "cancelled" && report(r).failed_evaluations == 2
     @test minimum(r) == (minimizer(r)[1] - 1)^2 + minimizer(r)[2]^2
+    distance(x) = sum(abs2, x .- 1)
+    near(x) = distance(x) < 1e-3 ? throw(StopRun(distance(x))) : distance(x)
+    slopes!(G, x) = (G .= 2 .* (x .- 1); near(x))
+    near!(R, x) = (R .= x .- 1; distance(x) < 1e-3 && throw(StopRun()))
+    for r in (optimize(near, [0.0, 0], TrustRegion()), optimize(only_fg!(slopes!), [0.0, 0], ProjectedGradient()),
+              least_squares(near!, 2, [0.0, 0], TrustRegion()))
+        @test stop_reason(r) == "cancelled" && minimum(r) < 1e-3 && minimum(r) ≈ distance(minimizer(r))
+    end
     @test_throws OrbicubeError Run([NaN], TrustRegion())
     @test_throws OrbicubeError load(UInt8[1, 2, 3], [0.0], TrustRegion())
     @test_throws ArgumentError optimize(sum, [0.0], TrustRegion(radius=1))
+    said(f) = try f(); "nothing" catch error; sprint(showerror, error) end
+    @test occursin("no option radius_ende; did you mean :radius_end", said(() -> optimize(sum, [0.0], TrustRegion(radius_ende=1))))
+    @test occursin("method = :two_radi: one of :two_radii, :seed is needed; did you mean :two_radii?",
+                   said(() -> optimize(sum, [0.0], TrustRegion(method=:two_radi))))
+    @test occursin("method = :cross: one of", said(() -> optimize(sum, [0.0], TrustRegion(method=:cross)))) # a word of `start`
+    @test occursin("restarts = -1: out of range", said(() -> optimize(sum, [0.0], TrustRegion(restarts=-1))))
+    @test occursin("restarts = \"many\": a number is needed", said(() -> optimize(sum, [0.0], TrustRegion(restarts="many"))))
+    @test occursin("grid = :cub: one of :icosphere, :cube", said(() -> Orbicube.grid_of(:cub)))
     @test_throws DimensionMismatch optimize(sum, [0.0], TrustRegion(); lower=[1.0, 2])
     @test_throws OrbicubeError tell!(Run([0.0], TrustRegion()), 1.0)
-    @test_throws MethodError tell!(Run([0.0], TrustRegion()), 1.0, [1.0]) # another solver's answer
+    @test_throws MethodError tell!(Run([0.0], TrustRegion()), 1.0, [1.0]) # another solver's result
     @test_throws DimensionMismatch Run([1.0, 0], SphereOptimizer())
     @test_throws DimensionMismatch Run(zeros(2, 2, 2), SphereOptimizer())
     @test_throws ArgumentError Run([0.0, 0], ProjectedGradient(); A=[1 1])
@@ -515,4 +532,99 @@ end
     again, = frame_field(corners, cells; start=:given, start_frames=frames, align_boundary=0)
     @test size(again) == (4, 6)
     @test_throws ArgumentError frame_field(corners, cells; held_axes=([7], [0.0, 0, 1]))
+end
+
+"The Laplacian of an n by n grid plus 1/100."
+function grid_matrix(n)
+    path = spdiagm(-1 => -ones(n - 1), 0 => [1; fill(2, n - 2); 1], 1 => -ones(n - 1))
+    unit = sparse(1.0 * (1:n .== (1:n)'))
+    kron(path, unit) + kron(unit, path) + 0.01 * kron(unit, unit)
+end
+
+@testset "sparse symmetric systems by factors" begin
+    A = grid_matrix(9)
+    n = size(A, 1)
+    b = [sin(3i + j) for i in 1:n, j in 1:3]
+    factor = LinearFactor(A)
+    @test A * (factor \ b) ≈ b atol = 1e-12
+    @test solve(factor, b[:, 2]) == (factor \ b)[:, 2]
+    @test size(factor) == (n, n) && entry_count(factor) >= nnz(A) ÷ 2 - n ÷ 2
+    lower = sparse([A[i, j] for i in 1:n, j in 1:n] .* ((1:n) .>= (1:n)'))
+    for same in (Matrix(A), lower, Matrix(lower))
+        @test LinearFactor(same; method=:eigen) \ b == LinearFactor(A; method=:eigen) \ b
+    end
+
+    # A row that becomes known, and a matrix of rank one.
+    remove_row!(factor, 41)
+    held = copy(A)
+    held[41, :] .= 0
+    held[:, 41] .= 0
+    held[41, 41] = 1
+    @test held * (factor \ b) ≈ b atol = 1e-12
+    @test (factor \ b)[41, :] == b[41, :]
+    w = zeros(n)
+    w[[12, 13]] = [3, -2]
+    update!(factor, [12, 13], [3, -2])
+    @test (held + w * w') * (factor \ b) ≈ b atol = 1e-11
+    update!(factor, [13, 12], [-2, 3]; sign=-1)
+    @test held * (factor \ b) ≈ b atol = 1e-11
+    refactor!(factor, 2A)
+    @test 2A * (factor \ b) ≈ b atol = 1e-12
+    fewer = Matrix(A)
+    fewer[2, 1] = fewer[1, 2] = 0
+    @test fewer * (refactor!(factor, fewer) \ b) ≈ b atol = 1e-12
+
+    @test_throws ArgumentError LinearFactor([2 1; 0.5 3])
+    @test_throws ArgumentError LinearFactor([2 1; 0 3])
+    @test_throws ArgumentError LinearFactor([2.0 0; 1 0])
+    @test_throws DimensionMismatch LinearFactor([2.0 0 0; 1 0 0])
+    @test_throws ArgumentError LinearFactor(A; method=:eigenvalues)
+    @test_throws OrbicubeError LinearFactor([1.0 2; 2 1])
+    @test_throws OrbicubeError LinearFactor([1.0 NaN; NaN 1])
+    @test_throws ArgumentError remove_row!(factor, 0)
+    @test_throws ArgumentError remove_row!(factor, n + 1)
+    @test_throws ArgumentError update!(factor, [0], [1.0])
+    @test_throws ArgumentError update!(factor, [1], [1.0]; sign=2)
+    @test_throws OrbicubeError update!(factor, [1, n], [1.0, 1])
+    @test_throws DimensionMismatch factor \ b[2:end, :]
+    fuller = Matrix(A)
+    fuller[n, 1] = fuller[1, n] = 0.1
+    @test_throws ArgumentError refactor!(factor, fuller)
+    @test_throws OrbicubeError update!(factor, [1], [100.0]; sign=-1)
+    @test_throws OrbicubeError factor \ b
+    @test A * (refactor!(factor, A) \ b) ≈ b atol = 1e-12
+end
+
+@testset "sparse symmetric systems by iterations" begin
+    A = grid_matrix(150)
+    n = size(A, 1)
+    b = [sin(3.0i) for i in 1:n]
+    length_of(v) = sqrt(sum(abs2, v))
+    for method in (:auto, :gauss_seidel, :multigrid), block_size in (1, 3)
+        x, report = solve(LinearIterations(A; method=method, block_size=block_size, tolerance=1e-10), b)
+        reached = length_of(b - A * x) / length_of(b)
+        @test report.converged == 1 && reached < 1.001e-10
+        @test report.residual ≈ reached rtol = 1e-2
+    end
+    one, two = (solve(LinearIterations(A; threads=threads), b)[1] for threads in 1:2)
+    @test bits(one) == bits(two)
+    _, report = solve(LinearIterations(A; method=:gauss_seidel, max_iterations=2), b)
+    @test report.converged == 0 && report.iterations == 2 && report.residual > 1e-8
+
+    # Each call has a function of its own, also after a garbage collection.
+    told = Dict(:made => 0, :solved => 0)
+    solver = LinearIterations(A; progress=(at...) -> (told[:made] += 1; true))
+    made = told[:made]
+    GC.gc()
+    x, _ = solve(solver, b; progress=(at...) -> (told[:solved] += 1; true))
+    @test made > 0 && told[:made] == made && told[:solved] > 0
+    cancelled = try solve(solver, b; progress=(at...) -> false) catch error; error end
+    @test cancelled isa OrbicubeError && cancelled.kind == "cancelled"
+    @test_throws DivideError solve(solver, b; progress=(at...) -> throw(DivideError()))
+    @test bits(solve(solver, b)[1]) == bits(x)
+
+    @test_throws DimensionMismatch solve(solver, b[2:end])
+    @test_throws OrbicubeError LinearIterations(A; block_size=2)
+    @test_throws OrbicubeError LinearIterations(A; tolerance=2)
+    @test_throws ArgumentError LinearIterations([2 1; 0 3.0])
 end

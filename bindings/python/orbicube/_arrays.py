@@ -1,4 +1,7 @@
-"""Arrays in and out. What is contiguous and of the right type passes as it is; everything else is copied once."""
+"""Arrays in and out. What is contiguous and of the right type passes as it is; everything else is copied once.
+
+Messages begin with the name that a function's argument has.
+"""
 
 from __future__ import annotations
 
@@ -8,26 +11,94 @@ from typing import Any, Optional
 import numpy as np
 from numpy.typing import NDArray
 
+from ._checks import shown
+
 Doubles = NDArray[np.float64]
 Indices = NDArray[np.uint32]
 
 
-def doubles(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "array") -> Doubles:
-    """C-contiguous doubles; with `columns`, of so many a row (flat arrays too), with `rows`, so many of them."""
-    array: Doubles = _shaped(_plain(values, np.float64), columns, rows, name)
+def numbers(values: Any, name: str) -> Any:
+    """An array of real numbers of any type, made of whatever holds them."""
+    if values is None:
+        raise TypeError(f"{name} is None: an array of numbers is needed")
+    try:
+        array = np.asarray(values)
+    except ValueError:
+        raise ValueError(f"{name}: rows of the same length are needed") from None
+    if array.dtype.kind == "O":
+        return _of_objects(array, name)
+    if array.dtype.kind not in "biuf":
+        raise TypeError(f"{name}: numbers are needed, not {array.dtype if array.size != 1 else shown(values)}")
     return array
 
 
-def indices(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "indices") -> Indices:
-    """The same of indices: integers from 0 to 2^32 - 1."""
-    array = np.asarray(values)
+def _of_objects(array: Any, name: str) -> Any:
+    """Fractions and the like are numbers; None, text and rows of unlike lengths are not."""
+    for where, value in np.ndenumerate(array):
+        if isinstance(value, (list, tuple, np.ndarray)):
+            raise ValueError(f"{name}: rows of the same length are needed")
+        if value is None or isinstance(value, (str, bytes, complex)) or not hasattr(value, "__float__"):
+            raise TypeError(f"{place(name, where)} is {shown(value)}: a number is needed")
+    return array.astype(np.float64)
+
+
+def place(name: str, where: tuple[int, ...]) -> str:
+    """name[2, 0]"""
+    return f"{name}[{', '.join(str(int(i)) for i in where)}]" if where else name
+
+
+def doubles(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "array",
+            each: str = "") -> Doubles:
+    """C-contiguous finite doubles; with `columns`, of that number a row (flat arrays too), with `rows`, that number of them, of
+    which there is one for `each`."""
+    array: Doubles = _shaped(_plain(numbers(values, name), np.float64), columns, rows, name, each)
+    finite(array, name)
+    return array
+
+
+def finite(array: Any, name: str) -> Any:
+    """Raises, with the place, where there is a NaN or an infinity; without another array where there is none."""
+    if array.size and not (np.isfinite(array.min()) and np.isfinite(array.max())):
+        where = tuple(np.argwhere(~np.isfinite(array))[0])
+        raise ValueError(f"{place(name, where)} is {array[where]}: a finite number is needed")
+    return array
+
+
+def spread(values: Any, n: int, name: str, finite_only: bool = False) -> Doubles:
+    """A number for each of n unknowns, or one for all; infinities are fine, NaN is not."""
+    array = np.asarray(numbers(values, name), dtype=np.float64)
+    if array.shape not in ((), (1,), (n,)):
+        raise ValueError(f"{name}: one number or {n} are needed, not shape {array.shape}")
+    bad = ~np.isfinite(array) if finite_only else np.isnan(array)
+    if np.any(bad):
+        where = tuple(np.argwhere(bad)[0])
+        raise ValueError(f"{place(name, where)} is {array[where]}: a number is needed")
+    return np.ascontiguousarray(np.broadcast_to(array, (n,)))
+
+
+def start_of(values: Any, name: str) -> Doubles:
+    """A point, flat: at least one unknown."""
+    array = np.ravel(np.asarray(numbers(values, name), dtype=np.float64))
+    if array.size == 0:
+        raise ValueError(f"{name} is empty: one number at least is needed")
+    return doubles(array, name=name)
+
+
+def indices(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "indices",
+            below: Optional[int] = None, of: str = "", each: str = "") -> Indices:
+    """The same of indices: integers from 0 to 2^32 - 1, or less than `below`, the number of what `of` says."""
+    array = numbers(values, name)
     if array.size == 0:
         array = array.astype(np.uint32)
     if array.dtype.kind not in "iu":
         raise TypeError(f"{name}: integers are needed, not {array.dtype}")
-    if array.dtype != np.uint32 and (array.min() < 0 or array.max() > 0xFFFFFFFF):
+    if array.size and below is not None and (array.max() >= below or array.min() < 0):
+        where = tuple(np.argwhere((array < 0) | (array >= below))[0])
+        raise ValueError(f"{place(name, where)} is {array[where]}, not within 0 to {below - 1}" if below else
+                         f"{place(name, where)} is {array[where]}, but there are no {of or 'numbers'}")
+    if array.size and array.dtype != np.uint32 and (array.min() < 0 or array.max() > 0xFFFFFFFF):
         raise ValueError(f"{name}: from {array.min()} to {array.max()}, not within 0 to 2^32 - 1")
-    shaped: Indices = _shaped(_plain(array, np.uint32), columns, rows, name)
+    shaped: Indices = _shaped(_plain(array, np.uint32), columns, rows, name, each)
     return shaped
 
 
@@ -36,17 +107,22 @@ def _plain(values: Any, kind: Any) -> Any:
     return np.require(np.ascontiguousarray(values, dtype=kind), requirements="A")
 
 
-def floats(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "array") -> Any:
+def floats(values: Any, columns: Optional[int] = None, rows: Optional[int] = None, name: str = "array", each: str = "") -> Any:
     """The same of 32-bit floats, for files of engines."""
-    return _shaped(_plain(values, np.float32), columns, rows, name)
+    with np.errstate(over="ignore"):
+        array = _plain(numbers(values, name), np.float32)
+    return finite(_shaped(array, columns, rows, name, each), name)
 
 
 def put(into: Any, values: Any, name: str) -> None:
     """Into an array of our own: as many numbers as it has, in its shape or flat; nothing is broadcast."""
-    if type(values) is np.ndarray and values.shape == into.shape:  # as a rule: no other array is made
+    if type(values) is np.ndarray and values.shape == into.shape and values.dtype.kind in "biuf":  # as a rule: no other array
         into[...] = values
         return
-    array = np.asarray(values, dtype=np.float64)
+    if isinstance(values, float) and into.size == 1:
+        into[...] = values
+        return
+    array = np.asarray(numbers(values, name), dtype=np.float64)
     if array.shape != into.shape:
         if array.size != into.size or (array.ndim > 1 and into.ndim > 1):
             raise ValueError(f"{name}: {' by '.join(map(str, into.shape))} numbers are needed, not shape {array.shape}")
@@ -54,14 +130,14 @@ def put(into: Any, values: Any, name: str) -> None:
     into[...] = array
 
 
-def _shaped(array: Any, columns: Optional[int], rows: Optional[int], name: str) -> Any:
+def _shaped(array: Any, columns: Optional[int], rows: Optional[int], name: str, each: str) -> Any:
     if columns is not None:
         if array.ndim != 2 or array.shape[1] != columns:
             if array.ndim > 2 or (array.ndim == 2 and array.size) or array.size % columns:
-                raise ValueError(f"{name}: shape (n, {columns}) is needed, not {array.shape}")
+                raise ValueError(f"{name}: shape ({'n' if rows is None else rows}, {columns}) is needed, not {array.shape}")
             array = array.reshape(-1, columns)
     if rows is not None and array.shape[:1] != (rows,):
-        raise ValueError(f"{name}: {rows} rows are needed, not shape {array.shape}")
+        raise ValueError(f"{name}: {rows} rows are needed{', one for each ' + each if each else ''}, not shape {array.shape}")
     return array
 
 
@@ -84,47 +160,6 @@ def view(kind: Any, where: Optional[int], shape: tuple[int, ...], owner: Any) ->
     return array
 
 
-def surface_of(shape: Any) -> tuple[Doubles, Indices]:
-    """Positions and triangles of whatever has them: a pair of arrays; positions and triangles, as all that this package
-    answers; vertices and faces, as of trimesh; points and cells, as of meshio."""
-    if isinstance(shape, (tuple, list)) and len(shape) == 2:
-        positions, triangles = shape
-    elif hasattr(shape, "positions") and hasattr(shape, "triangles"):
-        positions, triangles = shape.positions, shape.triangles
-    elif hasattr(shape, "vertices") and hasattr(shape, "faces"):
-        positions, triangles = shape.vertices, shape.faces
-    elif hasattr(shape, "points") and hasattr(shape, "cells"):
-        positions, triangles = shape.points, meshio_cells(shape, "triangle", 3)
-    else:
-        raise TypeError(f"no surface: {type(shape).__name__}; give (positions, triangles), or an object with those, "
-                        "with vertices and faces, or with points and cells")
-    return doubles(positions, 3, name="positions"), indices(triangles, 3, name="triangles")
-
-
-def solid_of(shape: Any) -> tuple[Doubles, Indices]:
-    """Positions and tetrahedra, likewise."""
-    if isinstance(shape, (tuple, list)) and len(shape) == 2:
-        positions, tetrahedra = shape
-    elif hasattr(shape, "positions") and hasattr(shape, "tetrahedra"):
-        positions, tetrahedra = shape.positions, shape.tetrahedra
-    elif hasattr(shape, "points") and hasattr(shape, "cells"):
-        positions, tetrahedra = shape.points, meshio_cells(shape, "tetra", 4)
-    else:
-        raise TypeError(f"no solid: {type(shape).__name__}; give (positions, tetrahedra), or an object with those, or "
-                        "with points and cells")
-    return doubles(positions, 3, name="positions"), indices(tetrahedra, 4, name="tetrahedra")
-
-
-def meshio_cells(mesh: Any, kind: str, corners: int) -> Any:
-    """The cells of one kind of a meshio mesh, whose cells are a dictionary, blocks with type and data, or pairs."""
-    if hasattr(mesh.cells, "items"):
-        found = [data for name, data in mesh.cells.items() if name == kind]
-    else:
-        found = [block.data if hasattr(block, "data") else block[1] for block in mesh.cells
-                 if (block.type if hasattr(block, "type") else block[0]) == kind]
-    return np.concatenate(found) if found else np.empty((0, corners), dtype=np.uint32)
-
-
 def memory_of(where: int, count: int) -> Any:
     """Doubles that lie elsewhere; nothing keeps that memory alive."""
     memory: Any = (ctypes.c_double * count).from_address(where)
@@ -132,7 +167,7 @@ def memory_of(where: int, count: int) -> Any:
 
 
 def buffer(kind: Any, count: int) -> tuple[Any, int]:
-    """An array of our own and where it lies, for what is written to it again and again."""
+    """An array of our own and where it lies, for repeated writing."""
     array = np.zeros(count, dtype=np.dtype(kind))
     return array, array.ctypes.data
 

@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import importlib
+import inspect
 import os
 import signal
 import threading
 from ctypes import byref, sizeof
-from typing import Any, Callable, Optional, TypeVar, Union
+from typing import Any, Callable, Mapping, Optional, TypeVar, Union
 
+from . import _checks
+from ._checks import F
+from ._option import Option
+from ._options import OPTIONS
 from .raw import base as raw
 
 Progress = Union[None, bool, Callable[[str, int, int, float], Any]]
@@ -32,7 +38,7 @@ class InvalidArgument(Error, ValueError):
 
 
 class MalformedFile(Error, ValueError):
-    """The file is not what its format asks for."""
+    """The file is not what its format requires."""
 
 
 class UnsuitableSurface(Error, ValueError):
@@ -44,7 +50,7 @@ class OutOfMemory(Error, MemoryError):
 
 
 class Cancelled(Error):
-    """The progress function asked to stop."""
+    """The progress function cancelled the work."""
 
 
 class FileError(Error, OSError):
@@ -65,7 +71,8 @@ class NoValidResult(Error):
 
 
 class Stop(Exception):
-    """Raise it in a function that a solver calls: the run ends as cancelled, and the best point so far is handed out."""
+    """Raise it in a function that a solver calls: the run ends as cancelled, and the best point so far is handed out.
+    `Stop(value)`, or `Stop(residuals)`, or `Stop(value, gradient)`, counts the point at hand as well."""
 
 
 _EXCEPTIONS: dict[int, type[Error]] = {
@@ -92,26 +99,61 @@ HOST = _Host()
 
 class Handle(ctypes.c_void_p):
     """What a library hands out, released with the last reference to it: an owner and the arrays over its memory hold it, so
-    that no cycle arises that runs through an array, which Python's collector would not see."""
+    that no cycle arises that runs through an array, which Python's collector would not see.
 
-    def __init__(self, destroy: Any) -> None:
-        super().__init__()
+    While a thread is inside a call with it, it is not destroyed: close() leaves that to the call, and a thread that never
+    returns, as a daemon thread when the interpreter ends, leaves it to the end of the process. A lock is no way to count
+    these calls, since such a thread would keep it for ever; appending to a list and popping from it are atomic."""
+
+    def __init__(self, destroy: Any, value: Optional[int] = None) -> None:
+        super().__init__(value)
         self._destroy = destroy
+        self._uses: list[None] = []
+        self._closed: list[int] = []
+
+    def __enter__(self) -> Handle:
+        self._uses.append(None)
+        return self
+
+    def __exit__(self, *_: Any) -> None:
+        self._uses.pop()
+        if self._closed:
+            self._release()
 
     def __del__(self) -> None:
         self.close()
 
     def close(self) -> None:
-        """Releases it now."""
-        if self.value:
-            self._destroy(self.value)
+        """Releases it now, or when the last call with it ends."""
+        value = self.value
+        if value:
             self.value = None
+            self._closed.append(value)
+            self._release()
+
+    def _release(self) -> None:
+        if self._uses:
+            return
+        try:
+            value = self._closed.pop()
+        except IndexError:  # another thread was faster
+            return
+        self._destroy(value)
 
 
 def call(function: Any, *arguments: Any, progress: Progress = None, threads: int = 0,
          raised: Optional[list[BaseException]] = None) -> None:
     """Calls a function whose last parameter is obc_error, which is added here; HOST stands for the host. What another
     callback puts into `raised` stops the work at the next report, and is raised in the end."""
+    with contextlib.ExitStack() as uses:
+        for argument in arguments:
+            if isinstance(argument, Handle):
+                uses.enter_context(argument)
+        _call(function, arguments, progress, threads, raised)
+
+
+def _call(function: Any, arguments: tuple[Any, ...], progress: Progress, threads: int,
+          raised: Optional[list[BaseException]]) -> None:
     error = raw.obc_error()
     if HOST not in arguments:
         status = function(*arguments, byref(error))
@@ -173,6 +215,37 @@ class _Lent:
         self.host.progress = raw.obc_progress_function()  # breaks the cycle of references
 
 
+class KeptHost:
+    """The host of a handle that keeps it: each report goes to the call that runs. It must live as long as the handle."""
+
+    def __init__(self, threads: int) -> None:
+        running: list[_Lent] = []  # rather than self, which would be a cycle through the C function
+
+        def report(phase: bytes, done: int, total: int, best: float, user: Any) -> int:
+            return running[-1].report(phase, done, total, best, user) if running else 0
+
+        self._running = running
+        self.host = raw.obc_host()
+        raw.obc_host_init(byref(self.host), sizeof(self.host))
+        self.host.thread_count = threads
+        self.host.progress = raw.obc_progress_function(report)
+
+    def call(self, function: Any, *arguments: Any, progress: Progress = None) -> None:
+        """`call` for a function whose handle keeps this host."""
+        lent = _Lent(progress, 0, [])
+        self._running.append(lent)
+        try:
+            call(function, *arguments)
+        except Cancelled:
+            if not lent.raised:
+                raise
+        finally:
+            self._running.remove(lent)
+            lent.close()
+        if lent.raised:
+            raise lent.raised[0]
+
+
 def bar() -> Optional[Callable[[str, int, int, float], Any]]:
     """A progress bar of tqdm, one for all phases, of which there may be hundreds; None where tqdm is not installed."""
     try:
@@ -203,27 +276,56 @@ def bar() -> Optional[Callable[[str, int, int, float], Any]]:
     return Bar()
 
 
-def filled(kind: type[S], init: Any, given: dict[str, Any], module: Any = None, prefix: str = "") -> S:
-    """Options: the library's defaults, then what is given by name. The text "angle-area" of `method` stands for the constant
-    <prefix>METHOD_ANGLE_AREA of the raw module, or <prefix>ANGLE_AREA."""
+def filled(kind: type[S], init: Any, given: Mapping[str, Any]) -> S:
+    """Options: the library's defaults, then what `given` has of their names, as the arguments of a function (locals()) do, whatever
+    else is in it. A word stands for its constant; None for the default."""
     options = kind()
     call_init(init, options)
-    names = [row[0] for row in kind._fields_ if row[0] not in ("struct_size", "reserved")]
-    for name, value in given.items():
-        if name not in names:
-            raise TypeError(f"no option {name!r}; there are {', '.join(names)}")
-        if isinstance(value, str) and module is not None:
-            word = value.upper().replace("-", "_").replace(" ", "_")
-            constant = f"{prefix}{name.upper()}_{word}"
-            if not hasattr(module, constant):
-                constant = prefix + word
-            if not hasattr(module, constant):
-                raise ValueError(f"{name}={value!r}: there is no {constant}")
-            value = getattr(module, constant)
-        setattr(options, name, value)
-        if isinstance(value, int) and getattr(options, name) != value:  # ctypes drops what does not fit
-            raise ValueError(f"{name}={value}: out of range")
+    for option in OPTIONS[kind.__name__]:
+        value = given.get(option.name)
+        if value is not None:
+            setattr(options, option.name, _value(option, value, option.name))
     return options
+
+
+def _value(option: Option, value: Any, name: str) -> Any:
+    if option.kind == "word":
+        words = option.words or {}
+        if not isinstance(value, str) and value in words.values():  # a constant of the raw module
+            return value
+        return words[_checks.word(value, name, words)]
+    if option.kind == "int":
+        return _checks.integer(value, name, option.low, option.high)
+    if option.kind == "text":
+        return _checks.text(value, name).encode()
+    return int(_checks.flag(value, name)) if option.kind == "bool" else _checks.real(value, name)
+
+
+def picked(given: Mapping[str, Any], struct: str) -> dict[str, Any]:
+    """The options of a struct among the arguments of a function, to pass on."""
+    return {option.name: given[option.name] for option in OPTIONS[struct] if option.name in given}
+
+
+def named(given: Mapping[str, Any], struct: str, argument: str) -> Mapping[str, Any]:
+    """A dictionary of options that a function takes as one argument, when it has nothing else in it."""
+    known = {option.name: option for option in OPTIONS[struct]}
+    for name, value in given.items():
+        if name not in known:
+            near = _checks.nearest(str(name), known) or "."
+            raise TypeError(f"{argument}: no option {name!r}{near} There are: {', '.join(known)}")
+        _value(known[name], value, f"{argument}[{name!r}]")
+    return given
+
+
+def with_options(*structs: str) -> Callable[[F], F]:
+    """`public` for a function that takes options, of which its documentation then has what the headers say."""
+    def wrap(function: F) -> F:
+        names = inspect.signature(function).parameters
+        rows = [f"{option.name}: {option.doc}" for struct in structs for option in OPTIONS[struct]
+                if option.name in names and option.doc]
+        function.__doc__ = "\n    ".join([(function.__doc__ or "").rstrip(), "", "Options:"] + ["  " + row for row in rows])
+        return _checks.public(function)
+    return wrap
 
 
 def call_init(init: Any, struct: ctypes.Structure) -> None:
@@ -240,10 +342,7 @@ def sized(kind: type[S]) -> S:
 
 
 def path_bytes(path: Any) -> bytes:
-    name = os.fsencode(path)
-    if b"\0" in name:
-        raise ValueError("embedded null byte in a path")
-    return name
+    return os.fsencode(path)
 
 
 def text(value: Optional[bytes]) -> Optional[str]:

@@ -29,6 +29,13 @@ class Struct(ctypes.Structure):
             result[name] = list(value) if isinstance(value, ctypes.Array) else value
         return result
 
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Struct) or type(self) is not type(other):
+            return NotImplemented
+        return self.as_dict() == other.as_dict()
+
+    __hash__ = None  # type: ignore[assignment]
+
     def __repr__(self) -> str:
         members = ", ".join(f"{name}={value!r}" for name, value in self.as_dict().items())
         return f"{type(self).__name__}({members})"
@@ -58,7 +65,7 @@ def load(library: str) -> ctypes.CDLL:
 
 def bind(library: str, uses: list[str], functions: list[tuple[str, Any, list[Any]]], namespace: dict[str, Any],
          wanted: str) -> Any:
-    """Puts the functions of a library into the module that declares them, and answers the one that is wanted."""
+    """Puts the functions of a library into the module that declares them, and returns the requested one."""
     if wanted not in (row[0] for row in functions):
         raise AttributeError(f"orbicube.raw.{library} has no {wanted}")
     for used in uses:  # so that the system finds them loaded

@@ -7,50 +7,74 @@ from __future__ import annotations
 
 import ctypes
 from ctypes import byref
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, doubles, surface_of
-from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes
+from ._arrays import Doubles, address, doubles
+from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, with_options
+from ._checks import PathLike, integer, public
+from ._foreign import surface_of
 from .raw import harmonics as raw
 
 
-def _channels(values: ArrayLike) -> Doubles:
-    array = np.asarray(values, dtype=np.float64)
-    array = np.ascontiguousarray(array.reshape(len(array), -1))
-    if array.shape[1] == 0:
-        raise ValueError("no channels")
+def _channels(values: ArrayLike, name: str) -> Doubles:
+    array = doubles(values, name=name)
+    if array.size == 0 or array.ndim == 0:
+        raise ValueError(f"{name}: a row for each and a column for each channel are needed, not shape {array.shape}")
+    return array.reshape(len(array), -1)
+
+
+def _coefficients(values: ArrayLike, name: str) -> Doubles:
+    array = _channels(values, name)
+    _degree(len(array), name)
     return array
 
 
-def degree_of(coefficients: ArrayLike) -> int:
-    """From the number of rows."""
-    rows = np.asarray(coefficients).shape[0]
+def _together(f: ArrayLike, g: ArrayLike, first: str, second: str) -> tuple[Doubles, Doubles]:
+    """Coefficients of as many channels."""
+    a, b = _coefficients(f, first), _coefficients(g, second)
+    if a.shape[1] != b.shape[1]:
+        raise ValueError(f"{second}: {a.shape[1]} channels are needed, as {first} has, not {b.shape[1]}")
+    return a, b
+
+
+def _degree(rows: int, name: str) -> int:
     degree = int(round(rows ** 0.5)) - 1
     if degree < 0 or (degree + 1) ** 2 != rows:
-        raise ValueError(f"coefficients: (degree + 1)^2 rows are needed, not {rows}")
+        raise ValueError(f"{name}: (degree + 1)^2 rows are needed (1, 4, 9, 16, ...), not {rows}")
     return degree
 
 
+@public
+def degree_of(coefficients: ArrayLike) -> int:
+    """From the number of rows."""
+    return _degree(len(_channels(coefficients, "coefficients")), "coefficients")
+
+
+@public
 def evaluate(directions: ArrayLike, degree: int, *, threads: int = 0, progress: Progress = None) -> Doubles:
     """Y_lm at each direction, a row a direction."""
-    at = doubles(directions, 3, name="directions")
+    at, degree = doubles(directions, 3, name="directions"), integer(degree, "degree", 0, 1000)
     rows = np.empty((len(at), (degree + 1) ** 2))
     call(raw.obc_harmonics_evaluate, address(at), len(at), degree, HOST, address(rows), threads=threads, progress=progress)
     return rows
 
 
-def fit(directions: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike] = None, *, threads: int = 0,
-        progress: Progress = None, **options: Any) -> tuple[Doubles, raw.obc_harmonics_fit_report]:
-    """The coefficients that fit values at scattered directions best, and a report. Options: degree, method ("automatic",
-    "dense", "iterative"), smoothing."""
-    at, given = doubles(directions, 3, name="directions"), _channels(values)
+@with_options("obc_harmonics_fit_options")
+def fit(directions: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike] = None, *,
+        # options of obc_harmonics_fit_options, written by scripts/bindings.py
+        degree: int = 16, method: Literal["automatic", "dense", "iterative"] = "automatic", smoothing: float = 0.0,
+        # end of options
+        threads: int = 0, progress: Progress = None) -> tuple[Doubles, raw.obc_harmonics_fit_report]:
+    """The coefficients that fit values at scattered directions best, and a report."""
+    chosen = filled(raw.obc_harmonics_fit_options, raw.obc_harmonics_fit_options_init, locals())
+    at, given = doubles(directions, 3, name="directions"), _channels(values, "values")
     if len(at) != len(given):
-        raise ValueError(f"{len(at)} directions and {len(given)} values")
-    shares = None if weights is None else doubles(weights, rows=len(at), name="weights")
-    chosen = filled(raw.obc_harmonics_fit_options, raw.obc_harmonics_fit_options_init, options, raw, "OBC_HARMONICS_")
+        raise ValueError(f"values: {len(at)} rows are needed, one for each of the directions, not {len(given)}")
+    shares = None if weights is None else doubles(weights, rows=len(at), name="weights", each="direction")
+    integer(degree, "degree", 0, 1000)
     coefficients = np.empty(((chosen.degree + 1) ** 2, given.shape[1]))
     report = raw.obc_harmonics_fit_report()
     call_init(raw.obc_harmonics_fit_report_init, report)
@@ -59,12 +83,14 @@ def fit(directions: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike] =
     return coefficients, report
 
 
+@public
 def synthesize(coefficients: ArrayLike, directions: ArrayLike, *, threads: int = 0,
                progress: Progress = None) -> Doubles:
     """The functions at the directions, a row a direction."""
     return _synthesized(coefficients, directions, False, threads, progress)[0]
 
 
+@public
 def gradients(coefficients: ArrayLike, directions: ArrayLike, *, threads: int = 0, progress: Progress = None) -> Doubles:
     """Their gradients on the unit sphere: shape (directions, channels, 3)."""
     return _synthesized(coefficients, directions, True, threads, progress)[1]
@@ -72,7 +98,7 @@ def gradients(coefficients: ArrayLike, directions: ArrayLike, *, threads: int = 
 
 def _synthesized(coefficients: ArrayLike, directions: ArrayLike, wanted: bool, threads: int,
                  progress: Progress) -> tuple[Doubles, Doubles]:
-    a, at = _channels(coefficients), doubles(directions, 3, name="directions")
+    a, at = _coefficients(coefficients, "coefficients"), doubles(directions, 3, name="directions")
     values = np.empty((len(at), a.shape[1]))
     slopes = np.empty((len(at), a.shape[1], 3)) if wanted else np.empty(0)
     call(raw.obc_harmonics_synthesize, address(a), degree_of(a), a.shape[1], address(at), len(at), HOST, address(values),
@@ -80,6 +106,7 @@ def _synthesized(coefficients: ArrayLike, directions: ArrayLike, wanted: bool, t
     return values, slopes
 
 
+@public
 def vertex_areas(surface: Any) -> Doubles:
     """A third of the area of its triangles for each vertex: the usual weights of a fit."""
     positions, triangles = surface_of(surface)
@@ -89,19 +116,19 @@ def vertex_areas(surface: Any) -> Doubles:
     return areas
 
 
+@public
 def degree_norms(coefficients: ArrayLike) -> Doubles:
     """The norm of each degree, which rotations do not change."""
-    a = _channels(coefficients)
+    a = _coefficients(coefficients, "coefficients")
     norms = np.empty(degree_of(a) + 1)
     call(raw.obc_harmonics_degree_norms, address(a), degree_of(a), a.shape[1], address(norms))
     return norms
 
 
+@public
 def shape_distance(f: ArrayLike, g: ArrayLike, first: int = 0, last: Optional[int] = None) -> float:
     """The distance D_n between shapes, by the norms of their degrees from first to last."""
-    a, b = _channels(f), _channels(g)
-    if a.shape[1] != b.shape[1]:
-        raise ValueError(f"{a.shape[1]} and {b.shape[1]} channels")
+    a, b = _together(f, g, "f", "g")
     distance = ctypes.c_double()
     end = max(degree_of(a), degree_of(b)) if last is None else last
     call(raw.obc_harmonics_shape_distance, address(a), degree_of(a), address(b), degree_of(b), a.shape[1], first, end,
@@ -109,13 +136,15 @@ def shape_distance(f: ArrayLike, g: ArrayLike, first: int = 0, last: Optional[in
     return distance.value
 
 
+@public
 def filter(coefficients: ArrayLike, low: int, high: int, width: int = 0, keep_mean: bool = False) -> Doubles:
     """A copy of which the degrees from low to high stay."""
-    a = _channels(coefficients).copy()
+    a = _coefficients(coefficients, "coefficients").copy()
     call(raw.obc_harmonics_filter, address(a), degree_of(a), a.shape[1], low, high, width, int(keep_mean))
     return a
 
 
+@public
 def mean_distance(a: ArrayLike, b: ArrayLike, *, progress: Progress = None) -> float:
     """The reconstruction error e(A, B) between points."""
     first, second, distance = doubles(a, 3, name="a"), doubles(b, 3, name="b"), ctypes.c_double()
@@ -124,23 +153,25 @@ def mean_distance(a: ArrayLike, b: ArrayLike, *, progress: Progress = None) -> f
     return distance.value
 
 
+@public
 def rotate(coefficients: ArrayLike, rotation: ArrayLike, *, progress: Progress = None) -> Doubles:
     """The functions turned with the sphere by a matrix."""
-    a, matrix = _channels(coefficients), doubles(rotation, 3, 3, name="rotation")
+    a, matrix = _coefficients(coefficients, "coefficients"), doubles(rotation, 3, 3, name="rotation")
     turned = np.empty_like(a)
     call(raw.obc_harmonics_rotate, address(a), degree_of(a), a.shape[1], address(matrix), HOST, address(turned),
          progress=progress)
     return turned
 
 
-def align(fixed: ArrayLike, moving: ArrayLike, *, progress: Progress = None,
-          **options: Any) -> raw.obc_harmonics_alignment:
-    """The rotation that brings `moving` best into line with `fixed`: rotation and values (nine numbers by rows), correlation.
-    Options: turn_values, search_degree."""
-    a, b = _channels(fixed), _channels(moving)
-    if a.shape[1] != b.shape[1]:
-        raise ValueError(f"{a.shape[1]} and {b.shape[1]} channels")
-    chosen = filled(raw.obc_harmonics_align_options, raw.obc_harmonics_align_options_init, options)
+@with_options("obc_harmonics_align_options")
+def align(fixed: ArrayLike, moving: ArrayLike, *,
+          # options of obc_harmonics_align_options, written by scripts/bindings.py
+          turn_values: bool = False, search_degree: int = 12,
+          # end of options
+          progress: Progress = None) -> raw.obc_harmonics_alignment:
+    """The rotation that brings `moving` best into line with `fixed`: rotation and values (nine numbers by rows), correlation."""
+    chosen = filled(raw.obc_harmonics_align_options, raw.obc_harmonics_align_options_init, locals())
+    a, b = _together(fixed, moving, "fixed", "moving")
     found = raw.obc_harmonics_alignment()
     call_init(raw.obc_harmonics_alignment_init, found)
     call(raw.obc_harmonics_align, address(a), degree_of(a), address(b), degree_of(b), a.shape[1], byref(chosen), HOST,
@@ -149,19 +180,18 @@ def align(fixed: ArrayLike, moving: ArrayLike, *, progress: Progress = None,
 
 
 def _format(name: str) -> int:
-    constant = "OBC_HARMONICS_" + name.upper().replace("-", "_")
-    if constant not in ("OBC_HARMONICS_BY_ENDING", "OBC_HARMONICS_SHTOOLS", "OBC_HARMONICS_SPHARM_PDM"):
-        raise ValueError(f"format {name!r}: by-ending, shtools or spharm-pdm")
-    return int(getattr(raw, constant))
+    return int(getattr(raw, "OBC_HARMONICS_" + name.upper().replace("-", "_")))
 
 
-def write(path: Any, coefficients: ArrayLike, format: str = "by-ending") -> None:
+@public
+def write(path: PathLike, coefficients: ArrayLike, format: Literal["by-ending", "shtools", "spharm-pdm"] = "by-ending") -> None:
     """To a file of SHTOOLS (.sh .shtools .txt) or SPHARM-PDM (.coef)."""
-    a = _channels(coefficients)
+    a = _coefficients(coefficients, "coefficients")
     call(raw.obc_harmonics_write, path_bytes(path), _format(format), address(a), degree_of(a), a.shape[1])
 
 
-def read(path: Any, format: str = "by-ending", *, progress: Progress = None) -> Doubles:
+@public
+def read(path: PathLike, format: Literal["by-ending", "shtools", "spharm-pdm"] = "by-ending", *, progress: Progress = None) -> Doubles:
     """Coefficients from such a file."""
     handle = Handle(raw.obc_harmonics_coefficients_destroy)
     call(raw.obc_harmonics_read, path_bytes(path), _format(format), HOST, byref(handle), progress=progress)

@@ -4,32 +4,36 @@
     write("creature.ply", shape)
     topology(read("creature.ply")).genus
 
-A surface is (positions, triangles), or any object with such attributes: a Mesh, a mesh of trimesh or of meshio.
+A surface is (positions, triangles), or any object with such attributes: a Mesh, a mesh of trimesh, meshio or pyvista.
 """
 
 from __future__ import annotations
 
 import ctypes
+import zlib
 from ctypes import byref
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import DOUBLE, INDEX, Doubles, Indices, address, doubles, indices, surface_of, view
-from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, text
+from ._arrays import DOUBLE, INDEX, Doubles, Indices, address, doubles, indices, view
+from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, text, with_options
+from ._checks import PathLike, integer, public, word
+from ._foreign import MANY, parts_of, surface_of
 from .raw import mesh as raw
 
 __all__ = ["Mesh", "Search", "check_cells", "check_closed_genus_zero", "first_at_same_position", "intersections", "make",
-           "orient", "orientation_2d", "orientation_3d", "orientation_from_origin", "read", "shape_names",
-           "tetrahedron_quality", "topology", "version", "write"]
+           "orient", "orientation_2d", "orientation_3d", "orientation_from_origin", "read", "read_memory",
+           "shape_names", "tetrahedron_quality", "to_pyvista", "topology", "version", "write"]
 
 
 class Surface:
-    """The obc_surface of whatever surface_of understands, for as long as this object lives."""
+    """The obc_surface of whatever surface_of understands, for as long as this object lives; `name` is what the argument is
+    called in messages."""
 
-    def __init__(self, shape: Any) -> None:
-        self.positions, self.triangles = surface_of(shape)
+    def __init__(self, shape: Any, name: str = "surface") -> None:
+        self.positions, self.triangles = surface_of(shape, name)
         self.struct = raw.obc_surface(address(self.positions), len(self.positions), address(self.triangles),
                                       len(self.triangles))
 
@@ -39,8 +43,10 @@ class Surface:
 
 
 class Mesh:
-    """A mesh in the library's memory. `positions` and `triangles` are read-only views of it, without a copy."""
+    """A mesh in the library's memory, which does not change. `positions` and `triangles` are read-only views of it, without a
+    copy. Meshes are equal when positions and cells are; they can be pickled and copied."""
 
+    @public
     def __init__(self, positions: ArrayLike, triangles: Optional[ArrayLike] = None, tetrahedra: Optional[ArrayLike] = None,
                  hexahedra: Optional[ArrayLike] = None) -> None:
         places = doubles(positions, 3, name="positions")
@@ -51,7 +57,7 @@ class Mesh:
         for name, one, given, corners in (("triangles", "triangle", triangles, 3), ("tetrahedra", "tetrahedron", tetrahedra, 4),
                                           ("hexahedra", "hexahedron", hexahedra, 8)):
             if given is not None:
-                array = indices(given, corners, name=name)
+                array = indices(given, corners, name=name, below=len(places), of="positions")
                 kept.append(array)
                 setattr(cells, name, address(array))
                 setattr(cells, one + "_count", len(array))
@@ -62,6 +68,7 @@ class Mesh:
 
     def _take(self, handle: Handle) -> None:
         self._handle = handle
+        self._facts: Optional[tuple[Any, ...]] = None  # of a file, when this is a copy of what was read from it
         surface = raw.obc_surface()
         call(raw.obc_mesh_surface, self._handle, byref(surface))
         self.positions: Doubles = view(DOUBLE, surface.positions, (surface.vertex_count, 3), handle)
@@ -71,9 +78,37 @@ class Mesh:
         return len(self.positions)
 
     def __repr__(self) -> str:
-        return (f"Mesh({len(self.positions)} vertices, {len(self.triangles)} triangles, "
-                f"{raw.obc_mesh_tetrahedron_count(self._handle)} tetrahedra, "
-                f"{raw.obc_mesh_hexahedron_count(self._handle)} hexahedra)")
+        counts = [f"{count} {kind}" for kind, count in (
+            ("triangles", len(self.triangles)), ("tetrahedra", raw.obc_mesh_tetrahedron_count(self._handle)),
+            ("hexahedra", raw.obc_mesh_hexahedron_count(self._handle))) if count]
+        origin = f", from {self.format}" if self.format else ""
+        return f"Mesh({', '.join([f'{len(self.positions)} vertices'] + counts)}{origin})"
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Mesh):
+            return NotImplemented
+        return self is other or all(np.array_equal(mine, others) for mine, others in zip(self._arrays(), other._arrays()))
+
+    def __hash__(self) -> int:
+        return hash(tuple(zlib.crc32(np.ascontiguousarray(array + 0).data) for array in self._arrays()))  # + 0: no zero is negative
+
+    def _arrays(self) -> tuple[Any, ...]:
+        return self.positions, self.triangles, self.tetrahedra, self.hexahedra
+
+    def __copy__(self) -> Mesh:
+        return self  # it does not change
+
+    def __deepcopy__(self, memo: Any) -> Mesh:
+        return self
+
+    def __reduce__(self) -> Any:
+        facts = self.format, self.polygon_count, self.welded_vertex_count, self.notes
+        arrays = [np.array(array) for array in (self.positions, self.triangles, self.tetrahedra, self.hexahedra)]
+        return _restored, (arrays, facts)
+
+    def to_pyvista(self) -> Any:
+        """As pyvista has it: PolyData of the triangles when there are no other cells, or else an UnstructuredGrid."""
+        return to_pyvista(self)
 
     @property
     def tetrahedra(self) -> Indices:
@@ -92,26 +127,27 @@ class Mesh:
     @property
     def format(self) -> str:
         """Of the file that it was read from, such as "PLY, binary, big-endian"."""
-        return text(raw.obc_mesh_format(self._handle)) or ""
+        return str(self._facts[0]) if self._facts else text(raw.obc_mesh_format(self._handle)) or ""
 
     @property
     def polygon_count(self) -> int:
         """Faces of more than three corners in the file."""
-        return raw.obc_mesh_polygon_count(self._handle)
+        return int(self._facts[1]) if self._facts else raw.obc_mesh_polygon_count(self._handle)
 
     @property
     def welded_vertex_count(self) -> int:
-        """Vertices that were joined to others in reading."""
-        return raw.obc_mesh_welded_vertex_count(self._handle)
+        """Vertices that were welded to others in reading."""
+        return int(self._facts[2]) if self._facts else raw.obc_mesh_welded_vertex_count(self._handle)
 
     @property
     def notes(self) -> list[str]:
         """What was changed or left out in reading."""
-        found: list[str] = []
-        while (note := text(raw.obc_mesh_note(self._handle, len(found)))) is not None:
+        found: list[str] = list(self._facts[3]) if self._facts else []
+        while (note := None if self._facts else text(raw.obc_mesh_note(self._handle, len(found)))) is not None:
             found.append(note)
         return found
 
+    @public
     def boundary(self, *, progress: Progress = None) -> Mesh:
         """The surface of the solid that the cells fill, with the same vertices."""
         handle = Handle(raw.obc_mesh_destroy)
@@ -126,24 +162,46 @@ def adopt(handle: Handle) -> Mesh:
     return mesh
 
 
-def handle_of(mesh: Any) -> Any:
+def _restored(arrays: list[Any], facts: tuple[Any, ...]) -> Mesh:
+    """For pickle."""
+    mesh = Mesh(*arrays)
+    mesh._facts = facts
+    return mesh
+
+
+def handle_of(mesh: Any, name: str = "mesh") -> Mesh:
     """A Mesh of whatever has cells."""
     if isinstance(mesh, Mesh):
         return mesh
-    if hasattr(mesh, "points") and hasattr(mesh, "cells"):
-        from ._arrays import meshio_cells
+    parts = None if isinstance(mesh, (tuple, list)) else parts_of(mesh, name)
+    if parts is None:
+        return Mesh(*surface_of(mesh, name))
+    places = doubles(parts.positions, 3, name=f"{name}: positions")
+    return Mesh(places, *[None if getattr(parts, kind) is None else
+                          indices(getattr(parts, kind), corners, name=f"{name}: {kind}", below=len(places), of="vertices")
+                          for kind, corners in MANY.items()])
 
-        return Mesh(mesh.points, *[meshio_cells(mesh, kind, corners)
-                                   for kind, corners in (("triangle", 3), ("tetra", 4), ("hexahedron", 8))])
-    if hasattr(mesh, "positions") and (hasattr(mesh, "tetrahedra") or hasattr(mesh, "hexahedra")):
-        return Mesh(mesh.positions, *[getattr(mesh, kind, None) for kind in ("triangles", "tetrahedra", "hexahedra")])
-    return Mesh(*surface_of(mesh))
+
+@public
+def to_pyvista(mesh: Any) -> Any:
+    """Any mesh as pyvista has it: PolyData of triangles, or else an UnstructuredGrid of all cells."""
+    import pyvista  # type: ignore[import]
+
+    whole = handle_of(mesh)
+    cells = {5: whole.triangles, 10: whole.tetrahedra, 12: whole.hexahedra}
+    if len(cells[10]) == len(cells[12]) == 0:
+        faces = np.hstack([np.full((len(whole.triangles), 1), 3), whole.triangles]).astype(np.int64)
+        return pyvista.PolyData(np.array(whole.positions), faces.ravel())
+    kinds = {kind: array.astype(np.int64) for kind, array in cells.items() if len(array)}
+    return pyvista.UnstructuredGrid(kinds, np.array(whole.positions))
 
 
+@public
 def make(shape: str, triangle_count: int = 10000, seed: int = 0, *, progress: Progress = None) -> Mesh:
     """A closed surface by name, see `shape_names`."""
     handle = Handle(raw.obc_mesh_destroy)
-    call(raw.obc_mesh_make, shape.encode(), triangle_count, seed, HOST, byref(handle), progress=progress)
+    call(raw.obc_mesh_make, word(shape, "shape", shape_names()).encode(), integer(triangle_count, "triangle_count", 0, 2**32 - 1),
+         integer(seed, "seed", 0, 2**64 - 1), HOST, byref(handle), progress=progress)
     return adopt(handle)
 
 
@@ -155,32 +213,46 @@ def shape_names() -> list[str]:
     return found
 
 
-def read(path: Any, *, progress: Progress = None, **options: Any) -> Mesh:
-    """Reads .obj .off .ply .stl .mesh .vtk. Option: weld_identical."""
-    chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, options)
+@with_options("obc_mesh_read_options")
+def read(path: PathLike, *,
+         # options of obc_mesh_read_options, written by scripts/bindings.py
+         weld_identical: bool = False,
+         # end of options
+         progress: Progress = None) -> Mesh:
+    """Reads .obj .off .ply .stl .mesh .vtk."""
+    chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, locals())
     handle = Handle(raw.obc_mesh_destroy)
     call(raw.obc_mesh_read, path_bytes(path), byref(chosen), HOST, byref(handle), progress=progress)
     return adopt(handle)
 
 
-def read_memory(data: bytes, format: str, *, progress: Progress = None, **options: Any) -> Mesh:
-    """The same from bytes; format is obj, off, ply, stl, medit or vtk."""
-    chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, options)
-    if format not in ("obj", "off", "ply", "stl", "medit", "vtk"):
-        raise ValueError(f"format {format!r}: one of obj, off, ply, stl, medit, vtk")
+@with_options("obc_mesh_read_options")
+def read_memory(data: bytes, format: Literal["obj", "off", "ply", "stl", "medit", "vtk"], *,
+                # options of obc_mesh_read_options, written by scripts/bindings.py
+                weld_identical: bool = False,
+                # end of options
+                progress: Progress = None) -> Mesh:
+    """The same from bytes."""
+    chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, locals())
     handle = Handle(raw.obc_mesh_destroy)
     call(raw.obc_mesh_read_memory, data, len(data), getattr(raw, "OBC_MESH_" + format.upper()), byref(chosen), HOST,
          byref(handle), progress=progress)
     return adopt(handle)
 
 
-def write(path: Any, mesh: Any, *, progress: Progress = None, **options: Any) -> None:
-    """Writes triangles to .obj .off .ply .stl, cells too to .mesh and .vtk. Option: binary."""
-    chosen = filled(raw.obc_mesh_write_options, raw.obc_mesh_write_options_init, options)
+@with_options("obc_mesh_write_options")
+def write(path: PathLike, mesh: Any, *,
+          # options of obc_mesh_write_options, written by scripts/bindings.py
+          binary: bool = True,
+          # end of options
+          progress: Progress = None) -> None:
+    """Writes triangles to .obj .off .ply .stl, cells too to .mesh and .vtk."""
+    chosen = filled(raw.obc_mesh_write_options, raw.obc_mesh_write_options_init, locals())
     whole = handle_of(mesh)
     call(raw.obc_mesh_write, path_bytes(path), whole._handle, byref(chosen), HOST, progress=progress)
 
 
+@public
 def topology(surface: Any, *, progress: Progress = None) -> raw.obc_mesh_topology_report:
     """What kind of surface it is: a report with closed, manifold, genus, volume and the first place of each defect."""
     given, report = Surface(surface), raw.obc_mesh_topology_report()
@@ -189,18 +261,21 @@ def topology(surface: Any, *, progress: Progress = None) -> raw.obc_mesh_topolog
     return report
 
 
+@public
 def check_closed_genus_zero(surface: Any, *, progress: Progress = None) -> None:
     """Raises UnsuitableSurface, with the place, unless the surface is what sphere maps need."""
     given = Surface(surface)
     call(raw.obc_mesh_check_closed_genus_zero, given.pointer, HOST, progress=progress)
 
 
+@public
 def check_cells(mesh: Any, *, progress: Progress = None) -> None:
     """Raises, with the place, unless tetrahedra and hexahedra fill a solid."""
     whole = handle_of(mesh)
     call(raw.obc_mesh_check_cells, whole._handle, HOST, progress=progress)
 
 
+@public
 def tetrahedron_quality(mesh: Any, *, progress: Progress = None) -> raw.obc_mesh_tetrahedron_quality_report:
     """How well shaped tetrahedra are."""
     whole, report = handle_of(mesh), raw.obc_mesh_tetrahedron_quality_report()
@@ -209,8 +284,9 @@ def tetrahedron_quality(mesh: Any, *, progress: Progress = None) -> raw.obc_mesh
     return report
 
 
+@public
 def orient(surface: Any, *, progress: Progress = None) -> tuple[Indices, raw.obc_mesh_orient_report]:
-    """Triangles turned so that neighbours agree and a closed surface looks outward, and what was done."""
+    """Triangles turned so that neighbors agree and a closed surface is outward-oriented, and what was done."""
     positions, triangles = surface_of(surface)
     turned = triangles.copy()
     report = raw.obc_mesh_orient_report()
@@ -220,6 +296,7 @@ def orient(surface: Any, *, progress: Progress = None) -> tuple[Indices, raw.obc
     return turned, report
 
 
+@public
 def first_at_same_position(positions: ArrayLike, *, progress: Progress = None) -> Indices:
     """For each vertex the lowest one at its very position."""
     places = doubles(positions, 3, name="positions")
@@ -228,10 +305,11 @@ def first_at_same_position(positions: ArrayLike, *, progress: Progress = None) -
     return first
 
 
+@public
 def intersections(surface: Any, capacity: int = 1000, *, threads: int = 0, progress: Progress = None) -> Indices:
     """The first pairs of triangles that have more in common than the vertices they share, decided exactly."""
     given, count = Surface(surface), ctypes.c_size_t()
-    pairs = np.empty((capacity, 2), dtype=np.uint32)
+    pairs = np.empty((integer(capacity, "capacity", 0, 2**32 - 1), 2), dtype=np.uint32)
     call(raw.obc_mesh_intersections, given.pointer, HOST, address(pairs), capacity, byref(count), progress=progress,
          threads=threads)
     return pairs[:count.value].copy()
@@ -240,10 +318,12 @@ def intersections(surface: Any, capacity: int = 1000, *, threads: int = 0, progr
 class Search:
     """A surface made ready for searching."""
 
+    @public
     def __init__(self, surface: Any, *, progress: Progress = None) -> None:
         given, self._handle = Surface(surface), Handle(raw.obc_mesh_search_destroy)
         call(raw.obc_mesh_search_create, given.pointer, HOST, byref(self._handle), progress=progress)
 
+    @public
     def vertices(self, points: ArrayLike) -> Indices:
         """The vertex nearest to each point."""
         asked = doubles(points, 3, name="points")
@@ -251,6 +331,7 @@ class Search:
         call(raw.obc_mesh_search_vertices, self._handle, address(asked), len(asked), address(found))
         return found
 
+    @public
     def surface(self, points: ArrayLike) -> tuple[Indices, Doubles, Doubles, Doubles]:
         """Of the nearest point of the surface: triangle, weights at its corners, position, distance."""
         asked = doubles(points, 3, name="points")
@@ -262,33 +343,35 @@ class Search:
         return triangles, weights, positions, distances
 
 
-def _sign(function: Any, dimension: int, *points: ArrayLike) -> int:
-    arrays = [doubles(point, name="point") for point in points]
-    if any(array.shape != (dimension,) for array in arrays):
-        raise ValueError(f"points of {dimension} coordinates are needed")
-    answer = int(function(*[array.ctypes.data for array in arrays]))
-    if answer == 2:
-        raise ValueError("a coordinate is not finite, or there is no memory")
-    return answer
+def _sign(function: Any, dimension: int, **points: ArrayLike) -> int:
+    arrays = {name: doubles(point, name=name) for name, point in points.items()}
+    for name, array in arrays.items():
+        if array.shape != (dimension,):
+            raise ValueError(f"{name}: {dimension} coordinates are needed, not shape {array.shape}")
+    found = int(function(*[array.ctypes.data for array in arrays.values()]))
+    if found == 2:
+        raise MemoryError("there is no memory for an exact sign")
+    return found
 
 
+@public
 def orientation_2d(a: ArrayLike, b: ArrayLike, c: ArrayLike) -> int:
     """Exact sign of (b - a) x (c - a)."""
-    return _sign(raw.obc_mesh_orientation_2d, 2, a, b, c)
+    return _sign(raw.obc_mesh_orientation_2d, 2, a=a, b=b, c=c)
 
 
+@public
 def orientation_3d(a: ArrayLike, b: ArrayLike, c: ArrayLike, d: ArrayLike) -> int:
     """Exact sign of det[b - a, c - a, d - a]."""
-    return _sign(raw.obc_mesh_orientation_3d, 3, a, b, c, d)
+    return _sign(raw.obc_mesh_orientation_3d, 3, a=a, b=b, c=c, d=d)
 
 
+@public
 def orientation_from_origin(p: ArrayLike, q: ArrayLike, r: ArrayLike) -> int:
     """Exact sign of det[p, q, r]."""
-    return _sign(raw.obc_mesh_orientation_from_origin, 3, p, q, r)
+    return _sign(raw.obc_mesh_orientation_from_origin, 3, p=p, q=q, r=r)
 
 
 def version() -> int:
     """major * 10000 + minor * 100 + patch."""
     return raw.obc_mesh_version()
-
-

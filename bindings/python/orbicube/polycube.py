@@ -7,28 +7,40 @@
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 from ctypes import byref
-from typing import Any, Optional, Sequence
+from typing import Any, Literal, Mapping, NoReturn, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Doubles, Indices, address, doubles, indices
-from ._call import HOST, Handle, Progress, call, filled, sized
+from ._call import HOST, Handle, Progress, call, filled, named, sized, with_options
+from ._checks import kind_of, public, real
+from ._records import Record
 from .mesh import Surface
 from .raw import mesh as raw_mesh
 from .raw import polycube as raw
 
 
 class Polycube:
-    """A certified map. `report` is that of the optimisation that it comes from, if it comes from one."""
+    """A certified map, which does not change. `report` is that of the optimization that it comes from, if it comes from one."""
 
     def __init__(self, handle: Handle, report: Any = None) -> None:
         self._handle, self.report = handle, report
 
     def __repr__(self) -> str:
         return f"Polycube({self.corner_count} corners, {self.patch_count} patches, {self.vertex_count} vertices)"
+
+    def __copy__(self) -> Polycube:
+        return self
+
+    def __deepcopy__(self, memo: Any) -> Polycube:
+        return self
+
+    def __reduce__(self) -> NoReturn:
+        raise TypeError("a Polycube cannot be pickled: keep its positions, polycube and triangles, and `certify` them again")
 
     @property
     def vertex_count(self) -> int:
@@ -87,27 +99,39 @@ class Polycube:
 
     @property
     def energies(self) -> Doubles:
-        """Of the optimisation that it comes from; they never rise."""
+        """Of the optimization that it comes from; they never rise."""
         out = np.empty(raw.obc_polycube_energy_count(self._handle))
         call(raw.obc_polycube_copy_energies, self._handle, address(out))
         return out
 
-    def optimize_domain(self, *, progress: Progress = None, threads: int = 0, **options: Any) -> Polycube:
-        """The best distances between the planes. Options: measure ("surface-mean", "face-mean", "harmonic"), area_weight."""
-        chosen, report, handle = _domain(options), sized(raw.obc_polycube_domain_report), Handle(raw.obc_polycube_destroy)
+    @with_options("obc_polycube_domain_options")
+    def optimize_domain(self, *,
+                        # options of obc_polycube_domain_options, written by scripts/bindings.py
+                        measure: Literal["surface-mean", "face-mean", "harmonic"] = "surface-mean", area_weight: float = 1.0,
+                        # end of options
+                        progress: Progress = None, threads: int = 0) -> Polycube:
+        """The best distances between the planes."""
+        chosen = _domain(locals())
+        report, handle = sized(raw.obc_polycube_domain_report), Handle(raw.obc_polycube_destroy)
         call(raw.obc_polycube_optimize_domain, self._handle, byref(chosen), HOST, byref(report), byref(handle),
              progress=progress, threads=threads)
         return Polycube(handle, report)
 
-    def optimize_corners(self, *, progress: Progress = None, threads: int = 0, **options: Any) -> Polycube:
-        """Better places of the corners on the surface. Options: method ("trust-region", "gradient"), area_weight, domain,
-        rounds."""
-        chosen = filled(raw.obc_polycube_corner_options, raw.obc_polycube_corner_options_init, options, raw, "OBC_POLYCUBE_")
+    @with_options("obc_polycube_corner_options")
+    def optimize_corners(self, *,
+                         # options of obc_polycube_corner_options, written by scripts/bindings.py
+                         method: Literal["trust-region", "gradient"] = "trust-region", area_weight: float = 1.0,
+                         domain: bool = False, rounds: int = 6,
+                         # end of options
+                         progress: Progress = None, threads: int = 0) -> Polycube:
+        """Better positions of the corners on the surface."""
+        chosen = filled(raw.obc_polycube_corner_options, raw.obc_polycube_corner_options_init, locals())
         report, handle = sized(raw.obc_polycube_corner_report), Handle(raw.obc_polycube_destroy)
         call(raw.obc_polycube_optimize_corners, self._handle, byref(chosen), HOST, byref(report), byref(handle),
              progress=progress, threads=threads)
         return Polycube(handle, report)
 
+    @public
     def meet_features(self, vertices: ArrayLike = (), places: ArrayLike = (), *, weights: Optional[ArrayLike] = None,
                       curves: Sequence[tuple[Any, ...]] = (), sharp_angle: float = 0, progress: Progress = None,
                       threads: int = 0) -> Polycube:
@@ -115,35 +139,41 @@ class Polycube:
         line, and sharp edges on its edges. Without weights all of that is met exactly."""
         chosen = filled(raw.obc_polycube_feature_options, raw.obc_polycube_feature_options_init,
                         {"sharp_angle": sharp_angle})
-        report, handle = sized(raw.obc_polycube_feature_report), Handle(raw.obc_polycube_destroy)
-        points = indices(vertices, name="vertices")
-        kept: list[Any] = [points, doubles(places, 3, len(points), "places")]
+        report, handle, n = sized(raw.obc_polycube_feature_report), Handle(raw.obc_polycube_destroy), self.vertex_count
+        points = indices(vertices, name="vertices", below=n).ravel()
+        kept: list[Any] = [points, doubles(places, 3, len(points), "places", each="of the vertices")]
         chosen.point_count, chosen.points, chosen.places = len(points), address(points), address(kept[1])
         if weights is not None:
-            kept.append(doubles(weights, rows=len(points), name="weights"))
+            kept.append(doubles(weights, rows=len(points), name="weights", each="of the vertices"))
             chosen.point_weights = address(kept[-1])
-        if curves:
-            rows = [indices(curve[0], name="curves") for curve in curves]
-            kept += [np.concatenate(rows), np.cumsum([0] + [len(row) for row in rows], dtype=np.uint32),
-                     doubles([[curve[1], curve[2]] for curve in curves]),
-                     doubles([curve[3] if len(curve) > 3 else 0 for curve in curves])]
-            chosen.curve_count = len(rows)
+        if len(curves):
+            kept += _curves(curves, n)
+            chosen.curve_count = len(curves)
             chosen.curve_vertices, chosen.curve_starts, chosen.curve_lines, chosen.curve_weights = map(address, kept[-4:])
         call(raw.obc_polycube_meet_features, self._handle, byref(chosen), HOST, byref(report), byref(handle),
              progress=progress, threads=threads)
         return Polycube(handle, report)
 
+    @public
     def graph(self, *, progress: Progress = None) -> Graph:
+        """Its corners, edges and patches."""
         return Graph(self, progress=progress)
 
-    def quads(self, *, progress: Progress = None, **options: Any) -> Quads:
-        """A mesh of quads on the surface. Options: quads, edge_length."""
-        return Quads(self, options, progress)
+    @with_options("obc_polycube_quads_options")
+    def quads(self, *,
+              # options of obc_polycube_quads_options, written by scripts/bindings.py
+              quads: int = 10000, edge_length: float = 0.0,
+              # end of options
+              progress: Progress = None) -> Quads:
+        """A mesh of quads on the surface."""
+        chosen = filled(raw.obc_polycube_quads_options, raw.obc_polycube_quads_options_init, locals())
+        return Quads(self, chosen, progress)
 
 
-class Graph:
+class Graph(Record):
     """Corners, straight edges and patches of a polycube, without its triangles."""
 
+    @public
     def __init__(self, map: Polycube, *, progress: Progress = None) -> None:
         handle = Handle(raw.obc_polycube_graph_destroy)
         call(raw.obc_polycube_graph_create, map._handle, HOST, byref(handle), progress=progress)
@@ -171,12 +201,11 @@ class Graph:
         handle.close()
 
 
-class Quads:
+class Quads(Record):
     """A mesh of quads: positions, polycube (the same vertices on it), quads, patches, and where vertices lie in the map:
     triangles and weights."""
 
-    def __init__(self, map: Polycube, options: dict[str, Any], progress: Progress) -> None:
-        chosen = filled(raw.obc_polycube_quads_options, raw.obc_polycube_quads_options_init, options)
+    def __init__(self, map: Polycube, chosen: Any, progress: Progress) -> None:
         handle = Handle(raw.obc_polycube_quads_destroy)
         call(raw.obc_polycube_quads_create, map._handle, byref(chosen), HOST, byref(handle), progress=progress)
         n, m = raw.obc_polycube_quads_vertex_count(handle), raw.obc_polycube_quads_quad_count(handle)
@@ -189,44 +218,68 @@ class Quads:
         handle.close()
 
 
-def _options(options: dict[str, Any]) -> Any:
-    return filled(raw.obc_polycube_options, raw.obc_polycube_options_init, options, raw, "OBC_POLYCUBE_")
+def _curves(curves: Sequence[tuple[Any, ...]], n: int) -> list[Any]:
+    """Vertices, where each curve begins in them, lines and weights."""
+    for i, curve in enumerate(curves):
+        if not isinstance(curve, (tuple, list)) or len(curve) not in (3, 4):
+            raise TypeError(f"curves[{i}]: (vertices, from, to) or (vertices, from, to, weight) is needed, not {kind_of(curve)}")
+    rows = [indices(curve[0], name=f"curves[{i}]: vertices", below=n).ravel() for i, curve in enumerate(curves)]
+    ends = [doubles(curve[1:3], 3, 2, f"curves[{i}]: from and to") for i, curve in enumerate(curves)]
+    weights = [real(curve[3], f"curves[{i}]: weight") if len(curve) > 3 else 0 for i, curve in enumerate(curves)]
+    return [np.concatenate(rows), np.cumsum([0] + [len(row) for row in rows], dtype=np.uint32), doubles(ends), doubles(weights)]
 
 
-def _domain(options: dict[str, Any]) -> Any:
-    return filled(raw.obc_polycube_domain_options, raw.obc_polycube_domain_options_init, options, raw, "OBC_POLYCUBE_")
+def _options(given: Mapping[str, Any]) -> Any:
+    return filled(raw.obc_polycube_options, raw.obc_polycube_options_init, given)
 
 
-def compute(surface: Any, *, progress: Progress = None, threads: int = 0, **options: Any) -> Polycube:
-    """A polycube of a closed surface of any genus, and a map to it. Options: construction ("auto", "labels", "voxels"),
-    corners, seed."""
-    given, chosen, handle = Surface(surface), _options(options), Handle(raw.obc_polycube_destroy)
+def _domain(given: Mapping[str, Any]) -> Any:
+    return filled(raw.obc_polycube_domain_options, raw.obc_polycube_domain_options_init, given)
+
+
+@with_options("obc_polycube_options")
+def compute(surface: Any, *,
+            # options of obc_polycube_options, written by scripts/bindings.py
+            construction: Literal["auto", "labels", "voxels"] = "auto", corners: int = 0, seed: int = 0,
+            # end of options
+            progress: Progress = None, threads: int = 0) -> Polycube:
+    """A polycube of a closed surface of any genus, and a map to it."""
+    chosen = _options(locals())
+    given, handle = Surface(surface), Handle(raw.obc_polycube_destroy)
     call(raw.obc_polycube_compute, given.pointer, byref(chosen), HOST, byref(handle), progress=progress, threads=threads)
     return Polycube(handle)
 
 
+@public
 def certify(surface: Any, polycube: ArrayLike, *, progress: Progress = None) -> Polycube:
     """A map made elsewhere, if it is one; NoValidResult says why not."""
     given, handle = Surface(surface), Handle(raw.obc_polycube_destroy)
-    places = doubles(polycube, 3, len(given.positions), "polycube")
+    places = doubles(polycube, 3, len(given.positions), "polycube", each="vertex")
     call(raw.obc_polycube_create, given.pointer, address(places), HOST, None, byref(handle), progress=progress)
     return Polycube(handle)
 
 
+@public
 def compute_on(surface: Any, polycube: Any, *, corners: Optional[ArrayLike] = None, vertices: Optional[ArrayLike] = None,
                points: Optional[ArrayLike] = None, progress: Progress = None, threads: int = 0) -> Polycube:
     """Maps a surface to the given polycube; corners of it are put at vertices of the surface, or nearest to points."""
-    given, target, handle = Surface(surface), Surface(polycube), Handle(raw.obc_polycube_destroy)
+    given, target, handle = Surface(surface), Surface(polycube, "polycube"), Handle(raw.obc_polycube_destroy)
     places = raw.obc_polycube_places()
     kept: list[Any] = []
+    for name, value in (("vertices", vertices), ("points", points)):
+        if value is not None and (corners is None or (vertices is not None and points is not None)):
+            raise ValueError(f"{name}: corners are needed, with either vertices or points of the surface where each goes")
     if corners is not None:
-        kept.append(indices(corners, name="corners"))
+        if vertices is None and points is None:
+            raise ValueError("corners: vertices or points are needed, of the surface where each corner goes")
+        kept.append(indices(corners, name="corners", below=len(target.positions), of="vertices").ravel())
         places.corners, places.count = address(kept[0]), len(kept[0])
         if vertices is not None:
-            kept.append(indices(vertices, rows=places.count, name="vertices"))
+            kept.append(indices(vertices, rows=places.count, name="vertices", below=len(given.positions),
+                                each="of the corners"))
             places.vertices = address(kept[-1])
         if points is not None:
-            kept.append(doubles(points, 3, places.count, "points"))
+            kept.append(doubles(points, 3, places.count, "points", each="of the corners"))
             places.points = address(kept[-1])
     call(raw.obc_polycube_compute_on, given.pointer, target.pointer, byref(places) if kept else None, HOST, byref(handle),
          progress=progress, threads=threads)
@@ -252,10 +305,19 @@ class _Handles:
             raw.obc_polycube_destroy(value)
 
 
-def compute_common(surfaces: Sequence[Any], *, domain: Optional[dict[str, Any]] = None, progress: Progress = None,
-                   threads: int = 0, **options: Any) -> tuple[list[Polycube], int]:
-    """One polycube for several shapes: a map each, and the number of the shape that it was made for."""
-    given, chosen, energy = [Surface(surface) for surface in surfaces], _options(options), _domain(domain or {})
+@with_options("obc_polycube_options")
+def compute_common(surfaces: Sequence[Any], *,
+                   # options of obc_polycube_options, written by scripts/bindings.py
+                   construction: Literal["auto", "labels", "voxels"] = "auto", corners: int = 0, seed: int = 0,
+                   # end of options
+                   domain: Optional[Mapping[str, Any]] = None, progress: Progress = None, threads: int = 0) -> tuple[list[Polycube], int]:
+    """One polycube for several shapes: a map each, and the number of the shape that it was made for. domain: options of
+    `optimize_common_domain`, as a dictionary."""
+    chosen = _options(locals())
+    energy = _domain(named(domain or {}, "obc_polycube_domain_options", "domain"))
+    given = [Surface(surface, f"surfaces[{i}]") for i, surface in enumerate(surfaces)]
+    if not given:
+        raise ValueError("surfaces is empty: one at least is needed")
     array = (raw_mesh.obc_surface * len(given))(*[surface.struct for surface in given])
     handles, made_for = _Handles(len(given)), ctypes.c_size_t()
     call(raw.obc_polycube_compute_common, array, len(given), byref(chosen), byref(energy), HOST, byref(made_for),
@@ -263,13 +325,26 @@ def compute_common(surfaces: Sequence[Any], *, domain: Optional[dict[str, Any]] 
     return handles.maps(), made_for.value
 
 
-def optimize_common_domain(maps: Sequence[Polycube], *, progress: Progress = None, threads: int = 0,
-                           **options: Any) -> list[Polycube]:
-    """The proportions with the least sum of energies of maps to one polycube."""
-    chosen = _domain(options)
+@with_options("obc_polycube_domain_options")
+def optimize_common_domain(maps: Sequence[Polycube], *,
+                           # options of obc_polycube_domain_options, written by scripts/bindings.py
+                           measure: Literal["surface-mean", "face-mean", "harmonic"] = "surface-mean",
+                           area_weight: float = 1.0,
+                           # end of options
+                           progress: Progress = None, threads: int = 0) -> list[Polycube]:
+    """The proportions with the minimum sum of energies of maps to one polycube."""
+    chosen = _domain(locals())
+    for i, map in enumerate(maps):
+        if not isinstance(map, Polycube):
+            raise TypeError(f"maps[{i}]: a Polycube is needed, not {kind_of(map)}")
+    if not len(maps):
+        raise ValueError("maps is empty: one at least is needed")
     given, handles = (ctypes.c_void_p * len(maps))(*[map._handle.value for map in maps]), _Handles(len(maps))
-    call(raw.obc_polycube_optimize_common_domain, given, len(maps), byref(chosen), HOST, handles.array, progress=progress,
-         threads=threads)
+    with contextlib.ExitStack() as uses:
+        for map in maps:
+            uses.enter_context(map._handle)
+        call(raw.obc_polycube_optimize_common_domain, given, len(maps), byref(chosen), HOST, handles.array,
+             progress=progress, threads=threads)
     return handles.maps()
 
 

@@ -1,66 +1,78 @@
-"""Minimises f over products of unit spheres: directions, quaternions, unit eigenvectors.
+"""Minimizes f over products of unit spheres: directions, quaternions, unit eigenvectors.
 
     result = minimize(f_and_gradient, x0)        # x0: a row a sphere; all at once, with the gradient
     result = relax(part, x0, neighbours)         # block by block, with the part of f that contains one
     relaxation = Relaxation(x0, neighbours)      # the same in parts: relaxation.run(part, steps)
 
 Options are the members of `obc_sphere_optimizer_options` and `obc_sphere_optimizer_relaxation_options`; docs/sphere_optimizer.md
-of the library tells what they do.
+of the library describes them.
 """
 
 from __future__ import annotations
 
 import ctypes
 from ctypes import byref
-from typing import Any, Callable, Optional, Sequence
+from typing import Any, Callable, Literal, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, indices, memory_of, put
-from ._call import HOST, Handle, Progress, Stop, call, call_init, filled, sized, text
-from ._solver import EvaluationFailed, GradientRun, Result
+from ._arrays import Doubles, address, doubles, indices, memory_of, put
+from ._call import HOST, Handle, Progress, Stop, call, call_init, filled, picked, sized, text, with_options
+from ._checks import integer, kind_of, public
+from ._solver import NO_VALUE, EvaluationFailed, GradientRun, Result, real_or_nan
 from .raw import sphere_optimizer as raw
 
 __all__ = ["EvaluationFailed", "Relaxation", "Relaxed", "Result", "Solver", "Stop", "minimize", "relax", "version"]
 
 
 def _points(x0: ArrayLike) -> Doubles:
-    array = np.array(x0, dtype=np.float64, order="C")
-    if array.ndim != 2:
-        raise ValueError(f"x0: a row a sphere is needed, not shape {array.shape}")
-    return array
+    array = doubles(x0, name="x0")
+    if array.ndim != 2 or array.size == 0:
+        raise ValueError(f"x0: a row for each sphere is needed, not shape {array.shape}")
+    for i in np.flatnonzero(~array.any(axis=1))[:1]:
+        raise ValueError(f"x0[{i}] is zero: a direction is needed")
+    return array.copy()
 
 
 class Solver(GradientRun):
-    """A run by questions and answers; x0, the points asked about and gradients have a row a sphere."""
+    """A run by reverse communication; x0, the points queried and gradients have a row a sphere."""
 
-    def __init__(self, x0: ArrayLike, *, _load: Optional[bytes] = None, **options: Any) -> None:
-        handle = ctypes.c_void_p()
-        if _load is None:
-            start = _points(x0)
-            shape = start.shape
-            chosen = filled(raw.obc_sphere_optimizer_options, raw.obc_sphere_optimizer_options_init, options, raw,
-                            "OBC_SPHERE_OPTIMIZER_")
-            call(raw.obc_sphere_optimizer_create, start.shape[0], start.shape[1], byref(chosen), address(start), None,
-                 byref(handle))
-        else:
-            call(raw.obc_sphere_optimizer_load, _load, len(_load), None, byref(handle))
-            count, dimension = ctypes.c_size_t(), ctypes.c_size_t()
-            call(raw.obc_sphere_optimizer_get_shape, handle, byref(count), byref(dimension))
-            shape = (count.value, dimension.value)
-        super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, shape)
+    @with_options("obc_sphere_optimizer_options")
+    def __init__(self, x0: ArrayLike, *,
+                 # options of obc_sphere_optimizer_options, written by scripts/bindings.py
+                 method: Literal["limited-memory", "barzilai-borwein", "great-circle", "seed"] = "limited-memory",
+                 memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
+                 max_evaluations: int = 100000, max_iterations: int = 100000,
+                 # end of options
+                 ) -> None:
+        chosen = filled(raw.obc_sphere_optimizer_options, raw.obc_sphere_optimizer_options_init, locals())
+        start, handle = _points(x0), ctypes.c_void_p()
+        call(raw.obc_sphere_optimizer_create, start.shape[0], start.shape[1], byref(chosen), address(start), None, byref(handle))
+        super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, start.shape)
 
     @classmethod
+    @public
     def load(cls, blob: bytes) -> Solver:
         """Goes on with a run that was saved."""
-        return cls((), _load=blob)
+        handle, count, dimension = ctypes.c_void_p(), ctypes.c_size_t(), ctypes.c_size_t()
+        call(raw.obc_sphere_optimizer_load, blob, len(blob), None, byref(handle))
+        call(raw.obc_sphere_optimizer_get_shape, handle, byref(count), byref(dimension))
+        solver = cls.__new__(cls)
+        GradientRun.__init__(solver, raw, "obc_sphere_optimizer", handle.value or 0, (count.value, dimension.value))
+        return solver
 
 
-def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *, progress: Progress = None,
-             **options: Any) -> Result:
-    """The least value of f that is found from x0, a row a sphere; f answers (value, gradient)."""
-    return Solver(x0, **options).run(f, progress)
+@with_options("obc_sphere_optimizer_options")
+def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *,
+             # options of obc_sphere_optimizer_options, written by scripts/bindings.py
+             method: Literal["limited-memory", "barzilai-borwein", "great-circle", "seed"] = "limited-memory",
+             memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
+             max_evaluations: int = 100000, max_iterations: int = 100000,
+             # end of options
+             progress: Progress = None) -> Result:
+    """The minimum value of f that is found from x0, a row a sphere; f returns (value, gradient)."""
+    return Solver(x0, **picked(locals(), "obc_sphere_optimizer_options")).run(f, progress)
 
 
 class Relaxed:
@@ -95,15 +107,16 @@ class _Part:
             d = self.dimension
             wanted = 2 if hessian else 1 if gradient else 0
             answer = self.f(block, self.array(place, (d,), False), self.array(points, self.shape, False), wanted)
-            if isinstance(answer, tuple):
+            if isinstance(answer, tuple) and len(answer) > wanted:
                 if gradient:
-                    put(self.array(gradient, (d,), True), answer[1], "gradient")
+                    put(self.array(gradient, (d,), True), answer[1], "the gradient that f returned")
                 if hessian:
-                    put(self.array(hessian, (d, d), True), answer[2], "hessian")
+                    put(self.array(hessian, (d, d), True), answer[2], "the hessian that f returned")
                 answer = answer[0]
-            elif wanted:
-                raise TypeError("derivatives are wanted: answer (value, gradient) or (value, gradient, hessian)")
-            self.array(value, (1,), True)[0] = answer
+            elif wanted or answer is None:
+                what = ("a number", "(value, gradient)", "(value, gradient, hessian)")[wanted]
+                raise TypeError(f"f returned {kind_of(answer)}: return {what}, {NO_VALUE}")
+            self.array(value, (1,), True)[0] = answer if isinstance(answer, float) else real_or_nan(answer, "the value that f returned")
             return 0
         except EvaluationFailed:
             return 2
@@ -117,11 +130,11 @@ class _Part:
 def _blocks(x: Doubles, neighbours: Sequence[Sequence[int]]) -> tuple[Any, list[Any]]:
     """obc_sphere_optimizer_blocks, and the arrays that it points at."""
     if len(neighbours) != len(x):
-        raise ValueError(f"neighbours: {len(x)} rows are needed, not {len(neighbours)}")
+        raise ValueError(f"neighbours: {len(x)} rows are needed, one for each row of x0, not {len(neighbours)}")
+    rows = [indices(row, name=f"neighbours[{i}]", below=len(x), of="spheres").ravel() for i, row in enumerate(neighbours)]
     starts = np.zeros(len(x) + 1, dtype=np.uintp)
-    starts[1:] = np.cumsum([len(row) for row in neighbours])
-    flat = indices(np.concatenate([np.asarray(row, dtype=np.int64) for row in neighbours]) if len(x) else [],
-                   name="neighbours")
+    starts[1:] = np.cumsum([len(row) for row in rows])
+    flat = np.concatenate(rows)
     blocks = raw.obc_sphere_optimizer_blocks()
     call_init(raw.obc_sphere_optimizer_blocks_init, blocks)
     blocks.dimension, blocks.count = x.shape[1], x.shape[0]
@@ -129,20 +142,21 @@ def _blocks(x: Doubles, neighbours: Sequence[Sequence[int]]) -> tuple[Any, list[
     return blocks, [starts, flat]
 
 
-def _relaxation_options(options: dict[str, Any]) -> Any:
-    return filled(raw.obc_sphere_optimizer_relaxation_options, raw.obc_sphere_optimizer_relaxation_options_init, options,
-                  raw, "OBC_SPHERE_OPTIMIZER_")
-
-
-def relax(f: Callable[..., Any], x0: ArrayLike, neighbours: Sequence[Sequence[int]], *, progress: Progress = None,
-          **options: Any) -> Relaxed:
-    """Lowers f block by block. `f(block, place, points, derivatives)` answers the part of f that contains a block if it were
+@with_options("obc_sphere_optimizer_relaxation_options")
+def relax(f: Callable[..., Any], x0: ArrayLike, neighbours: Sequence[Sequence[int]], *,
+          # options of obc_sphere_optimizer_relaxation_options, written by scripts/bindings.py
+          method: Literal["great-circle", "seed"] = "great-circle", second_order: bool = False,
+          order: Literal["automatic", "queue", "sweeps"] = "automatic", gradient_tolerance: float = 1e-06,
+          relative_gain: float = 0.0, over_relaxation: float = 0.0, max_passes: int = 10000,
+          # end of options
+          progress: Progress = None) -> Relaxed:
+    """Lowers f block by block. `f(block, place, points, derivatives)` returns the part of f that contains a block if it were
     at `place` and all others as in `points`: the value; with derivatives 1 (value, gradient); with 2, when `second_order=1`,
     (value, gradient, hessian). More is fine. The arrays are the solver's own and only valid in the call.
     neighbours[i]: the blocks whose part of f contains block i."""
+    chosen = filled(raw.obc_sphere_optimizer_relaxation_options, raw.obc_sphere_optimizer_relaxation_options_init, locals())
     x = _points(x0)
     blocks, kept = _blocks(x, neighbours)
-    chosen = _relaxation_options(options)
     part = _Part(f, (x.shape[0], x.shape[1]))
     report = sized(raw.obc_sphere_optimizer_relaxation_result)
     call(raw.obc_sphere_optimizer_relax, byref(blocks), byref(chosen), part.function, None, address(x), byref(report),
@@ -152,33 +166,44 @@ def relax(f: Callable[..., Any], x0: ArrayLike, neighbours: Sequence[Sequence[in
 
 
 class Relaxation:
-    """A relaxation in parts: `run` does so many more steps, `result` tells what is known, `save` and `load` go on elsewhere.
+    """A relaxation in parts: `run` performs the given number of steps, `result` is the current state, `save` and `load` go on elsewhere.
     Ends in the bits of `relax`."""
 
-    def __init__(self, x0: ArrayLike, neighbours: Sequence[Sequence[int]], *, _load: Optional[bytes] = None,
-                 **options: Any) -> None:
+    @with_options("obc_sphere_optimizer_relaxation_options")
+    def __init__(self, x0: ArrayLike, neighbours: Sequence[Sequence[int]], *,
+                 # options of obc_sphere_optimizer_relaxation_options, written by scripts/bindings.py
+                 method: Literal["great-circle", "seed"] = "great-circle", second_order: bool = False,
+                 order: Literal["automatic", "queue", "sweeps"] = "automatic", gradient_tolerance: float = 1e-06,
+                 relative_gain: float = 0.0, over_relaxation: float = 0.0, max_passes: int = 10000,
+                 # end of options
+                 ) -> None:
+        chosen = filled(raw.obc_sphere_optimizer_relaxation_options, raw.obc_sphere_optimizer_relaxation_options_init, locals())
         x = _points(x0)
-        self._shape = (x.shape[0], x.shape[1])
         blocks, kept = _blocks(x, neighbours)
-        self._handle = Handle(raw.obc_sphere_optimizer_relaxation_destroy)
-        if _load is None:
-            chosen = _relaxation_options(options)
-            call(raw.obc_sphere_optimizer_relaxation_create, byref(blocks), byref(chosen), address(x), None,
-                 byref(self._handle))
-        else:
-            call(raw.obc_sphere_optimizer_relaxation_load, byref(blocks), _load, len(_load), None, byref(self._handle))
+        self._begin((x.shape[0], x.shape[1]))
+        call(raw.obc_sphere_optimizer_relaxation_create, byref(blocks), byref(chosen), address(x), None, byref(self._handle))
         del kept
 
-    @classmethod
-    def load(cls, blob: bytes, x0: ArrayLike, neighbours: Sequence[Sequence[int]]) -> Relaxation:
-        """Goes on with a relaxation that was saved, of the same neighbours; of x0 only the shape counts."""
-        return cls(x0, neighbours, _load=blob)
+    def _begin(self, shape: tuple[int, int]) -> None:
+        self._shape, self._handle = shape, Handle(raw.obc_sphere_optimizer_relaxation_destroy)
 
+    @classmethod
+    @public
+    def load(cls, blob: bytes, x0: ArrayLike, neighbours: Sequence[Sequence[int]]) -> Relaxation:
+        """Goes on with a relaxation that was saved, of the same neighbors; of x0 only the shape counts."""
+        x = _points(x0)
+        blocks, kept = _blocks(x, neighbours)
+        relaxation = cls.__new__(cls)
+        relaxation._begin((x.shape[0], x.shape[1]))
+        call(raw.obc_sphere_optimizer_relaxation_load, byref(blocks), blob, len(blob), None, byref(relaxation._handle))
+        del kept
+        return relaxation
+
+    @public
     def run(self, f: Callable[..., Any], steps: int) -> Relaxed:
-        """At most so many more steps of one block each, with f as of `relax`. `stop` is "running" when there is more to do. What
+        """Relaxes up to the given number of further blocks, with f as of `relax`. `stop` is "running" when there is more to do. What
         f raises comes out, and after `Stop` ("cancelled") too the next call goes on as if it had not been broken off."""
-        if not 0 <= steps < 2**64:
-            raise ValueError(f"steps={steps}: a number of steps is needed")
+        integer(steps, "steps", 0, 2**64 - 1)
         part = _Part(f, self._shape)  # its arrays lie in memory that is only there while the call lasts
         call(raw.obc_sphere_optimizer_relaxation_run, self._handle, part.function, None, steps)
         if part.raised:

@@ -1,4 +1,4 @@
-"""Closed surfaces filled with tetrahedra by TetGen, whose licence, the AGPL 3, binds programs that use this module. It is
+"""Closed surfaces filled with tetrahedra by TetGen, whose license, the AGPL 3, binds programs that use this module. It is
 not in the wheel: it works where the library orbicube-tetrahedra is installed."""
 
 from __future__ import annotations
@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Indices, address, doubles
-from ._call import HOST, Handle, Progress, call, filled
+from ._call import HOST, Handle, Progress, call, filled, with_options
+from ._checks import public
+from ._records import Record
 from .mesh import Surface
 from .raw import tetrahedra as raw
 
 
-class Solid:
+class Solid(Record):
     """positions (the surface's first), tetrahedra, triangles (the boundary), boundary_source, parts and cavities."""
 
     def __init__(self, positions: Doubles, tetrahedra: Indices, triangles: Indices, boundary_source: Indices, parts: int,
@@ -25,15 +27,22 @@ class Solid:
         self.boundary_source, self.parts, self.cavities = boundary_source, parts, cavities
 
 
-def fill(surface: Any, *, size_positions: Optional[ArrayLike] = None, size_lengths: Optional[ArrayLike] = None,
-         progress: Progress = None, **options: Any) -> Solid:
-    """Fills a closed surface. Options: keep_surface, quality, max_volume, edge_length, size_growth."""
+@with_options("obc_tetrahedra_options")
+def fill(surface: Any, *,
+         # options of obc_tetrahedra_options, written by scripts/bindings.py
+         keep_surface: bool = True, quality: float = 1.4, max_volume: float = 0.0, edge_length: float = 0.0,
+         size_growth: float = 0.3,
+         # end of options
+         size_positions: Optional[ArrayLike] = None, size_lengths: Optional[ArrayLike] = None, progress: Progress = None) -> Solid:
+    """Fills a closed surface. size_lengths: of edges near size_positions."""
+    chosen = filled(raw.obc_tetrahedra_options, raw.obc_tetrahedra_options_init, locals())
     given, handle = Surface(surface), Handle(raw.obc_tetrahedra_destroy)
-    chosen = filled(raw.obc_tetrahedra_options, raw.obc_tetrahedra_options_init, options)
     places = lengths = None
+    if (size_positions is None) != (size_lengths is None):
+        raise TypeError("size_positions and size_lengths are needed together")
     if size_positions is not None:
         places = doubles(size_positions, 3, name="size_positions")
-        lengths = doubles(size_lengths, rows=len(places), name="size_lengths")
+        lengths = doubles(size_lengths, rows=len(places), name="size_lengths", each="position")
         chosen.size_positions, chosen.size_lengths, chosen.size_count = address(places), address(lengths), len(places)
     call(raw.obc_tetrahedra_fill, given.pointer, byref(chosen), HOST, byref(handle), progress=progress)
     try:
@@ -48,6 +57,7 @@ def fill(surface: Any, *, size_positions: Optional[ArrayLike] = None, size_lengt
         handle.close()
 
 
+@public
 def check_surface(surface: Any, *, threads: int = 0, progress: Progress = None) -> None:
     """Raises, with kind and place, unless `fill` can work."""
     given, count = Surface(surface), ctypes.c_size_t()

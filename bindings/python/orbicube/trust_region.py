@@ -1,30 +1,31 @@
-"""Minimises f(x), or a sum of squares of residuals, within bounds, from values alone: no derivatives.
+"""Minimizes f(x), or a sum of squares of residuals, within bounds, from values alone: no derivatives.
 
     result = minimize(lambda x: (x[0] - 1) ** 2 + (x[1] + 2) ** 2, [0, 0], lower=[-1, -1])
     result = least_squares(residuals, [1, 0.1, 0], 8)
 
-or, one evaluation at a time, by whatever program asks:
+or, one evaluation at a time, by any program:
 
     solver = Solver([0, 0])
     while (x := solver.ask()) is not None:
         solver.tell(f(x))
     solver.result.x
 
-Options are the members of `obc_trust_region_options`, docs/trust_region.md of the library tells what they do.
+Options are the members of `obc_trust_region_options`, docs/trust_region.md of the library describes them.
 """
 
 from __future__ import annotations
 
 import ctypes
 from ctypes import byref
-from typing import Any, Callable, Optional
+from typing import Any, Callable, Literal, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, address, buffer, doubles, memory_of, put
-from ._call import Progress, Stop, call, call_init, filled
-from ._solver import DONE, EvaluationFailed, Result, Run
+from ._arrays import Doubles, address, buffer, doubles, memory_of, numbers, put, spread, start_of
+from ._call import Progress, Stop, call, call_init, filled, picked, with_options
+from ._checks import integer, public
+from ._solver import DONE, NO_VALUE, EvaluationFailed, Result, Run
 from .raw import trust_region as raw
 
 __all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "version"]
@@ -37,47 +38,68 @@ def _problem(n: int, residuals: int, lower: Any, upper: Any, scale: Any, sign: A
     kept = []
     for name, value, length in (("lower", lower, n), ("upper", upper, n), ("scale", scale, n), ("sign", sign, residuals)):
         if value is not None:
-            array = doubles(np.broadcast_to(value, (length,)), name=name)
+            array = spread(value, length, name, finite_only=name in ("scale", "sign"))
             kept.append(array)
             setattr(problem, name, address(array))
+            if name == "upper" and lower is not None and np.any(kept[0] > array):
+                i = int(np.argmax(kept[0] > array))
+                raise ValueError(f"lower[{i}] = {kept[0][i]} is above upper[{i}] = {array[i]}")
+            if name == "scale" and np.any(array <= 0):
+                raise ValueError(f"scale[{int(np.argmax(array <= 0))}] = {array.min()}: a number above 0 is needed")
+            if name == "sign" and np.any(np.abs(array) != 1):
+                raise ValueError(f"sign[{int(np.argmax(np.abs(array) != 1))}]: 1 or -1 is needed")
     return problem, kept
 
 
 class Solver(Run):
-    """A run by questions and answers. `residuals` is their number, 0 for one value f. Bounds and scale are a number for all
+    """A run by reverse communication. `residuals` is their number, 0 for one value f. Bounds and scale are a number for all
     unknowns, or one each; `sign`, 1 or -1 a residual, says how their squares are summed."""
 
+    @with_options("obc_trust_region_options")
     def __init__(self, x0: ArrayLike, residuals: int = 0, *, lower: Optional[ArrayLike] = None,
                  upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None, sign: Optional[ArrayLike] = None,
-                 _load: Optional[bytes] = None, **options: Any) -> None:
-        start = doubles(np.ravel(np.asarray(x0, dtype=np.float64)), name="x0")
-        problem, kept = _problem(start.size, residuals, lower, upper, scale, sign)
+                 # options of obc_trust_region_options, written by scripts/bindings.py
+                 method: Literal["two-radii", "seed"] = "two-radii",
+                 start: Literal["automatic", "chain", "cross"] = "automatic", points: int = 0, radius_begin: float = 0.0,
+                 radius_end: float = 1e-08, target: float = float("-inf"), noise_absolute: float = 0.0,
+                 noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,
+                 # end of options
+                 ) -> None:
+        chosen = filled(raw.obc_trust_region_options, raw.obc_trust_region_options_init, locals())
+        first = start_of(x0, "x0")
+        problem, kept = _problem(first.size, integer(residuals, "residuals", 0), lower, upper, scale, sign)
         handle = ctypes.c_void_p()
-        if _load is None:
-            chosen = filled(raw.obc_trust_region_options, raw.obc_trust_region_options_init, options, raw,
-                            "OBC_TRUST_REGION_")
-            call(raw.obc_trust_region_create, byref(problem), byref(chosen), address(start), None, byref(handle))
-        else:
-            call(raw.obc_trust_region_load, byref(problem), _load, len(_load), None, byref(handle))
+        call(raw.obc_trust_region_create, byref(problem), byref(chosen), address(first), None, byref(handle))
         del kept
-        super().__init__(raw, "obc_trust_region", handle.value or 0, start.shape)
-        self._count = ctypes.c_size_t()
+        self._begin(handle, first.size, residuals)
+
+    def _begin(self, handle: ctypes.c_void_p, n: int, residuals: int) -> None:
+        super().__init__(raw, "obc_trust_region", handle.value or 0, (n,))
+        self._residuals, self._count = residuals, ctypes.c_size_t()
         self._step_arguments += (byref(self._count),)
         self._outputs, where = buffer(np.float64, max(1, residuals))
         self._outputs_at = ctypes.c_void_p(where)
 
     @classmethod
+    @public
     def load(cls, blob: bytes, x0: ArrayLike, residuals: int = 0, *, lower: Optional[ArrayLike] = None,
              upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None,
              sign: Optional[ArrayLike] = None) -> Solver:
         """Goes on with a run that was saved, of the same problem; of x0 only the length counts."""
-        return cls(x0, residuals, lower=lower, upper=upper, scale=scale, sign=sign, _load=blob)
+        n = np.size(numbers(x0, "x0"))
+        problem, kept = _problem(n, integer(residuals, "residuals", 0), lower, upper, scale, sign)
+        handle = ctypes.c_void_p()
+        call(raw.obc_trust_region_load, byref(problem), blob, len(blob), None, byref(handle))
+        del kept
+        solver = cls.__new__(cls)
+        solver._begin(handle, n, residuals)
+        return solver
 
     def _result_arguments(self, x: Optional[int]) -> list[Any]:
         return [x, None]
 
     def ask_all(self) -> Optional[Doubles]:
-        """All points that may be evaluated at the same time, as rows; tell of each in order. None: the run has ended."""
+        """All points that may be evaluated at the same time, as rows; tell each in order. None: the run has ended."""
         if self._next() == DONE:
             return None
         count = self._count.value
@@ -85,24 +107,34 @@ class Solver(Run):
         return points
 
     def tell(self, outputs: Any) -> None:
-        """The value, or the residuals, at the first point asked for; None, NaN or infinity: there is none."""
+        """The value, or the residuals, at the first point requested; None, NaN or infinity: there is none."""
         if outputs is None:
             call(self._tell, self._handle, None)
             return
-        put(self._outputs, outputs, "outputs")
+        self._told(outputs, "outputs")
+
+    def _told(self, outputs: Any, name: str) -> None:
+        put(self._outputs, outputs, name)
         if self._tell(self._handle, self._outputs_at, None):
             call(self._tell, self._handle, self._outputs_at)
 
     def _answer(self, answer: Any) -> None:
-        self.tell(answer)
+        if answer is None:
+            what = f"return {self._residuals} numbers" if self._residuals else "return a number"
+            raise TypeError(f"{self._asked_name} returned None: {what}, {NO_VALUE}")
+        self._told(answer, f"what {self._asked_name} returned")
 
     def _failed(self) -> None:
         self.tell(None)
 
+    @public
     def give(self, points: ArrayLike, outputs: ArrayLike) -> None:
         """Evaluations made before, rows of points with their outputs; before the first `ask`."""
         rows = doubles(points, self._size, name="points")
-        values = doubles(np.asarray(outputs, dtype=np.float64).reshape(len(rows), self._outputs.size), name="outputs")
+        values = numbers(outputs, "outputs")
+        if values.size != len(rows) * self._outputs.size:
+            raise ValueError(f"outputs: {self._outputs.size} for each of {len(rows)} points are needed, not shape {values.shape}")
+        values = doubles(values.reshape(len(rows), self._outputs.size), name="outputs")
         call(raw.obc_trust_region_give, self._handle, address(rows), address(values), len(rows))
 
     @property
@@ -113,19 +145,36 @@ class Solver(Run):
         return outputs
 
 
+@with_options("obc_trust_region_options")
 def minimize(f: Callable[[Doubles], float], x0: ArrayLike, *, lower: Optional[ArrayLike] = None,
-             upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None, progress: Progress = None,
-             **options: Any) -> Result:
-    """The least value of f that is found from x0."""
+             upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None,
+             # options of obc_trust_region_options, written by scripts/bindings.py
+             method: Literal["two-radii", "seed"] = "two-radii", start: Literal["automatic", "chain", "cross"] = "automatic",
+             points: int = 0, radius_begin: float = 0.0, radius_end: float = 1e-08, target: float = float("-inf"),
+             noise_absolute: float = 0.0, noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,
+             # end of options
+             progress: Progress = None) -> Result:
+    """The minimum value of f that is found from x0."""
+    options = picked(locals(), "obc_trust_region_options")
     return Solver(x0, lower=lower, upper=upper, scale=scale, **options).run(f, progress)
 
 
+@with_options("obc_trust_region_options")
 def least_squares(residuals: Callable[[Doubles], ArrayLike], x0: ArrayLike, count: int, *,
                   lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
-                  scale: Optional[ArrayLike] = None, sign: Optional[ArrayLike] = None, progress: Progress = None,
-                  **options: Any) -> Result:
-    """The least sum of squares of `count` residuals, with signs if there are any, that is found from x0."""
-    return Solver(x0, count, lower=lower, upper=upper, scale=scale, sign=sign, **options).run(residuals, progress)
+                  scale: Optional[ArrayLike] = None, sign: Optional[ArrayLike] = None,
+                  # options of obc_trust_region_options, written by scripts/bindings.py
+                  method: Literal["two-radii", "seed"] = "two-radii",
+                  start: Literal["automatic", "chain", "cross"] = "automatic", points: int = 0, radius_begin: float = 0.0,
+                  radius_end: float = 1e-08, target: float = float("-inf"), noise_absolute: float = 0.0,
+                  noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,
+                  # end of options
+                  progress: Progress = None) -> Result:
+    """The minimum sum of squares of `count` residuals, with signs if there are any, that is found from x0."""
+    options = picked(locals(), "obc_trust_region_options")
+    solver = Solver(x0, integer(count, "count", 1), lower=lower, upper=upper, scale=scale, sign=sign, **options)
+    solver._asked_name = "residuals"
+    return solver.run(residuals, progress)
 
 
 def version() -> int:

@@ -7,26 +7,32 @@
 from __future__ import annotations
 
 from ctypes import byref
-from typing import Any, Optional
+from typing import Any, Literal, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Indices, address, doubles, indices, solid_of
-from ._call import HOST, Handle, NoValidResult, Progress, call, call_init, filled, sized
+from ._arrays import Doubles, Indices, address, doubles, indices, numbers
+from ._call import HOST, Handle, NoValidResult, Progress, call, call_init, filled, sized, with_options
+from ._foreign import solid_of
+from ._records import Record
 from .mesh import Surface
 from .raw import volume_map as raw
 
 __all__ = ["Hexes", "Solid", "fill_along_frames", "fill_with_hexahedra", "map_to_polycube", "untangle", "version"]
 
 
-def untangle(solid: Any, *, rest: Optional[ArrayLike] = None, fixed: Optional[ArrayLike] = None,
-             ties: Optional[ArrayLike] = None, threads: int = 0, progress: Progress = None,
-             **options: Any) -> tuple[Doubles, raw.obc_volume_map_untangle_report]:
+@with_options("obc_volume_map_untangle_options")
+def untangle(solid: Any, *,
+             # options of obc_volume_map_untangle_options, written by scripts/bindings.py
+             steps: int = 500, polish_steps: int = 20, volume_weight: float = 1.0,
+             # end of options
+             rest: Optional[ArrayLike] = None, fixed: Optional[ArrayLike] = None, ties: Optional[ArrayLike] = None, threads: int = 0, progress: Progress = None) -> tuple[Doubles, raw.obc_volume_map_untangle_report]:
     """Moves vertices until every tetrahedron is positive: positions, and a report. rest: positions where each has the shape
     that it should have. fixed: a flag a coordinate, shape (n, 3), or a vertex, shape (n,). ties: a group a coordinate, of which
-    all are to be equal, or 2^32 - 1. Options: steps, polish_steps, volume_weight. When some stay inverted, the NoValidResult has the
+    all are to be equal, or 2^32 - 1. When some stay inverted, the NoValidResult has the
     best that was found, positions and report, as its member `best`."""
+    chosen = filled(raw.obc_volume_map_untangle_options, raw.obc_volume_map_untangle_options_init, locals())
     positions, tetrahedra = solid_of(solid)
     tangle = raw.obc_volume_map_tangle()
     call_init(raw.obc_volume_map_tangle_init, tangle)
@@ -34,17 +40,19 @@ def untangle(solid: Any, *, rest: Optional[ArrayLike] = None, fixed: Optional[Ar
     tangle.tetrahedra, tangle.tetrahedron_count = address(tetrahedra), len(tetrahedra)
     kept: list[Any] = []
     if rest is not None:
-        kept.append(doubles(rest, 3, len(positions), "rest"))
+        kept.append(doubles(rest, 3, len(positions), "rest", each="vertex"))
         tangle.rest = address(kept[-1])
     if fixed is not None:
-        flags = np.asarray(fixed, dtype=bool)
+        flags = numbers(fixed, "fixed")
+        if flags.shape not in (positions.shape, (len(positions),)) or not np.all((flags == 0) | (flags == 1)):
+            raise ValueError(f"fixed: a flag for each coordinate, shape {positions.shape}, or for each vertex, shape "
+                             f"({len(positions)},), is needed, not shape {flags.shape}")
         flags = flags[:, None] if flags.ndim == 1 else flags
         kept.append(np.ascontiguousarray(np.broadcast_to(flags, positions.shape), dtype=np.uint8))
         tangle.fixed = address(kept[-1])
     if ties is not None:
-        kept.append(indices(ties, 3, len(positions), "ties"))
+        kept.append(indices(ties, 3, len(positions), "ties", each="vertex"))
         tangle.ties = address(kept[-1])
-    chosen = filled(raw.obc_volume_map_untangle_options, raw.obc_volume_map_untangle_options_init, options)
     report = raw.obc_volume_map_untangle_report()
     call_init(raw.obc_volume_map_untangle_report_init, report)
     result = np.empty_like(positions)
@@ -57,17 +65,22 @@ def untangle(solid: Any, *, rest: Optional[ArrayLike] = None, fixed: Optional[Ar
     return result, report
 
 
-class Solid:
+class Solid(Record):
     """A solid and the same on the polycube of its boundary: positions, polycube, and the tetrahedra of both."""
 
     def __init__(self, positions: Doubles, polycube: Doubles, tetrahedra: Indices) -> None:
         self.positions, self.polycube, self.tetrahedra = positions, polycube, tetrahedra
 
 
-def map_to_polycube(solid: Any, *, threads: int = 0, progress: Progress = None, **options: Any) -> Solid:
-    """Maps positive tetrahedra one to one to a polycube, splitting them where that is needed. Options: corners, seed."""
+@with_options("obc_volume_map_solid_options")
+def map_to_polycube(solid: Any, *,
+                    # options of obc_volume_map_solid_options, written by scripts/bindings.py
+                    corners: int = 100, seed: int = 0,
+                    # end of options
+                    threads: int = 0, progress: Progress = None) -> Solid:
+    """Maps positive tetrahedra one to one to a polycube, splitting them where that is needed."""
+    chosen = filled(raw.obc_volume_map_solid_options, raw.obc_volume_map_solid_options_init, locals())
     positions, tetrahedra = solid_of(solid)
-    chosen = filled(raw.obc_volume_map_solid_options, raw.obc_volume_map_solid_options_init, options)
     handle = Handle(raw.obc_volume_map_solid_destroy)
     call(raw.obc_volume_map_solid_compute, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
          byref(chosen), HOST, byref(handle), threads=threads, progress=progress)
@@ -81,9 +94,9 @@ def map_to_polycube(solid: Any, *, threads: int = 0, progress: Progress = None, 
         handle.close()
 
 
-class Hexes:
+class Hexes(Record):
     """A certified mesh of hexahedra: positions, hexahedra (eight vertices each, as MEDIT and VTK order them), quads of the
-    boundary, counter-clockwise seen from outside, quad_faces (the face of the polycube that each lies on), and the report."""
+    boundary, counter-clockwise seen from outside, quad_faces (the patch of the polycube that each lies on), and the report."""
 
     def __init__(self, handle: Handle, report: Any) -> None:
         self.positions: Doubles = np.empty((raw.obc_volume_map_hexes_vertex_count(handle), 3))
@@ -95,12 +108,18 @@ class Hexes:
              address(self.quad_faces))
 
 
-def fill_with_hexahedra(surface: Any, *, threads: int = 0, progress: Progress = None, **options: Any) -> Hexes:
-    """Fills a closed surface. Options: method ("auto", "polycube", "voxels"), cells, padding ("auto", "with", "without"), corners,
-    triangles, seed, rounds, distance, most_cells, sharp_angle. The report has least_scaled_jacobian, mean_scaled_jacobian, volume, distance, ..."""
+@with_options("obc_volume_map_hexes_options")
+def fill_with_hexahedra(surface: Any, *,
+                        # options of obc_volume_map_hexes_options, written by scripts/bindings.py
+                        padding: Literal["auto", "with", "without"] = "auto", cells: int = 10000, corners: int = 100,
+                        triangles: int = 6000, seed: int = 0, rounds: int = 40,
+                        method: Literal["auto", "polycube", "voxels"] = "auto", distance: float = 1.0,
+                        most_cells: int = 100000, sharp_angle: float = 40.0,
+                        # end of options
+                        threads: int = 0, progress: Progress = None) -> Hexes:
+    """Fills a closed surface. The report has least_scaled_jacobian, mean_scaled_jacobian, volume, distance, ..."""
+    chosen = filled(raw.obc_volume_map_hexes_options, raw.obc_volume_map_hexes_options_init, locals())
     given, report = Surface(surface), sized(raw.obc_volume_map_hexes_report)
-    chosen = filled(raw.obc_volume_map_hexes_options, raw.obc_volume_map_hexes_options_init, options, raw,
-                    "OBC_VOLUME_MAP_")
     handle = Handle(raw.obc_volume_map_hexes_destroy)
     call(raw.obc_volume_map_hexes_compute, given.pointer, byref(chosen), HOST, byref(report), byref(handle), threads=threads,
          progress=progress)
@@ -110,14 +129,19 @@ def fill_with_hexahedra(surface: Any, *, threads: int = 0, progress: Progress = 
         handle.close()
 
 
-def fill_along_frames(solid: Any, frames: Optional[ArrayLike] = None, *, threads: int = 0, progress: Progress = None,
-                      **options: Any) -> Hexes:
+@with_options("obc_volume_map_frame_options")
+def fill_along_frames(solid: Any, frames: Optional[ArrayLike] = None, *,
+                      # options of obc_volume_map_frame_options, written by scripts/bindings.py
+                      rounds: int = 40, cells: int = 10000, feature_angle: float = 0.0, distance: float = 1.0,
+                      most_cells: int = 100000,
+                      # end of options
+                      threads: int = 0, progress: Progress = None) -> Hexes:
     """Fills a solid of tetrahedra with hexahedra that follow frames, w x y z a tetrahedron as of frame_field.compute; without any
-    a smooth field is made, and repaired. Options: cells, feature_angle, rounds."""
+    a smooth field is made, and repaired."""
+    chosen = filled(raw.obc_volume_map_frame_options, raw.obc_volume_map_frame_options_init, locals())
     positions, tetrahedra = solid_of(solid)
-    field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames")
+    field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames", each="tetrahedron")
     report = sized(raw.obc_volume_map_frame_report)
-    chosen = filled(raw.obc_volume_map_frame_options, raw.obc_volume_map_frame_options_init, options)
     handle = Handle(raw.obc_volume_map_hexes_destroy)
     call(raw.obc_volume_map_frame_hexes_compute, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
          address(field), byref(chosen), HOST, byref(report), byref(handle), threads=threads, progress=progress)

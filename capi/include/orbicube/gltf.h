@@ -1,17 +1,33 @@
-/* Orbicube gltf: surfaces from glTF 2.0 files and to them (Khronos, glTF 2.0 specification, 2021): GLB, and .gltf with
- * buffers inside as base64 or, when reading, in files of the same folder.
+/* Orbicube gltf: surfaces in glTF 2.0 files (Khronos, glTF 2.0 specification, 2021): GLB, and .gltf with buffers embedded as base64 or,
+ * for reading, in files of the same folder.
  *
- * Reading gives one triangle mesh: all triangles, strips and fans of all meshes of the file's scene, in world
- * coordinates, as doubles. Strided, sparse and quantised accessors (KHR_mesh_quantization) are understood; points, lines,
- * materials and skins are left out; Draco and meshopt compression are refused. No file is trusted: each index and each range
- * is checked before it is used, nothing outside the file's own folder is opened, memory is bounded by a multiple of what the
- * file holds.
+ * Reading returns one triangle mesh in world coordinates, as doubles: all triangles, strips and fans of all meshes of the scene. Strided,
+ * sparse and quantized accessors (KHR_mesh_quantization) are supported; points, lines, materials and skins are left out; Draco and
+ * meshopt compression are refused. Each index and each range is checked before use, no file outside the folder of the input is opened,
+ * and memory is bounded by a multiple of the file size.
  *
- * Writing takes 32-bit floats, which it stores bit for bit, with what engines show besides: morph targets, texture
- * coordinate and checker texture, colours, normals, edges. Files are written whole or not at all.
+ * Writing stores 32-bit floats bit for bit, with morph targets, texture coordinates, a checker texture, colors, normals and edges. A
+ * file is complete or does not appear.
  *
- * Thread safety: all functions may be called at the same time; a surface may be read by several threads. All work is done
- * on the calling thread.
+ * Thread safety: all functions may be called at the same time; several threads may read one surface. All work is done on the calling
+ * thread.
+ *
+ * Example: writes a tetrahedron to a GLB file and reads it.
+ *
+ *   #include <orbicube/gltf.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     const float positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+ *     const uint32_t triangles[] = {0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3};
+ *     obc_gltf_surface *surface = NULL;
+ *     obc_error error;
+ *     if (obc_gltf_write_surface("surface.glb", positions, 4, triangles, 4, NULL, &error) != OBC_OK) return puts(error.message), 1;
+ *     if (obc_gltf_read("surface.glb", NULL, NULL, &surface, &error) != OBC_OK) return puts(error.message), 1;
+ *     printf("%d triangles\n", (int)obc_gltf_surface_triangle_count(surface)); // 4
+ *     obc_gltf_surface_destroy(surface);
+ *     return 0;
+ *   }
  */
 #ifndef ORBICUBE_GLTF_H
 #define ORBICUBE_GLTF_H
@@ -22,104 +38,119 @@
 extern "C" {
 #endif
 
-/* A surface that was read. */
+/* ---- reading --------------------------------------------------------------------------------------------------------- */
+
+/* A surface read from a file. */
 typedef struct obc_gltf_surface obc_gltf_surface;
 
-/* Fill with _init. */
+/* Options of reading. Fill with _init. */
 typedef struct obc_gltf_read_options {
   uint32_t struct_size;
-  int32_t weld_identical;   /* 1: joins vertices at identical positions where triangles have no indices, or where the
-                               surface is not closed as it stands (exporters split vertices along seams of normals and
-                               texture coordinates); 0: vertices and their order are those of the file. Default 1 */
-  const char *morph_target; /* name of a morph target that is applied in full (base + delta, added as doubles), or NULL */
+
+  /* 1: welds vertices at identical positions where triangles have no indices or the surface is not closed as stored (exporters split
+   * vertices along seams of normals and texture coordinates); 0: preserves the vertices and their order. Default: 1. */
+  int32_t weld_identical;
+
+  /* Name of a morph target to apply with weight 1 (base + delta, added as doubles); NULL: none. Default: NULL. */
+  const char *morph_target;
 } obc_gltf_read_options;
 
-/* The defaults, which the members' comments give. */
+/* Fills options with the defaults. */
 OBC_API obc_status obc_gltf_read_options_init(obc_gltf_read_options *options, size_t struct_size);
 
-/* Reads the file at `path` (bytes as the system takes them). options and host may be NULL; the host's allocator must stay
- * valid until _surface_destroy. Errors: io, malformed file (its kind says how: truncated, parse, index-range,
- * accessor-range, unsafe-path, ...), unsupported, degenerate (a transform or welding flattens everything), out of memory,
- * cancelled. O(n). */
+/* Reads the file at `path` (bytes in the encoding of the system). options and host may be NULL; the allocator of the host must remain valid
+ * until _surface_destroy. O(n). Errors: io; malformed file (the kind says how: truncated, parse, index-range, accessor-range,
+ * unsafe-path, ...); unsupported; degenerate (a transform or welding flattens everything); out of memory; cancelled. */
 OBC_API obc_status obc_gltf_read(const char *path, const obc_gltf_read_options *options, const obc_host *host,
                                  obc_gltf_surface **out, obc_error *error);
 
-/* The same from `size` bytes of a GLB or .gltf file, which are not kept; `folder` is where buffers in files of their own
- * lie, NULL refuses them. */
+/* Reads a GLB or .gltf file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
+ * them. Otherwise as obc_gltf_read. */
 OBC_API obc_status obc_gltf_read_memory(const void *bytes, size_t size, const char *folder,
                                         const obc_gltf_read_options *options, const obc_host *host,
                                         obc_gltf_surface **out, obc_error *error);
 
-/* Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading. */
+/* Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL. */
 OBC_API size_t obc_gltf_surface_vertex_count(const obc_gltf_surface *surface);
 OBC_API size_t obc_gltf_surface_triangle_count(const obc_gltf_surface *surface);
 OBC_API size_t obc_gltf_surface_welded_vertex_count(const obc_gltf_surface *surface);
 OBC_API size_t obc_gltf_surface_note_count(const obc_gltf_surface *surface);
 
-/* The index-th note, UTF-8, of the surface's; NULL when there is none. */
+/* Returns the index-th note, UTF-8, valid until the surface is destroyed; NULL from the number of notes on. */
 OBC_API const char *obc_gltf_surface_note(const obc_gltf_surface *surface, size_t index);
 
-/* Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices below vertex_count, or NULL;
- * counter-clockwise seen from outside) to the caller's arrays. Errors: invalid argument. */
+/* Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices, or NULL; counter-clockwise seen from outside)
+ * to arrays of the caller. Errors: invalid argument. */
 OBC_API obc_status obc_gltf_surface_copy(const obc_gltf_surface *surface, double *positions, uint32_t *triangles,
                                          obc_error *error);
 
-/* Releases a surface; NULL is fine. */
+/* Destroys a surface; NULL is allowed. */
 OBC_API void obc_gltf_surface_destroy(obc_gltf_surface *surface);
+
+/* ---- writing --------------------------------------------------------------------------------------------------------- */
 
 /* Another shape of the same surface, for obc_gltf_scene. */
 typedef struct obc_gltf_morph_target {
-  const char *name;       /* UTF-8; stored in mesh.extras.targetNames, where engines look for it */
-  const float *positions; /* 3 * vertex_count: where the vertices are, not deltas; stored as obc_gltf_delta says */
+  const char *name;       /* name, UTF-8; stored in mesh.extras.targetNames, where engines find it */
+  const float *positions; /* positions of the vertices, 3 * vertex_count; stored as deltas, see obc_gltf_delta */
 } obc_gltf_morph_target;
 
-/* What to write. Fill with _init, then set what there is; nothing is kept after the call. */
+/* Contents of a file. Arrays are not kept after the call. Fill with _init. */
 typedef struct obc_gltf_scene {
   uint32_t struct_size;
-  int32_t smooth_normals;           /* 1: makes area-weighted normals when `normals` is NULL. Default 0 */
-  const float *positions;           /* 3 * vertex_count; stored bit for bit */
-  size_t vertex_count;
-  const uint32_t *triangles;        /* 3 * triangle_count */
-  size_t triangle_count;
-  const float *normals;             /* 3 * vertex_count unit vectors, or NULL */
-  const float *texture_coordinates; /* 2 * vertex_count, v going down, or NULL */
-  const uint8_t *colors;            /* 4 * vertex_count: linear red, green, blue, opacity; or NULL */
-  const obc_gltf_morph_target *morph_targets; /* or NULL */
-  size_t morph_target_count;
-  const uint32_t *edges;            /* 2 * edge_count vertices, drawn as dark lines; or NULL */
-  size_t edge_count;
-  double translation[3];            /* of the node: world = translation + scale * position. Default 0 */
-  double scale;                     /* positive. Default 1 */
-  double base_color[4];             /* of the material: linear, 0 to 1. Default 0.8 grey, opaque */
-  const void *texture;              /* bytes of a PNG file, or NULL; needs texture_coordinates */
-  size_t texture_size;
-  int32_t checker_texture;          /* 1: a checker pattern of 32 by 16 squares when `texture` is NULL. Default 0 */
-  int32_t morph_normals;            /* 1: morph targets have normals as well; needs normals. Default 0 */
-  const char *name;                 /* UTF-8, of node and mesh. Default "surface" */
-  const char *extras;               /* a JSON object that the scene carries, or NULL */
-  double morph_seconds;             /* above 0: an animation from the surface to each morph target in turn and back to it,
-                                       so many seconds from one to the next. Default 0: none */
+  int32_t smooth_normals; /* 1: computes area-weighted normals if `normals` is NULL; 0: does not. Default: 0. */
+
+  const float *positions;    /* 3 * vertex_count, stored bit for bit. Default: NULL. */
+  size_t vertex_count;       /* number of vertices. Default: 0. */
+  const uint32_t *triangles; /* 3 * triangle_count vertices. Default: NULL. */
+  size_t triangle_count;     /* number of triangles. Default: 0. */
+
+  const float *normals;             /* 3 * vertex_count, unit vectors; NULL: none. Default: NULL. */
+  const float *texture_coordinates; /* 2 * vertex_count, v pointing down; NULL: none. Default: NULL. */
+  const uint8_t *colors;            /* 4 * vertex_count, linear red, green, blue, opacity; NULL: none. Default: NULL. */
+
+  const obc_gltf_morph_target *morph_targets; /* morph targets; NULL: none. Default: NULL. */
+  size_t morph_target_count;                  /* number of morph targets. Default: 0. */
+
+  const uint32_t *edges; /* 2 * edge_count vertices, drawn as dark lines; NULL: none. Default: NULL. */
+  size_t edge_count;     /* number of edges. Default: 0. */
+
+  double translation[3]; /* translation of the node: world = translation + scale * position. Default: 0. */
+  double scale;          /* scale of the node, positive. Default: 1. */
+  double base_color[4];  /* color of the material, linear, 0 to 1. Default: 0.8 gray, opaque. */
+
+  const void *texture;     /* contents of a PNG file, requires texture_coordinates; NULL: none. Default: NULL. */
+  size_t texture_size;     /* number of bytes of the PNG file. Default: 0. */
+  int32_t checker_texture; /* 1: a checker pattern of 32 by 16 squares if `texture` is NULL; 0: none. Default: 0. */
+  int32_t morph_normals;   /* 1: stores normals of morph targets, requires normals; 0: does not. Default: 0. */
+
+  const char *name;   /* name of node and mesh, UTF-8; NULL: "surface". Default: "surface". */
+  const char *extras; /* JSON object for the extras of the scene; NULL: none. Default: NULL. */
+
+  /* Duration, in seconds, from one shape to the next of an animation from the surface to each morph target in turn and back; 0: no
+   * animation. Default: 0. */
+  double morph_seconds;
 } obc_gltf_scene;
 
-/* The defaults, which the members' comments give, and an empty surface. */
+/* Fills a scene with the defaults and an empty surface. */
 OBC_API obc_status obc_gltf_scene_init(obc_gltf_scene *scene, size_t struct_size);
 
-/* Writes to `path`: .gltf with the buffer inside when it ends so, GLB otherwise. The file appears once it is whole; after
- * an error the old one is still there. host may be NULL. Errors: invalid argument (sizes, indices, numbers that are not
- * finite, texts), unsupported (4 GiB or more), io, out of memory, cancelled. O(n). */
+/* Writes to `path`: a .gltf with an embedded buffer for this ending, otherwise GLB. The file appears when it is complete; after an error the
+ * previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
+ * unsupported (4 GiB or more), io, out of memory, cancelled. */
 OBC_API obc_status obc_gltf_write(const char *path, const obc_gltf_scene *scene, const obc_host *host, obc_error *error);
 
-/* A surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count. */
+/* Writes a surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count. Otherwise as obc_gltf_write. */
 OBC_API obc_status obc_gltf_write_surface(const char *path, const float *positions, size_t vertex_count,
                                           const uint32_t *triangles, size_t triangle_count, const obc_host *host,
                                           obc_error *error);
 
-/* Morph targets to the bit. _delta is what is stored for a base and a wanted coordinate; _reconstructed is what a renderer
- * makes of base and delta in float32, and is the wanted one whenever any delta gives it. Finite numbers. */
+/* Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns
+ * base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it. */
 OBC_API float obc_gltf_delta(float base, float wanted);
 OBC_API float obc_gltf_reconstructed(float base, float delta);
 
-/* Version of this library, major * 10000 + minor * 100 + patch. */
+/* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_gltf_version(void);
 
 #ifdef __cplusplus

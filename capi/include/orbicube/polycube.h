@@ -1,18 +1,37 @@
 /* Orbicube polycube: polycubes of closed surfaces, and certified maps to them.
  *
- * A polycube is a solid whose faces lie in axis-aligned planes; a polycube map takes each triangle of a (possibly refined)
- * surface to a triangle on it, one to one (Tarini, Hormann, Cignoni and Montani 2004, "PolyCube-Maps").
+ * A polycube is a solid bounded by axis-aligned planar patches. A polycube map takes each triangle of a (possibly refined) surface to
+ * a triangle on it, bijectively (Tarini, Hormann, Cignoni and Montani 2004, "PolyCube-Maps").
  *
- * What is certified, by exact arithmetic on the coordinates that you get: the map has the genus of the surface, each triangle
- * lies exactly in an axis-aligned plane and is positively oriented, the triangles around each vertex turn once, the polycube
- * does not meet itself, touching included, and it looks outward. Then every point of it is covered once. A handle holds a
- * certified map; there is none otherwise.
+ * Certificate. Exact arithmetic on the returned coordinates proves that the map has the genus of the surface, each triangle lies
+ * exactly in an axis-aligned plane and is positively oriented, the triangles around each vertex wind once, and the polycube is
+ * outward-oriented and neither intersects nor touches itself. The map then covers each point of the polycube once. Every handle
+ * has passed it.
  *
- * Arrays: as in <orbicube/mesh.h>. Inputs are not kept after a call. Options and hosts may be NULL everywhere; the allocator of a
- * host must stay valid until _destroy of what was made with it. Memory for linear systems is not the host's.
+ * Arrays: as in <orbicube/mesh.h>. No function keeps its inputs. Options, hosts and reports may be NULL everywhere; the allocator of a
+ * host must remain valid until _destroy of the handle created with it. Memory for linear systems does not come from the host.
  *
- * Thread safety: all functions may be called at the same time; handles may be read by several threads. Results are the same
- * bits for any number of threads.
+ * Thread safety: all functions may be called at the same time; several threads may read one handle. Results are the same bits for
+ * any number of threads.
+ *
+ * Example: computes the polycube of a generated L-shaped bar.
+ *
+ *   #include <orbicube/polycube.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     obc_mesh *mesh = NULL;
+ *     obc_surface surface;
+ *     obc_polycube *map = NULL;
+ *     obc_error error;
+ *     if (obc_mesh_make("l-shape", 1000, 0, NULL, &mesh, &error) != OBC_OK) return 1;
+ *     if (obc_mesh_surface(mesh, &surface, &error) != OBC_OK) return 1;
+ *     if (obc_polycube_compute(&surface, NULL, NULL, &map, &error) != OBC_OK) return puts(error.message), 1;
+ *     printf("%zu corners, %zu patches\n", obc_polycube_corner_count(map), obc_polycube_patch_count(map)); // 12, 8
+ *     obc_polycube_destroy(map);
+ *     obc_mesh_destroy(mesh);
+ *     return 0;
+ *   }
  */
 #ifndef ORBICUBE_POLYCUBE_H
 #define ORBICUBE_POLYCUBE_H
@@ -23,274 +42,329 @@
 extern "C" {
 #endif
 
+/* ---- certified maps -------------------------------------------------------------------------------------------------- */
+
 /* A certified polycube map. */
 typedef struct obc_polycube obc_polycube;
 
-/* What certification finds. Fill struct_size. */
+/* Findings of the certification. The caller sets struct_size. */
 typedef struct obc_polycube_certificate {
   uint32_t struct_size;
-  int32_t valid;   /* 1 or 0 */
-  int64_t genus;   /* of the polycube; 0 when its triangles are no closed surface */
-  size_t corners;  /* vertices where three faces of the polycube or more meet */
-  size_t patches;  /* faces of the polycube: connected triangles in one plane */
-  char reason[256]; /* what is wrong and where, UTF-8, ends with 0; empty when valid */
+  int32_t valid;    /* 1: the map is certified; 0: it is not */
+  int64_t genus;    /* genus of the polycube; 0 if its triangles are not a closed surface */
+  size_t corners;   /* number of vertices with three or more patches */
+  size_t patches;   /* number of patches: maximal connected sets of triangles in one plane */
+  char reason[256]; /* defect and its location, UTF-8, terminated; empty for a valid map */
 } obc_polycube_certificate;
-/* Certifies a map made elsewhere: `surface` in space, `polycube` where its vertices are to be on the polycube (x y z a vertex).
- * certificate may be NULL; it is filled whether the map is valid or not. Errors: invalid argument (an index out of range, a
- * position that is not finite), no valid result (the message is the reason), out of memory, cancelled. O(n log n) unless there
- * are thousands of corners. */
+
+/* Certifies a map of other origin: `surface` in space, `polycube` the positions of its vertices on the polycube (x y z a vertex).
+ * certificate may be NULL; it is filled for valid and invalid maps. O(n log n) except for thousands of corners. Errors: invalid
+ * argument (an index out of range, a position that is not finite), no valid result (the message is the reason), out of memory,
+ * cancelled. */
 OBC_API obc_status obc_polycube_create(const obc_surface *surface, const double *polycube, const obc_host *host,
                                        obc_polycube_certificate *certificate, obc_polycube **out, obc_error *error);
 
-/* How a polycube is found. */
+/* Construction methods. */
 enum {
-  OBC_POLYCUBE_AUTO = 0,   /* by labels, and by voxels unless the first map is nearly an isometry; the one of the valid maps with
-                              the least sum of both distortions (means over triangles), fewer corners if about equal */
+  OBC_POLYCUBE_AUTO = 0,   /* LABELS, and VOXELS unless the first map is nearly isometric; the valid map with the minimum sum of both
+                              distortions (means over triangles), or with fewer corners if about equal */
   OBC_POLYCUBE_LABELS = 1, /* axis labels of triangles (Livesu, Vining, Sheffer, Gregson and Scateni 2013, "PolyCut"; Garanzha
                               et al. 2021, "Foldover-free maps in 50 lines of code") */
-  OBC_POLYCUBE_VOXELS = 2  /* voxels of the surface's genus, simplified to the corners allowed, drawn on the surface */
+  OBC_POLYCUBE_VOXELS = 2  /* grid-based: voxels of the genus of the surface, simplified to the allowed corners, traced on the surface */
 };
-/* How a polycube is looked for. Fill with _init. */
+
+/* Options of the construction. Fill with _init. */
 typedef struct obc_polycube_options {
   uint32_t struct_size;
-  int32_t construction; /* OBC_POLYCUBE_...; auto by default */
-  size_t corners;       /* of the polycube at most, or 8 + 8 g for g handles if that is more; 0: any number. Default 0 */
-  uint64_t seed;        /* of what labels choose at random. Default 0 */
+  int32_t construction; /* OBC_POLYCUBE_AUTO, LABELS or VOXELS. Default: AUTO. */
+  size_t corners;       /* maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Default: 0. */
+  uint64_t seed;        /* seed of random choices of LABELS. Default: 0. */
 } obc_polycube_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_polycube_options_init(obc_polycube_options *options, size_t struct_size);
 
-/* Finds a polycube of a closed surface of any genus, and a map to it. Edges are split where that is needed; the vertices of
- * the surface come first. The polycube has about the size of the surface. What is tried depends on the surface and the options
- * alone, never on time.
- * Errors: invalid argument; not closed, not manifold, degenerate, malformed file (kind empty-mesh: no triangles); no valid
- * result with what became of each attempt; out of memory, cancelled. */
+/* Computes a polycube of a closed surface of any genus and a map to it. Edges are split where required; the vertices of the surface
+ * come first. The polycube has about the size of the surface. The attempts depend on the surface and the options
+ * alone, never on time. Errors: invalid argument; not closed; not manifold; degenerate; malformed file (kind empty-mesh: no
+ * triangles); no valid result with the outcome of each attempt; out of memory; cancelled. */
 OBC_API obc_status obc_polycube_compute(const obc_surface *surface, const obc_polycube_options *options, const obc_host *host,
                                         obc_polycube **out, obc_error *error);
 
-/* How the distortion is measured that the best proportions minimise. Values do not depend on the size of the polycube, and are
- * 1 + area_weight for an isometry. `angle` and `area` as in obc_polycube_domain_report. */
+/* ---- optimization of proportions and corners ------------------------------------------------------------------------- */
+
+/* Distortion measures of the optimization of proportions. Values do not depend on the size of the polycube and are 1 + area_weight
+ * for an isometry; angle and area distortion are defined at obc_polycube_domain_report. */
 enum {
-  OBC_POLYCUBE_SURFACE_MEAN = 0, /* mean over the surface of angle + area_weight * area */
+  OBC_POLYCUBE_SURFACE_MEAN = 0, /* mean over the surface of angle + area_weight * area distortion */
   OBC_POLYCUBE_FACE_MEAN = 1,    /* mean over triangles of the same */
-  OBC_POLYCUBE_HARMONIC = 2      /* harmonic energy + area_weight * area stretching, over the area */
+  OBC_POLYCUBE_HARMONIC = 2      /* harmonic energy + area_weight * area stretch, over the area */
 };
-/* Fill with _init. */
+
+/* Options of the optimization of proportions. Fill with _init. */
 typedef struct obc_polycube_domain_options {
   uint32_t struct_size;
-  int32_t measure;    /* OBC_POLYCUBE_SURFACE_MEAN or another. Default OBC_POLYCUBE_SURFACE_MEAN */
-  double area_weight; /* of areas beside angles, not negative. Default 1 */
+  int32_t measure;    /* OBC_POLYCUBE_SURFACE_MEAN, FACE_MEAN or HARMONIC. Default: SURFACE_MEAN. */
+  double area_weight; /* weight of area relative to angle distortion, nonnegative. Default: 1. */
 } obc_polycube_domain_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_polycube_domain_options_init(obc_polycube_domain_options *options, size_t struct_size);
-/* What was found. Fill struct_size. The means are those of the result, each 1 for an isometry: `angle` the harmonic energy of a
- * triangle over its area on the polycube, `area` (r + 1/r) / 2 for the ratio r of areas, at equal areas of the whole. */
+
+/* Figures of the optimization of proportions. Angle distortion is the harmonic energy over the area on the polycube, area distortion
+ * (r + 1/r) / 2 for the ratio r of areas at equal total areas; their means, without degenerate triangles (see
+ * obc_sphere_map_report), are 1 for an isometry. The caller sets struct_size. */
 typedef struct obc_polycube_domain_report {
   uint32_t struct_size;
-  int32_t converged;     /* 1: to the tolerance, or as far as rounding allows */
-  double energy_before, energy; /* of the map that was given; of the result, not more */
-  uint64_t evaluations;  /* of the energy with its gradient */
-  size_t layers;         /* planes of faces, along all three axes */
-  size_t cells;          /* rectangles between neighbouring layers, each evaluated at once */
-  size_t crossing;       /* triangles across layers, each evaluated for itself */
-  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* over triangles; over the surface */
+  int32_t converged;            /* 1: to the tolerance or the limit of rounding; 0: ended before */
+  double energy_before, energy; /* of the input map and of the result, which is not larger */
+  uint64_t evaluations;         /* number of evaluations of the energy with its gradient */
+  size_t layers;                /* number of planes of patches along all three axes */
+  size_t cells;                 /* number of rectangles between neighboring planes, each evaluated as one */
+  size_t crossing;              /* number of triangles across planes, each evaluated alone */
+  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* means over triangles, and over the surface */
 } obc_polycube_domain_report;
 
-/* The polycube with the best proportions: distances between the planes of its faces that minimise the map's distortion, vertices
- * going with the planes beside them (the dissertation's section 4.3, by a projected gradient method over the logarithms of the
- * distances). Combinatorics, order of the planes and total area stay. The result is certified again; it is a copy of `map` to
- * the bit when nothing better is found. report may be NULL, here and below. Errors: invalid argument, out of memory, cancelled.
- * O(n log n). */
+/* Optimizes the proportions of the polycube: distances between the planes of its patches that minimize the distortion of the map, with
+ * vertices interpolated between the planes (the dissertation's section 4.3, by a projected gradient method over the logarithms of
+ * the distances). Combinatorics, order of the planes and total area are preserved. The result is certified; without
+ * improvement it is a bit-identical copy of `map`. O(n log n). Errors: invalid argument, out of memory, cancelled. */
 OBC_API obc_status obc_polycube_optimize_domain(const obc_polycube *map, const obc_polycube_domain_options *options,
                                                 const obc_host *host, obc_polycube_domain_report *report,
                                                 obc_polycube **out, obc_error *error);
 
-/* How the best place of a corner is looked for: by values alone (the dissertation's section 4.4.2), or by gradients, in
- * fewer evaluations. */
+/* Corner search: derivative-free (the dissertation's section 4.4.2), or gradient-based, which needs fewer evaluations. */
 enum { OBC_POLYCUBE_TRUST_REGION = 0, OBC_POLYCUBE_GRADIENT = 1 };
-/* Fill with _init. */
+
+/* Options of the optimization of corners. Fill with _init. */
 typedef struct obc_polycube_corner_options {
   uint32_t struct_size;
-  int32_t method;     /* OBC_POLYCUBE_TRUST_REGION or OBC_POLYCUBE_GRADIENT. Default OBC_POLYCUBE_TRUST_REGION */
-  double area_weight; /* of areas beside angles, not negative. Default 1 */
-  int32_t domain;     /* 1: the best proportions in turn (the dissertation's Algorithm 3); 0: the polycube stays. Default 0 */
-  int32_t rounds;     /* at most, 1 or more. Default 6 */
+  int32_t method;     /* OBC_POLYCUBE_TRUST_REGION or OBC_POLYCUBE_GRADIENT. Default: OBC_POLYCUBE_TRUST_REGION. */
+  double area_weight; /* weight of area relative to angle distortion, nonnegative. Default: 1. */
+  int32_t domain;     /* 1: alternates with the optimization of proportions (the dissertation's Algorithm 3); 0: the polycube is fixed. Default: 0. */
+  int32_t rounds;     /* maximum number of rounds, at least 1. Default: 6. */
 } obc_polycube_corner_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_polycube_corner_options_init(obc_polycube_corner_options *options, size_t struct_size);
-/* What was found. Fill struct_size. Energies are means over the surface of angle + area_weight * area, as in the domain report. */
+
+/* Figures of the optimization of corners. Energies are means over the surface of angle + area_weight * area distortion, as in the
+ * domain report. The caller sets struct_size. */
 typedef struct obc_polycube_corner_report {
   uint32_t struct_size;
-  int32_t converged;            /* 1: another round gains next to nothing; 0: the rounds were used up */
-  double energy_before, energy; /* of the map that was given; of the result, not more */
-  uint64_t evaluations;         /* of a corner's surroundings, each time solved for the least distortion */
-  double map_evaluations;       /* the same in maps: triangles that were solved, over those of the map */
-  size_t moves, movable;        /* of corners, over all rounds; corners with room to move, in the first round */
-  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* over triangles; over the surface */
+  int32_t converged;            /* 1: a further round gains almost nothing; 0: `rounds` was reached */
+  double energy_before, energy; /* of the input map and of the result, which is not larger */
+  uint64_t evaluations;         /* number of local solves around a corner */
+  double map_evaluations;       /* triangles in all of them over triangles of the map */
+  size_t moves, movable;        /* number of moves of corners in all rounds; number of corners that can move in the first round */
+  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* means over triangles, and over the surface */
 } obc_polycube_corner_report;
 
-/* A less distorted map to the same polycube: what of the surface goes to its corners moves, in the map's own unfolding around
- * each, and with it the polycube's edges on the surface and all between (the dissertation's section 4.4). Edges of triangles
- * are split where the polycube's are drawn; added vertices that serve none any more may go. Certified again; a copy of `map`
- * to the bit when nothing better is found. Errors: invalid argument, out of memory, cancelled. */
+/* Lowers the distortion of a map to the same polycube: the preimages of its corners move on the surface, in the unfolding of the map
+ * around each, and with them the edges of the polycube on the surface and the vertices between (the dissertation's section 4.4).
+ * Triangle edges are split along polycube edges; inserted vertices that are no longer required may go. The result is
+ * certified; without improvement it is a bit-identical copy of `map`. Errors: invalid argument, out of memory, cancelled. */
 OBC_API obc_status obc_polycube_optimize_corners(const obc_polycube *map, const obc_polycube_corner_options *options,
                                                  const obc_host *host, obc_polycube_corner_report *report,
                                                  obc_polycube **out, obc_error *error);
 
-/* What must be mapped where. Weights are those of squared distances in parts of the polycube's area, beside a distortion that is 2
- * for an isometry; 0, or no weights, is for what must be met exactly. Fill with _init. */
+/* ---- features -------------------------------------------------------------------------------------------------------- */
+
+/* Features: vertices and curves of the map with target positions on its polycube. A weight multiplies the squared distance, as a fraction of
+ * the polycube's area, next to a distortion that is 2 for an isometry; weight 0, or no weights, enforces the target exactly. Fill with
+ * _init. */
 typedef struct obc_polycube_feature_options {
   uint32_t struct_size;
-  size_t point_count;            /* points: vertices of the map and their places on its polycube (x y z). Default 0 */
-  const uint32_t *points;
-  const double *places, *point_weights;
-  size_t curve_count;            /* curves: of each where its vertices, two or more, begin (an entry more than curves), and a line
-                                    along an axis in a face or an edge (x y z twice) for the first to the last. Default 0 */
-  const uint32_t *curve_starts, *curve_vertices;
-  const double *curve_lines, *curve_weights;
-  double sharp_angle; /* where the surface bends by so many degrees, edges go to edges of the polycube nearby; 0: none. Default 0 */
+
+  size_t point_count;                   /* number of points. Default: 0. */
+  const uint32_t *points;               /* vertex of the map of each point. Default: NULL. */
+  const double *places, *point_weights; /* target position of each point (x y z); weight of each point, or NULL. Default: NULL. */
+
+  size_t curve_count;                                  /* number of curves. Default: 0. */
+  const uint32_t *curve_starts, *curve_vertices;       /* curve_count + 1 offsets; the two or more vertices of each curve. Default: NULL. */
+  const double *curve_lines, *curve_weights;           /* target of each curve, an axis-aligned segment in a patch or an edge (x y z
+                                                          of both ends); weight of each curve, or NULL. Default: NULL. */
+
+  double sharp_angle; /* minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: none. Default: 0. */
 } obc_polycube_feature_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_polycube_feature_options_init(obc_polycube_feature_options *options, size_t struct_size);
-/* What was reached. Fill struct_size. Distances on the polycube, the largest of all features; the length of sharp edges on the
- * surface, and what of it lay and lies on edges of the polycube. */
+
+/* Figures of the alignment. Lengths of sharp edges are lengths on the surface. The caller sets struct_size. */
 typedef struct obc_polycube_feature_report {
   uint32_t struct_size;
-  double distance_before, distance, sharp_length, sharp_before, sharp;
-  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* over triangles; over the surface */
+  double distance_before, distance, sharp_length, sharp_before, sharp; /* maximum distance to the targets on the polycube before and after;
+                                                                          length of sharp edges, and of those on polycube edges before and after */
+  double angle_mean, area_mean, angle_weighted_mean, area_weighted_mean; /* means over triangles, and over the surface */
 } obc_polycube_feature_report;
-/* A map to the same polycube with features in their places, and all else as little distorted as that allows. Certified again.
- * Errors: invalid argument (a place that is not on the polycube, a vertex with two); no valid result, with what cannot be met;
- * out of memory, cancelled. */
+
+/* Aligns features of a map to their targets on the same polycube, with minimum distortion otherwise. The result is certified. Errors:
+ * invalid argument (a target that is not on the polycube, a vertex with two targets); no valid result with the conflicting
+ * features; out of memory; cancelled. */
 OBC_API obc_status obc_polycube_meet_features(const obc_polycube *map, const obc_polycube_feature_options *options,
                                               const obc_host *host, obc_polycube_feature_report *report, obc_polycube **out,
                                               obc_error *error);
-/* The energies of the optimisation that a map comes from: before it, then after each iteration; 0 for NULL and maps that come from
- * none. */
+
+/* ---- data of a map --------------------------------------------------------------------------------------------------- */
+
+/* Returns the number of energies of the optimization that computed a map: one before it and one after each iteration; 0 for NULL and
+ * for maps of other origin. */
 OBC_API size_t obc_polycube_energy_count(const obc_polycube *map);
-/* Copies them to the caller's array, which may be NULL. Errors: invalid argument. */
+
+/* Copies these energies to an array of the caller, which may be NULL. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_copy_energies(const obc_polycube *map, double *energies, obc_error *error);
-/* Releases a map; NULL is fine. */
+
+/* Destroys a map; NULL is allowed. */
 OBC_API void obc_polycube_destroy(obc_polycube *map);
-/* Numbers of a map; 0 for NULL. Vertices: those of the surface, then those added. */
+
+/* Return the numbers of vertices (those of the surface, then inserted ones), triangles, corners and patches of a map; 0 for NULL. */
 OBC_API size_t obc_polycube_vertex_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_triangle_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_corner_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_patch_count(const obc_polycube *map);
-/* What found the map: OBC_POLYCUBE_LABELS or OBC_POLYCUBE_VOXELS; -1 for a map made elsewhere, and for NULL. */
+
+/* Returns the construction of a map: OBC_POLYCUBE_LABELS or OBC_POLYCUBE_VOXELS; -1 for a map of other origin and for NULL. */
 OBC_API int32_t obc_polycube_construction(const obc_polycube *map);
-/* Copies to the caller's arrays, each of which may be NULL: positions in space (x y z a vertex; the surface's vertices first, to
- * the bit), polycube positions, triangles (three vertices each). Errors: invalid argument. */
+
+/* Copies a map to arrays of the caller, each of which may be NULL: positions in space (x y z a vertex, bit-identical vertices of the
+ * surface first), positions on the polycube, and triangles (three vertices each). Errors: invalid argument. */
 OBC_API obc_status obc_polycube_copy(const obc_polycube *map, double *positions, double *polycube, uint32_t *triangles,
                                      obc_error *error);
-/* Copies what is known of each triangle, each array may be NULL: the direction it looks in on the polycube (0 to 5 for +x, -x, +y,
- * -y, +z, -z), its face of the polycube, and the surface's triangle that it lies in. Errors: invalid argument. */
+
+/* Copies data of each triangle, each array may be NULL: the direction of its normal on the polycube (0 to 5 for +x, -x, +y, -y, +z,
+ * -z), its patch, and the surface triangle that contains it. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_copy_triangles(const obc_polycube *map, uint8_t *labels, uint32_t *patches, uint32_t *sources,
                                                obc_error *error);
-/* Copies where each vertex comes from, three entries a vertex, each array may be NULL: vertices of one triangle of the surface
- * (UINT32_MAX where fewer than three are needed) and their weights, positive (0 where not needed) with the sum 1. Errors:
- * invalid argument. */
+
+/* Copies the origin of each vertex, three entries a vertex, each array may be NULL: vertices of one surface triangle (UINT32_MAX
+ * where fewer than three are needed) and their barycentric weights, positive (0 where not needed) with sum 1. Errors: invalid
+ * argument. */
 OBC_API obc_status obc_polycube_copy_sources(const obc_polycube *map, uint32_t *corners, double *weights, obc_error *error);
 
-/* Places of corners, for obc_polycube_compute_on: corner i is vertex corners[i] of the polycube; it is to be at vertex
- * vertices[i] of the surface or, where that is UINT32_MAX or vertices is NULL, at the point of the surface that is nearest to
- * points[3 i], [3 i + 1], [3 i + 2]. */
+/* ---- maps to a supplied polycube ------------------------------------------------------------------------------------- */
+
+/* Positional constraints of corners, for obc_polycube_compute_on. */
 typedef struct obc_polycube_places {
-  const uint32_t *corners;
-  const uint32_t *vertices; /* or NULL */
-  const double *points;     /* or NULL, when all have vertices */
-  size_t count;
+  const uint32_t *corners;  /* vertex of the polycube of each constrained corner */
+  const uint32_t *vertices; /* target vertex of the surface of each corner, UINT32_MAX for a target point; NULL: all have target points */
+  const double *points;     /* target point of each corner (x y z), of which the nearest point of the surface counts; NULL: all have vertices */
+  size_t count;             /* number of constrained corners */
 } obc_polycube_places;
-/* Maps a surface to a polycube that is given by its triangles, each in an axis-aligned plane. It is drawn on the surface, as
- * OBC_POLYCUBE_VOXELS does with its own: where it stands, its box stretched to that of the surface, or where the places say.
- * The handle's polycube has the very coordinates of the one given; the map is smoothed across its edges. places may be NULL.
- * Errors: those of obc_polycube_compute; invalid argument for places that do not exist or are given twice; unsupported when the
- * polycube is none, with the reason; wrong genus when the surface has another. */
+
+/* Maps a surface to a supplied polycube, whose triangles lie in axis-aligned planes. It is traced on the surface as with
+ * OBC_POLYCUBE_VOXELS: at its position, with its bounding box stretched to that of the surface, or as the constraints require. The
+ * polycube of the handle has the same coordinates; the map is smoothed across its edges. places may be NULL. Errors: those of
+ * obc_polycube_compute; invalid argument for constraints that do not exist or occur twice; unsupported if the second surface is not a
+ * polycube, with the reason; wrong genus if the genera differ. */
 OBC_API obc_status obc_polycube_compute_on(const obc_surface *surface, const obc_surface *polycube,
                                            const obc_polycube_places *places, const obc_host *host, obc_polycube **out,
                                            obc_error *error);
 
-/* One polycube for several shapes of one genus and kind (the dissertation's section 4.5): several polycubes of each are drawn on
- * all others, proportions and maps are optimised for the sum of energies, and the one with the least sum is kept. Maps between
- * shapes are compositions: what is at one point of the polycube corresponds. options are for each shape's own polycube, domain
- * for the energy. out is an array of `count` handles, in the order of the surfaces, all NULL after an error; made_for may be NULL
- * or gets the number of the shape that the polycube was made for. obc_polycube_copy_energies of each handle gives the sums,
- * which never rise. Errors: those of obc_polycube_compute, and wrong genus. */
+/* Computes one polycube for several shapes of one genus and kind (the dissertation's section 4.5). Several polycubes of each shape are traced on
+ * all others; proportions and maps are optimized for the sum of energies, and the polycube with the minimum sum is returned. Maps between
+ * shapes are compositions: points with the same image on the polycube correspond. options are for the polycubes of single shapes, domain
+ * for the energy. out is an array of `count` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. made_for
+ * (or NULL) receives the index of the shape from which the polycube was constructed. obc_polycube_copy_energies of each handle copies
+ * the sums, which never increase. Errors: those of obc_polycube_compute, and wrong genus. */
 OBC_API obc_status obc_polycube_compute_common(const obc_surface *surfaces, size_t count, const obc_polycube_options *options,
                                                const obc_polycube_domain_options *domain, const obc_host *host,
                                                size_t *made_for, obc_polycube **out, obc_error *error);
-/* obc_polycube_optimize_domain for several maps to one and the same polycube: the proportions with the least sum of energies.
- * out is an array of `count` handles, all NULL after an error. Errors: invalid argument (among them maps to different
- * polycubes), out of memory, cancelled. */
+
+/* Optimizes the proportions of one polycube for several maps to it: minimizes the sum of their energies, otherwise as
+ * obc_polycube_optimize_domain. out is an array of `count` handles, all NULL after an error. Errors: invalid argument (also: maps
+ * to different polycubes), out of memory, cancelled. */
 OBC_API obc_status obc_polycube_optimize_common_domain(const obc_polycube *const *maps, size_t count,
                                                        const obc_polycube_domain_options *options, const obc_host *host,
                                                        obc_polycube **out, obc_error *error);
 
-/* The polycube of a map without its triangles: corners, the straight edges between them, and patches (its faces), as a graph
- * whose dual has a node a patch and a link an edge. Copies all; the map may be destroyed. */
+/* ---- graph of a polycube --------------------------------------------------------------------------------------------- */
+
+/* The polycube of a map without its triangles, as a graph: corners, the straight edges between them, and patches. Its dual has a node
+ * for each patch and a link for each pair of neighboring patches. */
 typedef struct obc_polycube_graph obc_polycube_graph;
-/* Errors: invalid argument, out of memory, cancelled. */
+
+/* Creates the graph of a map, which may be destroyed afterwards. Errors: invalid argument, out of memory, cancelled. */
 OBC_API obc_status obc_polycube_graph_create(const obc_polycube *map, const obc_host *host, obc_polycube_graph **out,
                                              obc_error *error);
-/* Releases a graph; NULL is fine. */
+
+/* Destroys a graph; NULL is allowed. */
 OBC_API void obc_polycube_graph_destroy(obc_polycube_graph *graph);
-/* Numbers; 0 for NULL. Links: of the dual graph, where patches that share several edges are neighbours once, each link counted
- * from both ends. */
+
+/* Return the numbers of corners, edges, patches, loops, and links of the dual graph (each counted from both ends; patches that share
+ * several edges have one link); 0 for NULL. */
 OBC_API size_t obc_polycube_graph_corner_count(const obc_polycube_graph *graph);
 OBC_API size_t obc_polycube_graph_edge_count(const obc_polycube_graph *graph);
 OBC_API size_t obc_polycube_graph_patch_count(const obc_polycube_graph *graph);
 OBC_API size_t obc_polycube_graph_loop_count(const obc_polycube_graph *graph);
 OBC_API size_t obc_polycube_graph_link_count(const obc_polycube_graph *graph);
-/* Copies to the caller's arrays, each of which may be NULL, as in all these functions. Of each corner its position (x y z) and
- * its vertex of the map. Errors: invalid argument. */
+
+/* Copies for each corner its position (x y z) and its vertex of the map. Each array may be NULL, here and in the functions below.
+ * Errors: invalid argument. */
 OBC_API obc_status obc_polycube_graph_copy_corners(const obc_polycube_graph *graph, double *positions, uint32_t *vertices,
                                                    obc_error *error);
-/* Of each edge: its two corners, the patches on the left and on the right of the way from the first to the second, seen from
- * outside, and whether the solid has one right angle there (1, convex) or three (0, concave). */
+
+/* Copies for each edge its two corners, the patches on its left and right (from the first corner to the second, seen from outside),
+ * and its convexity: 1 for an interior angle of 90 degrees, 0 for 270 degrees. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_graph_copy_edges(const obc_polycube_graph *graph, uint32_t *corners, uint32_t *patches,
                                                  uint8_t *convex, obc_error *error);
-/* Of each patch, which has the number that obc_polycube_copy_triangles gives: the direction it looks in (0 to 5 for +x, -x, +y,
- * -y, +z, -z), the coordinate of its plane, and where its loops begin among all loops: first the one around it, then those
- * around its holes; loop_starts has an entry more than there are patches. */
+
+/* Copies for each patch (numbered as in obc_polycube_copy_triangles) the direction of its normal (0 to 5 for +x, -x, +y, -y, +z,
+ * -z), the coordinate of its plane, and the offset of its loops: the outer loop, then those around holes; loop_starts has
+ * one entry more than there are patches. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_graph_copy_patches(const obc_polycube_graph *graph, uint8_t *labels, double *coordinates,
                                                    uint32_t *loop_starts, obc_error *error);
-/* Of each loop where it begins among all darts, with an entry more than there are loops, and its darts, counter-clockwise around
- * the patch: dart 2 e is edge e from its first corner to its second, dart 2 e + 1 the way back. Each dart is in one loop. */
+
+/* Copies for each loop the offset of its darts, with one entry more than there are loops, and its darts, counter-clockwise around
+ * the patch: dart 2 e is edge e from its first to its second corner, dart 2 e + 1 its reverse. Each dart is in one loop.
+ * Errors: invalid argument. */
 OBC_API obc_status obc_polycube_graph_copy_loops(const obc_polycube_graph *graph, uint32_t *starts, uint32_t *darts,
                                                  obc_error *error);
-/* The dual graph: where the neighbours of each patch begin, with an entry more than there are patches, and the patches that
- * share an edge with it, ascending. */
+
+/* Copies the dual graph: the offset of the neighbors of each patch, with one entry more than there are patches, and the patches
+ * that share an edge with it, ascending. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_graph_copy_dual(const obc_polycube_graph *graph, uint32_t *starts, uint32_t *neighbours,
                                                 obc_error *error);
 
-/* A mesh of quads on the surface, from a regular grid on the polycube: every vertex inside a patch, or inside an edge, has four. */
+/* ---- quad meshes ----------------------------------------------------------------------------------------------------- */
+
+/* A quad mesh of the surface from a regular grid on the polycube: vertices inside a patch or an edge have four quads. */
 typedef struct obc_polycube_quads obc_polycube_quads;
-/* How fine. Fill with _init. */
+
+/* Resolution of a quad mesh. Fill with _init. */
 typedef struct obc_polycube_quads_options {
   uint32_t struct_size;
-  size_t quads;       /* about so many; each rectangle between neighbouring planes of patches has one at least. Default 10000 */
-  double edge_length; /* of cells on the polycube, rather than their number, unless it is 0. Default 0 */
+  size_t quads;       /* approximate number of quads, up to 10^7, at least one a rectangle between neighboring planes. Default: 10000. */
+  double edge_length; /* edge length on the polycube, in place of `quads`; 0: by `quads`. Default: 0. */
 } obc_polycube_quads_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_polycube_quads_options_init(obc_polycube_quads_options *options, size_t struct_size);
-/* Makes the grid, with integer numbers of cells between neighbouring planes, and takes its vertices to the surface, each
- * in the triangle that has it by exact arithmetic. Depends on the polycube alone, but for positions: maps to one polycube give
- * the same quads. Errors: invalid argument (among them more than 10^8 quads), out of memory, cancelled. */
+
+/* Creates a grid with integer numbers of cells between neighboring planes and maps its vertices to the surface, each in the triangle
+ * that contains it by exact arithmetic. Connectivity depends on the polycube alone: maps to one polycube return the same quads.
+ * Errors: invalid argument (also: more than 10^7 quads), out of memory, cancelled. */
 OBC_API obc_status obc_polycube_quads_create(const obc_polycube *map, const obc_polycube_quads_options *options,
                                              const obc_host *host, obc_polycube_quads **out, obc_error *error);
-/* Releases quads; NULL is fine. */
+
+/* Destroys a quad mesh; NULL is allowed. */
 OBC_API void obc_polycube_quads_destroy(obc_polycube_quads *quads);
-/* Numbers; 0 for NULL. */
+
+/* Return the numbers of vertices and quads; 0 for NULL. */
 OBC_API size_t obc_polycube_quads_vertex_count(const obc_polycube_quads *quads);
 OBC_API size_t obc_polycube_quads_quad_count(const obc_polycube_quads *quads);
-/* Copies to the caller's arrays, each of which may be NULL: of each vertex its position on the surface and on the polycube (x y
- * z), of each quad its four vertices, counter-clockwise seen from outside, and its patch. Errors: invalid argument. */
+
+/* Copies to arrays of the caller, each of which may be NULL: for each vertex its positions on the surface and on the polycube (x y z),
+ * for each quad its four vertices, counter-clockwise seen from outside, and its patch. Errors: invalid argument. */
 OBC_API obc_status obc_polycube_quads_copy(const obc_polycube_quads *quads, double *positions, double *polycube,
                                            uint32_t *corners, uint32_t *patches, obc_error *error);
-/* Of each vertex the triangle of the map that it is in and its weights at the three corners, none negative, with the sum 1. */
+
+/* Copies for each vertex the triangle of the map that contains it and its barycentric weights, nonnegative with sum 1. Errors:
+ * invalid argument. */
 OBC_API obc_status obc_polycube_quads_copy_sources(const obc_polycube_quads *quads, uint32_t *triangles, double *weights,
                                                    obc_error *error);
-/* Version of this library, major * 10000 + minor * 100 + patch. */
+
+/* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_polycube_version(void);
 
 #ifdef __cplusplus

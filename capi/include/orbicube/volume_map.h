@@ -1,14 +1,35 @@
 /* Orbicube volume map: maps of tetrahedral meshes without inverted tetrahedra, and hexahedral meshes.
  *
- * Inverted tetrahedra are turned right by the method of Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov (2021,
- * "Foldover-free maps in 50 lines of code", ACM Transactions on Graphics 40(4)): an energy that is finite where tetrahedra
- * are inverted is lowered by Newton's method while a parameter drives them back; docs/volume_map.md tells how. What leaves
- * this library is certified: the exact sign of each tetrahedron's volume is positive, and hexahedra have a trilinear map that
- * is certainly positive everywhere.
+ * Method. Untangling follows Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov (2021, "Foldover-free maps in 50 lines of
+ * code", ACM Transactions on Graphics 40(4)): Newton's method lowers an energy that is finite for inverted tetrahedra, while a
+ * parameter forces their determinants to become positive; see docs/volume_map.md. Every result is certified: each tetrahedron has
+ * positive volume by exact arithmetic, and each hexahedron has a trilinear map whose determinant is proven positive everywhere.
  *
- * Arrays: as in <orbicube/mesh.h>. Inputs are not kept after a call.
+ * Arrays: as in <orbicube/mesh.h>. No function keeps its inputs.
  *
  * Thread safety: all functions may be called at the same time. Results are the same bits for any number of threads.
+ *
+ * Example: fills an L-shaped bar with about 1000 hexahedra.
+ *
+ *   #include <orbicube/volume_map.h>
+ *   #include <stdio.h>
+ *
+ *   int main(void) {
+ *     obc_mesh *mesh = NULL;
+ *     obc_surface surface;
+ *     obc_volume_map_hexes_options options;
+ *     obc_volume_map_hexes *hexes = NULL;
+ *     obc_error error;
+ *     obc_volume_map_hexes_options_init(&options, sizeof options);
+ *     options.cells = 1000, options.distance = 0;
+ *     if (obc_mesh_make("l-shape", 1000, 0, NULL, &mesh, &error) != OBC_OK) return 1;
+ *     if (obc_mesh_surface(mesh, &surface, &error) != OBC_OK) return 1;
+ *     if (obc_volume_map_hexes_compute(&surface, &options, NULL, NULL, &hexes, &error) != OBC_OK) return puts(error.message), 1;
+ *     printf("%zu hexahedra\n", obc_volume_map_hexes_count(hexes));
+ *     obc_volume_map_hexes_destroy(hexes);
+ *     obc_mesh_destroy(mesh);
+ *     return 0;
+ *   }
  */
 #ifndef ORBICUBE_VOLUME_MAP_H
 #define ORBICUBE_VOLUME_MAP_H
@@ -19,211 +40,243 @@
 extern "C" {
 #endif
 
-/* A mesh to untangle: a view, kept by no function. Fill with _init, then set what there is. Coordinates are numbered
- * 3 * vertex + axis. */
+/* ---- untangling ------------------------------------------------------------------------------------------------------ */
+
+/* A mesh to untangle, with its constraints: a view of arrays of the caller. Coordinate 3 * vertex + axis is that of an axis of a vertex. Fill with
+ * _init. */
 typedef struct obc_volume_map_tangle {
   uint32_t struct_size;
   int32_t reserved;
-  const double *positions;    /* x y z a vertex: where they are */
-  size_t vertex_count;
-  const uint32_t *tetrahedra; /* four vertices each; those of negative volume are inverted */
-  size_t tetrahedron_count;
-  const double *rest;         /* x y z a vertex, where each tetrahedron is positive and has the shape that it should have, of
-                                 any size; NULL: all should be regular and of one size */
-  const uint8_t *fixed;       /* one a coordinate, not 0 where it stays as it is; NULL: all are free */
-  const uint32_t *ties;       /* one a coordinate: its group, a number below 3 * vertex_count, all of which are to be equal, or
-                                 UINT32_MAX; NULL: none. A group with a fixed coordinate is fixed, any other starts at its mean */
+
+  const double *positions;    /* initial positions, x y z a vertex. Default: NULL, which must be set. */
+  size_t vertex_count;        /* number of vertices. Default: 0. */
+  const uint32_t *tetrahedra; /* four vertices a tetrahedron; inverted ones have negative volume. Default: NULL, which must be set. */
+  size_t tetrahedron_count;   /* number of tetrahedra. Default: 0. */
+
+  /* Rest positions, x y z a vertex, in which each tetrahedron is positive and has its target shape, of any size; NULL: the target
+   * shapes are regular tetrahedra of equal size. Default: NULL. */
+  const double *rest;
+
+  const uint8_t *fixed; /* one entry a coordinate, nonzero for a fixed one; NULL: all are free. Default: NULL. */
+
+  /* Groups of equal coordinates: one entry a coordinate, the number of its group, below 3 * vertex_count, or UINT32_MAX for none;
+   * NULL: no groups. A group with a fixed coordinate is fixed; any other group starts at its mean. Default: NULL. */
+  const uint32_t *ties;
 } obc_volume_map_tangle;
 
-/* Fill with _init. */
+/* Options of untangling. Fill with _init. */
 typedef struct obc_volume_map_untangle_options {
   uint32_t struct_size;
-  int32_t steps;        /* of Newton's method at most, in each of three attempts, until no tetrahedron is inverted. Default 500 */
-  int32_t polish_steps; /* then at most so many that lower the distortion and keep all positive. Default 20 */
+  int32_t steps;        /* maximum number of Newton steps in each of three attempts, while tetrahedra are inverted. Default: 500. */
+  int32_t polish_steps; /* maximum number of further steps that lower the distortion and keep all tetrahedra positive. Default: 20. */
   int32_t reserved;
-  double volume_weight; /* how much changes of volume count beside those of angles, above 0. Default 1 */
+  double volume_weight; /* weight of volume distortion relative to angle distortion, positive. Default: 1. */
 } obc_volume_map_untangle_options;
 
-/* Figures of a run. Determinants are those of the map from the wanted shapes, scaled so that 1 keeps the volume. */
+/* Figures of untangling. Determinants are those of the maps from the target shapes, scaled so that 1 preserves the volume. */
 typedef struct obc_volume_map_untangle_report {
   uint32_t struct_size;
-  uint32_t first_inverted;          /* UINT32_MAX when there is none */
-  uint64_t inverted_before, inverted; /* tetrahedra that are not positive, by exact arithmetic */
-  uint64_t steps, polish_steps;     /* taken */
-  double least_determinant, greatest_determinant;
-  double energy;                    /* mean of |J|^2 / D^(2/3) + volume_weight (1 + D^2) / D; 5 at least with weight 1 */
+  uint32_t first_inverted;            /* first tetrahedron that is not positive; UINT32_MAX: none */
+  uint64_t inverted_before, inverted; /* number of tetrahedra that are not positive before and after, by exact arithmetic */
+  uint64_t steps, polish_steps;       /* number of steps taken */
+  double least_determinant, greatest_determinant; /* minimum and maximum determinant after */
+  double energy; /* mean of |J|^2 / D^(2/3) + volume_weight (1 + D^2) / D; at least 5 with weight 1 */
 } obc_volume_map_untangle_report;
 
-/* A mesh of nothing; the defaults, which the members' comments give; zeros. */
+/* Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
 OBC_API obc_status obc_volume_map_tangle_init(obc_volume_map_tangle *tangle, size_t struct_size);
 OBC_API obc_status obc_volume_map_untangle_options_init(obc_volume_map_untangle_options *options, size_t struct_size);
 OBC_API obc_status obc_volume_map_untangle_report_init(obc_volume_map_untangle_report *report, size_t struct_size);
 
-/* Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
- * same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
- * tangle->positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
- * Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
- * all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+/* Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be tangle->positions; fixed coordinates are
+ * unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
+ * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
+ * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
+ * errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
  * not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
- * malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
- * rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled. */
+ * malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
+ * tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled. */
 OBC_API obc_status obc_volume_map_untangle(const obc_volume_map_tangle *tangle,
                                            const obc_volume_map_untangle_options *options, const obc_host *host,
                                            double *result, obc_volume_map_untangle_report *report, obc_error *error);
 
 /* ---- solids on polycubes --------------------------------------------------------------------------------------------- */
 
-/* A map of a solid to a polycube, one to one. */
+/* A bijective map of a solid to a polycube. */
 typedef struct obc_volume_map_solid obc_volume_map_solid;
 
-/* Fill with _init. */
+/* Options of a map of a solid. Fill with _init. */
 typedef struct obc_volume_map_solid_options {
   uint32_t struct_size;
   int32_t reserved;
-  size_t corners; /* of the polycube of a wall at most, as in obc_polycube_options. Default 100 */
-  uint64_t seed;  /* of what is chosen at random. Default 0 */
+  size_t corners; /* maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. Default: 100. */
+  uint64_t seed;  /* seed of random choices. Default: 0. */
 } obc_volume_map_solid_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_volume_map_solid_options_init(obc_volume_map_solid_options *options, size_t struct_size);
 
-/* Finds a polycube of the boundary of a solid and a map of the solid to it: every tetrahedron is positive, on the polycube and
- * in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
- * meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
- * host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
- * A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
- * Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood
- * in the way; out of memory, cancelled. */
+/* Computes a polycube of the boundary of a solid and a map of the solid to it. Every tetrahedron is positive on the polycube and in
+ * space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming.
+ * Tetrahedra are split where the map requires it. The polycube of a cavity lies within that of the outer boundary; polycubes of
+ * several pieces stand side by side along x. options and host may be NULL; the allocator of the host must remain valid until
+ * _destroy. Takes minutes for a hundred thousand tetrahedra.
+ * Errors: invalid argument; malformed file (index-range); degenerate; not manifold; not closed; no valid result with the
+ * obstacle; out of memory; cancelled. */
 OBC_API obc_status obc_volume_map_solid_compute(const double *positions, size_t vertex_count, const uint32_t *tetrahedra,
                                                 size_t tetrahedron_count, const obc_volume_map_solid_options *options,
                                                 const obc_host *host, obc_volume_map_solid **out, obc_error *error);
-/* NULL is fine, here and in the functions that count (0). */
+
+/* Destroys a map; NULL is allowed. */
 OBC_API void obc_volume_map_solid_destroy(obc_volume_map_solid *solid);
+
+/* Return the number of vertices and of tetrahedra after splits; 0 for NULL. */
 OBC_API size_t obc_volume_map_solid_vertex_count(const obc_volume_map_solid *solid);
 OBC_API size_t obc_volume_map_solid_tetrahedron_count(const obc_volume_map_solid *solid);
-/* x y z a vertex in space, and on the polycube; four vertices a tetrahedron. Each may be NULL. Errors: invalid argument. */
+
+/* Copies positions in space and on the polycube (x y z a vertex) and tetrahedra (four vertices each); each may be NULL.
+ * Errors: invalid argument. */
 OBC_API obc_status obc_volume_map_solid_copy(const obc_volume_map_solid *solid, double *positions, double *polycube,
                                              uint32_t *tetrahedra, obc_error *error);
 
 /* ---- hexahedra ------------------------------------------------------------------------------------------------------- */
 
-/* A mesh of hexahedra, certified. */
+/* A certified hexahedral mesh. */
 typedef struct obc_volume_map_hexes obc_volume_map_hexes;
 
-/* A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
- * or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere. */
+/* Layers of hexahedra along the boundary. AUTO decides by the angles at the edges of the polycube: on all, some or none of its patches; where
+ * the result is bad, it also tries none and all. */
 enum { OBC_VOLUME_MAP_PADDING_AUTO = 0, OBC_VOLUME_MAP_PADDING_WITH = 1, OBC_VOLUME_MAP_PADDING_WITHOUT = 2 };
-/* What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
- * around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
- * the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
- * changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument. */
+
+/* Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+ * around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
+ * argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed `distance` with up to twice as many cells or have a
+ * scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
+ * POLYCUBE. */
 enum { OBC_VOLUME_MAP_METHOD_AUTO = 0, OBC_VOLUME_MAP_METHOD_POLYCUBE = 1, OBC_VOLUME_MAP_METHOD_VOXELS = 2 };
-/* Fill with _init. */
+
+/* Options of a hexahedral mesh. Fill with _init. */
 typedef struct obc_volume_map_hexes_options {
   uint32_t struct_size;
-  int32_t padding;  /* OBC_VOLUME_MAP_PADDING_...; auto by default */
-  size_t cells;     /* about so many hexahedra, 1 to 10 million. Default 10000 */
-  size_t corners;   /* of the polycube of a wall at most, as in obc_polycube_options. Default 100 */
-  size_t triangles; /* a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000 */
-  uint64_t seed;    /* of what the polycube chooses at random. Default 0 */
-  int32_t rounds;   /* of smoothing. Default 40 */
-  int32_t method;   /* OBC_VOLUME_MAP_METHOD_...; auto by default */
-  /* In percent, 0 to 100: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
-   * box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most_cells;
-   * the nearest is answered. 0: nothing is asked for. Default 1 */
+
+  int32_t padding;  /* OBC_VOLUME_MAP_PADDING_AUTO, WITH or WITHOUT. Default: AUTO. */
+  size_t cells;     /* approximate number of hexahedra, 1 to 10 million. Default: 10000. */
+  size_t corners;   /* maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. Default: 100. */
+  size_t triangles; /* a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: never. Default: 6000. */
+  uint64_t seed;    /* seed of random choices of the polycube. Default: 0. */
+  int32_t rounds;   /* number of smoothing rounds, 0 to 1000. Default: 40. */
+  int32_t method;   /* OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or VOXELS. Default: AUTO. */
+
+  /* Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume error, in percent, 0 to
+   * 100. While it is exceeded, the cell count is doubled, up to most_cells; the closest mesh is returned. 0 disables the check.
+   * Default: 1. */
   double distance;
-  size_t most_cells; /* about, 10 million at most; where less than cells, these are not changed. Default 100000 */
-  /* Edges where the surface bends by so many degrees or more, 0 to below 180, are edges of hexahedra, where the polycube has edges
-   * nearby, unless hexahedra there would be bad; 0: none. Default 40 */
+
+  size_t most_cells; /* approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: 100000. */
+
+  /* Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows sharp edges near an edge of
+   * the polycube, unless hexahedra there would be bad. 0: none. Default: 40. */
   double sharp_angle;
 } obc_volume_map_hexes_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_options *options, size_t struct_size);
 
-/* What was made. Fill struct_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
- * three edges there over the product of their lengths: 1 for a box. */
+/* Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
+ * three edges there over the product of their lengths: 1 for a box. The caller sets struct_size. */
 typedef struct obc_volume_map_hexes_report {
   uint32_t struct_size;
-  int32_t padded; /* 1: with a layer along the boundary or parts of it */
-  double least_scaled_jacobian, mean_scaled_jacobian;
-  double volume;           /* of the trilinear hexahedra */
-  size_t polycube_corners; /* of the polycubes of all walls; 0 where there is none */
-  size_t off_surface;      /* vertices of the boundary that could not be put where they belong */
-  /* In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface. */
+  int32_t padded; /* 1: with a layer along the boundary or parts of it; 0: without */
+  double least_scaled_jacobian, mean_scaled_jacobian; /* minimum and mean over the hexahedra */
+  double volume;           /* total volume of the trilinear hexahedra */
+  size_t polycube_corners; /* number of corners of the polycubes of all boundary components; 0: no polycube */
+  size_t off_surface;      /* number of boundary vertices that could not be placed on the surface */
+
+  /* Hausdorff distance of the boundary (quads split at their first vertex) and the surface, in percent of the bounding-box diagonal,
+   * accurate to half a percent of itself, and volume error in percent, both of the whole solid. */
   double distance, volume_error;
-  int32_t follows_sharp_edges; /* 1: those that the polycube has edges for */
-  int32_t by_voxels;           /* 1: cells of the box, of one piece at least */
+
+  int32_t follows_sharp_edges; /* 1: the mesh follows the sharp edges for which the polycube has edges; 0: it does not */
+  int32_t by_voxels;           /* 1: at least one piece is grid-based; 0: none */
 } obc_volume_map_hexes_report;
 
-/* Fills a closed surface with hexahedra: oriented, looking outward, of any genus, in one piece or in several that lie apart,
- * which get their parts of the cells by their volumes. Parts within a piece that look inward are the walls of cavities, which
- * stay empty. Hexahedra meet in whole faces, the boundary has the parts and the genus of the surface, each hexahedron has
- * positive corners by exact signs and a trilinear map that is certainly positive. In the report of several pieces, corners and
- * vertices are all of them, distance and volume_error the largest, in percent of its own piece. options, host and report may be
- * NULL; the allocator of the host must stay valid until _destroy.
- * Errors: invalid argument; not closed; not manifold (kinds self-intersection: parts that meet, inconsistent-orientation: parts
- * that look into the solid); degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled. */
+/* Fills a closed, outward-oriented surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the
+ * cells are divided by volume; inward-oriented components within a piece bound cavities. Hexahedra are conforming, the
+ * boundary has the components and the genus of the surface, each hexahedron has positive corners by exact signs and a
+ * trilinear map with proven positive determinant. options, host and report may be NULL; the allocator of the host must remain valid
+ * until _destroy.
+ * Errors: invalid argument (also: more pieces than cells); not closed; not manifold (kinds self-intersection: components
+ * intersect; inconsistent-orientation: components oriented into the solid); degenerate; malformed file; no valid result with the
+ * obstacle; out of memory; cancelled. */
 OBC_API obc_status obc_volume_map_hexes_compute(const obc_surface *surface, const obc_volume_map_hexes_options *options,
                                                 const obc_host *host, obc_volume_map_hexes_report *report,
                                                 obc_volume_map_hexes **out, obc_error *error);
-/* NULL is fine, here and in the functions that count (0). */
+
+/* Destroys a mesh; NULL is allowed. */
 OBC_API void obc_volume_map_hexes_destroy(obc_volume_map_hexes *hexes);
+
+/* Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
 OBC_API size_t obc_volume_map_hexes_vertex_count(const obc_volume_map_hexes *hexes);
 OBC_API size_t obc_volume_map_hexes_count(const obc_volume_map_hexes *hexes);
 OBC_API size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes *hexes);
-/* x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
- * counter-clockwise seen from outside, and the face of the polycube that it lies on (0 by voxels). Each may be NULL. Errors: invalid
- * argument. */
+
+/* Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
+ * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
+ * Errors: invalid argument. */
 OBC_API obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes *hexes, double *positions, uint32_t *hexahedra,
                                              uint32_t *quads, uint32_t *quad_faces, obc_error *error);
 
 /* ---- hexahedra along frames ------------------------------------------------------------------------------------------ */
 
-/* Fill with _init. */
+/* Options of a frame-guided hexahedral mesh. Fill with _init. */
 typedef struct obc_volume_map_frame_options {
   uint32_t struct_size;
-  int32_t rounds;       /* of smoothing. Default 40 */
-  size_t cells;         /* about so many hexahedra, 1 to 10 million. Default 10000 */
-  double feature_angle; /* where frames are not given: an axis follows edges of the boundary that turn by more (radians);
-                           0: none. Default 0 */
-  /* As in obc_volume_map_hexes_options, of the boundary of the solid. Defaults 1 and 100000 */
-  double distance;
-  size_t most_cells;
+  int32_t rounds; /* number of smoothing rounds, 0 to 1000. Default: 40. */
+  size_t cells;   /* approximate number of hexahedra, 1 to 10 million. Default: 10000. */
+
+  /* Minimum dihedral angle, in radians, of boundary edges that an axis of the computed frames follows; unused for frames of the
+   * caller. 0: none. Default: 0. */
+  double feature_angle;
+
+  double distance;   /* as in obc_volume_map_hexes_options, relative to the boundary of the solid. Default: 1. */
+  size_t most_cells; /* as in obc_volume_map_hexes_options. Default: 100000. */
 } obc_volume_map_frame_options;
-/* The defaults, which the members' comments give. */
+
+/* Fills options with the defaults. */
 OBC_API obc_status obc_volume_map_frame_options_init(obc_volume_map_frame_options *options, size_t struct_size);
 
-/* What was made. Fill struct_size. Scaled Jacobians as in obc_volume_map_hexes_report. */
+/* Figures of a frame-guided hexahedral mesh. The caller sets struct_size. */
 typedef struct obc_volume_map_frame_report {
   uint32_t struct_size;
-  int32_t integers_optimal; /* 1: the search for the best integers came to its end */
-  double least_scaled_jacobian, mean_scaled_jacobian;
-  double volume;            /* of the trilinear hexahedra */
-  size_t off_surface;       /* vertices of the boundary that could not be put where they belong */
-  size_t singular_edges;    /* of the tetrahedra, inside */
-  size_t irregular_edges;   /* of the hexahedra, inside: with other than four around */
-  size_t integers;          /* unknown ones of the map */
-  size_t tetrahedra;        /* of the map, after splits */
-  size_t inverted_at_start; /* of these, when integers were chosen; none are in the end */
-  size_t steps;             /* of Newton's method until there were none and the map was better */
+  int32_t integers_optimal; /* 1: the search proved the integers optimal; 0: it ended before */
+  double least_scaled_jacobian, mean_scaled_jacobian; /* as in obc_volume_map_hexes_report */
+  double volume;            /* total volume of the trilinear hexahedra */
+  size_t off_surface;       /* number of boundary vertices that could not be placed on the surface */
+  size_t singular_edges;    /* number of singular inner edges of the tetrahedra */
+  size_t irregular_edges;   /* number of inner edges of the mesh with other than four hexahedra */
+  size_t integers;          /* number of integer unknowns of the map */
+  size_t tetrahedra;        /* number of tetrahedra of the map, after splits */
+  size_t inverted_at_start; /* number of inverted tetrahedra after the choice of integers; the final map has none */
+  size_t steps;             /* number of Newton steps of untangling and optimization */
   double distance, volume_error; /* as in obc_volume_map_hexes_report */
 } obc_volume_map_frame_report;
 
 /* Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
- * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
- * tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are
- * made and repaired, until a map follows one. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary
- * that lie in one plane of the map. Where their boundary is farther from that of the solid than asked for, it is held there, then
- * there are more cells, as in obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
- * Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
- * has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
- * out of memory, cancelled. */
+ * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
+ * <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
+ * until a map follows one. The patch numbers of obc_volume_map_hexes_copy are those of connected boundary regions in one
+ * plane of the map. Where the boundary exceeds `distance`, it is fixed to the map's surface, then cells are added as in
+ * obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must remain valid until _destroy.
+ * Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
+ * follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with
+ * the location; out of memory; cancelled. */
 OBC_API obc_status obc_volume_map_frame_hexes_compute(const double *positions, size_t vertex_count,
                                                       const uint32_t *tetrahedra, size_t tetrahedron_count,
                                                       const double *frames, const obc_volume_map_frame_options *options,
                                                       const obc_host *host, obc_volume_map_frame_report *report,
                                                       obc_volume_map_hexes **out, obc_error *error);
 
-/* Version of this library, major * 10000 + minor * 100 + patch. */
+/* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_volume_map_version(void);
 
 #ifdef __cplusplus

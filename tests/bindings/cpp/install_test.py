@@ -47,7 +47,7 @@ def main():
                 run(command, cwd=folder, env=environment)
             place = source if way == "make" else os.path.join(folder, way)
             printed[way] = "".join(run([os.path.join(place, name)], env=environment) for name in ("solvers", "creature"))
-        # How often progress is told depends on the threads' course.
+        # How often progress is reported depends on the threads' course.
         alike = {re.sub(r"\d+ reports", "reports", text) for text in printed.values()}
         if len(alike) != 1 or "converged" not in printed["make"]:
             sys.exit(f"the ways do not end alike: {printed}")

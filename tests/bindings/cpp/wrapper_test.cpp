@@ -1,4 +1,4 @@
-// The C++ wrappers: the bits of C, exceptions through callbacks both ways, questions and answers, handles that release
+// The C++ wrappers: the bits of C, exceptions through callbacks both ways, reverse communication, handles that release
 // themselves (the address sanitizer looks on).
 #include <algorithm>
 #include <array>
@@ -18,6 +18,7 @@
 #include <orbicube/frame_field.hpp>
 #include <orbicube/gltf.hpp>
 #include <orbicube/harmonics.hpp>
+#include <orbicube/linear.hpp>
 #include <orbicube/polycube.hpp>
 #include <orbicube/projected_gradient.hpp>
 #include <orbicube/quaternion.hpp>
@@ -54,6 +55,39 @@ double quadratic(Doubles x, View<double> gradient) {
   }
   return sum;
 }
+// The lower triangle of the Laplacian of a path plus 1/10.
+struct Path {
+  std::vector<std::size_t> row_begin{0};
+  std::vector<std::uint32_t> columns;
+  std::vector<double> values;
+
+  explicit Path(std::uint32_t n) {
+    for (std::uint32_t i = 0; i < n; ++i) {
+      if (i > 0) {
+        columns.push_back(i - 1);
+        values.push_back(-1);
+      }
+      columns.push_back(i);
+      values.push_back(2.1);
+      row_begin.push_back(columns.size());
+    }
+  }
+  linear::Matrix view() const { return {row_begin.size() - 1, row_begin.data(), columns.data(), values.data()}; }
+  // The largest entry of b - A x.
+  double residual(const std::vector<double>& b, const std::vector<double>& x) const {
+    std::vector<double> rest = b;
+    for (std::size_t row = 0; row < b.size(); ++row) {
+      for (std::size_t i = row_begin[row]; i < row_begin[row + 1]; ++i) {
+        rest[row] -= values[i] * x[columns[i]];
+        if (columns[i] != row) rest[columns[i]] -= values[i] * x[row];
+      }
+    }
+    double largest = 0;
+    for (const double entry : rest)
+      largest = std::max(largest, std::abs(entry));
+    return largest;
+  }
+};
 double height(Doubles x, View<double> gradient) {
   for (std::size_t i = 0; i < gradient.size(); ++i)
     gradient[i] = i % 3 == 2 ? 1 : 0;
@@ -65,7 +99,7 @@ double height(Doubles x, View<double> gradient) {
 
 }  // namespace
 
-TEST_CASE("a solver with a closure, by questions and answers, and in C ends in the same bits") {
+TEST_CASE("a solver with a closure, by reverse communication, and in C ends in the same bits") {
   trust_region::Problem problem;
   problem.lower = {0, 0, -1};
   problem.upper = {10, 2, 1};
@@ -125,6 +159,26 @@ TEST_CASE("a function may stop a run or have no value") {
   CHECK(result.stop == OBC_TRUST_REGION_CANCELLED);
   CHECK(result.failed_evaluations == 1);
   CHECK(std::pow(x[0] - 1, 2) + std::pow(x[1], 2) == result.value);
+}
+
+TEST_CASE("a value that comes with a stop counts") {
+  const auto distance = [](Doubles at) { return std::pow(at[0] - 1, 2) + std::pow(at[1] - 1, 2); };
+  std::vector<double> x = {0, 0};
+  const auto near = [&](Doubles at) {
+    if (distance(at) < 1e-3) throw Stop{distance(at)};
+    return distance(at);
+  };
+  const auto result = trust_region::minimize(near, x);
+  CHECK(result.stop == OBC_TRUST_REGION_CANCELLED);
+  CHECK(result.value < 1e-3);
+  CHECK(distance(x) == result.value);
+  x = {0, 0};
+  const auto slopes = [&](Doubles at, View<double> gradient) {
+    gradient[0] = 2 * (at[0] - 1);
+    gradient[1] = 2 * (at[1] - 1);
+    return near(at);
+  };
+  CHECK(projected_gradient::minimize(slopes, x).value < 1e-3);
 }
 
 TEST_CASE("projected gradient: rows, multipliers, a projection of one's own, a certificate") {
@@ -317,7 +371,7 @@ TEST_CASE("what a progress function throws comes out of the questions of a solve
   CHECK_THROWS_AS(run(), Mine);
 }
 
-TEST_CASE("inverted tetrahedra are turned right, or the best is handed out with the error") {
+TEST_CASE("inverted tetrahedra are untangled, or the best is handed out with the error") {
   // Four tetrahedra around a vertex that has left the one that they fill.
   const std::vector<double> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 2, 2};
   const std::vector<std::uint32_t> cells = {0, 1, 2, 4, 0, 2, 3, 4, 0, 3, 1, 4, 1, 3, 2, 4};
@@ -477,4 +531,80 @@ TEST_CASE("the graph of a polycube, exact signs, and glTF from memory") {
   CHECK_THROWS_AS(quaternion::cube_product(24, 0), Error);
   CHECK(quaternion::symmetric_sine_square({1, 0, 0, 0}, quaternion::from_axis_angle({0, 0, 1}, 0.4)) ==
         doctest::Approx(std::pow(std::sin(0.2), 2)));
+}
+
+TEST_CASE("a factor of a sparse symmetric matrix solves, follows changes, and says what it cannot do") {
+  Path path(200);
+  linear::Direct factor(path.view());
+  CHECK(factor.entry_count() == 199);
+  std::vector<double> b(200);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    b[i] = std::sin(3.0 * double(i));
+  const std::vector<double> x = factor.solve(b);
+  CHECK(path.residual(b, x) < 1e-13);
+  std::vector<double> both = b;
+  both.insert(both.end(), b.begin(), b.end());
+  const std::vector<double> twice = factor.solve(both);
+  CHECK(std::equal(x.begin(), x.end(), twice.begin()));
+  CHECK(std::equal(x.begin(), x.end(), twice.begin() + 200));
+
+  factor.remove_row(80);
+  CHECK(factor.solve(b)[80] == b[80]);
+  factor.refactor(path.values);
+  factor.update({20, 21}, {3, -2});
+  Path updated = path;
+  updated.values[updated.row_begin[21] - 1] += 9;
+  updated.values[updated.row_begin[22] - 2] -= 6;
+  updated.values[updated.row_begin[22] - 1] += 4;
+  CHECK(updated.residual(b, factor.solve(b)) < 1e-12);
+  factor.update({20, 21}, {3, -2}, -1);
+  CHECK(path.residual(b, factor.solve(b)) < 1e-12);
+
+  linear::Direct moved = std::move(factor);
+  CHECK(path.residual(b, moved.solve(b)) < 1e-12);
+  CHECK_THROWS_AS(moved.solve(std::vector<double>(199)), std::invalid_argument);
+  CHECK_THROWS_AS(moved.update({0}, {1, 2}), std::invalid_argument);
+  CHECK_THROWS_AS(moved.update({0, 199}, {1, 1}), Error);
+  CHECK_THROWS_AS(moved.remove_row(200), Error);
+  CHECK_THROWS_AS(moved.update({0}, {100}, -1), Error);
+  CHECK_THROWS_AS(moved.solve(b), Error);
+  path.values[path.row_begin[7] - 1] = -2;
+  try {
+    linear::Direct(path.view());
+    FAIL("a matrix that is not positive definite was factorized");
+  } catch (const Error& error) {
+    CHECK(error.status() == OBC_NO_VALID_RESULT);
+  }
+}
+
+TEST_CASE("iterations for a sparse symmetric matrix report what they reached, and pass exceptions of progress on") {
+  const Path path(30000);
+  const std::vector<double> b(30000, 1.0);
+  for (const std::int32_t method : {OBC_LINEAR_GAUSS_SEIDEL, OBC_LINEAR_MULTIGRID}) {
+    linear::IterativeOptions options;
+    options.method = method;
+    options.block_size = 3;
+    options.tolerance = 1e-11;
+    linear::IterativeReport report;
+    linear::Iterative solver(path.view(), options);
+    CHECK(path.residual(b, solver.solve(b, &report)) < 1e-8);
+    CHECK(report.converged == 1);
+    CHECK(report.residual <= 1e-11);
+    CHECK_THROWS_AS(solver.solve(std::vector<double>(3)), std::invalid_argument);
+  }
+  Host host;
+  bool fails = false;
+  int told = 0;
+  host.on_progress([&](const Progress&) {
+    ++told;
+    if (fails) throw Mine("progress");
+    return true;
+  });
+  linear::Iterative solver(path.view(), {}, &host);
+  const std::vector<double> x = solver.solve(b);
+  CHECK(told > 0);
+  fails = true;
+  CHECK_THROWS_AS(solver.solve(b), Mine);
+  fails = false;
+  CHECK(solver.solve(b) == x);
 }

@@ -1,4 +1,4 @@
-// What must hold in every JavaScript engine: run by node_test.mjs in node and by page.html in a browser. A check is told the
+// What must hold in every JavaScript engine: run by node_test.mjs in node and by page.html in a browser. A check receives the
 // package and, by lines, what the C program problems.c ends in.
 
 export function assert(condition, message = 'it does not hold') {
@@ -176,6 +176,14 @@ export const checks = {
     assert(x.every((value, i) => Math.abs(value - mix.result.x[i]) < 1e-14), 'a solution is its own projection');
   },
 
+  'a wrong option or word gets the nearest one, and those that there are'(o) {
+    const said = (options) => failure(() => o.trustRegion.minimize((x) => x[0] ** 2, [1], options)).message;
+    assert(said({ radiusEnde: 1 }).includes("no option radiusEnde; did you mean 'radiusEnd'? There are: method, start"));
+    same(said({ method: 'two-radi' }), "method: one of 'two-radii', 'seed' is needed, not 'two-radi'; did you mean 'two-radii'?");
+    assert(said({ method: 'cross' }).startsWith("method: one of")); // a word of `start`
+    same(said({ restarts: 'many' }), "restarts: a number is needed, not 'many'");
+  },
+
   'what a callback throws comes out, a failed evaluation does not, and a run can be stopped'(o) {
     const mine = new Error('mine');
     same(failure(() => o.trustRegion.minimize(() => { throw mine; }, [1])) === mine, true);
@@ -191,6 +199,18 @@ export const checks = {
       return x[0] ** 2 + x[1] ** 2;
     }, [1, 2]);
     assert(!stopped.converged && stopped.stop === 'cancelled' && Number.isFinite(stopped.value));
+    const near = (x) => {
+      const value = (x[0] - 1) ** 2 + (x[1] - 1) ** 2;
+      if (value < 1e-3) throw new o.StopRun('good enough', { value });
+      return value;
+    };
+    const told = o.trustRegion.minimize(near, [0, 0]);
+    assert(told.stop === 'cancelled' && told.value < 1e-3 && told.value === (told.x[0] - 1) ** 2 + (told.x[1] - 1) ** 2);
+    const slopes = (x, g) => {
+      g.set([2 * (x[0] - 1), 2 * (x[1] - 1)]);
+      return near(x);
+    };
+    assert(o.projectedGradient.minimize(slopes, [0, 0]).value < 1e-3);
     const ended = o.projectedGradient.minimize(cost, [0, 0, 0, 0, 0], { ...feeds, onProgress: () => false });
     same(ended.stop, 'cancelled');
   },

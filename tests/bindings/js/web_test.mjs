@@ -63,7 +63,7 @@ test('a file becomes a sphere that the slider goes to', async () => {
   const mesh = orbicube.Mesh.make('creature', 3000);
   await page.choose('#file', [await file('creature.ply', orbicube.writeMesh(mesh, 'ply'))]);
   await page.until(done);
-  assert(/creature\.ply.*none is turned over/.test(await status()), await status());
+  assert(/creature\.ply.*none is flipped/.test(await status()), await status());
   assert(await page.evaluate("document.getElementById('hint').hidden"));
   const before = await drawn();
   assert(before.share > 0.03, `${before.share} of the picture`);

@@ -130,7 +130,7 @@ class Meshes(unittest.TestCase):
             mesh.orientation_3d([0, 0, math.nan], [1, 0, 0], [0, 1, 0], [0, 0, 1])
 
     def test_ten_million_vertices_pass_without_a_copy(self):
-        """In a process of its own, whose greatest size is known: with an array of 240 MB it grows by the 80 MB of the answer,
+        """In a process of its own, whose largest size is known: with an array of 240 MB it grows by the 80 MB of the result,
         which the library makes in its own memory first, and not by a copy of what it is given."""
         program = """if True:
             import resource, numpy as np
@@ -404,7 +404,7 @@ class Cubes(unittest.TestCase):
         self.assertEqual((hexes.report.follows_sharp_edges, smooth.report.follows_sharp_edges), (1, 0))
         padded = volume_map.fill_with_hexahedra(shape, cells=27, padding="with")
         self.assertEqual(padded.report.padded, 1)
-        self.check_hexes(padded, volume, 0.01 * volume)  # what `distance` asks for
+        self.check_hexes(padded, volume, 0.01 * volume)  # what `distance` requires
         voxels = volume_map.fill_with_hexahedra(mesh.make("sphere", 800), method="voxels", cells=500)
         self.assertEqual((voxels.report.by_voxels, hexes.report.by_voxels), (1, 0))
         self.assertEqual(voxels.report.polycube_corners, 0)

@@ -184,6 +184,20 @@ class Behaviour(unittest.TestCase):
             with self.assertRaisesRegex(Mine, "here"):
                 run(f)
 
+    def test_a_gradient_is_checked(self):
+        def f(x):
+            return float(((x - 1) ** 2).sum()), 2 * (x - 1) * wrong
+
+        wrong = np.ones(3)
+        self.assertTrue(projected_gradient.check_gradient(f, [3, 4, 5]).agrees)
+        wrong[1] = -1
+        found = projected_gradient.check_gradient(f, [3, 4, 5], lower=0, upper=5)
+        self.assertFalse(found.agrees)
+        self.assertEqual((found.worst, found.told), (1, -6))
+        self.assertAlmostEqual(found.difference, 6, 6)
+        with self.assertRaises(ZeroDivisionError):
+            projected_gradient.check_gradient(lambda x: 1 / 0, [1])
+
     def test_stop_hands_out_the_best_point(self):
         count = [0]
 
@@ -197,6 +211,38 @@ class Behaviour(unittest.TestCase):
         self.assertEqual(result.stop, "cancelled")
         self.assertEqual(result.evaluations, 20)
         self.assertLess(result.value, 24.2)  # f at the start
+
+    def test_a_value_that_comes_with_stop_counts(self):
+        good = np.array([1e-3, 2e-3])
+
+        def stopping(after, *told):
+            calls = []
+
+            def f(*_):
+                calls.append(1)
+                if len(calls) == after:
+                    raise orbicube.Stop(*told)
+                return 1.0 if f.gradient is None else (1.0, f.gradient)
+            f.gradient = None
+            return f
+
+        result = trust_region.minimize(stopping(4, 1e-9), [3.0, 4.0])
+        self.assertEqual((result.stop, result.value, result.evaluations), ("cancelled", 1e-9, 4))
+        result = trust_region.least_squares(stopping(1, good), [3.0, 4.0], 2)
+        self.assertEqual((result.stop, result.evaluations), ("cancelled", 1))
+        self.assertAlmostEqual(result.value, 5e-6, places=20)
+        for told in ((1e-9,), (1e-9, [0.0, 1.0]), ((1e-9, [0.0, 1.0]),)):
+            f = stopping(2, *told)
+            f.gradient = np.ones(2)
+            result = projected_gradient.minimize(f, [3.0, 4.0])
+            self.assertEqual((result.stop, result.value, result.evaluations), ("cancelled", 1e-9, 2))
+        f = stopping(2, -7.0)
+        f.gradient = np.tile([0, 0.1, 1.0], (2, 1))
+        result = sphere_optimizer.minimize(f, np.eye(3)[:2])
+        self.assertEqual((result.stop, result.value, result.evaluations), ("cancelled", -7.0, 2))
+        self.assertEqual(trust_region.minimize(stopping(4, 2.0), [3.0, 4.0]).value, 1.0)  # the best, not the last
+        with self.assertRaisesRegex(TypeError, "f returned None"):
+            trust_region.minimize(stopping(4, None), [3.0, 4.0])
 
     def test_progress_can_stop_a_run(self):
         told = []
@@ -272,12 +318,14 @@ class Behaviour(unittest.TestCase):
         again.close()
 
     def test_wrong_arguments_are_refused(self):
-        with self.assertRaisesRegex(TypeError, "no option 'radius'; there are method"):
+        with self.assertRaisesRegex(TypeError, "no argument 'radius'; did you mean 'radius_end'.*There are: f, x0, .*max_evaluations"):
             trust_region.minimize(misfit, [0], radius=1)
-        with self.assertRaisesRegex(ValueError, "OBC_TRUST_REGION_FASTEST"):
-            trust_region.minimize(misfit, [0], method="fastest")
-        with self.assertRaises(orbicube.InvalidArgument) as caught:
+        with self.assertRaisesRegex(ValueError, "method='two-radius': one of 'two-radii', 'seed' is needed; did you mean 'two-radii'"):
+            trust_region.minimize(misfit, [0], method="two-radius")
+        with self.assertRaisesRegex(ValueError, r"x0\[0\] is nan"):
             trust_region.Solver([math.nan])
+        with self.assertRaises(orbicube.InvalidArgument) as caught:
+            trust_region.Solver([0.0], radius_end=-1)
         self.assertEqual(caught.exception.status, orbicube.raw.base.OBC_INVALID_ARGUMENT)
         solver = trust_region.Solver([0.0])
         with self.assertRaises(orbicube.InvalidArgument):

@@ -20,13 +20,16 @@ def main() -> None:
                        "from orbicube import trust_region\n"
                        "result = trust_region.minimize(lambda x: float(x @ x), np.ones(2))\n"
                        "value: float = result.value\n"
-                       "wrong: str = result.value\n")
+                       "wrong: str = result.value\n"
+                       "trust_region.minimize(lambda x: float(x @ x), np.ones(2), method='two-radius', max_evaluations=10)\n"
+                       "trust_region.minimize(lambda x: float(x @ x), np.ones(2), max_evaluation=10)\n"
+                       "trust_region.minimize(lambda x: float(x @ x), np.ones(2), restarts='many')\n")
         package = os.path.abspath(sys.argv[1])
         options = ["--strict", "--cache-dir", os.path.join(folder, "cache")]
         subprocess.run([mypy, *options, package], check=True)
         said = subprocess.run([mypy, *options, program], capture_output=True, text=True, check=False, cwd=folder,
                               env={**os.environ, "MYPYPATH": os.path.dirname(package)}).stdout
-        assert said.count("error:") == 1 and "program.py:5" in said, said
+        assert said.count("error:") == 4 and all(f"program.py:{line}: error" in said for line in (5, 6, 7, 8)), said
 
 
 if __name__ == "__main__":

@@ -110,7 +110,7 @@ class Input {
 };
 
 // Memory that ends, and a run that may be cancelled: a host for one input. Every block must have come back in the end.
-// Searches that have gone on for some seconds are asked to stop: what takes long then is what does not ask.
+// Searches that have gone on for some seconds are cancelled: only code that does not check for it takes long then.
 class Host {
  public:
   explicit Host(Input& input, std::size_t most = std::size_t{256} << 20)
@@ -159,7 +159,7 @@ class Host {
   bool stopped_ = false;
 };
 
-// Calls f(&error), which answers a status, and answers whether that is OBC_OK. Never a defect of the library, nor an
+// Calls f(&error), which returns a status, and returns whether that is OBC_OK. Never a defect of the library, nor an
 // error without a kind and a message, nor one that is filled when all went well.
 template <class F>
 bool ok(const F& f) {

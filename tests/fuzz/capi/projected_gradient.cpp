@@ -1,4 +1,4 @@
-// The projected gradient: feasible sets and options of any numbers, any answers, projections, saved runs with changed
+// The projected gradient: feasible sets and options of any numbers, any results, projections, saved runs with changed
 // bytes.
 #include <algorithm>
 
@@ -19,14 +19,14 @@ void run(obc_projected_gradient* solver, std::size_t n, std::size_t m, Input& in
     require(request >= 0, "a step failed");
     if (request == OBC_PROJECTED_GRADIENT_DONE) break;
     if (request != OBC_PROJECTED_GRADIENT_NEED_FG) continue;
-    if (saved != nullptr) require_finite({at, n}, "a point that is asked about is not finite");
+    if (saved != nullptr) require_finite({at, n}, "a point that is queried is not finite");
     double value = in.one_in(12) ? in.number() : 0;
     for (std::size_t j = 0; j < n; ++j) {
       value += (at[j] - centre) * (at[j] - centre);
       gradient[j] = in.one_in(20) ? in.number() : 2 * (at[j] - centre);
     }
     require(ok([&](obc_error* e) { return obc_projected_gradient_tell(solver, value, gradient.data(), e); }),
-            "an answer is refused");
+            "a value is refused");
   }
   obc_projected_gradient_result result;
   result.struct_size = sizeof result;

@@ -51,7 +51,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
   const std::int32_t grid = in.choice(4);
   const std::size_t resolution = in.one_in(20) ? in.bits() : in.below(grid == OBC_SPHERE_MAP_ICOSPHERE ? 3 : 9);
-  const std::size_t fine = grid == OBC_SPHERE_MAP_ICOSPHERE ? 4 : 64;  // what is asked for must end
+  const std::size_t fine = grid == OBC_SPHERE_MAP_ICOSPHERE ? 4 : 64;  // a request must end
   const bool small = resolution <= fine || resolution > 1u << 20;
   obc_mesh* mesh = nullptr;
   if (small && ok([&](obc_error* e) { return obc_sphere_map_grid(grid, resolution, host.c(), &mesh, e); }))

@@ -1,4 +1,4 @@
-// The sphere optimizer, all at once and block by block: any numbers and answers, and saved runs with changed bytes.
+// The sphere optimizer, all at once and block by block: any numbers and replies, and saved runs with changed bytes.
 #include "orbicube/sphere_optimizer.h"
 #include "entries.h"
 
@@ -18,14 +18,14 @@ void run(obc_sphere_optimizer* solver, Input& in, std::vector<std::uint8_t>* sav
     require(request >= 0, "a step failed");
     if (request == OBC_SPHERE_OPTIMIZER_DONE) break;
     if (request != OBC_SPHERE_OPTIMIZER_NEED_FG) continue;
-    if (saved != nullptr) require_finite({at, n}, "a point that is asked about is not finite");
+    if (saved != nullptr) require_finite({at, n}, "a point that is queried is not finite");
     double value = in.one_in(12) ? in.number() : 0;
     for (std::size_t j = 0; j < n; ++j) {
       value += at[j] * at[j] * double(j + 1);
       gradient[j] = in.one_in(20) ? in.number() : 2 * at[j] * double(j + 1);
     }
     require(ok([&](obc_error* e) { return obc_sphere_optimizer_tell(solver, value, gradient.data(), e); }),
-            "an answer is refused");
+            "a value is refused");
   }
   obc_sphere_optimizer_result result;
   result.struct_size = sizeof result;

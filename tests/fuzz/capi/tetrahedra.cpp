@@ -27,7 +27,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       options.size_count = 2;
       options.size_growth = in.number();
     }
-    // Not millions of tetrahedra: that is what is asked for, but an input must end.
+    // Not millions of tetrahedra: that is the request, but an input must end.
     for (double* length : {&options.max_volume, &options.edge_length}) {
       if (*length > 0 && *length < 0.2) *length = 0.2;
     }

@@ -1,4 +1,4 @@
-// The trust region: problems and options of any numbers, any answers, and saved runs with changed bytes.
+// The trust region: problems and options of any numbers, any results, and saved runs with changed bytes.
 #include <algorithm>
 
 #include "entries.h"
@@ -19,8 +19,8 @@ void run(obc_trust_region* solver, std::size_t n, std::size_t outputs, Input& in
     require(request >= 0, "a step failed");
     if (request == OBC_TRUST_REGION_DONE) break;
     if (request != OBC_TRUST_REGION_NEED_VALUES) continue;
-    require(count > 0, "no points are asked about");
-    if (saved != nullptr) require_finite({points, n * count}, "a point that is asked about is not finite");
+    require(count > 0, "no points are queried");
+    if (saved != nullptr) require_finite({points, n * count}, "a point that is queried is not finite");
     std::vector<double> answer(outputs);
     for (std::size_t k = 0; k < outputs; ++k) {
       answer[k] = in.one_in(9) ? in.number() : 0;
@@ -28,7 +28,7 @@ void run(obc_trust_region* solver, std::size_t n, std::size_t outputs, Input& in
         answer[k] += (points[j] - centre) * (points[j] - centre) * double(k + 1) + 0.1 * points[j];
     }
     require(ok([&](obc_error* e) { return obc_trust_region_tell(solver, in.one_in(20) ? nullptr : answer.data(), e); }),
-            "an answer to a question is refused");
+            "a value for a request is refused");
   }
   obc_trust_region_result result;
   result.struct_size = sizeof result;

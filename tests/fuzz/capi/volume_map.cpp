@@ -1,4 +1,4 @@
-// Inverted tetrahedra: meshes, wanted shapes, fixed and tied coordinates, and options of any kind; solids on polycubes
+// Inverted tetrahedra: meshes, target shapes, fixed and tied coordinates, and options of any kind; solids on polycubes
 // and hexahedra of small shapes with faults, along frames of any kind too.
 #include "orbicube/volume_map.h"
 

@@ -37,6 +37,7 @@ mutable struct obc_host <: CStruct
     parallel_for::Ptr{Cvoid}
     parallel_for_user::Ptr{Cvoid}
     allocator::Ptr{obc_allocator}
+    fraction::Ptr{Float64}
     obc_host() = zeroed!(new())
 end
 

@@ -4,6 +4,7 @@ const libraries = [
     :frame_field => Symbol[:base],
     :gltf => Symbol[:base],
     :harmonics => Symbol[:base],
+    :linear => Symbol[:base],
     :mesh => Symbol[:base],
     :polycube => Symbol[:base, :mesh],
     :projected_gradient => Symbol[:base],

@@ -20,6 +20,7 @@ const OBC_PROJECTED_GRADIENT_INFEASIBLE = Int32(6)
 const OBC_PROJECTED_GRADIENT_CANCELLED = Int32(7)
 const OBC_PROJECTED_GRADIENT_EVALUATION_FAILED = Int32(8)
 const OBC_PROJECTED_GRADIENT_PROJECTION_FAILED = Int32(9)
+const OBC_PROJECTED_GRADIENT_UNBOUNDED = Int32(10)
 
 const OBC_PROJECTED_GRADIENT_CONTINUE = Int32(0)
 const OBC_PROJECTED_GRADIENT_STOP = Int32(1)
@@ -66,6 +67,19 @@ mutable struct obc_projected_gradient_result <: CStruct
     projection_passes::UInt64
     certificate_gap::Float64
     obc_projected_gradient_result() = zeroed!(new())
+end
+
+mutable struct obc_projected_gradient_check <: CStruct
+    struct_size::UInt32
+    agrees::Int32
+    worst::Csize_t
+    told::Float64
+    difference::Float64
+    error::Float64
+    uncertainty::Float64
+    compared::Csize_t
+    evaluations::UInt64
+    obc_projected_gradient_check() = zeroed!(new())
 end
 
 const address_obc_projected_gradient_problem_init = Ref(C_NULL)
@@ -123,6 +137,10 @@ obc_projected_gradient_minimize(problem, options, f, user, x, result, host, erro
 const address_obc_projected_gradient_project = Ref(C_NULL)
 obc_projected_gradient_project(problem, y, x, multipliers, result, host, error) =
     ccall(symbol(address_obc_projected_gradient_project, :projected_gradient, :obc_projected_gradient_project), Int32, (Ptr{obc_projected_gradient_problem}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{obc_projected_gradient_result}, Ptr{obc_host}, Ptr{obc_error}), problem, y, x, multipliers, result, host, error)
+
+const address_obc_projected_gradient_check_gradient = Ref(C_NULL)
+obc_projected_gradient_check_gradient(problem, f, user, x, check, host, error) =
+    ccall(symbol(address_obc_projected_gradient_check_gradient, :projected_gradient, :obc_projected_gradient_check_gradient), Int32, (Ptr{obc_projected_gradient_problem}, Ptr{Cvoid}, Ptr{Cvoid}, Ptr{Float64}, Ptr{obc_projected_gradient_check}, Ptr{obc_host}, Ptr{obc_error}), problem, f, user, x, check, host, error)
 
 const address_obc_projected_gradient_stop_name = Ref(C_NULL)
 obc_projected_gradient_stop_name(stop) =

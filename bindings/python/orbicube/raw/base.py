@@ -26,7 +26,7 @@ obc_parallel_for_function = _c.CFUNCTYPE(None, _c.c_size_t, _c.CFUNCTYPE(None, _
 
 
 class obc_error(_Struct):
-    """Owned by the caller; filled when a function fails, cleared (status OBC_OK, empty texts) when it succeeds."""
+    """Description of a failure, in memory of the caller. A failing function fills it; a successful one clears it."""
     _fields_ = [
         ("status", _c.c_int32),
         ("kind", _c.c_char * 28),
@@ -35,8 +35,7 @@ class obc_error(_Struct):
 
 
 class obc_allocator(_Struct):
-    """Memory for what the libraries allocate. allocate answers NULL on failure, which ends in OBC_OUT_OF_MEMORY; alignment is
-    a power of two. release gets the size and alignment of the allocation. Both may be called from several threads."""
+    """Memory of the program for the allocations of the libraries. Both functions must be thread-safe."""
     _fields_ = [
         ("allocate", _c.CFUNCTYPE(_c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p)),
         ("release", _c.CFUNCTYPE(None, _c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p)),
@@ -45,6 +44,7 @@ class obc_allocator(_Struct):
 
 
 class obc_host(_Struct):
+    """Resources of the program that a computation uses. Fill with obc_host_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("thread_count", _c.c_uint32),
@@ -55,6 +55,7 @@ class obc_host(_Struct):
         ("parallel_for", obc_parallel_for_function),
         ("parallel_for_user", _c.c_void_p),
         ("allocator", _c.c_void_p),
+        ("fraction", _c.c_void_p),
     ]
 
 
@@ -66,5 +67,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("base", [], _functions, globals(), name)

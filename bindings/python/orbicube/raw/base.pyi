@@ -45,16 +45,17 @@ class obc_host(Struct):
     parallel_for: Any
     parallel_for_user: Any
     allocator: Any
-    def __init__(self, struct_size: int = ..., thread_count: int = ..., progress: Any = ..., progress_user: Any = ..., log: Any = ..., log_user: Any = ..., parallel_for: Any = ..., parallel_for_user: Any = ..., allocator: Any = ...) -> None: ...
+    fraction: Any
+    def __init__(self, struct_size: int = ..., thread_count: int = ..., progress: Any = ..., progress_user: Any = ..., log: Any = ..., log_user: Any = ..., parallel_for: Any = ..., parallel_for_user: Any = ..., allocator: Any = ..., fraction: Any = ...) -> None: ...
 
 def obc_host_init(host: Pointer, struct_size: int) -> int:
-    """Fills a host with the defaults: nothing lent, one thread a core."""
+    """Fills a host with the defaults. Errors: invalid argument (NULL, or a size that no version has)."""
     ...
 
 def obc_status_name(status: int) -> bytes | None:
-    """Short English name of a status, such as "out of memory". Never NULL; a static string."""
+    """Returns a short English name of a status, such as "out of memory"; a static string, never NULL."""
     ...
 
 def obc_base_version() -> int:
-    """Version of the base library, major * 10000 + minor * 100 + patch."""
+    """Returns the version of the library, major * 10000 + minor * 100 + patch."""
     ...

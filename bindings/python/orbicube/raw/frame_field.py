@@ -23,7 +23,7 @@ OBC_FRAME_FIELD_SINGLE_AXIS = 2
 
 
 class obc_frame_field_solid(_Struct):
-    """A solid of tetrahedra: a view, kept by no function."""
+    """A tetrahedral mesh: a view of arrays of the caller."""
     _fields_ = [
         ("positions", _c.c_void_p),
         ("vertex_count", _c.c_size_t),
@@ -33,7 +33,7 @@ class obc_frame_field_solid(_Struct):
 
 
 class obc_frame_field_options(_Struct):
-    """Fill with _init."""
+    """Options of a field. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("start", _c.c_int32),
@@ -49,9 +49,8 @@ class obc_frame_field_options(_Struct):
 
 
 class obc_frame_field_constraints(_Struct):
-    """What the caller asks for. Fill with _init, then set what there is. Frames and directions must be of length 1. With weights,
-    which are positive and may be infinite, those with a finite one are not held but pulled at, like by so many neighbours that
-    have what is wanted."""
+    """Constraints of a field. Frames and directions have length 1. A positive, possibly infinite weight may soften each constraint: a finite
+    weight w acts like w neighbors with the required frame, an infinite one fixes it. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("reserved", _c.c_int32),
@@ -67,8 +66,7 @@ class obc_frame_field_constraints(_Struct):
 
 
 class obc_frame_field_report(_Struct):
-    """Figures of a field. Angles in degrees; symmetric ones are up to the 24 rotations, at most 62.80; plain ones between the
-    quaternions as they stand, at most 180. Over inner faces: mean, standard deviation, median, value at 99 per cent, largest."""
+    """Figures of a field. Angles are in degrees, over inner faces: mean, standard deviation, median, 99th percentile, maximum."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("start", _c.c_int32),
@@ -138,5 +136,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("frame_field", ["base"], _functions, globals(), name)

@@ -6,7 +6,7 @@ from .._library import Struct as _Struct
 
 
 class obc_gltf_read_options(_Struct):
-    """Fill with _init."""
+    """Options of reading. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("weld_identical", _c.c_int32),
@@ -23,7 +23,7 @@ class obc_gltf_morph_target(_Struct):
 
 
 class obc_gltf_scene(_Struct):
-    """What to write. Fill with _init, then set what there is; nothing is kept after the call."""
+    """Contents of a file. Arrays are not kept after the call. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("smooth_normals", _c.c_int32),
@@ -72,5 +72,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("gltf", ["base"], _functions, globals(), name)

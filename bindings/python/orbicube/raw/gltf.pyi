@@ -41,74 +41,73 @@ class obc_gltf_scene(Struct):
     def __init__(self, struct_size: int = ..., smooth_normals: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., normals: Any = ..., texture_coordinates: Any = ..., colors: Any = ..., morph_targets: Any = ..., morph_target_count: int = ..., edges: Any = ..., edge_count: int = ..., translation: Any = ..., scale: float = ..., base_color: Any = ..., texture: Any = ..., texture_size: int = ..., checker_texture: int = ..., morph_normals: int = ..., name: bytes | None = ..., extras: bytes | None = ..., morph_seconds: float = ...) -> None: ...
 
 def obc_gltf_read_options_init(options: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give."""
+    """Fills options with the defaults."""
     ...
 
 def obc_gltf_read(path: bytes | None, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Reads the file at `path` (bytes as the system takes them). options and host may be NULL; the host's allocator must stay
-    valid until _surface_destroy. Errors: io, malformed file (its kind says how: truncated, parse, index-range,
-    accessor-range, unsafe-path, ...), unsupported, degenerate (a transform or welding flattens everything), out of memory,
-    cancelled. O(n)."""
+    """Reads the file at `path` (bytes in the encoding of the system). options and host may be NULL; the allocator of the host must remain valid
+    until _surface_destroy. O(n). Errors: io; malformed file (the kind says how: truncated, parse, index-range, accessor-range,
+    unsafe-path, ...); unsupported; degenerate (a transform or welding flattens everything); out of memory; cancelled."""
     ...
 
 def obc_gltf_read_memory(bytes: Pointer, size: int, folder: bytes | None, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """The same from `size` bytes of a GLB or .gltf file, which are not kept; `folder` is where buffers in files of their own
-    lie, NULL refuses them."""
+    """Reads a GLB or .gltf file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
+    them. Otherwise as obc_gltf_read."""
     ...
 
 def obc_gltf_surface_vertex_count(surface: Pointer) -> int:
-    """Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading."""
+    """Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL."""
     ...
 
 def obc_gltf_surface_triangle_count(surface: Pointer) -> int:
-    """Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading."""
+    """Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL."""
     ...
 
 def obc_gltf_surface_welded_vertex_count(surface: Pointer) -> int:
-    """Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading."""
+    """Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL."""
     ...
 
 def obc_gltf_surface_note_count(surface: Pointer) -> int:
-    """Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading."""
+    """Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL."""
     ...
 
 def obc_gltf_surface_note(surface: Pointer, index: int) -> bytes | None:
-    """The index-th note, UTF-8, of the surface's; NULL when there is none."""
+    """Returns the index-th note, UTF-8, valid until the surface is destroyed; NULL from the number of notes on."""
     ...
 
 def obc_gltf_surface_copy(surface: Pointer, positions: Pointer, triangles: Pointer, error: Pointer) -> int:
-    """Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices below vertex_count, or NULL;
-    counter-clockwise seen from outside) to the caller's arrays. Errors: invalid argument."""
+    """Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices, or NULL; counter-clockwise seen from outside)
+    to arrays of the caller. Errors: invalid argument."""
     ...
 
 def obc_gltf_surface_destroy(surface: Pointer) -> None:
-    """Releases a surface; NULL is fine."""
+    """Destroys a surface; NULL is allowed."""
     ...
 
 def obc_gltf_scene_init(scene: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give, and an empty surface."""
+    """Fills a scene with the defaults and an empty surface."""
     ...
 
 def obc_gltf_write(path: bytes | None, scene: Pointer, host: Pointer, error: Pointer) -> int:
-    """Writes to `path`: .gltf with the buffer inside when it ends so, GLB otherwise. The file appears once it is whole; after
-    an error the old one is still there. host may be NULL. Errors: invalid argument (sizes, indices, numbers that are not
-    finite, texts), unsupported (4 GiB or more), io, out of memory, cancelled. O(n)."""
+    """Writes to `path`: a .gltf with an embedded buffer for this ending, otherwise GLB. The file appears when it is complete; after an error the
+    previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
+    unsupported (4 GiB or more), io, out of memory, cancelled."""
     ...
 
 def obc_gltf_write_surface(path: bytes | None, positions: Pointer, vertex_count: int, triangles: Pointer, triangle_count: int, host: Pointer, error: Pointer) -> int:
-    """A surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count."""
+    """Writes a surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count. Otherwise as obc_gltf_write."""
     ...
 
 def obc_gltf_delta(base: float, wanted: float) -> float:
-    """Morph targets to the bit. _delta is what is stored for a base and a wanted coordinate; _reconstructed is what a renderer
-    makes of base and delta in float32, and is the wanted one whenever any delta gives it. Finite numbers."""
+    """Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns
+    base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it."""
     ...
 
 def obc_gltf_reconstructed(base: float, delta: float) -> float:
-    """Morph targets to the bit. _delta is what is stored for a base and a wanted coordinate; _reconstructed is what a renderer
-    makes of base and delta in float32, and is the wanted one whenever any delta gives it. Finite numbers."""
+    """Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns
+    base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it."""
     ...
 
 def obc_gltf_version() -> int:
-    """Version of this library, major * 10000 + minor * 100 + patch."""
+    """Returns the version of the library, major * 10000 + minor * 100 + patch."""
     ...

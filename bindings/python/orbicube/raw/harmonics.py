@@ -14,6 +14,7 @@ OBC_HARMONICS_SPHARM_PDM = 2
 
 
 class obc_harmonics_fit_options(_Struct):
+    """Options of a fit. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("degree", _c.c_uint32),
@@ -24,6 +25,7 @@ class obc_harmonics_fit_options(_Struct):
 
 
 class obc_harmonics_fit_report(_Struct):
+    """Figures of a fit."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("method", _c.c_int32),
@@ -36,6 +38,7 @@ class obc_harmonics_fit_report(_Struct):
 
 
 class obc_harmonics_align_options(_Struct):
+    """Options of an alignment. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("turn_values", _c.c_int32),
@@ -45,6 +48,7 @@ class obc_harmonics_align_options(_Struct):
 
 
 class obc_harmonics_alignment(_Struct):
+    """Result of an alignment."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("reserved", _c.c_uint32),
@@ -81,5 +85,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("harmonics", ["base"], _functions, globals(), name)

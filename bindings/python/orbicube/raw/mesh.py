@@ -13,7 +13,7 @@ OBC_MESH_VTK = 5
 
 
 class obc_surface(_Struct):
-    """A surface as the caller holds it: a view, kept by no function."""
+    """A triangle surface: a view of arrays of the caller."""
     _fields_ = [
         ("positions", _c.c_void_p),
         ("vertex_count", _c.c_size_t),
@@ -23,7 +23,7 @@ class obc_surface(_Struct):
 
 
 class obc_mesh_cells(_Struct):
-    """Cells in the caller's arrays, for obc_mesh_create. Fill with _init, then set what there is."""
+    """Vertices and cells in arrays of the caller, for obc_mesh_create. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("reserved", _c.c_int32),
@@ -39,7 +39,7 @@ class obc_mesh_cells(_Struct):
 
 
 class obc_mesh_tetrahedron_quality_report(_Struct):
-    """How well shaped tetrahedra are. Ratios of inverted ones are negative, of flat ones 0; angles are in degrees."""
+    """Quality of tetrahedra. Ratios are negative for inverted tetrahedra and 0 for flat ones; angles are in degrees."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("worst", _c.c_uint32),
@@ -65,7 +65,7 @@ class obc_mesh_tetrahedron_quality_report(_Struct):
 
 
 class obc_mesh_read_options(_Struct):
-    """Fill with _init."""
+    """Options of readers. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("weld_identical", _c.c_int32),
@@ -73,7 +73,7 @@ class obc_mesh_read_options(_Struct):
 
 
 class obc_mesh_write_options(_Struct):
-    """Fill with _init."""
+    """Options of writers. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("binary", _c.c_int32),
@@ -81,7 +81,7 @@ class obc_mesh_write_options(_Struct):
 
 
 class obc_mesh_topology_report(_Struct):
-    """What kind of surface it is. The first place of a defect is given by vertices or faces, 2^32 - 1 where there is none."""
+    """Topology of a surface. Defects have the indices of the first occurrence, 2^32 - 1 where there is none."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("closed", _c.c_int32),
@@ -121,7 +121,7 @@ class obc_mesh_topology_report(_Struct):
 
 
 class obc_mesh_orient_report(_Struct):
-    """What obc_mesh_orient did."""
+    """Changes by obc_mesh_orient."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("turned_outward", _c.c_int32),
@@ -174,5 +174,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("mesh", ["base"], _functions, globals(), name)

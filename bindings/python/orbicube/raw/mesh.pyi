@@ -107,196 +107,197 @@ class obc_mesh_orient_report(Struct):
     def __init__(self, struct_size: int = ..., turned_outward: int = ..., triangles_turned: int = ...) -> None: ...
 
 def obc_mesh_cells_init(cells: Pointer, struct_size: int) -> int:
-    """A mesh of nothing."""
+    """Fills cells with an empty mesh."""
     ...
 
 def obc_mesh_create(cells: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """A mesh with copies of the arrays. host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument,
-    out of memory. O(n)."""
+    """Creates a mesh with copies of the arrays. host may be NULL; its allocator must remain valid until _destroy. O(n). Errors: invalid
+    argument, out of memory."""
     ...
 
 def obc_mesh_make(shape: bytes | None, triangle_count: int, seed: int, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """A closed surface by name ("creature", "torus", "cube", "sphere", "bracket", ...; obc_mesh_shape_name lists them) of about
-    `triangle_count` triangles, two units in size; the seed varies it. Errors: invalid argument, out of memory, cancelled. O(n)."""
+    """Generates a closed surface by name ("creature", "torus", "cube", "sphere", "bracket", ...; obc_mesh_shape_name lists the names) of about
+    `triangle_count` triangles, two units in size; the seed varies its shape. O(n). Errors: invalid argument, out of memory,
+    cancelled."""
     ...
 
 def obc_mesh_shape_name(index: int) -> bytes | None:
-    """Name of the index-th shape that obc_mesh_make knows, a static string; NULL beyond the last one."""
+    """Returns the name of the index-th shape of obc_mesh_make, a static string; NULL from the number of shapes on."""
     ...
 
 def obc_mesh_destroy(mesh: Pointer) -> None:
-    """Releases a mesh; NULL is fine."""
+    """Destroys a mesh; NULL is allowed."""
     ...
 
 def obc_mesh_vertex_count(mesh: Pointer) -> int:
-    """Numbers of a mesh; 0 for NULL."""
+    """Return the numbers of vertices and cells of a mesh; 0 for NULL."""
     ...
 
 def obc_mesh_triangle_count(mesh: Pointer) -> int:
-    """Numbers of a mesh; 0 for NULL."""
+    """Return the numbers of vertices and cells of a mesh; 0 for NULL."""
     ...
 
 def obc_mesh_tetrahedron_count(mesh: Pointer) -> int:
-    """Numbers of a mesh; 0 for NULL."""
+    """Return the numbers of vertices and cells of a mesh; 0 for NULL."""
     ...
 
 def obc_mesh_hexahedron_count(mesh: Pointer) -> int:
-    """Numbers of a mesh; 0 for NULL."""
+    """Return the numbers of vertices and cells of a mesh; 0 for NULL."""
     ...
 
 def obc_mesh_copy(mesh: Pointer, positions: Pointer, triangles: Pointer, tetrahedra: Pointer, hexahedra: Pointer, error: Pointer) -> int:
-    """Copies to the caller's arrays, each of which may be NULL. Errors: invalid argument."""
+    """Copies a mesh to arrays of the caller, each of which may be NULL. Errors: invalid argument."""
     ...
 
 def obc_mesh_surface(mesh: Pointer, surface: Pointer, error: Pointer) -> int:
-    """A view of the mesh's own positions and triangles, valid until the mesh is destroyed. Errors: invalid argument."""
+    """Returns a view of the positions and triangles of a mesh, valid until the mesh is destroyed. Errors: invalid argument."""
     ...
 
 def obc_mesh_check_cells(mesh: Pointer, host: Pointer, error: Pointer) -> int:
-    """Whether the tetrahedra and hexahedra fill a solid: distinct, positive by exact predicates (hexahedra at each corner), meeting
-    in whole faces, no face of three cells, no edge where parts only touch. OBC_OK, also without cells; or degenerate or not
+    """Checks that the tetrahedra and hexahedra form a solid: distinct, positive by exact predicates (hexahedra at each corner),
+    conforming, no face with three cells, no edge at which parts touch. Returns OBC_OK, also without cells, or degenerate or not
     manifold with the kind (inverted-cell, degenerate-cell, duplicate-cell, non-manifold-face, non-manifold-edge) and the
-    first place; out of memory, cancelled. O(n log n)."""
+    first location. O(n log n). Errors: those, out of memory, cancelled."""
     ...
 
 def obc_mesh_boundary(mesh: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """The surface of the solid that the cells fill, looking outward, as a mesh of its own with the same vertices: the faces of one
-    cell only, those of hexahedra cut in two. Errors: invalid argument, not manifold (a face of three cells), out of memory,
-    cancelled. O(n log n)."""
+    """Computes the outward-oriented boundary surface of the solid, a new mesh with the same vertices: the faces of exactly one cell, those of
+    hexahedra split in two. O(n log n). Errors: invalid argument, not manifold (a face with three cells), out of memory, cancelled."""
     ...
 
 def obc_mesh_tetrahedron_quality_report_init(report: Pointer, struct_size: int) -> int:
-    """An empty report that knows its size."""
+    """Fills a report with zeros and its size."""
     ...
 
 def obc_mesh_tetrahedron_quality(mesh: Pointer, host: Pointer, report: Pointer, error: Pointer) -> int:
-    """Measures the tetrahedra of a mesh, whatever they are. Errors: invalid argument, cancelled. O(n)."""
+    """Measures the tetrahedra of a mesh, valid or not. O(n). Errors: invalid argument, cancelled."""
     ...
 
 def obc_mesh_read_options_init(options: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give."""
+    """Fills options with the defaults."""
     ...
 
 def obc_mesh_read(path: bytes | None, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Reads the file at `path` (bytes as the system takes them), its format by its ending: .obj .off .ply .stl .mesh .vtk.
-    Vertices keep their order unless they are joined; faces of more corners are cut into triangles; cells are checked as by
-    obc_mesh_check_cells. options and host may be NULL; the host's allocator must stay valid until _destroy. Nothing in a file
-    is trusted; memory is bounded by a multiple of its size. Errors: io, malformed file (the kind says how: truncated, parse,
-    index-range, non-finite, ...; the message where), the kinds of cells, unsupported, out of memory, cancelled. O(size)."""
+    """Reads the file at `path` (bytes in the encoding of the system) in the format of its ending: .obj .off .ply .stl .mesh .vtk.
+    Vertices keep their order unless they are welded; polygons are split into triangles; cells are checked as by
+    obc_mesh_check_cells. options and host may be NULL; the allocator of the host must remain valid until _destroy. All contents are
+    checked; memory is bounded by a multiple of the file size. O(size). Errors: io; malformed file (the kind says how:
+    truncated, parse, index-range, non-finite, ...; the message where); the kinds of cells; unsupported; out of memory; cancelled."""
     ...
 
 def obc_mesh_read_memory(bytes: Pointer, size: int, format: int, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """The same from `size` bytes of a file of the format OBC_MESH_...; they are not kept."""
+    """Reads a file of the format OBC_MESH_... from `size` bytes in memory, which are not kept; otherwise as obc_mesh_read."""
     ...
 
 def obc_mesh_format(mesh: Pointer) -> bytes | None:
-    """What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read."""
+    """Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read."""
     ...
 
 def obc_mesh_polygon_count(mesh: Pointer) -> int:
-    """What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read."""
+    """Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read."""
     ...
 
 def obc_mesh_welded_vertex_count(mesh: Pointer) -> int:
-    """What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read."""
+    """Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read."""
     ...
 
 def obc_mesh_note(mesh: Pointer, index: int) -> bytes | None:
-    """What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read."""
+    """Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read."""
     ...
 
 def obc_mesh_write_options_init(options: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give."""
+    """Fills options with the defaults."""
     ...
 
 def obc_mesh_write(path: bytes | None, mesh: Pointer, options: Pointer, host: Pointer, error: Pointer) -> int:
-    """Writes to `path`, the format by its ending: triangles to OBJ, OFF, PLY and STL, cells too to MEDIT and VTK. What is read
-    again is the same mesh to the bit, but for STL, which has float32. The file appears once it is whole; after an error the
-    old one is still there. options and host may be NULL. Errors: invalid argument, unsupported (the ending, or cells that the
-    format cannot hold), io, out of memory, cancelled. O(n)."""
+    """Writes to `path` in the format of its ending: triangles to OBJ, OFF, PLY and STL, also cells to MEDIT and VTK. Reading the file
+    returns a bit-identical mesh, except for STL, which has float32. The file appears when it is complete; after an error the
+    previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
+    format does not have), io, out of memory, cancelled."""
     ...
 
 def obc_mesh_write_surface(path: bytes | None, surface: Pointer, options: Pointer, host: Pointer, error: Pointer) -> int:
-    """The same for a surface in the caller's arrays."""
+    """Writes a surface in arrays of the caller; otherwise as obc_mesh_write."""
     ...
 
 def obc_mesh_topology_report_init(report: Pointer, struct_size: int) -> int:
-    """An empty report that knows its size."""
+    """Fills a report with zeros and its size."""
     ...
 
 def obc_mesh_topology(surface: Pointer, host: Pointer, report: Pointer, error: Pointer) -> int:
-    """Examines any set of triangles. host may be NULL. Errors: invalid argument, out of memory, cancelled. O(n log n) time, O(n)
-    for bounded valence (0.1 s for a million triangles), up to 100 bytes a triangle."""
+    """Analyzes any set of triangles. host may be NULL. O(n log n) time, O(n) for bounded valence (0.1 s for a million triangles), up to
+    100 bytes a triangle. Errors: invalid argument, out of memory, cancelled."""
     ...
 
 def obc_mesh_check_closed_genus_zero(surface: Pointer, host: Pointer, error: Pointer) -> int:
-    """Whether the surface is what sphere maps need: closed, connected, manifold, consistently oriented, of genus 0. OBC_OK, or not
-    closed, not manifold, wrong genus or degenerate with the kind and the first place in `error`; invalid argument, out of
-    memory, cancelled. Costs what obc_mesh_topology costs."""
+    """Checks the requirements of sphere maps: closed, connected, manifold, consistently oriented, genus 0. Returns OBC_OK, or not
+    closed, not manifold, wrong genus or degenerate with the kind and the first location in `error`. Costs as much as
+    obc_mesh_topology. Errors: those, invalid argument, out of memory, cancelled."""
     ...
 
 def obc_mesh_orient_report_init(report: Pointer, struct_size: int) -> int:
-    """An empty report that knows its size."""
+    """Fills a report with zeros and its size."""
     ...
 
 def obc_mesh_orient(positions: Pointer, vertex_count: int, triangles: Pointer, triangle_count: int, host: Pointer, report: Pointer, error: Pointer) -> int:
-    """Turns triangles in place so that neighbours agree, the fewer of each part, and then all of them when the surface is closed
-    and its volume negative. report may be NULL. Errors: invalid argument, not manifold (non-orientable; nothing is changed
-    then), out of memory, cancelled. O(n)."""
+    """Reverses triangles in place until neighbors are consistently oriented, the minority of each component, and then all of them if the
+    surface is closed with negative volume. report may be NULL. O(n). Errors: invalid argument, not manifold (non-orientable;
+    nothing is changed), out of memory, cancelled."""
     ...
 
 def obc_mesh_first_at_same_position(positions: Pointer, vertex_count: int, host: Pointer, first: Pointer, error: Pointer) -> int:
-    """For each vertex the lowest vertex at its very position (-0 is 0), vertex_count entries. Errors: invalid argument, out of
-    memory, cancelled. O(n)."""
+    """Computes for each vertex the lowest vertex at exactly its position (-0 equals 0), vertex_count entries. O(n). Errors: invalid argument,
+    out of memory, cancelled."""
     ...
 
 def obc_mesh_intersections(surface: Pointer, host: Pointer, pairs: Pointer, capacity: int, count: Pointer, error: Pointer) -> int:
-    """Pairs of triangles that have more in common than the vertices they share by number, decided by exact predicates: the first
-    `capacity` pairs in ascending order, two entries each, the lower triangle first; *count is how many were written. Triangles
-    without area are left out. Works on the host's threads. Errors: invalid argument, out of memory, cancelled. O(n log n +
-    pairs whose boxes overlap)."""
+    """Finds pairs of triangles that intersect in more than their shared vertices, by exact predicates: the first `capacity` pairs in
+    ascending order, two entries each, the lower triangle first. *count receives the number of pairs written. Triangles of zero area
+    are left out. Uses the threads of the host. O(n log n + pairs of overlapping boxes). Errors: invalid argument, out of memory,
+    cancelled."""
     ...
 
 def obc_mesh_search_create(surface: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Copies the surface. host may be NULL; its allocator must stay valid until _destroy. Errors: invalid argument (also: a coordinate
-    beyond 1e150, here and in points), out of memory, cancelled. O(n log n), about 200 bytes a triangle."""
+    """Creates a search structure from a copy of the surface. host may be NULL; its allocator must remain valid until _destroy.
+    O(n log n), about 200 bytes a triangle. Errors: invalid argument (also: a coordinate beyond 1e150, here and in points),
+    out of memory, cancelled."""
     ...
 
 def obc_mesh_search_destroy(search: Pointer) -> None:
-    """Releases a search; NULL is fine."""
+    """Destroys a search structure; NULL is allowed."""
     ...
 
 def obc_mesh_search_vertices(search: Pointer, points: Pointer, count: int, vertices: Pointer, error: Pointer) -> int:
-    """For each of `count` points (3 * count doubles) the nearest vertex, the lowest of equals. Errors: invalid argument (also: a
-    point that is not finite, no vertices). O(log n) a point on average."""
+    """Finds the nearest vertex of each of `count` points (3 * count doubles), the lowest of equally near ones. O(log n) a point on
+    average. Errors: invalid argument (also: a point that is not finite, no vertices)."""
     ...
 
 def obc_mesh_search_surface(search: Pointer, points: Pointer, count: int, triangles: Pointer, weights: Pointer, positions: Pointer, distances: Pointer, error: Pointer) -> int:
-    """For each of `count` points the nearest point of the surface: its triangle (the lowest of equals), its weights at the
-    triangle's corners (3 * count, none negative, sum 1), its position (3 * count) and its distance; each array may be NULL.
-    Errors: invalid argument (also: a point that is not finite, no triangles). O(log n) a point on average."""
+    """Finds the nearest point of the surface to each of `count` points: its triangle (the lowest of equally near ones), its barycentric
+    coordinates (3 * count, nonnegative, sum 1), its position (3 * count) and its distance; each array may be NULL. O(log n) a
+    point on average. Errors: invalid argument (also: a point that is not finite, no triangles)."""
     ...
 
 def obc_mesh_orientation_2d(a: Pointer, b: Pointer, c: Pointer) -> int:
-    """Sign of (b - a) x (c - a): 1 when the triangle a, b, c of the plane is counter-clockwise."""
+    """Returns the sign of (b - a) x (c - a): 1 if the triangle a, b, c in the plane is counter-clockwise."""
     ...
 
 def obc_mesh_orientation_3d(a: Pointer, b: Pointer, c: Pointer, d: Pointer) -> int:
-    """Sign of det[b - a, c - a, d - a]: 1 when the tetrahedron a, b, c, d has positive volume."""
+    """Returns the sign of det[b - a, c - a, d - a]: 1 if the tetrahedron a, b, c, d has positive volume."""
     ...
 
 def obc_mesh_orientation_from_origin(p: Pointer, q: Pointer, r: Pointer) -> int:
-    """Sign of det[p, q, r]: 1 when p, q, r are counter-clockwise seen from outside a sphere around the origin."""
+    """Returns the sign of det[p, q, r]: 1 if p, q, r are counter-clockwise seen from outside a sphere around the origin."""
     ...
 
 def obc_mesh_version() -> int:
-    """Version of this library, major * 10000 + minor * 100 + patch."""
+    """Returns the version of the library, major * 10000 + minor * 100 + patch."""
     ...

@@ -17,7 +17,7 @@ OBC_POLYCUBE_GRADIENT = 1
 
 
 class obc_polycube_certificate(_Struct):
-    """What certification finds. Fill struct_size."""
+    """Findings of the certification. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("valid", _c.c_int32),
@@ -29,7 +29,7 @@ class obc_polycube_certificate(_Struct):
 
 
 class obc_polycube_options(_Struct):
-    """How a polycube is looked for. Fill with _init."""
+    """Options of the construction. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("construction", _c.c_int32),
@@ -39,7 +39,7 @@ class obc_polycube_options(_Struct):
 
 
 class obc_polycube_domain_options(_Struct):
-    """Fill with _init."""
+    """Options of the optimization of proportions. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("measure", _c.c_int32),
@@ -48,8 +48,9 @@ class obc_polycube_domain_options(_Struct):
 
 
 class obc_polycube_domain_report(_Struct):
-    """What was found. Fill struct_size. The means are those of the result, each 1 for an isometry: `angle` the harmonic energy of a
-    triangle over its area on the polycube, `area` (r + 1/r) / 2 for the ratio r of areas, at equal areas of the whole."""
+    """Figures of the optimization of proportions. Angle distortion is the harmonic energy over the area on the polycube, area distortion
+    (r + 1/r) / 2 for the ratio r of areas at equal total areas; their means, without degenerate triangles (see
+    obc_sphere_map_report), are 1 for an isometry. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("converged", _c.c_int32),
@@ -67,7 +68,7 @@ class obc_polycube_domain_report(_Struct):
 
 
 class obc_polycube_corner_options(_Struct):
-    """Fill with _init."""
+    """Options of the optimization of corners. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("method", _c.c_int32),
@@ -78,7 +79,8 @@ class obc_polycube_corner_options(_Struct):
 
 
 class obc_polycube_corner_report(_Struct):
-    """What was found. Fill struct_size. Energies are means over the surface of angle + area_weight * area, as in the domain report."""
+    """Figures of the optimization of corners. Energies are means over the surface of angle + area_weight * area distortion, as in the
+    domain report. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("converged", _c.c_int32),
@@ -96,8 +98,9 @@ class obc_polycube_corner_report(_Struct):
 
 
 class obc_polycube_feature_options(_Struct):
-    """What must be mapped where. Weights are those of squared distances in parts of the polycube's area, beside a distortion that is 2
-    for an isometry; 0, or no weights, is for what must be met exactly. Fill with _init."""
+    """Features: vertices and curves of the map with target positions on its polycube. A weight multiplies the squared distance, as a fraction of
+    the polycube's area, next to a distortion that is 2 for an isometry; weight 0, or no weights, enforces the target exactly. Fill with
+    _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("point_count", _c.c_size_t),
@@ -114,8 +117,7 @@ class obc_polycube_feature_options(_Struct):
 
 
 class obc_polycube_feature_report(_Struct):
-    """What was reached. Fill struct_size. Distances on the polycube, the largest of all features; the length of sharp edges on the
-    surface, and what of it lay and lies on edges of the polycube."""
+    """Figures of the alignment. Lengths of sharp edges are lengths on the surface. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("distance_before", _c.c_double),
@@ -131,9 +133,7 @@ class obc_polycube_feature_report(_Struct):
 
 
 class obc_polycube_places(_Struct):
-    """Places of corners, for obc_polycube_compute_on: corner i is vertex corners[i] of the polycube; it is to be at vertex
-    vertices[i] of the surface or, where that is UINT32_MAX or vertices is NULL, at the point of the surface that is nearest to
-    points[3 i], [3 i + 1], [3 i + 2]."""
+    """Positional constraints of corners, for obc_polycube_compute_on."""
     _fields_ = [
         ("corners", _c.c_void_p),
         ("vertices", _c.c_void_p),
@@ -143,7 +143,7 @@ class obc_polycube_places(_Struct):
 
 
 class obc_polycube_quads_options(_Struct):
-    """How fine. Fill with _init."""
+    """Resolution of a quad mesh. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("quads", _c.c_size_t),
@@ -199,5 +199,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("polycube", ["base", "mesh"], _functions, globals(), name)

@@ -24,6 +24,7 @@ OBC_PROJECTED_GRADIENT_INFEASIBLE = 6
 OBC_PROJECTED_GRADIENT_CANCELLED = 7
 OBC_PROJECTED_GRADIENT_EVALUATION_FAILED = 8
 OBC_PROJECTED_GRADIENT_PROJECTION_FAILED = 9
+OBC_PROJECTED_GRADIENT_UNBOUNDED = 10
 
 OBC_PROJECTED_GRADIENT_CONTINUE = 0
 OBC_PROJECTED_GRADIENT_STOP = 1
@@ -35,8 +36,7 @@ obc_projected_gradient_projection = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_s
 
 
 class obc_projected_gradient_problem(_Struct):
-    """The feasible set; what is pointed at is copied. Fill with _problem_init first. Either bounds and rows, or a projection
-    of the caller's own. Rows may be redundant."""
+    """The feasible set: either bounds and rows, or a projection of the caller. Arrays are copied. Fill with _problem_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("n", _c.c_size_t),
@@ -53,7 +53,7 @@ class obc_projected_gradient_problem(_Struct):
 
 
 class obc_projected_gradient_options(_Struct):
-    """Fill with _options_init."""
+    """Options of a run. Fill with _options_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("method", _c.c_int32),
@@ -69,7 +69,7 @@ class obc_projected_gradient_options(_Struct):
 
 
 class obc_projected_gradient_result(_Struct):
-    """What is known of a run; set struct_size before asking for it."""
+    """State of a run. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("stop", _c.c_int32),
@@ -81,6 +81,21 @@ class obc_projected_gradient_result(_Struct):
         ("iterations", _c.c_uint64),
         ("projection_passes", _c.c_uint64),
         ("certificate_gap", _c.c_double),
+    ]
+
+
+class obc_projected_gradient_check(_Struct):
+    """Comparison of a gradient with finite differences. The caller sets struct_size."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("agrees", _c.c_int32),
+        ("worst", _c.c_size_t),
+        ("told", _c.c_double),
+        ("difference", _c.c_double),
+        ("error", _c.c_double),
+        ("uncertainty", _c.c_double),
+        ("compared", _c.c_size_t),
+        ("evaluations", _c.c_uint64),
     ]
 
 
@@ -99,11 +114,12 @@ _functions = [
     ("obc_projected_gradient_destroy", None, [_c.c_void_p]),
     ("obc_projected_gradient_minimize", _c.c_int32, [_c.c_void_p, _c.c_void_p, obc_projected_gradient_function, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_projected_gradient_project", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_projected_gradient_check_gradient", _c.c_int32, [_c.c_void_p, obc_projected_gradient_function, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_projected_gradient_stop_name", _c.c_char_p, [_c.c_int32]),
     ("obc_projected_gradient_version", _c.c_uint32, []),
 ]
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("projected_gradient", ["base"], _functions, globals(), name)

@@ -54,5 +54,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("quaternion", ["base"], _functions, globals(), name)

@@ -20,6 +20,7 @@ obc_sphere_map_trace_function = _c.CFUNCTYPE(None, _c.c_uint64, _c.c_uint64, _c.
 
 
 class obc_sphere_map_options(_Struct):
+    """Options of a map. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("method", _c.c_int32),
@@ -32,8 +33,11 @@ class obc_sphere_map_options(_Struct):
 
 
 class obc_sphere_map_report(_Struct):
-    """Figures of a map. The surface counts as scaled to the area of the unit sphere, 4 pi. sigma are the singular values of the
-    affine map from a surface triangle to its flat spherical triangle t, d is the distance of t from the origin."""
+    """Figures of a map, for a surface scaled to the area of the unit sphere, 4 pi. sigma_1 >= sigma_2 are the singular values of the affine
+    map from a surface triangle T to its flat spherical triangle t, d is the distance of t from the origin. Vertices in no
+    triangle do not count. Energies, distortions, ratios and means leave out degenerate triangles, whose angles are rounding errors:
+    those with a height of at most 1e-6 of the longest side, or at most 4 rounding units of the largest coordinate (2^-24 of it where
+    all coordinates of the surface are float32 values, otherwise 2^-53)."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("bijective", _c.c_int32),
@@ -56,7 +60,8 @@ class obc_sphere_map_report(_Struct):
 
 
 class obc_sphere_map_distance(_Struct):
-    """Distances from points of one surface (vertices and centroids) to the nearest point of the other, and back."""
+    """Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
+    unit of the surfaces."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("reserved", _c.c_uint32),
@@ -101,5 +106,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("sphere_map", ["base", "mesh"], _functions, globals(), name)

@@ -36,7 +36,7 @@ obc_sphere_optimizer_block_function = _c.CFUNCTYPE(_c.c_int32, _c.c_size_t, _c.c
 
 
 class obc_sphere_optimizer_options(_Struct):
-    """Fill with _options_init."""
+    """Options of an all-at-once run. Fill with _options_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("method", _c.c_int32),
@@ -50,7 +50,7 @@ class obc_sphere_optimizer_options(_Struct):
 
 
 class obc_sphere_optimizer_result(_Struct):
-    """What is known of a run; set struct_size before asking for it."""
+    """State of a run. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("stop", _c.c_int32),
@@ -63,7 +63,7 @@ class obc_sphere_optimizer_result(_Struct):
 
 
 class obc_sphere_optimizer_blocks(_Struct):
-    """The spheres and who is whose neighbour; fill with _blocks_init."""
+    """The spheres and their adjacency. Fill with _blocks_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("dimension", _c.c_uint32),
@@ -74,7 +74,7 @@ class obc_sphere_optimizer_blocks(_Struct):
 
 
 class obc_sphere_optimizer_relaxation_options(_Struct):
-    """Fill with _relaxation_options_init."""
+    """Options of a relaxation. Fill with _relaxation_options_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("method", _c.c_int32),
@@ -88,7 +88,7 @@ class obc_sphere_optimizer_relaxation_options(_Struct):
 
 
 class obc_sphere_optimizer_relaxation_result(_Struct):
-    """What a relaxation did; set struct_size before asking for it."""
+    """State of a relaxation. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("stop", _c.c_int32),
@@ -129,5 +129,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("sphere_optimizer", ["base"], _functions, globals(), name)

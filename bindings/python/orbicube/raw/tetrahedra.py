@@ -6,8 +6,8 @@ from .._library import Struct as _Struct
 
 
 class obc_tetrahedra_options(_Struct):
-    """What tetrahedra should be like. TetGen adds vertices inside until they are, but where the surface stands in the way; its last
-    step, flips and moves for better angles, may overstep the bounds again by a little, in few places. Fill with _init."""
+    """Quality and size of tetrahedra. TetGen inserts vertices until the bounds are satisfied, except where the surface prevents it; its last
+    step, flips and moves for better angles, may exceed the bounds slightly at a few tetrahedra. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("keep_surface", _c.c_int32),
@@ -37,5 +37,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("tetrahedra", ["base", "mesh"], _functions, globals(), name)

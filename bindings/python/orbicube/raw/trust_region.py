@@ -23,6 +23,7 @@ OBC_TRUST_REGION_NOISE_LIMIT = 4
 OBC_TRUST_REGION_STALLED = 5
 OBC_TRUST_REGION_CANCELLED = 6
 OBC_TRUST_REGION_EVALUATION_FAILED = 7
+OBC_TRUST_REGION_RESOLUTION_LIMIT = 8
 
 OBC_TRUST_REGION_CONTINUE = 0
 OBC_TRUST_REGION_STOP = 1
@@ -32,7 +33,7 @@ obc_trust_region_function = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_size_t, _
 
 
 class obc_trust_region_problem(_Struct):
-    """What is minimised; what is pointed at is copied. Fill with _problem_init first."""
+    """The problem. Arrays are copied. Fill with _problem_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("n", _c.c_size_t),
@@ -45,7 +46,7 @@ class obc_trust_region_problem(_Struct):
 
 
 class obc_trust_region_options(_Struct):
-    """Fill with _options_init."""
+    """Options of a run. Fill with _options_init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("method", _c.c_int32),
@@ -62,7 +63,7 @@ class obc_trust_region_options(_Struct):
 
 
 class obc_trust_region_result(_Struct):
-    """What is known of a run; set struct_size before asking for it."""
+    """State of a run. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("stop", _c.c_int32),
@@ -97,5 +98,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("trust_region", ["base"], _functions, globals(), name)

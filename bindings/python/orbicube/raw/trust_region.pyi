@@ -22,6 +22,7 @@ OBC_TRUST_REGION_NOISE_LIMIT: int
 OBC_TRUST_REGION_STALLED: int
 OBC_TRUST_REGION_CANCELLED: int
 OBC_TRUST_REGION_EVALUATION_FAILED: int
+OBC_TRUST_REGION_RESOLUTION_LIMIT: int
 
 OBC_TRUST_REGION_CONTINUE: int
 OBC_TRUST_REGION_STOP: int
@@ -68,76 +69,77 @@ class obc_trust_region_result(Struct):
     def __init__(self, struct_size: int = ..., stop: int = ..., value: float = ..., radius: float = ..., resolution: float = ..., evaluations: int = ..., failed_evaluations: int = ..., iterations: int = ..., restarts: int = ..., points: int = ..., rebuilds: int = ...) -> None: ...
 
 def obc_trust_region_problem_init(problem: Pointer, struct_size: int) -> int:
-    """An empty problem: n = 0, a scalar f, no bounds."""
+    """Fills a problem with n = 0, a scalar f and no bounds."""
     ...
 
 def obc_trust_region_options_init(options: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give."""
+    """Fills options with the defaults."""
     ...
 
 def obc_trust_region_create(problem: Pointer, options: Pointer, x0: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Makes a solver that starts at x0 (n entries, x0 / scale within 1e150), moved into the bounds. options and host may be NULL; what the host points at
-    must stay valid until _destroy. Errors: invalid argument, out of memory."""
+    """Creates a solver that starts at x0 (n entries, x0 / scale within 1e150), moved into the bounds. options and host may be NULL;
+    what the host points to must remain valid until _destroy. Errors: invalid argument, out of memory."""
     ...
 
 def obc_trust_region_give(solver: Pointer, points: Pointer, outputs: Pointer, count: int, error: Pointer) -> int:
-    """Gives evaluations made before, `count` points (count x n, row by row, within the bounds) with their outputs (count, or
-    count x m): before the first step. They do not count against max_evaluations. The run begins at the lowest of them
-    instead of x0, and uses those near it in the place of evaluations of its own; of more than it can interpolate it keeps
-    the lowest. Errors: invalid argument (also for an output that is not finite)."""
+    """Supplies earlier evaluations before the first step: `count` points (count x n, row by row, within the bounds) with their outputs
+    (count, or count x m). They do not count against max_evaluations. The run starts at the lowest of them in place of x0 and
+    uses nearby ones in place of its own evaluations; of more points than it can interpolate it keeps the lowest.
+    Errors: invalid argument (also for an output that is not finite), out of memory."""
     ...
 
 def obc_trust_region_step(solver: Pointer, points: Pointer, count: Pointer) -> int:
-    """Goes on to the next request: NEED_VALUES, ITERATION or DONE, or a negative obc_status when the solver is NULL or on a
-    defect. With NEED_VALUES, *points (may be NULL) is what is asked for: *count (may be NULL) rows of n entries, in the
-    solver's memory until its next call other than _tell. Rows may be evaluated at the same time; there is one, but at the
-    start of a CROSS. Until each is answered by _tell, and after DONE, the answer stays the same, less the rows told."""
+    """Advances to the next request and returns it: NEED_VALUES, ITERATION or DONE, or a negative obc_status for NULL or after a
+    defect. With NEED_VALUES, *points (points may be NULL) are *count (count may be NULL) rows of n entries in memory of the solver,
+    valid until its next call other than _tell. The rows may be evaluated in parallel; there is one, except at the start of a
+    CROSS. Until _tell has supplied all of them, and after DONE, the same request is returned, without the supplied rows."""
     ...
 
 def obc_trust_region_tell(solver: Pointer, outputs: Pointer, error: Pointer) -> int:
-    """Answers NEED_VALUES at the first of the points asked for: f, or m residuals. Not finite, or outputs NULL: f cannot be
-    evaluated there. Errors: invalid argument when nothing was asked."""
+    """Supplies f, or m residuals, at the first requested point. An entry that is not finite, or outputs NULL, means that f is
+    undefined there. Errors: invalid argument if no request waits."""
     ...
 
 def obc_trust_region_get_result(solver: Pointer, result: Pointer, x: Pointer, outputs: Pointer, error: Pointer) -> int:
-    """What is known now, at any time: result (or NULL), and the lowest point evaluated, x (n entries, or NULL) with its outputs (1
-    or m, or NULL; NaN before the first value). Before the first value x is the start."""
+    """Copies the current state at any time: result (or NULL), and the lowest evaluated point, x (n entries, or NULL), with its outputs
+    (1 or m, or NULL; NaN before the first value). Before the first value x is the start. Errors: invalid argument."""
     ...
 
 def obc_trust_region_save_size(solver: Pointer) -> int:
-    """A run as bytes, at any time between two calls: save_size gives their number, save writes them to blob (capacity at least
-    that). load makes a solver from them that goes on with the same bits; the problem must be the one of the saved run, the
-    options are those of the saved run. For machines of the same byte order. Errors: invalid argument (another problem),
-    malformed file (damaged, or of another version)."""
+    """Save and restore a run between two calls. save_size returns the number of bytes, save writes them to blob, whose capacity is at
+    least that. load creates a solver that continues with the same bits and the saved options; the problem must be that of the
+    saved run. Both machines need the same byte order. Errors: invalid argument (another problem), malformed file (damaged,
+    or of another version), out of memory."""
     ...
 
 def obc_trust_region_save(solver: Pointer, blob: Pointer, capacity: int, error: Pointer) -> int:
-    """A run as bytes, at any time between two calls: save_size gives their number, save writes them to blob (capacity at least
-    that). load makes a solver from them that goes on with the same bits; the problem must be the one of the saved run, the
-    options are those of the saved run. For machines of the same byte order. Errors: invalid argument (another problem),
-    malformed file (damaged, or of another version)."""
+    """Save and restore a run between two calls. save_size returns the number of bytes, save writes them to blob, whose capacity is at
+    least that. load creates a solver that continues with the same bits and the saved options; the problem must be that of the
+    saved run. Both machines need the same byte order. Errors: invalid argument (another problem), malformed file (damaged,
+    or of another version), out of memory."""
     ...
 
 def obc_trust_region_load(problem: Pointer, blob: Pointer, size: int, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """A run as bytes, at any time between two calls: save_size gives their number, save writes them to blob (capacity at least
-    that). load makes a solver from them that goes on with the same bits; the problem must be the one of the saved run, the
-    options are those of the saved run. For machines of the same byte order. Errors: invalid argument (another problem),
-    malformed file (damaged, or of another version)."""
+    """Save and restore a run between two calls. save_size returns the number of bytes, save writes them to blob, whose capacity is at
+    least that. load creates a solver that continues with the same bits and the saved options; the problem must be that of the
+    saved run. Both machines need the same byte order. Errors: invalid argument (another problem), malformed file (damaged,
+    or of another version), out of memory."""
     ...
 
 def obc_trust_region_destroy(solver: Pointer) -> None:
-    """Frees a solver; NULL is fine."""
+    """Destroys a solver; NULL is allowed."""
     ...
 
 def obc_trust_region_minimize(problem: Pointer, options: Pointer, f: Any, user: Pointer, x: Pointer, result: Pointer, host: Pointer, error: Pointer) -> int:
-    """Runs to the end with a callback. x (n entries) is the start and receives the best point; result may be NULL. Errors:
-    invalid argument, out of memory, cancelled (by the host; x and result are filled). How the run ended is result's stop."""
+    """Runs to the end with a callback. x (n entries) is the start and receives the best point; result may be NULL. Returns OBC_OK
+    however the run ended (see result->stop), except OBC_CANCELLED where the host cancelled it; x and result are filled in that case
+    too. Errors: invalid argument, out of memory, cancelled."""
     ...
 
 def obc_trust_region_stop_name(stop: int) -> bytes | None:
-    """Short English name of an end, such as "converged". Never NULL; a static string."""
+    """Returns the English name of a stop code, such as "converged"; a static string, never NULL."""
     ...
 
 def obc_trust_region_version() -> int:
-    """Version of this library, major * 10000 + minor * 100 + patch."""
+    """Returns the version of the library, major * 10000 + minor * 100 + patch."""
     ...

@@ -14,8 +14,8 @@ OBC_VOLUME_MAP_METHOD_VOXELS = 2
 
 
 class obc_volume_map_tangle(_Struct):
-    """A mesh to untangle: a view, kept by no function. Fill with _init, then set what there is. Coordinates are numbered
-    3 * vertex + axis."""
+    """A mesh to untangle, with its constraints: a view of arrays of the caller. Coordinate 3 * vertex + axis is that of an axis of a vertex. Fill with
+    _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("reserved", _c.c_int32),
@@ -30,7 +30,7 @@ class obc_volume_map_tangle(_Struct):
 
 
 class obc_volume_map_untangle_options(_Struct):
-    """Fill with _init."""
+    """Options of untangling. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("steps", _c.c_int32),
@@ -41,7 +41,7 @@ class obc_volume_map_untangle_options(_Struct):
 
 
 class obc_volume_map_untangle_report(_Struct):
-    """Figures of a run. Determinants are those of the map from the wanted shapes, scaled so that 1 keeps the volume."""
+    """Figures of untangling. Determinants are those of the maps from the target shapes, scaled so that 1 preserves the volume."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("first_inverted", _c.c_uint32),
@@ -56,7 +56,7 @@ class obc_volume_map_untangle_report(_Struct):
 
 
 class obc_volume_map_solid_options(_Struct):
-    """Fill with _init."""
+    """Options of a map of a solid. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("reserved", _c.c_int32),
@@ -66,7 +66,7 @@ class obc_volume_map_solid_options(_Struct):
 
 
 class obc_volume_map_hexes_options(_Struct):
-    """Fill with _init."""
+    """Options of a hexahedral mesh. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("padding", _c.c_int32),
@@ -83,8 +83,8 @@ class obc_volume_map_hexes_options(_Struct):
 
 
 class obc_volume_map_hexes_report(_Struct):
-    """What was made. Fill struct_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
-    three edges there over the product of their lengths: 1 for a box."""
+    """Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
+    three edges there over the product of their lengths: 1 for a box. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("padded", _c.c_int32),
@@ -101,7 +101,7 @@ class obc_volume_map_hexes_report(_Struct):
 
 
 class obc_volume_map_frame_options(_Struct):
-    """Fill with _init."""
+    """Options of a frame-guided hexahedral mesh. Fill with _init."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("rounds", _c.c_int32),
@@ -113,7 +113,7 @@ class obc_volume_map_frame_options(_Struct):
 
 
 class obc_volume_map_frame_report(_Struct):
-    """What was made. Fill struct_size. Scaled Jacobians as in obc_volume_map_hexes_report."""
+    """Figures of a frame-guided hexahedral mesh. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("integers_optimal", _c.c_int32),
@@ -157,5 +157,5 @@ _functions = [
 
 
 def __getattr__(name):
-    """A function; the shared library is loaded when the first one is asked for."""
+    """A function; the shared library is loaded at the first use."""
     return _bind("volume_map", ["base", "mesh"], _functions, globals(), name)

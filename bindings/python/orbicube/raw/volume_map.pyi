@@ -105,111 +105,112 @@ class obc_volume_map_frame_report(Struct):
     def __init__(self, struct_size: int = ..., integers_optimal: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., off_surface: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., distance: float = ..., volume_error: float = ...) -> None: ...
 
 def obc_volume_map_tangle_init(tangle: Pointer, struct_size: int) -> int:
-    """A mesh of nothing; the defaults, which the members' comments give; zeros."""
+    """Fill a mesh with no vertices, options with the defaults, and a report with zeros."""
     ...
 
 def obc_volume_map_untangle_options_init(options: Pointer, struct_size: int) -> int:
-    """A mesh of nothing; the defaults, which the members' comments give; zeros."""
+    """Fill a mesh with no vertices, options with the defaults, and a report with zeros."""
     ...
 
 def obc_volume_map_untangle_report_init(report: Pointer, struct_size: int) -> int:
-    """A mesh of nothing; the defaults, which the members' comments give; zeros."""
+    """Fill a mesh with no vertices, options with the defaults, and a report with zeros."""
     ...
 
 def obc_volume_map_untangle(tangle: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer) -> int:
-    """Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
-    same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
-    tangle->positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
-    Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
-    all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+    """Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be tangle->positions; fixed coordinates are
+    unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
+    NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
+    Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
+    errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
     not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
-    malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
-    rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled."""
+    malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
+    tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled."""
     ...
 
 def obc_volume_map_solid_options_init(options: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give."""
+    """Fills options with the defaults."""
     ...
 
 def obc_volume_map_solid_compute(positions: Pointer, vertex_count: int, tetrahedra: Pointer, tetrahedron_count: int, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Finds a polycube of the boundary of a solid and a map of the solid to it: every tetrahedron is positive, on the polycube and
-    in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
-    meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
-    host must stay valid until _destroy. Minutes for a hundred thousand tetrahedra.
-    A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
-    Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood
-    in the way; out of memory, cancelled."""
+    """Computes a polycube of the boundary of a solid and a map of the solid to it. Every tetrahedron is positive on the polycube and in
+    space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming.
+    Tetrahedra are split where the map requires it. The polycube of a cavity lies within that of the outer boundary; polycubes of
+    several pieces stand side by side along x. options and host may be NULL; the allocator of the host must remain valid until
+    _destroy. Takes minutes for a hundred thousand tetrahedra.
+    Errors: invalid argument; malformed file (index-range); degenerate; not manifold; not closed; no valid result with the
+    obstacle; out of memory; cancelled."""
     ...
 
 def obc_volume_map_solid_destroy(solid: Pointer) -> None:
-    """NULL is fine, here and in the functions that count (0)."""
+    """Destroys a map; NULL is allowed."""
     ...
 
 def obc_volume_map_solid_vertex_count(solid: Pointer) -> int:
-    """NULL is fine, here and in the functions that count (0)."""
+    """Return the number of vertices and of tetrahedra after splits; 0 for NULL."""
     ...
 
 def obc_volume_map_solid_tetrahedron_count(solid: Pointer) -> int:
-    """NULL is fine, here and in the functions that count (0)."""
+    """Return the number of vertices and of tetrahedra after splits; 0 for NULL."""
     ...
 
 def obc_volume_map_solid_copy(solid: Pointer, positions: Pointer, polycube: Pointer, tetrahedra: Pointer, error: Pointer) -> int:
-    """x y z a vertex in space, and on the polycube; four vertices a tetrahedron. Each may be NULL. Errors: invalid argument."""
+    """Copies positions in space and on the polycube (x y z a vertex) and tetrahedra (four vertices each); each may be NULL.
+    Errors: invalid argument."""
     ...
 
 def obc_volume_map_hexes_options_init(options: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give."""
+    """Fills options with the defaults."""
     ...
 
 def obc_volume_map_hexes_compute(surface: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
-    """Fills a closed surface with hexahedra: oriented, looking outward, of any genus, in one piece or in several that lie apart,
-    which get their parts of the cells by their volumes. Parts within a piece that look inward are the walls of cavities, which
-    stay empty. Hexahedra meet in whole faces, the boundary has the parts and the genus of the surface, each hexahedron has
-    positive corners by exact signs and a trilinear map that is certainly positive. In the report of several pieces, corners and
-    vertices are all of them, distance and volume_error the largest, in percent of its own piece. options, host and report may be
-    NULL; the allocator of the host must stay valid until _destroy.
-    Errors: invalid argument; not closed; not manifold (kinds self-intersection: parts that meet, inconsistent-orientation: parts
-    that look into the solid); degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled."""
+    """Fills a closed, outward-oriented surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the
+    cells are divided by volume; inward-oriented components within a piece bound cavities. Hexahedra are conforming, the
+    boundary has the components and the genus of the surface, each hexahedron has positive corners by exact signs and a
+    trilinear map with proven positive determinant. options, host and report may be NULL; the allocator of the host must remain valid
+    until _destroy.
+    Errors: invalid argument (also: more pieces than cells); not closed; not manifold (kinds self-intersection: components
+    intersect; inconsistent-orientation: components oriented into the solid); degenerate; malformed file; no valid result with the
+    obstacle; out of memory; cancelled."""
     ...
 
 def obc_volume_map_hexes_destroy(hexes: Pointer) -> None:
-    """NULL is fine, here and in the functions that count (0)."""
+    """Destroys a mesh; NULL is allowed."""
     ...
 
 def obc_volume_map_hexes_vertex_count(hexes: Pointer) -> int:
-    """NULL is fine, here and in the functions that count (0)."""
+    """Return the number of vertices, hexahedra and boundary quads; 0 for NULL."""
     ...
 
 def obc_volume_map_hexes_count(hexes: Pointer) -> int:
-    """NULL is fine, here and in the functions that count (0)."""
+    """Return the number of vertices, hexahedra and boundary quads; 0 for NULL."""
     ...
 
 def obc_volume_map_hexes_quad_count(hexes: Pointer) -> int:
-    """NULL is fine, here and in the functions that count (0)."""
+    """Return the number of vertices, hexahedra and boundary quads; 0 for NULL."""
     ...
 
 def obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_faces: Pointer, error: Pointer) -> int:
-    """x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
-    counter-clockwise seen from outside, and the face of the polycube that it lies on (0 by voxels). Each may be NULL. Errors: invalid
-    argument."""
+    """Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
+    counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
+    Errors: invalid argument."""
     ...
 
 def obc_volume_map_frame_options_init(options: Pointer, struct_size: int) -> int:
-    """The defaults, which the members' comments give."""
+    """Fills options with the defaults."""
     ...
 
 def obc_volume_map_frame_hexes_compute(positions: Pointer, vertex_count: int, tetrahedra: Pointer, tetrahedron_count: int, frames: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
     """Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
-    Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
-    tetrahedron as in <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are
-    made and repaired, until a map follows one. The faces of the result (obc_volume_map_hexes_copy) are the parts of the boundary
-    that lie in one plane of the map. Where their boundary is farther from that of the solid than asked for, it is held there, then
-    there are more cells, as in obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must stay valid until _destroy.
-    Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
-    has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
-    out of memory, cancelled."""
+    Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
+    <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
+    until a map follows one. The patch numbers of obc_volume_map_hexes_copy are those of connected boundary regions in one
+    plane of the map. Where the boundary exceeds `distance`, it is fixed to the map's surface, then cells are added as in
+    obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must remain valid until _destroy.
+    Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
+    follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with
+    the location; out of memory; cancelled."""
     ...
 
 def obc_volume_map_version() -> int:
-    """Version of this library, major * 10000 + minor * 100 + patch."""
+    """Returns the version of the library, major * 10000 + minor * 100 + patch."""
     ...

@@ -3,91 +3,104 @@
 
 use std::os::raw::{c_char, c_void};
 
+/// success
 pub const OBC_OK: i32 = 0;
-/// NULL, NaN or a wrong size where that is not allowed, or an unknown option
+/// an argument is NULL, not finite or out of range, or an option is unknown
 pub const OBC_INVALID_ARGUMENT: i32 = -1;
-/// the file is not what its format asks for
+/// the contents violate the file format
 pub const OBC_MALFORMED_FILE: i32 = -2;
 /// the surface has a boundary
 pub const OBC_NOT_CLOSED: i32 = -3;
-/// edges, vertices or orientation are not those of one manifold
+/// edges, vertices or orientation are not those of a manifold
 pub const OBC_NOT_MANIFOLD: i32 = -4;
-/// the method needs another genus
+/// the method requires another genus
 pub const OBC_WRONG_GENUS: i32 = -5;
-/// no area, no volume, or a cell without either
+/// the input has zero area or volume, or a degenerate cell
 pub const OBC_DEGENERATE: i32 = -6;
+/// an allocation failed; everything is released
 pub const OBC_OUT_OF_MEMORY: i32 = -7;
-/// the host's progress callback asked to stop
+/// the host's progress callback requested the end
 pub const OBC_CANCELLED: i32 = -8;
-/// a file could not be opened, read or written
+/// a file cannot be opened, read or written
 pub const OBC_IO: i32 = -9;
-/// legal, but not something that this library does
+/// valid input that this library does not handle
 pub const OBC_UNSUPPORTED: i32 = -10;
 /// the method ended without a result that can be certified
 pub const OBC_NO_VALID_RESULT: i32 = -11;
 /// a defect of the library
 pub const OBC_INTERNAL: i32 = -12;
 
+/// Outcome of a call: OBC\_OK or one of the negative values below.
 pub type obc_status = i32;
 
-/// Progress of a computation: its phase, how much of it is done (total is 0 where it is not known) and the best value of
-/// the objective so far (NaN where there is none). Answer 0 to go on, anything else to stop with OBC\_CANCELLED. Called
-/// on the thread that called the library, often enough to stop within 50 ms.
+/// Receives the progress of a computation: the name of the phase, the completed and the total amount of its work (total 0: unknown) and
+/// the lowest objective value so far (NaN: none). obc\_host.fraction has the fraction of the whole call. Returns 0 to continue, any
+/// other value to end the call with OBC\_CANCELLED. Runs on the thread that called the library, at intervals of at most 50 ms.
 pub type obc_progress_function = Option<unsafe extern "C" fn(phase: *const c_char, done: u64, total: u64, best: f64, user: *mut c_void) -> i32>;
 
-/// One line for a log, without a line end.
+/// Receives one line for a log, without a line end.
 pub type obc_log_function = Option<unsafe extern "C" fn(line: *const c_char, user: *mut c_void)>;
 
-/// A host's job system: calls task(i, context) once for every i in \[0, count), on any threads, and returns when all of
-/// them are done. Results never depend on order or on the number of threads.
+/// Job system of the program. Calls task(i, context) once for each i in \[0, count), on any threads and in any order, and returns after
+/// the last one. Results do not depend on the order or the number of threads.
 pub type obc_parallel_for_function = Option<unsafe extern "C" fn(count: usize, task: Option<unsafe extern "C" fn(index: usize, context: *mut c_void)>, context: *mut c_void, user: *mut c_void)>;
 
-/// Owned by the caller; filled when a function fails, cleared (status OBC\_OK, empty texts) when it succeeds.
+/// Description of a failure, in memory of the caller. A failing function fills it; a successful one clears it.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_error {
+    /// the returned status
     pub status: i32,
-    /// one word, as the orbicube command prints it: "not-closed", "index-range", ...
+    /// one word for programs, such as "not-closed" or "index-range"; empty after success
     pub kind: [c_char; 28],
-    /// what is wrong and where; UTF-8, cut at the end if it is longer, always terminated
+    /// sentence for people: what is wrong and where; UTF-8, truncated if longer, always terminated
     pub message: [c_char; 480],
 }
 
-/// Memory for what the libraries allocate. allocate answers NULL on failure, which ends in OBC\_OUT\_OF\_MEMORY; alignment is
-/// a power of two. release gets the size and alignment of the allocation. Both may be called from several threads.
+/// Memory of the program for the allocations of the libraries. Both functions must be thread-safe.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_allocator {
+    /// Returns \`size\` bytes at a multiple of \`alignment\`, a power of two, or NULL, which ends the call in OBC\_OUT\_OF\_MEMORY.
     pub allocate: Option<unsafe extern "C" fn(size: usize, alignment: usize, user: *mut c_void) -> *mut c_void>,
+    /// Releases an allocation; size and alignment are those of the allocation.
     pub release: Option<unsafe extern "C" fn(pointer: *mut c_void, size: usize, alignment: usize, user: *mut c_void)>,
+    /// passed to both functions
     pub user: *mut c_void,
 }
 
+/// Resources of the program that a computation uses. Fill with obc\_host\_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_host {
     pub struct_size: u32,
-    /// 0: one a core; not used when parallel\_for is given
+    /// Number of threads, up to 1024; 0: one a core. Unused with parallel\_for. Default: 0.
     pub thread_count: u32,
-    /// or NULL
+    /// receives progress and can cancel; NULL: none. Default: NULL.
     pub progress: obc_progress_function,
+    /// passed to progress. Default: NULL.
     pub progress_user: *mut c_void,
-    /// or NULL: silent
+    /// receives lines for a log; NULL: none. Default: NULL.
     pub log: obc_log_function,
+    /// passed to log. Default: NULL.
     pub log_user: *mut c_void,
-    /// or NULL: threads of our own
+    /// job system; NULL: threads of the library. Default: NULL.
     pub parallel_for: obc_parallel_for_function,
+    /// passed to parallel\_for. Default: NULL.
     pub parallel_for_user: *mut c_void,
-    /// or NULL; kept by handles until they are destroyed
+    /// Memory; NULL: the default of the library. A handle uses it until it is destroyed. Default: NULL.
     pub allocator: *const obc_allocator,
+    /// Completed fraction of the whole call, 0 to 1, never decreasing, stored before each call of progress; NULL: not stored. It is an
+    /// estimate where the amount of work is unknown in advance. A host with it serves one call at a time. Default: NULL.
+    pub fraction: *mut f64,
 }
 
 extern "C" {
-    /// Fills a host with the defaults: nothing lent, one thread a core.
+    /// Fills a host with the defaults. Errors: invalid argument (NULL, or a size that no version has).
     pub fn obc_host_init(host: *mut obc_host, struct_size: usize) -> i32;
-    /// Short English name of a status, such as "out of memory". Never NULL; a static string.
+    /// Returns a short English name of a status, such as "out of memory"; a static string, never NULL.
     pub fn obc_status_name(status: i32) -> *const c_char;
-    /// Version of the base library, major \* 10000 + minor \* 100 + patch.
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_base_version() -> u32;
 }
 
@@ -111,7 +124,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).allocate) } as usize - start as usize, 0, "obc_allocator.allocate");
         assert_eq!(unsafe { addr_of!((*start).release) } as usize - start as usize, 8, "obc_allocator.release");
         assert_eq!(unsafe { addr_of!((*start).user) } as usize - start as usize, 16, "obc_allocator.user");
-        assert_eq!((size_of::<obc_host>(), align_of::<obc_host>()), (64, 8));
+        assert_eq!((size_of::<obc_host>(), align_of::<obc_host>()), (72, 8));
         let it = MaybeUninit::<obc_host>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_host.struct_size");
@@ -123,5 +136,6 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).parallel_for) } as usize - start as usize, 40, "obc_host.parallel_for");
         assert_eq!(unsafe { addr_of!((*start).parallel_for_user) } as usize - start as usize, 48, "obc_host.parallel_for_user");
         assert_eq!(unsafe { addr_of!((*start).allocator) } as usize - start as usize, 56, "obc_host.allocator");
+        assert_eq!(unsafe { addr_of!((*start).fraction) } as usize - start as usize, 64, "obc_host.fraction");
     }
 }

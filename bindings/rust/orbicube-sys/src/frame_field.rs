@@ -3,238 +3,261 @@
 
 use crate::base::{obc_error, obc_host};
 
-/// several of these; of what they end in the best, region by region
+/// several of these, with the best of their results in each region
 pub const OBC_FRAME_FIELD_AUTO: i32 = 0;
-/// the axes of space
+/// the coordinate axes
 pub const OBC_FRAME_FIELD_IDENTITY: i32 = 1;
 /// the nearest boundary frame
 pub const OBC_FRAME_FIELD_PROPAGATED: i32 = 2;
 /// harmonics that satisfy Laplace's equation, projected
 pub const OBC_FRAME_FIELD_HARMONIC: i32 = 3;
-/// harmonic, then diffused and projected with falling times
+/// HARMONIC, then diffused and projected with decreasing times
 pub const OBC_FRAME_FIELD_DIFFUSION: i32 = 4;
 /// the field in \`frames\`
 pub const OBC_FRAME_FIELD_GIVEN: i32 = 5;
 
+/// as described at the top
 pub const OBC_FRAME_FIELD_SMOOTH: i32 = 0;
-/// identity inside, boundary frames held, matchings frozen: chapter 6 of the dissertation as printed
+/// chapter 6 of the dissertation as printed: identity inside, fixed boundary frames and matchings
 pub const OBC_FRAME_FIELD_SEED: i32 = 1;
 
-/// every inner face counts alike
+/// 1
 pub const OBC_FRAME_FIELD_UNIFORM: i32 = 0;
-/// by area over the distance of the centres, scaled to mean 1
+/// area over the distance of the centers, scaled to mean 1
 pub const OBC_FRAME_FIELD_GEOMETRIC: i32 = 1;
 
+/// none
 pub const OBC_FRAME_FIELD_NO_REPAIR: i32 = 0;
-/// Third and half turns are zipped apart into quarter turns (Li et al. 2012), short loops and fragments collapse, and the
-/// frames around are smoothed to fit; kept where fewer edges and vertices are unmeshable.
+/// Third and half turns are split into quarter turns (Li et al. 2012), short loops and fragments collapse, and the frames
+/// around them are smoothed; the result is accepted if fewer edges and vertices are unmeshable.
 pub const OBC_FRAME_FIELD_REPAIR: i32 = 1;
-/// The search starts from identity and stays among fields whose frames turn about one axis along each curve.
+/// The search starts from IDENTITY and is restricted to fields whose frames rotate about one axis along each curve.
 pub const OBC_FRAME_FIELD_SINGLE_AXIS: i32 = 2;
 
+/// Singular edges of a field and the curves they form.
 #[repr(C)]
 pub struct obc_frame_field_singularities {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// A solid of tetrahedra: a view, kept by no function.
+/// A tetrahedral mesh: a view of arrays of the caller.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_solid {
+    /// x y z a vertex
     pub positions: *const f64,
+    /// number of vertices
     pub vertex_count: usize,
+    /// four vertices each, with positive volume
     pub tetrahedra: *const u32,
+    /// number of tetrahedra
     pub tetrahedron_count: usize,
 }
 
-/// Fill with \_init.
+/// Options of a field. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_options {
     pub struct_size: u32,
-    /// OBC\_FRAME\_FIELD\_AUTO, ...; auto by default
+    /// initial field, OBC\_FRAME\_FIELD\_AUTO or another. Default: AUTO.
     pub start: i32,
-    /// OBC\_FRAME\_FIELD\_SMOOTH by default
+    /// OBC\_FRAME\_FIELD\_SMOOTH or SEED. Default: SMOOTH.
     pub method: i32,
-    /// OBC\_FRAME\_FIELD\_UNIFORM by default
+    /// OBC\_FRAME\_FIELD\_UNIFORM or GEOMETRIC. Default: UNIFORM.
     pub weighting: i32,
-    /// 1: an axis along the normal of a boundary face, exactly; default 1
+    /// 1: an axis is exactly along the normal of each boundary face; 0: the boundary is free. Default: 1.
     pub align_boundary: i32,
-    /// of improvement by the start auto; default 2
+    /// number of improvement rounds of AUTO. Default: 2.
     pub rounds: u32,
-    /// boundary edges that turn by more (radians) are followed by an axis; 0, the default: none
+    /// minimum dihedral angle, in radians, of boundary edges that an axis follows; 0: none. Default: 0.
     pub feature_angle: f64,
-    /// smoothing ends with a step that gains less than this part of the energy; default 1e-6
+    /// smoothing ends with a step that gains less than this fraction of the energy. Default: 1e-6.
     pub relative_gain: f64,
-    /// OBC\_FRAME\_FIELD\_NO\_REPAIR, ...; none by default; not with the method seed
+    /// OBC\_FRAME\_FIELD\_NO\_REPAIR, REPAIR or SINGLE\_AXIS; not with SEED. Default: NO\_REPAIR.
     pub repair: i32,
     pub reserved: i32,
 }
 
-/// What the caller asks for. Fill with \_init, then set what there is. Frames and directions must be of length 1. With weights,
-/// which are positive and may be infinite, those with a finite one are not held but pulled at, like by so many neighbours that
-/// have what is wanted.
+/// Constraints of a field. Frames and directions have length 1. A positive, possibly infinite weight may soften each constraint: a finite
+/// weight w acts like w neighbors with the required frame, an infinite one fixes it. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_constraints {
     pub struct_size: u32,
     pub reserved: i32,
-    /// tetrahedra whose frame is held
+    /// tetrahedra with a fixed frame. Default: NULL.
     pub frame_tetrahedra: *const u32,
-    /// w x y z each
+    /// the frames, w x y z each. Default: NULL.
     pub frames: *const f64,
+    /// number of fixed frames. Default: 0.
     pub frame_count: usize,
-    /// tetrahedra of whose frame one axis is held along a direction
+    /// tetrahedra with one axis fixed along a direction. Default: NULL.
     pub axis_tetrahedra: *const u32,
-    /// x y z each
+    /// the directions, x y z each. Default: NULL.
     pub axes: *const f64,
+    /// number of fixed axes. Default: 0.
     pub axis_count: usize,
-    /// one each, or NULL: all are held
+    /// weight of each frame; NULL: all infinite. Default: NULL.
     pub frame_weights: *const f64,
+    /// weight of each axis; NULL: all infinite. Default: NULL.
     pub axis_weights: *const f64,
 }
 
-/// Figures of a field. Angles in degrees; symmetric ones are up to the 24 rotations, at most 62.80; plain ones between the
-/// quaternions as they stand, at most 180. Over inner faces: mean, standard deviation, median, value at 99 per cent, largest.
+/// Figures of a field. Angles are in degrees, over inner faces: mean, standard deviation, median, 99th percentile, maximum.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_report {
     pub struct_size: u32,
-    /// that most of the field comes from; of \_measure 0
+    /// initial field of most of the result; 0 for \_measure
     pub start: i32,
+    /// energy of the field
     pub energy: f64,
+    /// up to the 24 rotations, at most 62.80
     pub symmetric_mean: f64,
+    /// up to the 24 rotations, at most 62.80
     pub symmetric_deviation: f64,
+    /// up to the 24 rotations, at most 62.80
     pub symmetric_median: f64,
+    /// up to the 24 rotations, at most 62.80
     pub symmetric_p99: f64,
+    /// up to the 24 rotations, at most 62.80
     pub symmetric_max: f64,
+    /// between the quaternions, at most 180
     pub plain_mean: f64,
+    /// between the quaternions, at most 180
     pub plain_deviation: f64,
+    /// between the quaternions, at most 180
     pub plain_median: f64,
+    /// between the quaternions, at most 180
     pub plain_p99: f64,
+    /// between the quaternions, at most 180
     pub plain_max: f64,
-    /// above\_30: inner faces with a greater symmetric angle
+    /// numbers of faces; of inner faces with a symmetric angle above 30
     pub inner_faces: u64,
-    /// above\_30: inner faces with a greater symmetric angle
+    /// numbers of faces; of inner faces with a symmetric angle above 30
     pub boundary_faces: u64,
-    /// above\_30: inner faces with a greater symmetric angle
+    /// numbers of faces; of inner faces with a symmetric angle above 30
     pub above_30: u64,
-    /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
-    /// several, for the best and for the worst of their faces (the best is not 0 where an axis lies between two normals).
+    /// Maximum angle between a boundary normal and the nearest axis: over tetrahedra with one boundary face, and over those with several
+    /// for the best and the worst of their faces (the best is not 0 for an axis between two normals).
     pub one_face_max: f64,
-    /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
-    /// several, for the best and for the worst of their faces (the best is not 0 where an axis lies between two normals).
+    /// Maximum angle between a boundary normal and the nearest axis: over tetrahedra with one boundary face, and over those with several
+    /// for the best and the worst of their faces (the best is not 0 for an axis between two normals).
     pub several_best_max: f64,
-    /// Between boundary normals and the axes nearest to them: over tetrahedra with one boundary face, and over those with
-    /// several, for the best and for the worst of their faces (the best is not 0 where an axis lies between two normals).
+    /// Maximum angle between a boundary normal and the nearest axis: over tetrahedra with one boundary face, and over those with several
+    /// for the best and the worst of their faces (the best is not 0 for an axis between two normals).
     pub several_worst_max: f64,
-    /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
-    /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
+    /// Numbers of singular edges, around which the frames turn by a rotation of the cube: all, quarter and half turns about an axis,
+    /// third turns about a space diagonal and half turns about a face diagonal; no hexahedral mesh has the latter two.
     pub singular_edges: u64,
-    /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
-    /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
+    /// Numbers of singular edges, around which the frames turn by a rotation of the cube: all, quarter and half turns about an axis,
+    /// third turns about a space diagonal and half turns about a face diagonal; no hexahedral mesh has the latter two.
     pub singular_quarter: u64,
-    /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
-    /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
+    /// Numbers of singular edges, around which the frames turn by a rotation of the cube: all, quarter and half turns about an axis,
+    /// third turns about a space diagonal and half turns about a face diagonal; no hexahedral mesh has the latter two.
     pub singular_half: u64,
-    /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
-    /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
+    /// Numbers of singular edges, around which the frames turn by a rotation of the cube: all, quarter and half turns about an axis,
+    /// third turns about a space diagonal and half turns about a face diagonal; no hexahedral mesh has the latter two.
     pub singular_third: u64,
-    /// Edges around which the frames turn by a rotation of the cube: quarter and half turns about an axis, third turns about a
-    /// corner and half turns about an edge's middle, which no hexahedral mesh can have. Curves are chains of such edges through
-    /// inner vertices with two of them, nodes inner vertices with three or more; dead\_ends is 0 for every solid.
+    /// Numbers of singular edges, around which the frames turn by a rotation of the cube: all, quarter and half turns about an axis,
+    /// third turns about a space diagonal and half turns about a face diagonal; no hexahedral mesh has the latter two.
     pub singular_diagonal: u64,
+    /// Numbers of curves (chains of singular edges through inner vertices with two of them), of closed ones, of nodes (inner vertices with
+    /// three or more singular edges), of ends on the boundary, and of ends inside, which is 0 for every solid.
     pub curves: u64,
+    /// Numbers of curves (chains of singular edges through inner vertices with two of them), of closed ones, of nodes (inner vertices with
+    /// three or more singular edges), of ends on the boundary, and of ends inside, which is 0 for every solid.
     pub closed_curves: u64,
+    /// Numbers of curves (chains of singular edges through inner vertices with two of them), of closed ones, of nodes (inner vertices with
+    /// three or more singular edges), of ends on the boundary, and of ends inside, which is 0 for every solid.
     pub nodes: u64,
+    /// Numbers of curves (chains of singular edges through inner vertices with two of them), of closed ones, of nodes (inner vertices with
+    /// three or more singular edges), of ends on the boundary, and of ends inside, which is 0 for every solid.
     pub boundary_ends: u64,
+    /// Numbers of curves (chains of singular edges through inner vertices with two of them), of closed ones, of nodes (inner vertices with
+    /// three or more singular edges), of ends on the boundary, and of ends inside, which is 0 for every solid.
     pub dead_ends: u64,
-    /// of singular and of all inner edges
+    /// total length of singular edges and of all inner edges
     pub singular_length: f64,
-    /// of singular and of all inner edges
+    /// total length of singular edges and of all inner edges
     pub edge_length: f64,
-    /// four times the sum of the boundary cross field's indices
+    /// four times the index sum of the boundary cross field
     pub boundary_index_quarters: i64,
-    /// of the boundary: equal to a quarter of that
+    /// of the boundary: a quarter of boundary\_index\_quarters
     pub euler_characteristic: i64,
+    /// numbers of smoothing steps and of iterations of linear solvers
     pub smoothing_steps: u64,
+    /// numbers of smoothing steps and of iterations of linear solvers
     pub solver_iterations: u64,
-    /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
-    /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
+    /// 1 if a hexahedral mesh could have the field around every inner edge and vertex, otherwise 0; numbers of edges that are not
+    /// quarter turns, of vertices at which a curve of valence 3 becomes one of valence 5, and of nodes that no hexahedral mesh has.
     pub locally_meshable: u64,
-    /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
-    /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
+    /// 1 if a hexahedral mesh could have the field around every inner edge and vertex, otherwise 0; numbers of edges that are not
+    /// quarter turns, of vertices at which a curve of valence 3 becomes one of valence 5, and of nodes that no hexahedral mesh has.
     pub improper_edges: u64,
-    /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
-    /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
+    /// 1 if a hexahedral mesh could have the field around every inner edge and vertex, otherwise 0; numbers of edges that are not
+    /// quarter turns, of vertices at which a curve of valence 3 becomes one of valence 5, and of nodes that no hexahedral mesh has.
     pub turning_points: u64,
-    /// Whether the field is that of a hexahedral mesh around every inner edge and vertex, and if not, why: edges that are no
-    /// quarter turns, vertices where a curve of threes becomes one of fives, nodes that no hexahedral mesh has.
+    /// 1 if a hexahedral mesh could have the field around every inner edge and vertex, otherwise 0; numbers of edges that are not
+    /// quarter turns, of vertices at which a curve of valence 3 becomes one of valence 5, and of nodes that no hexahedral mesh has.
     pub improper_nodes: u64,
-    /// closed curves of at most six edges, and curves of one edge
+    /// number of closed curves of up to six edges, and of curves of one edge
     pub fragments: u64,
-    /// With repairs: rounds, and what was there before them. The energy after them is \`energy\`.
+    /// with repairs: number of rounds, and counts before them
     pub repair_rounds: u64,
-    /// With repairs: rounds, and what was there before them. The energy after them is \`energy\`.
+    /// with repairs: number of rounds, and counts before them
     pub unmeshable_before: u64,
-    /// With repairs: rounds, and what was there before them. The energy after them is \`energy\`.
+    /// with repairs: number of rounds, and counts before them
     pub fragments_before: u64,
+    /// with repairs: energy before them
     pub energy_before_repair: f64,
 }
 
 extern "C" {
-    /// Fill options, constraints and reports with the defaults, no constraints, and zeros.
+    /// Fill options with the defaults, constraints with none, and a report with zeros.
     pub fn obc_frame_field_options_init(options: *mut obc_frame_field_options, struct_size: usize) -> i32;
-    /// Fill options, constraints and reports with the defaults, no constraints, and zeros.
+    /// Fill options with the defaults, constraints with none, and a report with zeros.
     pub fn obc_frame_field_constraints_init(constraints: *mut obc_frame_field_constraints, struct_size: usize) -> i32;
-    /// Fill options, constraints and reports with the defaults, no constraints, and zeros.
+    /// Fill options with the defaults, constraints with none, and a report with zeros.
     pub fn obc_frame_field_report_init(report: *mut obc_frame_field_report, struct_size: usize) -> i32;
-    /// Computes a field of small energy. frames: 4 \* tetrahedron\_count doubles, read with the start given, and written on success
-    /// only. options, constraints, host and report may be NULL. O(n), at most 1 KB a tetrahedron.
-    /// Errors: invalid argument (NULL, NaN, index out of range, options), degenerate (a repeated vertex), not manifold (a face of
-    /// three tetrahedra, neighbours on the same side of a face), out of memory, cancelled.
+    /// Computes a field of low energy. frames: 4 \* tetrahedron\_count doubles, read for OBC\_FRAME\_FIELD\_GIVEN, and written on success only.
+    /// options, constraints, host and report may be NULL. O(n), up to 1 KB a tetrahedron. Errors: invalid argument (NULL, NaN, index out
+    /// of range, options), degenerate (a repeated vertex), not manifold (a face with three tetrahedra, neighbors on the same side of a
+    /// face), out of memory, cancelled.
     pub fn obc_frame_field_compute(solid: *const obc_frame_field_solid, options: *const obc_frame_field_options, constraints: *const obc_frame_field_constraints, host: *const obc_host, frames: *mut f64, report: *mut obc_frame_field_report, error: *mut obc_error) -> i32;
-    /// Figures of any field: frames, 4 \* tetrahedron\_count doubles, normalised before use. host may be NULL. O(n).
-    /// Errors: as \_compute.
+    /// Measures any field: frames, 4 \* tetrahedron\_count doubles, normalized before use. host may be NULL. O(n). Errors: as \_compute.
     pub fn obc_frame_field_measure(solid: *const obc_frame_field_solid, frames: *const f64, host: *const obc_host, report: *mut obc_frame_field_report, error: *mut obc_error) -> i32;
-    /// How the frames on both sides of the faces match: 4 \* tetrahedron\_count numbers, that at 4 t + k for the face of
-    /// tetrahedron t opposite its corner k: the rotation of the cube (its number in obc\_quaternion\_cube\_element) that, in its own
-    /// axes, brings frame t next to that of the neighbour; 0 on the boundary. Errors: as \_compute. O(n).
+    /// Computes the matching of each face: 4 \* tetrahedron\_count numbers, entry 4 t + k for the face of tetrahedron t opposite its vertex k. It
+    /// is the rotation of the cube (numbered as in obc\_quaternion\_cube\_element) that, in its own axes, brings frame t nearest to that of the
+    /// neighbor; 0 on the boundary. O(n). Errors: as \_compute.
     pub fn obc_frame_field_matchings(solid: *const obc_frame_field_solid, frames: *const f64, host: *const obc_host, matchings: *mut u8, error: *mut obc_error) -> i32;
-    /// The singular edges of a field and the curves that they form, in a handle. host may be NULL; its allocator must stay valid
-    /// until \_destroy. Errors: as \_compute. O(n).
+    /// Finds the singular edges and curves of a field. host may be NULL; its allocator must remain valid until \_destroy. O(n). Errors: as
+    /// \_compute.
     pub fn obc_frame_field_singularities_create(solid: *const obc_frame_field_solid, frames: *const f64, host: *const obc_host, out: *mut *mut obc_frame_field_singularities, error: *mut obc_error) -> i32;
-    /// The singular edges of a field and the curves that they form, in a handle. host may be NULL; its allocator must stay valid
-    /// until \_destroy. Errors: as \_compute. O(n).
+    /// Destroys the singularities; NULL is allowed.
     pub fn obc_frame_field_singularities_destroy(singularities: *mut obc_frame_field_singularities);
-    /// Numbers; 0 for NULL.
+    /// Return the numbers of singular edges, curves and nodes; 0 for NULL.
     pub fn obc_frame_field_singular_edge_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// Numbers; 0 for NULL.
+    /// Return the numbers of singular edges, curves and nodes; 0 for NULL.
     pub fn obc_frame_field_singular_curve_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// Numbers; 0 for NULL.
+    /// Return the numbers of singular edges, curves and nodes; 0 for NULL.
     pub fn obc_frame_field_singular_node_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// Copies to the caller's arrays, each of which may be NULL. Edges: two vertices each; their rotation of the cube around the
-    /// edge; their turn, 1 where hexahedra would meet in threes, -1 in fives, 2 for half turns, 0 where they cannot. Curves:
-    /// curve\_begin (curve count + 1) says where each begins in curve\_edges (edge count), the edges in order along it. Nodes: their
-    /// vertices. Errors: invalid argument.
+    /// Copies to arrays of the caller, each of which may be NULL: for each edge two vertices, the rotation of the cube around it, and its
+    /// turn: 1 for valence 3 of a hexahedral mesh, -1 for valence 5, 2 for a half turn, 0 where no hexahedral mesh exists. curve\_begin (curve
+    /// count + 1) are offsets of the curves into curve\_edges (edge count), the edges in order along each. nodes are vertices. Errors:
+    /// invalid argument.
     pub fn obc_frame_field_singularities_copy(singularities: *const obc_frame_field_singularities, edge_vertices: *mut u32, edge_rotations: *mut u8, edge_turns: *mut i8, curve_begin: *mut usize, curve_edges: *mut u32, nodes: *mut u32, error: *mut obc_error) -> i32;
-    /// Where the field cannot be that of a hexahedral mesh: singular edges that are no quarter turns about an axis, and inner
-    /// vertices whose edges of threes and fives no hexahedral mesh has (turning points and nodes). Both counts are 0 when the field
-    /// is locally meshable, and for NULL.
+    /// Return the numbers of unmeshable elements: singular edges that are not quarter turns about an axis, and inner vertices whose
+    /// singular edges no hexahedral mesh has (turning points and nodes). Both are 0 for a locally meshable field and for NULL.
     pub fn obc_frame_field_unmeshable_edge_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// Where the field cannot be that of a hexahedral mesh: singular edges that are no quarter turns about an axis, and inner
-    /// vertices whose edges of threes and fives no hexahedral mesh has (turning points and nodes). Both counts are 0 when the field
-    /// is locally meshable, and for NULL.
+    /// Return the numbers of unmeshable elements: singular edges that are not quarter turns about an axis, and inner vertices whose
+    /// singular edges no hexahedral mesh has (turning points and nodes). Both are 0 for a locally meshable field and for NULL.
     pub fn obc_frame_field_unmeshable_vertex_count(singularities: *const obc_frame_field_singularities) -> usize;
-    /// Copies them to the caller's arrays, each of which may be NULL: the edges as numbers of singular edges, the vertices as
-    /// indices of the solid's, both ascending. Errors: invalid argument.
+    /// Copies the unmeshable elements to arrays of the caller, each of which may be NULL: edges as indices of singular edges, vertices as
+    /// indices of the solid, both ascending. Errors: invalid argument.
     pub fn obc_frame_field_unmeshable_copy(singularities: *const obc_frame_field_singularities, edges: *mut u32, vertices: *mut u32, error: *mut obc_error) -> i32;
-    /// Version of the library, major \* 10000 + minor \* 100 + patch.
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_frame_field_version() -> u32;
 }
 

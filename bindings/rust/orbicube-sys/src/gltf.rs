@@ -4,23 +4,22 @@
 use crate::base::{obc_error, obc_host};
 use std::os::raw::{c_char, c_void};
 
-/// A surface that was read.
+/// A surface read from a file.
 #[repr(C)]
 pub struct obc_gltf_surface {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// Fill with \_init.
+/// Options of reading. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_gltf_read_options {
     pub struct_size: u32,
-    /// 1: joins vertices at identical positions where triangles have no indices, or where the
-    /// surface is not closed as it stands (exporters split vertices along seams of normals and
-    /// texture coordinates); 0: vertices and their order are those of the file. Default 1
+    /// 1: welds vertices at identical positions where triangles have no indices or the surface is not closed as stored (exporters split
+    /// vertices along seams of normals and texture coordinates); 0: preserves the vertices and their order. Default: 1.
     pub weld_identical: i32,
-    /// name of a morph target that is applied in full (base + delta, added as doubles), or NULL
+    /// Name of a morph target to apply with weight 1 (base + delta, added as doubles); NULL: none. Default: NULL.
     pub morph_target: *const c_char,
 }
 
@@ -28,100 +27,104 @@ pub struct obc_gltf_read_options {
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_gltf_morph_target {
-    /// UTF-8; stored in mesh.extras.targetNames, where engines look for it
+    /// name, UTF-8; stored in mesh.extras.targetNames, where engines find it
     pub name: *const c_char,
-    /// 3 \* vertex\_count: where the vertices are, not deltas; stored as obc\_gltf\_delta says
+    /// positions of the vertices, 3 \* vertex\_count; stored as deltas, see obc\_gltf\_delta
     pub positions: *const f32,
 }
 
-/// What to write. Fill with \_init, then set what there is; nothing is kept after the call.
+/// Contents of a file. Arrays are not kept after the call. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_gltf_scene {
     pub struct_size: u32,
-    /// 1: makes area-weighted normals when \`normals\` is NULL. Default 0
+    /// 1: computes area-weighted normals if \`normals\` is NULL; 0: does not. Default: 0.
     pub smooth_normals: i32,
-    /// 3 \* vertex\_count; stored bit for bit
+    /// 3 \* vertex\_count, stored bit for bit. Default: NULL.
     pub positions: *const f32,
+    /// number of vertices. Default: 0.
     pub vertex_count: usize,
-    /// 3 \* triangle\_count
+    /// 3 \* triangle\_count vertices. Default: NULL.
     pub triangles: *const u32,
+    /// number of triangles. Default: 0.
     pub triangle_count: usize,
-    /// 3 \* vertex\_count unit vectors, or NULL
+    /// 3 \* vertex\_count, unit vectors; NULL: none. Default: NULL.
     pub normals: *const f32,
-    /// 2 \* vertex\_count, v going down, or NULL
+    /// 2 \* vertex\_count, v pointing down; NULL: none. Default: NULL.
     pub texture_coordinates: *const f32,
-    /// 4 \* vertex\_count: linear red, green, blue, opacity; or NULL
+    /// 4 \* vertex\_count, linear red, green, blue, opacity; NULL: none. Default: NULL.
     pub colors: *const u8,
-    /// or NULL
+    /// morph targets; NULL: none. Default: NULL.
     pub morph_targets: *const obc_gltf_morph_target,
+    /// number of morph targets. Default: 0.
     pub morph_target_count: usize,
-    /// 2 \* edge\_count vertices, drawn as dark lines; or NULL
+    /// 2 \* edge\_count vertices, drawn as dark lines; NULL: none. Default: NULL.
     pub edges: *const u32,
+    /// number of edges. Default: 0.
     pub edge_count: usize,
-    /// of the node: world = translation + scale \* position. Default 0
+    /// translation of the node: world = translation + scale \* position. Default: 0.
     pub translation: [f64; 3],
-    /// positive. Default 1
+    /// scale of the node, positive. Default: 1.
     pub scale: f64,
-    /// of the material: linear, 0 to 1. Default 0.8 grey, opaque
+    /// color of the material, linear, 0 to 1. Default: 0.8 gray, opaque.
     pub base_color: [f64; 4],
-    /// bytes of a PNG file, or NULL; needs texture\_coordinates
+    /// contents of a PNG file, requires texture\_coordinates; NULL: none. Default: NULL.
     pub texture: *const c_void,
+    /// number of bytes of the PNG file. Default: 0.
     pub texture_size: usize,
-    /// 1: a checker pattern of 32 by 16 squares when \`texture\` is NULL. Default 0
+    /// 1: a checker pattern of 32 by 16 squares if \`texture\` is NULL; 0: none. Default: 0.
     pub checker_texture: i32,
-    /// 1: morph targets have normals as well; needs normals. Default 0
+    /// 1: stores normals of morph targets, requires normals; 0: does not. Default: 0.
     pub morph_normals: i32,
-    /// UTF-8, of node and mesh. Default "surface"
+    /// name of node and mesh, UTF-8; NULL: "surface". Default: "surface".
     pub name: *const c_char,
-    /// a JSON object that the scene carries, or NULL
+    /// JSON object for the extras of the scene; NULL: none. Default: NULL.
     pub extras: *const c_char,
-    /// above 0: an animation from the surface to each morph target in turn and back to it,
-    /// so many seconds from one to the next. Default 0: none
+    /// Duration, in seconds, from one shape to the next of an animation from the surface to each morph target in turn and back; 0: no
+    /// animation. Default: 0.
     pub morph_seconds: f64,
 }
 
 extern "C" {
-    /// The defaults, which the members' comments give.
+    /// Fills options with the defaults.
     pub fn obc_gltf_read_options_init(options: *mut obc_gltf_read_options, struct_size: usize) -> i32;
-    /// Reads the file at \`path\` (bytes as the system takes them). options and host may be NULL; the host's allocator must stay
-    /// valid until \_surface\_destroy. Errors: io, malformed file (its kind says how: truncated, parse, index-range,
-    /// accessor-range, unsafe-path, ...), unsupported, degenerate (a transform or welding flattens everything), out of memory,
-    /// cancelled. O(n).
+    /// Reads the file at \`path\` (bytes in the encoding of the system). options and host may be NULL; the allocator of the host must remain valid
+    /// until \_surface\_destroy. O(n). Errors: io; malformed file (the kind says how: truncated, parse, index-range, accessor-range,
+    /// unsafe-path, ...); unsupported; degenerate (a transform or welding flattens everything); out of memory; cancelled.
     pub fn obc_gltf_read(path: *const c_char, options: *const obc_gltf_read_options, host: *const obc_host, out: *mut *mut obc_gltf_surface, error: *mut obc_error) -> i32;
-    /// The same from \`size\` bytes of a GLB or .gltf file, which are not kept; \`folder\` is where buffers in files of their own
-    /// lie, NULL refuses them.
+    /// Reads a GLB or .gltf file from \`size\` bytes in memory, which are not kept. \`folder\` contains buffers in separate files; NULL refuses
+    /// them. Otherwise as obc\_gltf\_read.
     pub fn obc_gltf_read_memory(bytes: *const c_void, size: usize, folder: *const c_char, options: *const obc_gltf_read_options, host: *const obc_host, out: *mut *mut obc_gltf_surface, error: *mut obc_error) -> i32;
-    /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
+    /// Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL.
     pub fn obc_gltf_surface_vertex_count(surface: *const obc_gltf_surface) -> usize;
-    /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
+    /// Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL.
     pub fn obc_gltf_surface_triangle_count(surface: *const obc_gltf_surface) -> usize;
-    /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
+    /// Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL.
     pub fn obc_gltf_surface_welded_vertex_count(surface: *const obc_gltf_surface) -> usize;
-    /// Numbers of a surface; 0 for NULL. Notes are what was changed or left out in reading.
+    /// Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL.
     pub fn obc_gltf_surface_note_count(surface: *const obc_gltf_surface) -> usize;
-    /// The index-th note, UTF-8, of the surface's; NULL when there is none.
+    /// Returns the index-th note, UTF-8, valid until the surface is destroyed; NULL from the number of notes on.
     pub fn obc_gltf_surface_note(surface: *const obc_gltf_surface, index: usize) -> *const c_char;
-    /// Copies positions (3 \* vertex\_count, or NULL) and triangles (3 \* triangle\_count indices below vertex\_count, or NULL;
-    /// counter-clockwise seen from outside) to the caller's arrays. Errors: invalid argument.
+    /// Copies positions (3 \* vertex\_count, or NULL) and triangles (3 \* triangle\_count indices, or NULL; counter-clockwise seen from outside)
+    /// to arrays of the caller. Errors: invalid argument.
     pub fn obc_gltf_surface_copy(surface: *const obc_gltf_surface, positions: *mut f64, triangles: *mut u32, error: *mut obc_error) -> i32;
-    /// Releases a surface; NULL is fine.
+    /// Destroys a surface; NULL is allowed.
     pub fn obc_gltf_surface_destroy(surface: *mut obc_gltf_surface);
-    /// The defaults, which the members' comments give, and an empty surface.
+    /// Fills a scene with the defaults and an empty surface.
     pub fn obc_gltf_scene_init(scene: *mut obc_gltf_scene, struct_size: usize) -> i32;
-    /// Writes to \`path\`: .gltf with the buffer inside when it ends so, GLB otherwise. The file appears once it is whole; after
-    /// an error the old one is still there. host may be NULL. Errors: invalid argument (sizes, indices, numbers that are not
-    /// finite, texts), unsupported (4 GiB or more), io, out of memory, cancelled. O(n).
+    /// Writes to \`path\`: a .gltf with an embedded buffer for this ending, otherwise GLB. The file appears when it is complete; after an error the
+    /// previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
+    /// unsupported (4 GiB or more), io, out of memory, cancelled.
     pub fn obc_gltf_write(path: *const c_char, scene: *const obc_gltf_scene, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// A surface alone, with smooth normals: positions 3 \* vertex\_count, triangles 3 \* triangle\_count.
+    /// Writes a surface alone, with smooth normals: positions 3 \* vertex\_count, triangles 3 \* triangle\_count. Otherwise as obc\_gltf\_write.
     pub fn obc_gltf_write_surface(path: *const c_char, positions: *const f32, vertex_count: usize, triangles: *const u32, triangle_count: usize, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// Morph targets to the bit. \_delta is what is stored for a base and a wanted coordinate; \_reconstructed is what a renderer
-    /// makes of base and delta in float32, and is the wanted one whenever any delta gives it. Finite numbers.
+    /// Compute exact morph targets of finite numbers. \_delta returns the stored delta for a base and a target coordinate; \_reconstructed returns
+    /// base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it.
     pub fn obc_gltf_delta(base: f32, wanted: f32) -> f32;
-    /// Morph targets to the bit. \_delta is what is stored for a base and a wanted coordinate; \_reconstructed is what a renderer
-    /// makes of base and delta in float32, and is the wanted one whenever any delta gives it. Finite numbers.
+    /// Compute exact morph targets of finite numbers. \_delta returns the stored delta for a base and a target coordinate; \_reconstructed returns
+    /// base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it.
     pub fn obc_gltf_reconstructed(base: f32, delta: f32) -> f32;
-    /// Version of this library, major \* 10000 + minor \* 100 + patch.
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_gltf_version() -> u32;
 }
 

@@ -4,7 +4,7 @@
 use crate::base::{obc_error, obc_host};
 use std::os::raw::{c_char};
 
-/// dense when count \* size^2 \<= 5e8 or there are fewer samples than unknowns
+/// DENSE if count \* size^2 \<= 5e8 or there are fewer samples than unknowns, otherwise ITERATIVE
 pub const OBC_HARMONICS_AUTOMATIC: i32 = 0;
 /// Householder QR with column pivoting: O(count \* size^2) time
 pub const OBC_HARMONICS_DENSE: i32 = 1;
@@ -20,147 +20,140 @@ pub const OBC_HARMONICS_SHTOOLS: i32 = 1;
 /// then the sine's (-1)^m sqrt 2 a\_l,-m
 pub const OBC_HARMONICS_SPHARM_PDM: i32 = 2;
 
-/// Coefficients that were read from a file; the degree is that of the file. Read-only: may be shared between threads.
+/// Coefficients read from a file, with its degree. Immutable: several threads may read them.
 #[repr(C)]
 pub struct obc_harmonics_coefficients {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
+/// Options of a fit. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_harmonics_fit_options {
     pub struct_size: u32,
-    /// L, at most 1000; 16 by default
+    /// maximum degree L, up to 1000. Default: 16.
     pub degree: u32,
-    /// OBC\_HARMONICS\_...; automatic by default
+    /// OBC\_HARMONICS\_AUTOMATIC, DENSE or ITERATIVE. Default: AUTOMATIC.
     pub method: i32,
     pub reserved: i32,
-    /// not negative; 0 by default. Adds smoothing \* (mean density of the weights) \* (integral of the squared
-    /// Laplacian of the fit) to what is minimised
+    /// Regularization, nonnegative: adds smoothing \* (mean density of the weights) \* (integral of the squared Laplacian of the fit) to
+    /// the objective. Default: 0.
     pub smoothing: f64,
 }
 
+/// Figures of a fit.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_harmonics_fit_report {
     pub struct_size: u32,
-    /// that was used: dense or iterative
+    /// algorithm used, DENSE or ITERATIVE
     pub method: i32,
     /// (L+1)^2
     pub unknowns: u64,
-    /// how many combinations of them the samples determine: fewer than \`unknowns\` when the fit is
-    /// rank-deficient (the answer is then about the shortest of the best), 0 when the iterative method
-    /// found the fit too ill-conditioned to tell (degree above 40)
+    /// Number of combinations of the unknowns that the samples determine. Below \`unknowns\` for a rank-deficient fit, which is then
+    /// approximately the best one of minimum norm; 0 where the iterative method finds the fit too ill-conditioned to decide (degree above 40).
     pub rank: u64,
-    /// estimate of the condition of the weighted basis matrix, within the rank
+    /// estimated condition number of the weighted basis matrix, within the rank
     pub condition: f64,
-    /// root of the weighted mean of |value - fit|^2
+    /// square root of the weighted mean of |value - fit|^2
     pub residual: f64,
-    /// of the iterative method
+    /// number of iterations of ITERATIVE
     pub iterations: u64,
 }
 
+/// Options of an alignment. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_harmonics_align_options {
     pub struct_size: u32,
-    /// 1: the values of three channels may be turned too, for shapes that lie differently in space;
-    /// 0 by default
+    /// 1: also rotates the values of three channels, for shapes in different poses; 0: does not. Default: 0.
     pub turn_values: i32,
-    /// of the search over all rotations, 1 to 64; 12 by default
+    /// degree of the search over all rotations, 1 to 64. Default: 12.
     pub search_degree: u32,
     pub reserved: u32,
 }
 
+/// Result of an alignment.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_harmonics_alignment {
     pub struct_size: u32,
     pub reserved: u32,
-    /// R by rows: directions v of \`moving\` go to R v
+    /// matrix R by rows: directions v of \`moving\` map to R v
     pub rotation: [f64; 9],
-    /// Q by rows: values of \`moving\` are multiplied by Q; the identity without turn\_values
+    /// matrix Q by rows: values of \`moving\` are multiplied by Q; the identity without turn\_values
     pub values: [f64; 9],
-    /// of what is found, without degree 0: at most 1
+    /// correlation after the alignment, without degree 0; at most 1
     pub correlation: f64,
 }
 
 extern "C" {
-    /// Fills options with the defaults, and a report with zeros and its size.
+    /// Fill options with the defaults, and a report with zeros and its size.
     pub fn obc_harmonics_fit_options_init(options: *mut obc_harmonics_fit_options, struct_size: usize) -> i32;
-    /// Fills options with the defaults, and a report with zeros and its size.
+    /// Fill options with the defaults, and a report with zeros and its size.
     pub fn obc_harmonics_fit_report_init(report: *mut obc_harmonics_fit_report, struct_size: usize) -> i32;
-    /// (degree + 1)^2.
+    /// Returns the number of coefficients up to a degree, (degree + 1)^2.
     pub fn obc_harmonics_size(degree: u32) -> usize;
-    /// Y\_lm of every direction: rows, count \* (degree+1)^2 doubles, a direction after the other. host may be NULL.
-    /// O(count \* degree^2).
-    /// Errors: OBC\_INVALID\_ARGUMENT (NULL, not finite, length zero, degree), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    /// Evaluates all Y\_lm at each direction: rows, count \* (degree+1)^2 doubles, one direction after the other. host may be NULL.
+    /// O(count \* degree^2). Errors: OBC\_INVALID\_ARGUMENT (NULL, not finite, zero length, degree), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_evaluate(directions: *const f64, count: usize, degree: u32, host: *const obc_host, rows: *mut f64, error: *mut obc_error) -> i32;
-    /// The coefficients that fit values at scattered directions best: least squares with \`weights\`, one a direction and not
-    /// negative, or NULL for ones. For a surface, the weights of obc\_harmonics\_vertex\_areas are the usual choice: each piece
-    /// counts by its own area.
-    /// options, host and report may be NULL. coefficients: written on success only. A rank-deficient fit is no error: see
-    /// report-\>rank.
-    /// Errors: as obc\_harmonics\_evaluate.
+    /// Fits coefficients to values at scattered directions by weighted least squares. weights: one nonnegative number a direction, or NULL
+    /// for ones; those of obc\_harmonics\_vertex\_areas, the usual choice for a surface, weight each piece by its area. options, host and
+    /// report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report-\>rank. Errors: as
+    /// obc\_harmonics\_evaluate.
     pub fn obc_harmonics_fit(directions: *const f64, weights: *const f64, values: *const f64, count: usize, channels: usize, options: *const obc_harmonics_fit_options, host: *const obc_host, coefficients: *mut f64, report: *mut obc_harmonics_fit_report, error: *mut obc_error) -> i32;
-    /// The functions at the directions: values, count \* channels doubles; and unless gradients is NULL, their gradients on the
-    /// sphere of radius 1, tangent vectors, 3 \* count \* channels doubles. O(count \* degree^2 \* channels).
-    /// Errors: as obc\_harmonics\_evaluate.
+    /// Evaluates the functions at directions: values, count \* channels doubles, and unless gradients is NULL their tangential gradients on the unit
+    /// sphere, 3 \* count \* channels doubles. O(count \* degree^2 \* channels). Errors: as obc\_harmonics\_evaluate.
     pub fn obc_harmonics_synthesize(coefficients: *const f64, degree: u32, channels: usize, directions: *const f64, count: usize, host: *const obc_host, values: *mut f64, gradients: *mut f64, error: *mut obc_error) -> i32;
-    /// A third of the area of its triangles for each vertex: areas, vertex\_count doubles. Triangles are three vertex indices
-    /// each. O(n).
-    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_MALFORMED\_FILE (kind index-range: no such vertex), OBC\_OUT\_OF\_MEMORY.
+    /// Computes a third of the area of the adjacent triangles for each vertex: areas, vertex\_count doubles. Triangles are three vertex indices
+    /// each. O(n). Errors: OBC\_INVALID\_ARGUMENT, OBC\_MALFORMED\_FILE (kind index-range), OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_vertex_areas(positions: *const f64, vertex_count: usize, triangles: *const u32, triangle_count: usize, host: *const obc_host, areas: *mut f64, error: *mut obc_error) -> i32;
-    /// The norm of each degree, sqrt(sum over m and the channels of the squares): norms, degree + 1 doubles. It does not change
-    /// when the sphere is turned, nor when the values of three channels are.
-    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_OUT\_OF\_MEMORY.
+    /// Computes the norm of each degree, the square root of the sum of squares over m and the channels: norms, degree + 1 doubles. It is
+    /// invariant under rotations of the sphere, and of the values of three channels. Errors: OBC\_INVALID\_ARGUMENT, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_degree_norms(coefficients: *const f64, degree: u32, channels: usize, norms: *mut f64, error: *mut obc_error) -> i32;
-    /// The distance D\_n(f, g) of the dissertation's section 3.3.3: the sum over the degrees from first to last of the squared
-    /// difference of the norms; degrees that one of them does not have count as zero there. first = 0 is the dissertation's;
-    /// with first = 1 it does not matter where the shapes lie.
-    /// Errors: as obc\_harmonics\_degree\_norms.
+    /// Computes the distance D\_n(f, g) of the dissertation's section 3.3.3: the sum over the degrees from first to last of the squared
+    /// differences of the norms; missing degrees count as zero. first = 0 is the dissertation's; with first = 1 the positions of the
+    /// shapes have no effect. Errors: as obc\_harmonics\_degree\_norms.
     pub fn obc_harmonics_shape_distance(f: *const f64, f_degree: u32, g: *const f64, g_degree: u32, channels: usize, first: u32, last: u32, distance: *mut f64, error: *mut obc_error) -> i32;
-    /// Filters in place: degrees from low to high stay, the others become zero, over \`width\` degrees outside of each end with a
-    /// raised cosine (0: at once). With keep\_mean 1 degree 0 stays, which is where a shape lies.
-    /// Errors: as obc\_harmonics\_degree\_norms.
+    /// Filters in place: keeps degrees from low to high and sets the others to zero, with a raised-cosine transition over \`width\` degrees
+    /// outside each end (0: none). keep\_mean 1 preserves degree 0, the position of a shape. Errors: as obc\_harmonics\_degree\_norms.
     pub fn obc_harmonics_filter(coefficients: *mut f64, degree: u32, channels: usize, low: u32, high: u32, width: u32, keep_mean: i32, error: *mut obc_error) -> i32;
-    /// The reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
-    /// distance to the nearest point of B. O(n log n).
-    /// Errors: OBC\_INVALID\_ARGUMENT (NULL, no points, not finite), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    /// Computes the reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
+    /// distance to the nearest point of B. O(n log n). Errors: OBC\_INVALID\_ARGUMENT (NULL, no points, not finite), OBC\_CANCELLED,
+    /// OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_mean_distance(a: *const f64, a_count: usize, b: *const f64, b_count: usize, host: *const obc_host, distance: *mut f64, error: *mut obc_error) -> i32;
-    /// The functions turned with the sphere: what each has at direction v, it has at R v afterwards. rotation: the matrix R by
-    /// rows, 9 doubles. turned may be coefficients. The values are not turned: for a shape that turns in space, multiply the three
-    /// coefficients of each Y\_lm by the matrix. O(degree^3).
-    /// Errors: OBC\_INVALID\_ARGUMENT (also: no rotation), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    /// Rotates the functions with the sphere: the value at v moves to R v. rotation: the matrix R by rows, 9 doubles. turned may be
+    /// coefficients. The values are not rotated: for a rotation of a shape in space, multiply the three coefficients of each Y\_lm by the
+    /// matrix. O(degree^3). Errors: OBC\_INVALID\_ARGUMENT (also: not a rotation), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_rotate(coefficients: *const f64, degree: u32, channels: usize, rotation: *const f64, host: *const obc_host, turned: *mut f64, error: *mut obc_error) -> i32;
-    /// Fills options with the defaults, and an alignment with zeros and its size.
+    /// Fill options with the defaults, and an alignment with zeros and its size.
     pub fn obc_harmonics_align_options_init(options: *mut obc_harmonics_align_options, struct_size: usize) -> i32;
-    /// Fills options with the defaults, and an alignment with zeros and its size.
+    /// Fill options with the defaults, and an alignment with zeros and its size.
     pub fn obc_harmonics_alignment_init(alignment: *mut obc_harmonics_alignment, struct_size: usize) -> i32;
-    /// The rotation that brings \`moving\` best into line with \`fixed\`: it maximises the sum over the channels of the integral of
-    /// fixed(u) \* (Q moving)(R^-1 u), without degree 0. Found on a grid of all rotations (Kostelec and Rockmore 2008, "FFTs on the
-    /// rotation group") and refined by Newton's method up to the lower of the two degrees. options and host may be NULL.
-    /// O(search\_degree^4 + degree^3).
-    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_NO\_VALID\_RESULT (one of them is constant), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    /// Computes the rotation that best aligns \`moving\` with \`fixed\`: it maximizes the sum over the channels of the integral of
+    /// fixed(u) \* (Q moving)(R^-1 u), without degree 0, by a search over a grid of all rotations (Kostelec and Rockmore 2008, "FFTs on the
+    /// rotation group") and Newton's method up to the lower of the two degrees. options and host may be NULL.
+    /// O(search\_degree^4 + degree^3). Errors: OBC\_INVALID\_ARGUMENT, OBC\_NO\_VALID\_RESULT (one of them is constant), OBC\_CANCELLED,
+    /// OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_align(fixed: *const f64, fixed_degree: u32, moving: *const f64, moving_degree: u32, channels: usize, options: *const obc_harmonics_align_options, host: *const obc_host, alignment: *mut obc_harmonics_alignment, error: *mut obc_error) -> i32;
-    /// Writes a file, whole or not at all; read again, every number is the same to its last bits.
-    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_UNSUPPORTED (ending; channels other than 3 for SPHARM-PDM), OBC\_IO,
-    /// OBC\_OUT\_OF\_MEMORY. The message starts with the path.
+    /// Writes coefficients to a file, which is complete or does not appear; reading it returns the same numbers to their last bits. Errors:
+    /// OBC\_INVALID\_ARGUMENT, OBC\_UNSUPPORTED (ending; channels other than 3 for SPHARM-PDM), OBC\_IO, OBC\_OUT\_OF\_MEMORY. The message starts
+    /// with the path.
     pub fn obc_harmonics_write(path: *const c_char, format: i32, coefficients: *const f64, degree: u32, channels: usize, error: *mut obc_error) -> i32;
-    /// host may be NULL; its allocator must stay valid until \_destroy. Nothing in a file is trusted.
-    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_MALFORMED\_FILE (empty-file, bad-magic, parse, truncated, trailing-data, non-finite, with
-    /// the line), OBC\_UNSUPPORTED, OBC\_IO, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY. The message starts with the path.
+    /// Reads a file and checks all its contents. host may be NULL; its allocator must remain valid until \_destroy. Errors:
+    /// OBC\_INVALID\_ARGUMENT, OBC\_MALFORMED\_FILE (empty-file, bad-magic, parse, truncated, trailing-data, non-finite, with the line),
+    /// OBC\_UNSUPPORTED, OBC\_IO, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY. The message starts with the path.
     pub fn obc_harmonics_read(path: *const c_char, format: i32, host: *const obc_host, coefficients: *mut *mut obc_harmonics_coefficients, error: *mut obc_error) -> i32;
-    /// 0 for NULL.
+    /// Return the degree and the number of channels; 0 for NULL.
     pub fn obc_harmonics_coefficients_degree(coefficients: *const obc_harmonics_coefficients) -> u32;
-    /// 0 for NULL.
+    /// Return the degree and the number of channels; 0 for NULL.
     pub fn obc_harmonics_coefficients_channels(coefficients: *const obc_harmonics_coefficients) -> usize;
-    /// Copies them out: (degree+1)^2 \* channels doubles. Errors: OBC\_INVALID\_ARGUMENT.
+    /// Copies the coefficients: (degree+1)^2 \* channels doubles. Errors: OBC\_INVALID\_ARGUMENT.
     pub fn obc_harmonics_coefficients_copy(coefficients: *const obc_harmonics_coefficients, values: *mut f64, error: *mut obc_error) -> i32;
-    /// NULL is fine.
+    /// Destroys coefficients; NULL is allowed.
     pub fn obc_harmonics_coefficients_destroy(coefficients: *mut obc_harmonics_coefficients);
-    /// Version of the library, major \* 10000 + minor \* 100 + patch.
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_harmonics_version() -> u32;
 }
 

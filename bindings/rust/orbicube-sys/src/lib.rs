@@ -8,6 +8,8 @@ pub mod frame_field;
 pub mod gltf;
 #[cfg(feature = "harmonics")]
 pub mod harmonics;
+#[cfg(feature = "linear")]
+pub mod linear;
 #[cfg(feature = "mesh")]
 pub mod mesh;
 #[cfg(feature = "polycube")]

@@ -4,310 +4,336 @@
 use crate::base::{obc_error, obc_host};
 use std::os::raw::{c_char, c_void};
 
+/// text
 pub const OBC_MESH_OBJ: i32 = 0;
+/// text
 pub const OBC_MESH_OFF: i32 = 1;
-/// ASCII and binary of either byte order, triangle strips
+/// text and binary of either byte order, triangle strips
 pub const OBC_MESH_PLY: i32 = 2;
-/// ASCII and binary
+/// text and binary
 pub const OBC_MESH_STL: i32 = 3;
+/// text
 pub const OBC_MESH_MEDIT: i32 = 4;
-/// legacy, ASCII and binary
+/// legacy, text and binary
 pub const OBC_MESH_VTK: i32 = 5;
 
-/// A mesh in the library's memory.
+/// A mesh in memory of the library.
 #[repr(C)]
 pub struct obc_mesh {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// A surface made ready for searching: trees of bounding boxes over its vertices and triangles.
+/// Trees of bounding boxes over the vertices and triangles of a surface.
 #[repr(C)]
 pub struct obc_mesh_search {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// A surface as the caller holds it: a view, kept by no function.
+/// A triangle surface: a view of arrays of the caller.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_surface {
     /// x y z a vertex
     pub positions: *const f64,
+    /// number of vertices
     pub vertex_count: usize,
     /// three vertex indices each, counter-clockwise seen from outside
     pub triangles: *const u32,
+    /// number of triangles
     pub triangle_count: usize,
 }
 
-/// Cells in the caller's arrays, for obc\_mesh\_create. Fill with \_init, then set what there is.
+/// Vertices and cells in arrays of the caller, for obc\_mesh\_create. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_cells {
     pub struct_size: u32,
     pub reserved: i32,
+    /// x y z a vertex. Default: NULL.
     pub positions: *const f64,
+    /// number of vertices. Default: 0.
     pub vertex_count: usize,
-    /// or NULL, as tetrahedra and hexahedra
+    /// three vertices each, or NULL. Default: NULL.
     pub triangles: *const u32,
+    /// number of triangles. Default: 0.
     pub triangle_count: usize,
+    /// four vertices each, or NULL. Default: NULL.
     pub tetrahedra: *const u32,
+    /// number of tetrahedra. Default: 0.
     pub tetrahedron_count: usize,
+    /// eight vertices each, or NULL. Default: NULL.
     pub hexahedra: *const u32,
+    /// number of hexahedra. Default: 0.
     pub hexahedron_count: usize,
 }
 
-/// How well shaped tetrahedra are. Ratios of inverted ones are negative, of flat ones 0; angles are in degrees.
+/// Quality of tetrahedra. Ratios are negative for inverted tetrahedra and 0 for flat ones; angles are in degrees.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_tetrahedron_quality_report {
-    /// the first one of the smallest radius ratio; 2^32 - 1: there are none
+    /// worst: first tetrahedron with the minimum radius ratio; 2^32 - 1: none
     pub struct_size: u32,
-    /// the first one of the smallest radius ratio; 2^32 - 1: there are none
+    /// worst: first tetrahedron with the minimum radius ratio; 2^32 - 1: none
     pub worst: u32,
-    /// all, and those by their exact signs
+    /// numbers of all tetrahedra and of those with each exact sign
     pub tetrahedra: u64,
-    /// all, and those by their exact signs
+    /// numbers of all tetrahedra and of those with each exact sign
     pub positive: u64,
-    /// all, and those by their exact signs
+    /// numbers of all tetrahedra and of those with each exact sign
     pub flat: u64,
-    /// all, and those by their exact signs
+    /// numbers of all tetrahedra and of those with each exact sign
     pub inverted: u64,
-    /// of all together and of one; those of inverted ones negative
+    /// total, minimum and maximum signed volume
     pub volume: f64,
-    /// of all together and of one; those of inverted ones negative
+    /// total, minimum and maximum signed volume
     pub smallest_volume: f64,
-    /// of all together and of one; those of inverted ones negative
+    /// total, minimum and maximum signed volume
     pub largest_volume: f64,
-    /// at the edges; the mean of each one's smallest
+    /// dihedral angles; the mean is that of each tetrahedron's minimum
     pub smallest_dihedral: f64,
-    /// at the edges; the mean of each one's smallest
+    /// dihedral angles; the mean is that of each tetrahedron's minimum
     pub largest_dihedral: f64,
-    /// at the edges; the mean of each one's smallest
+    /// dihedral angles; the mean is that of each tetrahedron's minimum
     pub mean_smallest_dihedral: f64,
     /// 3 \* inradius / circumradius: 1 for a regular tetrahedron
     pub smallest_radius_ratio: f64,
     /// 3 \* inradius / circumradius: 1 for a regular tetrahedron
     pub mean_radius_ratio: f64,
-    /// circumradius / shortest edge; infinite, and left out, for flat ones
+    /// circumradius / shortest edge; infinite for flat tetrahedra, which the mean leaves out
     pub largest_radius_edge: f64,
-    /// circumradius / shortest edge; infinite, and left out, for flat ones
+    /// circumradius / shortest edge; infinite for flat tetrahedra, which the mean leaves out
     pub mean_radius_edge: f64,
+    /// edge lengths
     pub shortest_edge: f64,
+    /// edge lengths
     pub longest_edge: f64,
-    /// six angles each, by 10 degrees; ratios by 0.05
+    /// six angles a tetrahedron in bins of 10 degrees; ratios in bins of 0.05
     pub dihedral_histogram: [u64; 18],
-    /// six angles each, by 10 degrees; ratios by 0.05
+    /// six angles a tetrahedron in bins of 10 degrees; ratios in bins of 0.05
     pub radius_ratio_histogram: [u64; 20],
 }
 
-/// Fill with \_init.
+/// Options of readers. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_read_options {
     pub struct_size: u32,
-    /// 1: joins vertices at identical positions when the surface is not closed as it stands. STL, which
-    /// has no shared vertices, is always joined. Default 0
+    /// 1: welds vertices at identical positions if the surface is not closed as read; 0: does not. STL has no shared vertices and is
+    /// always welded. Default: 0.
     pub weld_identical: i32,
 }
 
-/// Fill with \_init.
+/// Options of writers. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_write_options {
     pub struct_size: u32,
-    /// 1: PLY, STL and VTK in binary; 0: as text. The other formats are text. Default 1
+    /// 1: PLY, STL and VTK in binary; 0: as text. The other formats are text. Default: 1.
     pub binary: i32,
 }
 
-/// What kind of surface it is. The first place of a defect is given by vertices or faces, 2^32 - 1 where there is none.
+/// Topology of a surface. Defects have the indices of the first occurrence, 2^32 - 1 where there is none.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_topology_report {
     pub struct_size: u32,
-    /// 1: there are triangles and no boundary; else 0
+    /// 1: there are triangles and no boundary; 0: otherwise
     pub closed: i32,
-    /// 1: no non-manifold, duplicate or degenerate places; else 0
+    /// 1: no non-manifold, duplicate or degenerate elements; 0: otherwise
     pub manifold: i32,
-    /// 1: turning triangles round can make all edges consistent; else 0
+    /// 1: reversing triangles can make all edges consistent; 0: otherwise
     pub orientable: i32,
+    /// number of vertices
     pub vertices: u64,
-    /// in no triangle; they take no part in the other figures
+    /// number of vertices in no triangle, which the other figures leave out
     pub unreferenced_vertices: u64,
+    /// number of triangles
     pub triangles: u64,
+    /// number of edges
     pub edges: u64,
-    /// connected through vertices
+    /// number of components connected through vertices
     pub components: u64,
-    /// with one triangle
+    /// number of edges with one triangle
     pub boundary_edges: u64,
-    /// connected parts of the boundary
+    /// number of connected components of the boundary
     pub boundary_loops: u64,
-    /// in edges
+    /// maximum number of edges of one of them
     pub longest_boundary_loop: u64,
-    /// with three triangles or more
+    /// number of edges with three or more triangles
     pub non_manifold_edges: u64,
-    /// whose triangles form more than one fan
+    /// number of vertices whose triangles form more than one fan
     pub non_manifold_vertices: u64,
-    /// that both of their triangles pass in the same direction
+    /// number of edges that both triangles traverse in the same direction
     pub inconsistent_edges: u64,
-    /// with a repeated corner; they have no edges
+    /// number of triangles with a repeated vertex, which have no edges
     pub degenerate_faces: u64,
-    /// with the corners of an earlier face, in any order
+    /// number of triangles with the vertices of an earlier one, in any order
     pub duplicate_faces: u64,
-    /// whose three different corners lie on one line, exactly
+    /// number of triangles whose three distinct vertices are exactly collinear
     pub zero_area_faces: u64,
-    /// at the very position of an earlier vertex
+    /// number of vertices at exactly the position of an earlier one
     pub coincident_vertices: u64,
     /// vertices - edges + triangles
     pub euler_characteristic: i64,
-    /// of a closed, connected, orientable manifold; -1 for others
+    /// genus of a closed, connected, orientable manifold; -1 for other surfaces
     pub genus: i64,
     /// bounding box of the triangles
     pub low: [f64; 3],
     /// bounding box of the triangles
     pub high: [f64; 3],
-    /// volume \< 0: looks inward. Infinite beyond the range of double
+    /// volume is negative if inward-oriented. Out of range of double: infinite, or the smallest number of the sign
     pub area: f64,
-    /// volume \< 0: looks inward. Infinite beyond the range of double
+    /// volume is negative if inward-oriented. Out of range of double: infinite, or the smallest number of the sign
     pub volume: f64,
+    /// two vertices
     pub first_boundary_edge: [u32; 2],
+    /// two vertices
     pub first_non_manifold_edge: [u32; 2],
+    /// two vertices
     pub first_inconsistent_edge: [u32; 2],
+    /// two triangles
     pub first_duplicate_faces: [u32; 2],
+    /// two vertices
     pub first_coincident_vertices: [u32; 2],
+    /// a vertex
     pub first_non_manifold_vertex: u32,
-    /// not connected with the first vertex
+    /// a vertex that is not connected to the first one
     pub first_vertex_apart: u32,
+    /// a triangle
     pub first_degenerate_face: u32,
+    /// a triangle
     pub first_zero_area_face: u32,
 }
 
-/// What obc\_mesh\_orient did.
+/// Changes by obc\_mesh\_orient.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_mesh_orient_report {
     pub struct_size: u32,
-    /// 1: the closed surface looked inward, and all triangles were turned; else 0
+    /// 1: the closed surface was inward-oriented, and all triangles were reversed; 0: otherwise
     pub turned_outward: i32,
-    /// before that, to agree with their neighbours
+    /// number of triangles reversed before that to agree with their neighbors
     pub triangles_turned: u64,
 }
 
 extern "C" {
-    /// A mesh of nothing.
+    /// Fills cells with an empty mesh.
     pub fn obc_mesh_cells_init(cells: *mut obc_mesh_cells, struct_size: usize) -> i32;
-    /// A mesh with copies of the arrays. host may be NULL; its allocator must stay valid until \_destroy. Errors: invalid argument,
-    /// out of memory. O(n).
+    /// Creates a mesh with copies of the arrays. host may be NULL; its allocator must remain valid until \_destroy. O(n). Errors: invalid
+    /// argument, out of memory.
     pub fn obc_mesh_create(cells: *const obc_mesh_cells, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// A closed surface by name ("creature", "torus", "cube", "sphere", "bracket", ...; obc\_mesh\_shape\_name lists them) of about
-    /// \`triangle\_count\` triangles, two units in size; the seed varies it. Errors: invalid argument, out of memory, cancelled. O(n).
+    /// Generates a closed surface by name ("creature", "torus", "cube", "sphere", "bracket", ...; obc\_mesh\_shape\_name lists the names) of about
+    /// \`triangle\_count\` triangles, two units in size; the seed varies its shape. O(n). Errors: invalid argument, out of memory,
+    /// cancelled.
     pub fn obc_mesh_make(shape: *const c_char, triangle_count: usize, seed: u64, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// Name of the index-th shape that obc\_mesh\_make knows, a static string; NULL beyond the last one.
+    /// Returns the name of the index-th shape of obc\_mesh\_make, a static string; NULL from the number of shapes on.
     pub fn obc_mesh_shape_name(index: usize) -> *const c_char;
-    /// Releases a mesh; NULL is fine.
+    /// Destroys a mesh; NULL is allowed.
     pub fn obc_mesh_destroy(mesh: *mut obc_mesh);
-    /// Numbers of a mesh; 0 for NULL.
+    /// Return the numbers of vertices and cells of a mesh; 0 for NULL.
     pub fn obc_mesh_vertex_count(mesh: *const obc_mesh) -> usize;
-    /// Numbers of a mesh; 0 for NULL.
+    /// Return the numbers of vertices and cells of a mesh; 0 for NULL.
     pub fn obc_mesh_triangle_count(mesh: *const obc_mesh) -> usize;
-    /// Numbers of a mesh; 0 for NULL.
+    /// Return the numbers of vertices and cells of a mesh; 0 for NULL.
     pub fn obc_mesh_tetrahedron_count(mesh: *const obc_mesh) -> usize;
-    /// Numbers of a mesh; 0 for NULL.
+    /// Return the numbers of vertices and cells of a mesh; 0 for NULL.
     pub fn obc_mesh_hexahedron_count(mesh: *const obc_mesh) -> usize;
-    /// Copies to the caller's arrays, each of which may be NULL. Errors: invalid argument.
+    /// Copies a mesh to arrays of the caller, each of which may be NULL. Errors: invalid argument.
     pub fn obc_mesh_copy(mesh: *const obc_mesh, positions: *mut f64, triangles: *mut u32, tetrahedra: *mut u32, hexahedra: *mut u32, error: *mut obc_error) -> i32;
-    /// A view of the mesh's own positions and triangles, valid until the mesh is destroyed. Errors: invalid argument.
+    /// Returns a view of the positions and triangles of a mesh, valid until the mesh is destroyed. Errors: invalid argument.
     pub fn obc_mesh_surface(mesh: *const obc_mesh, surface: *mut obc_surface, error: *mut obc_error) -> i32;
-    /// Whether the tetrahedra and hexahedra fill a solid: distinct, positive by exact predicates (hexahedra at each corner), meeting
-    /// in whole faces, no face of three cells, no edge where parts only touch. OBC\_OK, also without cells; or degenerate or not
+    /// Checks that the tetrahedra and hexahedra form a solid: distinct, positive by exact predicates (hexahedra at each corner),
+    /// conforming, no face with three cells, no edge at which parts touch. Returns OBC\_OK, also without cells, or degenerate or not
     /// manifold with the kind (inverted-cell, degenerate-cell, duplicate-cell, non-manifold-face, non-manifold-edge) and the
-    /// first place; out of memory, cancelled. O(n log n).
+    /// first location. O(n log n). Errors: those, out of memory, cancelled.
     pub fn obc_mesh_check_cells(mesh: *const obc_mesh, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// The surface of the solid that the cells fill, looking outward, as a mesh of its own with the same vertices: the faces of one
-    /// cell only, those of hexahedra cut in two. Errors: invalid argument, not manifold (a face of three cells), out of memory,
-    /// cancelled. O(n log n).
+    /// Computes the outward-oriented boundary surface of the solid, a new mesh with the same vertices: the faces of exactly one cell, those of
+    /// hexahedra split in two. O(n log n). Errors: invalid argument, not manifold (a face with three cells), out of memory, cancelled.
     pub fn obc_mesh_boundary(mesh: *const obc_mesh, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// An empty report that knows its size.
+    /// Fills a report with zeros and its size.
     pub fn obc_mesh_tetrahedron_quality_report_init(report: *mut obc_mesh_tetrahedron_quality_report, struct_size: usize) -> i32;
-    /// Measures the tetrahedra of a mesh, whatever they are. Errors: invalid argument, cancelled. O(n).
+    /// Measures the tetrahedra of a mesh, valid or not. O(n). Errors: invalid argument, cancelled.
     pub fn obc_mesh_tetrahedron_quality(mesh: *const obc_mesh, host: *const obc_host, report: *mut obc_mesh_tetrahedron_quality_report, error: *mut obc_error) -> i32;
-    /// The defaults, which the members' comments give.
+    /// Fills options with the defaults.
     pub fn obc_mesh_read_options_init(options: *mut obc_mesh_read_options, struct_size: usize) -> i32;
-    /// Reads the file at \`path\` (bytes as the system takes them), its format by its ending: .obj .off .ply .stl .mesh .vtk.
-    /// Vertices keep their order unless they are joined; faces of more corners are cut into triangles; cells are checked as by
-    /// obc\_mesh\_check\_cells. options and host may be NULL; the host's allocator must stay valid until \_destroy. Nothing in a file
-    /// is trusted; memory is bounded by a multiple of its size. Errors: io, malformed file (the kind says how: truncated, parse,
-    /// index-range, non-finite, ...; the message where), the kinds of cells, unsupported, out of memory, cancelled. O(size).
+    /// Reads the file at \`path\` (bytes in the encoding of the system) in the format of its ending: .obj .off .ply .stl .mesh .vtk.
+    /// Vertices keep their order unless they are welded; polygons are split into triangles; cells are checked as by
+    /// obc\_mesh\_check\_cells. options and host may be NULL; the allocator of the host must remain valid until \_destroy. All contents are
+    /// checked; memory is bounded by a multiple of the file size. O(size). Errors: io; malformed file (the kind says how:
+    /// truncated, parse, index-range, non-finite, ...; the message where); the kinds of cells; unsupported; out of memory; cancelled.
     pub fn obc_mesh_read(path: *const c_char, options: *const obc_mesh_read_options, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// The same from \`size\` bytes of a file of the format OBC\_MESH\_...; they are not kept.
+    /// Reads a file of the format OBC\_MESH\_... from \`size\` bytes in memory, which are not kept; otherwise as obc\_mesh\_read.
     pub fn obc_mesh_read_memory(bytes: *const c_void, size: usize, format: i32, options: *const obc_mesh_read_options, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
+    /// Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    /// three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    /// the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read.
     pub fn obc_mesh_format(mesh: *const obc_mesh) -> *const c_char;
-    /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
+    /// Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    /// three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    /// the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read.
     pub fn obc_mesh_polygon_count(mesh: *const obc_mesh) -> usize;
-    /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
+    /// Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    /// three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    /// the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read.
     pub fn obc_mesh_welded_vertex_count(mesh: *const obc_mesh) -> usize;
-    /// What was found in reading: the format, as "PLY, binary, big-endian"; polygons of more than three corners; vertices that were
-    /// joined to others; and notes on what was changed or left out, one line each, the index-th one, NULL when there is none.
-    /// Texts are UTF-8 and the mesh's. Empty and 0 for a mesh that was not read.
+    /// Return facts about the file that a mesh was read from: its format, such as "PLY, binary, big-endian"; the number of polygons with more than
+    /// three corners; the number of welded vertices; and the index-th note on changed or omitted contents, one line each, NULL from
+    /// the number of notes on. Texts are UTF-8 and valid until the mesh is destroyed. Empty and 0 for a mesh that was not read.
     pub fn obc_mesh_note(mesh: *const obc_mesh, index: usize) -> *const c_char;
-    /// The defaults, which the members' comments give.
+    /// Fills options with the defaults.
     pub fn obc_mesh_write_options_init(options: *mut obc_mesh_write_options, struct_size: usize) -> i32;
-    /// Writes to \`path\`, the format by its ending: triangles to OBJ, OFF, PLY and STL, cells too to MEDIT and VTK. What is read
-    /// again is the same mesh to the bit, but for STL, which has float32. The file appears once it is whole; after an error the
-    /// old one is still there. options and host may be NULL. Errors: invalid argument, unsupported (the ending, or cells that the
-    /// format cannot hold), io, out of memory, cancelled. O(n).
+    /// Writes to \`path\` in the format of its ending: triangles to OBJ, OFF, PLY and STL, also cells to MEDIT and VTK. Reading the file
+    /// returns a bit-identical mesh, except for STL, which has float32. The file appears when it is complete; after an error the
+    /// previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
+    /// format does not have), io, out of memory, cancelled.
     pub fn obc_mesh_write(path: *const c_char, mesh: *const obc_mesh, options: *const obc_mesh_write_options, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// The same for a surface in the caller's arrays.
+    /// Writes a surface in arrays of the caller; otherwise as obc\_mesh\_write.
     pub fn obc_mesh_write_surface(path: *const c_char, surface: *const obc_surface, options: *const obc_mesh_write_options, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// An empty report that knows its size.
+    /// Fills a report with zeros and its size.
     pub fn obc_mesh_topology_report_init(report: *mut obc_mesh_topology_report, struct_size: usize) -> i32;
-    /// Examines any set of triangles. host may be NULL. Errors: invalid argument, out of memory, cancelled. O(n log n) time, O(n)
-    /// for bounded valence (0.1 s for a million triangles), up to 100 bytes a triangle.
+    /// Analyzes any set of triangles. host may be NULL. O(n log n) time, O(n) for bounded valence (0.1 s for a million triangles), up to
+    /// 100 bytes a triangle. Errors: invalid argument, out of memory, cancelled.
     pub fn obc_mesh_topology(surface: *const obc_surface, host: *const obc_host, report: *mut obc_mesh_topology_report, error: *mut obc_error) -> i32;
-    /// Whether the surface is what sphere maps need: closed, connected, manifold, consistently oriented, of genus 0. OBC\_OK, or not
-    /// closed, not manifold, wrong genus or degenerate with the kind and the first place in \`error\`; invalid argument, out of
-    /// memory, cancelled. Costs what obc\_mesh\_topology costs.
+    /// Checks the requirements of sphere maps: closed, connected, manifold, consistently oriented, genus 0. Returns OBC\_OK, or not
+    /// closed, not manifold, wrong genus or degenerate with the kind and the first location in \`error\`. Costs as much as
+    /// obc\_mesh\_topology. Errors: those, invalid argument, out of memory, cancelled.
     pub fn obc_mesh_check_closed_genus_zero(surface: *const obc_surface, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// An empty report that knows its size.
+    /// Fills a report with zeros and its size.
     pub fn obc_mesh_orient_report_init(report: *mut obc_mesh_orient_report, struct_size: usize) -> i32;
-    /// Turns triangles in place so that neighbours agree, the fewer of each part, and then all of them when the surface is closed
-    /// and its volume negative. report may be NULL. Errors: invalid argument, not manifold (non-orientable; nothing is changed
-    /// then), out of memory, cancelled. O(n).
+    /// Reverses triangles in place until neighbors are consistently oriented, the minority of each component, and then all of them if the
+    /// surface is closed with negative volume. report may be NULL. O(n). Errors: invalid argument, not manifold (non-orientable;
+    /// nothing is changed), out of memory, cancelled.
     pub fn obc_mesh_orient(positions: *const f64, vertex_count: usize, triangles: *mut u32, triangle_count: usize, host: *const obc_host, report: *mut obc_mesh_orient_report, error: *mut obc_error) -> i32;
-    /// For each vertex the lowest vertex at its very position (-0 is 0), vertex\_count entries. Errors: invalid argument, out of
-    /// memory, cancelled. O(n).
+    /// Computes for each vertex the lowest vertex at exactly its position (-0 equals 0), vertex\_count entries. O(n). Errors: invalid argument,
+    /// out of memory, cancelled.
     pub fn obc_mesh_first_at_same_position(positions: *const f64, vertex_count: usize, host: *const obc_host, first: *mut u32, error: *mut obc_error) -> i32;
-    /// Pairs of triangles that have more in common than the vertices they share by number, decided by exact predicates: the first
-    /// \`capacity\` pairs in ascending order, two entries each, the lower triangle first; \*count is how many were written. Triangles
-    /// without area are left out. Works on the host's threads. Errors: invalid argument, out of memory, cancelled. O(n log n +
-    /// pairs whose boxes overlap).
+    /// Finds pairs of triangles that intersect in more than their shared vertices, by exact predicates: the first \`capacity\` pairs in
+    /// ascending order, two entries each, the lower triangle first. \*count receives the number of pairs written. Triangles of zero area
+    /// are left out. Uses the threads of the host. O(n log n + pairs of overlapping boxes). Errors: invalid argument, out of memory,
+    /// cancelled.
     pub fn obc_mesh_intersections(surface: *const obc_surface, host: *const obc_host, pairs: *mut u32, capacity: usize, count: *mut usize, error: *mut obc_error) -> i32;
-    /// Copies the surface. host may be NULL; its allocator must stay valid until \_destroy. Errors: invalid argument (also: a coordinate
-    /// beyond 1e150, here and in points), out of memory, cancelled. O(n log n), about 200 bytes a triangle.
+    /// Creates a search structure from a copy of the surface. host may be NULL; its allocator must remain valid until \_destroy.
+    /// O(n log n), about 200 bytes a triangle. Errors: invalid argument (also: a coordinate beyond 1e150, here and in points),
+    /// out of memory, cancelled.
     pub fn obc_mesh_search_create(surface: *const obc_surface, host: *const obc_host, out: *mut *mut obc_mesh_search, error: *mut obc_error) -> i32;
-    /// Releases a search; NULL is fine.
+    /// Destroys a search structure; NULL is allowed.
     pub fn obc_mesh_search_destroy(search: *mut obc_mesh_search);
-    /// For each of \`count\` points (3 \* count doubles) the nearest vertex, the lowest of equals. Errors: invalid argument (also: a
-    /// point that is not finite, no vertices). O(log n) a point on average.
+    /// Finds the nearest vertex of each of \`count\` points (3 \* count doubles), the lowest of equally near ones. O(log n) a point on
+    /// average. Errors: invalid argument (also: a point that is not finite, no vertices).
     pub fn obc_mesh_search_vertices(search: *const obc_mesh_search, points: *const f64, count: usize, vertices: *mut u32, error: *mut obc_error) -> i32;
-    /// For each of \`count\` points the nearest point of the surface: its triangle (the lowest of equals), its weights at the
-    /// triangle's corners (3 \* count, none negative, sum 1), its position (3 \* count) and its distance; each array may be NULL.
-    /// Errors: invalid argument (also: a point that is not finite, no triangles). O(log n) a point on average.
+    /// Finds the nearest point of the surface to each of \`count\` points: its triangle (the lowest of equally near ones), its barycentric
+    /// coordinates (3 \* count, nonnegative, sum 1), its position (3 \* count) and its distance; each array may be NULL. O(log n) a
+    /// point on average. Errors: invalid argument (also: a point that is not finite, no triangles).
     pub fn obc_mesh_search_surface(search: *const obc_mesh_search, points: *const f64, count: usize, triangles: *mut u32, weights: *mut f64, positions: *mut f64, distances: *mut f64, error: *mut obc_error) -> i32;
-    /// Sign of (b - a) x (c - a): 1 when the triangle a, b, c of the plane is counter-clockwise.
+    /// Returns the sign of (b - a) x (c - a): 1 if the triangle a, b, c in the plane is counter-clockwise.
     pub fn obc_mesh_orientation_2d(a: *const f64, b: *const f64, c: *const f64) -> i32;
-    /// Sign of det\[b - a, c - a, d - a\]: 1 when the tetrahedron a, b, c, d has positive volume.
+    /// Returns the sign of det\[b - a, c - a, d - a\]: 1 if the tetrahedron a, b, c, d has positive volume.
     pub fn obc_mesh_orientation_3d(a: *const f64, b: *const f64, c: *const f64, d: *const f64) -> i32;
-    /// Sign of det\[p, q, r\]: 1 when p, q, r are counter-clockwise seen from outside a sphere around the origin.
+    /// Returns the sign of det\[p, q, r\]: 1 if p, q, r are counter-clockwise seen from outside a sphere around the origin.
     pub fn obc_mesh_orientation_from_origin(p: *const f64, q: *const f64, r: *const f64) -> i32;
-    /// Version of this library, major \* 10000 + minor \* 100 + patch.
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_mesh_version() -> u32;
 }
 

@@ -9,38 +9,43 @@ pub const OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: i32 = 1;
 pub const OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: i32 = 2;
 pub const OBC_SPHERE_OPTIMIZER_SEED: i32 = 3;
 
-/// value and gradient of f at x; answer with \_tell
+/// evaluate f and its gradient at x, then call \_tell
 pub const OBC_SPHERE_OPTIMIZER_NEED_FG: i32 = 1;
-/// x is a new iterate; nothing to answer
+/// x is a new iterate; requires no action
 pub const OBC_SPHERE_OPTIMIZER_ITERATION: i32 = 2;
-/// see \_get\_result
+/// the run has ended; see \_get\_result
 pub const OBC_SPHERE_OPTIMIZER_DONE: i32 = 3;
 
+/// not ended
 pub const OBC_SPHERE_OPTIMIZER_RUNNING: i32 = 0;
-/// every block's tangent gradient is at most gradient\_tolerance long
+/// the tangent gradient of each block is at most gradient\_tolerance long
 pub const OBC_SPHERE_OPTIMIZER_CONVERGED: i32 = 1;
 /// f \<= target
 pub const OBC_SPHERE_OPTIMIZER_TARGET_REACHED: i32 = 2;
+/// max\_evaluations reached
 pub const OBC_SPHERE_OPTIMIZER_EVALUATION_BUDGET: i32 = 3;
+/// max\_iterations or max\_passes reached
 pub const OBC_SPHERE_OPTIMIZER_ITERATION_BUDGET: i32 = 4;
-/// no step that the arithmetic resolves improves f, or gains as asked
+/// no step that double precision resolves lowers f, or lowers it by relative\_gain
 pub const OBC_SPHERE_OPTIMIZER_STALLED: i32 = 5;
-/// by the host's progress callback, or by the callback f
+/// by the host's progress callback or by the callback f
 pub const OBC_SPHERE_OPTIMIZER_CANCELLED: i32 = 6;
-/// f not finite at the start, or all along two directions
+/// f is not finite at the start, or along two whole directions
 pub const OBC_SPHERE_OPTIMIZER_EVALUATION_FAILED: i32 = 7;
 
+/// value and gradient are set
 pub const OBC_SPHERE_OPTIMIZER_CONTINUE: i32 = 0;
-/// end the run as cancelled; the best point so far is handed out
+/// end the run as CANCELLED with the best point so far. A finite value that is set as well
+/// counts; the gradient is unused
 pub const OBC_SPHERE_OPTIMIZER_STOP: i32 = 1;
-/// f has no value at x; the method goes on elsewhere
+/// f is undefined at x; the method continues elsewhere
 pub const OBC_SPHERE_OPTIMIZER_FAILED: i32 = 2;
 
-/// QUEUE, then SWEEPS when gains fall slowly
+/// QUEUE, then SWEEPS when gains decrease slowly
 pub const OBC_SPHERE_OPTIMIZER_AUTOMATIC: i32 = 0;
-/// the block first whose or whose neighbours' last step gained most
+/// the block first for which it or a neighbor gained most in the last step
 pub const OBC_SPHERE_OPTIMIZER_QUEUE: i32 = 1;
-/// 0, 1, 2, ... again and again
+/// 0, 1, 2, ... repeatedly
 pub const OBC_SPHERE_OPTIMIZER_SWEEPS: i32 = 2;
 
 /// A run of the all-at-once solver.
@@ -50,187 +55,193 @@ pub struct obc_sphere_optimizer {
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// A relaxation that is done in parts.
+/// A relaxation that runs in parts.
 #[repr(C)]
 pub struct obc_sphere_optimizer_relaxation {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// Value of f at x (count blocks of dimension numbers, one after the other) and its gradient there, in the same order: that in
-/// R^d of each block, or any vector with the same part tangent to the spheres: SEED looks at the whole, LIMITED\_MEMORY takes
-/// the rest as a hint of how stiff each block is, which saves evaluations. A value or entry that is not finite counts as
-/// FAILED.
+/// Evaluates f at x (count blocks of dimension numbers, consecutive) and its gradient in the same order: the gradient in R^d of each
+/// block, or any vector with the same tangential component. SEED uses the whole gradient; LIMITED\_MEMORY takes the normal component as an
+/// estimate of the stiffness of each block, which saves evaluations. A value or entry that is not finite counts as FAILED. Returns one
+/// of the constants above.
 pub type obc_sphere_optimizer_function = Option<unsafe extern "C" fn(x: *const f64, count: usize, dimension: usize, value: *mut f64, gradient: *mut f64, user: *mut c_void) -> i32>;
 
-/// The part of f that contains \`block\`, if that block was at \`place\` (dimension numbers) and all others where \`points\` (all
-/// blocks) says. With gradient (dimension numbers, or NULL), place is where the block is; with hessian (dimension squared, or
-/// NULL) second derivatives as well, by rows. Must depend on nothing else. A value that is not finite counts as FAILED; so the
-/// callback also keeps a block from places where it must not be.
+/// Evaluates the terms of f that contain \`block\`, with that block at \`place\` (dimension numbers) and all others as in \`points\` (all
+/// blocks). With gradient not NULL (dimension numbers), place is the current position of the block; with hessian not NULL
+/// (dimension squared, by rows) it returns second derivatives too. The result must depend on nothing else. A value that is not finite
+/// counts as FAILED, by which the callback can also exclude positions.
 pub type obc_sphere_optimizer_block_function = Option<unsafe extern "C" fn(block: usize, place: *const f64, points: *const f64, value: *mut f64, gradient: *mut f64, hessian: *mut f64, user: *mut c_void) -> i32>;
 
-/// Fill with \_options\_init.
+/// Options of an all-at-once run. Fill with \_options\_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_sphere_optimizer_options {
     pub struct_size: u32,
-    /// LIMITED\_MEMORY
+    /// OBC\_SPHERE\_OPTIMIZER\_LIMITED\_MEMORY or another. Default: LIMITED\_MEMORY.
     pub method: i32,
-    /// pairs of LIMITED\_MEMORY, 1 to 1000: 16
+    /// number of pairs of LIMITED\_MEMORY, 1 to 1000. Default: 16.
     pub memory: u32,
-    /// values that BARZILAI\_BORWEIN looks back on, 1 (monotone) to 1000000: 10
+    /// number of values that BARZILAI\_BORWEIN considers, 1 (monotone) to 1000000. Default: 10.
     pub history: u32,
-    /// on the longest tangent gradient of a block: 1e-8
+    /// tolerance of the longest tangent gradient of a block. Default: 1e-8.
     pub gradient_tolerance: f64,
-    /// stop once f \<= target: -infinity
+    /// ends the run at f \<= target. Default: -infinity.
     pub target: f64,
-    /// 100000
+    /// maximum number of evaluations. Default: 100000.
     pub max_evaluations: u64,
-    /// 100000
+    /// maximum number of iterations. Default: 100000.
     pub max_iterations: u64,
 }
 
-/// What is known of a run; set struct\_size before asking for it.
+/// State of a run. The caller sets struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_sphere_optimizer_result {
     pub struct_size: u32,
-    /// OBC\_SPHERE\_OPTIMIZER\_RUNNING, ...
+    /// stop code, OBC\_SPHERE\_OPTIMIZER\_RUNNING or another
     pub stop: i32,
-    /// f at the point handed out; NaN before the first value
+    /// f at the returned point; NaN before the first value
     pub value: f64,
     /// longest tangent gradient of a block at the current iterate; infinite before it is known
     pub gradient_norm: f64,
+    /// number of evaluations, including failed ones
     pub evaluations: u64,
+    /// number of evaluations without a value
     pub failed_evaluations: u64,
+    /// number of iterations
     pub iterations: u64,
 }
 
-/// The spheres and who is whose neighbour; fill with \_blocks\_init.
+/// The spheres and their adjacency. Fill with \_blocks\_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_sphere_optimizer_blocks {
     pub struct_size: u32,
-    /// 2 to 64; 3 and 4 are compiled for themselves
+    /// dimension of a block, 2 to 64; 3 and 4 have specialized code. Default: 0, which must be set.
     pub dimension: u32,
-    /// less than 4294967295
+    /// number of blocks, below 4294967295. Default: 0, which must be set.
     pub count: usize,
-    /// count + 1 offsets into neighbour
+    /// count + 1 offsets into the array of neighbors. Default: NULL.
     pub neighbour_start: *const usize,
-    /// the blocks whose part of f contains this one, for each block
+    /// for each block, the blocks whose terms of f contain it. Default: NULL.
     pub neighbour: *const u32,
 }
 
-/// Fill with \_relaxation\_options\_init.
+/// Options of a relaxation. Fill with \_relaxation\_options\_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_sphere_optimizer_relaxation_options {
     pub struct_size: u32,
-    /// GREAT\_CIRCLE, or SEED: Algorithm 2 as printed, in the order of eq. 3.6
+    /// GREAT\_CIRCLE, or SEED: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT\_CIRCLE.
     pub method: i32,
-    /// 1: Newton's steps, f gives Hessians: 0
+    /// 1: Newton steps, for which f returns Hessians; 0: first-order steps. Default: 0.
     pub second_order: i32,
-    /// AUTOMATIC
+    /// AUTOMATIC, QUEUE or SWEEPS. Default: AUTOMATIC.
     pub order: i32,
-    /// a block with a shorter tangent gradient stays: 1e-6
+    /// a block with a shorter tangent gradient does not move. Default: 1e-6.
     pub gradient_tolerance: f64,
-    /// end when a pass gains at most this part of all that was gained: 0
+    /// ends when a pass gains at most this fraction of the total gain. Default: 0.
     pub relative_gain: f64,
-    /// how many times as far each step goes as its own energy asks, from 1 to below 2; 0: chosen from
-    /// the rate at which gains fall: 0
+    /// step length relative to the minimizer along the step, from 1 to below 2; 0: chosen from the rate
+    /// at which gains decrease. Default: 0.
     pub over_relaxation: f64,
-    /// of as many steps as there are blocks: 10000
+    /// maximum number of passes, each of \`count\` steps. Default: 10000.
     pub max_passes: u64,
 }
 
-/// What a relaxation did; set struct\_size before asking for it.
+/// State of a relaxation. The caller sets struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_sphere_optimizer_relaxation_result {
     pub struct_size: u32,
-    /// CONVERGED, ITERATION\_BUDGET, STALLED, CANCELLED, EVALUATION\_FAILED (where a block is); RUNNING
+    /// CONVERGED, ITERATION\_BUDGET, STALLED, CANCELLED, EVALUATION\_FAILED (at the position of a block) or RUNNING
     pub stop: i32,
-    /// by how much f fell
+    /// total decrease of f
     pub gain: f64,
     /// longest tangent gradient of a block, known at the end
     pub gradient_norm: f64,
+    /// number of steps
     pub steps: u64,
-    /// of parts of f
+    /// number of evaluations of terms of f
     pub evaluations: u64,
+    /// number of steps at which f was undefined along the whole search
     pub failed_steps: u64,
-    /// of the latest step
+    /// value of the latest step
     pub over_relaxation: f64,
 }
 
 extern "C" {
-    /// The defaults, which the members' comments give.
+    /// Fills options with the defaults.
     pub fn obc_sphere_optimizer_options_init(options: *mut obc_sphere_optimizer_options, struct_size: usize) -> i32;
-    /// Makes a solver over count \>= 1 spheres in dimension \>= 2 that starts from x0 (count \* dimension numbers, each block scaled
-    /// to length 1). options and host may be NULL; what the host points at must stay valid until \_destroy. Errors: invalid
-    /// argument (also a block of x0 that is zero), out of memory.
+    /// Creates a solver over count \>= 1 spheres in dimension \>= 2 that starts from x0 (count \* dimension numbers, each block scaled to
+    /// length 1). options and host may be NULL; what the host points to must remain valid until \_destroy. Errors: invalid argument
+    /// (also a zero block of x0), out of memory.
     pub fn obc_sphere_optimizer_create(count: usize, dimension: usize, options: *const obc_sphere_optimizer_options, x0: *const f64, host: *const obc_host, out: *mut *mut obc_sphere_optimizer, error: *mut obc_error) -> i32;
-    /// Goes on to the next request: NEED\_FG, ITERATION or DONE, or a negative obc\_status when the solver is NULL or on a defect.
-    /// \*x (x may be NULL) is the point that is asked about, the solver's, valid until its next call. While a request waits for
-    /// \_tell, and after DONE, the answer stays the same. Does not allocate.
+    /// Advances to the next request and returns it: NEED\_FG, ITERATION or DONE, or a negative obc\_status for NULL or after a defect. \*x
+    /// (x may be NULL) is the point of the request, in memory of the solver, valid until its next call. While a request waits for
+    /// \_tell, and after DONE, the same request is returned. Does not allocate.
     pub fn obc_sphere_optimizer_step(solver: *mut obc_sphere_optimizer, x: *mut *const f64) -> i32;
-    /// Answers NEED\_FG. A value or gradient entry that is not finite says that f cannot be evaluated there; gradient may be NULL
-    /// then. Errors: invalid argument when nothing was asked.
+    /// Supplies value and gradient for NEED\_FG. An entry that is not finite means that f is undefined there; gradient may then be
+    /// NULL. Errors: invalid argument if no request waits.
     pub fn obc_sphere_optimizer_tell(solver: *mut obc_sphere_optimizer, value: f64, gradient: *const f64, error: *mut obc_error) -> i32;
-    /// What is known now, at any time: result (or NULL), and x (or NULL), which is the iterate that met the tolerance if the run
-    /// CONVERGED, else the lowest point evaluated, and before that the start.
+    /// Copies the current state at any time: result (or NULL), and x (or NULL). x is the iterate that satisfies the tolerance if the
+    /// run CONVERGED, otherwise the lowest point evaluated, and before the first value the start. Errors: invalid argument.
     pub fn obc_sphere_optimizer_get_result(solver: *const obc_sphere_optimizer, result: *mut obc_sphere_optimizer_result, x: *mut f64, error: *mut obc_error) -> i32;
-    /// How many spheres, and of how many numbers each; each of count and dimension may be NULL. For runs that come from \_load.
+    /// Returns the number of spheres and their dimension, for runs that \_load created; count and dimension may be NULL.
+    /// Errors: invalid argument.
     pub fn obc_sphere_optimizer_get_shape(solver: *const obc_sphere_optimizer, count: *mut usize, dimension: *mut usize, error: *mut obc_error) -> i32;
-    /// A run as bytes, at any time between two calls: save\_size gives their number, save writes them to blob (capacity at least
-    /// that). load makes a solver from them that goes on with the same bits, with the options of the saved run. For machines of
-    /// the same byte order. Errors: invalid argument, malformed file (damaged, or of another version).
+    /// Save and restore a run between two calls. save\_size returns the number of bytes, save writes them to blob, whose capacity is at
+    /// least that. load creates a solver that continues with the same bits and the saved options. Both machines need the same
+    /// byte order. Errors: invalid argument, malformed file (damaged, or of another version), out of memory.
     pub fn obc_sphere_optimizer_save_size(solver: *const obc_sphere_optimizer) -> usize;
-    /// A run as bytes, at any time between two calls: save\_size gives their number, save writes them to blob (capacity at least
-    /// that). load makes a solver from them that goes on with the same bits, with the options of the saved run. For machines of
-    /// the same byte order. Errors: invalid argument, malformed file (damaged, or of another version).
+    /// Save and restore a run between two calls. save\_size returns the number of bytes, save writes them to blob, whose capacity is at
+    /// least that. load creates a solver that continues with the same bits and the saved options. Both machines need the same
+    /// byte order. Errors: invalid argument, malformed file (damaged, or of another version), out of memory.
     pub fn obc_sphere_optimizer_save(solver: *const obc_sphere_optimizer, blob: *mut c_void, capacity: usize, error: *mut obc_error) -> i32;
-    /// A run as bytes, at any time between two calls: save\_size gives their number, save writes them to blob (capacity at least
-    /// that). load makes a solver from them that goes on with the same bits, with the options of the saved run. For machines of
-    /// the same byte order. Errors: invalid argument, malformed file (damaged, or of another version).
+    /// Save and restore a run between two calls. save\_size returns the number of bytes, save writes them to blob, whose capacity is at
+    /// least that. load creates a solver that continues with the same bits and the saved options. Both machines need the same
+    /// byte order. Errors: invalid argument, malformed file (damaged, or of another version), out of memory.
     pub fn obc_sphere_optimizer_load(blob: *const c_void, size: usize, host: *const obc_host, out: *mut *mut obc_sphere_optimizer, error: *mut obc_error) -> i32;
-    /// Releases a solver; NULL is fine.
+    /// Destroys a solver; NULL is allowed.
     pub fn obc_sphere_optimizer_destroy(solver: *mut obc_sphere_optimizer);
-    /// The loop over step with a callback: x holds the start and gets what \_get\_result hands out; result may be NULL. Answers
-    /// OBC\_OK however the run ended (result-\>stop), but OBC\_CANCELLED when the host cancelled it; x and result are filled then
-    /// as well.
+    /// Runs to the end with a callback. x is the start and receives the point of \_get\_result; result may be NULL. Returns OBC\_OK
+    /// however the run ended (see result-\>stop), except OBC\_CANCELLED where the host cancelled it; x and result are filled in that case
+    /// too. Errors: invalid argument, out of memory, cancelled.
     pub fn obc_sphere_optimizer_minimize(count: usize, dimension: usize, options: *const obc_sphere_optimizer_options, f: obc_sphere_optimizer_function, user: *mut c_void, x: *mut f64, result: *mut obc_sphere_optimizer_result, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// Empty: no blocks. And the defaults, which the members' comments give.
+    /// Fill blocks with no blocks, and options with the defaults.
     pub fn obc_sphere_optimizer_blocks_init(blocks: *mut obc_sphere_optimizer_blocks, struct_size: usize) -> i32;
-    /// Empty: no blocks. And the defaults, which the members' comments give.
+    /// Fill blocks with no blocks, and options with the defaults.
     pub fn obc_sphere_optimizer_relaxation_options_init(options: *mut obc_sphere_optimizer_relaxation_options, struct_size: usize) -> i32;
-    /// Lowers f block by block: x (count \* dimension numbers) holds the start, scaled to length 1, and gets the end. options, host
-    /// and result may be NULL. Answers OBC\_OK however it ended (result-\>stop), but OBC\_CANCELLED when the host cancelled it; x and
-    /// result are filled then as well. Errors: invalid argument (also a neighbour out of range), out of memory.
+    /// Lowers f block by block. x (count \* dimension numbers) is the start, scaled to length 1, and receives the end. options, host and
+    /// result may be NULL. Returns OBC\_OK however it ended (see result-\>stop), except OBC\_CANCELLED where the host cancelled it; x and
+    /// result are filled in that case too. Errors: invalid argument (also a neighbor out of range), out of memory, cancelled.
     pub fn obc_sphere_optimizer_relax(blocks: *const obc_sphere_optimizer_blocks, options: *const obc_sphere_optimizer_relaxation_options, f: obc_sphere_optimizer_block_function, user: *mut c_void, x: *mut f64, result: *mut obc_sphere_optimizer_relaxation_result, host: *const obc_host, error: *mut obc_error) -> i32;
-    /// The same in parts: \_create copies blocks and x0 (scaled to length 1); what the host points at must stay valid until
-    /// \_destroy.
+    /// Creates a relaxation that runs in parts. Copies blocks and x0 (scaled to length 1); what the host points to must remain valid until
+    /// \_destroy. Errors: invalid argument, out of memory.
     pub fn obc_sphere_optimizer_relaxation_create(blocks: *const obc_sphere_optimizer_blocks, options: *const obc_sphere_optimizer_relaxation_options, x0: *const f64, host: *const obc_host, out: *mut *mut obc_sphere_optimizer_relaxation, error: *mut obc_error) -> i32;
-    /// At most \`steps\` more steps of one block each, without an allocation; at the end of the relaxation its gradients are
-    /// measured. Answers OBC\_OK however it ended; stop is RUNNING when steps are left to do, CANCELLED when f answered STOP.
-    /// OBC\_CANCELLED: the host cancelled. However it was broken off, the step under way is as if it had not begun, and the next
-    /// \_run goes on with the same bits as without the break.
+    /// Relaxes up to \`steps\` more blocks without an allocation, and measures the gradients at the end of the relaxation. Returns OBC\_OK
+    /// however it ended; stop is RUNNING where steps remain, CANCELLED where f returned STOP. After an interruption, also by the
+    /// host (OBC\_CANCELLED), the current step is undone, and the next \_run continues with the same bits as without the
+    /// interruption. Errors: invalid argument, cancelled.
     pub fn obc_sphere_optimizer_relaxation_run(relaxation: *mut obc_sphere_optimizer_relaxation, f: obc_sphere_optimizer_block_function, user: *mut c_void, steps: u64, error: *mut obc_error) -> i32;
-    /// What is known now: result (or NULL) and x (count \* dimension numbers, or NULL).
+    /// Copies the current state: result (or NULL) and x (count \* dimension numbers, or NULL). Errors: invalid argument.
     pub fn obc_sphere_optimizer_relaxation_get_result(relaxation: *const obc_sphere_optimizer_relaxation, result: *mut obc_sphere_optimizer_relaxation_result, x: *mut f64, error: *mut obc_error) -> i32;
-    /// The relaxation as bytes between two calls, like a run of the all-at-once solver. load takes the blocks of the saved one
-    /// again (invalid argument if they are others), with the options of the saved one.
+    /// Save and restore a relaxation between two calls, like an all-at-once run. load takes the blocks of the saved relaxation (invalid
+    /// argument for others) and keeps its options.
     pub fn obc_sphere_optimizer_relaxation_save_size(relaxation: *const obc_sphere_optimizer_relaxation) -> usize;
-    /// The relaxation as bytes between two calls, like a run of the all-at-once solver. load takes the blocks of the saved one
-    /// again (invalid argument if they are others), with the options of the saved one.
+    /// Save and restore a relaxation between two calls, like an all-at-once run. load takes the blocks of the saved relaxation (invalid
+    /// argument for others) and keeps its options.
     pub fn obc_sphere_optimizer_relaxation_save(relaxation: *const obc_sphere_optimizer_relaxation, blob: *mut c_void, capacity: usize, error: *mut obc_error) -> i32;
-    /// The relaxation as bytes between two calls, like a run of the all-at-once solver. load takes the blocks of the saved one
-    /// again (invalid argument if they are others), with the options of the saved one.
+    /// Save and restore a relaxation between two calls, like an all-at-once run. load takes the blocks of the saved relaxation (invalid
+    /// argument for others) and keeps its options.
     pub fn obc_sphere_optimizer_relaxation_load(blocks: *const obc_sphere_optimizer_blocks, blob: *const c_void, size: usize, host: *const obc_host, out: *mut *mut obc_sphere_optimizer_relaxation, error: *mut obc_error) -> i32;
-    /// Releases a relaxation; NULL is fine.
+    /// Destroys a relaxation; NULL is allowed.
     pub fn obc_sphere_optimizer_relaxation_destroy(relaxation: *mut obc_sphere_optimizer_relaxation);
-    /// English name of a stop, such as "evaluation budget". Never NULL; a static string.
+    /// Returns the English name of a stop code, such as "evaluation budget"; a static string, never NULL.
     pub fn obc_sphere_optimizer_stop_name(stop: i32) -> *const c_char;
-    /// Version of this library, major \* 10000 + minor \* 100 + patch.
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_sphere_optimizer_version() -> u32;
 }
 

@@ -4,213 +4,227 @@
 use crate::base::{obc_error, obc_host};
 use crate::mesh::obc_surface;
 
-/// A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
-/// or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere.
+/// Layers of hexahedra along the boundary. AUTO decides by the angles at the edges of the polycube: on all, some or none of its patches; where
+/// the result is bad, it also tries none and all.
 pub const OBC_VOLUME_MAP_PADDING_AUTO: i32 = 0;
-/// A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
-/// or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere.
+/// Layers of hexahedra along the boundary. AUTO decides by the angles at the edges of the polycube: on all, some or none of its patches; where
+/// the result is bad, it also tries none and all.
 pub const OBC_VOLUME_MAP_PADDING_WITH: i32 = 1;
-/// A layer of hexahedra along the boundary: where it serves, by the angles at the edges of the polycube (on all its faces, on some
-/// or on none; where that turns out bad, none or all are tried, too); everywhere; nowhere.
+/// Layers of hexahedra along the boundary. AUTO decides by the angles at the edges of the polycube: on all, some or none of its patches; where
+/// the result is bad, it also tries none and all.
 pub const OBC_VOLUME_MAP_PADDING_WITHOUT: i32 = 2;
 
-/// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
-/// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
-/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
-/// changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument.
+/// Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+/// around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
+/// argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed \`distance\` with up to twice as many cells or have a
+/// scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
+/// POLYCUBE.
 pub const OBC_VOLUME_MAP_METHOD_AUTO: i32 = 0;
-/// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
-/// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
-/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
-/// changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument.
+/// Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+/// around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
+/// argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed \`distance\` with up to twice as many cells or have a
+/// scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
+/// POLYCUBE.
 pub const OBC_VOLUME_MAP_METHOD_POLYCUBE: i32 = 1;
-/// What is filled with cells: a polycube of the surface; the box of the surface, of which the cells inside are taken, with a layer
-/// around, which serves any shape but has more irregular edges; or the polycube, and the box where its hexahedra are not near to
-/// the surface (distance, below), even twice as many, or poor (0.3 in scaled Jacobians), or where there is no polycube or one that
-/// changes angles twofold. The box needs a layer: with padding without, auto is polycube, and voxels are an invalid argument.
+/// Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+/// around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
+/// argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed \`distance\` with up to twice as many cells or have a
+/// scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
+/// POLYCUBE.
 pub const OBC_VOLUME_MAP_METHOD_VOXELS: i32 = 2;
 
-/// A map of a solid to a polycube, one to one.
+/// A bijective map of a solid to a polycube.
 #[repr(C)]
 pub struct obc_volume_map_solid {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// A mesh of hexahedra, certified.
+/// A certified hexahedral mesh.
 #[repr(C)]
 pub struct obc_volume_map_hexes {
     _private: [u8; 0],
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// A mesh to untangle: a view, kept by no function. Fill with \_init, then set what there is. Coordinates are numbered
-/// 3 \* vertex + axis.
+/// A mesh to untangle, with its constraints: a view of arrays of the caller. Coordinate 3 \* vertex + axis is that of an axis of a vertex. Fill with
+/// \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_tangle {
     pub struct_size: u32,
     pub reserved: i32,
-    /// x y z a vertex: where they are
+    /// initial positions, x y z a vertex. Default: NULL, which must be set.
     pub positions: *const f64,
+    /// number of vertices. Default: 0.
     pub vertex_count: usize,
-    /// four vertices each; those of negative volume are inverted
+    /// four vertices a tetrahedron; inverted ones have negative volume. Default: NULL, which must be set.
     pub tetrahedra: *const u32,
+    /// number of tetrahedra. Default: 0.
     pub tetrahedron_count: usize,
-    /// x y z a vertex, where each tetrahedron is positive and has the shape that it should have, of
-    /// any size; NULL: all should be regular and of one size
+    /// Rest positions, x y z a vertex, in which each tetrahedron is positive and has its target shape, of any size; NULL: the target
+    /// shapes are regular tetrahedra of equal size. Default: NULL.
     pub rest: *const f64,
-    /// one a coordinate, not 0 where it stays as it is; NULL: all are free
+    /// one entry a coordinate, nonzero for a fixed one; NULL: all are free. Default: NULL.
     pub fixed: *const u8,
-    /// one a coordinate: its group, a number below 3 \* vertex\_count, all of which are to be equal, or
-    /// UINT32\_MAX; NULL: none. A group with a fixed coordinate is fixed, any other starts at its mean
+    /// Groups of equal coordinates: one entry a coordinate, the number of its group, below 3 \* vertex\_count, or UINT32\_MAX for none;
+    /// NULL: no groups. A group with a fixed coordinate is fixed; any other group starts at its mean. Default: NULL.
     pub ties: *const u32,
 }
 
-/// Fill with \_init.
+/// Options of untangling. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_untangle_options {
     pub struct_size: u32,
-    /// of Newton's method at most, in each of three attempts, until no tetrahedron is inverted. Default 500
+    /// maximum number of Newton steps in each of three attempts, while tetrahedra are inverted. Default: 500.
     pub steps: i32,
-    /// then at most so many that lower the distortion and keep all positive. Default 20
+    /// maximum number of further steps that lower the distortion and keep all tetrahedra positive. Default: 20.
     pub polish_steps: i32,
     pub reserved: i32,
-    /// how much changes of volume count beside those of angles, above 0. Default 1
+    /// weight of volume distortion relative to angle distortion, positive. Default: 1.
     pub volume_weight: f64,
 }
 
-/// Figures of a run. Determinants are those of the map from the wanted shapes, scaled so that 1 keeps the volume.
+/// Figures of untangling. Determinants are those of the maps from the target shapes, scaled so that 1 preserves the volume.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_untangle_report {
     pub struct_size: u32,
-    /// UINT32\_MAX when there is none
+    /// first tetrahedron that is not positive; UINT32\_MAX: none
     pub first_inverted: u32,
-    /// tetrahedra that are not positive, by exact arithmetic
+    /// number of tetrahedra that are not positive before and after, by exact arithmetic
     pub inverted_before: u64,
-    /// tetrahedra that are not positive, by exact arithmetic
+    /// number of tetrahedra that are not positive before and after, by exact arithmetic
     pub inverted: u64,
-    /// taken
+    /// number of steps taken
     pub steps: u64,
-    /// taken
+    /// number of steps taken
     pub polish_steps: u64,
+    /// minimum and maximum determinant after
     pub least_determinant: f64,
+    /// minimum and maximum determinant after
     pub greatest_determinant: f64,
-    /// mean of |J|^2 / D^(2/3) + volume\_weight (1 + D^2) / D; 5 at least with weight 1
+    /// mean of |J|^2 / D^(2/3) + volume\_weight (1 + D^2) / D; at least 5 with weight 1
     pub energy: f64,
 }
 
-/// Fill with \_init.
+/// Options of a map of a solid. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_solid_options {
     pub struct_size: u32,
     pub reserved: i32,
-    /// of the polycube of a wall at most, as in obc\_polycube\_options. Default 100
+    /// maximum number of polycube corners per boundary component, as in obc\_polycube\_options; 0: no limit. Default: 100.
     pub corners: usize,
-    /// of what is chosen at random. Default 0
+    /// seed of random choices. Default: 0.
     pub seed: u64,
 }
 
-/// Fill with \_init.
+/// Options of a hexahedral mesh. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_hexes_options {
     pub struct_size: u32,
-    /// OBC\_VOLUME\_MAP\_PADDING\_...; auto by default
+    /// OBC\_VOLUME\_MAP\_PADDING\_AUTO, WITH or WITHOUT. Default: AUTO.
     pub padding: i32,
-    /// about so many hexahedra, 1 to 10 million. Default 10000
+    /// approximate number of hexahedra, 1 to 10 million. Default: 10000.
     pub cells: usize,
-    /// of the polycube of a wall at most, as in obc\_polycube\_options. Default 100
+    /// maximum number of polycube corners per boundary component, as in obc\_polycube\_options; 0: no limit. Default: 100.
     pub corners: usize,
-    /// a surface of more than twice as many is mapped by a coarser one of about so many; 0: never. Default 6000
+    /// a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: never. Default: 6000.
     pub triangles: usize,
-    /// of what the polycube chooses at random. Default 0
+    /// seed of random choices of the polycube. Default: 0.
     pub seed: u64,
-    /// of smoothing. Default 40
+    /// number of smoothing rounds, 0 to 1000. Default: 40.
     pub rounds: i32,
-    /// OBC\_VOLUME\_MAP\_METHOD\_...; auto by default
+    /// OBC\_VOLUME\_MAP\_METHOD\_AUTO, POLYCUBE or VOXELS. Default: AUTO.
     pub method: i32,
-    /// In percent, 0 to 100: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
-    /// box, and so much the volume may differ. Where that is not so, there are twice as many cells, and again, up to most\_cells;
-    /// the nearest is answered. 0: nothing is asked for. Default 1
+    /// Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume error, in percent, 0 to
+    /// 100. While it is exceeded, the cell count is doubled, up to most\_cells; the closest mesh is returned. 0 disables the check.
+    /// Default: 1.
     pub distance: f64,
-    /// about, 10 million at most; where less than cells, these are not changed. Default 100000
+    /// approximate maximum cell count of doubling, up to 10 million; below \`cells\`: no doubling. Default: 100000.
     pub most_cells: usize,
-    /// Edges where the surface bends by so many degrees or more, 0 to below 180, are edges of hexahedra, where the polycube has edges
-    /// nearby, unless hexahedra there would be bad; 0: none. Default 40
+    /// Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows sharp edges near an edge of
+    /// the polycube, unless hexahedra there would be bad. 0: none. Default: 40.
     pub sharp_angle: f64,
 }
 
-/// What was made. Fill struct\_size. The scaled Jacobian of a hexahedron is the least, over its corners, of the determinant of the
-/// three edges there over the product of their lengths: 1 for a box.
+/// Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
+/// three edges there over the product of their lengths: 1 for a box. The caller sets struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_hexes_report {
     pub struct_size: u32,
-    /// 1: with a layer along the boundary or parts of it
+    /// 1: with a layer along the boundary or parts of it; 0: without
     pub padded: i32,
+    /// minimum and mean over the hexahedra
     pub least_scaled_jacobian: f64,
+    /// minimum and mean over the hexahedra
     pub mean_scaled_jacobian: f64,
-    /// of the trilinear hexahedra
+    /// total volume of the trilinear hexahedra
     pub volume: f64,
-    /// of the polycubes of all walls; 0 where there is none
+    /// number of corners of the polycubes of all boundary components; 0: no polycube
     pub polycube_corners: usize,
-    /// vertices of the boundary that could not be put where they belong
+    /// number of boundary vertices that could not be placed on the surface
     pub off_surface: usize,
-    /// In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface.
+    /// Hausdorff distance of the boundary (quads split at their first vertex) and the surface, in percent of the bounding-box diagonal,
+    /// accurate to half a percent of itself, and volume error in percent, both of the whole solid.
     pub distance: f64,
-    /// In percent, the farther of both ways, of points 1/400 of the diagonal apart at most, and of the volume of the surface.
+    /// Hausdorff distance of the boundary (quads split at their first vertex) and the surface, in percent of the bounding-box diagonal,
+    /// accurate to half a percent of itself, and volume error in percent, both of the whole solid.
     pub volume_error: f64,
-    /// 1: those that the polycube has edges for
+    /// 1: the mesh follows the sharp edges for which the polycube has edges; 0: it does not
     pub follows_sharp_edges: i32,
-    /// 1: cells of the box, of one piece at least
+    /// 1: at least one piece is grid-based; 0: none
     pub by_voxels: i32,
 }
 
-/// Fill with \_init.
+/// Options of a frame-guided hexahedral mesh. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_frame_options {
     pub struct_size: u32,
-    /// of smoothing. Default 40
+    /// number of smoothing rounds, 0 to 1000. Default: 40.
     pub rounds: i32,
-    /// about so many hexahedra, 1 to 10 million. Default 10000
+    /// approximate number of hexahedra, 1 to 10 million. Default: 10000.
     pub cells: usize,
-    /// where frames are not given: an axis follows edges of the boundary that turn by more (radians);
-    /// 0: none. Default 0
+    /// Minimum dihedral angle, in radians, of boundary edges that an axis of the computed frames follows; unused for frames of the
+    /// caller. 0: none. Default: 0.
     pub feature_angle: f64,
-    /// As in obc\_volume\_map\_hexes\_options, of the boundary of the solid. Defaults 1 and 100000
+    /// as in obc\_volume\_map\_hexes\_options, relative to the boundary of the solid. Default: 1.
     pub distance: f64,
+    /// as in obc\_volume\_map\_hexes\_options. Default: 100000.
     pub most_cells: usize,
 }
 
-/// What was made. Fill struct\_size. Scaled Jacobians as in obc\_volume\_map\_hexes\_report.
+/// Figures of a frame-guided hexahedral mesh. The caller sets struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_volume_map_frame_report {
     pub struct_size: u32,
-    /// 1: the search for the best integers came to its end
+    /// 1: the search proved the integers optimal; 0: it ended before
     pub integers_optimal: i32,
+    /// as in obc\_volume\_map\_hexes\_report
     pub least_scaled_jacobian: f64,
+    /// as in obc\_volume\_map\_hexes\_report
     pub mean_scaled_jacobian: f64,
-    /// of the trilinear hexahedra
+    /// total volume of the trilinear hexahedra
     pub volume: f64,
-    /// vertices of the boundary that could not be put where they belong
+    /// number of boundary vertices that could not be placed on the surface
     pub off_surface: usize,
-    /// of the tetrahedra, inside
+    /// number of singular inner edges of the tetrahedra
     pub singular_edges: usize,
-    /// of the hexahedra, inside: with other than four around
+    /// number of inner edges of the mesh with other than four hexahedra
     pub irregular_edges: usize,
-    /// unknown ones of the map
+    /// number of integer unknowns of the map
     pub integers: usize,
-    /// of the map, after splits
+    /// number of tetrahedra of the map, after splits
     pub tetrahedra: usize,
-    /// of these, when integers were chosen; none are in the end
+    /// number of inverted tetrahedra after the choice of integers; the final map has none
     pub inverted_at_start: usize,
-    /// of Newton's method until there were none and the map was better
+    /// number of Newton steps of untangling and optimization
     pub steps: usize,
     /// as in obc\_volume\_map\_hexes\_report
     pub distance: f64,
@@ -219,75 +233,76 @@ pub struct obc_volume_map_frame_report {
 }
 
 extern "C" {
-    /// A mesh of nothing; the defaults, which the members' comments give; zeros.
+    /// Fill a mesh with no vertices, options with the defaults, and a report with zeros.
     pub fn obc_volume_map_tangle_init(tangle: *mut obc_volume_map_tangle, struct_size: usize) -> i32;
-    /// A mesh of nothing; the defaults, which the members' comments give; zeros.
+    /// Fill a mesh with no vertices, options with the defaults, and a report with zeros.
     pub fn obc_volume_map_untangle_options_init(options: *mut obc_volume_map_untangle_options, struct_size: usize) -> i32;
-    /// A mesh of nothing; the defaults, which the members' comments give; zeros.
+    /// Fill a mesh with no vertices, options with the defaults, and a report with zeros.
     pub fn obc_volume_map_untangle_report_init(report: *mut obc_volume_map_untangle_report, struct_size: usize) -> i32;
-    /// Moves vertices until all tetrahedra are positive: result gets x y z a vertex, fixed coordinates to the bit, tied ones the
-    /// same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be NULL; result may be
-    /// tangle-\>positions. About 700 bytes a tetrahedron; a step is O(n) but for its conjugate gradients, 150 at most.
-    /// Errors: no valid result (some stay inverted: how many and the first; result and report then have the best that was found, on
-    /// all other errors nothing); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+    /// Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be tangle-\>positions; fixed coordinates are
+    /// unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
+    /// NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
+    /// Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
+    /// errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
     /// not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
-    /// malformed file (kind index-range), degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a tetrahedron of
-    /// rest that is not positive; degenerate-geometry: no volume at all), out of memory, cancelled.
+    /// malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
+    /// tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled.
     pub fn obc_volume_map_untangle(tangle: *const obc_volume_map_tangle, options: *const obc_volume_map_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_volume_map_untangle_report, error: *mut obc_error) -> i32;
-    /// The defaults, which the members' comments give.
+    /// Fills options with the defaults.
     pub fn obc_volume_map_solid_options_init(options: *mut obc_volume_map_solid_options, struct_size: usize) -> i32;
-    /// Finds a polycube of the boundary of a solid and a map of the solid to it: every tetrahedron is positive, on the polycube and
-    /// in space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive,
-    /// meeting in whole faces. Tetrahedra are split where the map needs that. options and host may be NULL; the allocator of the
-    /// host must stay valid until \_destroy. Minutes for a hundred thousand tetrahedra.
-    /// A cavity gets a polycube within that of the outer wall; the polycubes of pieces stand side by side along x.
-    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold, not closed; no valid result with what stood
-    /// in the way; out of memory, cancelled.
+    /// Computes a polycube of the boundary of a solid and a map of the solid to it. Every tetrahedron is positive on the polycube and in
+    /// space, and the boundary covers the polycube once. positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming.
+    /// Tetrahedra are split where the map requires it. The polycube of a cavity lies within that of the outer boundary; polycubes of
+    /// several pieces stand side by side along x. options and host may be NULL; the allocator of the host must remain valid until
+    /// \_destroy. Takes minutes for a hundred thousand tetrahedra.
+    /// Errors: invalid argument; malformed file (index-range); degenerate; not manifold; not closed; no valid result with the
+    /// obstacle; out of memory; cancelled.
     pub fn obc_volume_map_solid_compute(positions: *const f64, vertex_count: usize, tetrahedra: *const u32, tetrahedron_count: usize, options: *const obc_volume_map_solid_options, host: *const obc_host, out: *mut *mut obc_volume_map_solid, error: *mut obc_error) -> i32;
-    /// NULL is fine, here and in the functions that count (0).
+    /// Destroys a map; NULL is allowed.
     pub fn obc_volume_map_solid_destroy(solid: *mut obc_volume_map_solid);
-    /// NULL is fine, here and in the functions that count (0).
+    /// Return the number of vertices and of tetrahedra after splits; 0 for NULL.
     pub fn obc_volume_map_solid_vertex_count(solid: *const obc_volume_map_solid) -> usize;
-    /// NULL is fine, here and in the functions that count (0).
+    /// Return the number of vertices and of tetrahedra after splits; 0 for NULL.
     pub fn obc_volume_map_solid_tetrahedron_count(solid: *const obc_volume_map_solid) -> usize;
-    /// x y z a vertex in space, and on the polycube; four vertices a tetrahedron. Each may be NULL. Errors: invalid argument.
+    /// Copies positions in space and on the polycube (x y z a vertex) and tetrahedra (four vertices each); each may be NULL.
+    /// Errors: invalid argument.
     pub fn obc_volume_map_solid_copy(solid: *const obc_volume_map_solid, positions: *mut f64, polycube: *mut f64, tetrahedra: *mut u32, error: *mut obc_error) -> i32;
-    /// The defaults, which the members' comments give.
+    /// Fills options with the defaults.
     pub fn obc_volume_map_hexes_options_init(options: *mut obc_volume_map_hexes_options, struct_size: usize) -> i32;
-    /// Fills a closed surface with hexahedra: oriented, looking outward, of any genus, in one piece or in several that lie apart,
-    /// which get their parts of the cells by their volumes. Parts within a piece that look inward are the walls of cavities, which
-    /// stay empty. Hexahedra meet in whole faces, the boundary has the parts and the genus of the surface, each hexahedron has
-    /// positive corners by exact signs and a trilinear map that is certainly positive. In the report of several pieces, corners and
-    /// vertices are all of them, distance and volume\_error the largest, in percent of its own piece. options, host and report may be
-    /// NULL; the allocator of the host must stay valid until \_destroy.
-    /// Errors: invalid argument; not closed; not manifold (kinds self-intersection: parts that meet, inconsistent-orientation: parts
-    /// that look into the solid); degenerate; malformed file; no valid result with what stood in the way; out of memory, cancelled.
+    /// Fills a closed, outward-oriented surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the
+    /// cells are divided by volume; inward-oriented components within a piece bound cavities. Hexahedra are conforming, the
+    /// boundary has the components and the genus of the surface, each hexahedron has positive corners by exact signs and a
+    /// trilinear map with proven positive determinant. options, host and report may be NULL; the allocator of the host must remain valid
+    /// until \_destroy.
+    /// Errors: invalid argument (also: more pieces than cells); not closed; not manifold (kinds self-intersection: components
+    /// intersect; inconsistent-orientation: components oriented into the solid); degenerate; malformed file; no valid result with the
+    /// obstacle; out of memory; cancelled.
     pub fn obc_volume_map_hexes_compute(surface: *const obc_surface, options: *const obc_volume_map_hexes_options, host: *const obc_host, report: *mut obc_volume_map_hexes_report, out: *mut *mut obc_volume_map_hexes, error: *mut obc_error) -> i32;
-    /// NULL is fine, here and in the functions that count (0).
+    /// Destroys a mesh; NULL is allowed.
     pub fn obc_volume_map_hexes_destroy(hexes: *mut obc_volume_map_hexes);
-    /// NULL is fine, here and in the functions that count (0).
+    /// Return the number of vertices, hexahedra and boundary quads; 0 for NULL.
     pub fn obc_volume_map_hexes_vertex_count(hexes: *const obc_volume_map_hexes) -> usize;
-    /// NULL is fine, here and in the functions that count (0).
+    /// Return the number of vertices, hexahedra and boundary quads; 0 for NULL.
     pub fn obc_volume_map_hexes_count(hexes: *const obc_volume_map_hexes) -> usize;
-    /// NULL is fine, here and in the functions that count (0).
+    /// Return the number of vertices, hexahedra and boundary quads; 0 for NULL.
     pub fn obc_volume_map_hexes_quad_count(hexes: *const obc_volume_map_hexes) -> usize;
-    /// x y z a vertex; eight vertices a hexahedron, in the order of MEDIT and VTK; four vertices a quad of the boundary,
-    /// counter-clockwise seen from outside, and the face of the polycube that it lies on (0 by voxels). Each may be NULL. Errors: invalid
-    /// argument.
+    /// Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
+    /// counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
+    /// Errors: invalid argument.
     pub fn obc_volume_map_hexes_copy(hexes: *const obc_volume_map_hexes, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_faces: *mut u32, error: *mut obc_error) -> i32;
-    /// The defaults, which the members' comments give.
+    /// Fills options with the defaults.
     pub fn obc_volume_map_frame_options_init(options: *mut obc_volume_map_frame_options, struct_size: usize) -> i32;
     /// Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
-    /// Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, meeting in whole faces; frames: w x y z a
-    /// tetrahedron as in \<orbicube/frame\_field.h\>, with an axis along the normal at the boundary, or NULL: several smooth fields are
-    /// made and repaired, until a map follows one. The faces of the result (obc\_volume\_map\_hexes\_copy) are the parts of the boundary
-    /// that lie in one plane of the map. Where their boundary is farther from that of the solid than asked for, it is held there, then
-    /// there are more cells, as in obc\_volume\_map\_hexes\_compute. options, host and report may be NULL; the allocator of the host must stay valid until \_destroy.
-    /// Errors: invalid argument; malformed file (index-range), degenerate, not manifold; no valid result for a field that no such map
-    /// has, with the singular edge and its curve or the layer that would collapse, and for maps that stay inverted, with the place;
-    /// out of memory, cancelled.
+    /// Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
+    /// \<orbicube/frame\_field.h\>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
+    /// until a map follows one. The patch numbers of obc\_volume\_map\_hexes\_copy are those of connected boundary regions in one
+    /// plane of the map. Where the boundary exceeds \`distance\`, it is fixed to the map's surface, then cells are added as in
+    /// obc\_volume\_map\_hexes\_compute. options, host and report may be NULL; the allocator of the host must remain valid until \_destroy.
+    /// Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
+    /// follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with
+    /// the location; out of memory; cancelled.
     pub fn obc_volume_map_frame_hexes_compute(positions: *const f64, vertex_count: usize, tetrahedra: *const u32, tetrahedron_count: usize, frames: *const f64, options: *const obc_volume_map_frame_options, host: *const obc_host, report: *mut obc_volume_map_frame_report, out: *mut *mut obc_volume_map_hexes, error: *mut obc_error) -> i32;
-    /// Version of this library, major \* 10000 + minor \* 100 + patch.
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_volume_map_version() -> u32;
 }
 

@@ -27,7 +27,7 @@ impl Error {
     pub(crate) fn out_of_memory() -> Error {
         Error { status: OBC_OUT_OF_MEMORY, kind: "out-of-memory".into(), message: "an allocation failed".into() }
     }
-    /// Whether the progress closure asked to stop.
+    /// Whether the progress closure cancelled the work.
     pub fn is_cancelled(&self) -> bool {
         self.status == OBC_CANCELLED
     }
@@ -41,7 +41,7 @@ impl fmt::Display for Error {
 
 impl std::error::Error for Error {}
 
-/// What a function answers that has a value.
+/// What a function returns that has a value.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Evaluation {
     Value(f64),
@@ -49,6 +49,8 @@ pub enum Evaluation {
     Failed,
     /// The run ends as cancelled, with the best point so far.
     Stop,
+    /// The run ends as cancelled, and this value counts.
+    StopAt(f64),
 }
 
 impl From<f64> for Evaluation {
@@ -57,7 +59,7 @@ impl From<f64> for Evaluation {
     }
 }
 
-/// What a function answers that only fills arrays.
+/// What a function returns that only fills arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
     Done,
@@ -80,6 +82,10 @@ impl Evaluation {
                 0
             }
             Evaluation::Stop => 1,
+            Evaluation::StopAt(number) => {
+                *value = number;
+                1
+            }
             Evaluation::Failed => 2,
         }
     }
@@ -111,7 +117,7 @@ type Panic = Box<dyn Any + Send + 'static>;
 pub(crate) struct Caught(Option<Panic>);
 
 impl Caught {
-    /// Calls the closure; a panic is kept and answers 1, which every callback takes for "stop".
+    /// Calls the closure; a panic is kept and returns 1, which every callback takes for "stop".
     pub(crate) fn guard(&mut self, f: impl FnOnce() -> i32) -> i32 {
         if self.0.is_some() {
             return 1;
@@ -132,7 +138,7 @@ impl Caught {
     }
 }
 
-/// What the program lends to a computation: threads, and a closure that is told of progress and may cancel.
+/// What the program lends to a computation: threads, and a closure that receives progress and may cancel.
 ///
 /// ```
 /// let mut reports = 0;
@@ -156,7 +162,10 @@ impl<'a> Host<'a> {
         self.threads = count;
         self
     }
-    /// The closure answers whether to go on. A panic in it stops the work, and goes on when that has ended.
+    pub(crate) fn thread_count(&self) -> u32 {
+        self.threads
+    }
+    /// The closure returns whether to go on. A panic in it stops the work, and goes on when that has ended.
     pub fn on_progress(mut self, f: impl FnMut(Progress<'_>) -> bool + 'a) -> Host<'a> {
         self.progress = Some(Box::new(f));
         self
@@ -180,7 +189,7 @@ unsafe extern "C" fn report(phase: *const c_char, done: u64, total: u64, best: f
     })
 }
 
-/// Calls `f` with a C host and an error to fill, and turns what it answers into a result.
+/// Calls `f` with a C host and an error to fill, and turns what it returns into a result.
 pub(crate) fn call(host: &mut Host, f: impl FnOnce(*const obc_host, *mut obc_error) -> i32) -> Result<(), Error> {
     let mut lent = Lent { host, caught: Caught::default() };
     let mut c: obc_host = unsafe { std::mem::zeroed() };
@@ -193,6 +202,47 @@ pub(crate) fn call(host: &mut Host, f: impl FnOnce(*const obc_host, *mut obc_err
     let result = checked(|error| f(&c, error));
     lent.caught.resume();
     result
+}
+
+/// The host of a handle that keeps it: each report goes to the call that runs. It must live as long as the handle.
+pub(crate) struct KeptHost {
+    c: obc_host,
+    running: *mut *mut c_void, // the Lent of the call that runs, or NULL; in a box of our own, at a place that C knows
+}
+
+unsafe extern "C" fn relayed(phase: *const c_char, done: u64, total: u64, best: f64, user: *mut c_void) -> i32 {
+    let running = *(user as *mut *mut c_void);
+    if running.is_null() {
+        return 0;
+    }
+    report(phase, done, total, best, running)
+}
+
+impl KeptHost {
+    pub(crate) fn new(threads: u32) -> KeptHost {
+        let running: *mut *mut c_void = Box::into_raw(Box::new(std::ptr::null_mut()));
+        let mut c: obc_host = unsafe { std::mem::zeroed() };
+        unsafe { obc_host_init(&mut c, std::mem::size_of::<obc_host>()) };
+        c.thread_count = threads;
+        c.progress = Some(relayed);
+        c.progress_user = running as *mut c_void;
+        KeptHost { c, running }
+    }
+    /// Calls `f`, of the handle or with the C host for it; reports go to the closure of `host`.
+    pub(crate) fn call(&mut self, host: &mut Host, f: impl FnOnce(*const obc_host, *mut obc_error) -> i32) -> Result<(), Error> {
+        let mut lent = Lent { host, caught: Caught::default() };
+        unsafe { *self.running = &mut lent as *mut Lent as *mut c_void };
+        let result = checked(|error| f(&self.c, error));
+        unsafe { *self.running = std::ptr::null_mut() };
+        lent.caught.resume();
+        result
+    }
+}
+
+impl Drop for KeptHost {
+    fn drop(&mut self) {
+        drop(unsafe { Box::from_raw(self.running) });
+    }
 }
 
 /// The same of a function that takes no host.

@@ -31,7 +31,7 @@ impl<'a> Solid<'a> {
     }
 }
 
-/// What is held: frames (w x y z) and axes (x y z) of some tetrahedra.
+/// What is fixed: frames (w x y z) and axes (x y z) of some tetrahedra.
 #[derive(Clone, Debug, Default)]
 pub struct Constraints {
     pub frames: Vec<(u32, [f64; 4])>,

@@ -110,7 +110,7 @@ impl Coefficients {
     }
 }
 
-/// How many numbers; an error where no computer has so many.
+/// How many numbers; an error for impossible numbers.
 fn size(degree: u32, channels: usize) -> Result<usize, Error> {
     (degree as usize + 1).checked_pow(2).and_then(|count| count.checked_mul(channels))
         .ok_or_else(|| Error::invalid(format!("degree {degree} with {channels} channels")))

@@ -14,7 +14,7 @@
 //! ```
 //!
 //! Options and reports are the C structs behind `Deref`, with their defaults filled in: a member that a header gains is there
-//! at once. What a function does is told in the header of its library, which [`sys`] has as documentation; the C functions
+//! at once. Each function is described in the header of its library, which [`sys`] has as documentation; the C functions
 //! can be called beside, through it.
 //!
 //! Threads: what may be read by several threads is `Sync`, what one thread uses at a time only `Send`.
@@ -31,6 +31,8 @@ pub mod frame_field;
 pub mod gltf;
 #[cfg(feature = "harmonics")]
 pub mod harmonics;
+#[cfg(feature = "linear")]
+pub mod linear;
 #[cfg(feature = "mesh")]
 pub mod mesh;
 #[cfg(feature = "polycube")]

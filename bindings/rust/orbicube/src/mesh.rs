@@ -96,7 +96,7 @@ impl Mesh {
         cells.hexahedron_count = rows(hexahedra.len(), 8, "hexahedra")?;
         Mesh::made(&mut Host::new(), |host, out, error| unsafe { obc_mesh_create(&cells, host, out, error) })
     }
-    /// A closed surface by name, of about so many triangles.
+    /// A closed surface by name, of about the given number of triangles.
     pub fn make(shape: &str, triangles: usize, seed: u64, host: &mut Host) -> Result<Mesh, Error> {
         let shape = c_string(shape)?;
         Mesh::made(host, |host, out, error| unsafe { obc_mesh_make(shape.as_ptr(), triangles, seed, host, out, error) })
@@ -151,7 +151,7 @@ impl Mesh {
     pub fn polygon_count(&self) -> usize {
         unsafe { obc_mesh_polygon_count(self.as_ptr()) }
     }
-    /// Vertices that were joined to others in reading.
+    /// Vertices that were welded to others in reading.
     pub fn welded_vertex_count(&self) -> usize {
         unsafe { obc_mesh_welded_vertex_count(self.as_ptr()) }
     }
@@ -190,7 +190,7 @@ pub fn check_closed_genus_zero(surface: Surface, host: &mut Host) -> Result<(), 
     call(host, |host, error| unsafe { obc_mesh_check_closed_genus_zero(&surface.c, host, error) })
 }
 
-/// Turns triangles in place so that neighbours agree and a closed surface looks outward.
+/// Turns triangles in place so that neighbors agree and a closed surface is outward-oriented.
 pub fn orient(positions: &[f64], triangles: &mut [u32], host: &mut Host) -> Result<Oriented, Error> {
     let (vertices, count) = (rows(positions.len(), 3, "positions")?, rows(triangles.len(), 3, "triangles")?);
     let mut report = Oriented::default();

@@ -72,10 +72,10 @@ pub enum Place {
 /// What must be mapped where. Weights are those of squared distances; 0 means that it must be met exactly.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Features {
-    /// Vertices of the map, their places on the polycube, and weights.
+    /// Vertices of the map, their target positions on the polycube, and weights.
     pub points: Vec<(u32, [f64; 3], f64)>,
     pub curves: Vec<Curve>,
-    /// Where the surface bends by so many degrees, edges go to edges of the polycube nearby; 0: none.
+    /// Minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: none.
     pub sharp_angle: f64,
 }
 
@@ -87,7 +87,7 @@ pub struct Curve {
     pub weight: f64,
 }
 
-/// Corners, straight edges and patches of a polycube, without its triangles; `obc_polycube_graph_...` in C tells of each.
+/// Corners, straight edges and patches of a polycube, without its triangles; `obc_polycube_graph_...` in C describes each.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Graph {
     pub corner_positions: Vec<[f64; 3]>,
@@ -119,7 +119,7 @@ impl Polycube {
             obc_polycube_compute_on(&surface.c, &polycube.c, std::ptr::null(), host, out, error)
         })
     }
-    /// The same with places of corners, each a vertex of the given polycube.
+    /// The same with positions of corners, each a vertex of the given polycube.
     pub fn compute_on_places(surface: Surface, polycube: Surface, places: &[(u32, Place)], host: &mut Host) -> Result<Polycube, Error> {
         let corners: Vec<u32> = places.iter().map(|place| place.0).collect();
         let (vertices, points): (Vec<u32>, Vec<[f64; 3]>) = places.iter().map(|place| match place.1 {
@@ -154,7 +154,7 @@ impl Polycube {
         })?;
         Ok((out.into_iter().map(Polycube::own).collect(), made_for))
     }
-    /// The proportions with the least sum of energies of maps to one polycube.
+    /// The proportions with the minimum sum of energies of maps to one polycube.
     pub fn optimize_common_domain(maps: &[&Polycube], options: &DomainOptions, host: &mut Host) -> Result<Vec<Polycube>, Error> {
         let given: Vec<_> = maps.iter().map(|map| map.as_ptr() as *const obc_polycube).collect();
         let mut out = vec![std::ptr::null_mut(); given.len()];
@@ -163,7 +163,7 @@ impl Polycube {
         })?;
         Ok(out.into_iter().map(Polycube::own).collect())
     }
-    /// The same polycube with features in their places; an error says what cannot be met.
+    /// The same polycube with features at their target positions; an error says what cannot be met.
     pub fn meet_features(&self, features: &Features, host: &mut Host) -> Result<(Polycube, FeatureReport), Error> {
         let mut c: obc_polycube_feature_options = unsafe { std::mem::zeroed() };
         unsafe { obc_polycube_feature_options_init(&mut c, std::mem::size_of::<obc_polycube_feature_options>()) };
@@ -201,7 +201,7 @@ impl Polycube {
         })?;
         Ok((map, report))
     }
-    /// Better places of the corners on the surface.
+    /// Better positions of the corners on the surface.
     pub fn optimize_corners(&self, options: &CornerOptions, host: &mut Host) -> Result<(Polycube, CornerReport), Error> {
         let mut report = CornerReport::default();
         let map = Polycube::made(host, |host, out, error| unsafe {
@@ -291,7 +291,7 @@ impl Polycube {
         graph.neighbours = parts(&dual, &neighbours);
         Ok(graph)
     }
-    /// Of the optimisation that it comes from; they never rise.
+    /// Of the optimization that it comes from; they never rise.
     pub fn energies(&self) -> Result<Vec<f64>, Error> {
         let mut out = vec![0.0; unsafe { obc_polycube_energy_count(self.as_ptr()) }];
         checked(|error| unsafe { obc_polycube_copy_energies(self.as_ptr(), out.as_mut_ptr(), error) })?;

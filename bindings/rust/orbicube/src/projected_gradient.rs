@@ -1,4 +1,4 @@
-//! Minimises f(x) subject to A x = b and bounds, with the gradient of f; and projects onto such sets.
+//! Minimizes f(x) subject to A x = b and bounds, with the gradient of f; and projects onto such sets.
 //!
 //! ```
 //! use orbicube::projected_gradient::{minimize, Problem};
@@ -107,7 +107,7 @@ unsafe extern "C" fn called<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) ->
     caught.guard(|| f(slice::from_raw_parts(x, n), slice::from_raw_parts_mut(gradient, n)).into().code(&mut *value))
 }
 
-/// The least value of `f` in the feasible set; `f` fills the gradient and answers the value, or an [`Evaluation`].
+/// The minimum value of `f` in the feasible set; `f` fills the gradient and returns the value, or an [`Evaluation`].
 pub fn minimize<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E>(
     f: F, x: &mut [f64], problem: &Problem, options: &Options,
 ) -> Result<Report, Error> {
@@ -166,7 +166,7 @@ pub fn project(y: &[f64], problem: &Problem, host: &mut Host) -> Result<(Vec<f64
 
 handle!(Handle, obc_projected_gradient, obc_projected_gradient_destroy);
 
-/// A run by questions and answers: `while let Some(x) = solver.ask()? { ... solver.tell(value, &gradient)?; }`
+/// A run by reverse communication: `while let Some(x) = solver.ask()? { ... solver.tell(value, &gradient)?; }`
 pub struct Solver {
     handle: Handle,
     n: usize,
@@ -194,7 +194,7 @@ impl Solver {
         })?;
         Ok(Solver { handle: Handle::own(out), n: unknowns, m: problem.row_count() })
     }
-    /// The point at which f and its gradient are wanted next; `None` when the run has ended.
+    /// The point at which f and its gradient are requested next; `None` when the run has ended.
     pub fn ask(&mut self) -> Result<Option<&[f64]>, Error> {
         let mut x = std::ptr::null();
         loop {
@@ -206,7 +206,7 @@ impl Solver {
             }
         }
     }
-    /// Value and gradient at the point asked about; what is not finite: there is none.
+    /// Value and gradient at the point queried; what is not finite: there is none.
     pub fn tell(&mut self, value: f64, gradient: &[f64]) -> Result<(), Error> {
         expect_length(gradient.len(), self.n, "gradient")?;
         checked(|error| unsafe { obc_projected_gradient_tell(self.handle.as_ptr(), value, gradient.as_ptr(), error) })

@@ -31,7 +31,7 @@ pub fn compute(surface: Surface, options: &Options, host: &mut Host) -> Result<(
     computed(surface, plain(options), host)
 }
 
-/// The same; `trace` is told of the course of the method `OBC_SPHERE_MAP_SEED`: iterations, vertices, energy.
+/// The same; `trace` receives the course of the method `OBC_SPHERE_MAP_SEED`: iterations, vertices, energy.
 pub fn compute_traced<F: FnMut(u64, u64, f64)>(surface: Surface, options: &Options, trace: F,
                                                host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
     struct Trace<F> {
@@ -92,7 +92,7 @@ pub fn measure(surface: Surface, directions: &[f64], options: &Options, host: &m
     Ok(report)
 }
 
-/// Dilatation and area ratio of each triangle.
+/// Quasi-conformal distortion and area ratio of each triangle.
 pub fn face_distortion(surface: Surface, directions: &[f64], host: &mut Host) -> Result<(Vec<f64>, Vec<f64>), Error> {
     expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
     let (mut dilatation, mut ratio) = (vec![0.0; surface.triangle_count()], vec![0.0; surface.triangle_count()]);
@@ -102,7 +102,7 @@ pub fn face_distortion(surface: Surface, directions: &[f64], host: &mut Host) ->
     Ok((dilatation, ratio))
 }
 
-/// The map in 32-bit floats, repaired where rounding turns triangles over.
+/// The map in 32-bit floats, repaired where rounding flips triangles.
 pub fn round_to_float(surface: Surface, directions: &[f64], host: &mut Host) -> Result<Vec<f32>, Error> {
     expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
     let mut rounded = vec![0.0; directions.len()];
@@ -237,7 +237,7 @@ impl Image {
             obc_sphere_map_image_write(path.as_ptr(), self.pixels.as_ptr() as *const f64, self.layout, self.resolution, host, error)
         })
     }
-    /// The closed surface back, and the greatest distance between pixels that are one vertex.
+    /// The closed surface back, and the largest distance between pixels that are one vertex.
     pub fn surface(&self, host: &mut Host) -> Result<(Mesh, f64), Error> {
         let mut gap = 0.0;
         let mesh = Mesh::made(host, |host, out, error| unsafe {

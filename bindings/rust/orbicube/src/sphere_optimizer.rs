@@ -1,4 +1,4 @@
-//! Minimises f over products of unit spheres: directions, quaternions, unit eigenvectors.
+//! Minimizes f over products of unit spheres: directions, quaternions, unit eigenvectors.
 //!
 //! ```
 //! let mut x = [1.0, 0.0, 0.0];
@@ -67,7 +67,7 @@ unsafe extern "C" fn all<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E>
     caught.guard(|| f(slice::from_raw_parts(x, n), slice::from_raw_parts_mut(gradient, n)).into().code(&mut *value))
 }
 
-/// The least value of `f` that is found from `x`: blocks of `dimension` numbers. `f` fills the gradient and answers the value,
+/// The minimum value of `f` that is found from `x`: blocks of `dimension` numbers. `f` fills the gradient and returns the value,
 /// or an [`Evaluation`].
 pub fn minimize<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E>(
     f: F, x: &mut [f64], dimension: usize, options: &Options,
@@ -84,14 +84,14 @@ pub fn minimize<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E>(
     result.map(|_| report)
 }
 
-/// What a block's part of f is asked for.
+/// The request for the terms of f that contain a block.
 pub struct Part<'a> {
     pub block: usize,
     /// Where the block would be.
     pub place: &'a [f64],
     /// Where all blocks are.
     pub points: &'a [f64],
-    /// To be filled, where it is asked for: the gradient with respect to the block.
+    /// To be filled, where it is requested: the gradient with respect to the block.
     pub gradient: Option<&'a mut [f64]>,
     /// Likewise second derivatives, by rows; only with `second_order`.
     pub hessian: Option<&'a mut [f64]>,
@@ -204,7 +204,7 @@ impl Relaxation {
         })?;
         Ok(Relaxation { handle: RelaxationHandle::own(out), dimension, length: x0.len() })
     }
-    /// Goes on with one that was saved, of the same neighbours.
+    /// Goes on with one that was saved, of the same neighbors.
     pub fn load(bytes: &[u8], dimension: usize, neighbours: &[Vec<u32>]) -> Result<Relaxation, Error> {
         let blocks = Blocks::new(dimension, neighbours)?;
         let mut out = std::ptr::null_mut();
@@ -214,7 +214,7 @@ impl Relaxation {
         })?;
         Ok(Relaxation { handle: RelaxationHandle::own(out), dimension, length: neighbours.len() * dimension })
     }
-    /// At most so many more steps of one block each, with `f` as of [`relax`]. Whatever breaks it off, [`Evaluation::Stop`] or a
+    /// Relaxes up to the given number of further blocks, with `f` as of [`relax`]. Whatever breaks it off, [`Evaluation::Stop`] or a
     /// panic, the next call goes on as if it had not been.
     pub fn run<E: Into<Evaluation>, F: FnMut(Part<'_>) -> E>(&mut self, f: F, steps: u64) -> Result<RelaxationReport, Error> {
         let mut function = Function { f, dimension: self.dimension, length: self.length, caught: Caught::default() };
@@ -254,7 +254,7 @@ impl Relaxation {
 
 handle!(Handle, obc_sphere_optimizer, obc_sphere_optimizer_destroy);
 
-/// A run by questions and answers: `while let Some(x) = solver.ask()? { ... solver.tell(value, &gradient)?; }`
+/// A run by reverse communication: `while let Some(x) = solver.ask()? { ... solver.tell(value, &gradient)?; }`
 pub struct Solver {
     handle: Handle,
     n: usize,
@@ -283,7 +283,7 @@ impl Solver {
         checked(|error| unsafe { obc_sphere_optimizer_get_shape(handle.as_ptr(), &mut count, &mut dimension, error) })?;
         Ok(Solver { handle, n: count * dimension })
     }
-    /// The point at which f and its gradient are wanted next; `None` when the run has ended.
+    /// The point at which f and its gradient are requested next; `None` when the run has ended.
     pub fn ask(&mut self) -> Result<Option<&[f64]>, Error> {
         let mut x = std::ptr::null();
         loop {
@@ -295,7 +295,7 @@ impl Solver {
             }
         }
     }
-    /// Value and gradient at the point asked about; what is not finite: there is none.
+    /// Value and gradient at the point queried; what is not finite: there is none.
     pub fn tell(&mut self, value: f64, gradient: &[f64]) -> Result<(), Error> {
         expect_length(gradient.len(), self.n, "gradient")?;
         checked(|error| unsafe { obc_sphere_optimizer_tell(self.handle.as_ptr(), value, gradient.as_ptr(), error) })

@@ -1,4 +1,4 @@
-//! Closed surfaces filled with tetrahedra by TetGen, whose licence, the AGPL 3, binds programs that use this feature.
+//! Closed surfaces filled with tetrahedra by TetGen, whose license, the AGPL 3, binds programs that use this feature.
 
 use crate::call::{call, checked, pointer, Error, Host};
 use crate::mesh::Surface;
@@ -24,7 +24,7 @@ pub fn fill(surface: Surface, options: &Options, host: &mut Host) -> Result<Soli
     fill_sized(surface, options, &[], host)
 }
 
-/// With lengths of edges wanted at places. The members of the options that say so in C are not used.
+/// With lengths of edges requested at places. The members of the options that say so in C are not used.
 pub fn fill_sized(surface: Surface, options: &Options, sizes: &[([f64; 3], f64)], host: &mut Host) -> Result<Solid, Error> {
     let (places, lengths): (Vec<[f64; 3]>, Vec<f64>) = sizes.iter().copied().unzip();
     let options = obc_tetrahedra_options {

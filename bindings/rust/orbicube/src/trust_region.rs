@@ -1,4 +1,4 @@
-//! Minimises f(x), or a sum of squares of residuals, within bounds, from values alone.
+//! Minimizes f(x), or a sum of squares of residuals, within bounds, from values alone.
 //!
 //! ```
 //! use orbicube::trust_region::{least_squares, Problem};
@@ -40,7 +40,7 @@ impl Report {
     }
 }
 
-/// What is minimised, beside the function; an empty vector: none.
+/// What is minimized, beside the function; an empty vector: none.
 #[derive(Clone, Debug, Default)]
 pub struct Problem {
     pub lower: Vec<f64>,
@@ -97,13 +97,13 @@ fn run<F: FnMut(&[f64], &mut [f64]) -> i32>(f: F, residuals: usize, x: &mut [f64
     result.map(|_| report)
 }
 
-/// The least value of `f` that is found from `x`, which receives the point. `f` answers a number or an [`Evaluation`].
+/// The minimum value of `f` that is found from `x`, which receives the point. `f` returns a number or an [`Evaluation`].
 pub fn minimize<E: Into<Evaluation>>(mut f: impl FnMut(&[f64]) -> E, x: &mut [f64], problem: &Problem,
                                      options: &Options) -> Result<Report, Error> {
     run(|x, outputs| f(x).into().code(&mut outputs[0]), 0, x, problem, options)
 }
 
-/// The least sum of squares of `count` residuals, which `f` fills; it answers nothing or an [`Answer`].
+/// The minimum sum of squares of `count` residuals, which `f` fills; it returns nothing or an [`Answer`].
 pub fn least_squares<A: Into<Answer>>(mut f: impl FnMut(&[f64], &mut [f64]) -> A, count: usize, x: &mut [f64],
                                       problem: &Problem, options: &Options) -> Result<Report, Error> {
     if count == 0 {
@@ -114,7 +114,7 @@ pub fn least_squares<A: Into<Answer>>(mut f: impl FnMut(&[f64], &mut [f64]) -> A
 
 handle!(Handle, obc_trust_region, obc_trust_region_destroy);
 
-/// A run by questions and answers.
+/// A run by reverse communication.
 ///
 /// ```
 /// use orbicube::trust_region::{Problem, Solver};
@@ -161,12 +161,12 @@ impl Solver {
         })?;
         Ok(Solver { handle: Handle::own(out), n: unknowns, outputs: residuals.max(1) })
     }
-    /// The point at which f, or the residuals, are wanted next; `None` when the run has ended.
+    /// The point at which f, or the residuals, are requested next; `None` when the run has ended.
     pub fn ask(&mut self) -> Result<Option<&[f64]>, Error> {
         let n = self.n;
         Ok(self.ask_all()?.map(|points| &points[..n]))
     }
-    /// All points that may be evaluated at the same time, one after the other; tell of each in order.
+    /// All points that may be evaluated at the same time, one after the other; tell each in order.
     pub fn ask_all(&mut self) -> Result<Option<&[f64]>, Error> {
         let (mut points, mut count) = (std::ptr::null(), 0);
         loop {
@@ -180,7 +180,7 @@ impl Solver {
             }
         }
     }
-    /// The value, or the residuals, at the first point asked for; what is not finite: there is none.
+    /// The value, or the residuals, at the first point requested; what is not finite: there is none.
     pub fn tell(&mut self, outputs: &[f64]) -> Result<(), Error> {
         expect_length(outputs.len(), self.outputs, "outputs")?;
         checked(|error| unsafe { obc_trust_region_tell(self.handle.as_ptr(), outputs.as_ptr(), error) })

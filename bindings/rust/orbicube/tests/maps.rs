@@ -310,7 +310,7 @@ fn cube_of_tetrahedra() -> (Vec<f64>, Vec<u32>) {
     (corners, (0..6).flat_map(|i| [0, ring[i], ring[(i + 1) % 6], 7]).collect())
 }
 
-/// The least scaled Jacobian, by arithmetic of our own.
+/// The minimum scaled Jacobian, by arithmetic of our own.
 fn least_scaled_jacobian(hexes: &volume_map::Hexes) -> f64 {
     const ENDS: [[usize; 3]; 8] = [[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]];
     let at = |v: u32| -> [f64; 3] { std::array::from_fn(|k| hexes.positions[3 * v as usize + k]) };

@@ -1,4 +1,4 @@
-//! The bits of C, questions and answers, panics, failed evaluations, threads.
+//! The bits of C, reverse communication, panics, failed evaluations, threads.
 
 use std::collections::HashMap;
 use std::panic::{catch_unwind, AssertUnwindSafe};
@@ -145,7 +145,7 @@ fn a_panic_stops_the_run_and_goes_on_after_it() {
             x[0] * x[0]
         }, &mut [3.0], &Default::default(), &Default::default());
     });
-    assert_eq!((said.as_str(), calls.get()), ("in f", 7)); // not asked again after the panic
+    assert_eq!((said.as_str(), calls.get()), ("in f", 7)); // not called again after the panic
     assert_eq!(panics(|| {
         let _ = projected_gradient::minimize(|_: &[f64], _: &mut [f64]| -> f64 { panic!("in f") }, &mut [3.0],
                                              &Default::default(), &Default::default());
@@ -174,6 +174,14 @@ fn a_function_may_stop_or_have_no_value() {
     }, &mut x, &Default::default(), &Default::default()).unwrap();
     assert_eq!((report.stop_name().as_str(), report.failed_evaluations), ("cancelled", 1));
     assert_eq!((x[0] - 1.0).powi(2) + x[1] * x[1], report.value);
+    // A value that comes with it counts.
+    let mut x = [0.0, 0.0];
+    let report = trust_region::minimize(|x: &[f64]| {
+        let value = (x[0] - 1.0).powi(2) + (x[1] - 1.0).powi(2);
+        if value < 1e-3 { Evaluation::StopAt(value) } else { Evaluation::Value(value) }
+    }, &mut x, &Default::default(), &Default::default()).unwrap();
+    assert!(report.stop_name() == "cancelled" && report.value < 1e-3);
+    assert_eq!((x[0] - 1.0).powi(2) + (x[1] - 1.0).powi(2), report.value);
     let report = trust_region::least_squares(|_: &[f64], _: &mut [f64]| Answer::Stop, 2, &mut x, &Default::default(),
                                              &Default::default()).unwrap();
     assert_eq!(report.stop_name(), "cancelled");
@@ -272,7 +280,7 @@ fn block_by_block_in_parts_that_are_broken_off_saved_and_loaded() {
     let refused = |bytes: &[u8], dimension, neighbours: &[Vec<u32>]| {
         Relaxation::load(bytes, dimension, neighbours).err().unwrap().status
     };
-    assert_eq!(refused(&saved, 3, &vec![vec![]; 12]), orbicube::sys::base::OBC_INVALID_ARGUMENT); // other neighbours
+    assert_eq!(refused(&saved, 3, &vec![vec![]; 12]), orbicube::sys::base::OBC_INVALID_ARGUMENT); // other neighbors
     assert_eq!(refused(&saved, 4, &others()), orbicube::sys::base::OBC_INVALID_ARGUMENT);
     assert_eq!(refused(&saved[..20], 3, &others()), orbicube::sys::base::OBC_MALFORMED_FILE);
     assert!(Relaxation::new(&scattered(), 4, &others(), &Default::default()).is_err());
@@ -285,7 +293,7 @@ fn wrong_arguments_are_errors() {
     assert!(trust_region::Solver::load(b"nothing", 1, 0, &Default::default()).is_err());
     assert!(trust_region::minimize(|_: &[f64]| 0.0, &mut [0.0; 2], &decay(), &Default::default()).is_err());
     let mut solver = trust_region::Solver::new(&[0.0], 0, &Default::default(), &Default::default()).unwrap();
-    assert!(solver.tell(&[1.0]).is_err(), "nothing was asked");
+    assert!(solver.tell(&[1.0]).is_err(), "no request waits");
     assert!(solver.tell(&[1.0, 2.0]).is_err());
     assert!(sphere_optimizer::Solver::new(&[1.0; 4], 3, &Default::default()).is_err());
 }

@@ -1,0 +1,23 @@
+# The words that options take, and their constants. Written by scripts/bindings.py; not to be edited.
+const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
+    (:obc_frame_field_options, :start) => [:auto => 0, :identity => 1, :propagated => 2, :harmonic => 3, :diffusion => 4, :given => 5],
+    (:obc_frame_field_options, :method) => [:smooth => 0, :seed => 1],
+    (:obc_frame_field_options, :weighting) => [:uniform => 0, :geometric => 1],
+    (:obc_frame_field_options, :repair) => [:no_repair => 0, :repair => 1, :single_axis => 2],
+    (:obc_harmonics_fit_options, :method) => [:automatic => 0, :dense => 1, :iterative => 2],
+    (:obc_linear_direct_options, :method) => [:auto => 0, :eigen => 1, :cholmod_simplicial => 2, :cholmod_supernodal => 3],
+    (:obc_linear_iterative_options, :method) => [:auto => 0, :gauss_seidel => 1, :multigrid => 2],
+    (:obc_polycube_options, :construction) => [:auto => 0, :labels => 1, :voxels => 2],
+    (:obc_polycube_domain_options, :measure) => [:surface_mean => 0, :face_mean => 1, :harmonic => 2],
+    (:obc_polycube_corner_options, :method) => [:trust_region => 0, :gradient => 1],
+    (:obc_projected_gradient_options, :method) => [:face => 0, :seed => 1],
+    (:obc_projected_gradient_options, :line_search) => [:largest_of_last => 0, :average => 1],
+    (:obc_sphere_map_options, :method) => [:balanced => 0, :angle_area => 1, :isometric => 2, :stretch => 3, :conformal => 4, :seed => 5],
+    (:obc_sphere_optimizer_options, :method) => [:limited_memory => 0, :barzilai_borwein => 1, :great_circle => 2, :seed => 3],
+    (:obc_sphere_optimizer_relaxation_options, :method) => [:great_circle => 2, :seed => 3],
+    (:obc_sphere_optimizer_relaxation_options, :order) => [:automatic => 0, :queue => 1, :sweeps => 2],
+    (:obc_trust_region_options, :method) => [:two_radii => 0, :seed => 1],
+    (:obc_trust_region_options, :start) => [:automatic => 0, :chain => 1, :cross => 2],
+    (:obc_volume_map_hexes_options, :padding) => [:auto => 0, :with => 1, :without => 2],
+    (:obc_volume_map_hexes_options, :method) => [:auto => 0, :polycube => 1, :voxels => 2],
+)

@@ -1,0 +1,285 @@
+"""The options of the C structs: kind, default, range or words, and what the headers say. Written by scripts/bindings.py; not
+to be edited."""
+
+from __future__ import annotations
+
+from ._option import Option
+
+OPTIONS: dict[str, tuple[Option, ...]] = {
+    "obc_frame_field_options": (
+        Option("start", "word", "auto",
+               words={"auto": 0, "identity": 1, "propagated": 2, "harmonic": 3, "diffusion": 4, "given": 5},
+               doc="initial field, OBC_FRAME_FIELD_AUTO or another. Default: AUTO."),
+        Option("method", "word", "smooth", words={"smooth": 0, "seed": 1},
+               doc="OBC_FRAME_FIELD_SMOOTH or SEED. Default: SMOOTH."),
+        Option("weighting", "word", "uniform", words={"uniform": 0, "geometric": 1},
+               doc="OBC_FRAME_FIELD_UNIFORM or GEOMETRIC. Default: UNIFORM."),
+        Option("align_boundary", "bool", True,
+               doc="1: an axis is exactly along the normal of each boundary face; 0: the boundary is free. Default: 1."),
+        Option("rounds", "int", 2, low=0, high=4294967295,
+               doc="number of improvement rounds of AUTO. Default: 2."),
+        Option("feature_angle", "float", 0.0,
+               doc="minimum dihedral angle, in radians, of boundary edges that an axis follows; 0: none. Default: 0."),
+        Option("relative_gain", "float", 1e-06,
+               doc="smoothing ends with a step that gains less than this fraction of the energy. Default: 1e-6."),
+        Option("repair", "word", "no-repair", words={"no-repair": 0, "repair": 1, "single-axis": 2},
+               doc="OBC_FRAME_FIELD_NO_REPAIR, REPAIR or SINGLE_AXIS; not with SEED. Default: NO_REPAIR."),
+    ),
+    "obc_gltf_read_options": (
+        Option("weld_identical", "bool", True,
+               doc="1: welds vertices at identical positions where triangles have no indices or the surface is not closed "
+                   "as stored (exporters split vertices along seams of normals and texture coordinates); 0: preserves the "
+                   "vertices and their order. Default: 1."),
+        Option("morph_target", "text", None,
+               doc="Name of a morph target to apply with weight 1 (base + delta, added as doubles); NULL: none. Default: "
+                   "NULL."),
+    ),
+    "obc_gltf_scene": (
+        Option("smooth_normals", "bool", False,
+               doc="1: computes area-weighted normals if `normals` is NULL; 0: does not. Default: 0."),
+        Option("scale", "float", 1.0,
+               doc="scale of the node, positive. Default: 1."),
+        Option("checker_texture", "bool", False,
+               doc="1: a checker pattern of 32 by 16 squares if `texture` is NULL; 0: none. Default: 0."),
+        Option("morph_normals", "bool", False,
+               doc="1: stores normals of morph targets, requires normals; 0: does not. Default: 0."),
+        Option("morph_seconds", "float", 0.0,
+               doc="Duration, in seconds, from one shape to the next of an animation from the surface to each morph target "
+                   "in turn and back; 0: no animation. Default: 0."),
+    ),
+    "obc_harmonics_fit_options": (
+        Option("degree", "int", 16, low=0, high=4294967295,
+               doc="maximum degree L, up to 1000. Default: 16."),
+        Option("method", "word", "automatic", words={"automatic": 0, "dense": 1, "iterative": 2},
+               doc="OBC_HARMONICS_AUTOMATIC, DENSE or ITERATIVE. Default: AUTOMATIC."),
+        Option("smoothing", "float", 0.0,
+               doc="Regularization, nonnegative: adds smoothing * (mean density of the weights) * (integral of the squared "
+                   "Laplacian of the fit) to the objective. Default: 0."),
+    ),
+    "obc_harmonics_align_options": (
+        Option("turn_values", "bool", False,
+               doc="1: also rotates the values of three channels, for shapes in different poses; 0: does not. Default: 0."),
+        Option("search_degree", "int", 12, low=0, high=4294967295,
+               doc="degree of the search over all rotations, 1 to 64. Default: 12."),
+    ),
+    "obc_linear_direct_options": (
+        Option("method", "word", "auto", words={"auto": 0, "eigen": 1, "cholmod-simplicial": 2, "cholmod-supernodal": 3},
+               doc="Engine, OBC_LINEAR_AUTO to OBC_LINEAR_CHOLMOD_SUPERNODAL. Default: OBC_LINEAR_AUTO."),
+    ),
+    "obc_linear_iterative_options": (
+        Option("method", "word", "auto", words={"auto": 0, "gauss-seidel": 1, "multigrid": 2},
+               doc="Preconditioner, OBC_LINEAR_ITERATIVE_AUTO to OBC_LINEAR_MULTIGRID. Default: OBC_LINEAR_ITERATIVE_AUTO."),
+        Option("block_size", "int", 1, low=-2147483648, high=2147483647,
+               doc="Number of consecutive unknowns that form a block, as x, y, z of a point: 1 or 3. Default: 1."),
+        Option("max_iterations", "int", 1000, low=0, high=4294967295,
+               doc="Maximum number of iterations of a solution. Default: 1000."),
+        Option("tolerance", "float", 1e-08,
+               doc="Requested relative residual |b - A x| / |b|, 0 to 1, exclusive. Default: 1e-8."),
+    ),
+    "obc_mesh_read_options": (
+        Option("weld_identical", "bool", False,
+               doc="1: welds vertices at identical positions if the surface is not closed as read; 0: does not. STL has no "
+                   "shared vertices and is always welded. Default: 0."),
+    ),
+    "obc_mesh_write_options": (
+        Option("binary", "bool", True,
+               doc="1: PLY, STL and VTK in binary; 0: as text. The other formats are text. Default: 1."),
+    ),
+    "obc_polycube_options": (
+        Option("construction", "word", "auto", words={"auto": 0, "labels": 1, "voxels": 2},
+               doc="OBC_POLYCUBE_AUTO, LABELS or VOXELS. Default: AUTO."),
+        Option("corners", "int", 0, low=0, high=18446744073709551615,
+               doc="maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Default: 0."),
+        Option("seed", "int", 0, low=0, high=18446744073709551615,
+               doc="seed of random choices of LABELS. Default: 0."),
+    ),
+    "obc_polycube_domain_options": (
+        Option("measure", "word", "surface-mean", words={"surface-mean": 0, "face-mean": 1, "harmonic": 2},
+               doc="OBC_POLYCUBE_SURFACE_MEAN, FACE_MEAN or HARMONIC. Default: SURFACE_MEAN."),
+        Option("area_weight", "float", 1.0,
+               doc="weight of area relative to angle distortion, nonnegative. Default: 1."),
+    ),
+    "obc_polycube_corner_options": (
+        Option("method", "word", "trust-region", words={"trust-region": 0, "gradient": 1},
+               doc="OBC_POLYCUBE_TRUST_REGION or OBC_POLYCUBE_GRADIENT. Default: OBC_POLYCUBE_TRUST_REGION."),
+        Option("area_weight", "float", 1.0,
+               doc="weight of area relative to angle distortion, nonnegative. Default: 1."),
+        Option("domain", "bool", False,
+               doc="1: alternates with the optimization of proportions (the dissertation's Algorithm 3); 0: the polycube "
+                   "is fixed. Default: 0."),
+        Option("rounds", "int", 6, low=-2147483648, high=2147483647,
+               doc="maximum number of rounds, at least 1. Default: 6."),
+    ),
+    "obc_polycube_feature_options": (
+        Option("sharp_angle", "float", 0.0,
+               doc="minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
+                   "none. Default: 0."),
+    ),
+    "obc_polycube_quads_options": (
+        Option("quads", "int", 10000, low=0, high=18446744073709551615,
+               doc="approximate number of quads, up to 10^7, at least one a rectangle between neighboring planes. Default: "
+                   "10000."),
+        Option("edge_length", "float", 0.0,
+               doc="edge length on the polycube, in place of `quads`; 0: by `quads`. Default: 0."),
+    ),
+    "obc_projected_gradient_options": (
+        Option("method", "word", "face", words={"face": 0, "seed": 1},
+               doc="OBC_PROJECTED_GRADIENT_FACE or SEED. Default: FACE."),
+        Option("line_search", "word", "largest-of-last", words={"largest-of-last": 0, "average": 1},
+               doc="line search of SEED. Default: LARGEST_OF_LAST."),
+        Option("memory", "int", 10, low=0, high=4294967295,
+               doc="number of pairs in the model of FACE, 1 to 1000. Default: 10."),
+        Option("history", "int", 10, low=0, high=4294967295,
+               doc="number of values that LARGEST_OF_LAST considers. Default: 10."),
+        Option("average_weight", "float", 0.85,
+               doc="eta of AVERAGE, 0 (monotone) to 1. Default: 0.85."),
+        Option("gradient_tolerance", "float", 1e-08,
+               doc="tolerance of |P(x - g) - x|inf, the projected gradient. Default: 1e-8."),
+        Option("target", "float", float("-inf"),
+               doc="ends the run at f <= target. Default: -infinity."),
+        Option("max_evaluations", "int", 100000, low=0, high=18446744073709551615,
+               doc="maximum number of evaluations. Default: 100000."),
+        Option("max_iterations", "int", 100000, low=0, high=18446744073709551615,
+               doc="maximum number of iterations. Default: 100000."),
+    ),
+    "obc_sphere_map_options": (
+        Option("method", "word", "balanced",
+               words={"balanced": 0, "angle-area": 1, "isometric": 2, "stretch": 3, "conformal": 4, "seed": 5},
+               doc="OBC_SPHERE_MAP_BALANCED or another. Default: BALANCED."),
+        Option("angle_weight", "float", 0.1,
+               doc="weight of E_D, positive. Default: 0.1."),
+        Option("area_weight", "float", 1.0,
+               doc="weight of E_A, nonnegative. Default: 1."),
+        Option("seed", "int", 0, low=0, high=18446744073709551615,
+               doc="seed of the order of equally good decimation steps. Default: 0."),
+    ),
+    "obc_sphere_optimizer_options": (
+        Option("method", "word", "limited-memory",
+               words={"limited-memory": 0, "barzilai-borwein": 1, "great-circle": 2, "seed": 3},
+               doc="OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY or another. Default: LIMITED_MEMORY."),
+        Option("memory", "int", 16, low=0, high=4294967295,
+               doc="number of pairs of LIMITED_MEMORY, 1 to 1000. Default: 16."),
+        Option("history", "int", 10, low=0, high=4294967295,
+               doc="number of values that BARZILAI_BORWEIN considers, 1 (monotone) to 1000000. Default: 10."),
+        Option("gradient_tolerance", "float", 1e-08,
+               doc="tolerance of the longest tangent gradient of a block. Default: 1e-8."),
+        Option("target", "float", float("-inf"),
+               doc="ends the run at f <= target. Default: -infinity."),
+        Option("max_evaluations", "int", 100000, low=0, high=18446744073709551615,
+               doc="maximum number of evaluations. Default: 100000."),
+        Option("max_iterations", "int", 100000, low=0, high=18446744073709551615,
+               doc="maximum number of iterations. Default: 100000."),
+    ),
+    "obc_sphere_optimizer_relaxation_options": (
+        Option("method", "word", "great-circle", words={"great-circle": 2, "seed": 3},
+               doc="GREAT_CIRCLE, or SEED: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT_CIRCLE."),
+        Option("second_order", "bool", False,
+               doc="1: Newton steps, for which f returns Hessians; 0: first-order steps. Default: 0."),
+        Option("order", "word", "automatic", words={"automatic": 0, "queue": 1, "sweeps": 2},
+               doc="AUTOMATIC, QUEUE or SWEEPS. Default: AUTOMATIC."),
+        Option("gradient_tolerance", "float", 1e-06,
+               doc="a block with a shorter tangent gradient does not move. Default: 1e-6."),
+        Option("relative_gain", "float", 0.0,
+               doc="ends when a pass gains at most this fraction of the total gain. Default: 0."),
+        Option("over_relaxation", "float", 0.0,
+               doc="step length relative to the minimizer along the step, from 1 to below 2; 0: chosen from the rate at "
+                   "which gains decrease. Default: 0."),
+        Option("max_passes", "int", 10000, low=0, high=18446744073709551615,
+               doc="maximum number of passes, each of `count` steps. Default: 10000."),
+    ),
+    "obc_tetrahedra_options": (
+        Option("keep_surface", "bool", True,
+               doc="1: every triangle is preserved; 0: TetGen may split edges and triangles. Default: 1."),
+        Option("quality", "float", 1.4,
+               doc="maximum ratio of circumradius to shortest edge, at least 1; 0: no vertices are inserted for quality. "
+                   "Default: 1.4."),
+        Option("max_volume", "float", 0.0,
+               doc="maximum volume, in the cubed unit of the surface; 0: no limit. Default: 0."),
+        Option("edge_length", "float", 0.0,
+               doc="approximate length of inner edges, in the unit of the surface; 0: that of the surface. Default: 0."),
+        Option("size_growth", "float", 0.3,
+               doc="gradation: edge-length growth per unit distance, at least 0. Default: 0.3."),
+    ),
+    "obc_trust_region_options": (
+        Option("method", "word", "two-radii", words={"two-radii": 0, "seed": 1},
+               doc="OBC_TRUST_REGION_TWO_RADII or SEED. Default: TWO_RADII."),
+        Option("start", "word", "automatic", words={"automatic": 0, "chain": 1, "cross": 2},
+               doc="initial points, OBC_TRUST_REGION_AUTOMATIC, CHAIN or CROSS. Default: AUTOMATIC."),
+        Option("points", "int", 0, low=0, high=18446744073709551615,
+               doc="Maximum number of interpolation points, n + 2 to (n+1)(n+2)/2. 0: the larger of 6n + 1 and 45, with "
+                   "residuals of 2n + 1 and 91, limited to the number for a full quadratic; SEED 2n + 1. Default: 0."),
+        Option("radius_begin", "float", 0.0,
+               doc="initial radius of steps. 0: a tenth of max(1, |x0 / scale|inf), or of 1 for a scale by boxes. Default: "
+                   "0."),
+        Option("radius_end", "float", 1e-08,
+               doc="final resolution, about the accuracy of x / scale. Default: 1e-8."),
+        Option("target", "float", float("-inf"),
+               doc="ends the run at f <= target. Default: -infinity."),
+        Option("noise_absolute", "float", 0.0,
+               doc="the error of f is up to max(noise_absolute, noise_relative |f|). Default: 0."),
+        Option("noise_relative", "float", 0.0,
+               doc="see noise_absolute. Default: 0."),
+        Option("restarts", "int", 0, low=0, high=18446744073709551615,
+               doc="Number of restarts around the best point with another radius. At the boundary of the domain of f a run "
+                   "also restarts as long as that lowers f by a thousandth. Default: 0."),
+        Option("max_evaluations", "int", 0, low=0, high=18446744073709551615,
+               doc="maximum number of evaluations; 0: 500 (n + 1). Default: 0."),
+    ),
+    "obc_volume_map_untangle_options": (
+        Option("steps", "int", 500, low=-2147483648, high=2147483647,
+               doc="maximum number of Newton steps in each of three attempts, while tetrahedra are inverted. Default: 500."),
+        Option("polish_steps", "int", 20, low=-2147483648, high=2147483647,
+               doc="maximum number of further steps that lower the distortion and keep all tetrahedra positive. Default: "
+                   "20."),
+        Option("volume_weight", "float", 1.0,
+               doc="weight of volume distortion relative to angle distortion, positive. Default: 1."),
+    ),
+    "obc_volume_map_solid_options": (
+        Option("corners", "int", 100, low=0, high=18446744073709551615,
+               doc="maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. "
+                   "Default: 100."),
+        Option("seed", "int", 0, low=0, high=18446744073709551615,
+               doc="seed of random choices. Default: 0."),
+    ),
+    "obc_volume_map_hexes_options": (
+        Option("padding", "word", "auto", words={"auto": 0, "with": 1, "without": 2},
+               doc="OBC_VOLUME_MAP_PADDING_AUTO, WITH or WITHOUT. Default: AUTO."),
+        Option("cells", "int", 10000, low=0, high=18446744073709551615,
+               doc="approximate number of hexahedra, 1 to 10 million. Default: 10000."),
+        Option("corners", "int", 100, low=0, high=18446744073709551615,
+               doc="maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. "
+                   "Default: 100."),
+        Option("triangles", "int", 6000, low=0, high=18446744073709551615,
+               doc="a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: "
+                   "never. Default: 6000."),
+        Option("seed", "int", 0, low=0, high=18446744073709551615,
+               doc="seed of random choices of the polycube. Default: 0."),
+        Option("rounds", "int", 40, low=-2147483648, high=2147483647,
+               doc="number of smoothing rounds, 0 to 1000. Default: 40."),
+        Option("method", "word", "auto", words={"auto": 0, "polycube": 1, "voxels": 2},
+               doc="OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or VOXELS. Default: AUTO."),
+        Option("distance", "float", 1.0,
+               doc="Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume "
+                   "error, in percent, 0 to 100. While it is exceeded, the cell count is doubled, up to most_cells; the "
+                   "closest mesh is returned. 0 disables the check. Default: 1."),
+        Option("most_cells", "int", 100000, low=0, high=18446744073709551615,
+               doc="approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: "
+                   "100000."),
+        Option("sharp_angle", "float", 40.0,
+               doc="Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows "
+                   "sharp edges near an edge of the polycube, unless hexahedra there would be bad. 0: none. Default: 40."),
+    ),
+    "obc_volume_map_frame_options": (
+        Option("rounds", "int", 40, low=-2147483648, high=2147483647,
+               doc="number of smoothing rounds, 0 to 1000. Default: 40."),
+        Option("cells", "int", 10000, low=0, high=18446744073709551615,
+               doc="approximate number of hexahedra, 1 to 10 million. Default: 10000."),
+        Option("feature_angle", "float", 0.0,
+               doc="Minimum dihedral angle, in radians, of boundary edges that an axis of the computed frames follows; "
+                   "unused for frames of the caller. 0: none. Default: 0."),
+        Option("distance", "float", 1.0,
+               doc="as in obc_volume_map_hexes_options, relative to the boundary of the solid. Default: 1."),
+        Option("most_cells", "int", 100000, low=0, high=18446744073709551615,
+               doc="as in obc_volume_map_hexes_options. Default: 100000."),
+    ),
+}

@@ -1,0 +1,112 @@
+#include "morphs/morph_states.h"
+
+#include <algorithm>
+#include <deque>
+#include <filesystem>
+#include <utility>
+
+#include "files/surface_file.h"
+#include "gltf/writing/float_frame.h"
+#include "gltf/writing/write.h"
+#include "mesh/search/measures.h"
+
+namespace orbicube::cli {
+namespace {
+
+using mesh::Triangle;
+using mesh::Vector3;
+
+using Floats = base::Array<float>;
+
+// Of each state, in the frame where float32 loses nothing to speak of.
+Floats to_floats(std::span<const Vector3> positions, const gltf::FloatFrame& frame, std::pmr::memory_resource* memory) {
+  Floats result(memory);
+  result.reserve(3 * positions.size());
+  for (const Vector3& p : positions) {
+    for (const double x : frame.stored(p))
+      result.push_back(static_cast<float>(x));
+  }
+  return result;
+}
+
+// A scene of the shape that stands there, with what was kept of the first one's file.
+gltf::Scene scene_of(const MorphStates& morph, std::span<const float> positions, const gltf::FloatFrame& frame) {
+  gltf::Scene scene;
+  scene.positions = positions;
+  scene.triangles = morph.triangles;
+  scene.smooth_normals = true;
+  scene.translation = frame.translation;
+  scene.scale = frame.scale;
+  scene.name = std::filesystem::path(morph.output).stem().string();
+  scene.kept = morph.kept;
+  scene.kept_surface = morph.kept_surface;
+  scene.kept_triangles = morph.kept_triangles;
+  return scene;
+}
+
+void write_targets(const MorphStates& morph, Session& session) {
+  const base::Host& host = session.host();
+  const std::span<const Triangle> triangles = morph.triangles;
+  const std::span<const base::Array<Vector3>> states = morph.states;
+  Vector3 low = states[0][triangles[0][0]];
+  Vector3 high = low;
+  for (const auto& state : states) {
+    const mesh::Measures box = mesh::measures(state, triangles, host);
+    low = low.cwiseMin(box.low);
+    high = high.cwiseMax(box.high);
+  }
+  const gltf::FloatFrame frame = about(morph.output, Role::output, [&] { return gltf::float_frame(low, high); });
+  std::deque<Floats> floats;
+  std::vector<gltf::MorphTarget> targets;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    floats.push_back(to_floats(states[i], frame, host.memory));
+    if (i > 0) targets.push_back({morph.names[i], floats.back()});
+  }
+  gltf::Scene scene = scene_of(morph, floats[0], frame);
+  scene.morph_targets = targets;
+  scene.morph_normals = true;
+  scene.morph_seconds = morph.seconds;
+  about(morph.output, Role::output, [&] { gltf::write(session.stage(morph.output), scene, host); });
+}
+
+// OUT-01.glb and so on: `steps` intermediate shapes from each shape to the next.
+void write_steps(const MorphStates& morph, Session& session) {
+  const std::filesystem::path out(morph.output);
+  const std::size_t count = morph.steps * (morph.states.size() - 1);
+  const std::size_t digits = std::max<std::size_t>(2, std::to_string(count).size());
+  mesh::Mesh step(session.host().memory);
+  step.triangles.assign(morph.triangles.begin(), morph.triangles.end());
+  std::size_t number_of_step = 0;
+  for (std::size_t i = 0; i + 1 < morph.states.size(); ++i) {
+    for (std::size_t k = 1; k <= morph.steps; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(morph.steps + 1);
+      step.positions.clear();
+      for (std::size_t v = 0; v < morph.states[i].size(); ++v)
+        step.positions.push_back((1 - share) * morph.states[i][v] + share * morph.states[i + 1][v]);
+      std::string text = std::to_string(++number_of_step);
+      text.insert(0, digits - text.size(), '0');
+      const std::filesystem::path path =
+          out.parent_path() / (out.stem().string() + "-" + text + out.extension().string());
+      if (morph.kept == nullptr) {
+        write_output(path, step, true, session);
+        continue;
+      }
+      about(path, Role::output, [&] {
+        const mesh::Measures box = mesh::measures(step.positions, step.triangles, session.host());
+        const gltf::FloatFrame frame = gltf::float_frame(box.low, box.high);
+        const Floats positions = to_floats(step.positions, frame, session.host().memory);
+        gltf::write(session.stage(path), scene_of(morph, positions, frame), session.host());
+      });
+    }
+  }
+  session.figures()["steps"] = count;
+}
+
+}  // namespace
+
+void write_morph(const MorphStates& morph, Session& session) {
+  write_targets(morph, session);
+  if (morph.steps > 0) write_steps(morph, session);
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,35 @@
+// What orbicube hex leaves behind, whatever the hexahedra follow: the mesh, a scene, figures and what is said of them.
+#pragma once
+
+#include <string>
+
+#include "scenes/hex_scene.h"
+#include "session/session.h"
+#include "volume_map/meshing/hex_draft.h"
+
+namespace orbicube::cli {
+
+struct HexOutput {
+  std::string path;
+  bool text = false;          // rather than binary VTK
+  bool keep_partial = false;  // write also what is too far from the surface
+  std::string glb;            // to draw it in, or empty
+  Cut cut = Cut::quarter;
+};
+
+// Hexahedra, figures of how they were made, what people may want to know besides scaled Jacobians, and a note or none.
+struct HexOutcome {
+  volume_map::HexResult result;
+  Json figures;
+  std::string besides;
+  std::string note;
+  int exponent = 0;  // lengths are those of the file times 2^exponent (unit_size.h)
+};
+
+// Throws Failure where one of the files could not be written, by its name.
+void require_hex_output(const HexOutput& output);
+
+// `asked` is the distance that was, in percent.
+void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Session& session);
+
+}  // namespace orbicube::cli

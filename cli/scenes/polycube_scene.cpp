@@ -1,0 +1,134 @@
+#include "scenes/polycube_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "gltf/writing/checker.h"
+#include "gltf/writing/float_frame.h"
+#include "gltf/writing/morph.h"
+#include "gltf/writing/normals.h"
+#include "gltf/writing/write.h"
+#include "mesh/search/measures.h"
+#include "mesh/search/predicates.h"
+
+namespace orbicube::cli {
+namespace {
+
+using base::Array;
+using mesh::Index;
+using mesh::Triangle;
+using mesh::Vector3;
+
+constexpr double units_along_polycube = 8;  // of texture coordinates, on its longest side
+constexpr std::uint32_t squares_a_unit = 4;
+
+Array<float> as_floats(std::span<const Vector3> positions, const gltf::FloatFrame& frame,
+                       std::pmr::memory_resource* memory) {
+  Array<float> result(memory);
+  result.reserve(3 * positions.size());
+  for (const Vector3& p : positions) {
+    for (const double x : frame.stored(p))
+      result.push_back(static_cast<float>(x));
+  }
+  return result;
+}
+
+// Of triangles with their targets as a renderer has them.
+std::size_t lost_triangles(const polycube::SurfaceMap& map, std::span<const Triangle> triangles,
+                           const Array<float>& base, const Array<float>& target) {
+  std::size_t lost = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    const auto axis = static_cast<std::size_t>(polycube::axis_of(map.labels[t]));
+    const auto flat = [&](Index v) {
+      const auto at = [&](std::size_t k) {
+        const std::size_t i = 3 * std::size_t{v} + (axis + k) % 3;
+        return static_cast<double>(gltf::reconstructed(base[i], gltf::delta_for(base[i], target[i])));
+      };
+      return Eigen::Vector2d(at(1), polycube::sign_of(map.labels[t]) * at(2));
+    };
+    const auto& [a, b, c] = triangles[t];
+    lost += mesh::orientation_2d(flat(a), flat(b), flat(c)) <= 0;
+  }
+  return lost;
+}
+
+}  // namespace
+
+Json write_polycube_scene(const std::filesystem::path& path, const polycube::SurfaceMap& map, const std::string& name,
+                          const base::Host& host) {
+  // A vertex for each patch that one is in.
+  Array<std::pair<Index, Index>> pairs(host.memory);
+  for (Index t = 0; t < map.triangles.size(); ++t)
+    for (const Index v : map.triangles[t])
+      pairs.emplace_back(v, map.charts[t]);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  Array<Triangle> triangles(host.memory);
+  Array<polycube::AxisLabel> labels(pairs.size(), 0, host.memory);
+  for (Index t = 0; t < map.triangles.size(); ++t) {
+    Triangle corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::pair wanted(map.triangles[t][k], map.charts[t]);
+      corners[k] = static_cast<Index>(std::lower_bound(pairs.begin(), pairs.end(), wanted) - pairs.begin());
+      labels[corners[k]] = map.labels[t];
+    }
+    triangles.push_back(corners);
+  }
+  Array<Vector3> positions(host.memory), on_polycube(host.memory);
+  for (const auto& [v, patch] : pairs) {
+    positions.push_back(map.positions[v]);
+    on_polycube.push_back(map.polycube[v]);
+  }
+  const mesh::Measures box = mesh::measures(positions, triangles, host);
+  const mesh::Measures domain = mesh::measures(on_polycube, triangles, host);
+  // Both at one scale, each around its own middle.
+  gltf::FloatFrame frame;
+  frame.translation = 0.5 * box.low + 0.5 * box.high;
+  frame.scale = gltf::float_scale(
+      std::max((0.5 * box.high - 0.5 * box.low).maxCoeff(), (0.5 * domain.high - 0.5 * domain.low).maxCoeff()));
+  const Array<float> base = as_floats(positions, frame, host.memory);
+  const Array<float> target = as_floats(on_polycube, {0.5 * domain.low + 0.5 * domain.high, frame.scale}, host.memory);
+  // Normals of the surface, which is smooth across edges of the polycube.
+  const Array<float> whole_normals =
+      gltf::smooth_normals(as_floats(map.positions, frame, host.memory), map.triangles, host);
+  Array<float> normals(host.memory);
+  for (const auto& [v, patch] : pairs)
+    for (std::size_t k = 0; k < 3; ++k)
+      normals.push_back(whole_normals[3 * std::size_t{v} + k]);
+
+  const double unit = (domain.high - domain.low).maxCoeff() / units_along_polycube;
+  std::vector<float> coordinates;
+  coordinates.reserve(2 * pairs.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const int axis = polycube::axis_of(labels[i]);
+    const Vector3 at = (on_polycube[i] - domain.low) / unit;
+    coordinates.push_back(static_cast<float>(polycube::sign_of(labels[i]) * at[(axis + 1) % 3]));
+    coordinates.push_back(static_cast<float>(-at[(axis + 2) % 3]));  // v goes down
+  }
+  const gltf::MorphTarget morph{"polycube", target};
+  gltf::Checker checker;
+  checker.columns = checker.rows = squares_a_unit;
+  const Array<std::byte> texture = gltf::checker_png(checker, host.memory);
+  gltf::Scene scene;
+  scene.positions = base;
+  scene.triangles = triangles;
+  scene.normals = normals;
+  scene.texture_coordinates = coordinates;
+  scene.morph_targets = {&morph, 1};
+  scene.morph_normals = true;
+  scene.translation = frame.translation;
+  scene.scale = frame.scale;
+  scene.base_color = {1, 1, 1, 1};
+  scene.texture = texture;
+  scene.name = name;
+  scene.extras = Json{{"texture_unit", unit}}.dump();
+  gltf::write(path, scene, host);
+  return {{"output", path.string()},
+          {"vertices", pairs.size()},
+          {"texture_unit", unit},
+          {"triangles_lost_in_float32", lost_triangles(map, triangles, base, target)}};
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,120 @@
+#include "scenes/report_page.h"
+
+#include <nlohmann/json.hpp>
+#include <string_view>
+
+#include "base/error.h"
+#include "report_page/packed_mesh.h"
+#include "report_page/template.h"
+
+namespace orbicube::cli {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(const Levels& levels) {
+  return {{"zero", levels.zero}, {"span", levels.span}, {"octaves", levels.octaves}, {"none", levels.none}};
+}
+
+Json json_of(const PageResult& result) {
+  PackedMesh mesh = pack(result);
+  Json figures = Json::array();
+  for (const auto& [name, value] : result.figures)
+    figures.push_back({name, value});
+  Json harmonics;
+  if (!result.coefficients.empty()) {
+    harmonics = {{"degree", result.degree},
+                 {"facing", std::vector<double>(mesh.facing.data(), mesh.facing.data() + mesh.facing.size())},
+                 {"coefficients", std::move(mesh.coefficients)}};
+  }
+  Json polycube;
+  if (!result.polycube.empty()) {
+    polycube = {{"positions", std::move(mesh.polycube)},
+                {"facing", std::vector<double>(mesh.facing.data(), mesh.facing.data() + mesh.facing.size())}};
+  }
+  return {{"name", result.name},
+          {"figures", std::move(figures)},
+          {"zUp", result.z_up},
+          {"vertices", mesh.vertices},
+          {"triangles", mesh.triangles},
+          {"low", {mesh.low.x(), mesh.low.y(), mesh.low.z()}},
+          {"step", mesh.step},
+          {"positions", std::move(mesh.positions)},
+          {"directions", std::move(mesh.directions)},
+          {"connections", std::move(mesh.connections)},
+          {"dilatation", std::move(mesh.dilatation)},
+          {"areaRatio", std::move(mesh.area_ratio)},
+          {"dilatationShare", mesh.dilatation_share},
+          {"areaRatioShare", mesh.area_ratio_share},
+          {"polycube", std::move(polycube)},
+          {"energies", result.energies},
+          {"harmonics", std::move(harmonics)}};
+}
+
+// As text of an HTML element.
+std::string escaped(std::string_view text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      default:
+        result += c;
+    }
+  }
+  return result;
+}
+
+// JSON that can stand in a script element: nothing in it can end the element. Names that are not UTF-8 are mended.
+std::string script_text(const Json& json) {
+  const std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  std::string result;
+  result.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      result += "\\u003c";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string report_page(std::span<const PageResult> results, const std::string& title) {
+  if (results.empty()) throw base::Error("invalid-argument", "no result for the page");
+  Json data = {{"levels", {{"dilatation", json_of(dilatation_levels)}, {"area", json_of(area_levels)}}},
+               {"results", Json::array()}};
+  for (const PageResult& result : results)
+    data["results"].push_back(json_of(result));
+  const std::string title_text = escaped(title);
+  const std::string results_text = script_text(data);
+
+  std::string page;
+  page.reserve(results_text.size() + (std::size_t{1} << 16U));
+  const std::string empty_page = page_template();
+  std::string_view rest = empty_page;
+  while (true) {
+    const std::size_t mark = rest.find('@');
+    page += rest.substr(0, mark);
+    if (mark == std::string_view::npos) return page;
+    rest.remove_prefix(mark);
+    const auto fill = [&](std::string_view name, std::string_view text) {
+      if (!rest.starts_with(name)) return false;
+      page += text;
+      rest.remove_prefix(name.size());
+      return true;
+    };
+    if (!fill("@TITLE@", title_text) && !fill("@RESULTS@", results_text)) fill("@", "@");
+  }
+}
+
+}  // namespace orbicube::cli

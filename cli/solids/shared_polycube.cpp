@@ -1,0 +1,69 @@
+#include "solids/shared_polycube.h"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "files/landmark_file.h"
+#include "report/polycube_outputs.h"
+#include "report/text.h"
+#include "report/unit_size.h"
+#include "solids/any_genus_surface.h"
+
+namespace orbicube::cli {
+
+SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& session) {
+  const base::Host& host = session.host();
+  SharedPolycube result{{}, polycube::CommonPolycube(host.memory), {}, nullptr};
+  for (const std::string& path : options.inputs) {
+    const bool is_first = result.meshes.empty();
+    AnyGenusSurface surface =
+        read_any_genus_surface(path, options.weld, session, is_first ? options.keep_first : Keep::surface);
+    require_ordinary_size(surface.mesh, path);
+    if (is_first) result.kept_first = std::move(surface.kept);
+    result.meshes.push_back(std::move(surface.mesh));
+    Json figures = {{"input", path}};
+    figures.update(surface.figures);
+    result.figures.push_back(std::move(figures));
+  }
+  std::vector<polycube::SurfaceSpan> shapes;
+  std::vector<const mesh::Mesh*> meshes;
+  for (const mesh::Mesh& m : result.meshes) {
+    shapes.push_back({m.positions, m.triangles});
+    meshes.push_back(&m);
+  }
+  std::vector<base::Array<mesh::Vector3>> landmarks;
+  if (!options.landmarks.empty()) {
+    about(options.landmarks, Role::input, [&] {
+      for (const auto& points : read_landmark_points(options.landmarks, meshes, host)) {
+        landmarks.emplace_back(host.memory);
+        for (const LandmarkPoint& point : points)
+          landmarks.back().push_back(point.on_surface.position);
+      }
+    });
+  }
+  const double start = session.seconds();
+  result.common = about(options.inputs.front(), Role::input, [&] {
+    return polycube::construct_common(
+        shapes, {.construction = options.construction, .domain = options.domain, .landmarks = landmarks}, host);
+  });
+  const polycube::CommonPolycube& common = result.common;
+  const double own = std::accumulate(common.own_energies.begin(), common.own_energies.end(), 0.0);
+  session.figures()["polycube"] = {{"made_for", options.inputs[common.base]},
+                                   {"polycubes_tried", common.tried},
+                                   {"genus", common.genus},
+                                   {"corners", common.graph.corners.size()},
+                                   {"patches", common.graph.patches()},
+                                   {"energies", common.energies},
+                                   {"own_energies", common.own_energies},
+                                   {"energy_over_own", common.energies.back() / own},
+                                   {"seconds", session.seconds() - start}};
+  for (std::size_t i = 0; i < shapes.size(); ++i)
+    result.figures[i]["distortion"] = distortion_figures(common.distortions[i]);
+  session.say("  one polycube with " + std::to_string(common.graph.corners.size()) + " corners, made for " +
+              options.inputs[common.base] + "; energies add up to " + number(common.energies.back()) +
+              (std::isfinite(own) ? ", with a polycube each to " + number(own) : ""));
+  return result;
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,394 @@
+// orbicube frames: a smooth frame field on a mesh of tetrahedra, aligned with its boundary.
+#include "frame_field/frame_field.h"
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "files/surface_file.h"
+#include "frame_field/frames_file.h"
+#include "frame_field/graph/boundary_indices.h"
+#include "frame_field/singularities/measurement.h"
+#include "frame_field/singularities/meshability.h"
+#include "frame_field/singularities/singularities.h"
+#include "mesh/files/file.h"
+#include "mesh/topology/cells.h"
+#include "report/text.h"
+#include "report/unit_size.h"
+#include "scenes/angle_plot.h"
+#include "scenes/frame_scene.h"
+#include "verbs/verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+using frame_field::Start;
+
+const std::map<std::string, Start> starts = {{"auto", Start::automatic},
+                                             {"identity", Start::identity},
+                                             {"propagated", Start::propagated},
+                                             {"harmonic", Start::harmonic},
+                                             {"diffusion", Start::diffusion}};
+const std::map<std::string, frame_field::Weighting> weightings = {{"uniform", frame_field::Weighting::uniform},
+                                                                  {"geometric", frame_field::Weighting::geometric}};
+const std::map<std::string, frame_field::Method> frame_methods = {{"smooth", frame_field::Method::smooth},
+                                                                  {"seed", frame_field::Method::seed}};
+
+constexpr std::size_t most_places = 1000;  // that a report lists of each kind
+
+struct FramesOptions {
+  std::string input;
+  std::string output;
+  std::string start = "auto";
+  std::string from;
+  bool unchanged = false;
+  std::string boundary;
+  std::string method = "smooth";
+  std::string weights = "uniform";
+  double features = 0;  // degrees
+  std::uint32_t rounds = frame_field::Options{}.rounds;
+  bool free_boundary = false;
+  bool repair = false;
+  bool single_axis = false;
+  std::string vtk;
+  std::string plot;
+  std::string glb;
+  std::uint32_t crosses = 1000;
+};
+
+Json json_of(const frame_field::AngleStatistics& a) {
+  return {{"mean", a.mean}, {"sd", a.deviation}, {"median", a.median}, {"p99", a.p99}, {"max", a.largest}};
+}
+
+Json json_of(const frame_field::Measurement& m) {
+  Json histogram = Json::array();
+  for (const std::size_t n : m.histogram)
+    histogram.push_back(n);
+  return {{"E", m.energy},
+          {"angle_deg", json_of(m.symmetric)},
+          {"angle_without_symmetry_deg", json_of(m.plain)},
+          {"faces_above_30deg", m.above_30},
+          {"histogram", histogram},
+          {"interior_faces", m.inner_faces},
+          {"boundary_faces", m.boundary_faces},
+          {"norm_error", m.norm_error},
+          {"misalignment_deg",
+           {{"one_face_tets", m.one_face_tetrahedra},
+            {"one_face_max", m.one_face_largest},
+            {"one_face_mean", m.one_face_mean},
+            {"several_face_tets", m.several_face_tetrahedra},
+            {"several_best_face_max", m.several_best_largest},
+            {"several_worst_face_max", m.several_worst_largest}}}};
+}
+
+Json json_of(const frame_field::SingularGraph& g, int exponent) {
+  const auto of = [&](quaternion::CubeClass kind) { return g.by_class[static_cast<std::size_t>(kind)]; };
+  std::size_t closed = 0;
+  for (const std::uint8_t c : g.curve_closed)
+    closed += c;
+  return {{"interior_edges", g.inner_edges},
+          {"singular_edges",
+           {{"total", g.edges.size()},
+            {"90", of(quaternion::CubeClass::face_quarter)},
+            {"180", of(quaternion::CubeClass::face_half)},
+            {"120", of(quaternion::CubeClass::corner_third)},
+            {"other", of(quaternion::CubeClass::edge_half)}}},
+          {"singular_length", unscaled(g.singular_length, -exponent)},
+          {"singular_length_fraction", g.inner_length > 0 ? g.singular_length / g.inner_length : 0},
+          {"curves", g.curves()},
+          {"loops", closed},
+          {"nodes", g.nodes.size()},
+          {"boundary_ends", g.boundary_ends},
+          {"dead_ends", g.dead_ends.size()}};
+}
+
+const char* turn_name(const frame_field::SingularEdge& edge) {
+  switch (edge.kind()) {
+    case quaternion::CubeClass::face_half:
+      return "180";
+    case quaternion::CubeClass::corner_third:
+      return "120";
+    case quaternion::CubeClass::edge_half:
+      return "other";
+    default:
+      return "90";
+  }
+}
+
+// Where no hexahedral mesh could follow: the first edges and vertices of each kind.
+Json improper_places(const mesh::Mesh& solid, const frame_field::SingularGraph& graph,
+                     const frame_field::Meshability& local, int exponent) {
+  const auto point = [&](const mesh::Vector3& p) {
+    return Json{unscaled(p[0], -exponent), unscaled(p[1], -exponent), unscaled(p[2], -exponent)};
+  };
+  Json edges = Json::array(), vertices = Json::array();
+  for (std::size_t i = 0; i < std::min(local.edges.size(), most_places); ++i) {
+    const frame_field::SingularEdge& edge = graph.edges[local.edges[i]];
+    const auto& [a, b] = edge.vertices;
+    edges.push_back({{"vertices", {a, b}},
+                     {"turn", turn_name(edge)},
+                     {"at", point(0.5 * (solid.positions[a] + solid.positions[b]))}});
+  }
+  for (std::size_t i = 0; i < std::min(local.vertices.size(), most_places); ++i) {
+    const mesh::Index v = local.vertices[i];
+    vertices.push_back({{"vertex", v},
+                        {"kind", std::ranges::binary_search(graph.nodes, v) ? "node" : "turning-point"},
+                        {"at", point(solid.positions[v])}});
+  }
+  return {{"edges", edges}, {"vertices", vertices}};
+}
+
+Json json_of(const frame_field::RepairOutcome& r) {
+  const auto faults = [](const frame_field::Faults& f, double energy) {
+    return Json{
+        {"improper_edges", f.edges}, {"improper_vertices", f.vertices}, {"fragments", f.fragments}, {"E", energy}};
+  };
+  return {
+      {"rounds", r.rounds}, {"before", faults(r.before, r.energy_before)}, {"after", faults(r.after, r.energy_after)}};
+}
+
+mesh::Mesh read_solid(const FramesOptions& options, Session& session) {
+  InputMesh input = read_input(options.input, false, session);
+  session.figures()["format"] = input.report.format;
+  session.figures()["seconds_read"] = input.seconds;
+  about(options.input, Role::input, [&] {
+    if (input.mesh.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra; frames live on a mesh of them");
+    mesh::require_valid_cells(input.mesh, session.host());
+    if (!input.mesh.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
+  });
+  return std::move(input.mesh);
+}
+
+// Frames of tetrahedra with a boundary face, from a file of all frames.
+base::Array<frame_field::GivenFrame> boundary_frames(const mesh::Mesh& solid, const frame_field::Field& field,
+                                                     const base::Host& host) {
+  const mesh::TetrahedralConnectivity connectivity(solid.positions.size(), solid.tetrahedra, host);
+  base::Array<frame_field::GivenFrame> result(host.memory);
+  for (mesh::Index t = 0; t < field.size(); ++t) {
+    bool outer = false;
+    for (mesh::Index k = 0; k < 4; ++k)
+      outer = outer || connectivity.on_boundary(4 * t + k);
+    if (outer) result.push_back({t, field[t]});
+  }
+  return result;
+}
+
+frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& solid, const base::Host& host) {
+  const auto read = [&](const std::string& path) {
+    return about(path, Role::input, [&] { return frame_field::read_frames(path, solid.tetrahedra.size(), host); });
+  };
+  frame_field::Field start(host.memory);
+  base::Array<frame_field::GivenFrame> held(host.memory);
+  if (!options.from.empty()) start = read(options.from);
+  if (options.unchanged) {
+    frame_field::Outcome outcome(host.memory);
+    outcome.field = std::move(start);
+    outcome.start = Start::given;
+    return outcome;
+  }
+  if (!options.boundary.empty()) held = boundary_frames(solid, read(options.boundary), host);
+  frame_field::Options settings;
+  settings.start = options.from.empty() ? starts.at(options.start) : Start::given;
+  settings.method = frame_methods.at(options.method);
+  settings.weighting = weightings.at(options.weights);
+  settings.align_boundary = !options.free_boundary;
+  settings.feature_angle = options.features * std::numbers::pi / 180;
+  settings.rounds = options.rounds;
+  settings.repairs = options.single_axis ? frame_field::Repairs::single_axis
+                     : options.repair    ? frame_field::Repairs::places
+                                         : frame_field::Repairs::none;
+  return about(options.input, Role::input, [&] {
+    return frame_field::compute(solid.positions, solid.tetrahedra, settings,
+                                {.frames = held, .axes = {}, .start = start}, host);
+  });
+}
+
+void write(const FramesOptions& options, const mesh::Mesh& solid, int exponent, const frame_field::Field& field,
+           Session& session) {
+  const base::Host& host = session.host();
+  about(options.output, Role::output, [&] {
+    const std::filesystem::path file = session.stage(options.output);
+    frame_field::write_frames(file, field, host);
+    const frame_field::Field read = frame_field::read_frames(file, field.size(), host);
+    for (std::size_t t = 0; t < field.size(); ++t) {
+      // Reading makes lengths 1 again, which may move the last bit.
+      if (!(std::abs(quaternion::dot(read[t], field[t]) - 1) < 1e-15 * 8))
+        throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
+    }
+  });
+  if (options.vtk.empty()) return;
+  base::Array<mesh::Vector3> positions(solid.positions, host.memory);
+  mesh::scale_by_power(positions, -exponent);
+  about(options.vtk, Role::output,
+        [&] { frame_field::write_vtk(session.stage(options.vtk), positions, solid.tetrahedra, field, host); });
+}
+
+void run_frames(const FramesOptions& options, Session& session) {
+  session.options() = {{"output", options.output},     {"start", options.start},
+                       {"from", options.from},         {"unchanged", options.unchanged},
+                       {"boundary", options.boundary}, {"method", options.method},
+                       {"weights", options.weights},   {"features", options.features},
+                       {"rounds", options.rounds},     {"free_boundary", options.free_boundary},
+                       {"repair", options.repair},     {"single_axis", options.single_axis},
+                       {"vtk", options.vtk},           {"plot", options.plot},
+                       {"glb", options.glb},           {"crosses", options.crosses}};
+  require_folder(options.output);
+  for (const std::string& path : {options.vtk, options.plot, options.glb}) {
+    if (!path.empty()) require_folder(path);
+  }
+  mesh::Mesh solid = session.portion(0.05, [&] { return read_solid(options, session); });
+  // Frames know nothing of sizes.
+  constexpr int ordinary = 100;
+  const int exponent = bring_to_unit_size(solid, ordinary);
+  if (exponent != 0 && !options.glb.empty())
+    throw Failure(Exit::wrong_input, options.input, "unsupported",
+                  "--glb is for solids of a size between 1e-30 and 1e30; scale it first");
+  const base::Host& host = session.host();
+
+  const double begin = session.seconds();
+  const frame_field::Outcome outcome = session.portion(0.85, [&] { return compute(options, solid, host); });
+  const double computed = session.seconds() - begin;
+  const auto connectivity = about(options.input, Role::input, [&] {
+    return mesh::TetrahedralConnectivity(solid.positions.size(), solid.tetrahedra, host);
+  });
+  const frame_field::Measurement m = frame_field::measure(solid.positions, connectivity, outcome.field, host);
+  const auto matchings = frame_field::matchings(connectivity, outcome.field, host);
+  const frame_field::SingularGraph graph =
+      frame_field::singular_graph(solid.positions, connectivity, outcome.field, matchings, host);
+  const auto indices = frame_field::boundary_indices(solid.positions, connectivity, outcome.field, host);
+  const frame_field::Meshability local =
+      frame_field::meshability(graph, connectivity.boundary_vertices(host.memory), host.memory);
+  const double measured = session.seconds() - begin - computed;
+
+  Json& figures = session.figures();
+  figures.update({{"output", options.output},
+                  {"vertices", solid.positions.size()},
+                  {"tets", solid.tetrahedra.size()},
+                  {"start", frame_field::start_name(outcome.start)}});
+  figures.update(json_of(m));
+  figures.update(json_of(graph, exponent));
+  figures.update({{"boundary_index_sum", 0.25 * static_cast<double>(indices.sum_of_quarters)},
+                  {"boundary_singular_vertices", indices.singular_vertices},
+                  {"euler_characteristic", indices.euler_characteristic},
+                  {"locally_meshable", local.locally_meshable()},
+                  {"improper_edges", local.edges.size()},
+                  {"turning_points", local.turning_points},
+                  {"improper_nodes", local.improper_nodes},
+                  {"improper_places", improper_places(solid, graph, local, exponent)},
+                  {"smoothing_steps", outcome.smoothing_steps},
+                  {"solver_iterations", outcome.solver_iterations},
+                  {"seconds_compute", computed},
+                  {"seconds_measure", measured}});
+  const bool repairs = options.repair || options.single_axis;
+  if (repairs) figures["repair"] = json_of(outcome.repair);
+  about(options.output, Role::output, [&] {
+    if (!graph.dead_ends.empty())
+      throw base::Error("no-valid-result", std::to_string(graph.dead_ends.size()) + " singular curves end inside");
+  });
+  write(options, solid, exponent, outcome.field, session);
+  if (!options.plot.empty()) {
+    about(options.plot, Role::output, [&] {
+      mesh::OutputFile file(session.stage(options.plot));
+      file.write(std::span<const std::byte>(angle_plot(m.histogram, host.memory)));
+      file.commit();
+    });
+  }
+  if (!options.glb.empty()) {
+    about(options.glb, Role::output, [&] {
+      write_scene(session.stage(options.glb), {solid, connectivity, outcome.field, graph, local}, options.crosses,
+                  host);
+    });
+  }
+  figures["seconds_write"] = session.seconds() - begin - computed - measured;
+
+  session.say(options.input + ": " + std::to_string(solid.tetrahedra.size()) + " frames in " + number(computed) +
+              " s, from the start " + frame_field::start_name(outcome.start));
+  session.say("  energy " + number(m.energy) + ", angles " + number(m.symmetric.mean) + " degrees on average, " +
+              number(m.symmetric.p99) + " at 99 %, maximum " + number(m.symmetric.largest) + "; at most " +
+              number(m.one_face_largest) + " degrees off the normals");
+  session.say("  " + std::to_string(graph.edges.size()) + " singular edges on " + std::to_string(graph.curves()) +
+              " curves with " + std::to_string(graph.nodes.size()) + " nodes; " +
+              (local.locally_meshable() ? "locally meshable"
+                                        : std::to_string(local.edges.size()) + " edges and " +
+                                              std::to_string(local.vertices.size()) + " vertices are not meshable"));
+  if (repairs)
+    session.say("  repaired: " + std::to_string(outcome.repair.before.unmeshable()) +
+                " places that are not meshable became " + std::to_string(outcome.repair.after.unmeshable()) +
+                ", the energy " + number(outcome.repair.energy_before) + " became " +
+                number(outcome.repair.energy_after));
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+template <class Value>
+CLI::Validator one_of(const std::map<std::string, Value>& names) {
+  std::vector<std::string> list;
+  for (const auto& entry : names)
+    list.push_back(entry.first);
+  return unnamed(CLI::IsMember(list));
+}
+
+}  // namespace
+
+void add_frames(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("frames", "compute a smooth frame field on a tetrahedral mesh");
+  const auto options = std::make_shared<FramesOptions>();
+  verb->add_option("TETS", options->input, "tetrahedra to read: .mesh .vtk")->required()->type_name("");
+  verb->add_option("-o,--output", options->output, "frames to write, one line w x y z for each tetrahedron")
+      ->required()
+      ->type_name("OUT.frames");
+  verb->add_option("--start", options->start,
+                   "initial field: auto (default), the best of all; identity, the coordinate axes; propagated, the "
+                   "nearest boundary frame; harmonic, harmonics of degree 4; diffusion, these, diffused and projected")
+      ->check(one_of(starts))
+      ->type_name("START");
+  CLI::Option* from =
+      verb->add_option("--from", options->from, "smooth the field of this file")->type_name("FILE.frames");
+  verb->add_flag("--unchanged", options->unchanged, "only report and draw the field of --from")->needs(from);
+  verb->add_option("--boundary", options->boundary, "fix the frames of boundary tetrahedra to those of this file")
+      ->type_name("FILE.frames");
+  verb->add_option("--method", options->method,
+                   "smooth, or seed: the method of the dissertation with fixed matchings [default: smooth]")
+      ->check(one_of(frame_methods))
+      ->type_name("METHOD");
+  verb->add_option(
+          "--weights", options->weights,
+          "weights of inner faces: uniform, or geometric, area over distance of the centers [default: uniform]")
+      ->check(one_of(weightings))
+      ->type_name("WEIGHTS");
+  verb->add_option("--features", options->features,
+                   "minimum dihedral angle, in degrees, of boundary edges that an axis follows; 0: none [default: 0]")
+      ->check(unnamed(CLI::Range(0.0, 180.0)))
+      ->type_name("DEGREES");
+  verb->add_option("--rounds", options->rounds, "number of improvement rounds of --start auto [default: 2]")
+      ->check(unnamed(CLI::Range(0, 1000)))
+      ->type_name("N");
+  verb->add_flag("--free-boundary", options->free_boundary, "do not align frames with the boundary");
+  verb->add_flag("--repair", options->repair,
+                 "change the field where no hexahedral mesh can follow it, at a small increase of the energy")
+      ->excludes(verb->get_option("--unchanged"));
+  verb->add_flag("--single-axis", options->single_axis,
+                 "search only among fields that rotate about one axis along each curve, starting from identity")
+      ->excludes(verb->get_option("--unchanged"));
+  verb->add_option("--vtk", options->vtk, "also write the tetrahedra with the axes as vectors")->type_name("FILE.vtk");
+  verb->add_option("--plot", options->plot, "draw the distribution of angles between neighbors")->type_name("FILE.png");
+  verb->add_option("--glb", options->glb, "draw the singular curves in the surface, and some frames")
+      ->type_name("FILE.glb");
+  verb->add_option("--crosses", options->crosses, "approximate number of frames in --glb [default: 1000]")
+      ->check(unnamed(CLI::Range(0, 1000000)))
+      ->type_name("N");
+  add_common_options(*verb, common);
+  verb->footer(
+      "A frame is a unit quaternion that rotates the coordinate axes to its own (active, Hamilton's product). At "
+      "the\nboundary one axis is along the normal; tetrahedra with several boundary faces are aligned with one of "
+      "them,\nor with a direction between them or their common edge if no frame aligns with both.");
+  verb->callback([options, &common] {
+    Session session(common, "frames", options->input);
+    session.run([&] { run_frames(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,320 @@
+// orbicube harmonics: the spherical harmonics of a surface that has a sphere map, and the surface made of them again.
+#include "harmonics/fitting/fit.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "files/map_file.h"
+#include "files/surface_file.h"
+#include "harmonics/fitting/surface.h"
+#include "harmonics/functions/coefficient_file.h"
+#include "harmonics/functions/spectrum.h"
+#include "harmonics/rotations/alignment.h"
+#include "harmonics/rotations/rotation.h"
+#include "mesh/search/measures.h"
+#include "mesh/search/unit_scale.h"
+#include "report/text.h"
+#include "report/unit_size.h"
+#include "scenes/page_figures.h"
+#include "solids/harmonics_of_shape.h"
+#include "sphere_map/sphere_map.h"
+#include "verbs/verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+using harmonics::Coefficients;
+
+const std::map<std::string, harmonics::FitMethod> fit_methods = {{"automatic", harmonics::FitMethod::automatic},
+                                                                 {"dense", harmonics::FitMethod::dense},
+                                                                 {"iterative", harmonics::FitMethod::iterative}};
+
+struct HarmonicsOptions {
+  std::string input, sphere, output, reconstruction, page;
+  std::string reference;  // coefficients of a shape to lie as, or empty
+  std::string align = "shape";
+  std::uint32_t degree = 0;
+  std::string method = "automatic";
+  std::string weights = "area";
+  double smoothing = 0;
+  std::uint32_t low = harmonics::largest_degree, high = 0, width = 0;
+  std::vector<std::uint32_t> band;
+  bool text = false;
+  bool weld = false;
+
+  harmonics::Band kept() const {
+    if (!band.empty()) return {band[0], band[1], width};
+    return {high, low, width};
+  }
+};
+
+base::Array<double> weights_of(const HarmonicsOptions& options, const mesh::Mesh& surface, const mesh::Mesh& map,
+                               const base::Host& host) {
+  if (options.weights == "uniform") return base::Array<double>(surface.positions.size(), 1.0, host.memory);
+  return harmonics::vertex_areas(options.weights == "sphere" ? map.positions : surface.positions, surface.triangles,
+                                 host);
+}
+
+// The fit of the vertices of triangles.
+Coefficients fit_used(const HarmonicsOptions& options, const mesh::Mesh& surface, const mesh::Mesh& map,
+                      const base::Host& host, harmonics::FitReport& report) {
+  const base::Array<std::uint8_t> used = mesh::used_vertices(surface.positions.size(), surface.triangles, host.memory);
+  const base::Array<double> weights = weights_of(options, surface, map, host);
+  base::Array<mesh::Vector3> positions(host.memory), directions(host.memory);
+  base::Array<double> used_weights(host.memory);
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    if (used[v] == 0) continue;
+    positions.push_back(surface.positions[v]);
+    directions.push_back(map.positions[v]);
+    used_weights.push_back(weights[v]);
+  }
+  return harmonics::fit(
+      directions, used_weights, numbers(positions), 3,
+      {.degree = options.degree, .method = fit_methods.at(options.method), .smoothing = options.smoothing}, host,
+      report);
+}
+
+// Reports a fit that the samples do not determine.
+void note_rank(const harmonics::FitReport& fit, std::size_t vertices, Session& session) {
+  if (fit.rank == fit.unknowns) return;
+  const std::string unknowns = std::to_string(fit.unknowns);
+  const std::string why = vertices < fit.unknowns ? std::to_string(vertices) + " vertices are too few"
+                                                  : "the map leaves parts of the sphere without vertices";
+  session.note("rank-deficient: " +
+               (fit.rank > 0 ? "the vertices determine " + std::to_string(fit.rank) + " of " + unknowns
+                             : "the vertices do not determine all " + unknowns) +
+               " coefficients of each coordinate (" + why +
+               "); the solution of minimum norm was taken; lower --degree or give --smoothing");
+}
+
+// Where the map says nothing of vertices in no triangle, they get some direction.
+void direct_unused(const mesh::Mesh& surface, mesh::Mesh& map, const base::Host& host) {
+  const base::Array<std::uint8_t> used = mesh::used_vertices(surface.positions.size(), surface.triangles, host.memory);
+  for (std::size_t v = 0; v < used.size(); ++v) {
+    mesh::Vector3& direction = map.positions[v];
+    if (used[v] == 0 && !(direction.allFinite() && direction != mesh::Vector3::Zero()))
+      direction = mesh::Vector3::UnitZ();
+  }
+}
+
+// Shape, map and distortion, and the slider through the degrees.
+void write_harmonics_page(const HarmonicsOptions& options, const mesh::Mesh& surface, mesh::Mesh map,
+                          const Coefficients& coefficients, const harmonics::FitReport& fit, double error,
+                          Session& session) {
+  const base::Host& host = session.host();
+  const sphere_map::Options weights;
+  sphere_map::FaceDistortion faces(host.memory);
+  const sphere_map::Measurement m = about(options.sphere, Role::input, [&] {
+    return sphere_map::measure(surface.positions, map.triangles, map.positions, weights.angle_weight,
+                               weights.area_weight, host, &faces);
+  });
+  for (mesh::Vector3& direction : map.positions)
+    direction.stableNormalize();
+  const std::string name = std::filesystem::path(options.input).filename().string();
+  PageResult result = page_result(name, surface, map.positions, m, faces, weights.angle_weight, weights.area_weight);
+  result.triangles = map.triangles;
+  add_harmonics(result, coefficients, fit, error);
+  write_page(options.page, {&result, 1}, "Spherical harmonics of " + name, session);
+}
+
+// As the reference lies: its parameters, and with "shape" it itself too, turned to where positions agree best.
+Coefficients aligned(const Coefficients& coefficients, const HarmonicsOptions& options, Session& session) {
+  if (options.reference.empty()) return coefficients.copy();
+  const base::Host& host = session.host();
+  return about(options.reference, Role::input, [&] {
+    const Coefficients reference =
+        harmonics::read_coefficients(options.reference, harmonics::FileFormat::by_ending, host);
+    const bool joint = options.align == "shape";
+    const harmonics::Alignment found =
+        harmonics::align(reference, coefficients, {.turn_values = joint, .prefer_standing = joint}, host);
+    Coefficients turned = harmonics::rotate(coefficients, found.rotation, host);
+    if (joint) harmonics::rotate_values(turned, found.values);
+    const double angle = 180 / std::numbers::pi * Eigen::AngleAxisd(found.values).angle();
+    session.figures()["alignment"] = {{"to", options.reference},
+                                      {"align", options.align},
+                                      {"correlation", found.correlation},
+                                      {"turn_degrees", angle}};
+    session.say("  aligned with " + options.reference + ": correlation " + number(found.correlation) +
+                ", the shape turned by " + number(angle) + " degrees");
+    return turned;
+  });
+}
+
+void fit_surface(const HarmonicsOptions& options, Session& session) {
+  const base::Host& host = session.host();
+  session.options() = {{"sphere", options.sphere},   {"degree", options.degree},
+                       {"output", options.output},   {"reconstruct", options.reconstruction},
+                       {"page", options.page},       {"align_to", options.reference},
+                       {"align", options.align},     {"method", options.method},
+                       {"weights", options.weights}, {"smoothing", options.smoothing},
+                       {"low", options.low},         {"high", options.high},
+                       {"band", options.band},       {"width", options.width}};
+  about(options.output, Role::output, [&] { harmonics::format_of_path(options.output); });
+  if (!options.reconstruction.empty()) require_writable(options.reconstruction);
+  const harmonics::Band band = options.kept();
+  if (band.low > band.high) throw Failure(Exit::wrong_input, "", "usage", "the filter keeps no degree");
+
+  const auto read_surface = [&] { return read_input(options.input, options.weld, session).mesh; };
+  mesh::Mesh surface = session.portion(0.03, read_surface);
+  if (surface.triangles.empty())
+    throw Failure(Exit::wrong_input, options.input, "empty-mesh", "there are no triangles");
+  mesh::Mesh map = read_map(surface, options.input, options.sphere, session);
+  direct_unused(surface, map, host);
+  const base::Array<std::uint8_t> used = mesh::used_vertices(surface.positions.size(), surface.triangles, host.memory);
+  const auto vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+  const double read = session.seconds();
+
+  // At a size near 1, where squares neither overflow nor vanish. Powers of two change no bit of the coefficients.
+  const int exponent = mesh::unit_scale_exponent(surface.positions, surface.triangles);
+  mesh::Mesh scaled(host.memory);
+  scaled.positions = surface.positions;
+  scaled.triangles = surface.triangles;
+  mesh::scale_by_power(scaled.positions, exponent);
+  harmonics::FitReport report;
+  double area = 0;
+  Coefficients coefficients(host.memory);
+  about(options.sphere, Role::input, [&] {
+    const base::Stage stage(host, 0.8);
+    for (const double a : harmonics::vertex_areas(scaled.positions, scaled.triangles, host))
+      area += a;
+    if (!(area > 0) || !std::isfinite(area))
+      throw Failure(Exit::wrong_input, options.input, "degenerate-geometry", "the surface has no area");
+    coefficients = fit_used(options, scaled, map, host, report);
+  });
+  const double fitted = session.seconds();
+  note_rank(report, vertices, session);
+  harmonics::filter(coefficients, band, true);
+  std::vector<double> norms(options.degree + std::size_t{1});
+  harmonics::degree_norms(coefficients, norms);
+  for (double& norm : norms)
+    norm = std::ldexp(norm, -exponent);
+  for (double& value : coefficients.values)
+    value = std::ldexp(value, -exponent);
+
+  mesh::Mesh made = surface_of(coefficients, map, host);
+  made.triangles = surface.triangles;
+  const double error = reconstruction_error(surface, made, host);
+  const double compared = session.seconds();
+
+  about(options.output, Role::output, [&] {
+    harmonics::write_coefficients(session.stage(options.output), aligned(coefficients, options, session),
+                                  harmonics::FileFormat::by_ending);
+  });
+  if (!options.reconstruction.empty()) write_output(options.reconstruction, made, !options.text, session);
+  if (!options.page.empty())
+    write_harmonics_page(options, surface, std::move(map), coefficients, report, error, session);
+
+  session.figures().update({{"output", options.output},
+                            {"vertices", surface.positions.size()},
+                            {"triangles", surface.triangles.size()},
+                            {"degree", options.degree},
+                            {"unknowns", report.unknowns},
+                            {"rank", report.rank},
+                            {"condition", report.condition},
+                            {"method", report.method == harmonics::FitMethod::dense ? "dense" : "iterative"},
+                            {"iterations", report.iterations},
+                            {"residual", unscaled(report.residual, -exponent)},
+                            {"area", unscaled(area, -2 * exponent)},
+                            {"error", error},
+                            {"degree_norms", norms},
+                            {"seconds_read", read},
+                            {"seconds_fit", fitted - read},
+                            {"seconds_compare", compared - fitted},
+                            {"seconds_write", session.seconds() - compared}});
+  session.say(options.input + ": degree " + std::to_string(options.degree) + ", " + std::to_string(report.unknowns) +
+              " coefficients of each coordinate from " + std::to_string(vertices) + " vertices in " +
+              number(fitted - read) + " s, in " + options.output);
+  session.say("  reconstruction error " + number(error) + " at area 4 pi, root mean square residual " +
+              number(std::ldexp(report.residual, -exponent)) + ", condition " + number(report.condition));
+  if (!options.reconstruction.empty()) session.say("  wrote " + options.reconstruction);
+  if (!options.page.empty()) session.say("  wrote " + options.page + ", open it in a browser");
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+}  // namespace
+
+void add_harmonics(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("harmonics", "expand a mapped surface in spherical harmonics");
+  const auto options = std::make_shared<HarmonicsOptions>();
+  const auto degree = unnamed(CLI::Range(0U, harmonics::largest_degree));
+  verb->add_option("IN", options->input, std::string("surface to read: ") + surface_endings)->required()->type_name("");
+  verb->add_option("--sphere", options->sphere,
+                   "map of IN, written by 'orbicube sphere IN -o MAP': the same vertices and faces on the sphere")
+      ->required()
+      ->type_name("MAP");
+  verb->add_option("--degree", options->degree, "maximum degree L: (L + 1)^2 coefficients for each coordinate")
+      ->required()
+      ->check(degree)
+      ->type_name("L");
+  verb->add_option("-o,--output", options->output,
+                   "coefficients to write: .sh .shtools .txt in the format of SHTOOLS (one block each for x, y, z), "
+                   ".coef in that of SPHARM-PDM")
+      ->required()
+      ->type_name("COEFFS");
+  verb->add_option("--align-to", options->reference,
+                   "rotate COEFFS into alignment with the shape of these coefficients")
+      ->type_name("COEFFS2");
+  verb->add_option("--align", options->align,
+                   "how, for --align-to (shape): shape, to where positions agree best whichever way the shapes lie; "
+                   "rotation, the parameters alone")
+      ->check(unnamed(CLI::IsMember({"shape", "rotation"})))
+      ->type_name("HOW");
+  verb->add_option("--reconstruct", options->reconstruction, "write the surface of the coefficients")->type_name("OUT");
+  verb->add_option("--page", options->page,
+                   "write a page with shape and map, and a slider for the surface of the coefficients to each degree")
+      ->type_name("FILE.html");
+  auto* low = verb->add_option("--low", options->low, "low pass: keep degrees up to N")->check(degree)->type_name("N");
+  auto* high =
+      verb->add_option("--high", options->high, "high pass: keep degrees from N on, and the position of the shape")
+          ->check(degree)
+          ->type_name("N");
+  verb->add_option("--band", options->band, "band pass: keep degrees A to B, and the position of the shape")
+      ->expected(2)
+      ->check(degree)
+      ->excludes(low)
+      ->excludes(high)
+      ->type_name("A B");
+  verb->add_option("--width", options->width, "width of the transition of filters, in degrees [default: 0]")
+      ->check(degree)
+      ->type_name("N");
+  verb->add_option("--smoothing", options->smoothing,
+                   "weight of the squared Laplacian in the fit, for surfaces that do not determine it [default: 0]")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("S");
+  verb->add_option("--weights", options->weights,
+                   "weight of a vertex: area (a third of the area of its triangles on the surface, default), sphere "
+                   "(the same on the map), uniform")
+      ->check(unnamed(CLI::IsMember({"area", "sphere", "uniform"})))
+      ->type_name("WHAT");
+  std::vector<std::string> names;
+  for (const auto& [name, method] : fit_methods)
+    names.push_back(name);
+  verb->add_option("--method", options->method,
+                   "dense (QR with column pivoting), iterative (conjugate gradients, refined), or automatic by size "
+                   "[default: automatic]")
+      ->check(unnamed(CLI::IsMember(names)))
+      ->type_name("METHOD");
+  verb->add_flag("--text", options->text,
+                 "write text in place of binary, if the format of OUT has both (PLY, STL, VTK)");
+  verb->add_flag("--weld", options->weld, "weld vertices at identical positions, as for the map");
+  add_common_options(*verb, common);
+  verb->footer(
+      "Filters change the written coefficients and their surface. The printed error is the mean distance between\nthe "
+      "vertices of both surfaces, the larger of the two directions, for a surface of area 4 pi.\nFor example:\n  "
+      "orbicube sphere creature.obj -o map.obj\n  orbicube harmonics creature.obj --sphere map.obj --degree 32 -o "
+      "creature.coef --reconstruct smooth.obj");
+  verb->callback([options, &common] {
+    Session session(common, "harmonics", options->input);
+    session.run([&] { fit_surface(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

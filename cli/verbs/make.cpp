@@ -1,0 +1,74 @@
+// orbicube make: a shape made by the project itself.
+#include "mesh/shapes/make_shape.h"
+
+#include <memory>
+
+#include "files/surface_file.h"
+#include "verbs/verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+struct MakeOptions {
+  std::string shape;
+  std::string output;
+  std::size_t resolution = mesh::ShapeOptions{}.triangles;
+  bool text = false;
+};
+
+void make(const MakeOptions& options, Session& session) {
+  require_writable(options.output);
+  session.options() = {{"output", options.output}, {"resolution", options.resolution}, {"text", options.text}};
+  const mesh::Mesh shape = session.portion(0.6, [&] {
+    return mesh::make_shape(options.shape, {.triangles = options.resolution, .seed = session.seed()}, session.host());
+  });
+  const double made = session.seconds();
+  write_output(options.output, shape, !options.text, session);
+  session.figures() = {{"output", options.output},
+                       {"vertices", shape.positions.size()},
+                       {"triangles", shape.triangles.size()},
+                       {"seconds_compute", made},
+                       {"seconds_write", session.seconds() - made}};
+  session.say("wrote " + options.output + ": " + options.shape + ", " + std::to_string(shape.positions.size()) +
+              " vertices, " + std::to_string(shape.triangles.size()) + " triangles");
+}
+
+}  // namespace
+
+void add_make(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("make", "generate a test shape");
+  const auto options = std::make_shared<MakeOptions>();
+  std::string list = "Shapes:\n";
+  std::vector<std::string> names;
+  for (const mesh::ShapeDescription& shape : mesh::shapes()) {
+    names.emplace_back(shape.name);
+    list += "  " + names.back() + std::string(14 - names.back().size(), ' ') + shape.text + " (genus " +
+            std::to_string(shape.genus) + ")\n";
+  }
+  list += "All are closed and outward-oriented. --seed varies all but cube and sphere.";
+  verb->add_option("SHAPE", options->shape, "name of the shape, one of those below")
+      ->required()
+      ->type_name("")
+      ->check([names](const std::string& name) {
+        if (std::find(names.begin(), names.end(), name) != names.end()) return std::string();
+        std::string known;
+        for (const std::string& n : names)
+          known += (known.empty() ? "" : ", ") + n;
+        return "no shape is called '" + name + "'; there are " + known;
+      });
+  verb->add_option("-o,--output", options->output, std::string("mesh to write: ") + surface_endings)
+      ->required()
+      ->type_name("OUT");
+  verb->add_option("--resolution", options->resolution, "approximate number of triangles [default: 20000]")
+      ->check(unnamed(CLI::Range(1, 100'000'000)))
+      ->type_name("N");
+  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both (PLY, STL, VTK)");
+  add_common_options(*verb, common);
+  verb->footer(list);
+  verb->callback([options, &common] {
+    Session session(common, "make", options->shape);
+    session.run([&] { make(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

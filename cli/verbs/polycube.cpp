@@ -1,0 +1,399 @@
+// orbicube polycube: a polycube of a closed surface and a certified map to it.
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "files/feature_file.h"
+#include "files/given_polycube_file.h"
+#include "files/surface_file.h"
+#include "mesh/files/file.h"
+#include "mesh/files/write.h"
+#include "mesh/topology/degenerate_triangles.h"
+#include "polycube/corners/optimal_corners.h"
+#include "polycube/domain/optimal_domain.h"
+#include "polycube/features/features.h"
+#include "polycube/layout/drawn_construction.h"
+#include "polycube/map/construction.h"
+#include "report/degenerate_note.h"
+#include "report/polycube_outputs.h"
+#include "report/text.h"
+#include "report/unit_size.h"
+#include "solids/any_genus_surface.h"
+#include "solids/shared_polycube.h"
+#include "verbs/verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+struct PolycubeOptions {
+  std::vector<std::string> inputs;
+  std::string input;  // the first
+  std::string output;
+  std::string surface;
+  std::string landmarks;
+  std::string from;
+  std::string places;
+  std::string construct = "auto";
+  std::size_t corners = 0;
+  std::string optimise;
+  std::string measure = "surface";
+  std::string corner_search = "trust-region";
+  double area_weight = 1;
+  std::string features;
+  double sharp_edges = 0;
+  bool text = false;
+  bool weld = false;
+  PolycubeOutputs outputs;
+};
+
+// Formats that keep the order of vertices and every bit of their coordinates.
+void require_exact_format(const std::string& path) {
+  const auto format = is_gltf(path) ? mesh::Format::stl : mesh::format_of_path(path);
+  if (format != mesh::Format::stl) return;
+  throw Failure(Exit::wrong_input, path, "unsupported-format",
+                "patches of a polycube lie exactly in planes; this format rounds coordinates or welds vertices");
+}
+
+// Written beside its place, read again and compared: what was certified is what the file holds.
+void write_exactly(const std::string& path, const base::Array<mesh::Vector3>& positions,
+                   const base::Array<mesh::Triangle>& triangles, bool text, Session& session) {
+  about(path, Role::output, [&] {
+    mesh::Mesh m(session.host().memory);
+    m.positions = positions;
+    m.triangles = triangles;
+    const std::filesystem::path file = session.stage(path);
+    mesh::write_mesh(file, m, {.binary = !text}, session.host());
+    const mesh::Mesh again = mesh::read_mesh(file, {}, session.host());
+    if (again.positions != positions || again.triangles != triangles)
+      throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
+  });
+}
+
+polycube::Method method_named(const std::string& name) {
+  if (name == "labels") return polycube::Method::labels;
+  return name == "voxels" ? polycube::Method::voxels : polycube::Method::automatic;
+}
+
+polycube::DomainMeasure measure_of(const std::string& name) {
+  if (name == "faces") return polycube::DomainMeasure::face_mean;
+  return name == "harmonic" ? polycube::DomainMeasure::harmonic : polycube::DomainMeasure::surface_mean;
+}
+
+// Optimizes the proportions of the polycube.
+base::Array<double> optimise_domain(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+  const double start = session.seconds();
+  polycube::OptimalDomain found = polycube::optimise_domain(
+      made.map, {.measure = measure_of(options.measure), .area_weight = options.area_weight}, session.host());
+  session.figures()["domain"] = {{"distortion_before", distortion_figures(made.distortion)},
+                                 {"energies", found.energies},
+                                 {"evaluations", found.evaluations},
+                                 {"converged", found.converged},
+                                 {"layers", found.layers},
+                                 {"cells", found.cells},
+                                 {"triangles_across_layers", found.crossing},
+                                 {"seconds", session.seconds() - start}};
+  made.certificate = std::move(found.certificate);
+  made.distortion = found.distortion;
+  return std::move(found.energies);
+}
+
+// The best of our own polycubes, or the one that is given.
+polycube::BestConstruction construct(const PolycubeOptions& options, const mesh::Mesh& input, Session& session) {
+  if (options.from.empty()) {
+    return about(options.input, Role::input, [&] {
+      return polycube::construct(
+          input.positions, input.triangles,
+          {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
+          session.host());
+    });
+  }
+  const GivenPolycube given = read_given_polycube(options.from, session);
+  std::vector<polycube::CornerPlace> places;
+  if (!options.places.empty()) places = read_corner_places(options.places, given, session.host());
+  session.figures()["from"] = {{"file", options.from},
+                               {"corners", given.target.graph.corners.size()},
+                               {"genus", given.target.genus},
+                               {"places", places.size()}};
+  return about(options.input, Role::input, [&] {
+    polycube::BestConstruction result{
+        polycube::construct_on(input.positions, input.triangles, given.target.graph, given.target.genus,
+                               {.places = places, .pose = given.pose}, session.host()),
+        polycube::Method::automatic};
+    return result;
+  });
+}
+
+std::string name_of(polycube::Method method) {
+  if (method == polycube::Method::automatic) return "given";
+  return method == polycube::Method::labels ? "labels" : "voxels";
+}
+
+// name-2.obj for the second of several shapes.
+std::string numbered(const std::string& path, std::size_t shape) {
+  if (path.empty()) return path;
+  const std::filesystem::path whole(path);
+  return (whole.parent_path() / (whole.stem().string() + "-" + std::to_string(shape + 1) + whole.extension().string()))
+      .string();
+}
+
+// One polycube for all inputs.
+void common_polycube(const PolycubeOptions& options, Session& session) {
+  SharedPolycube shared = share_polycube(
+      {.inputs = options.inputs,
+       .landmarks = options.landmarks,
+       .construction = {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
+       .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
+       .weld = options.weld},
+      session);
+  const polycube::CommonPolycube& common = shared.common;
+  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
+    const polycube::SurfaceMap& map = common.maps[i];
+    const std::string output = numbered(options.output, i), surface = numbered(options.surface, i);
+    write_exactly(output, map.polycube, map.triangles, options.text, session);
+    if (!surface.empty()) write_exactly(surface, map.positions, map.triangles, options.text, session);
+    Json& figures = shared.figures[i];
+    figures.update(Json{{"output", output},
+                        {"surface", surface},
+                        {"vertices_added", map.positions.size() - shared.meshes[i].positions.size()}});
+    session.say("wrote " + output + (surface.empty() ? "" : " and " + surface) + ": mean distortion of angles " +
+                std::to_string(common.distortions[i].angle_weighted_mean) + ", of areas " +
+                std::to_string(common.distortions[i].area_weighted_mean) + " (over the surface; 1: none)");
+    PolycubeOutputs own = options.outputs;
+    if (i != common.base) own.domain.clear();
+    own.quads = numbered(own.quads, i);
+    own.glb = numbered(own.glb, i);
+    own.page = numbered(own.page, i);
+    const polycube::Certificate& certificate = common.certificates[i];
+    write_polycube_outputs(own,
+                           {options.inputs[i], map, certificate.genus, certificate.corners, certificate.patches,
+                            common.distortions[i], common.energies},
+                           figures, session);
+  }
+  session.figures()["shapes"] = shared.figures;
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+}
+
+// The best positions of the corners on the surface, and with `all` the best proportions in turn.
+base::Array<double> optimise_corners(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+  const double start = session.seconds();
+  polycube::CornerOptions corners;
+  if (options.corner_search == "gradient") corners.method = polycube::CornerMethod::gradient;
+  corners.area_weight = options.area_weight;
+  corners.domain = options.optimise == "all";
+  polycube::OptimalCorners found = polycube::optimise_corners(made.map, corners, session.host());
+  session.figures()["corner_optimisation"] = {{"distortion_before", distortion_figures(made.distortion)},
+                                              {"energies", found.energies},
+                                              {"evaluations", found.evaluations},
+                                              {"map_evaluations", found.map_evaluations},
+                                              {"moves", found.moves},
+                                              {"movable", found.movable},
+                                              {"converged", found.converged},
+                                              {"seconds", session.seconds() - start}};
+  std::string line = "energy after each step:";
+  for (const double energy : found.energies)
+    line += " " + std::to_string(energy);
+  session.say(line);
+  made.certificate = std::move(found.certificate);
+  made.distortion = found.distortion;
+  return std::move(found.energies);
+}
+
+// Points and curves at their target positions, and sharp edges on edges of the polycube.
+void meet_features(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+  const double start = session.seconds();
+  Features features;
+  if (!options.features.empty()) features = read_features(options.features, session.host());
+  polycube::FeatureFit found = about(options.features.empty() ? options.input : options.features, Role::input, [&] {
+    return polycube::meet_features(
+        made.map, {.points = features.points, .curves = features.curves, .sharp_angle = options.sharp_edges},
+        session.host());
+  });
+  session.figures()["features"] = {{"distortion_before", distortion_figures(made.distortion)},
+                                   {"points", features.points.size()},
+                                   {"curves", features.curves.size()},
+                                   {"distances_before", found.distances_before},
+                                   {"distances", found.distances},
+                                   {"sharp_length", found.sharp_length},
+                                   {"sharp_on_edges_before", found.sharp_before},
+                                   {"sharp_on_edges", found.sharp},
+                                   {"seconds", session.seconds() - start}};
+  if (found.sharp_length > 0)
+    session.say("  sharp edges on edges of the polycube: " + number(100 * found.sharp / found.sharp_length) +
+                " % of their length, before " + number(100 * found.sharp_before / found.sharp_length) + " %");
+  made.certificate = std::move(found.certificate);
+  made.distortion = found.distortion;
+}
+
+void polycube(const PolycubeOptions& options, Session& session) {
+  require_writable(options.output);
+  require_exact_format(options.output);
+  if (!options.surface.empty()) {
+    require_writable(options.surface);
+    require_exact_format(options.surface);
+  }
+  session.options() = {{"output", options.output},
+                       {"surface", options.surface},
+                       {"construct", options.construct},
+                       {"corners", options.corners},
+                       {"text", options.text},
+                       {"weld", options.weld},
+                       {"from", options.from},
+                       {"places", options.places},
+                       {"optimise", options.optimise},
+                       {"features", options.features},
+                       {"sharp_edges", options.sharp_edges}};
+  if (!options.optimise.empty())
+    session.options().update(Json{
+        {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
+  check_polycube_outputs(options.outputs, session);
+  if (options.inputs.size() > 1) {
+    if (!options.from.empty() || !options.optimise.empty() || !options.features.empty() || options.sharp_edges > 0)
+      throw Failure(Exit::wrong_input, "", "usage",
+                    "--from, --optimise, --features and --sharp-edges are for one surface; several share a polycube of "
+                    "their own, at its best proportions");
+    session.options()["inputs"] = options.inputs;
+    session.options()["landmarks"] = options.landmarks;
+    common_polycube(options, session);
+    return;
+  }
+  const AnyGenusSurface surface =
+      session.portion(0.03, [&] { return read_any_genus_surface(options.input, options.weld, session); });
+  const mesh::Mesh& input = surface.mesh;
+  session.figures()["input"] = surface.figures;
+  const PolycubeOutputs& more = options.outputs;
+  if (!(more.quads.empty() && more.glb.empty() && more.page.empty() && options.from.empty()))
+    require_ordinary_size(input, options.input);
+  note_degenerate(mesh::count_degenerate(input.positions, input.triangles), session);
+  require_float_range(options.outputs.glb, input.positions, input.triangles);
+  const double start = session.seconds();
+  const double part = options.optimise.empty() ? 0.9 : 0.5;
+  polycube::BestConstruction best = session.portion(part, [&] { return construct(options, input, session); });
+  polycube::Construction& made = best.made;
+  const std::string method = name_of(best.method);
+  const double constructed = session.seconds();
+  base::Array<double> energies(session.host().memory);
+  if (!options.optimise.empty()) {
+    const base::Stage stage(session.host(), 0.8);
+    energies = options.optimise == "domain" ? optimise_domain(options, made, session)
+                                            : optimise_corners(options, made, session);
+  }
+  if (!options.features.empty() || options.sharp_edges > 0) meet_features(options, made, session);
+  const double optimised = session.seconds();
+  const polycube::SurfaceMap& map = made.map;
+  write_exactly(options.output, map.polycube, map.triangles, options.text, session);
+  if (!options.surface.empty()) write_exactly(options.surface, map.positions, map.triangles, options.text, session);
+
+  const std::size_t added = map.positions.size() - input.positions.size();
+  session.figures().update(Json{{"vertices", map.positions.size()},
+                                {"vertices_added", added},
+                                {"triangles", map.triangles.size()},
+                                {"corners", made.certificate.corners},
+                                {"patches", made.certificate.patches},
+                                {"genus", made.certificate.genus},
+                                {"distortion", distortion_figures(made.distortion)},
+                                {"construction", method},
+                                {"polycubes_tried", made.tried},
+                                {"polycubes_valid", made.valid},
+                                {"seconds_construct", constructed - start},
+                                {"seconds_write", session.seconds() - optimised}});
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+  session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
+              " corners and " + std::to_string(made.certificate.patches) + " faces, genus " +
+              std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
+  if (options.from.empty())
+    session.say("  constructed by " + method + ", " + std::to_string(made.valid) + " valid maps in " +
+                std::to_string(made.tried) + " attempts");
+  session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_weighted_mean) + ", of areas " +
+              std::to_string(made.distortion.area_weighted_mean) + " (over the surface; 1: none)");
+  if (!options.surface.empty()) session.say("wrote " + options.surface);
+  write_polycube_outputs(options.outputs,
+                         {options.input, map, made.certificate.genus, made.certificate.corners,
+                          made.certificate.patches, made.distortion, energies},
+                         session.figures(), session);
+}
+
+}  // namespace
+
+void add_polycube(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("polycube", "compute a polycube of a closed surface and a certified map to it");
+  const auto options = std::make_shared<PolycubeOptions>();
+  verb->add_option("IN", options->inputs,
+                   std::string("closed surface, or up to ten for one common polycube: ") + surface_endings)
+      ->required()
+      ->expected(1, 10)
+      ->type_name("");
+  verb->add_option("-o,--output", options->output,
+                   "the triangles of the surface on the polycube: .obj .off .ply .mesh .vtk")
+      ->required()
+      ->type_name("OUT");
+  verb->add_option("--surface", options->surface, "the surface in space with the vertices and triangles of OUT")
+      ->type_name("OUT2");
+  CLI::Option* construct =
+      verb->add_option("--construct", options->construct,
+                       "construction: labels, voxels (grid-based), or auto, the better of both [default: auto]")
+          ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels"})))
+          ->type_name("METHOD");
+  CLI::Option* corners =
+      verb->add_option("--corners", options->corners, "maximum number of polycube corners; 0: no limit [default: 0]")
+          ->check(unnamed(CLI::Range(0, 1'000'000)))
+          ->type_name("N");
+  CLI::Option* from = verb->add_option("--from", options->from, "map to this polycube: a .json of --domain, or a mesh")
+                          ->excludes(construct)
+                          ->excludes(corners)
+                          ->type_name("POLYCUBE");
+  verb->add_option("--places", options->places,
+                   "positional constraints of the corners of that polycube on IN: JSON, [{\"corner\": 0, \"vertex\": "
+                   "17}, ...] or \"point\": [x, y, z]")
+      ->needs(from)
+      ->type_name("FILE");
+  verb->add_option("--optimise", options->optimise,
+                   "optimize domain, the proportions of the polycube; corners, their positions on the surface; or all, "
+                   "both in turn")
+      ->check(unnamed(CLI::IsMember({"domain", "corners", "all"})))
+      ->type_name("WHAT");
+  verb->add_option("--corner-search", options->corner_search,
+                   "corner search: trust-region, derivative-free, or gradient, which needs fewer evaluations [default: "
+                   "trust-region]")
+      ->check(unnamed(CLI::IsMember({"trust-region", "gradient"})))
+      ->type_name("METHOD");
+  verb->add_option("--measure", options->measure,
+                   "distortion that domain minimizes: mean over surface or faces, or harmonic [default: surface]")
+      ->check(unnamed(CLI::IsMember({"surface", "faces", "harmonic"})))
+      ->type_name("MEAN");
+  verb->add_option("--area-weight", options->area_weight, "weight of area relative to angle distortion [default: 1]")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("W");
+  verb->add_option("--features", options->features,
+                   "target positions of vertices and curves on the polycube: JSON, {\"points\": [{\"vertex\": 17, "
+                   "\"place\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
+                   "y, z]}, ...]}; with a \"weight\" approximately")
+      ->type_name("FILE");
+  verb->add_option("--sharp-edges", options->sharp_edges,
+                   "minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
+                   "none [default: 0]")
+      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->type_name("DEGREES");
+  verb->add_option("--landmarks", options->landmarks,
+                   "corresponding points of several surfaces: one line each, with a vertex number (from 0) or x y z "
+                   "for each surface")
+      ->type_name("FILE");
+  add_polycube_outputs(*verb, options->outputs);
+  verb->add_flag("--text", options->text, "write text in place of binary PLY and VTK");
+  verb->add_flag("--weld", options->weld, "weld vertices at identical positions if the surface is not closed");
+  add_common_options(*verb, common);
+  verb->footer(
+      "Every written map is certified by exact arithmetic; if none is found, the exit code is 1. The vertices of the "
+      "surface\ncome first in OUT, in their order; edges are split where required. For several surfaces the outputs "
+      "are numbered:\nOUT-1, OUT-2.");
+  verb->callback([options, &common] {
+    options->input = options->inputs.front();
+    Session session(common, "polycube", options->input);
+    session.run([&] { polycube(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,226 @@
+// orbicube untangle: inverted tetrahedra of a mesh untangled.
+#include "volume_map/untangle/untangle.h"
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/files/file.h"
+#include "files/surface_file.h"
+#include "mesh/files/readers.h"
+#include "mesh/files/write.h"
+#include "mesh/topology/cells.h"
+#include "mesh/topology/tetrahedral_connectivity.h"
+#include "report/embedding.h"
+#include "report/solver_choice.h"
+#include "report/text.h"
+#include "verbs/verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+struct UntangleVerb {
+  std::string input;
+  std::string output;
+  std::string rest;
+  std::string solver = "own";
+  volume_map::UntangleOptions options;
+  bool free_boundary = false;
+  bool keep_partial = false;
+  bool text = false;
+};
+
+void require_cells_format(const std::string& path) {
+  const auto format = mesh::format_of_path(path);
+  if (format == mesh::Format::medit || format == mesh::Format::vtk) return;
+  throw Failure(Exit::wrong_input, path, "unsupported-format", "tetrahedra are written to .mesh and .vtk");
+}
+
+// Without checks: read_mesh refuses inverted tetrahedra.
+mesh::Mesh read_tangled(const std::string& path, const base::Host& host, mesh::ReadReport& report) {
+  const auto format = mesh::format_of_path(path);
+  const bool medit = format == mesh::Format::medit;
+  if (!medit && format != mesh::Format::vtk)
+    throw base::Error("unsupported-format", "tetrahedra are read from .mesh and .vtk");
+  const base::Array<std::byte> bytes = base::read_file(path, host);
+  if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
+  return medit ? mesh::read_medit(bytes, host, report) : mesh::read_vtk(bytes, host, report);
+}
+
+mesh::Mesh read_tetrahedra(const std::string& path, Session& session) {
+  return about(path, Role::input, [&] {
+    mesh::ReadReport report;
+    mesh::Mesh tangled = read_tangled(path, session.host(), report);
+    for (const std::string& note : report.notes)
+      session.note(note);
+    if (tangled.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
+    if (!tangled.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
+    return tangled;
+  });
+}
+
+// Three entries a vertex: 1 for those that lie on a face of one tetrahedron.
+base::Array<std::uint8_t> boundary_coordinates(const mesh::Mesh& solid, const base::Host& host) {
+  // Sides do not matter here, and of an inverted mesh they may not fit.
+  base::Array<std::array<mesh::Index, 3>> faces(host.memory);
+  faces.reserve(4 * solid.tetrahedra.size());
+  for (const mesh::Tetrahedron& t : solid.tetrahedra) {
+    for (const auto& corners : mesh::face_corners) {
+      std::array<mesh::Index, 3> face{t[corners[0]], t[corners[1]], t[corners[2]]};
+      std::sort(face.begin(), face.end());
+      faces.push_back(face);
+    }
+  }
+  host.report("boundary", 0, 0);
+  std::sort(faces.begin(), faces.end());
+  base::Array<std::uint8_t> result(3 * solid.positions.size(), 0, host.memory);
+  for (std::size_t i = 0; i < faces.size();) {
+    std::size_t end = i + 1;
+    while (end < faces.size() && faces[end] == faces[i])
+      ++end;
+    if (end == i + 1) {
+      for (const mesh::Index v : faces[i]) {
+        for (std::size_t a = 0; a < 3; ++a)
+          result[3 * v + a] = 1;
+      }
+    }
+    i = end;
+  }
+  return result;
+}
+
+// Written beside its place, read again and compared: what was certified is what the file holds.
+void write_untangled(const std::string& path, const mesh::Mesh& solid, bool text, Session& session) {
+  const base::Host& host = session.host();
+  about(path, Role::output, [&] {
+    const std::filesystem::path file = session.stage(path);
+    mesh::write_mesh(file, solid, {.binary = !text}, host);
+    mesh::ReadReport report;
+    const mesh::Mesh again = read_tangled(file.string(), host, report);
+    if (again.positions != solid.positions || again.tetrahedra != solid.tetrahedra)
+      throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
+  });
+}
+
+void turn_all(mesh::Mesh& solid, Session& session) {
+  std::vector<std::string> notes;
+  mesh::note_turned_cells(solid, notes, session.host());
+  for (const std::string& note : notes)
+    session.note(note);
+}
+
+void run_untangle(const UntangleVerb& verb, Session& session) {
+  const std::unique_ptr<volume_map::BlockEngine> engine = start_solver(verb.solver);
+  require_cells_format(verb.output);
+  require_writable(verb.output);
+  session.options() = {{"output", verb.output},
+                       {"rest", verb.rest},
+                       {"free_boundary", verb.free_boundary},
+                       {"steps", verb.options.steps},
+                       {"polish", verb.options.polish_steps},
+                       {"volume_weight", verb.options.volume_weight},
+                       {"solver", verb.solver},
+                       {"keep_partial", verb.keep_partial},
+                       {"text", verb.text}};
+  mesh::Mesh solid = session.portion(0.03, [&] { return read_tetrahedra(verb.input, session); });
+  mesh::Mesh rest(session.host().memory);
+  // Without shapes to have, tetrahedra that are all inverted are those of another order of vertices.
+  if (verb.rest.empty()) about(verb.input, Role::input, [&] { turn_all(solid, session); });
+  if (!verb.rest.empty()) {
+    rest = read_tetrahedra(verb.rest, session);
+    about(verb.rest, Role::input, [&] {
+      if (rest.tetrahedra != solid.tetrahedra || rest.positions.size() != solid.positions.size())
+        throw base::Error("unsupported", "not the same vertices and tetrahedra as " + verb.input);
+      const auto found = volume_map::count_inverted(rest.tetrahedra, rest.positions, session.host());
+      if (found.count > 0) {
+        throw base::Error("inverted-cell", std::to_string(found.count) + " tetrahedra are not positive, the first is " +
+                                               std::to_string(found.first));
+      }
+    });
+  }
+  const double start = session.seconds();
+  const volume_map::Untangled result = about(verb.input, Role::input, [&] {
+    const base::Stage stage(session.host(), 0.95);
+    base::Array<std::uint8_t> fixed(session.host().memory);
+    if (!verb.free_boundary) {
+      for (const mesh::Tetrahedron& t : solid.tetrahedra) {
+        for (const mesh::Index v : t) {
+          if (v >= solid.positions.size()) throw base::Error("index-range", "a vertex that does not exist");
+        }
+      }
+      fixed = boundary_coordinates(solid, session.host());
+    }
+    volume_map::UntangleOptions with_engine = verb.options;
+    with_engine.engine = engine.get();
+    return volume_map::untangle(
+        {.tetrahedra = solid.tetrahedra, .start = solid.positions, .rest = rest.positions, .fixed = fixed}, with_engine,
+        session.host());
+  });
+  session.figures().update(Json{{"output", verb.output},
+                                {"vertices", solid.positions.size()},
+                                {"tetrahedra", solid.tetrahedra.size()},
+                                {"inverted_before", result.inverted_before},
+                                {"inverted", result.inverted},
+                                {"steps", result.steps},
+                                {"polish_steps", result.polish_steps},
+                                {"least_determinant", result.least_determinant},
+                                {"greatest_determinant", result.greatest_determinant},
+                                {"energy", result.energy},
+                                {"seconds_compute", session.seconds() - start}});
+  if (result.inverted == 0 || verb.keep_partial) {
+    solid.positions = result.positions;
+    write_untangled(verb.output, solid, verb.text, session);
+    if (result.inverted > 0) session.keep();
+  }
+  about(verb.output, Role::output, [&] { volume_map::require_untangled(result, solid.tetrahedra.size()); });
+  about(verb.output, Role::output, [&] {
+    report_intersections(verb.output, solid.positions, mesh::boundary_triangles(solid, session.host()),
+                         verb.free_boundary ? "without --free-boundary the boundary stays as it is"
+                                            : "the boundary is that of " + verb.input + ", which intersects itself",
+                         session.figures(), session);
+  });
+  session.say("wrote " + verb.output + ": " + std::to_string(solid.tetrahedra.size()) + " tetrahedra, all positive; " +
+              std::to_string(result.inverted_before) + " were not");
+  session.say("  determinants from " + number(result.least_determinant) + " to " + number(result.greatest_determinant) +
+              ", after " + std::to_string(result.steps) + " + " + std::to_string(result.polish_steps) + " steps");
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+}  // namespace
+
+void add_untangle(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("untangle", "untangle a tetrahedral mesh");
+  const auto options = std::make_shared<UntangleVerb>();
+  verb->add_option("TETS", options->input, "tetrahedra to read: .mesh .vtk")->required()->type_name("");
+  verb->add_option("-o,--output", options->output, "mesh to write: .mesh .vtk")->required()->type_name("OUT");
+  verb->add_option("--rest", options->rest,
+                   "mesh of the same tetrahedra with the target shapes; default: regular tetrahedra")
+      ->type_name("REST");
+  verb->add_flag("--free-boundary", options->free_boundary, "let boundary vertices move; default: they are fixed");
+  verb->add_option("--steps", options->options.steps,
+                   "maximum number of steps until all tetrahedra are positive [default: 500]")
+      ->check(unnamed(CLI::Range(0, 1'000'000)))
+      ->type_name("N");
+  verb->add_option("--polish", options->options.polish_steps,
+                   "maximum number of further steps that lower the distortion [default: 20]")
+      ->check(unnamed(CLI::Range(0, 1'000'000)))
+      ->type_name("N");
+  verb->add_option("--volume-weight", options->options.volume_weight,
+                   "weight of volume relative to angle distortion [default: 1]")
+      ->check(unnamed(CLI::PositiveNumber))
+      ->type_name("W");
+  add_solver_option(*verb, options->solver);
+  verb->add_flag("--keep-partial", options->keep_partial, "write OUT also if tetrahedra remain inverted (exit code 1)");
+  verb->add_flag("--text", options->text, "write text in place of binary VTK");
+  add_common_options(*verb, common);
+  verb->callback([options, &common] {
+    Session session(common, "untangle", options->input);
+    session.run([&] { run_untangle(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,92 @@
+#include "harmonics/fitting/conjugate_gradients.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+namespace orbicube::harmonics {
+namespace {
+
+using base::Array;
+
+// Sum of a_i b_i of each column.
+void dots(const Array<double>& a, const Array<double>& b, std::size_t channels, Array<double>& out) {
+  std::fill(out.begin(), out.end(), 0.0);
+  for (std::size_t i = 0; i < a.size(); i += channels) {
+    for (std::size_t c = 0; c < channels; ++c)
+      out[c] += a[i + c] * b[i + c];
+  }
+}
+
+}  // namespace
+
+ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span<const double> b, std::size_t channels,
+                                             std::span<double> x, const ConjugateGradientsOptions& options,
+                                             const base::Host& host) {
+  std::pmr::memory_resource* memory = host.memory;
+  Array<double> residual(b.begin(), b.end(), memory), direction(residual, memory), product(b.size(), memory);
+  Array<double> square(channels, memory), start(channels, memory), curvature(channels, memory),
+      next_square(channels, memory);
+  Array<char> active(channels, 1, memory);
+  Array<double> diagonal(memory), beside(memory);  // Lanczos's matrix, of the first column
+  std::fill(x.begin(), x.end(), 0.0);
+  dots(residual, residual, channels, square);
+  start = square;
+
+  ConjugateGradientsReport report;
+  double last_alpha = 0, last_beta = 0;
+  for (; report.iterations < options.most_iterations; ++report.iterations) {
+    host.report(options.phase, report.iterations, 0);
+    bool any = false;
+    for (std::size_t c = 0; c < channels; ++c) {
+      active[c] = active[c] && square[c] > options.tolerance * options.tolerance * start[c];
+      any = any || active[c];
+    }
+    if (!any) break;
+    multiply(direction, channels, product);
+    dots(direction, product, channels, curvature);
+    for (std::size_t c = 0; c < channels; ++c) {
+      if (!active[c]) continue;
+      if (!(curvature[c] > 0)) {
+        active[c] = 0;
+        report.singular = true;
+        continue;
+      }
+      const double alpha = square[c] / curvature[c];
+      for (std::size_t i = c; i < x.size(); i += channels) {
+        x[i] += alpha * direction[i];
+        residual[i] -= alpha * product[i];
+      }
+      if (c == 0) {
+        diagonal.push_back(1 / alpha + (diagonal.empty() ? 0 : last_beta / last_alpha));
+        last_alpha = alpha;
+      }
+    }
+    dots(residual, residual, channels, next_square);
+    for (std::size_t c = 0; c < channels; ++c) {
+      if (!active[c]) continue;
+      const double beta = next_square[c] / square[c];
+      square[c] = next_square[c];
+      for (std::size_t i = c; i < x.size(); i += channels)
+        direction[i] = residual[i] + beta * direction[i];
+      if (c == 0) {
+        beside.push_back(std::sqrt(beta) / last_alpha);
+        last_beta = beta;
+      }
+    }
+  }
+  for (std::size_t c = 0; c < channels; ++c) {
+    if (start[c] > 0) report.residual = std::max(report.residual, std::sqrt(square[c] / start[c]));
+  }
+  if (!diagonal.empty()) {
+    const auto n = static_cast<Eigen::Index>(diagonal.size());
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+    solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), n),
+                                  Eigen::Map<const Eigen::VectorXd>(beside.data(), n - 1), Eigen::EigenvaluesOnly);
+    report.smallest = solver.eigenvalues()[0];
+    report.largest = solver.eigenvalues()[n - 1];
+  }
+  return report;
+}
+
+}  // namespace orbicube::harmonics

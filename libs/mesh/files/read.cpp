@@ -1,0 +1,118 @@
+#include "mesh/files/read.h"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/files/file.h"
+#include "mesh/files/readers.h"
+#include "mesh/files/text_scanner.h"
+#include "mesh/topology/cells.h"
+#include "mesh/topology/topology.h"
+#include "mesh/topology/weld.h"
+
+namespace orbicube::mesh {
+namespace {
+
+struct FormatRow {
+  Format format;
+  const char* ending;
+  const char* name;
+  Mesh (*read)(std::span<const std::byte>, const base::Host&, ReadReport&);
+};
+
+constexpr std::array formats = {
+    FormatRow{Format::obj, ".obj", "OBJ", read_obj},        FormatRow{Format::off, ".off", "OFF", read_off},
+    FormatRow{Format::ply, ".ply", "PLY", read_ply},        FormatRow{Format::stl, ".stl", "STL", read_stl},
+    FormatRow{Format::medit, ".mesh", "MEDIT", read_medit}, FormatRow{Format::vtk, ".vtk", "VTK", read_vtk},
+};
+
+const FormatRow& row_of(Format format) {
+  return *std::find_if(formats.begin(), formats.end(), [&](const FormatRow& row) { return row.format == format; });
+}
+
+bool has_cells(const Mesh& mesh) {
+  return !mesh.tetrahedra.empty() || !mesh.hexahedra.empty();
+}
+
+bool is_closed(const Mesh& mesh, const base::Host& host) {
+  return topology(mesh.positions, mesh.triangles, host).closed();
+}
+
+}  // namespace
+
+void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host) {
+  const CellTurnReport turned = turn_inverted_cells(mesh, host);
+  const auto tell = [&](std::size_t count, const char* what) {
+    if (count > 0) notes.push_back("all " + std::to_string(count) + " " + what + " were inside out, and were turned");
+  };
+  tell(turned.tetrahedra, "tetrahedra");
+  tell(turned.hexahedra, "hexahedra");
+}
+
+std::optional<Format> format_of_path(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const FormatRow& row : formats) {
+    if (ending == row.ending) return row.format;
+  }
+  return std::nullopt;
+}
+
+std::string format_endings() {
+  std::string endings;
+  for (const FormatRow& row : formats)
+    endings.append(endings.empty() ? "" : " ").append(row.ending);
+  return endings;
+}
+
+const char* format_name(Format format) {
+  return row_of(format).name;
+}
+
+Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options, const base::Host& host,
+               ReadReport* report) {
+  const auto format = format_of_path(path);
+  if (!format) {
+    throw base::Error("unsupported-format",
+                      "the ending " + in_quotes(path.extension().string()) + " is none of " + format_endings());
+  }
+  return read_mesh(*format, read_file(path, host), options, host, report);
+}
+
+Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOptions& options, const base::Host& host,
+               ReadReport* report) {
+  ReadReport own;
+  ReadReport& r = report ? *report : own;
+  r = {};
+  // No format holds a vertex in fewer bytes than three, so that indices of 32 bits count the vertices of any file
+  // below.
+  if (bytes.size() / 3 >= no_index) throw base::Error("unsupported", "files of 12 GB or more are not read");
+  if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
+  Mesh mesh = row_of(format).read(bytes, host, r);
+  if (mesh.triangles.empty() && !has_cells(mesh)) {
+    throw base::Error("empty-mesh", mesh.positions.empty() ? "the file has no vertices and no faces"
+                                                           : "the file has " + std::to_string(mesh.positions.size()) +
+                                                                 " vertices, but no faces");
+  }
+  note_turned_cells(mesh, r.notes, host);
+  const bool asked = options.weld_identical && (has_cells(mesh) || !is_closed(mesh, host));
+  if (format == Format::stl || asked) {
+    const WeldReport welded = weld(mesh, host);
+    r.welded_vertices = welded.vertices;
+    if (mesh.triangles.empty() && !has_cells(mesh)) {
+      throw base::Error("degenerate-geometry",
+                        "each of the " + std::to_string(welded.triangles) + " faces has two corners at one position");
+    }
+    if (welded.triangles > 0) {
+      r.notes.push_back(std::to_string(welded.triangles) + " faces with two corners at one position were left out");
+    }
+  }
+  require_valid_cells(mesh, host);
+  return mesh;
+}
+
+}  // namespace orbicube::mesh

@@ -1,0 +1,53 @@
+// Reads mesh files: the format by the file's ending, polygons cut into triangles, nothing in the file trusted.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/host.h"
+#include "mesh/mesh.h"
+
+namespace orbicube::mesh {
+
+enum class Format { obj, off, ply, stl, medit, vtk };
+
+// The format that a path's ending stands for (.obj .off .ply .stl .mesh .vtk, in any case), if any.
+std::optional<Format> format_of_path(const std::filesystem::path& path);
+
+// All endings, ".obj .off ...", for messages.
+std::string format_endings();
+
+// Its name for reports, as "PLY".
+const char* format_name(Format format);
+
+struct ReadOptions {
+  // Welds vertices at identical positions when the surface is not closed as it stands, and those of solids in any case.
+  // STL, which has no shared vertices, is always joined so.
+  bool weld_identical = false;
+};
+
+// What a reader of surface files found besides the mesh. Also used by the glTF reader.
+struct ReadReport {
+  std::string format;               // as "PLY, binary, big-endian"
+  std::size_t polygons = 0;         // faces of more than three corners, before they were cut into triangles
+  std::size_t welded_vertices = 0;  // joined to others at the same position
+  std::vector<std::string> notes;   // what was changed or left out, one line each and each thing once
+};
+
+// Reads the file at `path`. Vertices keep their number and order unless they are joined. Tetrahedra that are all
+// inverted, or hexahedra, are turned. `report` may be null.
+// Throws Error "unsupported-format" for an ending that is none of ours, "io" when the file cannot be read, the kinds of
+// malformed files (libs/base/error.cpp) with line or byte of the place (the caller names the file), "cancelled".
+// O(size of the file) time; memory is bounded by a multiple of the file's size whatever counts it claims.
+Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options, const base::Host& host,
+               ReadReport* report = nullptr);
+
+// The same from bytes in memory.
+Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOptions& options, const base::Host& host,
+               ReadReport* report = nullptr);
+
+}  // namespace orbicube::mesh

@@ -1,0 +1,40 @@
+// The reader of each format: bytes in, mesh out. They check all that a file can get wrong by itself; welding vertices
+// and turning and checking cells is left to read_mesh (read.h), which also says what errors mean. `report` gets the
+// format's variant, the number of polygons and notes: what was passed over, and one of all that decorates a shape.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "base/host.h"
+#include "mesh/files/read.h"
+#include "mesh/mesh.h"
+
+namespace orbicube::mesh {
+
+// Wavefront OBJ (Alias 1989): v and f lines; textures, normals, groups, materials, lines and points are passed over.
+Mesh read_obj(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// Geomview OFF, with the prefixes C, N and ST for colors, normals and texture coordinates, which are passed over.
+Mesh read_off(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// Stanford PLY (Turk 1994): ASCII and binary of either byte order, any properties; faces and triangle strips.
+Mesh read_ply(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// STL, ASCII and binary: loose triangles. ASCII as many programs write it.
+Mesh read_stl(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// MEDIT .mesh (Frey 2001), ASCII: triangles, quadrilaterals, tetrahedra and hexahedra, prisms and pyramids cut into
+// tetrahedra; cells of other kinds are refused, other sections passed over.
+Mesh read_medit(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// Legacy VTK, ASCII and binary, versions 1 to 5: PolyData and unstructured grids of triangles, quads, polygons,
+// triangle strips, tetrahedra, hexahedra and voxels; prisms and pyramids, cut into tetrahedra. Cells of other kinds are
+// refused, data on points and cells is passed over.
+Mesh read_vtk(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// turn_inverted_cells (cells.h), with a note of what was turned.
+void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host);
+
+}  // namespace orbicube::mesh

@@ -1,0 +1,76 @@
+#include "mesh/files/write.h"
+
+#include <string>
+
+#include "base/error.h"
+#include "mesh/files/file.h"
+#include "mesh/files/text_scanner.h"
+#include "mesh/files/writers.h"
+
+namespace orbicube::mesh {
+namespace {
+
+void check(Format format, const Mesh& mesh, const base::Host& host) {
+  constexpr std::size_t items_between_reports = 65536;
+  const bool has_cells = !mesh.tetrahedra.empty() || !mesh.hexahedra.empty();
+  if (has_cells && format != Format::medit && format != Format::vtk) {
+    throw base::Error("unsupported", std::string(format_name(format)) +
+                                         " files hold surfaces only; .mesh and .vtk hold tetrahedra and hexahedra");
+  }
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    if (v % items_between_reports == 0) host.report("checking", v, mesh.positions.size());
+    if (!mesh.positions[v].allFinite()) {
+      throw base::Error("non-finite", "the position of vertex " + std::to_string(v) + " is not finite");
+    }
+  }
+  const auto check_indices = [&](const auto& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (i % items_between_reports == 0) host.report("checking", i, cells.size());
+      for (const Index v : cells[i]) {
+        if (v >= mesh.positions.size()) {
+          throw base::Error("invalid-argument",
+                            "a cell has vertex " + std::to_string(v) + " of " + std::to_string(mesh.positions.size()));
+        }
+      }
+    }
+  };
+  check_indices(mesh.triangles);
+  check_indices(mesh.tetrahedra);
+  check_indices(mesh.hexahedra);
+}
+
+}  // namespace
+
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options,
+                const base::Host& host) {
+  const auto format = format_of_path(path);
+  if (!format) {
+    throw base::Error("unsupported-format",
+                      "the ending " + in_quotes(path.extension().string()) + " is none of " + format_endings());
+  }
+  check(*format, mesh, host);
+  OutputFile file(path);
+  switch (*format) {
+    case Format::obj:
+      write_obj(file, mesh, host);
+      break;
+    case Format::off:
+      write_off(file, mesh, host);
+      break;
+    case Format::ply:
+      write_ply(file, mesh, options.binary, host);
+      break;
+    case Format::stl:
+      write_stl(file, mesh, options.binary, host);
+      break;
+    case Format::medit:
+      write_medit(file, mesh, host);
+      break;
+    case Format::vtk:
+      write_vtk(file, mesh, options.binary, host);
+      break;
+  }
+  file.commit();
+}
+
+}  // namespace orbicube::mesh

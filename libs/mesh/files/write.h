@@ -1,0 +1,24 @@
+// Writes mesh files: the format by the file's ending, whole or not at all (file.h).
+#pragma once
+
+#include <filesystem>
+
+#include "base/host.h"
+#include "mesh/files/read.h"
+#include "mesh/mesh.h"
+
+namespace orbicube::mesh {
+
+struct WriteOptions {
+  bool binary = true;  // PLY, STL and VTK; the other formats are text. Text holds 17 digits, binary PLY and VTK doubles
+};
+
+// Writes triangles to OBJ, OFF, PLY and STL; triangles, tetrahedra and hexahedra to MEDIT and VTK. A file that is read
+// again is the same mesh, bit for bit, but for binary STL, whose coordinates are rounded to float32. Throws Error
+// "unsupported-format" for an ending that is none of ours, "unsupported" for cells that the format cannot hold and for
+// a surface that float32 cannot (it would move vertices by a thousandth of the size), "non-finite", "io", "cancelled".
+// O(n).
+void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const WriteOptions& options,
+                const base::Host& host);
+
+}  // namespace orbicube::mesh

@@ -1,0 +1,200 @@
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "mesh/files/left_out.h"
+#include "mesh/files/polygons.h"
+#include "mesh/files/polyhedral_cells.h"
+#include "mesh/files/readers.h"
+#include "mesh/files/text_scanner.h"
+
+namespace orbicube::mesh {
+namespace {
+
+class MeditReader {
+ public:
+  MeditReader(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report)
+      : scanner_(bytes, '#', host),
+        host_(host),
+        report_(report),
+        mesh_(host.memory),
+        faces_(host.memory),
+        others_(host.memory) {}
+
+  Mesh run() {
+    while (scanner_.skip_space()) {
+      const std::string_view keyword = scanner_.word();
+      const std::string name = in_small_letters(keyword);
+      if (name == "end") break;
+      if (!section(name) && !wanted_section(name)) skip_section(keyword);
+    }
+    report_.format = "MEDIT";
+    report_.polygons = faces_.larger_than_triangles();
+    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
+    if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
+    others_.cut_into_tetrahedra(mesh_, report_.notes, host_);
+    if (!passed_over_.empty()) report_.notes.push_back("sections passed over: " + passed_over_);
+    note_left_out({{references_, "reference number", "reference numbers"}}, report_.notes);
+    return std::move(mesh_);
+  }
+
+ private:
+  // Cells, in words of any size of letters. Returns false for other sections.
+  bool section(const std::string& name) {
+    if (name == "vertices") {
+      vertices();
+    } else if (name == "triangles") {
+      cells<3>("triangles", [&](const Triangle& t) { faces_.add(t, scanner_); });
+    } else if (name == "quadrilaterals") {
+      cells<4>("quadrilaterals", [&](const std::array<Index, 4>& q) { faces_.add(q, scanner_); });
+    } else if (name == "tetrahedra") {
+      cells<4>("tetrahedra", [&](const Tetrahedron& t) { mesh_.tetrahedra.push_back(t); });
+    } else if (name == "hexahedra") {
+      cells<8>("hexahedra", [&](const Hexahedron& h) { mesh_.hexahedra.push_back(h); });
+    } else if (name == "prisms" || name == "wedges" || name == "pentahedra") {
+      cells<6>("prisms", [&](const std::array<Index, 6>& p) { others_.add(Polyhedron::prism, p); });
+    } else if (name == "pyramids") {
+      cells<5>("pyramids", [&](const std::array<Index, 5>& p) { others_.add(Polyhedron::pyramid, p); });
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  // What says how to read, and cells that cannot be read: leaving them out would leave a hole.
+  bool wanted_section(const std::string& name) {
+    if (name == "dimension") {
+      dimension();
+    } else if (name == "meshversionformatted") {
+      scanner_.skip_space();
+      scanner_.integer("the version");
+    } else if (is_unread_cell(name)) {
+      scanner_.skip_space();
+      if (const std::uint64_t n = scanner_.count("the number of items"); n > 0) {
+        scanner_.fail("unsupported", std::to_string(n) + " cells in the section " + in_quotes(name) +
+                                         ", which is not read; without them a part of the shape would be missing");
+      }
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  // Curved cells, as TetrahedraP2 or HexahedraQ3, and those of any number of corners. Edges are no cells.
+  static bool is_unread_cell(const std::string& name) {
+    if (name.find("polygon") != std::string::npos || name.find("polyhedr") != std::string::npos) return true;
+    for (const std::string_view kind :
+         {"triangles", "quadrilaterals", "tetrahedra", "hexahedra", "prisms", "pyramids"}) {
+      if (!name.starts_with(kind)) continue;
+      const std::string_view order = std::string_view(name).substr(kind.size());
+      return order.size() == 2 && (order[0] == 'p' || order[0] == 'q') && order[1] >= '2' && order[1] <= '9';
+    }
+    return false;
+  }
+
+  void dimension() {
+    scanner_.skip_space();
+    const std::int64_t dimension = scanner_.integer("the dimension");
+    if (dimension != 3)
+      scanner_.fail("unsupported-format", "dimension " + std::to_string(dimension) + ", where 3 is needed");
+  }
+
+  std::uint64_t count(const char* what, std::size_t bytes_each) {
+    scanner_.skip_space();
+    const std::uint64_t count = scanner_.count("the number of items");
+    scanner_.require_room(count, bytes_each, what);
+    return count;
+  }
+
+  void vertices() {
+    if (!mesh_.positions.empty()) scanner_.fail("parse", "the section Vertices comes twice");
+    const std::uint64_t n = count("vertices", 8);
+    mesh_.positions.reserve(n);
+    begin_references();
+    for (std::uint64_t v = 0; v < n; ++v) {
+      Vector3 p;
+      for (double& x : p) {
+        scanner_.skip_space();
+        x = scanner_.coordinate("a coordinate");
+      }
+      reference();
+      mesh_.positions.push_back(p);
+      scanner_.progress();
+    }
+    end_references(n);
+  }
+
+  template <std::size_t corners, class Take>
+  void cells(const char* what, const Take& take) {
+    if (mesh_.positions.empty()) scanner_.fail("parse", std::string(what) + " before the section Vertices");
+    const std::uint64_t n = count(what, 2 * corners + 2);
+    begin_references();
+    for (std::uint64_t i = 0; i < n; ++i) {
+      std::array<Index, corners> cell;
+      for (Index& v : cell) {
+        scanner_.skip_space();
+        v = scanner_.index(1, mesh_.positions.size());
+      }
+      reference();
+      take(cell);
+      scanner_.progress();
+    }
+    end_references(n);
+  }
+
+  // The number of the part that an item belongs to, which is not kept; some programs write it as a real number. Those
+  // of a section tell something if they differ.
+  void reference() {
+    scanner_.skip_space();
+    const double number = scanner_.coordinate("a reference");
+    if (!first_reference_) first_reference_ = number;
+    references_differ_ = references_differ_ || number != *first_reference_;
+  }
+  void begin_references() {
+    first_reference_.reset();
+    references_differ_ = false;
+  }
+  void end_references(std::uint64_t items) {
+    if (references_differ_) references_ += static_cast<std::size_t>(items);
+  }
+
+  // A section that is not read: its numbers, up to the next word.
+  void skip_section(std::string_view name) {
+    const char first = name.front();
+    if (!((first >= 'a' && first <= 'z') || (first >= 'A' && first <= 'Z')))
+      scanner_.fail("parse", "the name of a section expected, found " + in_quotes(name));
+    constexpr std::size_t longest = 200;
+    if (passed_over_.size() < longest) passed_over_.append(passed_over_.empty() ? "" : ", ").append(in_quotes(name));
+    while (scanner_.skip_space() && !at_keyword()) {
+      scanner_.word();
+      scanner_.progress();
+    }
+  }
+
+  // Whether a word is next, as opposed to a number, be it one that is not finite.
+  bool at_keyword() {
+    if (!scanner_.at_letter()) return false;
+    return !scanner_.starts_with_ignoring_case("nan") && !scanner_.starts_with_ignoring_case("inf");
+  }
+
+  TextScanner scanner_;
+  const base::Host& host_;
+  ReadReport& report_;
+  Mesh mesh_;
+  Polygons faces_;
+  PolyhedralCells others_;
+  std::string passed_over_;  // names of sections
+  std::optional<double> first_reference_;
+  bool references_differ_ = false;
+  std::size_t references_ = 0;  // of sections where they differ
+};
+
+}  // namespace
+
+Mesh read_medit(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
+  return MeditReader(bytes, host, report).run();
+}
+
+}  // namespace orbicube::mesh

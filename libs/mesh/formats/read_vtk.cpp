@@ -1,0 +1,388 @@
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/files/left_out.h"
+#include "mesh/files/polygons.h"
+#include "mesh/files/polyhedral_cells.h"
+#include "mesh/files/readers.h"
+#include "mesh/formats/vtk_body.h"
+
+namespace orbicube::mesh {
+namespace {
+
+// The names of what vtkCellType.h counts, for messages.
+std::string cell_name(std::int64_t type) {
+  static constexpr std::array names = {std::pair{21, "quadratic edge"},          std::pair{22, "quadratic triangle"},
+                                       std::pair{23, "quadratic quad"},          std::pair{24, "quadratic tetrahedron"},
+                                       std::pair{25, "quadratic hexahedron"},    std::pair{26, "quadratic wedge"},
+                                       std::pair{27, "quadratic pyramid"},       std::pair{28, "biquadratic quad"},
+                                       std::pair{29, "triquadratic hexahedron"}, std::pair{42, "polyhedron"},
+                                       std::pair{69, "Lagrange triangle"},       std::pair{70, "Lagrange quad"},
+                                       std::pair{71, "Lagrange tetrahedron"},    std::pair{72, "Lagrange hexahedron"},
+                                       std::pair{73, "Lagrange wedge"},          std::pair{74, "Lagrange pyramid"}};
+  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.first == type; });
+  return "type " + std::to_string(type) + (found == names.end() ? "" : std::string(" (") + found->second + ")");
+}
+
+// Data arrays behind the geometry: lines that begin as such an array does. A field has several.
+std::size_t data_arrays(std::string_view text) {
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    const std::string_view line = text.substr(at, end - at);
+    at = end + 1;
+    if (line.size() < 6 || line[0] < 'A' || line[0] > 'z') continue;
+    const auto words = words_of(line.substr(0, 200));
+    if (words.size() < 3) continue;
+    const std::string keyword = in_small_letters(words[0].substr(0, 20));
+    if (keyword == "field") {
+      std::size_t arrays = 0;
+      std::from_chars(words[2].data(), words[2].data() + words[2].size(), arrays);
+      count += std::min<std::size_t>(arrays, 1000);
+    } else if (keyword == "scalars" || keyword == "vectors" || keyword == "normals" || keyword == "tensors" ||
+               keyword == "texture_coordinates" || keyword == "color_scalars") {
+      ++count;
+    }
+  }
+  return count;
+}
+
+template <class Body>
+class VtkReader {
+ public:
+  VtkReader(Body body, bool with_offsets, const base::Host& host, ReadReport& report)
+      : body_(body),
+        with_offsets_(with_offsets),
+        host_(host),
+        report_(report),
+        mesh_(host.memory),
+        faces_(host.memory),
+        others_(host.memory),
+        offsets_(host.memory),
+        connectivity_(host.memory) {}
+
+  Mesh run() {
+    const auto dataset = body_.words();
+    if (dataset.empty()) body_.fail("truncated", "the file ends before its dataset");
+    if (dataset.size() != 2 || in_small_letters(dataset[0]) != "dataset")
+      body_.fail("parse", "DATASET and its kind expected");
+    const std::string kind = in_small_letters(dataset[1]);
+    if (kind != "polydata" && kind != "unstructured_grid") {
+      body_.fail("unsupported-format", "datasets of kind " + in_quotes(dataset[1]) + " are not read");
+    }
+    for (auto words = body_.words(); !words.empty(); words = body_.words()) {
+      if (!section(words)) break;
+    }
+    refuse_unread_cells();
+    report_.polygons = faces_.larger_than_triangles();
+    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
+    if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
+    others_.cut_into_tetrahedra(mesh_, report_.notes, host_);
+    if (!passed_over_.empty()) report_.notes.push_back("passed over: " + passed_over_);
+    note_left_out({{field_arrays_ + data_arrays(body_.rest()), "data array", "data arrays"}}, report_.notes);
+    return std::move(mesh_);
+  }
+
+ private:
+  using Words = std::vector<std::string_view>;
+
+  // Returns false where data on points and cells begins, which is of no interest.
+  bool section(const Words& words) {
+    const std::string name = in_small_letters(words[0]);
+    if (name == "point_data" || name == "cell_data") return false;
+    if (name == "metadata") {
+      body_.skip_to_empty_line();
+    } else if (name == "field") {
+      fields(words);
+    } else if (name == "points") {
+      points(words);
+    } else if (name == "polygons") {
+      cell_array(words);
+      for_each_cell([&](std::span<const Index> cell) { faces_.add(cell, body_); });
+    } else if (name == "triangle_strips") {
+      cell_array(words);
+      for_each_cell([&](std::span<const Index> cell) { add_strip(cell); });
+    } else if (name == "cells") {
+      cell_array(words);
+    } else if (name == "cell_types") {
+      cell_types(words);
+    } else if (name == "lines" || name == "vertices") {
+      cell_array(words);
+      if (offsets_.size() > 1) pass_over(offsets_.size() - 1, name == "lines" ? "lines" : "vertices");
+    } else {
+      body_.fail("parse", in_quotes(words[0]) + " is no section of a dataset");
+    }
+    return true;
+  }
+
+  std::uint64_t count(const Words& words, std::size_t place) {
+    std::int64_t value = 0;
+    if (words.size() <= place) body_.fail("truncated", std::string(words[0]) + " has no number of items");
+    const std::string_view w = words[place];
+    const auto [end, problem] = std::from_chars(w.data(), w.data() + w.size(), value);
+    if (problem != std::errc() || end != w.data() + w.size() || value < 0) {
+      body_.fail("parse", "a number of items expected, found " + in_quotes(w));
+    }
+    return static_cast<std::uint64_t>(value);
+  }
+
+  VtkNumber type(const Words& words, std::size_t place) {
+    const auto found = words.size() > place ? number_named(words[place]) : std::nullopt;
+    if (!found) body_.fail("parse", in_quotes(words[0]) + " has no known type of numbers");
+    return *found;
+  }
+
+  void points(const Words& words) {
+    const std::uint64_t n = count(words, 1);
+    const VtkNumber number = type(words, 2);
+    if (!mesh_.positions.empty()) body_.fail("parse", "the section POINTS comes twice");
+    if (n >= no_index / 3) body_.require_room(n, number, "points");
+    body_.require_room(3 * n, number, "coordinates");
+    mesh_.positions.reserve(n);
+    for (std::uint64_t i = 0; i < n; ++i) {
+      Vector3 p;
+      for (double& x : p)
+        x = body_.number(number);
+      if (!p.allFinite()) body_.fail("non-finite", "point " + std::to_string(i) + " is not finite");
+      mesh_.positions.push_back(p);
+      body_.progress();
+    }
+  }
+
+  // Fills offsets_ (one more than cells) and connectivity_.
+  void cell_array(const Words& words) {
+    const std::uint64_t first = count(words, 1);
+    const std::uint64_t second = count(words, 2);
+    offsets_.clear();
+    connectivity_.clear();
+    if (with_offsets_) {
+      const Words offsets = body_.words();
+      if (offsets.empty() || in_small_letters(offsets[0]) != "offsets") body_.fail("parse", "OFFSETS expected");
+      const VtkNumber offset_type = type(offsets, 1);
+      body_.require_room(first, offset_type, "offsets");
+      offsets_.reserve(first);
+      for (std::uint64_t i = 0; i < first; ++i) {
+        const std::int64_t offset = body_.integer(offset_type);
+        const std::int64_t least = i == 0 ? 0 : static_cast<std::int64_t>(offsets_.back());
+        if (offset < least || (i == 0 && offset != 0) || static_cast<std::uint64_t>(offset) > second) {
+          body_.fail("index-range", "offset " + std::to_string(offset) + " of " + std::to_string(second));
+        }
+        offsets_.push_back(static_cast<std::size_t>(offset));
+      }
+      const Words connectivity = body_.words();
+      if (connectivity.empty() || in_small_letters(connectivity[0]) != "connectivity")
+        body_.fail("parse", "CONNECTIVITY expected");
+      const VtkNumber index_type = type(connectivity, 1);
+      body_.require_room(second, index_type, "vertex indices");
+      connectivity_.reserve(second);
+      for (std::uint64_t i = 0; i < second; ++i)
+        connectivity_.push_back(index(body_.integer(index_type)));
+      return;
+    }
+    body_.require_room(second, VtkNumber::int32, "vertex indices of cells");
+    if (first > second) body_.fail("parse", std::to_string(first) + " cells in " + std::to_string(second) + " numbers");
+    offsets_.reserve(first + 1);
+    connectivity_.reserve(second - first);
+    offsets_.push_back(0);
+    for (std::uint64_t i = 0; i < first; ++i) {
+      const std::int64_t corners = body_.integer(VtkNumber::int32);
+      const std::uint64_t room = second - first - connectivity_.size();
+      if (corners < 0 || static_cast<std::uint64_t>(corners) > room) {
+        body_.fail("parse", "cell " + std::to_string(i) + " has " + std::to_string(corners) +
+                                " corners, more than the section holds");
+      }
+      for (std::int64_t k = 0; k < corners; ++k)
+        connectivity_.push_back(index(body_.integer(VtkNumber::int32)));
+      offsets_.push_back(connectivity_.size());
+      body_.progress();
+    }
+  }
+
+  Index index(std::int64_t value) {
+    if (value < 0 || static_cast<std::uint64_t>(value) >= mesh_.positions.size()) {
+      body_.fail("index-range",
+                 "vertex index " + std::to_string(value) + " of " + std::to_string(mesh_.positions.size()) + " points");
+    }
+    return static_cast<Index>(value);
+  }
+
+  template <class Take>
+  void for_each_cell(const Take& take) {
+    for (std::size_t i = 0; i + 1 < offsets_.size(); ++i) {
+      take(std::span<const Index>(connectivity_.data() + offsets_[i], offsets_[i + 1] - offsets_[i]));
+    }
+  }
+
+  void add_strip(std::span<const Index> cell) {
+    for (std::size_t i = 2; i < cell.size(); ++i) {
+      const bool even = i % 2 == 0;
+      faces_.add_triangle(cell[even ? i - 2 : i - 1], cell[even ? i - 1 : i - 2], cell[i]);
+    }
+  }
+
+  // The kind of each cell of the section CELLS, which must have come before.
+  void cell_types(const Words& words) {
+    const std::uint64_t n = count(words, 1);
+    if (n + 1 != std::max<std::size_t>(1, offsets_.size())) {
+      body_.fail("parse", std::to_string(n) + " types of " +
+                              std::to_string(offsets_.empty() ? 0 : offsets_.size() - 1) + " cells");
+    }
+    body_.require_room(n, VtkNumber::int32, "types of cells");
+    std::uint64_t i = 0;
+    std::size_t passed_over = 0;
+    for_each_cell(
+        [&](std::span<const Index> cell) { passed_over += !add_cell(body_.integer(VtkNumber::int32), cell, i++); });
+    if (passed_over > 0) pass_over(passed_over, "points and lines");
+  }
+
+  void pass_over(std::size_t count, const char* what) {
+    passed_over_.append(passed_over_.empty() ? "" : ", ").append(std::to_string(count)).append(" ").append(what);
+  }
+
+  // Leaving cells out would leave a hole.
+  void refuse_unread_cells() {
+    if (unread_.empty()) return;
+    std::string text;
+    for (const auto& [type, count] : unread_) {
+      text.append(text.empty() ? "" : ", ").append(std::to_string(count)).append(" of ").append(cell_name(type));
+    }
+    body_.fail("unsupported",
+               "cells that are not read: " + text + "; without them a part of the shape would be missing");
+  }
+
+  // Returns false for points and lines.
+  bool add_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
+    const auto require_corners = [&](std::size_t corners) {
+      if (c.size() != corners) {
+        body_.fail("parse", "cell " + std::to_string(number) + " has " + std::to_string(c.size()) +
+                                " corners, where its type has " + std::to_string(corners));
+      }
+    };
+    const auto add_other = [&](Polyhedron kind) {
+      require_corners(corner_count(kind));
+      others_.add(kind, c);
+      return true;
+    };
+    // The numbers of vtkCellType.h.
+    switch (cell_type) {
+      case 1:  // vertex, vertices, line, lines
+      case 2:
+      case 3:
+      case 4:
+        return false;
+      case 5:
+        require_corners(3);
+        faces_.add(c, body_);
+        return true;
+      case 6:
+        add_strip(c);
+        return true;
+      case 7:
+        faces_.add(c, body_);
+        return true;
+      case 8:  // pixel: a square by rows
+        require_corners(4);
+        faces_.add(std::array{c[0], c[1], c[3], c[2]}, body_);
+        return true;
+      case 9:
+        require_corners(4);
+        faces_.add(c, body_);
+        return true;
+      case 10:
+        require_corners(4);
+        mesh_.tetrahedra.push_back({c[0], c[1], c[2], c[3]});
+        return true;
+      case 11:  // voxel: a box by rows
+        require_corners(8);
+        mesh_.hexahedra.push_back({c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]});
+        return true;
+      case 12:
+        require_corners(8);
+        mesh_.hexahedra.push_back({c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]});
+        return true;
+      case 13:
+        return add_other(Polyhedron::prism);
+      case 14:
+        return add_other(Polyhedron::pyramid);
+      case 15:
+        return add_other(Polyhedron::pentagonal_prism);
+      case 16:
+        return add_other(Polyhedron::hexagonal_prism);
+      case 0:   // an empty cell
+      case 21:  // curved lines
+      case 35:
+      case 68:
+        return false;
+      default:
+        if (unread_.size() < 32 || unread_.contains(cell_type)) ++unread_[cell_type];
+        return true;
+    }
+  }
+
+  // FIELD name n, then n arrays: name, components, tuples, type, and their numbers.
+  void fields(const Words& words) {
+    const std::uint64_t arrays = count(words, 2);
+    field_arrays_ += arrays;
+    for (std::uint64_t a = 0; a < arrays; ++a) {
+      const Words array = body_.words();
+      if (array.empty()) body_.fail("truncated", "the file ends inside a field");
+      if (array.size() == 4 && array[3] == "string") body_.fail("unsupported", "fields of strings are not read");
+      const std::uint64_t components = count(array, 1);
+      const std::uint64_t tuples = count(array, 2);
+      const VtkNumber number = type(array, 3);
+      if (tuples > 0) body_.require_room(components, number, "components of a field");
+      if (components > 0) body_.require_room(tuples, number, "numbers of a field");
+      body_.require_room(components * tuples, number, "numbers of a field");
+      for (std::uint64_t i = 0; i < components * tuples; ++i)
+        body_.number(number);
+    }
+  }
+
+  Body body_;
+  bool with_offsets_;  // since version 5
+  const base::Host& host_;
+  ReadReport& report_;
+  Mesh mesh_;
+  Polygons faces_;
+  PolyhedralCells others_;
+  std::map<std::int64_t, std::size_t> unread_;  // cells of each type that is not read
+  std::string passed_over_;
+  std::size_t field_arrays_ = 0;
+  Array<std::size_t> offsets_;
+  Array<Index> connectivity_;
+};
+
+}  // namespace
+
+Mesh read_vtk(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
+  // The first three lines: magic with version, a title, ASCII or BINARY.
+  BinaryScanner scanner(bytes, 0, std::endian::big, host);
+  const auto magic = words_of(scanner.line());
+  if (magic.size() < 5 || magic[1] != "vtk" || magic[2] != "DataFile") {
+    throw base::Error("bad-magic", "line 1: a legacy VTK file starts with # vtk DataFile Version");
+  }
+  const bool with_offsets = magic[4].substr(0, magic[4].find('.')) >= "5" && magic[4][0] <= '9';
+  scanner.line();
+  const auto form = words_of(scanner.line());
+  if (form.empty()) scanner.fail("truncated", "the file ends inside its header");
+  if (form[0] == "BINARY") {
+    report.format = "VTK, binary";
+    return VtkReader(VtkBinaryBody(scanner), with_offsets, host, report).run();
+  }
+  if (form[0] != "ASCII") scanner.fail("parse", "line 3: ASCII or BINARY expected, found " + in_quotes(form[0]));
+  report.format = "VTK, ASCII";
+  TextScanner text(bytes, 0, host);
+  for (int line = 0; line < 3; ++line)
+    text.next_line();
+  return VtkReader(VtkTextBody(text), with_offsets, host, report).run();
+}
+
+}  // namespace orbicube::mesh

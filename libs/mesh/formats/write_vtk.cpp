@@ -1,0 +1,124 @@
+#include <limits>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "base/error.h"
+#include "mesh/files/binary_writer.h"
+#include "mesh/files/text_writer.h"
+#include "mesh/files/writers.h"
+
+namespace orbicube::mesh {
+namespace {
+
+// Where numbers go: each item's on a line of their own in text, one after the other in binary files.
+class TextOut {
+ public:
+  TextOut(OutputFile& file, std::uint64_t total, const base::Host& host) : out_(file, total, host) {}
+  void line(std::string_view text) { out_ << text << '\n'; }
+  void put(double x) { out_ << x << ' '; }
+  void put(std::int32_t x) { out_ << static_cast<std::uint64_t>(x) << ' '; }
+  void end_item() {
+    out_ << '\n';
+    out_.end_item();
+  }
+  void end_section() {}
+  void flush() { out_.flush(); }
+
+ private:
+  TextWriter out_;
+};
+
+class BinaryOut {
+ public:
+  BinaryOut(OutputFile& file, std::uint64_t total, const base::Host& host)
+      : out_(file, std::endian::big, total, host) {}
+  void line(std::string_view text) {
+    out_.put_text(text);
+    out_.put_text("\n");
+  }
+  void put(double x) { out_.put(x); }
+  void put(std::int32_t x) { out_.put(x); }
+  void end_item() { out_.end_item(); }
+  void end_section() { out_.put_text("\n"); }
+  void flush() { out_.flush(); }
+
+ private:
+  BinaryWriter out_;
+};
+
+// A line of words and numbers. Without streams, since these bring all of locales into the module for JavaScript.
+template <class... Parts>
+std::string words(const Parts&... parts) {
+  std::string line;
+  const auto add = [&](const auto& part) {
+    if (!line.empty()) line += ' ';
+    if constexpr (std::is_integral_v<std::decay_t<decltype(part)>>)
+      line += std::to_string(part);
+    else
+      line += part;
+  };
+  (add(parts), ...);
+  return line;
+}
+
+template <class Out>
+void write(Out&& out, const Mesh& mesh, bool binary) {
+  const bool surface = mesh.tetrahedra.empty() && mesh.hexahedra.empty();
+  out.line("# vtk DataFile Version 3.0");
+  out.line(surface ? "surface" : "solid");
+  out.line(binary ? "BINARY" : "ASCII");
+  out.line(surface ? "DATASET POLYDATA" : "DATASET UNSTRUCTURED_GRID");
+  out.line(words("POINTS", mesh.positions.size(), "double"));
+  for (const Vector3& p : mesh.positions) {
+    for (const double x : p)
+      out.put(x);
+    out.end_item();
+  }
+  out.end_section();
+  const auto put_cells = [&](const auto& cells) {
+    for (const auto& cell : cells) {
+      out.put(static_cast<std::int32_t>(cell.size()));
+      for (const Index v : cell)
+        out.put(static_cast<std::int32_t>(v));
+      out.end_item();
+    }
+  };
+  const std::size_t count = mesh.triangles.size() + mesh.tetrahedra.size() + mesh.hexahedra.size();
+  const std::size_t size = 4 * mesh.triangles.size() + 5 * mesh.tetrahedra.size() + 9 * mesh.hexahedra.size();
+  out.line(words(surface ? "POLYGONS" : "CELLS", count, size));
+  put_cells(mesh.triangles);
+  put_cells(mesh.tetrahedra);
+  put_cells(mesh.hexahedra);
+  out.end_section();
+  if (!surface) {
+    out.line(words("CELL_TYPES", count));
+    const auto put_types = [&](std::size_t cells, std::int32_t type) {
+      for (std::size_t i = 0; i < cells; ++i) {
+        out.put(type);
+        out.end_item();
+      }
+    };
+    put_types(mesh.triangles.size(), 5);
+    put_types(mesh.tetrahedra.size(), 10);
+    put_types(mesh.hexahedra.size(), 12);
+    out.end_section();
+  }
+  out.flush();
+}
+
+}  // namespace
+
+void write_vtk(OutputFile& file, const Mesh& mesh, bool binary, const base::Host& host) {
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  if (mesh.positions.size() > most) throw base::Error("unsupported", "more vertices than VTK's 32 bits can count");
+  const std::uint64_t total =
+      mesh.positions.size() + mesh.triangles.size() + 2 * mesh.tetrahedra.size() + 2 * mesh.hexahedra.size();
+  if (binary) {
+    write(BinaryOut(file, total, host), mesh, true);
+  } else {
+    write(TextOut(file, total, host), mesh, false);
+  }
+}
+
+}  // namespace orbicube::mesh

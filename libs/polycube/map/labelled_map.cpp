@@ -1,0 +1,163 @@
+#include "polycube/map/labelled_map.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/error.h"
+#include "polycube/map/starts.h"
+#include "polycube/map/untangling.h"
+#include "polycube/surface/refinement.h"
+
+namespace orbicube::polycube {
+namespace {
+
+constexpr int rounds_of_the_start = 15;
+constexpr int most_steps = std::numeric_limits<int>::max();
+constexpr int steps_without_signs = 50;
+
+class LabelledMap {
+ public:
+  LabelledMap(SurfaceMap& result, const Surface& surface, const Charts& charts, const Frame& frame,
+              const LabelledMapOptions& options, const base::Host& host)
+      : result_(result),
+        frame_(frame),
+        options_(options),
+        host_(host),
+        network_(surface, charts, host),
+        map_(surface, charts, host),
+        poisson_(host.memory),
+        signs_(host.memory),
+        outcome_(host.memory) {}
+
+  LabelledMapOutcome run(std::span<const double> planes) {
+    if (!planes.empty() && place_charts_at(planes)) {
+      Untangling untangling(map_, host_);
+      for (const double first_eps : {0.0, 0.01}) {
+        place_charts_at(planes);
+        spread_vertices(map_, network_, host_);
+        if (attempt(untangling, first_eps)) return std::move(outcome_);
+      }
+    }
+    poisson_start(map_, rounds_of_the_start, host_);
+    poisson_ = map_.value;
+    const Array<double> wanted = wanted_signs(map_, network_, host_);
+    signs_ = find_arc_signs(*map_.charts, *map_.surface, network_, wanted, options_.seed, host_);
+    const bool as_wanted = signs_.consistent() && signs_.changed == 0;
+    Untangling untangling(map_, host_);
+    // Where no signs were found that obey the rules there hardly is a map, but the signs are no proof.
+    if (as_wanted && attempt(untangling, 0)) return std::move(outcome_);
+    if (!signs_.consistent() && attempt(untangling, 0, steps_without_signs)) return std::move(outcome_);
+    if (!signs_.consistent()) {
+      outcome_.reason = "no signs of arcs make the labels a polycube: " + std::to_string(signs_.bad_corners.size()) +
+                        " corners and " + std::to_string(signs_.bad_charts.size()) + " patches are in conflict; " +
+                        outcome_.reason;
+      return std::move(outcome_);
+    }
+    // Each of these finds maps that the others do not.
+    for (const double first_eps : {0.0, 0.01, 0.001}) {
+      if (outcome_.turned_over <= options_.enough) break;
+      map_.value = poisson_;
+      place_charts(map_, network_, signs_, host_);
+      spread_vertices(map_, network_, host_);
+      if (attempt(untangling, first_eps)) break;
+    }
+    return std::move(outcome_);
+  }
+
+ private:
+  // Each patch at the median of its triangles; whether all have one.
+  bool place_charts_at(std::span<const double> planes) {
+    Array<std::pair<Index, double>> known(host_.memory);
+    for (Index t = 0; t < planes.size(); ++t) {
+      if (!std::isnan(planes[t])) known.emplace_back(map_.charts->chart[t], planes[t]);
+    }
+    std::sort(known.begin(), known.end());
+    std::size_t charts = 0;
+    for (std::size_t begin = 0, end = 0; begin < known.size(); begin = end, ++charts) {
+      while (end < known.size() && known[end].first == known[begin].first)
+        ++end;
+      map_.value[known[begin].first] = known[(begin + end) / 2].second;
+    }
+    return charts == map_.charts->count();
+  }
+
+  bool attempt(Untangling& untangling, double first_eps, int steps = most_steps) {
+    const std::size_t before = untangling.steps_taken();
+    const bool made = make(untangling, first_eps, steps);
+    outcome_.steps += untangling.steps_taken() - before;
+    return made;
+  }
+
+  bool make(Untangling& untangling, double first_eps, int steps) {
+    if (!untangling.untangle({std::min(steps, options_.untangling_steps), first_eps, 1})) {
+      keep_best(untangling.turned_over());
+      outcome_.reason = std::to_string(untangling.turned_over()) + " triangles stay flipped";
+      return false;
+    }
+    untangling.polish(options_.polishing_steps, options_.area_weight);
+    store_map();
+    outcome_.certificate = certify(result_, host_);
+    outcome_.reason = outcome_.certificate.reason;
+    return outcome_.valid();
+  }
+
+  void keep_best(std::size_t turned_over) {
+    if (turned_over >= outcome_.turned_over) return;
+    outcome_.turned_over = turned_over;
+    store_map();
+  }
+
+  void store_map() {
+    result_.polycube.resize(result_.positions.size());
+    for (Index v = 0; v < result_.positions.size(); ++v)
+      result_.polycube[v] = map_.position(v) / frame_.scale;
+  }
+
+  SurfaceMap& result_;
+  const Frame& frame_;
+  const LabelledMapOptions& options_;
+  const base::Host& host_;
+  ArcNetwork network_;
+  TiedMap map_;
+  Array<double> poisson_;
+  ArcSigns signs_;
+  LabelledMapOutcome outcome_;
+};
+
+}  // namespace
+
+Frame unit_frame(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
+  double area = 0;
+  Vector3 moment = Vector3::Zero();
+  for (const auto& [a, b, c] : triangles) {
+    const double part = 0.5 * (positions[b] - positions[a]).cross(positions[c] - positions[a]).norm();
+    area += part;
+    moment += part / 3 * (positions[a] + positions[b] + positions[c]);
+  }
+  Frame frame;
+  if (area > 0) {
+    frame.scale = std::exp2(std::round(-0.5 * std::log2(area)));
+    frame.centre = moment / area;
+  }
+  return frame;
+}
+
+LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const LabelledMapOptions& options,
+                                     std::span<const double> planes, const base::Host& host) {
+  base::require(planes.empty() || planes.size() == map.triangles.size(), "planes: one a triangle");
+  Array<double> plane(planes.begin(), planes.end(), host.memory);
+  split_chords(map, host);
+  // What was cut may lie anywhere; its patch has other triangles.
+  if (!plane.empty()) plane.resize(map.triangles.size(), std::numeric_limits<double>::quiet_NaN());
+
+  Array<Vector3> positions(map.positions.size(), host.memory);
+  std::transform(map.positions.begin(), map.positions.end(), positions.begin(), frame);
+  const Surface surface(std::move(positions), Array<Triangle>(map.triangles, host.memory), host);
+  const Charts charts = find_charts(surface, map.labels, host);
+  return LabelledMap(map, surface, charts, frame, options, host).run(plane);
+}
+
+}  // namespace orbicube::polycube

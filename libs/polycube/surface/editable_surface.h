@@ -1,0 +1,81 @@
+// A closed surface as half-edges on flat arrays, whose edges and triangles can be split and whose vertices can be
+// collapsed into a neighbor and split off again. The drawing of a layout is kept on it: which half-edges lie on which
+// arc, which vertices are on arcs.
+#pragma once
+
+#include "mesh/topology/connectivity.h"
+#include "polycube/surface/surface_map.h"
+
+namespace orbicube::polycube {
+
+class EditableSurface {
+ public:
+  // The triangles must be a closed oriented manifold. Keeps vertices that are in no triangle.
+  EditableSurface(std::span<const Vector3> positions, std::span<const Triangle> triangles, const base::Host& host);
+
+  std::size_t vertices() const { return position.size(); }
+  std::size_t faces() const { return triangle.size(); }
+  static Index next(Index h) { return h % 3 == 2 ? h - 2 : h + 1; }
+  static Index previous(Index h) { return h % 3 == 0 ? h + 2 : h - 1; }
+  Index start(Index h) const { return triangle[h / 3][h % 3]; }
+  Index end(Index h) const { return start(next(h)); }
+  Index opposite(Index h) const { return opposite_[h]; }
+  Index outgoing(Index v) const { return outgoing_[v]; }
+  // The next half-edge out of the same vertex, counter-clockwise.
+  Index turned(Index h) const { return opposite_[previous(h)]; }
+  // The half-edge from a to b; no_index when there is none.
+  Index between(Index a, Index b) const;
+  double length(Index h) const { return (position[end(h)] - position[start(h)]).norm(); }
+  bool alive(Index face) const { return !dead_[face]; }
+
+  // visit(half_edge) for each half-edge out of the vertex, counter-clockwise.
+  template <class Visit>
+  void for_each_outgoing(Index v, const Visit& visit) const {
+    const Index first = outgoing_[v];
+    if (first == no_index) return;
+    Index h = first;
+    do {
+      visit(h);
+      h = turned(h);
+    } while (h != first);
+  }
+
+  void draw(Index h, Index on_arc) { arc[h] = arc[opposite_[h]] = on_arc; }
+
+  // A new vertex on the edge, `part` of the way; its source is that of the triangles beside it. Returns the vertex.
+  Index split_edge(Index h, double part);
+  // A new vertex in the middle of the triangle.
+  Index split_face(Index face);
+
+  // start(h) goes into end(h). May be done when can_collapse(h); the conditions on arcs are the caller's business.
+  bool can_collapse(Index h) const;
+  void collapse(Index h);
+  // Takes the last collapse that is not undone back.
+  void undo_collapse(Index h);
+
+  // Of each vertex.
+  Array<Vector3> position;
+  Array<VertexSource> source;
+  Array<std::uint8_t> occupied;  // on an arc, or a node
+  // Of each face.
+  Array<Triangle> triangle;
+  Array<Index> triangle_source;
+  // Of each half-edge.
+  Array<Index> arc;  // no_index when it is on none
+
+ private:
+  Index add_vertex(const Vector3& at, const VertexSource& from);
+  Index add_face(const Triangle& corners, Index from);
+  void join(Index a, Index b) {
+    opposite_[a] = b;
+    opposite_[b] = a;
+  }
+
+  Array<Index> opposite_, outgoing_;
+  Array<std::uint8_t> dead_;
+};
+
+// a and b are convex combinations within one triangle; so is what is `part` of the way from a to b.
+VertexSource between_sources(const VertexSource& a, const VertexSource& b, double part);
+
+}  // namespace orbicube::polycube

@@ -1,0 +1,67 @@
+// How a triangle in space is distorted by a map to the plane, and how that changes with the map.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include <Eigen/Dense>
+
+#include "polycube/surface/surface_map.h"
+
+namespace orbicube::polycube {
+
+// A triangle in space: gradients of its hat functions in its own plane, and its area.
+struct RestTriangle {
+  std::array<Eigen::Vector2d, 3> hat;
+  double area;
+};
+
+// From the edges to the second and the third corner. Needles count as wider than they are: what is flatter than that
+// has no angles to speak of.
+inline RestTriangle rest_triangle(const Vector3& first, const Vector3& second) {
+  constexpr double least_height = 1e-3, least_length = 1e-9;
+  const double longest =
+      std::sqrt(std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()}));
+  const double base = std::max({first.norm(), least_height * longest, least_length});
+  const double along = first.norm() > 0 ? second.dot(first) / first.norm() : 0;
+  const double height =
+      std::max({first.cross(second).norm() / base, least_height * longest, least_height * least_length});
+  RestTriangle t;
+  t.hat[1] = {1 / base, -along / (base * height)};
+  t.hat[2] = {0, 1 / height};
+  t.hat[0] = -t.hat[1] - t.hat[2];
+  t.area = 0.5 * base * height;
+  return t;
+}
+
+// With the corners at a, b and c.
+inline Eigen::Matrix2d jacobian(const RestTriangle& t, const Eigen::Vector2d& a, const Eigen::Vector2d& b,
+                                const Eigen::Vector2d& c) {
+  return a * t.hat[0].transpose() + b * t.hat[1].transpose() + c * t.hat[2].transpose();
+}
+
+// Of angles and areas, each 1 for an isometry: |J|^2 / (2 det J) + (det J + 1 / det J) / 2, infinite for what is not
+// positive.
+inline double distortion(const Eigen::Matrix2d& j) {
+  const double d = j.determinant();
+  return d > 0 ? 0.5 * (j.squaredNorm() / d + d + 1 / d) : std::numeric_limits<double>::infinity();
+}
+
+// Derivatives of the distortion by the entries of J, row by row. The second ones are Gauss-Newton's.
+struct Derivatives {
+  explicit Derivatives(const Eigen::Matrix2d& j) {
+    const double d = j.determinant(), squares = j.squaredNorm();
+    const Eigen::Vector4d a(j(0, 0), j(0, 1), j(1, 0), j(1, 1));
+    const Eigen::Vector4d c(j(1, 1), -j(1, 0), -j(0, 1), j(0, 0));
+    first = a / d + (d - 0.5 * (squares + d * d + 1) / d) / d * c;
+    const double q = (squares + 1) / (d * d);
+    second = (Eigen::Matrix4d::Identity() - (c * a.transpose() + a * c.transpose()) / d + q * c * c.transpose()) / d;
+  }
+
+  Eigen::Vector4d first;
+  Eigen::Matrix4d second;
+};
+
+}  // namespace orbicube::polycube

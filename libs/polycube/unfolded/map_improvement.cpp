@@ -1,0 +1,69 @@
+#include "polycube/unfolded/map_improvement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "polycube/domain/optimal_domain.h"
+#include "polycube/unfolded/polycube_edges.h"
+#include "polycube/unfolded/unfolded_smoothing.h"
+
+namespace orbicube::polycube {
+namespace {
+
+// Each takes time in proportion to the 1.5th power of the triangles, as the factors of its systems do.
+int most_steps(std::size_t triangles) {
+  constexpr double work = 2e9, least = 30, most = 500;
+  const auto n = static_cast<double>(std::max<std::size_t>(triangles, 1));
+  return static_cast<int>(std::clamp(work / (n * std::sqrt(n)), least, most));
+}
+
+// 2 for an isometry.
+double score_of(const Distortion& d, bool domain) {
+  const double over_triangles = d.angle_mean + d.area_mean;
+  return domain ? over_triangles : 0.5 * (over_triangles + d.angle_weighted_mean + d.area_weighted_mean);
+}
+
+void hold(std::span<const Vector3> places, UnfoldedMap& map) {
+  for (UnfoldedCorner& corner : map.corners)
+    corner.held = std::find(places.begin(), places.end(), corner.place) != places.end();
+}
+
+}  // namespace
+
+Distortion improve_map(SurfaceMap& map, Certificate& certificate, const ImprovementOptions& options,
+                       const base::Host& host) {
+  constexpr double little = 0.005;  // of what there is above an isometry
+  int steps = options.newton_steps > 0 ? options.newton_steps : most_steps(map.triangles.size());
+  const auto score = [&](const Distortion& d) { return score_of(d, options.domain); };
+  Distortion now = measure_distortion(map, host);
+  for (int round = 0; round < options.rounds && steps > 0; ++round) {
+    const double before = score(now);
+    try {
+      UnfoldedMap unfolded(map, host);
+      hold(options.held_corners, unfolded);
+      steps -= smooth_unfolded(unfolded, {.newton_steps = steps}, host);
+      SurfaceMap trial = fold(unfolded, host);
+      Certificate proof = certify(trial, host);
+      if (!proof.valid()) throw base::Error("no-valid-result", proof.reason);
+      const Distortion after = options.domain
+                                   ? optimise_domain(trial, {.measure = DomainMeasure::face_mean}, host).distortion
+                                   : measure_distortion(trial, host);
+      host.log("smoothed: angle " + std::to_string(after.angle_mean) + ", area " + std::to_string(after.area_mean));
+      if (!(score(after) < before)) break;
+      map = std::move(trial);
+      certificate = std::move(proof);
+      now = after;
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      host.log(error.what());
+      break;
+    }
+    if (score(now) - 2 > (1 - little) * (before - 2)) break;
+  }
+  return now;
+}
+
+}  // namespace orbicube::polycube

@@ -1,0 +1,74 @@
+#include "sphere_map/hierarchy/decimation.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/error.h"
+#include "sphere_map/hierarchy/collapse_costs.h"
+#include "sphere_map/hierarchy/collapse_queue.h"
+#include "sphere_map/hierarchy/regional_decimation.h"
+
+namespace orbicube::sphere_map {
+namespace {
+
+// When nothing is left to be done patiently, look at every vertex, whatever its valence.
+void refill(CollapseQueue& queue, CollapseCosts& costs, Candidates& candidates) {
+  for (Index v = 0; v < costs.vertex_count(); ++v) {
+    if (!costs.is_dead(v)) queue.refresh(v, false, candidates);
+  }
+  if (queue.empty()) throw base::Error("internal", "decimation is stuck: the surface is no closed genus-0 manifold");
+}
+
+// One collapse after the other, always the cheapest of all.
+void collapse_to_tetrahedron(CollapseCosts& costs, Decimation& result, const base::Host& host) {
+  VertexRings& rings = costs.rings();
+  Array<Index> vertices(costs.vertex_count(), host.memory);
+  std::iota(vertices.begin(), vertices.end(), Index{0});
+  CollapseQueue queue(costs, host.memory);
+  queue.fill(vertices, host.memory);
+  Candidates candidates(host.memory);
+  const std::size_t total = costs.alive_at_first() - 4;
+  while (result.collapses.size() < total) {
+    const Index vertex = queue.pop([](Index) { return true; }, candidates);
+    if (vertex == no_index) {
+      refill(queue, costs, candidates);
+      continue;
+    }
+    const auto ring = rings[vertex];
+    const std::size_t position = rings.find(vertex, costs.target(vertex));
+    const Collapse collapse{vertex, costs.target(vertex), static_cast<Index>(result.ring_pool.size()),
+                            static_cast<Index>(ring.size())};
+    for (std::size_t j = 0; j < ring.size(); ++j)
+      result.ring_pool.push_back(ring[(position + j) % ring.size()]);
+    result.collapses.push_back(collapse);
+    costs.collapse(collapse, result.ring(collapse));
+    if (total - result.collapses.size() == 1) costs.set_few_left();
+    queue.touch_around(collapse.kept, [](Index) { return true; });
+    if (result.collapses.size() % 1024 == 0) host.report("decimation", result.collapses.size(), total);
+  }
+}
+
+}  // namespace
+
+Decimation decimate(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
+                    const base::Team& team, std::size_t region_size) {
+  CollapseCosts costs(positions, std::move(rings), seed, host, team);
+  const std::size_t count = costs.alive_at_first();
+  if (count < 4) throw base::Error("internal", "decimation of fewer than four vertices");
+  Decimation result{Array<Collapse>(host.memory), Array<Index>(host.memory), {}, VertexRings(0, {}, host)};
+  result.collapses.reserve(count - 4);
+  result.ring_pool.reserve(6 * count);
+  if (count >= least_regions * region_size) decimate_regions(positions, region_size, costs, result, host, team);
+  collapse_to_tetrahedron(costs, result, host);
+
+  Index first = 0;
+  while (costs.is_dead(first))
+    ++first;
+  const auto ring = costs.rings()[first];
+  result.tetrahedron = {first, ring[0], ring[1], ring[2]};
+  result.rings = std::move(costs.rings());
+  return result;
+}
+
+}  // namespace orbicube::sphere_map

@@ -1,0 +1,93 @@
+#include "sphere_map/optimization/star_matrix.h"
+
+#include <Eigen/LU>
+#include <cmath>
+
+namespace orbicube::sphere_map {
+
+StarMatrix::StarMatrix(const Level& level, std::span<const Index> place, const base::Host& host)
+    : diagonal(level.vertices.size(), host.memory),
+      off_diagonal(level.stars.size(), host.memory),
+      begin_(level.star_begin),
+      column_(level.stars.size(), host.memory) {
+  for (std::size_t k = 0; k < column_.size(); ++k)
+    column_[k] = place[level.stars[k].q];
+}
+
+void StarMatrix::set_zero(const base::Team& team) {
+  team.run_pieces(size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      diagonal[i].setZero();
+      for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+        off_diagonal[k].setZero();
+    }
+  });
+}
+
+ConjugateGradients::ConjugateGradients(std::size_t size, const base::Host& host, const base::Team& team)
+    : host_(host),
+      team_(team),
+      inverse_(size, host.memory),
+      residual_(size, host.memory),
+      preconditioned_(size, host.memory),
+      along_(size, host.memory),
+      product_(size, host.memory),
+      partial_((size + vertices_a_piece - 1) / vertices_a_piece, host.memory) {}
+
+template <class Term>
+double ConjugateGradients::sum(const Term& term) {
+  team_.run_pieces(inverse_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+    double piece = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      piece += term(i);
+    partial_[begin / vertices_a_piece] = piece;
+  });
+  double total = 0;
+  for (const double p : partial_)
+    total += p;
+  return total;
+}
+
+void ConjugateGradients::solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance,
+                               int most_steps, std::span<Vector2d> x) {
+  double rz = sum([&](std::size_t i) {
+    const Eigen::Matrix2d& d = matrix.diagonal[i];
+    // Made positive, as the step of a single vertex is.
+    const double mean = 0.5 * d.trace();
+    const double spread = std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
+    const double least = std::max(1e-3 * (std::abs(mean) + spread), std::numeric_limits<double>::min());
+    const double shift = std::max(0.0, least - (mean - spread));
+    inverse_[i] = (d + shift * Eigen::Matrix2d::Identity()).inverse();
+    x[i].setZero();
+    residual_[i] = right_side[i];
+    along_[i] = inverse_[i] * residual_[i];
+    return residual_[i].dot(along_[i]);
+  });
+  const double goal = tolerance * tolerance * rz;
+  for (int step = 0; step < most_steps && rz > goal; ++step) {
+    const double curvature = sum([&](std::size_t i) {
+      product_[i] = matrix.row_times(i, along_);
+      return along_[i].dot(product_[i]);
+    });
+    if (!(curvature > 0)) {
+      if (step == 0) std::copy(along_.begin(), along_.end(), x.begin());
+      return;
+    }
+    const double alpha = rz / curvature;
+    const double next = sum([&](std::size_t i) {
+      x[i] += alpha * along_[i];
+      residual_[i] -= alpha * product_[i];
+      preconditioned_[i] = inverse_[i] * residual_[i];
+      return residual_[i].dot(preconditioned_[i]);
+    });
+    const double beta = next / rz;
+    rz = next;
+    team_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        along_[i] = preconditioned_[i] + beta * along_[i];
+    });
+    host_.report("final optimization", static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(most_steps));
+  }
+}
+
+}  // namespace orbicube::sphere_map

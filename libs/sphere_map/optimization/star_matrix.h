@@ -1,0 +1,62 @@
+// A symmetric matrix with a 2 x 2 block for each vertex of a level and for each edge, and the solution of systems with
+// it.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "base/threads/team.h"
+#include "sphere_map/hierarchy/level.h"
+
+namespace orbicube::sphere_map {
+
+using Eigen::Vector2d;
+
+// The row of vertex i has an entry for each triangle k of its star: off_diagonal[k] joins it to the ring vertex that
+// the triangle starts with. Every edge is stored from both ends, so that rows can be multiplied side by side. Single
+// precision would not do: it loses the rotations of the sphere, which cost no energy.
+class StarMatrix {
+ public:
+  StarMatrix(const Level& level, std::span<const Index> place, const base::Host& host);
+
+  void set_zero(const base::Team& team);
+
+  std::size_t size() const { return diagonal.size(); }
+  // Row of a vertex times x.
+  Vector2d row_times(std::size_t i, std::span<const Vector2d> x) const {
+    Vector2d sum = diagonal[i] * x[i];
+    for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
+      sum += off_diagonal[k] * x[column_[k]];
+    return sum;
+  }
+
+  base::Array<Eigen::Matrix2d> diagonal;
+  base::Array<Eigen::Matrix2d> off_diagonal;
+
+ private:
+  std::span<const std::size_t> begin_;
+  base::Array<Index> column_;
+};
+
+// Solves matrix * x = right_side by conjugate gradients, preconditioned by the diagonal blocks, whose eigenvalues are
+// made positive. Ends when the residual has fallen to `tolerance` of its start, after most_steps, or at negative
+// curvature with what was reached (Steihaug 1983).
+class ConjugateGradients {
+ public:
+  ConjugateGradients(std::size_t size, const base::Host& host, const base::Team& team);
+
+  void solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance, int most_steps,
+             std::span<Vector2d> x);
+
+ private:
+  // Sum of term(i) over all vertices, after work(i) was done for each.
+  template <class Term>
+  double sum(const Term& term);
+
+  const base::Host& host_;
+  const base::Team& team_;
+  base::Array<Eigen::Matrix2d> inverse_;
+  base::Array<Vector2d> residual_, preconditioned_, along_, product_;
+  base::Array<double> partial_;  // sums of the pieces
+};
+
+}  // namespace orbicube::sphere_map

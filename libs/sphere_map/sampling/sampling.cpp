@@ -1,0 +1,73 @@
+#include "sphere_map/sampling/sampling.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "base/error.h"
+#include "sphere_map/hierarchy/normalise.h"
+
+namespace orbicube::sphere_map {
+
+void sample(const Locator& locator, std::span<const Vector3> queries, std::span<const double> values,
+            std::size_t components, Interpolation interpolation, std::span<double> sampled, const base::Host& host) {
+  // Quotients, since products of sizes that come from outside can overflow.
+  const auto fits = [&](std::size_t size, std::size_t rows) {
+    return components > 0 && size % components == 0 && size / components == rows;
+  };
+  if (!fits(values.size(), locator.directions().size()))
+    throw base::Error("invalid-argument", "values have not `components` numbers a vertex");
+  if (!fits(sampled.size(), queries.size()))
+    throw base::Error("invalid-argument", "the result has not `components` numbers a query");
+  if (interpolation != Interpolation::linear && interpolation != Interpolation::unit)
+    throw base::Error("invalid-argument", "unknown interpolation");
+  locator.for_each_location(queries, host, [&](std::size_t i, const Location& at) {
+    double* to = sampled.data() + i * components;
+    std::fill_n(to, components, 0.0);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double weight = at.weights[static_cast<Eigen::Index>(k)];
+      if (weight == 0) continue;  // what a corner has that does not count may be anything, not a number even
+      const double* from = values.data() + components * locator.triangles()[at.triangle][k];
+      for (std::size_t c = 0; c < components; ++c)
+        to[c] += weight * from[c];
+    }
+    if (interpolation == Interpolation::unit) {
+      Eigen::Map<Eigen::VectorXd> vector(to, static_cast<Eigen::Index>(components));
+      vector.stableNormalize();
+    }
+  });
+}
+
+Array<Vector3> sample_vectors(const Locator& locator, std::span<const Vector3> queries,
+                              std::span<const Vector3> vectors, Interpolation interpolation, const base::Host& host) {
+  static_assert(sizeof(Vector3) == 3 * sizeof(double));
+  Array<Vector3> result(queries.size(), Vector3::Zero(), host.memory);
+  const auto numbers = [](auto vectors_span) {
+    return std::span(vectors_span.empty() ? nullptr : vectors_span.data()->data(), 3 * vectors_span.size());
+  };
+  sample(locator, queries, numbers(vectors), 3, interpolation, numbers(std::span(result)), host);
+  return result;
+}
+
+Array<Vector3> vertex_normals(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                              const base::Host& host) {
+  const Array<Vector3> x = normalised(positions, triangles, host.memory);
+  Array<Vector3> normals(positions.size(), Vector3::Zero(), host.memory);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (t % 65536 == 0) host.report("normals", t, triangles.size());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3& p = x[triangles[t][k]];
+      const Vector3 e = x[triangles[t][(k + 1) % 3]] - p;
+      const Vector3 f = x[triangles[t][(k + 2) % 3]] - p;
+      const Vector3 normal = e.cross(f);
+      const double size = normal.stableNorm();
+      if (size > 0) normals[triangles[t][k]] += std::atan2(size, e.dot(f)) / size * normal;
+    }
+  }
+  for (Vector3& n : normals) {
+    const double length = n.norm();
+    n = length > 0 ? Vector3(n / length) : Vector3(Vector3::UnitZ());
+  }
+  return normals;
+}
+
+}  // namespace orbicube::sphere_map

@@ -1,0 +1,14 @@
+// Harmonic coordinates inside a mesh of tetrahedra whose boundary is given: the start of a map, which may have inverted
+// tetrahedra.
+#pragma once
+
+#include "volume_map/untangle/block_assembly.h"
+
+namespace orbicube::volume_map {
+
+// Moves the vertices that are not `held` (an entry a vertex) to the minimum of the sum of weight |J|^2 over elements,
+// to 1e-8 of what the preconditioned residual was. With an engine, that solves the system.
+void make_harmonic(std::span<const Element> elements, std::span<const std::uint8_t> held, std::span<Vector3> positions,
+                   const base::Host& host, BlockEngine* engine = nullptr);
+
+}  // namespace orbicube::volume_map

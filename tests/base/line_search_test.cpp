@@ -1,0 +1,75 @@
+// What a line search makes of values that contradict their slopes.
+#include "base/line_search.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+using orbicube::base::Search;
+using orbicube::base::WolfeSearch;
+
+namespace {
+
+using Function = std::function<std::pair<double, double>(double length)>;  // value and slope
+
+struct End {
+  Search verdict;
+  std::uint64_t trials;
+  double length;
+};
+
+End search(double value, double slope, const Function& f) {
+  WolfeSearch search;
+  search.start(value, value, slope, std::numeric_limits<double>::infinity());
+  for (;;) {
+    const double length = search.length;
+    const auto [there, falls] = f(length);
+    const Search verdict = search.advance(there, falls);
+    if (verdict != Search::again) return {verdict, search.trials, length};
+    REQUIRE(search.trials < 100);
+  }
+}
+
+// Between 1 and 3, and another one at any other length.
+double rough(double length) {
+  const double product = 0.754877666 * std::fmod(1e6 * std::log(length), 1e3);
+  return 1 + 2 * (product - std::floor(product));
+}
+
+}  // namespace
+
+TEST_CASE("A gradient that f rises along is given up after few trials, whatever its size and the curvature of f") {
+  for (const double size : {1e-9, 1e-3, 1.0, 1e6}) {
+    for (const double rise : {1e-2, 1.0, 1e3}) {
+      for (const double curvature : {0.0, 1.0, 10.0}) {
+        const End end =
+            search(2, -size, [&](double t) { return std::pair(2 + rise * size * (t + curvature * t * t), -size); });
+        CHECK(end.verdict == Search::give_up);
+        CHECK(end.trials <= 10);
+      }
+    }
+  }
+}
+
+TEST_CASE("Noise of f is not held against its slopes") {
+  for (const double noise : {5e-12, 1e-10, 1e-6}) {
+    // No step is long enough for f to fall by more than the noise, which ends only where x does not move any more.
+    const End end = search(2, -1e-2 * noise, [&](double t) {
+      return std::pair(t < 1e-14 ? 2.0 : 2 + noise * rough(t), -1e-2 * noise * (1 - 1e-3 * t));
+    });
+    CHECK(end.trials > 15);
+    CHECK(end.verdict == Search::accept);
+    CHECK(end.length < 1e-14);
+  }
+}
+
+TEST_CASE("A minimum along the direction is found under a little noise") {
+  const End end =
+      search(2, -1, [](double t) { return std::pair(2 - t + 50 * t * t + 1e-11 * rough(t), -1 + 100 * t); });
+  CHECK(end.verdict == Search::accept);
+  CHECK(end.trials <= 4);
+  CHECK(end.length == doctest::Approx(0.01).epsilon(0.9));
+}
