@@ -349,8 +349,8 @@ def judge_sphere(folder, args, V, F, faults):
     proper = proper_faces(U, F)
     # The area of the whole surface is that of its proper faces but for a millionth of it.
     m = measure_sphere.measure(U, F[proper], S)
-    for name, key in (('energy_angle', 'E_D'), ('energy_area', 'E_A'), ('energy', 'E'), ('dilatation_mean', 'K_mean_area_weighted'),
-                      ('dilatation_max', 'K_max'), ('area_ratio_min', 'area_ratio_min'), ('area_ratio_max', 'area_ratio_max'),
+    for name, key in (('energy_angle', 'E_D'), ('energy_area', 'E_A'), ('energy', 'E'), ('mean_quasi_conformal', 'K_mean_area_weighted'),
+                      ('max_quasi_conformal', 'K_max'), ('min_area_ratio', 'min_area_ratio'), ('max_area_ratio', 'max_area_ratio'),
                       ('stretch_efficiency', 'L2_stretch_efficiency'), ('isometric_mean', 'symm_dirichlet_mean')):
         faults.compare(name, report[name], m[key])
     if report['zero_area_faces'] != int((~proper).sum()):
@@ -416,15 +416,15 @@ def judge_hex(folder, args, V, F, faults):
         faults.append('invalid: %r' % (verdict.get('reasons') or verdict.get('unusable'),))
         return
     faults.compare('hexahedra', report['hexahedra'], verdict['hexes'])
-    faults.compare('scaled_jacobian_min', report['scaled_jacobian_min'], verdict['scaled_jacobian']['min'])
-    faults.compare('scaled_jacobian_mean', report['scaled_jacobian_mean'], verdict['scaled_jacobian']['mean'])
+    faults.compare('min_scaled_jacobian', report['min_scaled_jacobian'], verdict['scaled_jacobian']['min'])
+    faults.compare('mean_scaled_jacobian', report['mean_scaled_jacobian'], verdict['scaled_jacobian']['mean'])
     surface = verdict['surface']
     # Both distances are of samples; volume errors of some thousandths of a percent are those of rounding.
     if abs(report['volume_error_percent'] - surface['volume_error_percent']) > .01 * surface['volume_error_percent'] + 1e-4:
         faults.append('volume error: reported %r, measured %r' % (report['volume_error_percent'], surface['volume_error_percent']))
-    if surface['hausdorff_percent'] > 1.01 * report['distance_percent'] + .02:
-        faults.append('distance: reported %r, measured %r' % (report['distance_percent'], surface['hausdorff_percent']))
-    args.table.append((report['scaled_jacobian_min'], surface['volume_error_percent']))
+    if surface['hausdorff_percent'] > 1.01 * report['hausdorff_percent'] + .02:
+        faults.append('distance: reported %r, measured %r' % (report['hausdorff_percent'], surface['hausdorff_percent']))
+    args.table.append((report['min_scaled_jacobian'], surface['volume_error_percent']))
 
 
 VERBS = {'sphere': (judge_sphere, ['out.off', '--text'], 60), 'polycube': (judge_polycube, ['out.off', '--text', '--surface', 'surface.off'], 120),

@@ -33,7 +33,7 @@ void add_examples(CLI::App& app) {
       {"make", "bracket -o bracket.obj --resolution 50000"},
       {"sphere", "creature.obj -o creature.glb --page creature.html"},
       {"frames", "part.mesh -o part.frames --glb part.glb"},
-      {"morph", "a.obj b.obj -o ab.glb --place turned"},
+      {"morph", "a.obj b.obj -o ab.glb --placement turned"},
       {"harmonics", "creature.obj --sphere map.obj --degree 32 -o creature.coef"},
       {"compare", "a.coef b.coef c.coef -o distances.txt --png distances.png"},
       {"page", "creature.obj map.obj -o creature.html"},

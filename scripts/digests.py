@@ -39,7 +39,7 @@ sphere-angle-area.obj: sphere creature.obj -o sphere-angle-area.obj --method ang
 sphere-stretch.obj: sphere creature.obj -o sphere-stretch.obj --method stretch
 sphere-isometric.obj: sphere blob.ply -o sphere-isometric.obj --method isometric
 sphere-conformal.obj: sphere blob.ply -o sphere-conformal.obj --method conformal
-sphere-seed.obj: sphere blob.ply -o sphere-seed.obj --method seed
+sphere-dissertation.obj: sphere blob.ply -o sphere-dissertation.obj --method dissertation
 sphere.glb: sphere blob.ply -o sphere.glb
 remesh.obj: sphere creature.obj -o r.obj --remesh remesh.obj --grid icosphere:4
 remesh-cube.obj: sphere creature.obj -o r.obj --remesh remesh-cube.obj --grid cube:16
@@ -53,7 +53,7 @@ aligned.sh: harmonics creature.obj --sphere sphere.obj --degree 12 -o aligned.sh
 compare.txt: compare harmonics.sh iterative.sh low.sh -o compare.txt
 morph.glb: morph creature.obj blob.ply -o morph.glb
 morph-first.glb: morph creature.obj blob.ply -o morph-first.glb --grid first --align rotation
-morph-polycube.glb: morph torus.obj --polycube --grid first --place scaled torus.obj -o morph-polycube.glb
+morph-polycube.glb: morph torus.obj --polycube --grid first --placement scaled torus.obj -o morph-polycube.glb
 polycube.obj: polycube bracket.obj -o polycube.obj --surface surface.obj --quads quads.obj --cells 3000
 surface.obj: =
 quads.obj: =
@@ -62,23 +62,23 @@ domain.json: =
 polycube-labels.obj: polycube bracket.obj -o polycube-labels.obj --construct labels
 polycube-voxels.obj: polycube torus.obj -o polycube-voxels.obj --construct voxels
 polycube-from.obj: polycube blob.ply -o polycube-from.obj --from domain.json
-optimised.obj: polycube l.obj -o optimised.obj --optimise domain
-optimised-corners.obj: polycube l.obj -o optimised-corners.obj --optimise corners
-optimised-gradient.obj: polycube l.obj -o optimised-gradient.obj --optimise corners --corner-search gradient
-harmonic.obj: polycube l.obj -o harmonic.obj --optimise domain --measure harmonic
-sharp.obj: polycube bracket.obj -o sharp.obj --sharp-edges 40
+optimized.obj: polycube l.obj -o optimized.obj --optimize domain
+optimized-corners.obj: polycube l.obj -o optimized-corners.obj --optimize corners
+optimized-gradient.obj: polycube l.obj -o optimized-gradient.obj --optimize corners --corner-search gradient
+harmonic.obj: polycube l.obj -o harmonic.obj --optimize domain --measure harmonic
+sharp.obj: polycube bracket.obj -o sharp.obj --feature-angle 40
 torus.mesh: tetrahedralize torus.obj -o torus.mesh
 l.mesh: tetrahedralize l.obj -o l.mesh --edge-length .3
 l.frames: frames l.mesh -o l.frames --vtk l.vtk
 l.vtk: =
-torus.frames: frames torus.mesh -o torus.frames --features 40
-seed.frames: frames l.mesh -o seed.frames --method seed --start identity
+torus.frames: frames torus.mesh -o torus.frames --feature-angle 40
+dissertation.frames: frames l.mesh -o dissertation.frames --method dissertation --start identity
 repaired.frames: frames torus.mesh -o repaired.frames --repair
 volume.mesh: volume l.mesh -o volume.mesh
 volume-torus.mesh: volume torus.obj -o volume-torus.mesh
 hex-l.mesh: hex l.obj -o hex-l.mesh --cells 400
 hex-torus.vtk: hex torus.obj -o hex-torus.vtk --cells 800 --method polycube --text
-hex-voxels.mesh: hex blob.ply -o hex-voxels.mesh --cells 400 --method voxels
+hex-grid.mesh: hex blob.ply -o hex-grid.mesh --cells 400 --method grid
 hex-frames.mesh: hex l.mesh -o hex-frames.mesh --cells 300 --method frames
 """
 

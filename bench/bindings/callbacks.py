@@ -51,12 +51,12 @@ def callbacks():
         return -place[0], -gradient
 
     points = np.random.default_rng(1).normal(size=(100, 3))
-    neighbours = [[] for _ in points]
+    neighbors = [[] for _ in points]
     best = np.inf
     for _ in range(RUNS // 5):
         calls[0] = 0
         begin = time.perf_counter()
-        sphere_optimizer.relax(part, points, neighbours)
+        sphere_optimizer.relax(part, points, neighbors)
         best = min(best, (time.perf_counter() - begin) / calls[0])
     print(f"Python, block by block: {1e9 * best:.0f} ns an evaluation with the function itself")
 

@@ -59,7 +59,7 @@ struct Result {
   std::size_t edges = 0, quarter_turns = 0, curves = 0, nodes = 0;
   double length_share = 0;  // of the length of all inner edges
   bool valid = false;
-  double off_normals() const { return figures.one_face_largest; }
+  double off_normals() const { return figures.one_face_max; }
 };
 
 Result analysed(const mesh::Mesh& solid, const Field& field, const base::Host& host) {
@@ -154,7 +154,7 @@ void fields(std::span<char* const> files) {
     for (const std::string_view what : {"default", "seed", "seed, boundary of default"}) {
       const double begin = cpu_seconds();
       const Outcome outcome = compute(
-          solid.positions, solid.tetrahedra, {.method = what == "default" ? Method::smooth : Method::seed},
+          solid.positions, solid.tetrahedra, {.method = what == "default" ? Method::smooth : Method::dissertation},
           {.frames = what.ends_with("default") ? std::span<const GivenFrame>(boundary) : std::span<const GivenFrame>(),
            .axes = {}},
           host);

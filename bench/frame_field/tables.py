@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the dissertation's Tables 6.1 to 6.7 and Figure 6.3 again, with the methods `seed` and the default, and tables of all
+"""Makes the dissertation's Tables 6.1 to 6.7 and Figure 6.3 again, with the methods `dissertation` and the default, and tables of all
 meshes and of iterations by size: docs/frame_field_tables.md and its picture.
 
     bench/frame_field/tables.py BUILD MESH... [--again PART]
@@ -34,7 +34,7 @@ FIELDS = ("tets", "faces", "E", "mean", "sd", "median", "p99", "max", "plain_mea
 
 MODELS_TEXT = """\
 The meshes here are of the same shapes as those of the dissertation, by other programs, of other sizes. Its boundary frames
-came from the data of another program, whose fields were smooth: method `seed` has those of identity, rotated to the normals, and in the rows
+came from the data of another program, whose fields were smooth: method `dissertation` has those of identity, rotated to the normals, and in the rows
 `seed, boundary of default` those of the default field, fixed, as in the printed experiments.
 """
 
@@ -45,18 +45,18 @@ Up to the 24 rotations no two frames are more than 62.80 degrees apart. The prin
 therefore not angles between frames but between the quaternions or labeled axes that stand for them, under matchings that were
 frozen or left out. `without` is that: the angle between the quaternions as they stand, up to their sign.
 
-- `seed` starts all frames inside as identity and never changes the name of a frame, so that its angles without symmetry are close to
+- `dissertation` starts all frames inside as identity and never changes the name of a frame, so that its angles without symmetry are close to
   those with it, and of the printed kind: a small mean, and a maximum of about 90 degrees.
 - The default writes each frame as whichever of the 24 quaternions comes out, and neighbors often by different ones. Its angles without
   symmetry are far on the way to those of random rotations (126.5 degrees on average), and say nothing about the field. The compared
   method's printed means of 55 to 106 degrees are of this kind: names, not smoothness.
 
-The columns with symmetry are the ones to compare by. Where those without would call `seed` the smoother one on every mesh, by these it is
+The columns with symmetry are the ones to compare by. Where those without would call `dissertation` the smoother one on every mesh, by these it is
 the other way round but for what is said under [all meshes](#all-meshes).
 """
 
 
-METHODS = ("seed", "seed, boundary of default", "default")
+METHODS = ("dissertation", "seed, boundary of default", "default")
 
 
 def measured(build, name, command, again):
@@ -137,8 +137,8 @@ def all_table(fields, names):
                     f"times as many; at most an eighth on {sum(s <= 0.125 for s in structures)} of {len(names)}.\n")
     for key, title in (("mean", "The mean angle"), ("sd", "The standard deviation"), ("p99", "The angle at 99 %"),
                        ("max", "The largest angle"), ("edges", "The number of singular edges")):
-        worse = [name for name in names if fields[name, "default"][key] > fields[name, "seed"][key]]
-        summary += f"{title} is " + (f"larger than that of `seed` on {', '.join(worse)}." if worse else "nowhere larger than that of `seed`.") + "\n"
+        worse = [name for name in names if fields[name, "default"][key] > fields[name, "dissertation"][key]]
+        summary += f"{title} is " + (f"larger than that of `dissertation` on {', '.join(worse)}." if worse else "nowhere larger than that of `dissertation`.") + "\n"
     return "\n".join(lines) + "\n", summary
 
 
@@ -150,7 +150,7 @@ def scaling_table(text):
 
 
 def angle_picture(angles, path):
-    """Figure 6.3: the share of inner faces with angles up to the abscissa in degrees; red the default, blue `seed`."""
+    """Figure 6.3: the share of inner faces with angles up to the abscissa in degrees; red the default, blue `dissertation`."""
     width, height, left, top, gap = 240, 170, 40, 30, 46
     shown = [row for row in PRINTED if (row[1], "default") in angles]
     columns = 3
@@ -167,7 +167,7 @@ def angle_picture(angles, path):
         for degrees in range(0, 61, 20):
             x = x0 + degrees / 64 * width
             lines.append(f'<text x="{x}" y="{y0 + height + 15}" text-anchor="middle">{degrees}</text>')
-        for method, color in (("seed", "#2060c0"), ("default", "#c02020")):
+        for method, color in (("dissertation", "#2060c0"), ("default", "#c02020")):
             points = " ".join([at(0, 0)] + [at(d + 1, share) for d, share in enumerate(angles[name, method])])
             lines.append(f'<polyline points="{points}" fill="none" stroke="{color}" stroke-width="1.5"/>')
         lines.append(f'<rect x="{x0}" y="{y0}" width="{width}" height="{height}" fill="none" stroke="#444"/>')
@@ -200,7 +200,7 @@ def main():
     whole, summary = all_table(fields, [stem(path) for path in options.meshes])
     page = f"""# The dissertation's frame field tables, recomputed
 
-`bench/frame_field/tables.py BUILD MESH...` measures, writes this page and draws its picture. `seed` is chapter 6 as printed
+`bench/frame_field/tables.py BUILD MESH...` measures, writes this page and draws its picture. `dissertation` is chapter 6 as printed
 ([frame_field](frame_field.md#the-dissertations-tables)), `default` what `orbicube frames` does without options. Angles are
 between the frames on both sides of the inner faces, in degrees. Printed times are of an Intel Core i3 at 2.1 GHz, ours CPU seconds of one core
 of: {processor()}.
@@ -219,7 +219,7 @@ Numbers of singular curves and nodes:
 
 ![Cumulative share of inner faces by angle](images/frame_field_angles.svg)
 
-Per cent of inner faces with an angle (up to the 24 rotations) up to the abscissa in degrees: red the default, blue `seed`. The picture that
+Per cent of inner faces with an angle (up to the 24 rotations) up to the abscissa in degrees: red the default, blue `dissertation`. The picture that
 `orbicube frames --plot` draws of one field has the same curve.
 
 ## All meshes

@@ -92,7 +92,7 @@ def deformations(folder):
         row.append(picture.shaded(positions, ends[0][1], numpy.full(3, -1.6), numpy.full(3, 1.6), 150))
     picture.write_png(image("harmonics_sequence.png"), numpy.hstack(row))
     matrix = os.path.join(folder, "matrix.txt")
-    run("compare", *files, "-o", matrix, "--png", image("harmonics_distances.png"), "--from", 1)
+    run("compare", *files, "-o", matrix, "--png", image("harmonics_distances.png"), "--min-degree", 1)
     # The command does not compress.
     picture.write_png(image("harmonics_distances.png"), picture.read_png(image("harmonics_distances.png")))
     rows = numpy.loadtxt(matrix)

@@ -46,7 +46,7 @@ constexpr PeerRow peers[] = {
 const std::map<std::string, sphere_map::Method> methods = {
     {"balanced", sphere_map::Method::balanced},   {"angle-area", sphere_map::Method::angle_area},
     {"isometric", sphere_map::Method::isometric}, {"stretch", sphere_map::Method::stretch},
-    {"conformal", sphere_map::Method::conformal}, {"seed", sphere_map::Method::seed}};
+    {"conformal", sphere_map::Method::conformal}, {"dissertation", sphere_map::Method::dissertation}};
 
 double cpu_seconds() {
   timespec now{};

@@ -23,7 +23,7 @@ void row(const std::string& name, const SurfaceMap& given, CornerMethod method, 
   SurfaceMap map = given;
   const Distortion before = measure_distortion(map, host);
   const double start = cpu_seconds();
-  const OptimalCorners found = optimise_corners(map, {.method = method}, host);
+  const OptimalCorners found = optimize_corners(map, {.method = method}, host);
   const double seconds = cpu_seconds() - start;
   std::printf("%-16s %-12s %7zu %7zu %4zu %4zu %7.4f %7.4f %6.3f/%.3f %6.3f/%.3f %3zu %6lu %6.1f %6.1f\n", name.c_str(),
               method == CornerMethod::gradient ? "gradient" : "trust region", given.triangles.size(),
@@ -38,7 +38,7 @@ void row(const std::string& name, const SurfaceMap& given, CornerMethod method, 
 // evaluations.
 struct Round {
   Round(const SurfaceMap& map, const base::Host& host)
-      : working(map, host), regions(RegionFinder(working, host).find_disjoint(CornerOptions().most_vertices)) {
+      : working(map, host), regions(RegionFinder(working, host).find_disjoint(CornerOptions().max_vertices)) {
     for (const CornerRegion& region : regions) {
       moves.emplace_back(region, working.area, CornerMoveOptions(), host);
       triangles += static_cast<double>(region.triangles.size());

@@ -59,7 +59,7 @@ void row(const std::string& name, const SurfaceMap& map, const base::Host& host)
     const Distortion before = measure_distortion(map, host);
     options.variables = DomainVariables::logarithms;
     start = cpu_seconds();
-    const OptimalDomain found = optimise_domain(best, options, host);
+    const OptimalDomain found = optimize_domain(best, options, host);
     const double all = cpu_seconds() - start;
     std::printf(
         "%-16s %-8s %7zu %4zu %4zu %5zu %6zu %7.4f %7.4f %7.4f %6.3f/%.3f %6.3f/%.3f %4lu %5lu %5.0f %5.0f %5.0f %8.1e "
@@ -86,15 +86,15 @@ void measure_domains(std::span<const std::string> files, std::size_t corners, co
       "eval", "(len)", "sums", "min.", "rest", "spread");
   for (const std::string& file : files) {
     const std::string stem = stem_of(file);
-    for (const bool by_voxels : {false, true}) {
+    for (const bool grid_based : {false, true}) {
       const bool is_map = file.ends_with(map_ending);
-      if (is_map && by_voxels) continue;
+      if (is_map && grid_based) continue;
       try {
         if (is_map)
           row(stem, read_map(file, host), host);
         else
-          row(stem + (by_voxels ? ", v" : ", l"),
-              make_map(file, by_voxels ? Method::voxels : Method::labels, corners, host), host);
+          row(stem + (grid_based ? ", v" : ", l"),
+              make_map(file, grid_based ? Method::voxels : Method::labels, corners, host), host);
       } catch (const base::Error& error) {
         std::printf("%-16s %s: %s\n", stem.c_str(), error.kind(), error.what());
       }

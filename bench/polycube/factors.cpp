@@ -34,9 +34,9 @@ class Faces {
     std::vector<Index> of(map_.positions.size(), no_index);
     for (Index v = 0; v < of.size(); ++v) {
       if (surface_.outgoing(v) == no_index) continue;
-      const Index chart = map_.charts[surface_.outgoing(v) / 3];
+      const Index chart = map_.patches[surface_.outgoing(v) / 3];
       bool inside = true;
-      surface_.for_each_outgoing(v, [&](Index h) { inside = inside && map_.charts[h / 3] == chart; });
+      surface_.for_each_outgoing(v, [&](Index h) { inside = inside && map_.patches[h / 3] == chart; });
       if (!inside) continue;
       of[v] = chart;
       if (chart >= faces.size()) faces.resize(chart + 1);
@@ -51,7 +51,7 @@ class Faces {
           const Index end = surface_.end(h);
           if (of[end] != no_index) return;
           surface_.for_each_outgoing(end, [&](Index x) {
-            if (map_.charts[x / 3] != chart) found.emplace_back(map_.charts[x / 3], row_[v]);
+            if (map_.patches[x / 3] != chart) found.emplace_back(map_.patches[x / 3], row_[v]);
           });
         });
       }
@@ -80,7 +80,7 @@ class Faces {
         ++valence;
         const Index end = surface_.end(h);
         const int j = row_[end];
-        const bool same = j >= 0 && map_.charts[surface_.outgoing(end) / 3] == map_.charts[surface_.outgoing(v) / 3];
+        const bool same = j >= 0 && map_.patches[surface_.outgoing(end) / 3] == map_.patches[surface_.outgoing(v) / 3];
         if (same && j < row_[v] && !is_known[i] && !is_known[static_cast<std::size_t>(j)])
           triplets.emplace_back(row_[v], j, -1.0);
       });

@@ -92,23 +92,23 @@ def other_proportions(source, target, factors):
         json.dump(domain, file)
 
 
-def optimised(folder, model):
+def optimized(folder, model):
     """From a cube: as drawn, with the best proportions, with the best corners, with both."""
     cube = os.path.join(folder, "cube.json")
     other_proportions(Mapped(folder, model, "--corners", 8).domain, cube, lambda size: (1, 1, 1))
     given = ("--from", cube)
-    return [Mapped(folder, model, *given), Mapped(folder, model, *given, "--optimise", "domain"),
-            Mapped(folder, model, *given, "--optimise", "corners", "--corner-search", "gradient"),
-            Mapped(folder, model, *given, "--optimise", "all", "--corner-search", "gradient")]
+    return [Mapped(folder, model, *given), Mapped(folder, model, *given, "--optimize", "domain"),
+            Mapped(folder, model, *given, "--optimize", "corners", "--corner-search", "gradient"),
+            Mapped(folder, model, *given, "--optimize", "all", "--corner-search", "gradient")]
 
 
 def from_a_cube(folder):
-    first = optimised(folder, "max-planck.obj")
-    second = optimised(folder, "bimba.obj")
+    first = optimized(folder, "max-planck.obj")
+    second = optimized(folder, "bimba.obj")
     names = ("a cube", "best domain", "best corners", "both")
     text = ["## Figures 4.2 and 4.9: domain and corners", "",
             "From a cube to the optimized domain: the map traced on the cube and smoothed, then "
-            "`--optimise domain`, `corners` and `all`.", "",
+            "`--optimize domain`, `corners` and `all`.", "",
             write("figure_4_2", [m.pictures() for m in first]), write("figure_4_9", [m.pictures() for m in second]),
             "Means over triangles of angle and area distortion (1 for an isometry).", "",
             "| | " + " | ".join(names) + " |", "|---|" + "---|" * 4,
@@ -160,7 +160,7 @@ def more_corners(folder):
 
 
 def weights(folder):
-    maps = [Mapped(folder, "max-planck.obj", "--corners", 8, "--optimise", "all", "--corner-search", "gradient", "--area-weight", w)
+    maps = [Mapped(folder, "max-planck.obj", "--corners", 8, "--optimize", "all", "--corner-search", "gradient", "--area-weight", w)
             for w in (1000, 0.01)]
     return ["## Figure 4.12: weights of areas", "",
             f"Max-Planck with 1000, where areas are kept, and with 0.01, where angles are: {maps[0].figures()} and "
@@ -171,7 +171,7 @@ def torus(folder):
     start = Mapped(folder, "torus.obj", "--corners", 16)
     flat = os.path.join(folder, "flat.json")
     other_proportions(start.domain, flat, lambda size: size * np.array([1.5, 0.75, 1]))
-    maps = [Mapped(folder, "torus.obj", "--from", flat), Mapped(folder, "torus.obj", "--from", flat, "--optimise", "domain")]
+    maps = [Mapped(folder, "torus.obj", "--from", flat), Mapped(folder, "torus.obj", "--from", flat, "--optimize", "domain")]
     return ["## Figure 4.13: the domain of a torus", "",
             f"Traced on a polycube of other proportions, {maps[0].figures()}, and with the best ones, {maps[1].figures()}.", "",
             write("figure_4_13", [m.pictures() for m in maps])]

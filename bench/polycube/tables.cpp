@@ -21,13 +21,13 @@ void measure(const std::string& file, std::size_t corners, const base::Host& hos
   const std::size_t had = certify(map.polycube, map.triangles, host).corners;
   start = cpu_seconds();
   SurfaceMap proportioned = map;
-  optimise_domain(proportioned, {}, host);
+  optimize_domain(proportioned, {}, host);
   const double domain = cpu_seconds() - start;
   for (const double weight : {1.0, 0.1, 0.5, 1.5}) {
     SurfaceMap best = map;
     start = cpu_seconds();
     const OptimalCorners found =
-        optimise_corners(best, {.method = CornerMethod::gradient, .area_weight = weight, .domain = true}, host);
+        optimize_corners(best, {.method = CornerMethod::gradient, .area_weight = weight, .domain = true}, host);
     const Distortion& after = found.distortion;
     if (weight == 1)
       std::printf("map\t%s\t%zu\t%zu\t%zu\t%.4f\t%.4f\t%.4f\t%.4f\t%.2f\t%.3f\t%.2f\n", name.c_str(),

@@ -54,7 +54,7 @@ As printed, with a row for this library. *Construction*: whether the polycube is
 
 ## Table 4.2: distortion and time
 
-Ours: *before*, by `--construct auto --corners N`, which includes smoothing; *after*, by `--optimise all --corner-search gradient`. T1
+Ours: *before*, by `--construct auto --corners N`, which includes smoothing; *after*, by `--optimize all --corner-search gradient`. T1
 is the optimization of the domain, T2 that of domain and map in turn; the construction's seconds are beside the triangles.
 
 """

@@ -163,8 +163,8 @@ int main(int count, char** arguments) {
   for (std::size_t index = 0; index < problem_count(); ++index) {
     const Problem problem = make_problem(index);
     print(problem, "default", run_ours(problem, OBC_PROJECTED_GRADIENT_FACE, 0, seconds));
-    print(problem, "seed, largest of last", run_ours(problem, OBC_PROJECTED_GRADIENT_SEED, 0, seconds));
-    print(problem, "seed, average", run_ours(problem, OBC_PROJECTED_GRADIENT_SEED, 1, seconds));
+    print(problem, "seed, largest of last", run_ours(problem, OBC_PROJECTED_GRADIENT_DISSERTATION, 0, seconds));
+    print(problem, "seed, average", run_ours(problem, OBC_PROJECTED_GRADIENT_DISSERTATION, 1, seconds));
     if (!peers) continue;
     print(problem, problem.rows() > 0 ? "NLopt SLSQP" : "NLopt L-BFGS", run_nlopt(problem, evaluation_limit, seconds));
     print(problem, "IPOPT L-BFGS", run_ipopt(problem, evaluation_limit, seconds));

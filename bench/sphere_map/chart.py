@@ -66,11 +66,11 @@ def panel(title, x_title, y_title, curves, x_log=False, y_log=False):
                  f'<text transform="translate(14 {(TOP + HEIGHT - BOTTOM) / 2}) rotate(-90)" text-anchor="middle">'
                  f'{html.escape(y_title)}</text>')
     for i, (name, curve) in enumerate(curves):
-        colour = COLOURS[i % len(COLOURS)]
+        color = COLOURS[i % len(COLOURS)]
         path = " ".join(f"{x_of(x):.1f},{y_of(y):.1f}" for x, y in curve)
-        parts.append(f'<polyline points="{path}" fill="none" stroke="{colour}" stroke-width="1.6"/>')
+        parts.append(f'<polyline points="{path}" fill="none" stroke="{color}" stroke-width="1.6"/>')
         y = TOP + 14 + 16 * i
-        parts.append(f'<line x1="{WIDTH - 116}" x2="{WIDTH - 98}" y1="{y - 4}" y2="{y - 4}" stroke="{colour}" '
+        parts.append(f'<line x1="{WIDTH - 116}" x2="{WIDTH - 98}" y1="{y - 4}" y2="{y - 4}" stroke="{color}" '
                      f'stroke-width="2.5"/><text x="{WIDTH - 92}" y="{y}">{html.escape(name)}</text>')
     return "".join(parts)
 

@@ -29,11 +29,11 @@ namespace {
 const std::map<std::string, sphere_map::Method> methods = {
     {"balanced", sphere_map::Method::balanced},   {"angle-area", sphere_map::Method::angle_area},
     {"isometric", sphere_map::Method::isometric}, {"stretch", sphere_map::Method::stretch},
-    {"conformal", sphere_map::Method::conformal}, {"seed", sphere_map::Method::seed}};
+    {"conformal", sphere_map::Method::conformal}, {"dissertation", sphere_map::Method::dissertation}};
 
 struct PeerRow {
   const char* file;
-  double energy, dilatation_largest, stretch_efficiency, seconds;
+  double energy, max_quasi_conformal, stretch_efficiency, seconds;
 };
 
 // Weights (0.1, 1).
@@ -75,30 +75,30 @@ Run run(const mesh::Mesh& surface, sphere_map::Method method) {
 }
 
 int quality(const std::filesystem::path& folder, sphere_map::Method method) {
-  constexpr double least_energy = 17.593;
+  constexpr double min_energy = 17.593;
   std::printf("%-16s %8s %7s %8s %8s %8s %7s %9s %9s %7s %7s %7s %6s %s\n", "model", "vertices", "valid", "E_D", "E_A",
               "E", "excess", "K max", "its K", "stretch", "its", "CPU s", "times", "float32");
-  double log_excess = 0, worst_excess = 0, log_stretch = 0, log_speed = 0, least_speed = INFINITY;
-  int models = 0, valid = 0, dilatation_no_worse = 0;
+  double log_excess = 0, worst_excess = 0, log_stretch = 0, log_speed = 0, min_speed = INFINITY;
+  int models = 0, valid = 0, quasi_conformal_no_worse = 0;
   for (const PeerRow& peer : praun_hoppe) {
     if (!std::filesystem::exists(folder / peer.file)) continue;
     const mesh::Mesh surface = mesh::read_mesh(folder / peer.file, {}, base::Host());
     const Run r = run(surface, method);
     const auto& m = r.map.figures;
-    const double excess = (m.energy - least_energy) / (peer.energy - least_energy);
+    const double excess = (m.energy - min_energy) / (peer.energy - min_energy);
     std::printf("%-16s %8zu %7s %8.2f %8.3f %8.3f %7.3f %9.4g %9.4g %7.3f %7.3f %7.2f %6.0f %s\n", peer.file,
                 surface.positions.size(), m.bijective ? "yes" : "NO", m.energy_angle, m.energy_area, m.energy, excess,
-                m.dilatation_largest, peer.dilatation_largest, m.stretch_efficiency, peer.stretch_efficiency,
+                m.max_quasi_conformal, peer.max_quasi_conformal, m.stretch_efficiency, peer.stretch_efficiency,
                 r.map.seconds, peer.seconds / r.map.seconds, r.float32_is_valid ? "valid" : "refused");
     std::fflush(stdout);
     ++models;
     valid += m.bijective;
-    dilatation_no_worse += m.dilatation_largest <= peer.dilatation_largest;
+    quasi_conformal_no_worse += m.max_quasi_conformal <= peer.max_quasi_conformal;
     log_excess += std::log(excess);
     worst_excess = std::max(worst_excess, excess);
     log_stretch += std::log(m.stretch_efficiency / peer.stretch_efficiency);
     log_speed += std::log(peer.seconds / r.map.seconds);
-    least_speed = std::min(least_speed, peer.seconds / r.map.seconds);
+    min_speed = std::min(min_speed, peer.seconds / r.map.seconds);
   }
   if (models == 0) {
     std::fprintf(stderr, "%s has none of the models\n", folder.c_str());
@@ -110,8 +110,8 @@ int quality(const std::filesystem::path& folder, sphere_map::Method method) {
       "(geometric "
       "mean). "
       "CPU: %.0f times less (geometric mean), %.0f (minimum).\n",
-      valid, models, std::exp(log_excess / models), worst_excess, dilatation_no_worse, std::exp(log_stretch / models),
-      std::exp(log_speed / models), least_speed);
+      valid, models, std::exp(log_excess / models), worst_excess, quasi_conformal_no_worse,
+      std::exp(log_stretch / models), std::exp(log_speed / models), min_speed);
   return valid == models ? 0 : 1;
 }
 

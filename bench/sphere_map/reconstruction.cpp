@@ -26,7 +26,7 @@ namespace {
 constexpr std::string_view names[] = {"bunny", "venus", "cow", "horse", "armadillo"};
 constexpr std::uint32_t bands[] = {6, 16, 32};
 constexpr std::pair<const char*, Method> methods[] = {
-    {"seed", Method::seed}, {"balanced", Method::balanced}, {"stretch", Method::stretch}};
+    {"dissertation", Method::dissertation}, {"balanced", Method::balanced}, {"stretch", Method::stretch}};
 
 void scale_to_unit_sphere_area(mesh::Mesh& surface) {
   double area = 0;

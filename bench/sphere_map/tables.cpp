@@ -3,7 +3,7 @@
 //   bench-sphere-map-tables FOLDER     with the models cow.off, frog.obj, bunny.ply, ..., those that FOLDER has
 //
 // Tab-separated:
-//   map NAME METHOD vertices flipped E_D E_A E largest-dilatation stretch-efficiency CPU-seconds bytes-at-the-peak
+//   map NAME METHOD vertices flipped E_D E_A E max-quasi-conformal stretch-efficiency CPU-seconds bytes-at-the-peak
 //   trace NAME iterations vertices E     of the method of the dissertation
 #include <cinttypes>
 #include <cstdio>
@@ -12,8 +12,8 @@
 #include <string_view>
 
 #include "measured_run.h"
-#include "sphere_map/dissertation/seed.h"
-#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/dissertation/method.h"
+#include "sphere_map/hierarchy/normalize.h"
 #include "sphere_map/sphere_map.h"
 #include "table_models.h"
 
@@ -26,22 +26,22 @@ void print(const Model& model, const char* method, const bench::MeasuredRun& run
   const sphere_map::Measurement& m = run.figures;
   std::printf("map\t%s\t%s\t%zu\t%zu\t%.9g\t%.9g\t%.9g\t%.9g\t%.9g\t%.4f\t%zu\n", model.name, method,
               run.directions.size(), m.flipped + m.degenerate, m.energy_angle, m.energy_area, m.energy,
-              m.dilatation_largest, m.stretch_efficiency, run.seconds, run.peak_bytes);
+              m.max_quasi_conformal, m.stretch_efficiency, run.seconds, run.peak_bytes);
   std::fflush(stdout);
 }
 
 // In place of sphere_map::compute, for the trace; the model is known to be fit for a map.
-bench::MeasuredRun traced_seed(const Model& model, const mesh::Mesh& surface) {
+bench::MeasuredRun traced_dissertation(const Model& model, const mesh::Mesh& surface) {
   const base::Host plain;
-  const auto unit = sphere_map::normalised(surface.positions, surface.triangles, plain.memory);
-  std::vector<sphere_map::seed::TracePoint> points;
-  sphere_map::seed::SeedOptions options;
-  options.trace = [&](const sphere_map::seed::TracePoint& point) {
+  const auto unit = sphere_map::normalized(surface.positions, surface.triangles, plain.memory);
+  std::vector<sphere_map::dissertation::TracePoint> points;
+  sphere_map::dissertation::DissertationOptions options;
+  options.trace = [&](const sphere_map::dissertation::TracePoint& point) {
     if (!points.empty() && point.iterations <= points.back().iterations) points.clear();  // it began again
     points.push_back(point);
   };
   bench::MeasuredRun run = bench::measured_run(surface, [&](const base::Host& host) {
-    return sphere_map::seed::compute(unit, surface.triangles, options, host);
+    return sphere_map::dissertation::compute(unit, surface.triangles, options, host);
   });
   std::uint64_t next = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     if (!std::filesystem::exists(folder / model.file)) continue;
     ++found;
     const mesh::Mesh surface = bench::read_model(folder, model, model.subdivisions);
-    print(model, "seed", traced_seed(model, surface));
+    print(model, "dissertation", traced_dissertation(model, surface));
     const auto with = [&](const char* name, sphere_map::Method method) {
       sphere_map::Options options;
       options.method = method;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the dissertation's Tables 3.1 to 3.5 and Figure 3.2 again, with the methods `seed`, `balanced` and `angle-area`
+"""Makes the dissertation's Tables 3.1 to 3.5 and Figure 3.2 again, with the methods `dissertation`, `balanced` and `angle-area`
 beside the printed figures, and the table of time and memory by size: docs/sphere_map_tables.md and its pictures.
 
     bench/sphere_map/tables.py BUILD MODELS [--again PART]
@@ -21,7 +21,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import chart  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-METHODS = ("seed", "balanced", "angle-area")
+METHODS = ("dissertation", "balanced", "angle-area")
 
 # As printed: harmonic [3], curvilinear [1], Praun and Hoppe [2], the dissertation's own; rows as in the text.
 DISTORTION = {
@@ -89,7 +89,7 @@ def read_maps(text):
     for line in text.splitlines():
         kind, *fields = line.split("\t")
         if kind == "map":
-            keys = ("vertices", "flips", "E_D", "E_A", "E", "dilatation", "stretch", "seconds", "bytes")
+            keys = ("vertices", "flips", "E_D", "E_A", "E", "quasi_conformal", "stretch", "seconds", "bytes")
             maps[fields[0], fields[1]] = dict(zip(keys, map(float, fields[2:])))
         else:
             traces.setdefault(fields[0], []).append((int(fields[1]), int(fields[2]), float(fields[3])))
@@ -100,13 +100,13 @@ def distortion_table(number, maps):
     model, title, printed = DISTORTION[number]
     ours = [maps[model, method] for method in METHODS]
     lines = [f"### Table {number}: {title}", "",
-             "| | harmonic [3] | curvilinear [1] | Praun-Hoppe [2] | dissertation | our `seed` | our `balanced` | "
+             "| | harmonic [3] | curvilinear [1] | Praun-Hoppe [2] | dissertation | our `dissertation` | our `balanced` | "
              "our `angle-area` |", "|---|---|---|---|---|---|---|---|",
              "| vertices | | | | | " + " | ".join(f"{o['vertices']:.0f}" for o in ours) + " |"]
     total = tuple(0.1 * d + a for d, a in zip(printed["E_D"], printed["E_A"]))
     rows = (("flipped triangles", "flips", "{:.0f}", printed["flips"]), ("E_D", "E_D", "{:.2f}", printed["E_D"]),
             ("E_A", "E_A", "{:.2f}", printed["E_A"]), ("0.1 E_D + E_A", "E", "{:.2f}", total),
-            ("maximum quasi-conformal distortion", "dilatation", "{:.3g}", ("",) * 4),
+            ("maximum quasi-conformal distortion", "quasi_conformal", "{:.3g}", ("",) * 4),
             ("CPU seconds", "seconds", "{:.1f}", printed["seconds"]))
     for name, key, form, values in rows:
         cells = [value if value == "" else f"{value:.2f}" if key in ("E_D", "E_A", "E") else f"{value:g}"
@@ -117,14 +117,14 @@ def distortion_table(number, maps):
 
 def time_table(maps):
     lines = ["### Table 3.4: execution time", "",
-             "| model | vertices, printed | s, printed | vertices here | `seed`, CPU s | `balanced`, CPU s | "
-             "us a vertex: printed | `seed` | `balanced` |", "|---|---|---|---|---|---|---|---|---|"]
+             "| model | vertices, printed | s, printed | vertices here | `dissertation`, CPU s | `balanced`, CPU s | "
+             "us a vertex: printed | `dissertation` | `balanced` |", "|---|---|---|---|---|---|---|---|---|"]
     for title, model, vertices, seconds in TIMES:
         each = 1e6 * seconds / (1000 * float(vertices[:-1]))
         if model is None:
             lines.append(f"| {title} | {vertices} | {seconds} | none | | | {each:.0f} | | |")
             continue
-        seed, balanced = maps[model, "seed"], maps[model, "balanced"]
+        seed, balanced = maps[model, "dissertation"], maps[model, "balanced"]
         count = seed["vertices"]
         lines.append(f"| {title} | {vertices} | {seconds} | {count:.0f} | {seed['seconds']:.1f} | "
                      f"{balanced['seconds']:.1f} | {each:.0f} | {1e6 * seed['seconds'] / count:.0f} | "
@@ -138,13 +138,13 @@ def reconstruction_table(text):
         name, method, count, bands, error, *_ = line.split("\t")
         errors[name, method, int(bands)] = float(error)
         vertices[name] = int(count)
-    lines = ["| model | vertices here | bands | harmonic [3] | curvilinear [1] | dissertation | our `seed` | our `balanced` | "
+    lines = ["| model | vertices here | bands | harmonic [3] | curvilinear [1] | dissertation | our `dissertation` | our `balanced` | "
              "our `stretch` |", "|---|---|---|---|---|---|---|---|---|"]
     for title, model, rows in RECONSTRUCTION:
         for i, (bands, *printed) in enumerate(rows):
             cells = [title if i == 0 else "", str(vertices[model]) if i == 0 else "", str(bands)]
             cells += [f"{value:.4f}" for value in printed]
-            cells += [f"{errors[model, method, bands]:.4f}" for method in ("seed", "balanced", "stretch")]
+            cells += [f"{errors[model, method, bands]:.4f}" for method in ("dissertation", "balanced", "stretch")]
             lines.append("| " + " | ".join(cells) + " |")
     return "\n".join(lines) + "\n"
 
@@ -196,7 +196,7 @@ def main():
         print("Table 3.5 is left out: the build has no library harmonics")
     scaling = measured(options.build, "scaling.txt", [program, "scaling"], "scaling" in options.again)
     energy_picture(traces, os.path.join(ROOT, "docs", "images", "sphere_map_energy.png"))
-    bunny = maps["bunny", "seed"]
+    bunny = maps["bunny", "dissertation"]
     page = f"""# The dissertation's sphere map tables, recomputed
 
 `bench/sphere_map/tables.py BUILD MODELS` measures, writes this page and draws its picture. Weights are the dissertation's,
@@ -204,8 +204,8 @@ def main():
 under refinement): E_D is at least 50.27, E_A at least 12.57, 0.1 E_D + E_A at least 17.59. Flips are counted exactly. Printed
 times are of an AMD Athlon X2 at 2.9 GHz, ours of one core of: {processor()}.
 
-`seed` is chapter 3 as printed, corrected only where it would fail: [corrections](sphere_map.md#the-dissertations-method). `balanced` is
-the default; `angle-area` minimizes the same energy as `seed` with the methods of this library.
+`dissertation` is chapter 3 as printed, corrected only where it would fail: [corrections](sphere_map.md#the-dissertations-method). `balanced` is
+the default; `angle-area` minimizes the same energy as `dissertation` with the methods of this library.
 
 ## Which model stands for which
 
@@ -215,7 +215,7 @@ the default; `angle-area` minimizes the same energy as `seed` with the methods o
 {distortion_table("3.1", maps)}
 {distortion_table("3.2", maps)}
 {distortion_table("3.3", maps)}
-On the bunny, where both have the same surface, `seed` reaches E_D {bunny["E_D"]:.2f} and E_A {bunny["E_A"]:.2f}; printed are 61.37
+On the bunny, where both have the same surface, `dissertation` reaches E_D {bunny["E_D"]:.2f} and E_A {bunny["E_A"]:.2f}; printed are 61.37
 and 14.24. The dissertation's energy has no barrier: its best maps have needles, as their maximum quasi-conformal distortions show.
 
 ## Time

@@ -105,12 +105,12 @@ class PairEnergy {
     }
     for (std::size_t i = 0; i < problem.count; ++i)
       begin_[i + 1] += begin_[i];
-    neighbours_.resize(2 * sum_.pairs.size());
+    neighbors_.resize(2 * sum_.pairs.size());
     std::vector<std::size_t> next(begin_.begin(), begin_.end());
     for (std::size_t k = 0; k < sum_.pairs.size(); ++k) {
       const auto& [a, b] = sum_.pairs[k];
-      neighbours_[next[a]++] = {b, k};
-      neighbours_[next[b]++] = {a, k + sum_.pairs.size()};
+      neighbors_[next[a]++] = {b, k};
+      neighbors_[next[b]++] = {a, k + sum_.pairs.size()};
     }
   }
   Dimension dimension() const { return dimension_; }
@@ -120,26 +120,26 @@ class PairEnergy {
     return add_up(block, &points_[dimension_ * block], gradient);
   }
   template <class Visit>
-  void for_each_neighbour(std::size_t block, const Visit& visit) const {
+  void for_each_neighbor(std::size_t block, const Visit& visit) const {
     for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k)
-      visit(neighbours_[k].block);
+      visit(neighbors_[k].block);
   }
 
  private:
-  struct Neighbour {
+  struct Neighbor {
     std::size_t block, pair;
   };
   double add_up(std::size_t block, const double* x, double* gradient) const {
     double value = 0;
     for (std::size_t k = begin_[block]; k < begin_[block + 1]; ++k)
-      value += sum_.term(neighbours_[k].pair, x, &points_[dimension_ * neighbours_[k].block], gradient);
+      value += sum_.term(neighbors_[k].pair, x, &points_[dimension_ * neighbors_[k].block], gradient);
     return value;
   }
   Dimension dimension_;
   const PairSum& sum_;
   const std::vector<double>& points_;
   std::vector<std::size_t> begin_;
-  std::vector<Neighbour> neighbours_;
+  std::vector<Neighbor> neighbors_;
 };
 
 // Evaluations a block of one relaxation to 1e-5, of all its parts.
@@ -149,7 +149,7 @@ std::string relaxed(const Problem& problem, const orbicube::sphere_optimizer::Re
   RelaxationResult result;
   with_dimension(problem.dimension, [&](auto d) {
     for (std::size_t i = 0; i < problem.count; ++i)
-      normalise(d, &points[i * d]);
+      normalize(d, &points[i * d]);
     result = relax(PairEnergy<decltype(d)>(d, problem, points), points, options, orbicube::base::Host());
   });
   std::vector<double> gradient(points.size());
@@ -168,7 +168,8 @@ std::string relaxed(const Problem& problem, const orbicube::sphere_optimizer::Re
 void block_by_block() {
   using namespace orbicube::sphere_optimizer;
   std::printf(
-      "\n| block by block to 1e-5, evaluations a block | default | queue alone | without over-relaxation | SEED "
+      "\n| block by block to 1e-5, evaluations a block | default | queue alone | without over-relaxation | "
+      "DISSERTATION "
       "|\n|---|---|---|---|---|\n");
   for (std::size_t index = 0; index < problem_count(); ++index) {
     const Problem problem = make_problem(index);
@@ -181,7 +182,7 @@ void block_by_block() {
     std::printf(" | %s", relaxed(problem, options).c_str());
     options.over_relaxation = 1;
     std::printf(" | %s", relaxed(problem, options).c_str());
-    options.method = Method::seed;
+    options.method = Method::dissertation;
     std::printf(" | %s |\n", relaxed(problem, options).c_str());
     std::fflush(stdout);
   }
@@ -200,7 +201,7 @@ void a_million_quaternions() {
   for (std::size_t k = 0; k < 4 * count; ++k)
     start[k] = normal(random) + (k % 4 == 0 ? 1.5 : 0);
   for (std::size_t i = 0; i < count; ++i)
-    normalise(FixedDimension<4>{}, &start[4 * i]);
+    normalize(FixedDimension<4>{}, &start[4 * i]);
   std::printf(
       "\n| a million quaternions on a lattice | evaluations a block | energy | library's ns a block and evaluation "
       "| f's |\n|---|---|---|---|---|\n");
@@ -254,12 +255,12 @@ void a_million_quaternions() {
     double over_relaxation;
     std::uint64_t passes;
   };
-  for (const Row& row :
-       {Row{"default", Method::great_circle, Order::automatic, 0, 5},
-        Row{"default", Method::great_circle, Order::automatic, 0, 50},
-        Row{"sweeps", Method::great_circle, Order::sweeps, 0, 50},
-        Row{"sweeps, over-relaxation 1.9", Method::great_circle, Order::sweeps, 1.9, 50},
-        Row{"as printed", Method::seed, Order::queue, 1, 5}, Row{"as printed", Method::seed, Order::queue, 1, 20}}) {
+  for (const Row& row : {Row{"default", Method::great_circle, Order::automatic, 0, 5},
+                         Row{"default", Method::great_circle, Order::automatic, 0, 50},
+                         Row{"sweeps", Method::great_circle, Order::sweeps, 0, 50},
+                         Row{"sweeps, over-relaxation 1.9", Method::great_circle, Order::sweeps, 1.9, 50},
+                         Row{"as printed", Method::dissertation, Order::queue, 1, 5},
+                         Row{"as printed", Method::dissertation, Order::queue, 1, 20}}) {
     std::vector<double> points = start;
     const orbicube::test::LatticeEnergy energy(side, points);
     const orbicube::base::Host host;
@@ -285,7 +286,8 @@ void a_million_quaternions() {
 int main(int argument_count, char** arguments) {
   const std::uint64_t most = argument_count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 20000;
   std::printf(
-      "| evaluations | default | to 1e-8 | BARZILAI_BORWEIN | GREAT_CIRCLE | SEED | reference CG | BB | halving | f "
+      "| evaluations | default | to 1e-8 | BARZILAI_BORWEIN | GREAT_CIRCLE | DISSERTATION | reference CG | BB | "
+      "halving | f "
       "| lengths |\n|---|---|---|---|---|---|---|---|---|---|---|\n");
   double gap = 0;
   for (std::size_t index = 0; index < problem_count(); ++index) {
@@ -293,7 +295,7 @@ int main(int argument_count, char** arguments) {
     const Outcome best = run(problem, OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY, 1e-8, most);
     std::vector<Outcome> outcomes;
     double worst = best.length_error;
-    for (std::int32_t method = 0; method <= OBC_SPHERE_OPTIMIZER_SEED; ++method) {
+    for (std::int32_t method = 0; method <= OBC_SPHERE_OPTIMIZER_DISSERTATION; ++method) {
       outcomes.push_back(run(problem, method, 1e-6, most));
       worst = std::max(worst, outcomes.back().length_error);
     }

@@ -66,7 +66,7 @@ void row(const std::string& name, const mesh::Mesh& surface, const std::filesyst
     const auto q = mesh::tetrahedron_quality(solid.positions, solid.tetrahedra, host);
     const auto count = static_cast<double>(solid.tetrahedra.size());
     std::printf(" %9zu %8.2f %8.2f %9.0f %8.2f %8.2f", solid.tetrahedra.size(), ours + tetgen, ours,
-                count / (ours + tetgen), q.smallest_dihedral, q.mean_radius_ratio);
+                count / (ours + tetgen), q.min_dihedral, q.mean_radius_ratio);
   } catch (const base::Error& error) {
     std::printf(" %s: %s\n", error.kind(), error.what());
     return;

@@ -39,7 +39,7 @@ const char* name_of(Kind kind) {
       return "scalar, growing";
     case Kind::fixed_points:
       return "scalar, 2n + 1 points";
-    case Kind::seed:
+    case Kind::dissertation:
       return "residuals, seed";
     case Kind::nlopt:
       return "NLopt BOBYQA";
@@ -95,7 +95,7 @@ Record run(const Problem& problem, Kind kind, std::size_t budget) {
     run_nlopt(problem.start, problem.lower, problem.upper, problem.start_radius(), budget,
               [&](const double* x) { return evaluation.value(x, nullptr); });
   } else {
-    evaluation.with_residuals = kind == Kind::residuals || kind == Kind::seed;
+    evaluation.with_residuals = kind == Kind::residuals || kind == Kind::dissertation;
     obc_trust_region_problem p;
     obc_trust_region_problem_init(&p, sizeof p);
     p.n = problem.n;
@@ -111,7 +111,7 @@ Record run(const Problem& problem, Kind kind, std::size_t budget) {
     obc_trust_region_options_init(&options, sizeof options);
     options.radius_begin = problem.start_radius();
     options.max_evaluations = budget;
-    if (kind == Kind::seed) options.method = OBC_TRUST_REGION_SEED;
+    if (kind == Kind::dissertation) options.method = OBC_TRUST_REGION_DISSERTATION;
     if (kind == Kind::fixed_points) options.points = std::min(2 * problem.n + 1, (problem.n + 1) * (problem.n + 2) / 2);
     options.noise_relative = 2 * problem.noise_relative;  // of the sum of squares
     options.noise_absolute = problem.noise_absolute;
@@ -181,7 +181,8 @@ std::vector<Problem> every_case(int transform) {
   return set;
 }
 
-const std::vector<Kind> every_kind = {Kind::residuals, Kind::seed, Kind::growing, Kind::fixed_points, Kind::nlopt};
+const std::vector<Kind> every_kind = {Kind::residuals, Kind::dissertation, Kind::growing, Kind::fixed_points,
+                                      Kind::nlopt};
 
 void plain() {
   table("53 cases, standard starts", every_kind, {1e-3, 1e-5, 1e-7}, {every_case(0)}, lowest_values.data());

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
       std::printf("%-12s %7zu %8zu %9zu %9zu %7zu %9zu %7zu %8.3f %8.3f %7.2f%% %6zu %7.1f %7.1f\n", name.c_str(),
                   made.map.solid.tetrahedra.size(), made.map.singular_edges, made.map.integers,
                   made.map.inverted_at_start, made.result.mesh.hexahedra.size(), made.inner_irregular_edges,
-                  made.map.patches, q.least_scaled_jacobian, q.mean_scaled_jacobian,
+                  made.map.patches, q.min_scaled_jacobian, q.mean_scaled_jacobian,
                   100 * std::abs(q.volume / volume - 1), made.fields, made.field_seconds,
                   seconds(start, now()) - made.field_seconds);
     } catch (const base::Error& error) {

@@ -43,7 +43,7 @@ volume_map::HexResult filled(const Solid& solid, volume_map::HexMethod method, s
                              const base::Host& host) {
   constexpr std::size_t triangles = 6000;
   const mesh::Mesh& surface = solid.surface;
-  const bool coarser = surface.triangles.size() > 2 * triangles, by_polycube = method != volume_map::HexMethod::voxels;
+  const bool coarser = surface.triangles.size() > 2 * triangles, by_polycube = method != volume_map::HexMethod::grid;
   polycube::SurfaceMap map;
   if (by_polycube) {
     const auto coarse = volume_map::coarse_surface(surface.positions, surface.triangles,
@@ -66,13 +66,13 @@ volume_map::HexResult filled(const Solid& solid, volume_map::HexMethod method, s
 // Whether there is a mesh that is near to the surface.
 bool print_row(const Solid& solid, volume_map::HexMethod method, std::size_t cells) {
   const auto start = std::chrono::steady_clock::now();
-  const char* const asked = method == volume_map::HexMethod::voxels ? "voxels" : "auto";
+  const char* const asked = method == volume_map::HexMethod::grid ? "grid" : "auto";
   try {
     const auto result = filled(solid, method, cells, {});
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::printf("%-14s %-7s %-9s %7zu %9.3f %9.3f %8.2f%% %8.2f%% %8.1f  %s\n", solid.name.c_str(), asked,
-                result.by_voxels ? "voxels" : "polycube", result.mesh.hexahedra.size(),
-                result.quality.least_scaled_jacobian, result.quality.mean_scaled_jacobian, result.distance,
+                result.grid_based ? "grid" : "polycube", result.mesh.hexahedra.size(),
+                result.quality.min_scaled_jacobian, result.quality.mean_scaled_jacobian, result.distance,
                 result.volume_error, seconds, published(solid.name));
     return result.distance < 1 && result.volume_error < 1;
   } catch (const base::Error& error) {
@@ -89,7 +89,7 @@ int main(int argc, char** argv) {
   const std::vector<std::string> names = argc > 3 ? std::vector<std::string>(argv + 3, argv + argc) : solids;
   std::printf("%-14s %-7s %-9s %7s %9s %9s %9s %9s %8s  %s\n", "solid", "method", "cells of", "cells", "SJ min",
               "SJ mean", "distance", "volume", "seconds", "published");
-  int near = 0, near_by_voxels = 0;
+  int near = 0, near_by_grid = 0;
   for (const std::string& file : names) {
     Solid solid;
     solid.name = std::filesystem::path(file).stem().string();
@@ -102,9 +102,9 @@ int main(int argc, char** argv) {
     }
     near += print_row(solid, volume_map::HexMethod::automatic, cells);
     std::fflush(stdout);
-    near_by_voxels += print_row(solid, volume_map::HexMethod::voxels, cells);
+    near_by_grid += print_row(solid, volume_map::HexMethod::grid, cells);
     std::fflush(stdout);
   }
   std::printf("%d of %zu valid with distance and volume within a percent; %d grid-based\n", near, names.size(),
-              near_by_voxels);
+              near_by_grid);
 }

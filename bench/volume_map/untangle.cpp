@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     const Untangled result = untangle(c.mesh(), {}, base::Host());
     const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
     std::printf("%4zu %-9s %8zu %8zu %8zu %6zu %6zu %10.3g %8.3f %8.2f\n", i, c.name.c_str(), c.tetrahedra.size(),
-                result.inverted_before, result.inverted, result.steps, result.polish_steps, result.least_determinant,
+                result.inverted_before, result.inverted, result.steps, result.polish_steps, result.min_determinant,
                 result.energy, seconds);
     std::fflush(stdout);
     ++count;

@@ -40,7 +40,7 @@ obc_frame_field_options default_options() {
   o.weighting = OBC_FRAME_FIELD_UNIFORM;
   o.align_boundary = 1;
   o.rounds = d.rounds;
-  o.feature_angle = d.feature_angle;
+  o.feature_angle = d.feature_angle * 180 / std::numbers::pi;
   o.relative_gain = d.relative_gain;
   o.repair = OBC_FRAME_FIELD_NO_REPAIR;
   return o;
@@ -105,9 +105,9 @@ void write_report(const Solid& solid, std::span<const Quaternion> field, const f
   r.inner_faces = m.inner_faces;
   r.boundary_faces = m.boundary_faces;
   r.above_30 = m.above_30;
-  r.one_face_max = m.one_face_largest;
-  r.several_best_max = m.several_best_largest;
-  r.several_worst_max = m.several_worst_largest;
+  r.one_face_max = m.one_face_max;
+  r.several_best_max = m.several_best_max;
+  r.several_worst_max = m.several_worst_max;
   r.singular_edges = graph.edges.size();
   r.singular_half = graph.by_class[static_cast<std::size_t>(quaternion::CubeClass::face_half)];
   r.singular_quarter = graph.by_class[static_cast<std::size_t>(quaternion::CubeClass::face_quarter)];
@@ -183,14 +183,14 @@ obc_status obc_frame_field_compute(const obc_frame_field_solid* given, const obc
     settings.method = static_cast<frame_field::Method>(o.method);
     settings.weighting = static_cast<frame_field::Weighting>(o.weighting);
     settings.align_boundary = o.align_boundary != 0;
-    settings.feature_angle = o.feature_angle;
+    settings.feature_angle = o.feature_angle * std::numbers::pi / 180;
     settings.relative_gain = o.relative_gain;
     settings.rounds = o.rounds;
     settings.repairs = static_cast<frame_field::Repairs>(o.repair);
-    frame_field::Given wanted{frames_wanted, axes, {}};
-    if (o.start == OBC_FRAME_FIELD_GIVEN) wanted.start = solid.field(frames);
+    frame_field::Given target{frames_wanted, axes, {}};
+    if (o.start == OBC_FRAME_FIELD_GIVEN) target.start = solid.field(frames);
     const frame_field::Outcome outcome =
-        frame_field::compute(solid.positions, solid.tetrahedra, settings, wanted, adapter.host());
+        frame_field::compute(solid.positions, solid.tetrahedra, settings, target, adapter.host());
     write_report(solid, outcome.field, &outcome, adapter.host(), report);
     std::memcpy(frames, outcome.field.data(), outcome.field.size() * sizeof(Quaternion));
   });

@@ -183,17 +183,17 @@ obc_mesh_tetrahedron_quality_report to_report(const mesh::TetrahedronQuality& q)
   r.flat = q.flat;
   r.inverted = q.inverted;
   r.volume = q.volume;
-  r.smallest_volume = q.smallest_volume;
-  r.largest_volume = q.largest_volume;
-  r.smallest_dihedral = q.smallest_dihedral;
-  r.largest_dihedral = q.largest_dihedral;
-  r.mean_smallest_dihedral = q.mean_smallest_dihedral;
-  r.smallest_radius_ratio = q.smallest_radius_ratio;
+  r.min_volume = q.min_volume;
+  r.max_volume = q.max_volume;
+  r.min_dihedral = q.min_dihedral;
+  r.max_dihedral = q.max_dihedral;
+  r.mean_min_dihedral = q.mean_min_dihedral;
+  r.min_radius_ratio = q.min_radius_ratio;
   r.mean_radius_ratio = q.mean_radius_ratio;
-  r.largest_radius_edge = q.largest_radius_edge;
+  r.max_radius_edge = q.max_radius_edge;
   r.mean_radius_edge = q.mean_radius_edge;
-  r.shortest_edge = q.shortest_edge;
-  r.longest_edge = q.longest_edge;
+  r.min_edge_length = q.min_edge_length;
+  r.max_edge_length = q.max_edge_length;
   std::ranges::copy(q.dihedral_histogram, r.dihedral_histogram);
   std::ranges::copy(q.radius_ratio_histogram, r.radius_ratio_histogram);
   return r;
@@ -201,13 +201,12 @@ obc_mesh_tetrahedron_quality_report to_report(const mesh::TetrahedronQuality& q)
 
 // Finite points to look for.
 // Squares of distances must be in the range of double.
-constexpr double largest_searched = 1e150;
+constexpr double max_searched = 1e150;
 
 std::span<const Vector3> queries(const double* points, std::size_t count) {
   const auto result = view<Vector3>(points, count, "points");
   for (const Vector3& p : result)
-    capi::require(p.allFinite() && p.cwiseAbs().maxCoeff() <= largest_searched,
-                  "a point is not finite, or beyond 1e150");
+    capi::require(p.allFinite() && p.cwiseAbs().maxCoeff() <= max_searched, "a point is not finite, or beyond 1e150");
   return result;
 }
 
@@ -479,7 +478,7 @@ obc_status obc_mesh_search_create(const obc_surface* surface, const obc_host* ho
     const Surface s(surface);
     mesh::require_valid_surface(s.positions, s.triangles, capi::HostAdapter(host).host());
     for (const Vector3& p : s.positions)
-      capi::require(p.cwiseAbs().maxCoeff() <= largest_searched, "a coordinate is beyond 1e150");
+      capi::require(p.cwiseAbs().maxCoeff() <= max_searched, "a coordinate is beyond 1e150");
     *out = new obc_mesh_search(host, s.positions, s.triangles);
   });
 }

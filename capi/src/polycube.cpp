@@ -36,7 +36,7 @@ void write_certificate(const polycube::Certificate& from, obc_polycube_certifica
   value.valid = from.valid();
   value.genus = from.genus;
   value.corners = from.corners;
-  value.patches = from.patches;
+  value.patches = from.patch_count;
   const std::size_t length = std::min(from.reason.size(), sizeof value.reason - 1);
   std::copy_n(from.reason.begin(), length, value.reason);
   capi::write_versioned(to, value);
@@ -64,7 +64,7 @@ obc_status obc_polycube_create(const obc_surface* surface, const double* polycub
     write_certificate(found, certificate);
     if (!found.valid()) throw base::Error("no-valid-result", found.reason);
     made->corners = found.corners;
-    made->patches = found.patches;
+    made->patches = found.patch_count;
     *out = made.release();
   });
 }
@@ -90,7 +90,7 @@ obc_status obc_polycube_compute(const obc_surface* surface, const obc_polycube_o
         {.method = static_cast<polycube::Method>(o.construction), .corners = o.corners, .seed = o.seed}, on);
     made->map = std::move(best.map);
     made->corners = best.certificate.corners;
-    made->patches = best.certificate.patches;
+    made->patches = best.certificate.patch_count;
     made->construction = static_cast<std::int32_t>(method);
     *out = made.release();
   });
@@ -135,7 +135,7 @@ obc_status obc_polycube_copy_triangles(const obc_polycube* map, uint8_t* labels,
   return capi::guarded(error, [&] {
     capi::require(map != nullptr, "map is NULL");
     copy(map->map.labels, labels);
-    copy(map->map.charts, patches);
+    copy(map->map.patches, patches);
     copy(map->map.triangle_sources, sources);
   });
 }

@@ -30,24 +30,24 @@ polycube::DomainOptions domain_options(const obc_polycube_domain_options* option
 
 // A vertex of the polycube's triangles as a corner of its graph.
 mesh::Index corner_at(const polycube::TargetPolycube& target, std::uint32_t vertex) {
-  capi::require(vertex < target.map.positions.size(), "places: the polycube has no such vertex");
+  capi::require(vertex < target.map.positions.size(), "constraints: the polycube has no such vertex");
   const auto& corners = target.graph.corner_vertices;
   const auto place = std::find(corners.begin(), corners.end(), vertex);
-  capi::require(place != corners.end(), "places: a vertex is no corner of the polycube");
+  capi::require(place != corners.end(), "constraints: a vertex is no corner of the polycube");
   return static_cast<mesh::Index>(place - corners.begin());
 }
 
-std::vector<polycube::CornerPlace> places_of(const obc_polycube_places* places,
-                                             const polycube::TargetPolycube& target) {
+std::vector<polycube::CornerPlace> constraints_of(const obc_polycube_constraints* constraints,
+                                                  const polycube::TargetPolycube& target) {
   std::vector<polycube::CornerPlace> result;
-  if (places == nullptr || places->count == 0) return result;
-  capi::require(places->corners != nullptr, "places->corners is NULL");
-  for (std::size_t i = 0; i < places->count; ++i) {
-    polycube::CornerPlace place{corner_at(target, places->corners[i]), Vector3::Zero()};
-    if (places->vertices != nullptr) place.vertex = places->vertices[i];
+  if (constraints == nullptr || constraints->count == 0) return result;
+  capi::require(constraints->corners != nullptr, "constraints->corners is NULL");
+  for (std::size_t i = 0; i < constraints->count; ++i) {
+    polycube::CornerPlace place{corner_at(target, constraints->corners[i]), Vector3::Zero()};
+    if (constraints->vertices != nullptr) place.vertex = constraints->vertices[i];
     if (place.vertex == mesh::no_index) {
-      capi::require(places->points != nullptr, "places: a corner has neither vertex nor point");
-      place.point = Eigen::Map<const Vector3>(places->points + 3 * i);
+      capi::require(constraints->points != nullptr, "constraints: a corner has neither vertex nor point");
+      place.point = Eigen::Map<const Vector3>(constraints->points + 3 * i);
     }
     result.push_back(place);
   }
@@ -77,9 +77,9 @@ std::span<const Given> checked_array(const Given* given, std::size_t count, cons
 
 }  // namespace
 
-obc_status obc_polycube_compute_on(const obc_surface* surface, const obc_surface* polycube,
-                                   const obc_polycube_places* places, const obc_host* host, obc_polycube** out,
-                                   obc_error* error) {
+obc_status obc_polycube_map_to_domain(const obc_surface* surface, const obc_surface* polycube,
+                                      const obc_polycube_constraints* constraints, const obc_host* host,
+                                      obc_polycube** out, obc_error* error) {
   return capi::guarded(error, [&] {
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
@@ -89,19 +89,19 @@ obc_status obc_polycube_compute_on(const obc_surface* surface, const obc_surface
     const base::Host& on = made->adapter.host();
     capi::require_one_surface(s, on);
     const polycube::TargetPolycube target = polycube::target_of_mesh(given.positions, given.triangles, 0, on);
-    const std::vector<polycube::CornerPlace> wanted = places_of(places, target);
+    const std::vector<polycube::CornerPlace> wanted = constraints_of(constraints, target);
     polycube::Construction found =
         polycube::construct_on(s.positions, s.triangles, target.graph, target.genus, {.places = wanted}, on);
     made->map = std::move(found.map);
     made->corners = found.certificate.corners;
-    made->patches = found.certificate.patches;
+    made->patches = found.certificate.patch_count;
     *out = made.release();
   });
 }
 
 obc_status obc_polycube_compute_common(const obc_surface* surfaces, size_t count, const obc_polycube_options* options,
                                        const obc_polycube_domain_options* domain, const obc_host* host,
-                                       size_t* made_for, obc_polycube** out, obc_error* error) {
+                                       size_t* constructed_from, obc_polycube** out, obc_error* error) {
   return capi::guarded(error, [&] {
     const auto given = checked_array(surfaces, count, "surfaces is NULL", out);
     obc_polycube_options defaults;
@@ -130,10 +130,10 @@ obc_status obc_polycube_compute_common(const obc_surface* surfaces, size_t count
     for (std::size_t i = 0; i < count; ++i) {
       handles[i]->map = std::move(found.maps[i]);
       handles[i]->corners = found.certificates[i].corners;
-      handles[i]->patches = found.certificates[i].patches;
+      handles[i]->patches = found.certificates[i].patch_count;
       handles[i]->energies = found.energies;
     }
-    if (made_for != nullptr) *made_for = found.base;
+    if (constructed_from != nullptr) *constructed_from = found.base;
     hand_out(handles, out);
   });
 }
@@ -154,10 +154,10 @@ obc_status obc_polycube_optimize_common_domain(const obc_polycube* const* maps, 
       copies.push_back(&handles.back()->map);
     }
     const polycube::CommonDomain found =
-        polycube::optimise_domain(copies, domain_options(options), handles.front()->adapter.host());
+        polycube::optimize_domain(copies, domain_options(options), handles.front()->adapter.host());
     for (std::size_t i = 0; i < count; ++i) {
       handles[i]->corners = found.certificates[i].corners;
-      handles[i]->patches = found.certificates[i].patches;
+      handles[i]->patches = found.certificates[i].patch_count;
       handles[i]->energies = found.energies;
     }
     hand_out(handles, out);

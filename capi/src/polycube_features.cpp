@@ -24,10 +24,10 @@ double weight_of(const double* weights, size_t i) {
 }
 
 std::vector<polycube::FeaturePoint> points_of(const obc_polycube_feature_options& o) {
-  capi::require(o.point_count == 0 || (o.points != nullptr && o.places != nullptr), "points or places is NULL");
+  capi::require(o.point_count == 0 || (o.points != nullptr && o.targets != nullptr), "points or targets is NULL");
   std::vector<polycube::FeaturePoint> result;
   for (size_t i = 0; i < o.point_count; ++i)
-    result.push_back({o.points[i], Vector3(o.places[3 * i], o.places[3 * i + 1], o.places[3 * i + 2]),
+    result.push_back({o.points[i], Vector3(o.targets[3 * i], o.targets[3 * i + 1], o.targets[3 * i + 2]),
                       weight_of(o.point_weights, i)});
   return result;
 }
@@ -69,9 +69,9 @@ obc_status obc_polycube_feature_options_init(obc_polycube_feature_options* optio
   return capi::init_versioned(options, struct_size, default_options());
 }
 
-obc_status obc_polycube_meet_features(const obc_polycube* map, const obc_polycube_feature_options* options,
-                                      const obc_host* host, obc_polycube_feature_report* report, obc_polycube** out,
-                                      obc_error* error) {
+obc_status obc_polycube_align_features(const obc_polycube* map, const obc_polycube_feature_options* options,
+                                       const obc_host* host, obc_polycube_feature_report* report, obc_polycube** out,
+                                       obc_error* error) {
   return capi::guarded(error, [&] {
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
@@ -81,10 +81,10 @@ obc_status obc_polycube_meet_features(const obc_polycube* map, const obc_polycub
     const auto curves = curves_of(o);
     auto made = std::make_unique<obc_polycube>(host);
     made->map = map->map;
-    const polycube::FeatureFit found = polycube::meet_features(
-        made->map, {.points = points, .curves = curves, .sharp_angle = o.sharp_angle}, made->adapter.host());
+    const polycube::FeatureFit found = polycube::align_features(
+        made->map, {.points = points, .curves = curves, .feature_angle = o.feature_angle}, made->adapter.host());
     made->corners = found.certificate.corners;
-    made->patches = found.certificate.patches;
+    made->patches = found.certificate.patch_count;
     made->construction = map->construction;
     capi::write_versioned(report, to_report(found));
     *out = made.release();

@@ -43,16 +43,16 @@ Report report_of_optimum(const Found& from) {
   return report;
 }
 
-// A handle of its own for the map that `optimise` (of a map and the host) makes of a copy; `tell` gets what that found
+// A handle of its own for the map that `optimize` (of a map and the host) makes of a copy; `tell` gets what that found
 // before the handle is given away.
-template <class Optimise, class Tell>
-void optimised_copy(const obc_polycube& map, const obc_host* host, obc_polycube** out, const Optimise& optimise,
+template <class Optimize, class Tell>
+void optimized_copy(const obc_polycube& map, const obc_host* host, obc_polycube** out, const Optimize& optimize,
                     const Tell& tell) {
   auto made = std::make_unique<obc_polycube>(host);
   made->map = map.map;
-  const auto found = optimise(made->map, made->adapter.host());
+  const auto found = optimize(made->map, made->adapter.host());
   made->corners = found.certificate.corners;
-  made->patches = found.certificate.patches;
+  made->patches = found.certificate.patch_count;
   made->construction = map.construction;
   made->energies = found.energies;
   tell(found);

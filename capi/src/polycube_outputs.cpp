@@ -77,7 +77,7 @@ size_t obc_polycube_graph_loop_count(const obc_polycube_graph* graph) {
 }
 
 size_t obc_polycube_graph_link_count(const obc_polycube_graph* graph) {
-  return graph != nullptr ? graph->graph.neighbours.size() : 0;
+  return graph != nullptr ? graph->graph.neighbors.size() : 0;
 }
 
 obc_status obc_polycube_graph_copy_corners(const obc_polycube_graph* graph, double* positions, uint32_t* vertices,
@@ -114,11 +114,11 @@ obc_status obc_polycube_graph_copy_loops(const obc_polycube_graph* graph, uint32
   });
 }
 
-obc_status obc_polycube_graph_copy_dual(const obc_polycube_graph* graph, uint32_t* starts, uint32_t* neighbours,
+obc_status obc_polycube_graph_copy_dual(const obc_polycube_graph* graph, uint32_t* starts, uint32_t* neighbors,
                                         obc_error* error) {
   return from(graph, error, [&](const polycube::PatchGraph& g) {
-    copy(g.neighbour_begin, starts);
-    copy(g.neighbours, neighbours);
+    copy(g.neighbor_begin, starts);
+    copy(g.neighbors, neighbors);
   });
 }
 

@@ -204,7 +204,7 @@ obc_status obc_projected_gradient_project(const obc_projected_gradient_problem* 
     const capi::HostAdapter adapter(host);
     const pg::Problem translated = to_problem(problem);
     for (std::size_t j = 0; j < translated.n; ++j)
-      capi::require(std::abs(y[j]) <= pg::largest_coordinate, "y is not finite, or beyond 1e150");
+      capi::require(std::abs(y[j]) <= pg::max_coordinate, "y is not finite, or beyond 1e150");
     pg::FeasibleSet set(translated, adapter.host().memory);
     const std::span<double> to(x, translated.n);
     const pg::Projected outcome = set.project({y, translated.n}, to, 1, adapter.host());

@@ -62,7 +62,7 @@ void obc_quaternion_inverse(const double* q, double* out) {
 
 void obc_quaternion_normalize(const double* q, double* out) {
   if (any_null(q, out)) return;
-  write(qn::normalised(quaternion_at(q)), out);
+  write(qn::normalized(quaternion_at(q)), out);
 }
 
 void obc_quaternion_exponential(const double* q, double* out) {
@@ -194,7 +194,7 @@ void obc_quaternion_multiply_array(const double* p, const double* q, size_t coun
 
 void obc_quaternion_normalize_array(const double* q, size_t count, double* out) {
   if (any_null(q, out)) return;
-  qn::normalise(q, count, out);
+  qn::normalize(q, count, out);
 }
 
 void obc_quaternion_rotate_array(const double* q, const double* v, size_t count, double* out) {

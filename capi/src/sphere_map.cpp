@@ -41,10 +41,10 @@ void write_report(const sphere_map::Measurement& m, obc_sphere_map_report* to) {
   r.energy_angle = m.energy_angle;
   r.energy_area = m.energy_area;
   r.energy = m.energy;
-  r.dilatation_largest = m.dilatation_largest;
-  r.dilatation_mean = m.dilatation_mean;
-  r.area_ratio_smallest = m.area_ratio_smallest;
-  r.area_ratio_largest = m.area_ratio_largest;
+  r.max_quasi_conformal = m.max_quasi_conformal;
+  r.mean_quasi_conformal = m.mean_quasi_conformal;
+  r.min_area_ratio = m.min_area_ratio;
+  r.max_area_ratio = m.max_area_ratio;
   r.stretch_efficiency = m.stretch_efficiency;
   r.isometric_mean = m.isometric_mean;
   capi::write_versioned(to, r);
@@ -140,13 +140,14 @@ obc_status obc_sphere_map_measure(const obc_surface* surface, const double* dire
 }
 
 obc_status obc_sphere_map_face_distortion(const obc_surface* surface, const double* directions, const obc_host* host,
-                                          double* dilatation, double* area_ratio, obc_error* error) {
+                                          double* quasi_conformal, double* area_ratio, obc_error* error) {
   return capi::guarded(error, [&] {
     const Surface s(surface);
     const capi::HostAdapter adapter(host);
     sphere_map::FaceDistortion faces(adapter.host().memory);
     sphere_map::measure(s.positions, s.triangles, s.directions(directions), 1, 1, adapter.host(), &faces);
-    if (dilatation != nullptr) std::copy(faces.dilatation.begin(), faces.dilatation.end(), dilatation);
+    if (quasi_conformal != nullptr)
+      std::copy(faces.quasi_conformal.begin(), faces.quasi_conformal.end(), quasi_conformal);
     if (area_ratio != nullptr) std::copy(faces.area_ratio.begin(), faces.area_ratio.end(), area_ratio);
   });
 }

@@ -157,10 +157,10 @@ obc_status obc_sphere_map_surface_distance(const obc_surface* first, const obc_s
     obc_sphere_map_distance result{};
     result.first_mean = d.from_first.mean;
     result.first_root_mean_square = d.from_first.root_mean_square;
-    result.first_largest = d.from_first.largest;
+    result.first_max = d.from_first.largest;
     result.second_mean = d.from_second.mean;
     result.second_root_mean_square = d.from_second.root_mean_square;
-    result.second_largest = d.from_second.largest;
+    result.second_max = d.from_second.largest;
     capi::write_versioned(distance, result);
   });
 }

@@ -101,36 +101,34 @@ obc_sphere_optimizer_blocks checked_blocks(const obc_sphere_optimizer_blocks* gi
   const obc_sphere_optimizer_blocks blocks = capi::copy_versioned(given, defaults);
   capi::require(blocks.count >= 1 && blocks.count < std::numeric_limits<std::uint32_t>::max(),
                 "count must be from 1 to 4294967294");
-  capi::require(blocks.dimension >= 2 && blocks.dimension <= so::largest_block_dimension,
-                "dimension must be from 2 to 64");
-  capi::require(blocks.neighbour_start != nullptr && blocks.neighbour_start[0] == 0,
-                "neighbour_start must begin with 0");
+  capi::require(blocks.dimension >= 2 && blocks.dimension <= so::max_block_dimension, "dimension must be from 2 to 64");
+  capi::require(blocks.neighbor_start != nullptr && blocks.neighbor_start[0] == 0, "neighbor_start must begin with 0");
   for (std::size_t i = 0; i < blocks.count; ++i)
-    capi::require(blocks.neighbour_start[i] <= blocks.neighbour_start[i + 1], "neighbour_start must not fall");
-  const std::size_t entries = blocks.neighbour_start[blocks.count];
-  capi::require(entries == 0 || blocks.neighbour != nullptr, "the member `neighbour` is NULL");
+    capi::require(blocks.neighbor_start[i] <= blocks.neighbor_start[i + 1], "neighbor_start must not fall");
+  const std::size_t entries = blocks.neighbor_start[blocks.count];
+  capi::require(entries == 0 || blocks.neighbor != nullptr, "the member `neighbor` is NULL");
   for (std::size_t k = 0; k < entries; ++k)
-    capi::require(blocks.neighbour[k] < blocks.count, "a neighbor is out of range");
+    capi::require(blocks.neighbor[k] < blocks.count, "a neighbor is out of range");
   return blocks;
 }
 
 // Who is whose neighbor, in the caller's arrays or in copies of them.
-struct Neighbours {
+struct Neighbors {
   std::span<const std::size_t> start;
   std::span<const std::uint32_t> list;
 };
 
-Neighbours neighbours_of(const obc_sphere_optimizer_blocks& blocks) {
-  return {{blocks.neighbour_start, blocks.count + 1}, {blocks.neighbour, blocks.neighbour_start[blocks.count]}};
+Neighbors neighbors_of(const obc_sphere_optimizer_blocks& blocks) {
+  return {{blocks.neighbor_start, blocks.count + 1}, {blocks.neighbor, blocks.neighbor_start[blocks.count]}};
 }
 
 // An energy whose parts a callback gives; the return value STOP becomes an Error "cancelled".
 template <class Dimension>
 class CallbackEnergy {
  public:
-  CallbackEnergy(Dimension dimension, const Neighbours& neighbours, obc_sphere_optimizer_block_function f, void* user,
+  CallbackEnergy(Dimension dimension, const Neighbors& neighbors, obc_sphere_optimizer_block_function f, void* user,
                  const double* points)
-      : dimension_(dimension), neighbours_(neighbours), f_(f), user_(user), points_(points) {}
+      : dimension_(dimension), neighbors_(neighbors), f_(f), user_(user), points_(points) {}
 
   Dimension dimension() const { return dimension_; }
   double value(std::size_t block, const double* place) const { return call(block, place, nullptr, nullptr); }
@@ -138,9 +136,9 @@ class CallbackEnergy {
     return call(block, points_ + block * dimension_, gradient, nullptr);
   }
   template <class Visit>
-  void for_each_neighbour(std::size_t block, const Visit& visit) const {
-    for (std::size_t k = neighbours_.start[block]; k < neighbours_.start[block + 1]; ++k)
-      visit(neighbours_.list[k]);
+  void for_each_neighbor(std::size_t block, const Visit& visit) const {
+    for (std::size_t k = neighbors_.start[block]; k < neighbors_.start[block + 1]; ++k)
+      visit(neighbors_.list[k]);
   }
   bool stopped() const { return stopped_; }
 
@@ -155,7 +153,7 @@ class CallbackEnergy {
   }
 
   Dimension dimension_;
-  Neighbours neighbours_;
+  Neighbors neighbors_;
   obc_sphere_optimizer_block_function f_;
   void* user_;
   const double* points_;
@@ -171,15 +169,15 @@ class SecondOrderCallbackEnergy : public CallbackEnergy<Dimension> {
   }
 };
 
-void normalise_blocks(const so::Shape& shape, double* x) {
+void normalize_blocks(const so::Shape& shape, double* x) {
   so::with_dimension(shape.dimension, [&](auto d) {
     for (std::size_t i = 0; i < shape.count; ++i)
-      capi::require(so::normalise(d, x + i * d), "a block of the start is zero or not finite");
+      capi::require(so::normalize(d, x + i * d), "a block of the start is zero or not finite");
   });
 }
 
 // Goes on with a relaxation of the points at x. Returns how it stands; a host that cancelled is an Error.
-so::Stop run_relaxation(so::Relaxation& relaxation, const Neighbours& neighbours, obc_sphere_optimizer_block_function f,
+so::Stop run_relaxation(so::Relaxation& relaxation, const Neighbors& neighbors, obc_sphere_optimizer_block_function f,
                         void* user, double* x, std::uint64_t steps, const base::Host& host) {
   return so::with_dimension(relaxation.shape().dimension, [&](auto d) {
     const auto run = [&](const auto& energy) {
@@ -192,9 +190,9 @@ so::Stop run_relaxation(so::Relaxation& relaxation, const Neighbours& neighbours
       }
     };
     if (relaxation.options().second_order != 0) {
-      return run(SecondOrderCallbackEnergy<decltype(d)>(d, neighbours, f, user, x));
+      return run(SecondOrderCallbackEnergy<decltype(d)>(d, neighbors, f, user, x));
     }
-    return run(CallbackEnergy<decltype(d)>(d, neighbours, f, user, x));
+    return run(CallbackEnergy<decltype(d)>(d, neighbors, f, user, x));
   });
 }
 
@@ -212,10 +210,10 @@ void copy_result(const so::RelaxationResult& from, so::Stop stop, obc_sphere_opt
 }
 
 // Distinguishes one set of neighbors from another.
-std::uint64_t fingerprint(const Neighbours& neighbours) {
+std::uint64_t fingerprint(const Neighbors& neighbors) {
   base::Hash hash;
-  hash.add(std::as_bytes(neighbours.start));
-  hash.add(std::as_bytes(neighbours.list));
+  hash.add(std::as_bytes(neighbors.start));
+  hash.add(std::as_bytes(neighbors.list));
   return hash.value();
 }
 
@@ -224,14 +222,14 @@ class OwnRelaxation {
  public:
   OwnRelaxation(const obc_sphere_optimizer_blocks& blocks, const so::RelaxationOptions& options, const base::Host& host)
       : host_(host),
-        start_(neighbours_of(blocks).start.begin(), neighbours_of(blocks).start.end(), host.memory),
-        list_(neighbours_of(blocks).list.begin(), neighbours_of(blocks).list.end(), host.memory),
+        start_(neighbors_of(blocks).start.begin(), neighbors_of(blocks).start.end(), host.memory),
+        list_(neighbors_of(blocks).list.begin(), neighbors_of(blocks).list.end(), host.memory),
         points_(blocks.count * blocks.dimension, 0.0, host.memory),
-        relaxation_({blocks.count, blocks.dimension}, options, host.memory, fingerprint(neighbours_of(blocks))) {}
+        relaxation_({blocks.count, blocks.dimension}, options, host.memory, fingerprint(neighbors_of(blocks))) {}
 
   void start_at(const double* x) {
     std::copy_n(x, points_.size(), points_.begin());
-    normalise_blocks(relaxation_.shape(), points_.data());
+    normalize_blocks(relaxation_.shape(), points_.data());
   }
   void run(obc_sphere_optimizer_block_function f, void* user, std::uint64_t steps) {
     stop_ = so::Stop::cancelled;  // unless it is known better
@@ -362,11 +360,11 @@ obc_status obc_sphere_optimizer_relax(const obc_sphere_optimizer_blocks* blocks,
     const obc_sphere_optimizer_blocks given = checked_blocks(blocks);
     const capi::HostAdapter adapter(host);
     so::Relaxation relaxation({given.count, given.dimension}, to_options(options), adapter.host().memory);
-    normalise_blocks(relaxation.shape(), x);
+    normalize_blocks(relaxation.shape(), x);
     so::Stop stop = so::Stop::cancelled;
     const auto report = [&] { copy_result(relaxation.result(), stop, result); };
     try {
-      stop = run_relaxation(relaxation, neighbours_of(given), f, user, x, UINT64_MAX, adapter.host());
+      stop = run_relaxation(relaxation, neighbors_of(given), f, user, x, UINT64_MAX, adapter.host());
     } catch (const base::Error&) {
       report();
       throw;

@@ -13,8 +13,8 @@ using mesh::Vector3;
 
 namespace {
 
-obc_volume_map_tangle nothing() {
-  obc_volume_map_tangle t{};
+obc_volume_map_untangle_problem nothing() {
+  obc_volume_map_untangle_problem t{};
   t.struct_size = sizeof t;
   return t;
 }
@@ -36,10 +36,10 @@ obc_volume_map_untangle_report empty_report() {
   return r;
 }
 
-volume_map::TangledMesh view_of(const obc_volume_map_tangle& t) {
+volume_map::UntangleProblem view_of(const obc_volume_map_untangle_problem& t) {
   static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Tetrahedron) == 4 * sizeof(uint32_t));
-  capi::require(t.positions != nullptr || t.vertex_count == 0, "tangle->positions is NULL");
-  capi::require(t.tetrahedra != nullptr || t.tetrahedron_count == 0, "tangle->tetrahedra is NULL");
+  capi::require(t.positions != nullptr || t.vertex_count == 0, "problem->positions is NULL");
+  capi::require(t.tetrahedra != nullptr || t.tetrahedron_count == 0, "problem->tetrahedra is NULL");
   constexpr std::size_t most = UINT32_MAX / 4;
   capi::require(t.vertex_count < most && t.tetrahedron_count < most, "too many vertices or tetrahedra");
   const auto positions = [&](const double* from) {
@@ -55,8 +55,8 @@ volume_map::TangledMesh view_of(const obc_volume_map_tangle& t) {
 
 }  // namespace
 
-obc_status obc_volume_map_tangle_init(obc_volume_map_tangle* tangle, size_t struct_size) {
-  return capi::init_versioned(tangle, struct_size, nothing());
+obc_status obc_volume_map_untangle_problem_init(obc_volume_map_untangle_problem* problem, size_t struct_size) {
+  return capi::init_versioned(problem, struct_size, nothing());
 }
 
 obc_status obc_volume_map_untangle_options_init(obc_volume_map_untangle_options* options, size_t struct_size) {
@@ -67,13 +67,13 @@ obc_status obc_volume_map_untangle_report_init(obc_volume_map_untangle_report* r
   return capi::init_versioned(report, struct_size, empty_report());
 }
 
-obc_status obc_volume_map_untangle(const obc_volume_map_tangle* tangle, const obc_volume_map_untangle_options* options,
-                                   const obc_host* host, double* result, obc_volume_map_untangle_report* report,
-                                   obc_error* error) {
+obc_status obc_volume_map_untangle(const obc_volume_map_untangle_problem* problem,
+                                   const obc_volume_map_untangle_options* options, const obc_host* host, double* result,
+                                   obc_volume_map_untangle_report* report, obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(tangle != nullptr, "the argument `tangle` is NULL");
+    capi::require(problem != nullptr, "the argument `problem` is NULL");
     capi::require(result != nullptr, "result is NULL");
-    const volume_map::TangledMesh mesh = view_of(capi::copy_versioned(tangle, nothing()));
+    const volume_map::UntangleProblem mesh = view_of(capi::copy_versioned(problem, nothing()));
     const obc_volume_map_untangle_options o = capi::copy_versioned(options, default_options());
     const capi::HostAdapter adapter(host);
     capi::write_versioned(report, empty_report());
@@ -85,8 +85,8 @@ obc_status obc_volume_map_untangle(const obc_volume_map_tangle* tangle, const ob
     r.inverted = untangled.inverted;
     r.steps = untangled.steps;
     r.polish_steps = untangled.polish_steps;
-    r.least_determinant = untangled.least_determinant;
-    r.greatest_determinant = untangled.greatest_determinant;
+    r.min_determinant = untangled.min_determinant;
+    r.max_determinant = untangled.max_determinant;
     r.energy = untangled.energy;
     capi::write_versioned(report, r);
     std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector3));

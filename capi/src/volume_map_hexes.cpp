@@ -57,9 +57,9 @@ obc_volume_map_hexes_options default_hexes_options() {
   o.corners = 100;
   o.triangles = 6000;
   o.rounds = defaults.rounds;
-  o.distance = defaults.distance;
-  o.most_cells = defaults.most_cells;
-  o.sharp_angle = defaults.sharp_angle;
+  o.max_hausdorff_percent = defaults.distance;
+  o.max_cells = defaults.max_cells;
+  o.feature_angle = defaults.feature_angle;
   return o;
 }
 
@@ -69,8 +69,8 @@ obc_volume_map_frame_options default_frame_options() {
   o.struct_size = sizeof o;
   o.rounds = defaults.rounds;
   o.cells = defaults.cells;
-  o.distance = defaults.distance;
-  o.most_cells = defaults.most_cells;
+  o.max_hausdorff_percent = defaults.distance;
+  o.max_cells = defaults.max_cells;
   return o;
 }
 
@@ -133,7 +133,7 @@ base::Array<PieceOfSurface> pieces_of(const capi::SurfaceView& s, const obc_volu
     space.take(surface.positions);
     capi::require_outward(mesh::measures(surface.positions, surface.triangles, host).volume);
     polycube::Construction made(host.memory);
-    if (o.method == OBC_VOLUME_MAP_METHOD_VOXELS) {
+    if (o.method == OBC_VOLUME_MAP_METHOD_GRID) {
       result.push_back({std::move(surface), std::move(made), space});
       continue;
     }
@@ -240,7 +240,7 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
     const obc_volume_map_hexes_options o = capi::copy_versioned(options, default_hexes_options());
     capi::require(o.padding >= OBC_VOLUME_MAP_PADDING_AUTO && o.padding <= OBC_VOLUME_MAP_PADDING_WITHOUT,
                   "options->padding is none of the constants");
-    capi::require(o.method >= OBC_VOLUME_MAP_METHOD_AUTO && o.method <= OBC_VOLUME_MAP_METHOD_VOXELS,
+    capi::require(o.method >= OBC_VOLUME_MAP_METHOD_AUTO && o.method <= OBC_VOLUME_MAP_METHOD_GRID,
                   "options->method is none of the constants");
     auto made = std::make_unique<obc_volume_map_hexes>(host);
     const base::Host& h = made->adapter.host();
@@ -256,22 +256,22 @@ obc_status obc_volume_map_hexes_compute(const obc_surface* surface, const obc_vo
                                                        .cells = o.cells,
                                                        .padding = static_cast<volume_map::Padding>(o.padding),
                                                        .rounds = o.rounds,
-                                                       .distance = o.distance,
-                                                       .most_cells = o.most_cells,
-                                                       .sharp_angle = o.sharp_angle},
+                                                       .distance = o.max_hausdorff_percent,
+                                                       .max_cells = o.max_cells,
+                                                       .feature_angle = o.feature_angle},
                                                       h);
     obc_volume_map_hexes_report r{};
     r.struct_size = sizeof r;
     r.padded = made->made.padded ? 1 : 0;
-    r.least_scaled_jacobian = made->made.quality.least_scaled_jacobian;
+    r.min_scaled_jacobian = made->made.quality.min_scaled_jacobian;
     r.mean_scaled_jacobian = made->made.quality.mean_scaled_jacobian;
     r.volume = made->made.quality.volume;
     r.polycube_corners = corners;
     r.off_surface = made->made.off_surface;
-    r.distance = made->made.distance;
-    r.volume_error = made->made.volume_error;
+    r.hausdorff_percent = made->made.distance;
+    r.volume_error_percent = made->made.volume_error;
     r.follows_sharp_edges = made->made.follows_sharp_edges ? 1 : 0;
-    r.by_voxels = made->made.by_voxels ? 1 : 0;
+    r.grid_based = made->made.grid_based ? 1 : 0;
     capi::write_versioned(report, r);
     *out = made.release();
   });
@@ -290,7 +290,7 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
     const obc_volume_map_frame_options o = capi::copy_versioned(options, default_frame_options());
-    capi::require(o.feature_angle >= 0 && o.feature_angle <= 4, "options->feature_angle is out of range");
+    capi::require(o.feature_angle >= 0 && o.feature_angle <= 180, "options->feature_angle is out of range");
     auto made = std::make_unique<obc_volume_map_hexes>(host);
     const base::Host& h = made->adapter.host();
     mesh::Mesh given = solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
@@ -298,9 +298,10 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
     mesh::require_valid_cells(given, h);
     const auto make = [&] {
       const volume_map::FrameHexOptions how = {
-          .cells = o.cells, .rounds = o.rounds, .distance = o.distance, .most_cells = o.most_cells};
+          .cells = o.cells, .rounds = o.rounds, .distance = o.max_hausdorff_percent, .max_cells = o.max_cells};
       if (frames == nullptr)
-        return volume_map::make_hexahedra_along_frames(given.positions, given.tetrahedra, o.feature_angle, how, h);
+        return volume_map::make_hexahedra_along_frames(given.positions, given.tetrahedra,
+                                                       o.feature_angle * std::numbers::pi / 180, how, h);
       volume_map::FramedSolid solid(h.memory);
       solid.positions = std::move(given.positions);
       solid.tetrahedra = std::move(given.tetrahedra);
@@ -309,7 +310,7 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
       for (quaternion::Quaternion& q : solid.frames) {
         const double square = dot(q, q);
         capi::require(square > 1e-12 && square < 1e12, "a frame is zero or not finite");
-        q = quaternion::normalised(q);
+        q = quaternion::normalized(q);
       }
       return volume_map::make_hexahedra_by_frames(solid, how, h);
     };
@@ -317,7 +318,7 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
     obc_volume_map_frame_report r{};
     r.struct_size = sizeof r;
     r.integers_optimal = result.map.integers_optimal ? 1 : 0;
-    r.least_scaled_jacobian = result.result.quality.least_scaled_jacobian;
+    r.min_scaled_jacobian = result.result.quality.min_scaled_jacobian;
     r.mean_scaled_jacobian = result.result.quality.mean_scaled_jacobian;
     r.volume = result.result.quality.volume;
     r.off_surface = result.result.off_surface;
@@ -327,8 +328,8 @@ obc_status obc_volume_map_frame_hexes_compute(const double* positions, size_t ve
     r.tetrahedra = result.map.solid.tetrahedra.size();
     r.inverted_at_start = result.map.inverted_at_start;
     r.steps = result.map.steps;
-    r.distance = result.result.distance;
-    r.volume_error = result.result.volume_error;
+    r.hausdorff_percent = result.result.distance;
+    r.volume_error_percent = result.result.volume_error;
     capi::write_versioned(report, r);
     made->made = std::move(result.result);
     *out = made.release();
@@ -352,13 +353,13 @@ size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes* hexes) {
 }
 
 obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes* hexes, double* positions, uint32_t* hexahedra,
-                                     uint32_t* quads, uint32_t* quad_faces, obc_error* error) {
+                                     uint32_t* quads, uint32_t* quad_patches, obc_error* error) {
   return capi::guarded(error, [&] {
     capi::require(hexes != nullptr, "hexes is NULL");
     const volume_map::HexMesh& mesh = hexes->made.mesh;
     copy_out(mesh.positions, positions);
     copy_out(mesh.hexahedra, hexahedra);
     copy_out(mesh.quads, quads);
-    copy_out(mesh.quad_patches, quad_faces);
+    copy_out(mesh.quad_patches, quad_patches);
   });
 }

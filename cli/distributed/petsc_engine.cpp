@@ -30,7 +30,7 @@ void check(PetscErrorCode code, const char* what) {
 // What the first process sends to the others before each system.
 struct Order {
   PetscInt vertices = 0;  // rows of blocks of all processes; 0: the work is done
-  PetscInt most_steps = 0;
+  PetscInt max_steps = 0;
   double tolerance = 0;
 };
 
@@ -234,7 +234,7 @@ int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<P
   check(KSPGetPC(own.solver, &preconditioner), "the solver");
   check(PCSetType(preconditioner, PCGAMG), "the solver");
   check(KSPSetNormType(own.solver, KSP_NORM_NATURAL), "the solver");
-  check(KSPSetTolerances(own.solver, order.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, order.most_steps), "the solver");
+  check(KSPSetTolerances(own.solver, order.tolerance, PETSC_DEFAULT, PETSC_DEFAULT, order.max_steps), "the solver");
   check(KSPConvergedDefaultCreate(&watch.default_context), "the solver");
   check(KSPSetConvergenceTest(own.solver, watch_convergence, &watch, nullptr), "the solver");
   check(KSPSetFromOptions(own.solver), "the options");
@@ -276,7 +276,7 @@ class PetscEngine : public volume_map::BlockEngine {
     PetscFinalize();
   }
 
-  int solve(const BlockMatrix& matrix, std::span<const double> right, int most_steps, double tolerance,
+  int solve(const BlockMatrix& matrix, std::span<const double> right, int max_steps, double tolerance,
             std::span<double> solution, const base::Host& host) override {
     const WholeMatrix whole(matrix, right);
     host.report("solve", 0, 0);
@@ -284,7 +284,7 @@ class PetscEngine : public volume_map::BlockEngine {
     watch.host = &host;
     int steps = 0;
     try {
-      steps = solve_on_all(whole, {whole.vertices(), most_steps, tolerance}, watch, solution);
+      steps = solve_on_all(whole, {whole.vertices(), max_steps, tolerance}, watch, solution);
     } catch (const std::exception& error) {
       int ranks = 1;
       MPI_Comm_size(PETSC_COMM_WORLD, &ranks);

@@ -24,7 +24,7 @@ Features read_features(const std::filesystem::path& path, const base::Host& host
     for (std::size_t i = 0; i < points.size(); ++i) {
       const std::string where = "point " + std::to_string(i);
       result.points.push_back({json_index(json_member(points[i], "vertex", where), "\"vertex\" of " + where),
-                               json_point(json_member(points[i], "place", where), "\"place\" of " + where),
+                               json_point(json_member(points[i], "target", where), "\"target\" of " + where),
                                weight_of(points[i], where)});
     }
     const Json& curves = file.contains("curves") ? json_array(file, "curves", "the file") : none;

@@ -15,7 +15,7 @@ struct Features {
   std::vector<polycube::FeatureCurve> curves;      // views of them
 };
 
-// Reads JSON: an object with "points", each with "vertex" of the surface and "place" on the polycube, and "curves",
+// Reads JSON: an object with "points", each with "vertex" of the surface and "target" on the polycube, and "curves",
 // each with "vertices", "from" and "to"; all may have a "weight". Throws Failure.
 Features read_features(const std::filesystem::path& path, const base::Host& host);
 

@@ -114,10 +114,10 @@ std::vector<polycube::CornerPlace> read_corner_places(const std::filesystem::pat
                                                       const base::Host& host) {
   return about(path, Role::input, [&] {
     const Json file = json_file(path, host);
-    if (!file.is_array()) refuse_file("this is no array of places");
+    if (!file.is_array()) refuse_file("this is no array of constraints");
     std::vector<polycube::CornerPlace> result;
     for (std::size_t i = 0; i < file.size(); ++i) {
-      const std::string where = "place " + std::to_string(i);
+      const std::string where = "constraint " + std::to_string(i);
       const Index number = json_index(json_member(file[i], "corner", where), "\"corner\" of " + where);
       if (number >= given.numbered.size() || given.numbered[number] == mesh::no_index)
         throw base::Error("index-range", where + ": the polycube has no corner " + std::to_string(number));

@@ -15,7 +15,7 @@ Json json_of(const polycube::PatchGraph& graph, std::int64_t genus, std::span<co
                      {"patches", {graph.dart_left[2 * e], graph.dart_left[2 * e + 1]}},
                      {"convex", graph.convex[e] != 0}});
   Json patches = Json::array();
-  Json neighbours = Json::array();
+  Json neighbors = Json::array();
   for (mesh::Index p = 0; p < graph.patches(); ++p) {
     Json loops = Json::array();
     for (mesh::Index l = graph.loops_of_patch[p]; l < graph.loops_of_patch[p + 1]; ++l) {
@@ -29,9 +29,9 @@ Json json_of(const polycube::PatchGraph& graph, std::int64_t genus, std::span<co
                        {"coordinate", graph.coordinates[p]},
                        {"loops", std::move(loops)}});
     Json around = Json::array();
-    for (const mesh::Index q : graph.neighbours_of(p))
+    for (const mesh::Index q : graph.neighbors_of(p))
       around.push_back(q);
-    neighbours.push_back(std::move(around));
+    neighbors.push_back(std::move(around));
   }
   return {{"format", polycube_format},
           {"version", 1},
@@ -41,7 +41,7 @@ Json json_of(const polycube::PatchGraph& graph, std::int64_t genus, std::span<co
           {"corner_vertices", std::vector<mesh::Index>(graph.corner_vertices.begin(), graph.corner_vertices.end())},
           {"edges", std::move(edges)},
           {"patches", std::move(patches)},
-          {"dual_graph", std::move(neighbours)}};
+          {"dual_graph", std::move(neighbors)}};
 }
 
 }  // namespace orbicube::cli

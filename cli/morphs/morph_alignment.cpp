@@ -170,7 +170,7 @@ void note_turned(const std::deque<MorphShape>& shapes, Session& session) {
     const double angle = shapes[i].figures["turn"]["angle"].get<double>();
     if (angle > noticeable)
       session.note(shapes[i].path + " lies turned by " + number(angle) + " degrees from " + shapes[0].path +
-                   "; --place turned brings it to where that one stands");
+                   "; --placement turned brings it to where that one stands");
   }
 }
 
@@ -221,9 +221,9 @@ void align_by_landmarks(std::deque<MorphShape>& shapes, const std::string& path,
             sphere_map::measure(placement->own, placement->triangles, placement->directions, 0.1, 1, host);
         shape.figures["warp"] = {{"vertices", placement->own.size()},
                                  {"flipped", m.flipped + m.degenerate},
-                                 {"dilatation_max", m.dilatation_largest},
-                                 {"area_ratio_min", m.area_ratio_smallest},
-                                 {"area_ratio_max", m.area_ratio_largest}};
+                                 {"max_quasi_conformal", m.max_quasi_conformal},
+                                 {"min_area_ratio", m.min_area_ratio},
+                                 {"max_area_ratio", m.max_area_ratio}};
         if (share < 1) {
           session.note(shape.path + ": landmarks go " + number(100 * share) +
                        " percent of their way; all of it would flip triangles");

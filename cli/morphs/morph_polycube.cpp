@@ -171,10 +171,10 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
                                          session);
   const PolycubeTriangles common = triangles_on(shared.common, cells_of(options, shared.meshes), host);
   // Each map is certified, so what is positive on the polycube is covered once on every shape.
-  const std::size_t turned_over = count_not_positive_on(common);
-  if (turned_over > 0)
+  const std::size_t flipped = count_not_positive_on(common);
+  if (flipped > 0)
     throw Failure(Exit::no_result, options.output, "no-valid-result",
-                  std::to_string(turned_over) + " triangles are flipped on the polycube");
+                  std::to_string(flipped) + " triangles are flipped on the polycube");
   std::vector<base::Array<Vector3>> states;
   for (std::size_t i = 0; i < shared.meshes.size(); ++i) {
     const polycube::SurfaceMap& map = shared.common.maps[i];
@@ -212,7 +212,7 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
   session.figures()["output"] = options.output;
   session.figures()["vertices"] = common.polycube.size();
   session.figures()["triangles"] = common.triangles.size();
-  session.figures()["turned_over"] = turned_over;
+  session.figures()["flipped"] = flipped;
   session.figures()["shapes"] = shared.figures;
   session.say("wrote " + options.output + ": " + std::to_string(options.inputs.size()) + " shapes on " +
               std::to_string(common.polycube.size()) + " vertices and " + std::to_string(common.triangles.size()) +

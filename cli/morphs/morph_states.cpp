@@ -99,7 +99,7 @@ void write_steps(const MorphStates& morph, Session& session) {
       });
     }
   }
-  session.figures()["steps"] = count;
+  session.figures()["intermediates"] = count;
 }
 
 }  // namespace

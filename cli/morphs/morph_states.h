@@ -25,7 +25,7 @@ struct MorphStates {
   std::span<const gltf::KeptTriangle> kept_triangles{};
 };
 
-// Writes them, and adds "steps" to the session's figures. Throws Failure.
+// Writes them, and adds "intermediates" to the session's figures. Throws Failure.
 void write_morph(const MorphStates& morph, Session& session);
 
 }  // namespace orbicube::cli

@@ -21,11 +21,11 @@ constexpr double far = 2;
 Json json_of(const volume_map::HexPiece& piece, const Json& method) {
   return {{"place", {piece.place[0], piece.place[1], piece.place[2]}},
           {"hexahedra", piece.hexahedra},
-          {"distance_percent", piece.distance},
+          {"hausdorff_percent", piece.distance},
           {"volume_error_percent", piece.volume_error},
-          {"method", piece.by_voxels      ? Json("voxels")
-                     : method == "voxels" ? Json("polycube")
-                                          : method}};
+          {"method", piece.grid_based   ? Json("grid")
+                     : method == "grid" ? Json("polycube")
+                                        : method}};
 }
 
 std::string figures_text(const volume_map::HexResult& result) {
@@ -67,12 +67,12 @@ void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Ses
                                 {"vertices", result.mesh.positions.size()},
                                 {"hexahedra", result.mesh.hexahedra.size()},
                                 {"boundary_quads", result.mesh.quads.size()},
-                                {"scaled_jacobian_min", quality.least_scaled_jacobian},
-                                {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
+                                {"min_scaled_jacobian", quality.min_scaled_jacobian},
+                                {"mean_scaled_jacobian", quality.mean_scaled_jacobian},
                                 {"volume", unscaled(quality.volume, -3 * made.exponent)},
                                 {"off_surface", result.off_surface},
                                 {"intersecting_quads", quality.intersections},
-                                {"distance_percent", result.distance},
+                                {"hausdorff_percent", result.distance},
                                 {"volume_error_percent", result.volume_error}});
   Json& pieces = session.figures()["by_piece"] = Json::array();
   for (const volume_map::HexPiece& piece : result.pieces)
@@ -80,7 +80,7 @@ void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Ses
   const double off = std::max(result.distance, result.volume_error);
   const bool too_far = asked > 0 && !(off <= far * asked);
   const std::string why = figures_text(result) + ": more than twice --distance " + number(asked) +
-                          "; raise --cells and --most-cells, or --distance";
+                          "; raise --cells and --max-cells, or --distance";
   if (too_far && !output.keep_partial)
     throw Failure(Exit::no_result, output.path, "no-valid-result", why + "; --keep-partial writes the mesh");
   if (!output.glb.empty()) {
@@ -98,7 +98,7 @@ void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Ses
     session.say("note: " + note);
   session.say("wrote " + output.path + ": " + std::to_string(cells.hexahedra.size()) +
               " hexahedra, certified: each is positive, and the boundary does not meet itself");
-  session.say("  scaled Jacobians at least " + number(quality.least_scaled_jacobian) + ", " +
+  session.say("  scaled Jacobians at least " + number(quality.min_scaled_jacobian) + ", " +
               number(quality.mean_scaled_jacobian) + " on average; " + made.besides);
   session.say("  " + figures_text(result));
   if (result.pieces.size() > 1) session.say("  " + worst_piece_text(result));
@@ -107,7 +107,7 @@ void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Ses
     throw Failure(Exit::no_result, output.path, "no-valid-result", why + "; the mesh is kept");
   }
   if (asked > 0 && off > asked)
-    session.say("  that is more than --distance " + number(asked) + ", with any number of cells up to --most-cells");
+    session.say("  that is more than --distance " + number(asked) + ", with any number of cells up to --max-cells");
 }
 
 }  // namespace orbicube::cli

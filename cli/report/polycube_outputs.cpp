@@ -76,10 +76,10 @@ void write_quad_mesh(const PolycubeOutputs& outputs, const PolycubeResult& resul
                       {"vertices", mesh.positions.size()},
                       {"quads", mesh.quads.size()},
                       {"irregular_vertices", quality.irregular},
-                      {"scaled_jacobian_min", quality.least_scaled_jacobian},
-                      {"scaled_jacobian_mean", quality.mean_scaled_jacobian},
+                      {"min_scaled_jacobian", quality.min_scaled_jacobian},
+                      {"mean_scaled_jacobian", quality.mean_scaled_jacobian},
                       {"quads_not_convex", quality.not_convex},
-                      {"largest_over_mean_area", quality.area_ratio},
+                      {"max_over_mean_area", quality.area_ratio},
                       {"distance", json_of_distance(surface, remeshed, host)},
                       {"seconds", written}};
   const std::string note =
@@ -100,7 +100,7 @@ void write_page_of(const std::string& path, const PolycubeResult& result, Sessio
   shown.positions = result.map.positions;
   shown.polycube = result.map.polycube;
   shown.triangles = result.map.triangles;
-  shown.dilatation = faces.dilatation;
+  shown.quasi_conformal = faces.quasi_conformal;
   shown.area_ratio = faces.area_ratio;
   shown.energies = result.energies;
   shown.figures = {

@@ -51,7 +51,7 @@ function drawChart(holder, quantity, result, range) {
   bins.forEach((bin, i) => {
     const size = bin / most * (base - top);
     const bar = element("rect", {class: "bar", x: left + i / count * span, width: span / count - 0.8, y: base - size,
-                                 height: size, fill: cssColour(quantity.colours[Math.round((i + 0.5) / count * 255)])});
+                                 height: size, fill: cssColor(quantity.colors[Math.round((i + 0.5) / count * 255)])});
     const ends = [i, i + 1].map(edge => figure(low + edge / count * (high - low)));
     const beyond = i === count - 1 ? `${ends[0]} and more` : `${ends[0]} to ${ends[1]}`;
     const title = document.createElementNS("http://www.w3.org/2000/svg", "title");
@@ -101,7 +101,7 @@ function drawLegend(quantity, range) {
   const [low, high] = quantity.bounds(range);
   document.getElementById("legend-title").textContent = quantity.title;
   document.getElementById("legend-bar").style.background =
-      `linear-gradient(to right, ${quantity.colours.filter((_, i) => i % 15 === 0).map(cssColour).join(",")})`;
+      `linear-gradient(to right, ${quantity.colors.filter((_, i) => i % 15 === 0).map(cssColor).join(",")})`;
   document.getElementById("legend-ticks").replaceChildren(...ticksOf(quantity, range).map(tick => {
     const mark = element("span", {}, tick.text);
     mark.style.left = `${100 * (tick.octaves - low) / (high - low)}%`;

@@ -132,10 +132,10 @@ function normalsOf(positions, triangles) {
 function meshOf(result) {
   const triangles = trianglesOf(bytesOf(result.connections), result.triangles);
   const {positions, frame} = positionsOf(result);
-  const dilatation = bytesOf(result.dilatation), area = bytesOf(result.areaRatio);
+  const quasiConformal = bytesOf(result.quasiConformal), area = bytesOf(result.areaRatio);
   const levels = new Uint8Array(2 * result.triangles);
   for (let t = 0; t < result.triangles; ++t) {
-    levels[2 * t] = dilatation[t];
+    levels[2 * t] = quasiConformal[t];
     levels[2 * t + 1] = area[t];
   }
   const directions = result.polycube ? polycubeOf(result.polycube, result.vertices) : directionsOf(result);

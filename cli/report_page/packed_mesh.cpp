@@ -32,7 +32,7 @@ void check(const PageResult& result) {
   };
   if (result.triangles.empty()) fail("no triangle");
   if (target_of(result).size() != result.positions.size()) fail("the map has not as many vertices as the shape");
-  if (result.dilatation.size() != result.triangles.size() || result.area_ratio.size() != result.triangles.size()) {
+  if (result.quasi_conformal.size() != result.triangles.size() || result.area_ratio.size() != result.triangles.size()) {
     fail("not as many distortions as triangles");
   }
   const std::size_t basis = (std::size_t{result.degree} + 1) * (std::size_t{result.degree} + 1);
@@ -240,24 +240,24 @@ PackedMesh pack(const PageResult& result) {
     packed.directions = base64(directions);
   }
 
-  std::vector<std::uint8_t> dilatation;
+  std::vector<std::uint8_t> quasi_conformal;
   std::vector<std::uint8_t> area_ratio;
   double total = 0;
   for (const Index t : order.triangles) {
-    dilatation.push_back(level_of(dilatation_levels, result.dilatation[t]));
+    quasi_conformal.push_back(level_of(quasi_conformal_levels, result.quasi_conformal[t]));
     area_ratio.push_back(level_of(area_levels, result.area_ratio[t]));
     const double area = area_of(result, result.triangles[t]);
-    packed.dilatation_share[dilatation.back()] += area;
+    packed.quasi_conformal_share[quasi_conformal.back()] += area;
     packed.area_ratio_share[area_ratio.back()] += area;
     total += area;
   }
   if (total > 0) {
-    for (double& share : packed.dilatation_share)
+    for (double& share : packed.quasi_conformal_share)
       share /= total;
     for (double& share : packed.area_ratio_share)
       share /= total;
   }
-  packed.dilatation = base64(dilatation);
+  packed.quasi_conformal = base64(quasi_conformal);
   packed.area_ratio = base64(area_ratio);
   return packed;
 }

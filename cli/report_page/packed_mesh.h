@@ -20,7 +20,7 @@ struct Levels {
   std::uint8_t most;
   std::uint8_t none;  // the level of triangles without a value
 };
-inline constexpr Levels dilatation_levels{0, 254, 8, 0, 254, 255};
+inline constexpr Levels quasi_conformal_levels{0, 254, 8, 0, 254, 255};
 inline constexpr Levels area_levels{128, 127, 12, 1, 255, 0};
 
 struct PackedMesh {
@@ -32,11 +32,11 @@ struct PackedMesh {
   std::string directions;   // two 24-bit numbers a vertex: octahedral coordinates (Cigolle et al. 2014)
   std::string polycube;     // instead of directions: as positions, from the polycube's own lowest corner, not turned
   std::string connections;  // numbers of 7 bits a byte, see walk() in packed_mesh.cpp
-  std::string dilatation;   // one level a triangle
+  std::string quasi_conformal;  // one level a triangle
   std::string area_ratio;
   std::string coefficients;  // of the harmonics, float32: of the sums in steps from `low`, at the unturned directions
   Eigen::Matrix3d facing;    // what turned the directions, or is to turn the polycube
-  std::array<double, 256> dilatation_share{};  // part of the shape's area at each level
+  std::array<double, 256> quasi_conformal_share{};  // part of the shape's area at each level
   std::array<double, 256> area_ratio_share{};
 };
 

@@ -8,9 +8,9 @@
   const quantities = quantitiesOf(data.levels);
   const preset = new URLSearchParams(location.hash.slice(1));
   const canvas = byId("canvas"), stage = byId("stage"), meshes = [];
-  const chosenRange = {dilatation: 0, area: 0};  // 0: automatic
+  const chosenRange = {quasiConformal: 0, area: 0};  // 0: automatic
   const state = {turn: [0, 0, 0, 1], zoom: Number(preset.get("zoom")) || 1, shifts: [[0, 0], [0, 0]],
-                 morph: Number(preset.get("morph")) || 0, mode: "dilatation",
+                 morph: Number(preset.get("morph")) || 0, mode: "quasiConformal",
                  coding: null, bounds: [0, 1], edges: preset.has("edges")};
   const reconstructions = [];  // of the results that have harmonics, once looked at
   let chosen = 0, degree = null, zUp = null, viewer = null, waiting = false, stale = false, mouse = null, pointed = null;
@@ -76,8 +76,8 @@
     byId("reading").hidden = !pointed;
     if (!pointed) return;
     const text = (quantity, level) => (level === quantity.noLevel ? "none" : figure(quantity.octaves(level)));
-    const [dilatation, area] = viewer.mesh.levels.subarray(2 * pointed.triangle, 2 * pointed.triangle + 2);
-    byId("reading").textContent = `Quasi-conformal distortion ${text(quantities.dilatation, dilatation)} · area ratio ` +
+    const [quasiConformal, area] = viewer.mesh.levels.subarray(2 * pointed.triangle, 2 * pointed.triangle + 2);
+    byId("reading").textContent = `Quasi-conformal distortion ${text(quantities.quasiConformal, quasiConformal)} · area ratio ` +
                                   text(quantities.area, area);
   }
 
@@ -98,7 +98,7 @@
           ...scaleRanges.map(value => element("option", {value}, sign(value))));
       byId("scale").value = chosenRange[state.mode];
       drawLegend(quantity, range);
-      viewer?.setColours(quantity.colours);
+      viewer?.setColors(quantity.colors);
     }
     redraw();
   }
@@ -191,7 +191,7 @@
 
   function setMode(mode) {
     state.mode = mode;
-    document.querySelector(`input[name="colouring"][value="${mode}"]`).checked = true;
+    document.querySelector(`input[name="coloring"][value="${mode}"]`).checked = true;
     showQuantity();
   }
 
@@ -293,7 +293,7 @@
   }
 
   function listenToControls() {
-    byId("colouring").addEventListener("change", event => setMode(event.target.value));
+    byId("coloring").addEventListener("change", event => setMode(event.target.value));
     byId("morph").addEventListener("input", event => {
       play(false);
       setMorph(Number(event.target.value));
@@ -365,7 +365,7 @@
   degree = preset.has("degree") ? Number(preset.get("degree")) || 0 : null;
   listenToControls();
   choose(chosen);
-  if (modes.includes(preset.get("colour"))) setMode(preset.get("colour"));
+  if (modes.includes(preset.get("color"))) setMode(preset.get("color"));
   if (!viewer) return;
   listenToPointers();
   listenToKeys();

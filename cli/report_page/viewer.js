@@ -4,7 +4,7 @@
 const textureWidth = 4096;
 const eyeDistance = 5;
 const legendHeight = 56;  // in CSS pixels, kept free below two views above each other
-const modes = ["dilatation", "area", "checker", "plain"];
+const modes = ["quasiConformal", "area", "checker", "plain"];
 
 const vertexShader = `#version 300 es
 precision highp float;
@@ -37,19 +37,19 @@ void main() {
                      (-place.z * (far + near) - 2.0 * far * near) / (far - near), -place.z);
 }`;
 
-const colourShader = `#version 300 es
+const colorShader = `#version 300 es
 precision highp float;
 precision highp int;
 flat in uvec2 level;
 in vec3 place, normal, direction, weights;
-uniform sampler2D colours;
+uniform sampler2D colors;
 uniform int mode;
 uniform vec4 coding;  // of values as levels: zero, span, octaves, none (packed_mesh.h)
-uniform vec2 bounds;  // of the colour scale, in octaves
+uniform vec2 bounds;  // of the color scale, in octaves
 uniform bool edges, polycube;
 uniform float morph;
 uniform mat3 facing;  // that turned the polycube
-out vec4 colour;
+out vec4 color;
 
 const vec3 tints[6] = vec3[](vec3(0.80, 0.33, 0.24), vec3(0.18, 0.55, 0.53), vec3(0.87, 0.62, 0.18),
                              vec3(0.36, 0.38, 0.70), vec3(0.25, 0.48, 0.75), vec3(0.58, 0.36, 0.60));
@@ -90,7 +90,7 @@ void main() {
     float value = float(mode == 0 ? level.x : level.y);
     float part = (value - coding.x) / coding.y;
     float at = (coding.z * part * abs(part) - bounds.x) / (bounds.y - bounds.x);
-    base = value == coding.w ? vec3(0.5) : texture(colours, vec2(clamp(at, 0.0, 1.0), 0.5)).rgb;
+    base = value == coding.w ? vec3(0.5) : texture(colors, vec2(clamp(at, 0.0, 1.0), 0.5)).rgb;
   } else if (mode == 2) {
     base = polycube ? checkerOnFaces(direction, gl_FrontFacing) : checker(normalize(direction));
   }
@@ -106,17 +106,17 @@ void main() {
     float fade = 1.0 - smoothstep(0.05, 0.55, max(across.x, max(across.y, across.z)));
     lit = mix(lit, 0.2 * lit, 0.75 * fade * max(lines.x, max(lines.y, lines.z)));
   }
-  colour = vec4(lit, 1.0);
+  color = vec4(lit, 1.0);
 }`;
 
 const numberShader = `#version 300 es
 precision highp float;
 precision highp int;
 flat in uint triangle;
-out vec4 colour;
+out vec4 color;
 void main() {
   uint n = triangle + 1u;
-  colour = vec4(n & 255u, n >> 8 & 255u, n >> 16 & 255u, n >> 24) / 255.0;
+  color = vec4(n & 255u, n >> 8 & 255u, n >> 16 & 255u, n >> 24) / 255.0;
 }`;
 
 // Rotation matrix, by columns, of a unit quaternion x, y, z, w.
@@ -146,7 +146,7 @@ class Viewer {
     this.canvas = canvas;
     const gl = this.gl = canvas.getContext("webgl2", {antialias: true, alpha: true, premultipliedAlpha: true});
     if (!gl) throw new Error("no WebGL 2");
-    this.colourProgram = this.program(vertexShader, colourShader);
+    this.colorProgram = this.program(vertexShader, colorShader);
     this.numberProgram = this.program(vertexShader, numberShader);
     this.textures = {};
     this.vertexArray = gl.createVertexArray();
@@ -215,11 +215,11 @@ class Viewer {
     }
   }
 
-  setColours(colours) {
+  setColors(colors) {
     const gl = this.gl;
-    this.textures.colours ??= gl.createTexture();
-    gl.bindTexture(gl.TEXTURE_2D, this.textures.colours);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array(colours.flat()));
+    this.textures.colors ??= gl.createTexture();
+    gl.bindTexture(gl.TEXTURE_2D, this.textures.colors);
+    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, 256, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array(colors.flat()));
     for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.CLAMP_TO_EDGE);
     gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
   }
@@ -269,8 +269,8 @@ class Viewer {
       gl.viewport(view.x * ratio, height - (view.y + view.height) * ratio, view.width * ratio, view.height * ratio);
       gl.enable(gl.SCISSOR_TEST);
       gl.scissor(view.x * ratio, height - (view.y + view.height) * ratio, view.width * ratio, view.height * ratio);
-      this.useScene(this.colourProgram, state, index, this.lens(view, state.zoom), state.shifts[index]);
-      const place = name => gl.getUniformLocation(this.colourProgram, name), {zero, span, octaves, none} = state.coding;
+      this.useScene(this.colorProgram, state, index, this.lens(view, state.zoom), state.shifts[index]);
+      const place = name => gl.getUniformLocation(this.colorProgram, name), {zero, span, octaves, none} = state.coding;
       gl.uniform1i(place("mode"), modes.indexOf(state.mode));
       gl.uniform4f(place("coding"), zero, span, octaves, none);
       gl.uniform2fv(place("bounds"), state.bounds);
@@ -331,8 +331,8 @@ class Viewer {
       return Math.max(0, (a[0] * b[1] - a[1] * b[0]) * this.facing(flat)) / corners[k][3];
     });
     const sum = weights[0] + weights[1] + weights[2];
-    const normalised = sum > 0 ? weights.map(weight => weight / sum) : [1 / 3, 1 / 3, 1 / 3];
-    return {index, triangle, weights: normalised, distance: this.seenAt(state, index, triangle, normalised).distance};
+    const normalized = sum > 0 ? weights.map(weight => weight / sum) : [1 / 3, 1 / 3, 1 / 3];
+    return {index, triangle, weights: normalized, distance: this.seenAt(state, index, triangle, normalized).distance};
   }
 
   facing([a, b, c]) {
@@ -343,15 +343,15 @@ class Viewer {
   statistics(index) {
     const gl = this.gl, ratio = this.canvas.width / this.canvas.clientWidth, view = this.views()[index];
     const width = Math.floor(view.width * ratio), height = Math.floor(view.height * ratio);
-    const pixels = new Uint8Array(4 * width * height), colours = new Set();
+    const pixels = new Uint8Array(4 * width * height), colors = new Set();
     gl.readPixels(view.x * ratio, this.canvas.height - (view.y + view.height) * ratio, width, height, gl.RGBA,
                   gl.UNSIGNED_BYTE, pixels);
     let drawn = 0;
     for (let i = 0; i < pixels.length; i += 4) {
       if (pixels[i + 3] === 0) continue;
       ++drawn;
-      colours.add(pixels[i] << 16 | pixels[i + 1] << 8 | pixels[i + 2]);
+      colors.add(pixels[i] << 16 | pixels[i + 1] << 8 | pixels[i + 2]);
     }
-    return {drawn: drawn / (width * height), colours: colours.size};
+    return {drawn: drawn / (width * height), colors: colors.size};
   }
 }

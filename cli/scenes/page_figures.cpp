@@ -31,16 +31,16 @@ PageResult page_result(const std::string& name, const mesh::Mesh& shape, std::sp
   result.positions = shape.positions;
   result.directions = directions;
   result.triangles = shape.triangles;
-  result.dilatation = faces.dilatation;
+  result.quasi_conformal = faces.quasi_conformal;
   result.area_ratio = faces.area_ratio;
   result.figures = {
       {"Vertices", std::to_string(shape.positions.size())},
       {"Triangles", std::to_string(shape.triangles.size())},
       {"One to one, checked exactly", validity(map)},
-      {"Mean quasi-conformal distortion (at least 1)", text_of(map.dilatation_mean)},
-      {"Largest quasi-conformal distortion", text_of(map.dilatation_largest)},
-      {"Smallest area ratio", text_of(map.area_ratio_smallest)},
-      {"Largest area ratio", text_of(map.area_ratio_largest)},
+      {"Mean quasi-conformal distortion (at least 1)", text_of(map.mean_quasi_conformal)},
+      {"Largest quasi-conformal distortion", text_of(map.max_quasi_conformal)},
+      {"Smallest area ratio", text_of(map.min_area_ratio)},
+      {"Largest area ratio", text_of(map.max_area_ratio)},
       {"Stretch efficiency (at most 1)", text_of(map.stretch_efficiency)},
       {"Mean isometric distortion (at least 1)", text_of(map.isometric_mean)},
       {"Angle energy E_D (at least 16 pi, 50.2655)", text_of(map.energy_angle)},

@@ -26,7 +26,7 @@ FaceDistortions face_distortions(const polycube::SurfaceMap& map, const base::Ho
     const auto [x, y] = sides(map.polycube, t);
     const double area = doubled_area({a, b}), image = doubled_area({x, y});
     if (!(area > 0) || !(image > 0)) {
-      result.dilatation.push_back(std::numeric_limits<double>::infinity());
+      result.quasi_conformal.push_back(std::numeric_limits<double>::infinity());
       result.area_ratio.push_back(0);
       continue;
     }
@@ -34,7 +34,7 @@ FaceDistortions face_distortions(const polycube::SurfaceMap& map, const base::Ho
     const double norm =
         (a.squaredNorm() * y.squaredNorm() + b.squaredNorm() * x.squaredNorm() - 2 * a.dot(b) * x.dot(y)) /
         (2 * area * image);
-    result.dilatation.push_back(norm + std::sqrt(std::max(0.0, norm * norm - 1)));
+    result.quasi_conformal.push_back(norm + std::sqrt(std::max(0.0, norm * norm - 1)));
     result.area_ratio.push_back(scale * image / area);
   }
   return result;

@@ -7,9 +7,9 @@
 namespace orbicube::cli {
 
 struct FaceDistortions {
-  explicit FaceDistortions(std::pmr::memory_resource* memory) : dilatation(memory), area_ratio(memory) {}
+  explicit FaceDistortions(std::pmr::memory_resource* memory) : quasi_conformal(memory), area_ratio(memory) {}
 
-  base::Array<double> dilatation;  // sigma_max / sigma_min of each triangle; infinite where it has no area
+  base::Array<double> quasi_conformal;  // sigma_max / sigma_min of each triangle; infinite where it has no area
   base::Array<double> area_ratio;  // area on the polycube over area in space, both wholes equal; 0 where that has none
 };
 

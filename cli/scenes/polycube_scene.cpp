@@ -62,7 +62,7 @@ Json write_polycube_scene(const std::filesystem::path& path, const polycube::Sur
   Array<std::pair<Index, Index>> pairs(host.memory);
   for (Index t = 0; t < map.triangles.size(); ++t)
     for (const Index v : map.triangles[t])
-      pairs.emplace_back(v, map.charts[t]);
+      pairs.emplace_back(v, map.patches[t]);
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
   Array<Triangle> triangles(host.memory);
@@ -70,7 +70,7 @@ Json write_polycube_scene(const std::filesystem::path& path, const polycube::Sur
   for (Index t = 0; t < map.triangles.size(); ++t) {
     Triangle corners{};
     for (std::size_t k = 0; k < 3; ++k) {
-      const std::pair wanted(map.triangles[t][k], map.charts[t]);
+      const std::pair wanted(map.triangles[t][k], map.patches[t]);
       corners[k] = static_cast<Index>(std::lower_bound(pairs.begin(), pairs.end(), wanted) - pairs.begin());
       labels[corners[k]] = map.labels[t];
     }

@@ -42,9 +42,9 @@ Json json_of(const PageResult& result) {
           {"positions", std::move(mesh.positions)},
           {"directions", std::move(mesh.directions)},
           {"connections", std::move(mesh.connections)},
-          {"dilatation", std::move(mesh.dilatation)},
+          {"quasiConformal", std::move(mesh.quasi_conformal)},
           {"areaRatio", std::move(mesh.area_ratio)},
-          {"dilatationShare", mesh.dilatation_share},
+          {"quasiConformalShare", mesh.quasi_conformal_share},
           {"areaRatioShare", mesh.area_ratio_share},
           {"polycube", std::move(polycube)},
           {"energies", result.energies},
@@ -91,7 +91,7 @@ std::string script_text(const Json& json) {
 
 std::string report_page(std::span<const PageResult> results, const std::string& title) {
   if (results.empty()) throw base::Error("invalid-argument", "no result for the page");
-  Json data = {{"levels", {{"dilatation", json_of(dilatation_levels)}, {"area", json_of(area_levels)}}},
+  Json data = {{"levels", {{"quasiConformal", json_of(quasi_conformal_levels)}, {"area", json_of(area_levels)}}},
                {"results", Json::array()}};
   for (const PageResult& result : results)
     data["results"].push_back(json_of(result));

@@ -19,7 +19,7 @@ struct PageResult {
   std::span<const mesh::Vector3> directions;  // its map to the sphere, one unit vector a vertex; or
   std::span<const mesh::Vector3> polycube;    // to a polycube, a position a vertex
   std::span<const mesh::Triangle> triangles;  // of both
-  std::span<const double> dilatation;         // sigma_max / sigma_min of each triangle; infinite where it has no area
+  std::span<const double> quasi_conformal;    // sigma_max / sigma_min of each triangle; infinite where it has no area
   std::span<const double> area_ratio;         // area on the map over area on the shape, both wholes equal
   std::vector<std::pair<std::string, std::string>> figures;  // rows of the table: name and value, in reading order
   // With a shape's spherical harmonics a slider shows it as they give it to each degree: (degree + 1)^2 coefficients of

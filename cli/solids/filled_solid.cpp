@@ -14,7 +14,7 @@ namespace {
 
 // Tetrahedra inside no larger than this: about as those beside the surface, but not more than some ten thousand for
 // their own sake. Where there are few, maps of the solid find no way.
-double largest_volume(const volume_map::CoarseSurface& surface, const base::Host& host) {
+double max_volume(const volume_map::CoarseSurface& surface, const base::Host& host) {
   double length = 0;
   for (const mesh::Triangle& t : surface.triangles)
     length += (surface.positions[t[1]] - surface.positions[t[0]]).norm();
@@ -30,7 +30,7 @@ FilledSolid filled_solid(const mesh::Mesh& surface, std::size_t triangles, const
   const auto filled = [&](std::size_t target) -> FilledSolid {
     volume_map::CoarseSurface coarse = volume_map::coarse_surface(surface.positions, surface.triangles, target, host);
     tetrahedra::Solid solid =
-        tetrahedra::fill(coarse.positions, coarse.triangles, {.max_volume = largest_volume(coarse, host)}, host);
+        tetrahedra::fill(coarse.positions, coarse.triangles, {.max_volume = max_volume(coarse, host)}, host);
     return {std::move(solid), std::move(coarse.triangles)};
   };
   const std::size_t all = surface.triangles.size();

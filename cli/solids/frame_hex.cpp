@@ -61,13 +61,13 @@ HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session) {
   volume_map::FrameHexes made = about(verb.output, Role::output, [&] {
     const volume_map::FrameHexOptions options = {.cells = verb.cells,
                                                  .distance = verb.distance,
-                                                 .most_cells = verb.most_cells,
+                                                 .max_cells = verb.max_cells,
                                                  .fine_positions = fine.positions,
                                                  .fine_triangles = fine.triangles,
-                                                 .most_fields = verb.most_fields};
+                                                 .max_fields = verb.max_fields};
     if (!verb.frames.empty()) return volume_map::make_hexahedra_by_frames(solid, options, host);
     return volume_map::make_hexahedra_along_frames(solid.positions, solid.tetrahedra,
-                                                   verb.features * std::numbers::pi / 180, options, host);
+                                                   verb.feature_angle * std::numbers::pi / 180, options, host);
   });
   const volume_map::FrameMap& map = made.map;
   const std::string note = made.fields > 1 ? "no map follows the smoothest field; that of the hexahedra is number " +

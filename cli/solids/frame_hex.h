@@ -15,9 +15,9 @@ struct FrameHexVerb {
   std::string frames;  // a file of them, or empty
   std::size_t cells = 10000;
   double distance = 1;  // percent
-  std::size_t most_cells = 100'000;
-  double features = 0;  // degrees
-  std::size_t most_fields = volume_map::FrameHexOptions{}.most_fields;
+  std::size_t max_cells = 100'000;
+  double feature_angle = 0;  // degrees
+  std::size_t max_fields = volume_map::FrameHexOptions{}.max_fields;
 };
 
 HexOutcome hexahedra_along_frames(const FrameHexVerb& verb, Session& session);

@@ -126,8 +126,7 @@ Json json_of(const PolycubeSolidOptions& options) {
   return {{"corners", options.corners}, {"triangles", options.triangles}, {"weld", options.weld}};
 }
 
-volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, std::size_t most_pieces,
-                                            Session& session) {
+volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, std::size_t max_pieces, Session& session) {
   constexpr double few = 0.05;
   const base::Host& host = session.host();
   mesh::Mesh& surface = input.mesh;
@@ -137,7 +136,7 @@ volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, std
     session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbors");
   if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
   const volume_map::SurfacePieces pieces = volume_map::surface_pieces(surface.positions, surface.triangles, host);
-  if (most_pieces > 0) volume_map::require_cells_for_pieces(pieces.count, most_pieces);
+  if (max_pieces > 0) volume_map::require_cells_for_pieces(pieces.count, max_pieces);
   turn_parts(pieces, surface.triangles, session);
   if (inside == Inside::nothing || pieces.count + pieces.cavities > 1) {
     const std::size_t pairs = volume_map::refuse_self_intersections(surface.positions, surface.triangles, few, host);
@@ -167,8 +166,8 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
   double filling = 0;
   about(options.input, Role::input, [&] {
     const volume_map::Pieces pieces =
-        cells ? cell_pieces(input.mesh, host) : pieces_of_surface(input, inside, options.most_pieces, session);
-    if (cells && options.most_pieces > 0) volume_map::require_cells_for_pieces(pieces.count, options.most_pieces);
+        cells ? cell_pieces(input.mesh, host) : pieces_of_surface(input, inside, options.max_pieces, session);
+    if (cells && options.max_pieces > 0) volume_map::require_cells_for_pieces(pieces.count, options.max_pieces);
     std::optional<volume_map::PieceCutter> cutter;
     if (pieces.count > 1) cutter.emplace(input.mesh, pieces, host);
     const int power = volume_map::size_exponent(input.mesh.positions);
@@ -211,7 +210,7 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
   for (const PolycubeSolidInput& result : results) {
     all = all && !result.made.map.triangles.empty();
     corners += result.made.certificate.corners;
-    patches += result.made.certificate.patches;
+    patches += result.made.certificate.patch_count;
     genus += result.made.certificate.genus;
     triangles += result.surface.size();
     angles += result.made.distortion.angle_mean / static_cast<double>(results.size());

@@ -20,7 +20,7 @@ struct PolycubeSolidOptions {
   std::size_t corners = 100;
   std::size_t triangles = 6000;
   bool weld = false;
-  std::size_t most_pieces = 0;  // more are refused; 0: any number
+  std::size_t max_pieces = 0;  // more are refused; 0: any number
 };
 
 void add_polycube_solid_options(CLI::App& verb, PolycubeSolidOptions& options);
@@ -45,8 +45,8 @@ enum class Polycubes { needed, where_there_are, none };
 
 // The solids that a surface bounds; its parts are turned to look out of them. Hexahedra stand it where one piece meets
 // itself in few places; the library tetrahedra decides what can be filled. Figures and notes go to the session. Throws
-// base::Error for what bounds no solid, with the place, and for more than `most_pieces` solids (0: any number).
-volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, std::size_t most_pieces, Session& session);
+// base::Error for what bounds no solid, with the place, and for more than `max_pieces` solids (0: any number).
+volume_map::SurfacePieces pieces_of_surface(InputMesh& input, Inside inside, std::size_t max_pieces, Session& session);
 
 // The pieces of a solid, each with a polycube of its own. Of a surface, which is filled with tetrahedra where these are
 // requested (in builds with TetGen), or of a solid of tetrahedra, which keeps them. Surfaces of more than twice as many

@@ -49,7 +49,7 @@ SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& ses
   });
   const polycube::CommonPolycube& common = result.common;
   const double own = std::accumulate(common.own_energies.begin(), common.own_energies.end(), 0.0);
-  session.figures()["polycube"] = {{"made_for", options.inputs[common.base]},
+  session.figures()["polycube"] = {{"constructed_from", options.inputs[common.base]},
                                    {"polycubes_tried", common.tried},
                                    {"genus", common.genus},
                                    {"corners", common.graph.corners.size()},

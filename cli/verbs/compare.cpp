@@ -96,8 +96,8 @@ void show(const CompareOptions& options, const Matrix& distance, Session& sessio
 }
 
 void compare(const CompareOptions& options, Session& session) {
-  session.options() = {{"files", options.files}, {"output", options.output}, {"png", options.picture},
-                       {"from", options.first},  {"degree", options.last},   {"keep_size", options.keep_size}};
+  session.options() = {{"files", options.files},      {"output", options.output}, {"png", options.picture},
+                       {"min_degree", options.first}, {"degree", options.last},   {"keep_size", options.keep_size}};
   if (options.first > options.last) throw Failure(Exit::wrong_input, "", "usage", "--from is above --degree");
   std::deque<harmonics::Coefficients> shapes;
   for (const std::string& file : options.files) {
@@ -155,7 +155,7 @@ void add_compare(CLI::App& app, CommonOptions& common) {
                    "draw the matrix: black for equal shapes, light yellow for the maximum distance")
       ->type_name("FILE.png");
   verb->add_option("--degree", options->last, "compare degrees up to N [default: all]")->check(degree)->type_name("N");
-  verb->add_option("--from", options->first,
+  verb->add_option("--min-degree", options->first,
                    "compare degrees from N on; 1 ignores the positions of the shapes [default: 0]")
       ->check(degree)
       ->type_name("N");

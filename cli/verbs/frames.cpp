@@ -35,9 +35,9 @@ const std::map<std::string, Start> starts = {{"auto", Start::automatic},
 const std::map<std::string, frame_field::Weighting> weightings = {{"uniform", frame_field::Weighting::uniform},
                                                                   {"geometric", frame_field::Weighting::geometric}};
 const std::map<std::string, frame_field::Method> frame_methods = {{"smooth", frame_field::Method::smooth},
-                                                                  {"seed", frame_field::Method::seed}};
+                                                                  {"dissertation", frame_field::Method::dissertation}};
 
-constexpr std::size_t most_places = 1000;  // that a report lists of each kind
+constexpr std::size_t max_places = 1000;  // that a report lists of each kind
 
 struct FramesOptions {
   std::string input;
@@ -48,7 +48,7 @@ struct FramesOptions {
   std::string boundary;
   std::string method = "smooth";
   std::string weights = "uniform";
-  double features = 0;  // degrees
+  double feature_angle = 0;  // degrees
   std::uint32_t rounds = frame_field::Options{}.rounds;
   bool free_boundary = false;
   bool repair = false;
@@ -77,11 +77,11 @@ Json json_of(const frame_field::Measurement& m) {
           {"norm_error", m.norm_error},
           {"misalignment_deg",
            {{"one_face_tets", m.one_face_tetrahedra},
-            {"one_face_max", m.one_face_largest},
+            {"one_face_max", m.one_face_max},
             {"one_face_mean", m.one_face_mean},
             {"several_face_tets", m.several_face_tetrahedra},
-            {"several_best_face_max", m.several_best_largest},
-            {"several_worst_face_max", m.several_worst_largest}}}};
+            {"several_best_face_max", m.several_best_max},
+            {"several_worst_face_max", m.several_worst_max}}}};
 }
 
 Json json_of(const frame_field::SingularGraph& g, int exponent) {
@@ -125,14 +125,14 @@ Json improper_places(const mesh::Mesh& solid, const frame_field::SingularGraph& 
     return Json{unscaled(p[0], -exponent), unscaled(p[1], -exponent), unscaled(p[2], -exponent)};
   };
   Json edges = Json::array(), vertices = Json::array();
-  for (std::size_t i = 0; i < std::min(local.edges.size(), most_places); ++i) {
+  for (std::size_t i = 0; i < std::min(local.edges.size(), max_places); ++i) {
     const frame_field::SingularEdge& edge = graph.edges[local.edges[i]];
     const auto& [a, b] = edge.vertices;
     edges.push_back({{"vertices", {a, b}},
                      {"turn", turn_name(edge)},
                      {"at", point(0.5 * (solid.positions[a] + solid.positions[b]))}});
   }
-  for (std::size_t i = 0; i < std::min(local.vertices.size(), most_places); ++i) {
+  for (std::size_t i = 0; i < std::min(local.vertices.size(), max_places); ++i) {
     const mesh::Index v = local.vertices[i];
     vertices.push_back({{"vertex", v},
                         {"kind", std::ranges::binary_search(graph.nodes, v) ? "node" : "turning-point"},
@@ -195,7 +195,7 @@ frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& sol
   settings.method = frame_methods.at(options.method);
   settings.weighting = weightings.at(options.weights);
   settings.align_boundary = !options.free_boundary;
-  settings.feature_angle = options.features * std::numbers::pi / 180;
+  settings.feature_angle = options.feature_angle * std::numbers::pi / 180;
   settings.rounds = options.rounds;
   settings.repairs = options.single_axis ? frame_field::Repairs::single_axis
                      : options.repair    ? frame_field::Repairs::places
@@ -227,14 +227,22 @@ void write(const FramesOptions& options, const mesh::Mesh& solid, int exponent, 
 }
 
 void run_frames(const FramesOptions& options, Session& session) {
-  session.options() = {{"output", options.output},     {"start", options.start},
-                       {"from", options.from},         {"unchanged", options.unchanged},
-                       {"boundary", options.boundary}, {"method", options.method},
-                       {"weights", options.weights},   {"features", options.features},
-                       {"rounds", options.rounds},     {"free_boundary", options.free_boundary},
-                       {"repair", options.repair},     {"single_axis", options.single_axis},
-                       {"vtk", options.vtk},           {"plot", options.plot},
-                       {"glb", options.glb},           {"crosses", options.crosses}};
+  session.options() = {{"output", options.output},
+                       {"start", options.start},
+                       {"from", options.from},
+                       {"unchanged", options.unchanged},
+                       {"boundary", options.boundary},
+                       {"method", options.method},
+                       {"face_weights", options.weights},
+                       {"feature_angle", options.feature_angle},
+                       {"rounds", options.rounds},
+                       {"align_boundary", !options.free_boundary},
+                       {"repair", options.repair},
+                       {"single_axis", options.single_axis},
+                       {"vtk", options.vtk},
+                       {"plot", options.plot},
+                       {"glb", options.glb},
+                       {"crosses", options.crosses}};
   require_folder(options.output);
   for (const std::string& path : {options.vtk, options.plot, options.glb}) {
     if (!path.empty()) require_folder(path);
@@ -308,7 +316,7 @@ void run_frames(const FramesOptions& options, Session& session) {
               " s, from the start " + frame_field::start_name(outcome.start));
   session.say("  energy " + number(m.energy) + ", angles " + number(m.symmetric.mean) + " degrees on average, " +
               number(m.symmetric.p99) + " at 99 %, maximum " + number(m.symmetric.largest) + "; at most " +
-              number(m.one_face_largest) + " degrees off the normals");
+              number(m.one_face_max) + " degrees off the normals");
   session.say("  " + std::to_string(graph.edges.size()) + " singular edges on " + std::to_string(graph.curves()) +
               " curves with " + std::to_string(graph.nodes.size()) + " nodes; " +
               (local.locally_meshable() ? "locally meshable"
@@ -351,22 +359,22 @@ void add_frames(CLI::App& app, CommonOptions& common) {
   verb->add_option("--boundary", options->boundary, "fix the frames of boundary tetrahedra to those of this file")
       ->type_name("FILE.frames");
   verb->add_option("--method", options->method,
-                   "smooth, or seed: the method of the dissertation with fixed matchings [default: smooth]")
+                   "smooth, or dissertation: the method of the dissertation with fixed matchings [default: smooth]")
       ->check(one_of(frame_methods))
       ->type_name("METHOD");
   verb->add_option(
-          "--weights", options->weights,
+          "--face-weights", options->weights,
           "weights of inner faces: uniform, or geometric, area over distance of the centers [default: uniform]")
       ->check(one_of(weightings))
       ->type_name("WEIGHTS");
-  verb->add_option("--features", options->features,
+  verb->add_option("--feature-angle", options->feature_angle,
                    "minimum dihedral angle, in degrees, of boundary edges that an axis follows; 0: none [default: 0]")
       ->check(unnamed(CLI::Range(0.0, 180.0)))
       ->type_name("DEGREES");
   verb->add_option("--rounds", options->rounds, "number of improvement rounds of --start auto [default: 2]")
       ->check(unnamed(CLI::Range(0, 1000)))
       ->type_name("N");
-  verb->add_flag("--free-boundary", options->free_boundary, "do not align frames with the boundary");
+  verb->add_flag("--no-align-boundary", options->free_boundary, "do not align frames with the boundary");
   verb->add_flag("--repair", options->repair,
                  "change the field where no hexahedral mesh can follow it, at a small increase of the energy")
       ->excludes(verb->get_option("--unchanged"));

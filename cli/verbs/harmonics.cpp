@@ -149,13 +149,20 @@ Coefficients aligned(const Coefficients& coefficients, const HarmonicsOptions& o
 
 void fit_surface(const HarmonicsOptions& options, Session& session) {
   const base::Host& host = session.host();
-  session.options() = {{"sphere", options.sphere},   {"degree", options.degree},
-                       {"output", options.output},   {"reconstruct", options.reconstruction},
-                       {"page", options.page},       {"align_to", options.reference},
-                       {"align", options.align},     {"method", options.method},
-                       {"weights", options.weights}, {"smoothing", options.smoothing},
-                       {"low", options.low},         {"high", options.high},
-                       {"band", options.band},       {"width", options.width}};
+  session.options() = {{"sphere", options.sphere},
+                       {"degree", options.degree},
+                       {"output", options.output},
+                       {"reconstruct", options.reconstruction},
+                       {"page", options.page},
+                       {"align_to", options.reference},
+                       {"align", options.align},
+                       {"method", options.method},
+                       {"vertex_weights", options.weights},
+                       {"smoothing", options.smoothing},
+                       {"low", options.low},
+                       {"high", options.high},
+                       {"band", options.band},
+                       {"width", options.width}};
   about(options.output, Role::output, [&] { harmonics::format_of_path(options.output); });
   if (!options.reconstruction.empty()) require_writable(options.reconstruction);
   const harmonics::Band band = options.kept();
@@ -289,7 +296,7 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
                    "weight of the squared Laplacian in the fit, for surfaces that do not determine it [default: 0]")
       ->check(unnamed(CLI::NonNegativeNumber))
       ->type_name("S");
-  verb->add_option("--weights", options->weights,
+  verb->add_option("--vertex-weights", options->weights,
                    "weight of a vertex: area (a third of the area of its triangles on the surface, default), sphere "
                    "(the same on the map), uniform")
       ->check(unnamed(CLI::IsMember({"area", "sphere", "uniform"})))

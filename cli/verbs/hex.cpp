@@ -25,6 +25,8 @@ const std::map<std::string, volume_map::Padding> paddings = {{"auto", volume_map
 
 const std::map<std::string, Cut> cuts = {{"quarter", Cut::quarter}, {"half", Cut::half}, {"none", Cut::none}};
 
+constexpr double aligned_angle = volume_map::HexOptions{}.feature_angle;
+
 struct HexVerb {
   PolycubeSolidOptions solid;
   HexOutput output;
@@ -32,20 +34,20 @@ struct HexVerb {
   std::string padding = "auto";
   std::string cut = "quarter";
   double distance = 1;
-  std::size_t most_cells = 100'000;
-  double sharp_edges = volume_map::HexOptions{}.sharp_angle;  // degrees
+  std::size_t max_cells = 100'000;
+  // In degrees; not set: aligned_angle, and none with --method frames.
+  std::optional<double> feature_angle;
   std::string method = "auto";
   std::string frames;
-  double features = 0;  // degrees
 };
 
 HexOutcome hexahedra_of_cells(const HexVerb& verb, volume_map::HexMethod method, Session& session) {
   using volume_map::HexMethod;
   const Polycubes polycubes = method == HexMethod::polycube ? Polycubes::needed
-                              : method == HexMethod::voxels ? Polycubes::none
+                              : method == HexMethod::grid   ? Polycubes::none
                                                             : Polycubes::where_there_are;
   PolycubeSolidOptions solid = verb.solid;
-  solid.most_pieces = verb.cells;
+  solid.max_pieces = verb.cells;
   const std::vector<PolycubeSolidInput> pieces =
       session.portion(0.3, [&] { return read_polycube_solid(solid, Inside::nothing, polycubes, session); });
   const double start = session.seconds();
@@ -64,23 +66,23 @@ HexOutcome hexahedra_of_cells(const HexVerb& verb, volume_map::HexMethod method,
                                                         .cells = verb.cells,
                                                         .padding = paddings.at(verb.padding),
                                                         .distance = verb.distance,
-                                                        .most_cells = verb.most_cells,
-                                                        .sharp_angle = verb.sharp_edges},
+                                                        .max_cells = verb.max_cells,
+                                                        .feature_angle = verb.feature_angle.value_or(aligned_angle)},
                                                        session.host());
   });
   made.besides =
-      made.result.by_voxels ? "cells of a grid in space" : std::to_string(corners) + " corners of the polycube";
+      made.result.grid_based ? "cells of a grid in space" : std::to_string(corners) + " corners of the polycube";
   if (!pieces.empty()) made.exponent = pieces.front().exponent;
-  made.figures = {{"method", made.result.by_voxels ? "voxels" : "polycube"},
+  made.figures = {{"method", made.result.grid_based ? "grid" : "polycube"},
                   {"padded", made.result.padded},
                   {"follows_sharp_edges", made.result.follows_sharp_edges},
                   {"seconds_compute", session.seconds() - start}};
   return made;
 }
 
-HexOutcome hexahedra_by_frames(const HexVerb& verb, double features, std::size_t most_fields, Session& session) {
+HexOutcome hexahedra_by_frames(const HexVerb& verb, double feature_angle, std::size_t max_fields, Session& session) {
   HexOutcome made = hexahedra_along_frames(
-      {verb.solid, verb.output.path, verb.frames, verb.cells, verb.distance, verb.most_cells, features, most_fields},
+      {verb.solid, verb.output.path, verb.frames, verb.cells, verb.distance, verb.max_cells, feature_angle, max_fields},
       session);
   made.figures["method"] = "frames";
   return made;
@@ -108,20 +110,19 @@ HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
   constexpr std::size_t few_fields = 3;
   // Layers are those of a polycube.
   const bool frames_may = verb.padding == "auto", machined = frames_may && looks_machined(verb.solid, session);
-  const double features = verb.features > 0 ? verb.features : verb.sharp_edges;
   std::optional<HexOutcome> made;
   const auto take = [&](HexOutcome now) {
     if (!made || volume_map::better(now.result, made->result, verb.distance)) made = std::move(now);
   };
   const auto try_frames = [&] {
     try {
-      take(hexahedra_by_frames(verb, features, few_fields, session));
+      take(hexahedra_by_frames(verb, verb.feature_angle.value_or(aligned_angle), few_fields, session));
     } catch (const Failure& failure) {
       if (failure.kind() == "cancelled") throw;
     }
   };
   if (machined) try_frames();
-  if (made && made->result.quality.least_scaled_jacobian > poor && volume_map::excess(made->result, verb.distance) <= 1)
+  if (made && made->result.quality.min_scaled_jacobian > poor && volume_map::excess(made->result, verb.distance) <= 1)
     return std::move(*made);
   try {
     take(hexahedra_of_cells(verb, frames_may ? volume_map::HexMethod::automatic : volume_map::HexMethod::polycube,
@@ -135,7 +136,7 @@ HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
 }
 
 void run_hex(const HexVerb& verb, Session& session) {
-  if (verb.method == "voxels" && verb.padding == "without")
+  if (verb.method == "grid" && verb.padding == "without")
     throw Failure(Exit::wrong_input, "", "usage",
                   "--padding without: the cells of a grid in space have a layer around");
   HexOutput output = verb.output;
@@ -145,20 +146,20 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"cells", verb.cells},
                        {"padding", verb.padding},
                        {"distance", verb.distance},
-                       {"most_cells", verb.most_cells},
-                       {"sharp_edges", verb.sharp_edges},
+                       {"max_cells", verb.max_cells},
                        {"method", verb.method},
                        {"frames", verb.frames},
-                       {"features", verb.features},
                        {"text", output.text},
                        {"glb", output.glb},
                        {"keep_partial", output.keep_partial},
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
   const bool by_frames = verb.method == "frames" || (verb.method == "auto" && !verb.frames.empty());
-  HexOutcome made = by_frames ? hexahedra_by_frames(verb, verb.features, FrameHexVerb{}.most_fields, session)
+  session.options()["feature_angle"] = verb.feature_angle.value_or(by_frames ? 0 : aligned_angle);
+  HexOutcome made = by_frames
+                        ? hexahedra_by_frames(verb, verb.feature_angle.value_or(0), FrameHexVerb{}.max_fields, session)
                     : verb.method == "polycube" ? hexahedra_of_cells(verb, volume_map::HexMethod::polycube, session)
-                    : verb.method == "voxels"   ? hexahedra_of_cells(verb, volume_map::HexMethod::voxels, session)
+                    : verb.method == "grid"     ? hexahedra_of_cells(verb, volume_map::HexMethod::grid, session)
                                                 : best_hexahedra(verb, session);
   write_hexahedra(output, std::move(made), verb.distance, session);
 }
@@ -175,17 +176,17 @@ void add_hex(CLI::App& app, CommonOptions& common) {
       ->type_name("N");
   verb->add_option("--distance", options->distance,
                    "maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum "
-                   "volume error, in percent. While it is exceeded, the cell count is doubled, up to --most-cells; "
+                   "volume error, in percent. While it is exceeded, the cell count is doubled, up to --max-cells; "
                    "more than twice of it is an error. 0: no limit [default: 1]")
       ->check(unnamed(CLI::Range(0.0, 100.0)))
       ->type_name("PERCENT");
-  verb->add_option("--most-cells", options->most_cells,
+  verb->add_option("--max-cells", options->max_cells,
                    "approximate maximum number of hexahedra for --distance [default: 100000]")
       ->check(unnamed(CLI::Range(1, 10'000'000)))
       ->type_name("N");
-  verb->add_option("--sharp-edges", options->sharp_edges,
-                   "minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
-                   "none [default: 40]")
+  verb->add_option("--feature-angle", options->feature_angle,
+                   "minimum dihedral angle, in degrees, of surface edges that edges of OUT or axes of computed frames "
+                   "follow; 0: none [default: 40; with --method frames 0]")
       ->check(unnamed(CLI::Range(0.0, 179.0)))
       ->type_name("DEGREES");
   verb->add_option("--padding", options->padding,
@@ -200,19 +201,14 @@ void add_hex(CLI::App& app, CommonOptions& common) {
       ->type_name("C");
   verb->add_option(
           "--method", options->method,
-          "polycube: cells of a polycube; frames: along a frame field, with its singular edges inside; voxels: "
+          "polycube: cells of a polycube; frames: along a frame field, with its singular edges inside; grid: "
           "grid-based, with a layer of cells around; auto (default): frames for machined parts; otherwise, and where "
-          "frames fail, polycube; voxels where that is too far from the surface or of low quality")
-      ->check(unnamed(CLI::IsMember({"auto", "polycube", "frames", "voxels"})))
+          "frames fail, polycube; grid where that is too far from the surface or of low quality")
+      ->check(unnamed(CLI::IsMember({"auto", "polycube", "frames", "grid"})))
       ->type_name("METHOD");
   verb->add_option("--frames", options->frames,
                    "frame field of IN, a tetrahedral mesh, for the hexahedra; default: computed")
       ->type_name("FILE.frames");
-  verb->add_option("--features", options->features,
-                   "minimum dihedral angle, in degrees, of boundary edges that an axis of computed frames follows; 0: "
-                   "none [default: 0; with --method auto that of --sharp-edges]")
-      ->check(unnamed(CLI::Range(0.0, 180.0)))
-      ->type_name("DEGREES");
   verb->add_flag("--keep-partial", options->output.keep_partial,
                  "write OUT also if it exceeds twice --distance (exit code 1)");
   verb->add_flag("--text", options->output.text, "write text in place of binary VTK");

@@ -42,9 +42,9 @@ struct MorphOptions {
   std::string landmarks;
   std::string grid = "both";
   std::string align = "shape";
-  std::string place = "kept";
+  std::string placement = "kept";
   double tolerance = 0.2;  // percent of the diagonal
-  std::size_t steps = 0;
+  std::size_t intermediates = 0;
   double seconds = 2;
   bool weld = false;
   bool polycube = false;
@@ -123,10 +123,10 @@ CommonMesh overlay_of(const MorphOptions& options, const std::deque<MorphShape>&
     missed.push_back({shapes[i].locator.get(), shapes[i].surface.mesh.positions, &in_line});
     vertices += used_count(shapes[i], host);
   }
-  constexpr std::size_t most_growth = 3;
+  constexpr std::size_t max_growth = 3;
   const sphere_map::Refinement refinement{
       sphere_map::EdgeError(missed, options.tolerance / 100),
-      most_growth * vertices + shapes[0].directions.size() - used_count(shapes[0], host)};
+      max_growth * vertices + shapes[0].directions.size() - used_count(shapes[0], host)};
   sphere_map::Overlay made = sphere_map::overlay({shapes[0].directions, shapes[0].surface.mesh.triangles}, others, host,
                                                  options.tolerance > 0 ? &refinement : nullptr);
   CommonMesh common(host.memory);
@@ -189,10 +189,10 @@ void morph(const MorphOptions& options, Session& session) {
   session.options() = {{"output", options.output},
                        {"landmarks", options.landmarks},
                        {"align", options.align},
-                       {"place", options.place},
+                       {"placement", options.placement},
                        {"grid", options.grid},
                        {"tolerance", options.tolerance},
-                       {"steps", options.steps},
+                       {"intermediates", options.intermediates},
                        {"seconds", options.seconds},
                        {"weld", options.weld},
                        {"polycube", options.polycube},
@@ -202,8 +202,8 @@ void morph(const MorphOptions& options, Session& session) {
     throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
 #ifdef ORBICUBE_WITH_POLYCUBE
   if (options.polycube) {
-    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.place, options.corners,
-                       options.steps, options.seconds, options.weld, options.show_polycube},
+    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.placement,
+                       options.corners, options.intermediates, options.seconds, options.weld, options.show_polycube},
                       session);
     return;
   }
@@ -221,7 +221,7 @@ void morph(const MorphOptions& options, Session& session) {
     align_by_landmarks(shapes, options.landmarks, session);
   } else if (options.align != "none") {
     align_by_correlation(shapes, options.align == "shape", session);
-    if (options.place == "kept") note_turned(shapes, session);
+    if (options.placement == "kept") note_turned(shapes, session);
   }
   session.figures()["alignment"] = options.landmarks.empty() ? options.align : "landmarks";
 
@@ -238,7 +238,7 @@ void morph(const MorphOptions& options, Session& session) {
     mesh::Mesh state(host.memory);
     state.positions = carried.positions;
     state.triangles = common.triangles;
-    shape.figures["turned_over"] = carried.turned_over;
+    shape.figures["flipped"] = carried.flipped;
     shape.figures["distance"] = json_of_distance(shape.surface.mesh, state, host);
     states.push_back(std::move(carried.positions));
     if (i == 0 && shape.surface.kept)
@@ -248,8 +248,8 @@ void morph(const MorphOptions& options, Session& session) {
   std::vector<Json*> figures;
   for (MorphShape& shape : shapes)
     figures.push_back(&shape.figures);
-  place(options.place, common.triangles, states, figures);
-  MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.steps};
+  place(options.placement, common.triangles, states, figures);
+  MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.intermediates};
   if (shapes[0].surface.kept) {
     morph.kept = shapes[0].surface.kept.get();
     morph.kept_surface = shapes[0].surface.mesh.triangles;
@@ -277,7 +277,7 @@ void morph(const MorphOptions& options, Session& session) {
                            " rad at most after turning, by " +
                            number(shape.figures["landmarks"]["angle"]["max"].get<double>()) + " after bending"
                      : ""));
-    if (const auto over = shape.figures["turned_over"].get<std::size_t>(); over > 0)
+    if (const auto over = shape.figures["flipped"].get<std::size_t>(); over > 0)
       session.note(shape.path + ": " + std::to_string(over) +
                    " triangles of the mesh are flipped or flat on its sphere");
   }
@@ -317,7 +317,7 @@ void add_morph(CLI::App& app, CommonOptions& common) {
                    "shapes; rotation, the same for equal poses; none [default: shape]")
       ->check(unnamed(CLI::IsMember({"shape", "rotation", "none"})))
       ->type_name("HOW");
-  verb->add_option("--place", options->place, placement_help)
+  verb->add_option("--placement", options->placement, placement_help)
       ->check(unnamed(CLI::IsMember({"kept", "turned", "scaled"})))
       ->type_name("HOW");
   verb->add_option(
@@ -330,7 +330,7 @@ void add_morph(CLI::App& app, CommonOptions& common) {
                    "are bisected; 0: no limit [default: 0.2]")
       ->check(unnamed(CLI::NonNegativeNumber))
       ->type_name("P");
-  verb->add_option("--steps", options->steps,
+  verb->add_option("--intermediates", options->intermediates,
                    "also write N intermediate shapes between consecutive ones, to OUT-01 and so on")
       ->check(unnamed(CLI::Range(0, 10000)))
       ->type_name("N");
@@ -342,8 +342,9 @@ void add_morph(CLI::App& app, CommonOptions& common) {
   add_common_options(*verb, common);
   verb->footer(
       "Each shape is mapped to the sphere. The spheres are rotated to maximum correlation, or until landmarks "
-      "coincide; points\nat one direction correspond. For shapes with other sizes or axes, --place scaled aligns them "
-      "with the first one.\nFor example:\n  orbicube morph a.obj b.obj -o ab.glb --place turned");
+      "coincide; points\nat one direction correspond. For shapes with other sizes or axes, --placement scaled aligns "
+      "them "
+      "with the first one.\nFor example:\n  orbicube morph a.obj b.obj -o ab.glb --placement turned");
   verb->callback([options, &common] {
     Session session(common, "morph", options->inputs.front());
     session.run([&] { morph(*options, session); });

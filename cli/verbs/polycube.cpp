@@ -34,15 +34,15 @@ struct PolycubeOptions {
   std::string surface;
   std::string landmarks;
   std::string from;
-  std::string places;
+  std::string constraints;
   std::string construct = "auto";
   std::size_t corners = 0;
-  std::string optimise;
+  std::string optimize;
   std::string measure = "surface";
   std::string corner_search = "trust-region";
   double area_weight = 1;
   std::string features;
-  double sharp_edges = 0;
+  double feature_angle = 0;
   bool text = false;
   bool weld = false;
   PolycubeOutputs outputs;
@@ -82,9 +82,9 @@ polycube::DomainMeasure measure_of(const std::string& name) {
 }
 
 // Optimizes the proportions of the polycube.
-base::Array<double> optimise_domain(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+base::Array<double> optimize_domain(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
   const double start = session.seconds();
-  polycube::OptimalDomain found = polycube::optimise_domain(
+  polycube::OptimalDomain found = polycube::optimize_domain(
       made.map, {.measure = measure_of(options.measure), .area_weight = options.area_weight}, session.host());
   session.figures()["domain"] = {{"distortion_before", distortion_figures(made.distortion)},
                                  {"energies", found.energies},
@@ -111,11 +111,11 @@ polycube::BestConstruction construct(const PolycubeOptions& options, const mesh:
   }
   const GivenPolycube given = read_given_polycube(options.from, session);
   std::vector<polycube::CornerPlace> places;
-  if (!options.places.empty()) places = read_corner_places(options.places, given, session.host());
+  if (!options.constraints.empty()) places = read_corner_places(options.constraints, given, session.host());
   session.figures()["from"] = {{"file", options.from},
                                {"corners", given.target.graph.corners.size()},
                                {"genus", given.target.genus},
-                               {"places", places.size()}};
+                               {"constraints", places.size()}};
   return about(options.input, Role::input, [&] {
     polycube::BestConstruction result{
         polycube::construct_on(input.positions, input.triangles, given.target.graph, given.target.genus,
@@ -167,7 +167,7 @@ void common_polycube(const PolycubeOptions& options, Session& session) {
     own.page = numbered(own.page, i);
     const polycube::Certificate& certificate = common.certificates[i];
     write_polycube_outputs(own,
-                           {options.inputs[i], map, certificate.genus, certificate.corners, certificate.patches,
+                           {options.inputs[i], map, certificate.genus, certificate.corners, certificate.patch_count,
                             common.distortions[i], common.energies},
                            figures, session);
   }
@@ -177,14 +177,14 @@ void common_polycube(const PolycubeOptions& options, Session& session) {
 }
 
 // The best positions of the corners on the surface, and with `all` the best proportions in turn.
-base::Array<double> optimise_corners(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+base::Array<double> optimize_corners(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
   const double start = session.seconds();
   polycube::CornerOptions corners;
   if (options.corner_search == "gradient") corners.method = polycube::CornerMethod::gradient;
   corners.area_weight = options.area_weight;
-  corners.domain = options.optimise == "all";
-  polycube::OptimalCorners found = polycube::optimise_corners(made.map, corners, session.host());
-  session.figures()["corner_optimisation"] = {{"distortion_before", distortion_figures(made.distortion)},
+  corners.domain = options.optimize == "all";
+  polycube::OptimalCorners found = polycube::optimize_corners(made.map, corners, session.host());
+  session.figures()["corner_optimization"] = {{"distortion_before", distortion_figures(made.distortion)},
                                               {"energies", found.energies},
                                               {"evaluations", found.evaluations},
                                               {"map_evaluations", found.map_evaluations},
@@ -202,13 +202,13 @@ base::Array<double> optimise_corners(const PolycubeOptions& options, polycube::C
 }
 
 // Points and curves at their target positions, and sharp edges on edges of the polycube.
-void meet_features(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
+void align_features(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
   const double start = session.seconds();
   Features features;
   if (!options.features.empty()) features = read_features(options.features, session.host());
   polycube::FeatureFit found = about(options.features.empty() ? options.input : options.features, Role::input, [&] {
-    return polycube::meet_features(
-        made.map, {.points = features.points, .curves = features.curves, .sharp_angle = options.sharp_edges},
+    return polycube::align_features(
+        made.map, {.points = features.points, .curves = features.curves, .feature_angle = options.feature_angle},
         session.host());
   });
   session.figures()["features"] = {{"distortion_before", distortion_figures(made.distortion)},
@@ -241,19 +241,20 @@ void polycube(const PolycubeOptions& options, Session& session) {
                        {"text", options.text},
                        {"weld", options.weld},
                        {"from", options.from},
-                       {"places", options.places},
-                       {"optimise", options.optimise},
+                       {"constraints", options.constraints},
+                       {"optimize", options.optimize},
                        {"features", options.features},
-                       {"sharp_edges", options.sharp_edges}};
-  if (!options.optimise.empty())
+                       {"feature_angle", options.feature_angle}};
+  if (!options.optimize.empty())
     session.options().update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
   check_polycube_outputs(options.outputs, session);
   if (options.inputs.size() > 1) {
-    if (!options.from.empty() || !options.optimise.empty() || !options.features.empty() || options.sharp_edges > 0)
-      throw Failure(Exit::wrong_input, "", "usage",
-                    "--from, --optimise, --features and --sharp-edges are for one surface; several share a polycube of "
-                    "their own, at its best proportions");
+    if (!options.from.empty() || !options.optimize.empty() || !options.features.empty() || options.feature_angle > 0)
+      throw Failure(
+          Exit::wrong_input, "", "usage",
+          "--from, --optimize, --features and --feature-angle are for one surface; several share a polycube of "
+          "their own, at its best proportions");
     session.options()["inputs"] = options.inputs;
     session.options()["landmarks"] = options.landmarks;
     common_polycube(options, session);
@@ -269,19 +270,19 @@ void polycube(const PolycubeOptions& options, Session& session) {
   note_degenerate(mesh::count_degenerate(input.positions, input.triangles), session);
   require_float_range(options.outputs.glb, input.positions, input.triangles);
   const double start = session.seconds();
-  const double part = options.optimise.empty() ? 0.9 : 0.5;
+  const double part = options.optimize.empty() ? 0.9 : 0.5;
   polycube::BestConstruction best = session.portion(part, [&] { return construct(options, input, session); });
   polycube::Construction& made = best.made;
   const std::string method = name_of(best.method);
   const double constructed = session.seconds();
   base::Array<double> energies(session.host().memory);
-  if (!options.optimise.empty()) {
+  if (!options.optimize.empty()) {
     const base::Stage stage(session.host(), 0.8);
-    energies = options.optimise == "domain" ? optimise_domain(options, made, session)
-                                            : optimise_corners(options, made, session);
+    energies = options.optimize == "domain" ? optimize_domain(options, made, session)
+                                            : optimize_corners(options, made, session);
   }
-  if (!options.features.empty() || options.sharp_edges > 0) meet_features(options, made, session);
-  const double optimised = session.seconds();
+  if (!options.features.empty() || options.feature_angle > 0) align_features(options, made, session);
+  const double optimized = session.seconds();
   const polycube::SurfaceMap& map = made.map;
   write_exactly(options.output, map.polycube, map.triangles, options.text, session);
   if (!options.surface.empty()) write_exactly(options.surface, map.positions, map.triangles, options.text, session);
@@ -291,18 +292,18 @@ void polycube(const PolycubeOptions& options, Session& session) {
                                 {"vertices_added", added},
                                 {"triangles", map.triangles.size()},
                                 {"corners", made.certificate.corners},
-                                {"patches", made.certificate.patches},
+                                {"patches", made.certificate.patch_count},
                                 {"genus", made.certificate.genus},
                                 {"distortion", distortion_figures(made.distortion)},
                                 {"construction", method},
                                 {"polycubes_tried", made.tried},
                                 {"polycubes_valid", made.valid},
                                 {"seconds_construct", constructed - start},
-                                {"seconds_write", session.seconds() - optimised}});
+                                {"seconds_write", session.seconds() - optimized}});
   for (const std::string& note : session.notes())
     session.say("note: " + note);
   session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
-              " corners and " + std::to_string(made.certificate.patches) + " faces, genus " +
+              " corners and " + std::to_string(made.certificate.patch_count) + " faces, genus " +
               std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
   if (options.from.empty())
     session.say("  constructed by " + method + ", " + std::to_string(made.valid) + " valid maps in " +
@@ -312,7 +313,7 @@ void polycube(const PolycubeOptions& options, Session& session) {
   if (!options.surface.empty()) session.say("wrote " + options.surface);
   write_polycube_outputs(options.outputs,
                          {options.input, map, made.certificate.genus, made.certificate.corners,
-                          made.certificate.patches, made.distortion, energies},
+                          made.certificate.patch_count, made.distortion, energies},
                          session.figures(), session);
 }
 
@@ -345,12 +346,12 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
                           ->excludes(construct)
                           ->excludes(corners)
                           ->type_name("POLYCUBE");
-  verb->add_option("--places", options->places,
+  verb->add_option("--constraints", options->constraints,
                    "positional constraints of the corners of that polycube on IN: JSON, [{\"corner\": 0, \"vertex\": "
                    "17}, ...] or \"point\": [x, y, z]")
       ->needs(from)
       ->type_name("FILE");
-  verb->add_option("--optimise", options->optimise,
+  verb->add_option("--optimize", options->optimize,
                    "optimize domain, the proportions of the polycube; corners, their positions on the surface; or all, "
                    "both in turn")
       ->check(unnamed(CLI::IsMember({"domain", "corners", "all"})))
@@ -369,10 +370,10 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
       ->type_name("W");
   verb->add_option("--features", options->features,
                    "target positions of vertices and curves on the polycube: JSON, {\"points\": [{\"vertex\": 17, "
-                   "\"place\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
+                   "\"target\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
                    "y, z]}, ...]}; with a \"weight\" approximately")
       ->type_name("FILE");
-  verb->add_option("--sharp-edges", options->sharp_edges,
+  verb->add_option("--feature-angle", options->feature_angle,
                    "minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
                    "none [default: 0]")
       ->check(unnamed(CLI::Range(0.0, 179.0)))

@@ -29,7 +29,8 @@ using Directions = base::Array<mesh::Vector3>;
 const std::map<std::string, sphere_map::Method> map_methods = {
     {"balanced", sphere_map::Method::balanced},   {"angle-area", sphere_map::Method::angle_area},
     {"stretch", sphere_map::Method::stretch},     {"isometric", sphere_map::Method::isometric},
-    {"conformal", sphere_map::Method::conformal}, {"seed", sphere_map::Method::seed}};
+    {"conformal", sphere_map::Method::conformal}, {"dissertation", sphere_map::Method::dissertation},
+    {"seed", sphere_map::Method::dissertation}};  // the name of other programs for it
 
 struct SphereOptions {
   std::string input;
@@ -88,12 +89,12 @@ std::string write_partial(const SphereOptions& options, const ClosedSurface& inp
   if (partial.directions.empty()) return "there is nothing to keep yet";
   const base::Host host;  // the session's has had enough
   std::size_t positive = 0;
-  std::size_t turned_over = 0;
+  std::size_t flipped = 0;
   for (const mesh::Triangle& t : surface.triangles) {
     const auto& [p, q, r] = std::tie(partial.directions[t[0]], partial.directions[t[1]], partial.directions[t[2]]);
     const int sign = mesh::orientation_from_origin(p, q, r);
     positive += sign > 0;
-    turned_over += sign < 0;
+    flipped += sign < 0;
   }
   const bool whole = positive == surface.triangles.size();
   const std::string counted = std::to_string(positive) + " of " + std::to_string(surface.triangles.size());
@@ -117,12 +118,12 @@ std::string write_partial(const SphereOptions& options, const ClosedSurface& inp
   session.figures()["partial"] = {{"output", options.output},
                                   {"vertices_placed", partial.placed},
                                   {"triangles_positive", positive},
-                                  {"triangles_turned_over", turned_over},
+                                  {"triangles_flipped", flipped},
                                   {"triangles", surface.triangles.size()}};
   if (whole) return "kept in " + options.output + ": a map that is one to one, but not optimized to the end";
   return "kept in " + options.output + ": a partial map, " + std::to_string(partial.placed) + " of " +
          std::to_string(surface.positions.size()) + " vertices placed, " + counted + " triangles positive, " +
-         std::to_string(turned_over) + " flipped, the others without area";
+         std::to_string(flipped) + " flipped, the others without area";
 }
 
 // The map, or its failure with a word on what was kept.
@@ -153,10 +154,10 @@ Json json_of(const sphere_map::Measurement& m) {
           {"energy", m.energy},
           {"energy_angle", m.energy_angle},
           {"energy_area", m.energy_area},
-          {"dilatation_max", m.dilatation_largest},
-          {"dilatation_mean", m.dilatation_mean},
-          {"area_ratio_min", m.area_ratio_smallest},
-          {"area_ratio_max", m.area_ratio_largest},
+          {"max_quasi_conformal", m.max_quasi_conformal},
+          {"mean_quasi_conformal", m.mean_quasi_conformal},
+          {"min_area_ratio", m.min_area_ratio},
+          {"max_area_ratio", m.max_area_ratio},
           {"stretch_efficiency", m.stretch_efficiency},
           {"isometric_mean", m.isometric_mean},
           {"zero_area_faces", m.zero_area_faces}};
@@ -221,8 +222,9 @@ void sphere(const SphereOptions& options, Session& session) {
   session.say(options.input + ": " + std::to_string(surface.triangles.size()) + " triangles mapped to the sphere in " +
               number(computed) + " s, one to one, checked exactly in " + options.output);
   session.say("  energy " + number(m.energy) + " (angles " + number(m.energy_angle) + ", areas " +
-              number(m.energy_area) + "), dilatation " + number(m.dilatation_mean) + " on average and " + "maximum " +
-              number(m.dilatation_largest) + ", stretch efficiency " + number(m.stretch_efficiency));
+              number(m.energy_area) + "), quasi-conformal distortion " + number(m.mean_quasi_conformal) +
+              " on average and " + "maximum " + number(m.max_quasi_conformal) + ", stretch efficiency " +
+              number(m.stretch_efficiency));
   write_sphere_uses(options.uses, surface, directions, session);
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
@@ -245,7 +247,7 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
   verb->add_option("--method", options->method,
                    "balanced (default): angle and area distortion with a barrier on the worst triangle; angle-area: "
                    "the sum of the two energies; stretch: L2 stretch; isometric: symmetric Dirichlet energy; "
-                   "conformal: angle distortion alone; seed: the method of the dissertation")
+                   "conformal: angle distortion alone; dissertation: the method of the dissertation")
       ->check(unnamed(CLI::IsMember(names)))
       ->type_name("METHOD");
   verb->add_option("--angle-weight", options->angle_weight, "weight of the angle energy [default: 0.1]")

@@ -14,7 +14,7 @@
 namespace orbicube::cli {
 namespace {
 
-constexpr std::size_t most_pairs_in_report = 1000;
+constexpr std::size_t max_pairs_in_report = 1000;
 
 struct TetrahedralizeOptions {
   std::string input;
@@ -48,7 +48,7 @@ tetrahedra::Solid fill(const mesh::Mesh& surface, TetrahedralizeOptions options,
       if (error.kind() == std::string("self-intersection")) {
         const auto pairs = tetrahedra::self_intersections(surface.positions, surface.triangles, session.host());
         Json first = Json::array();
-        for (std::size_t i = 0; i < std::min(pairs.size(), most_pairs_in_report); ++i)
+        for (std::size_t i = 0; i < std::min(pairs.size(), max_pairs_in_report); ++i)
           first.push_back({pairs[i][0], pairs[i][1]});
         session.figures()["self_intersections"] = pairs.size();
         session.figures()["self_intersecting_faces"] = first;

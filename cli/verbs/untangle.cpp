@@ -166,8 +166,8 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
                                 {"inverted", result.inverted},
                                 {"steps", result.steps},
                                 {"polish_steps", result.polish_steps},
-                                {"least_determinant", result.least_determinant},
-                                {"greatest_determinant", result.greatest_determinant},
+                                {"min_determinant", result.min_determinant},
+                                {"max_determinant", result.max_determinant},
                                 {"energy", result.energy},
                                 {"seconds_compute", session.seconds() - start}});
   if (result.inverted == 0 || verb.keep_partial) {
@@ -184,7 +184,7 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
   });
   session.say("wrote " + verb.output + ": " + std::to_string(solid.tetrahedra.size()) + " tetrahedra, all positive; " +
               std::to_string(result.inverted_before) + " were not");
-  session.say("  determinants from " + number(result.least_determinant) + " to " + number(result.greatest_determinant) +
+  session.say("  determinants from " + number(result.min_determinant) + " to " + number(result.max_determinant) +
               ", after " + std::to_string(result.steps) + " + " + std::to_string(result.polish_steps) + " steps");
   for (const std::string& note : session.notes())
     session.say("  note: " + note);

@@ -25,7 +25,7 @@ def main(command):
         subprocess.run([browser, "--headless=new", "--no-sandbox", "--use-angle=swiftshader",
                         "--enable-unsafe-swiftshader", "--hide-scrollbars", f"--user-data-dir={folder}/profile",
                         "--virtual-time-budget=5000", "--window-size=1080,450", f"--screenshot={picture}",
-                        f"file://{page}#picture&theme=light&colour=checker"],
+                        f"file://{page}#picture&theme=light&color=checker"],
                        check=True, capture_output=True, timeout=300)
     print(f"{picture}: {os.path.getsize(picture)} bytes")
 

@@ -13,7 +13,7 @@ import numpy as np
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import raster  # noqa: E402
 
-NEIGHBOURS = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])
+NEIGHBORS = np.array([[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]])
 FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 OUTSIDE = np.array([0.93, 0.86, 0.72])
 raster.SIZE = 300
@@ -33,7 +33,7 @@ def read_medit(path):
 
 def scaled_jacobians(positions, cells):
     worst = np.ones(len(cells))
-    for corner, near in enumerate(NEIGHBOURS):
+    for corner, near in enumerate(NEIGHBORS):
         edges = positions[cells[:, near]] - positions[cells[:, [corner]]]
         lengths = np.linalg.norm(edges, axis=2).prod(axis=1)
         worst = np.minimum(worst, np.linalg.det(edges) / lengths)

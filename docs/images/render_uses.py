@@ -29,7 +29,7 @@ def main(command, picture):
         for name, grid in (("icosphere.obj", "icosphere:5"), ("cube.obj", "cube:40")):
             orbicube("sphere", path("creature.obj"), "-o", path("map.obj"), "--method", "stretch", "--remesh", path(name),
                      "--grid", grid)
-        orbicube("morph", path("creature.obj"), path("star.obj"), "-o", path("morph.glb"), "--steps", "1")
+        orbicube("morph", path("creature.obj"), path("star.obj"), "-o", path("morph.glb"), "--intermediates", "1")
         orbicube("convert", path("morph-01.glb"), path("half.obj"))
         panels = [panel(*read_obj(path(name)), color) for name, color in
                   (("creature.obj", (0.75, 0.78, 0.82)), ("icosphere.obj", (0.55, 0.75, 0.95)),

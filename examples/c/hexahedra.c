@@ -39,7 +39,7 @@ int main(void) {
   obc_mesh_surface(shape, &surface, &error);
   obc_volume_map_hexes_options_init(&options, sizeof options);
   options.cells = 600;
-  options.distance = 3; /* percent; more cells where that is not so */
+  options.max_hausdorff_percent = 3; /* percent; more cells where that is not so */
   report.struct_size = sizeof report;
   if (obc_volume_map_hexes_compute(&surface, &options, NULL, &report, &hexes, &error) != OBC_OK) return fail(&error);
 
@@ -57,12 +57,12 @@ int main(void) {
   if (obc_mesh_check_cells(filled, NULL, &error) != OBC_OK) return fail(&error);
   volume = six_volumes(&surface) / 6;
   printf("%lu hexahedra, scaled Jacobians at least %.3f, %.3f on average, volume %.4f for %.4f\n",
-         (unsigned long)cells.hexahedron_count, report.least_scaled_jacobian, report.mean_scaled_jacobian,
-         report.volume, volume);
+         (unsigned long)cells.hexahedron_count, report.min_scaled_jacobian, report.mean_scaled_jacobian, report.volume,
+         volume);
   free(positions);
   free(hexahedra);
   obc_mesh_destroy(filled);
   obc_mesh_destroy(shape);
   obc_volume_map_hexes_destroy(hexes);
-  return report.least_scaled_jacobian > 0 && fabs(report.volume / volume - 1) < 0.05 ? EXIT_SUCCESS : EXIT_FAILURE;
+  return report.min_scaled_jacobian > 0 && fabs(report.volume / volume - 1) < 0.05 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

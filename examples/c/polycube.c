@@ -7,7 +7,7 @@
 /* The patches of the polycube with their neighbors, and how many edges are convex. Returns 0 unless all are. */
 static int print_graph(const obc_polycube* map) {
   static const char* const directions[6] = {"+x", "-x", "+y", "-y", "+z", "-z"};
-  uint32_t starts[7], neighbours[24];
+  uint32_t starts[7], neighbors[24];
   uint8_t labels[6], convex[12];
   obc_polycube_graph* graph;
   size_t p, e, count = 0;
@@ -17,11 +17,11 @@ static int print_graph(const obc_polycube* map) {
   if (obc_polycube_graph_patch_count(graph) == 6 && obc_polycube_graph_edge_count(graph) == 12 &&
       obc_polycube_graph_copy_patches(graph, labels, NULL, NULL, NULL) == OBC_OK &&
       obc_polycube_graph_copy_edges(graph, NULL, NULL, convex, NULL) == OBC_OK &&
-      obc_polycube_graph_copy_dual(graph, starts, neighbours, NULL) == OBC_OK) {
+      obc_polycube_graph_copy_dual(graph, starts, neighbors, NULL) == OBC_OK) {
     for (p = 0; p < 6; ++p) {
       printf("%s beside", directions[labels[p]]);
       for (i = starts[p]; i < starts[p + 1]; ++i)
-        printf(" %s", directions[labels[neighbours[i]]]);
+        printf(" %s", directions[labels[neighbors[i]]]);
       printf("\n");
     }
     for (e = 0; e < 12; ++e)

@@ -66,6 +66,7 @@ int main(void) {
   printf("bijective: %s\n", report.bijective ? "yes" : "no");
   printf("angle energy %.2f (at least 50.27), area energy %.2f (at least 12.57)\n", report.energy_angle,
          report.energy_area);
-  printf("largest quasi-conformal distortion %.2f, mean %.3f\n", report.dilatation_largest, report.dilatation_mean);
+  printf("largest quasi-conformal distortion %.2f, mean %.3f\n", report.max_quasi_conformal,
+         report.mean_quasi_conformal);
   return report.bijective && report.energy < 20 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -48,8 +48,8 @@ static int32_t all(const double* x, size_t count, size_t dimension, double* valu
 
 int main(void) {
   double start[UNKNOWNS], x[UNKNOWNS], again[UNKNOWNS], apart[UNKNOWNS], gradient[UNKNOWNS], energy;
-  size_t neighbour_start[POINTS + 1], i, j, steps = 0;
-  uint32_t neighbour[POINTS * (POINTS - 1)];
+  size_t neighbor_start[POINTS + 1], i, j, steps = 0;
+  uint32_t neighbor[POINTS * (POINTS - 1)];
   obc_sphere_optimizer_result result;
   obc_sphere_optimizer_blocks blocks;
   obc_sphere_optimizer* solver = NULL;
@@ -88,17 +88,17 @@ int main(void) {
 
   steps = 0;
   for (i = 0; i < POINTS; ++i) {
-    neighbour_start[i] = steps;
+    neighbor_start[i] = steps;
     for (j = 0; j < POINTS; ++j) {
-      if (j != i) neighbour[steps++] = (uint32_t)j;
+      if (j != i) neighbor[steps++] = (uint32_t)j;
     }
   }
-  neighbour_start[POINTS] = steps;
+  neighbor_start[POINTS] = steps;
   obc_sphere_optimizer_blocks_init(&blocks, sizeof blocks);
   blocks.dimension = 3;
   blocks.count = POINTS;
-  blocks.neighbour_start = neighbour_start;
-  blocks.neighbour = neighbour;
+  blocks.neighbor_start = neighbor_start;
+  blocks.neighbor = neighbor;
   memcpy(apart, start, sizeof apart);
   if (obc_sphere_optimizer_relax(&blocks, NULL, one, NULL, apart, NULL, NULL, &error) != OBC_OK) return 1;
   all(apart, POINTS, 3, &energy, gradient, NULL);

@@ -58,21 +58,21 @@ static void make_bar(void) {
 }
 
 int main(void) {
-  obc_volume_map_tangle tangle;
+  obc_volume_map_untangle_problem problem;
   obc_volume_map_untangle_report report;
   obc_error error;
   size_t i, inverted = 0;
 
   make_bar();
-  obc_volume_map_tangle_init(&tangle, sizeof tangle);
+  obc_volume_map_untangle_problem_init(&problem, sizeof problem);
   obc_volume_map_untangle_report_init(&report, sizeof report);
-  tangle.positions = positions;
-  tangle.vertex_count = vertex_count;
-  tangle.tetrahedra = tetrahedra;
-  tangle.tetrahedron_count = tetrahedron_count;
-  tangle.rest = rest;
-  tangle.fixed = fixed;
-  if (obc_volume_map_untangle(&tangle, NULL, NULL, positions, &report, &error) != OBC_OK) {
+  problem.positions = positions;
+  problem.vertex_count = vertex_count;
+  problem.tetrahedra = tetrahedra;
+  problem.tetrahedron_count = tetrahedron_count;
+  problem.rest = rest;
+  problem.fixed = fixed;
+  if (obc_volume_map_untangle(&problem, NULL, NULL, positions, &report, &error) != OBC_OK) {
     fprintf(stderr, "%s: %s\n", error.kind, error.message);
     return EXIT_FAILURE;
   }
@@ -83,7 +83,7 @@ int main(void) {
       ++inverted;
   }
   printf("%lu of %d tetrahedra were inverted, %lu are; volumes change by factors from %.3f to %.3f\n",
-         (unsigned long)report.inverted_before, (int)tetrahedron_count, (unsigned long)inverted,
-         report.least_determinant, report.greatest_determinant);
+         (unsigned long)report.inverted_before, (int)tetrahedron_count, (unsigned long)inverted, report.min_determinant,
+         report.max_determinant);
   return inverted == 0 && report.inverted_before > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -12,7 +12,7 @@ int main(int count, char** arguments) try {
   host.on_progress([&](const orbicube::Progress&) { return ++reports > 0; });
   const auto map = orbicube::sphere_map::compute(mesh, {}, &host);
   std::printf("%d vertices, %d reports of progress: mean quasi-conformal distortion %.3f\n", int(mesh.vertex_count()),
-              reports, map.report.dilatation_mean);
+              reports, map.report.mean_quasi_conformal);
 
   const orbicube::sphere_map::Locator locator(mesh, map.directions);
   const auto at = locator.sample(std::array<double, 3>{0, 0, 1}, mesh.positions());

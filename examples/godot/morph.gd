@@ -38,7 +38,7 @@ func _ready():
 	shape.scale = Vector3.ONE * 2.0 / size
 	shape.translation = -(box.position + 0.5 * box.size) * 2.0 / size
 
-# Weights of the targets when so many shapes have passed: between two neighbours one falls as the other rises.
+# Weights of the targets when so many shapes have passed: between two neighbors one falls as the other rises.
 func show_at(shapes):
 	var count = names.size() + 1
 	var from = int(floor(shapes)) % count

@@ -4,7 +4,7 @@
     gallery.py [FOLDER] [--triangles N]
 
 sphere_map.png     a shape and its map to the sphere, colored by the distortion of angles
-energy.png         how the energy falls while the method `seed` maps a shape (Figure 3.2)
+energy.png         how the energy falls while the method `dissertation` maps a shape (Figure 3.2)
 harmonics.png      the shape from its harmonics up to degrees 2, 6 and 12
 spectrum.png       norms of the degrees of several shapes, by which they are compared (section 3.3.3)
 polycube.png       a shape and its polycube, colored by the directions of the faces
@@ -54,15 +54,15 @@ def row(count):
 def sphere_maps(folder, n):
     shape = mesh.make("creature", n)
     result = sphere_map.compute(shape)
-    dilatation, _ = sphere_map.face_distortion(shape, result.directions)
-    values = np.clip((dilatation - 1) / 2, 0, 1)
+    quasi_conformal, _ = sphere_map.face_distortion(shape, result.directions)
+    values = np.clip((quasi_conformal - 1) / 2, 0, 1)
     figure, (left, right) = row(2)
     draw(left, shape.positions, shape.triangles, values, title="surface")
-    draw(right, result.directions, shape.triangles, values, title=f"mean quasi-conformal distortion {result.report.dilatation_mean:.2f}")
+    draw(right, result.directions, shape.triangles, values, title=f"mean quasi-conformal distortion {result.report.mean_quasi_conformal:.2f}")
     save(figure, folder, "sphere_map.png")
 
     told = []
-    sphere_map.compute(mesh.make("creature", min(n, 1000)), method="seed", trace=lambda *what: told.append(what))
+    sphere_map.compute(mesh.make("creature", min(n, 1000)), method="dissertation", trace=lambda *what: told.append(what))
     figure, axes = plt.subplots(figsize=(6, 4))
     axes.plot([vertices for _, vertices, _ in told], [energy for *_, energy in told], ".-")
     axes.set(xlabel="vertices of the mesh so far", ylabel="energy", title="the method of the dissertation", yscale="log")

@@ -104,9 +104,9 @@ function tell() {
   const rows = { vertices, triangles };
   if (chosen('target') === 'sphere' && shape.sphere) {
     const { report } = shape.sphere;
-    rows['turned over'] = report.flipped;
-    rows['dilatation, mean'] = report.dilatationMean;
-    rows['dilatation, largest'] = report.dilatationLargest;
+    rows['flipped'] = report.flipped;
+    rows['quasi-conformal distortion, mean'] = report.meanQuasiConformal;
+    rows['quasi-conformal distortion, maximum'] = report.maxQuasiConformal;
   }
   if (chosen('target') === 'polycube' && shape.polycube) {
     rows['corners of the polycube'] = shape.polycube.corners;

@@ -18,7 +18,7 @@ precision highp float;
 in vec3 normal, place, seen;
 uniform int pattern;   // 0 none, 1 of a sphere, 2 of a polycube
 uniform float share, flatness, squares;
-out vec4 colour;
+out vec4 color;
 
 float checker(vec2 at, vec2 width) {
   vec2 blurred = clamp((abs(fract(at * 0.5) - 0.5) * 2.0 - 0.5) / width * 1.2, -0.5, 0.5);
@@ -55,7 +55,7 @@ void main() {
   float light = 0.34 + 0.12 * n.y + 0.56 * max(dot(n, key), 0.0) + 0.26 * max(dot(n, fill), 0.0);
   float shine = pow(max(dot(n, normalize(key + view)), 0.0), 48.0) * 0.22;
   float rim = pow(1.0 - max(dot(n, view), 0.0), 3.0) * 0.18;
-  colour = vec4(pow(clamp(base * light + shine + rim, 0.0, 1.0), vec3(0.92)), 1.0);
+  color = vec4(pow(clamp(base * light + shine + rim, 0.0, 1.0), vec3(0.92)), 1.0);
 }`;
 
 /** Of each vertex the sum of the normals of its triangles, each as long as its triangle is large. */

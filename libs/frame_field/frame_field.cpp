@@ -13,9 +13,9 @@
 #include "frame_field/graph/hierarchy.h"
 #include "frame_field/singularities/curve_search.h"
 #include "frame_field/smoothing/diffusion.h"
+#include "frame_field/smoothing/dissertation_method.h"
 #include "frame_field/smoothing/energy.h"
 #include "frame_field/smoothing/recombination.h"
-#include "frame_field/smoothing/seed_method.h"
 #include "frame_field/smoothing/smoothing.h"
 #include "frame_field/smoothing/starts.h"
 
@@ -219,10 +219,11 @@ void check(std::size_t count, const Options& options, const Given& given) {
   if (count == 0) throw base::Error("empty-mesh", "no tetrahedra");
   const auto in_range = [](auto value, auto last) { return static_cast<std::int32_t>(value) >= 0 && value <= last; };
   require(in_range(options.start, Start::given), "no such start");
-  require(in_range(options.method, Method::seed), "no such method");
+  require(in_range(options.method, Method::dissertation), "no such method");
   require(in_range(options.weighting, Weighting::geometric), "no such weighting");
   require(in_range(options.repairs, Repairs::single_axis), "no such repairs");
-  require(options.repairs == Repairs::none || options.method == Method::smooth, "method `seed` knows no repairs");
+  require(options.repairs == Repairs::none || options.method == Method::smooth,
+          "method `dissertation` knows no repairs");
   require(options.feature_angle >= 0 && options.feature_angle < 4, "the feature angle is not in [0, pi]");
   require(options.relative_gain > 0 && options.relative_gain < 1, "the relative gain is not between 0 and 1");
   for (const GivenFrame& g : given.frames) {
@@ -273,8 +274,8 @@ Outcome compute(std::span<const Vector3> positions, std::span<const Tetrahedron>
   const DualGraph graph = make_dual_graph(solid.positions, connectivity, options.weighting, host);
   Constraints constraints = constraints_of(solid, positions, connectivity, graph, options, given, host);
   Outcome outcome(host.memory);
-  if (options.method == Method::seed) {
-    outcome = seed_method(graph, constraints, solid.turned(Quaternion{1, 0, 0, 0}), host);
+  if (options.method == Method::dissertation) {
+    outcome = dissertation_method(graph, constraints, solid.turned(Quaternion{1, 0, 0, 0}), host);
   } else {
     {
       const base::Stage stage(host, 0.6);

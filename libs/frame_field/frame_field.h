@@ -27,7 +27,8 @@ const char* start_name(Start start);
 
 enum class Method : std::int32_t {
   smooth = 0,
-  seed = 1,  // as printed in chapter 6: identity inside, boundary frames held, matchings frozen (seed_method.h)
+  dissertation =
+      1,  // as printed in chapter 6: identity inside, boundary frames held, matchings frozen (dissertation_method.h)
 };
 
 // What is done about edges and vertices that no hexahedral mesh has (repair.h).

@@ -32,7 +32,7 @@ Field read_frames(const std::filesystem::path& path, std::size_t count, const ba
       in.fail("trailing-data", "more frames than the " + std::to_string(count) + " tetrahedra");
     Quaternion q{in.coordinate("w"), in.coordinate("x"), in.coordinate("y"), in.coordinate("z")};
     if (!in.at_end_of_line()) in.fail("parse", "more than four numbers");
-    q = quaternion::normalised(q);
+    q = quaternion::normalized(q);
     if (!(quaternion::dot(q, q) > 0.5)) in.fail("degenerate-geometry", "a frame of length 0");
     field.push_back(q);
     in.progress();

@@ -45,7 +45,7 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
       if (const Projected p = set.project(moved_, projected_, 1 / curvature, host); p != Projected::done) return p;
       for (std::size_t j = 0; j < n; ++j)
         direction_[j] = projected_[j] - target[j];
-      const double measure = largest_magnitude(direction_) * std::max(1.0, curvature);
+      const double measure = max_magnitude(direction_) * std::max(1.0, curvature);
       if (round > 0 && measure <= enough * projected_gradient) return Projected::done;
       model.multiply(direction_, curved_, host);
       const double square = dot(direction_, direction_);

@@ -44,7 +44,7 @@ FeasibleSet::FeasibleSet(const Problem& problem, std::pmr::memory_resource* memo
     throw base::Error("invalid-argument", "give either a projection or bounds and rows");
   }
   for (std::size_t j = 0; j < size(); ++j) {
-    if (!(lower_[j] <= upper_[j]) || lower_[j] > largest_coordinate || upper_[j] < -largest_coordinate) {
+    if (!(lower_[j] <= upper_[j]) || lower_[j] > max_coordinate || upper_[j] < -max_coordinate) {
       throw base::Error("invalid-argument",
                         "no number, or none within 1e150, lies within the bounds of unknown " + std::to_string(j));
     }
@@ -109,7 +109,7 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
   constexpr double longest_search = 1e4;
   constexpr int block = 12;
   // From here on, what is left may be the rounding of t and y; the free unknowns then meet the rows.
-  const double resolved = std::max(1e-6, 1e-14 * largest_magnitude(y));
+  const double resolved = std::max(1e-6, 1e-14 * max_magnitude(y));
   const std::size_t m = rows(), n = size();
   for (std::size_t i = 0; i < m; ++i)
     multiplier_[i] = guess_[i] * step;
@@ -136,7 +136,7 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     }
     if (worst <= row_accuracy) break;
 
-    const double residual_size = largest_magnitude(residual_);
+    const double residual_size = max_magnitude(residual_);
     mark_free(x);
     const double shift = std::clamp(0.1 * residual_size, 1e-13, 1e-3);
     factor_face(shift);
@@ -150,8 +150,8 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     const RowRoot root = solve_row_equation(along, 1, 0.1 * slope);
     passes_ += root.passes + 1;
     // Steps that are far longer than y and t would leave nothing but rounding of x.
-    const double reach = longest_search * (1 + largest_magnitude(y) + largest_magnitude(multiplier_));
-    const bool bounded = root.feasible && std::abs(root.t) * largest_magnitude(newton_) < reach;
+    const double reach = longest_search * (1 + max_magnitude(y) + max_magnitude(multiplier_));
+    const bool bounded = root.feasible && std::abs(root.t) * max_magnitude(newton_) < reach;
     if (!bounded && certify(newton_)) return Projected::infeasible;
     // Searches to the end cross the flat pieces of the function of t; full steps, between them and for whole blocks,
     // bring the residual to the minimum that the bounds allow, which proves infeasible rows (along those the function
@@ -191,8 +191,8 @@ bool FeasibleSet::proves_infeasible(std::span<const double> multipliers) {
     largest += slope * bound;
     scale += std::abs(slope * bound);
   }
-  const double wanted = dot(multipliers, rows_.rhs()) / length;
-  const double gap = wanted - largest;
+  const double target = dot(multipliers, rows_.rhs()) / length;
+  const double gap = target - largest;
   for (std::size_t i = 0; i < rows(); ++i)
     scale += std::abs(multipliers[i] * rows_.rhs()[i]) / length;
   if (!(gap > margin * scale)) return false;

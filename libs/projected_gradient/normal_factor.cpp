@@ -8,8 +8,8 @@ namespace {
 using Lists = base::Array<base::Array<std::uint32_t>>;
 
 // The rows that share an unknown with each row.
-Lists neighbours_of(const SparseRows& rows, std::pmr::memory_resource* memory) {
-  Lists neighbours(rows.rows(), memory);
+Lists neighbors_of(const SparseRows& rows, std::pmr::memory_resource* memory) {
+  Lists neighbors(rows.rows(), memory);
   base::Array<std::uint32_t> seen(rows.rows(), 0, memory);
   for (std::size_t i = 0; i < rows.rows(); ++i) {
     seen[i] = static_cast<std::uint32_t>(i + 1);
@@ -17,11 +17,11 @@ Lists neighbours_of(const SparseRows& rows, std::pmr::memory_resource* memory) {
       for (const std::uint32_t other : rows.column_rows(j)) {
         if (seen[other] == i + 1) continue;
         seen[other] = static_cast<std::uint32_t>(i + 1);
-        neighbours[i].push_back(other);
+        neighbors[i].push_back(other);
       }
     }
   }
-  return neighbours;
+  return neighbors;
 }
 
 }  // namespace
@@ -39,7 +39,7 @@ NormalFactor::NormalFactor(const SparseRows& rows, std::pmr::memory_resource* me
   order_.reserve(m);
   // Minimum degree on the explicit graph: the neighbors of the row taken out become a clique. The lists left at each
   // row's elimination are the pattern of its column of L.
-  Lists later = neighbours_of(rows, memory);
+  Lists later = neighbors_of(rows, memory);
   base::Array<std::uint8_t> done(m, 0, memory);
   base::Array<std::uint32_t> seen(m, 0, memory);
   std::uint32_t stamp = 0;

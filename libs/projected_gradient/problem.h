@@ -10,7 +10,7 @@
 namespace orbicube::projected_gradient {
 
 // Of a start, and of what bounds must leave room for: so that squares stay in the range of double.
-inline constexpr double largest_coordinate = 1e150;
+inline constexpr double max_coordinate = 1e150;
 
 // The feasible set, as views of the caller's arrays; a solver copies what it needs.
 struct Problem {
@@ -29,20 +29,20 @@ struct Problem {
 };
 
 enum class Method : std::int32_t {
-  face = 0,  // Barzilai-Borwein steps find the face, a limited-memory model is minimized in it
-  seed = 1,  // the dissertation's: eq. 4.11 to 4.13 with a nonmonotone line search
+  face = 0,          // Barzilai-Borwein steps find the face, a limited-memory model is minimized in it
+  dissertation = 1,  // the dissertation's: eq. 4.11 to 4.13 with a nonmonotone line search
 };
 
-enum class LineSearch : std::int32_t {  // of Method::seed
-  largest_of_last = 0,                  // Grippo, Lampariello, Lucidi 1986
+enum class LineSearch : std::int32_t {  // of Method::dissertation
+  max_of_last = 0,                      // Grippo, Lampariello, Lucidi 1986
   average = 1,                          // Zhang, Hager 2004
 };
 
 struct Options {
   Method method = Method::face;
-  LineSearch line_search = LineSearch::largest_of_last;
+  LineSearch line_search = LineSearch::max_of_last;
   std::uint32_t memory = 10;                                 // pairs of the limited-memory model
-  std::uint32_t history = 10;                                // values that LineSearch::largest_of_last looks back on
+  std::uint32_t history = 10;                                // values that LineSearch::max_of_last looks back on
   double average_weight = 0.85;                              // eta of LineSearch::average, in [0, 1]
   double gradient_tolerance = 1e-8;                          // on |P(x - g) - x|inf
   double target = -std::numeric_limits<double>::infinity();  // stop once f <= target

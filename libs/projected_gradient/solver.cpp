@@ -1,4 +1,4 @@
-// The iteration of both methods. Method::seed is the dissertation's section 4.3.1: x + alpha d with
+// The iteration of both methods. Method::dissertation is the dissertation's section 4.3.1: x + alpha d with
 // d = P(x - g / lambda) - x (eq. 4.11), lambda = max(s'y / s's, 1e-10) (eq. 4.13) and a nonmonotone line search.
 // Method::face takes d from the minimizer of a limited-memory model over the feasible set (face_step.h).
 #include "projected_gradient/solver.h"
@@ -22,8 +22,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double bottomless = -1e200;
 
 const Options& checked(const Options& options) {
-  require(options.method == Method::face || options.method == Method::seed, "unknown method");
-  require(options.line_search == LineSearch::largest_of_last || options.line_search == LineSearch::average,
+  require(options.method == Method::face || options.method == Method::dissertation, "unknown method");
+  require(options.line_search == LineSearch::max_of_last || options.line_search == LineSearch::average,
           "unknown line search");
   require(options.memory >= 1 && options.memory <= 1000, "memory must be from 1 to 1000 pairs");
   require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
@@ -68,7 +68,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       last_values_(options.history, -infinity, host.memory) {
   require((start.size() == problem.n || start.empty()) && all_finite(start), "the start must be n finite numbers");
   for (const double x : start)
-    require(std::abs(x) <= largest_coordinate, "the start is beyond 1e150");
+    require(std::abs(x) <= max_coordinate, "the start is beyond 1e150");
   std::copy(start.begin(), start.end(), x_.begin());
   std::copy(start.begin(), start.end(), best_.begin());
 }
@@ -85,7 +85,7 @@ Request Solver::advance() {
       return state_.ask(Phase::asked_first, options_.max_evaluations);
     case Phase::told_first:
       if (!std::isfinite(state_.trial_value)) return state_.finish(Stop::evaluation_failed);
-      state_.curvature = std::max(largest_magnitude(trial_gradient_), 1e-10);
+      state_.curvature = std::max(max_magnitude(trial_gradient_), 1e-10);
       model_.set_sigma(state_.curvature);
       std::copy(trial_.begin(), trial_.end(), x_.begin());
       accept_trial();
@@ -154,10 +154,10 @@ void Solver::accept_trial() {
 // larger than what the rounding of x alone makes of it. Else what is known already.
 double Solver::measure_in_large() {
   constexpr double slack = 100, moved = 1e-6;
-  const double largest = largest_magnitude(x_), steepest = largest_magnitude(gradient_);
-  const double curvature = options_.method == Method::seed ? state_.curvature
-                           : model_.count() > 0            ? model_.sigma()
-                                                           : 0.0;
+  const double largest = max_magnitude(x_), steepest = max_magnitude(gradient_);
+  const double curvature = options_.method == Method::dissertation ? state_.curvature
+                           : model_.count() > 0                    ? model_.sigma()
+                                                                   : 0.0;
   const double rounding = std::numeric_limits<double>::epsilon() * largest;
   if (!(steepest > std::max(options_.gradient_tolerance, slack * curvature * rounding)) ||
       !(steepest < slack * rounding))
@@ -182,15 +182,15 @@ Request Solver::begin_iteration() {
   const Stop reason = state_.reason_to_end(options_);
   if (reason != Stop::running) return state_.finish(reason);
   if (state_.best_value <= bottomless) return state_.finish(Stop::unbounded);
-  const bool seed = options_.method == Method::seed;
-  const bool found = seed ? choose_seed_direction() : choose_direction();
+  const bool dissertation = options_.method == Method::dissertation;
+  const bool found = dissertation ? choose_dissertation_direction() : choose_direction();
   if (state_.phase == Phase::done) return Request::done;
   if (!found) return state_.finish(Stop::stalled);
   return state_.ask(Phase::asked, options_.max_evaluations);
 }
 
 // d = P(x - g / lambda) - x, and the first trial at its end.
-bool Solver::choose_seed_direction() {
+bool Solver::choose_dissertation_direction() {
   for (std::size_t j = 0; j < x_.size(); ++j)
     trial_[j] = x_[j] - gradient_[j] / state_.curvature;
   if (!project(trial_, target_, 1 / state_.curvature)) return false;
@@ -229,9 +229,9 @@ bool Solver::choose_direction() {
 }
 
 Request Solver::take_trial() {
-  const bool seed = options_.method == Method::seed;
+  const bool dissertation = options_.method == Method::dissertation;
   Search verdict;
-  if (seed) {
+  if (dissertation) {
     verdict = state_.backtracking.advance(state_.value, state_.trial_value);
   } else {
     const double slope = std::isfinite(state_.trial_value) ? dot(trial_gradient_, direction_) : state_.trial_value;
@@ -245,10 +245,10 @@ Request Solver::take_trial() {
       target_[j] = trial_gradient_[j] - gradient_[j];
     }
     const double step_curvature = dot(direction_, target_);
-    if (seed) {
+    if (dissertation) {
       // As printed, s'y <= 0 would make the next step 1e10: take the length of the first step again.
       state_.curvature = step_curvature > 0 ? std::max(step_curvature / dot(direction_, direction_), 1e-10)
-                                            : std::max(largest_magnitude(trial_gradient_), 1e-10);
+                                            : std::max(max_magnitude(trial_gradient_), 1e-10);
     } else {
       // The curvature that sigma stands for is that of the face: y on bounds would make every step too short. In a
       // small face too little of y may be left; s'y / s's is the minimum that y'y / s'y can be. The old gradient is not
@@ -265,11 +265,11 @@ Request Solver::take_trial() {
     return state_.phase == Phase::done ? Request::done : Request::iteration;
   }
   if (verdict == Search::again) {
-    const double length = seed ? state_.backtracking.length : state_.wolfe.length;
+    const double length = dissertation ? state_.backtracking.length : state_.wolfe.length;
     for (std::size_t j = 0; j < x_.size(); ++j) {
       trial_[j] = clip(x_[j] + length * direction_[j], set_.lower()[j], set_.upper()[j]);
     }
-    if (!seed && length > 1) {
+    if (!dissertation && length > 1) {
       // What the iterate misses the rows by would be multiplied by every step beyond the target.
       set_.choose_face(trial_);
       set_.meet_rows(trial_);
@@ -278,10 +278,10 @@ Request Solver::take_trial() {
   }
   if (verdict == Search::endless) return state_.finish(Stop::unbounded);
   const bool failed = !std::isfinite(state_.trial_value);
-  if (seed || state_.without_memory) return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
+  if (dissertation || state_.without_memory) return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
   // The model may be at fault: again along the projected gradient.
   model_.clear();
-  model_.set_sigma(std::max(largest_magnitude(gradient_), 1e-10));
+  model_.set_sigma(std::max(max_magnitude(gradient_), 1e-10));
   return begin_iteration();
 }
 

@@ -74,7 +74,7 @@ class Solver {
   Request begin_iteration();
   Request take_trial();
   bool choose_direction();
-  bool choose_seed_direction();
+  bool choose_dissertation_direction();
   void accept_trial();
   bool project(std::span<const double> y, std::span<double> x, double step);
   bool settle_projection(Projected outcome);

@@ -81,7 +81,7 @@ SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory
     for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
       value_[k] *= scale_[i];
     rhs_[i] = problem.rhs[i] * scale_[i];
-    if (!(std::abs(rhs_[i]) <= largest_coordinate))
+    if (!(std::abs(rhs_[i]) <= max_coordinate))
       throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] over its row is beyond 1e150");
   }
 

@@ -14,7 +14,7 @@ using base::blocked_sum;
 using base::CompensatedSum;
 using base::dot;
 
-inline double largest_magnitude(std::span<const double> a) {
+inline double max_magnitude(std::span<const double> a) {
   double largest = 0;
   for (const double value : a)
     largest = std::max(largest, std::abs(value));

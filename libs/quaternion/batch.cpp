@@ -34,9 +34,9 @@ void multiply(const double* p, const double* q, std::size_t count, double* out) 
     store(multiply(load(p + 4 * i), load(q + 4 * i)), out + 4 * i);
 }
 
-void normalise(const double* q, std::size_t count, double* out) {
+void normalize(const double* q, std::size_t count, double* out) {
   for (std::size_t i = 0; i < count; ++i)
-    store(normalised(load(q + 4 * i)), out + 4 * i);
+    store(normalized(load(q + 4 * i)), out + 4 * i);
 }
 
 void rotate(const double* q, const double* vectors, std::size_t count, double* out) {

@@ -8,7 +8,7 @@
 namespace orbicube::quaternion {
 
 void multiply(const double* p, const double* q, std::size_t count, double* out);
-void normalise(const double* q, std::size_t count, double* out);
+void normalize(const double* q, std::size_t count, double* out);
 // Vector i by rotation i.
 void rotate(const double* q, const double* vectors, std::size_t count, double* out);
 void slerp(const double* p, const double* q, const double* t, std::size_t count, double* out);

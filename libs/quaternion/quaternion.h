@@ -39,7 +39,7 @@ constexpr Quaternion relative(const Quaternion& q, const Quaternion& p) {
 }
 
 // q scaled to length 1. Not a number for zero and for what is not finite.
-inline Quaternion normalised(const Quaternion& q) {
+inline Quaternion normalized(const Quaternion& q) {
   const double largest = std::fmax(std::fmax(std::abs(q.w), std::abs(q.x)), std::fmax(std::abs(q.y), std::abs(q.z)));
   // Lengths whose square is neither lost nor infinite need no scaling first.
   const bool plain = largest > 0x1p-500 && largest < 0x1p500;

@@ -71,7 +71,7 @@ Quaternion slerp(const Quaternion& p, const Quaternion& q, double t) {
   const double sine = std::sin(angle);
   if (!(sine > 0)) return p;
   const double a = std::sin((1 - t) * angle) / sine, b = std::sin(t * angle) / sine;
-  return normalised({a * p.w + b * end.w, a * p.x + b * end.x, a * p.y + b * end.y, a * p.z + b * end.z});
+  return normalized({a * p.w + b * end.w, a * p.x + b * end.x, a * p.y + b * end.y, a * p.z + b * end.z});
 }
 
 Matrix to_matrix(const Quaternion& q) {
@@ -110,7 +110,7 @@ Quaternion from_matrix(const Matrix& m) {
   } else {
     q = {m[3] - m[1], m[2] + m[6], m[5] + m[7], z};
   }
-  return canonical(normalised(q));
+  return canonical(normalized(q));
 }
 
 Quaternion nearest_to_matrix(const Matrix& m) {

@@ -52,7 +52,7 @@ Dominant dominant_eigenvector(const SymmetricMatrix& matrix) {
     if (k != first) second = std::max(second, a[5 * k]);
   }
   const double gap = a[5 * first] - second;
-  const Quaternion vector = normalised({v[first], v[4 + first], v[8 + first], v[12 + first]});
+  const Quaternion vector = normalized({v[first], v[4 + first], v[8 + first], v[12 + first]});
   constexpr double rounding = 1e-14;
   return {vector, a[5 * first], gap, gap > rounding * size};
 }

@@ -9,9 +9,9 @@
 #include "base/error.h"
 #include "mesh/topology/degenerate_triangles.h"
 #include "mesh/topology/topology.h"
-#include "sphere_map/dissertation/seed.h"
+#include "sphere_map/dissertation/method.h"
 #include "sphere_map/hierarchy/decimation.h"
-#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/hierarchy/normalize.h"
 #include "sphere_map/hierarchy/partial.h"
 #include "sphere_map/hierarchy/refinement.h"
 #include "sphere_map/optimization/measure.h"
@@ -35,20 +35,20 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
                                 const RestTriangles& rest, double surface_area, const Schedule& schedule,
                                 std::uint64_t seed, const base::Host& host, Partial* partial) {
   const double mean_area = surface_area / static_cast<double>(triangles.size());
-  const std::array least_areas = {0.0, 0.0, 1e-2, 1.0, 1e3};  // times the mean area
-  const base::Team team(host);
+  const std::array min_areas = {0.0, 0.0, 1e-2, 1.0, 1e3};  // times the mean area
+  const base::ThreadPool pool(host);
   for (std::size_t attempt = 0;; ++attempt) {
     const base::Stage stage(host, 0.9);
     try {
       Decimation decimation = [&] {
         const base::Stage first(host, 0.1);
-        return decimate(positions, VertexRings(positions.size(), triangles, host), seed, host, team);
+        return decimate(positions, VertexRings(positions.size(), triangles, host), seed, host, pool);
       }();
       RestTriangles attempted = rest;
-      attempted.least_area = least_areas[attempt] * mean_area;
-      return refine(decimation, positions, schedule.with_stronger_barrier(attempt), attempted, host, team, partial);
+      attempted.min_area = min_areas[attempt] * mean_area;
+      return refine(decimation, positions, schedule.with_stronger_barrier(attempt), attempted, host, pool, partial);
     } catch (const base::Error& e) {
-      if (e.status() != base::Status::no_valid_result || attempt + 1 == least_areas.size()) throw;
+      if (e.status() != base::Status::no_valid_result || attempt + 1 == min_areas.size()) throw;
       host.log(std::string("trying again: ") + e.what());
     }
     seed += 0x1000;
@@ -70,8 +70,8 @@ RestTriangles rest_triangles(std::span<const Vector3> positions, std::span<const
     for (const Index v : t)
       farthest = std::max(farthest, positions[v].cwiseAbs().maxCoeff());
   }
-  rest.least_height = mesh::degenerate_height_roundings * mesh::rounding_unit(positions, triangles) *
-                      (farthest / placing.half_size / placing.diagonal);
+  rest.min_height = mesh::degenerate_height_roundings * mesh::rounding_unit(positions, triangles) *
+                    (farthest / placing.half_size / placing.diagonal);
   rest.sliver_area = sliver_area_share * total_area(unit, triangles) / static_cast<double>(triangles.size());
   rest.release_degenerate = std::any_of(triangles.begin(), triangles.end(), [&](const Triangle& t) {
     const Vector3 pq = unit[t[1]] - unit[t[0]], pr = unit[t[2]] - unit[t[0]];
@@ -107,7 +107,7 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
   const Schedule schedule = schedule_of(options);
   const mesh::Topology facts = mesh::topology(positions, triangles, host);
   mesh::require_closed_genus_zero(facts);
-  const Array<Vector3> unit = normalised(positions, triangles, host.memory);
+  const Array<Vector3> unit = normalized(positions, triangles, host.memory);
   const RestTriangles rest = rest_triangles(positions, unit, triangles);
 
   // Inward surfaces are mapped as they look from outside.
@@ -119,15 +119,16 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
 
   Array<Vector3> directions(host.memory);
   try {
-    directions = options.method == Method::seed ? seed::compute(unit, outward,
-                                                                {.angle_weight = options.angle_weight,
-                                                                 .area_weight = options.area_weight,
-                                                                 .seed = options.seed,
-                                                                 .rest = rest,
-                                                                 .trace = options.trace},
-                                                                host, partial)
-                                                : map_with_retries(unit, outward, rest, total_area(unit, outward),
-                                                                   schedule, options.seed, host, partial);
+    directions =
+        options.method == Method::dissertation
+            ? dissertation::compute(unit, outward,
+                                    {.angle_weight = options.angle_weight,
+                                     .area_weight = options.area_weight,
+                                     .seed = options.seed,
+                                     .rest = rest,
+                                     .trace = options.trace},
+                                    host, partial)
+            : map_with_retries(unit, outward, rest, total_area(unit, outward), schedule, options.seed, host, partial);
     check_exactly(outward, directions, host);
   } catch (const base::Error&) {
     keep_partial({}, directions, partial);

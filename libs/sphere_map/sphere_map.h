@@ -28,10 +28,11 @@ enum class Method : std::int32_t {
   isometric = 2,   // symmetric Dirichlet energy
   stretch = 3,     // L2 stretch (Sander et al. 2001; Praun and Hoppe 2003)
   conformal = 4,   // angle distortion alone
-  seed = 5,        // chapter 3 of the dissertation as printed, mended only where it would fail (seed.h)
+  dissertation =
+      5,  // chapter 3 of the dissertation as printed, mended only where it would fail (dissertation/method.h)
 };
 
-// Where the optimization of method `seed` is, for the dissertation's Figure 3.2.
+// Where the optimization of method `dissertation` is, for the dissertation's Figure 3.2.
 struct TracePoint {
   std::uint64_t iterations;  // calls of Algorithm 2 so far
   std::size_t vertices;      // of the mesh that is optimized
@@ -43,7 +44,7 @@ struct Options {
   double angle_weight = 0.1;  // lambda of eq. 3.5; positive
   double area_weight = 1.0;   // mu of eq. 3.5; not negative
   std::uint64_t seed = 0;     // varies the order of equally good decimation steps
-  // Method `seed` calls it when a level ends, and once in as many iterations as there are vertices at the end;
+  // Method `dissertation` calls it when a level ends, and once in as many iterations as there are vertices at the end;
   // iterations count from zero again when a kernel was empty and the map is begun again. May be empty.
   std::function<void(const TracePoint&)> trace = nullptr;
 };

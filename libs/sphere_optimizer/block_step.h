@@ -2,10 +2,10 @@
 // for each energy, without a virtual call or an allocation.
 //
 // The energy of a block is a class with
-//   Dimension dimension() const          FixedDimension<d>, or a std::size_t of at most largest_block_dimension
+//   Dimension dimension() const          FixedDimension<d>, or a std::size_t of at most max_block_dimension
 //   double value(block, x) const                           its terms that contain `block`, if that was at x (d numbers)
 //   double value_and_gradient(block, gradient) const       the same where it is, and its gradient in R^d
-//   void for_each_neighbour(block, visit) const            visit(other) for each block whose terms contain this one
+//   void for_each_neighbor(block, visit) const            visit(other) for each block whose terms contain this one
 // and may have
 //   double value_gradient_and_hessian(block, gradient, hessian) const  d x d: makes each step a Newton step
 //   bool minimizer(block, x) const                         x becomes the best place in closed form; true if there is
@@ -15,8 +15,8 @@
 //
 // The step is the dissertation's Algorithm 2 with its flaws mended: it goes along the tangent gradient (or Newton's
 // direction, whose Hessian is that of the sphere, P (H - (g.x) I) P, made positive by a shift), as far as the curvature
-// of the last step of the block, and shortens by the parabola through the values. Method::seed is Algorithm 2 as
-// printed.
+// of the last step of the block, and shortens by the parabola through the values. Method::dissertation is Algorithm 2
+// as printed.
 #pragma once
 
 #include <algorithm>
@@ -32,10 +32,10 @@
 
 namespace orbicube::sphere_optimizer {
 
-inline constexpr std::size_t largest_block_dimension = 64;
+inline constexpr std::size_t max_block_dimension = 64;
 
 template <class Dimension>
-struct BlockCapacity : std::integral_constant<std::size_t, largest_block_dimension> {};
+struct BlockCapacity : std::integral_constant<std::size_t, max_block_dimension> {};
 template <std::size_t d>
 struct BlockCapacity<FixedDimension<d>> : std::integral_constant<std::size_t, d> {};
 
@@ -228,25 +228,25 @@ BlockStep improve_block(const Energy& energy, std::size_t block, const StepRule&
     return step;
   };
 
-  double wanted_angle = 0;  // where the curvature along `direction` is known
+  double target_angle = 0;  // where the curvature along `direction` is known
   if constexpr (detail::HasMinimiser<Energy>) {
-    if (!rule.as_printed && energy.minimiser(block, candidate.data()) && normalise(d, candidate.data())) {
+    if (!rule.as_printed && energy.minimiser(block, candidate.data()) && normalize(d, candidate.data())) {
       const double cosine = block_dot(d, x, candidate.data());
       direction = candidate;
       make_tangent(d, x, direction.data());
-      wanted_angle = std::atan2(std::sqrt(block_dot(d, direction.data(), direction.data())), cosine);
+      target_angle = std::atan2(std::sqrt(block_dot(d, direction.data(), direction.data())), cosine);
     }
   }
   double length = std::sqrt(block_dot(d, direction.data(), direction.data()));
-  if (newton && wanted_angle == 0) wanted_angle = std::min(length, quarter_circle);
+  if (newton && target_angle == 0) target_angle = std::min(length, quarter_circle);
   if (!(length > 0 && block_dot(d, gradient.data(), direction.data()) < 0)) {
     direction = gradient;
     length = -step.gradient_norm;
-    wanted_angle = reach * step.gradient_norm;
+    target_angle = reach * step.gradient_norm;
   }
   for (std::size_t k = 0; k < d; ++k)
     direction[k] /= length;
-  double longest = std::max(quarter_circle, wanted_angle);
+  double longest = std::max(quarter_circle, target_angle);
   if constexpr (detail::HasLongestAngle<Energy>)
     longest = std::min(longest, energy.longest_angle(block, direction.data()));
   const double slope = block_dot(d, gradient.data(), direction.data());
@@ -263,7 +263,7 @@ BlockStep improve_block(const Energy& energy, std::size_t block, const StepRule&
     return step;
   }
 
-  double angle = wanted_angle > 0 ? std::min(rule.over_relaxation * wanted_angle, longest) : 0.25 * longest;
+  double angle = target_angle > 0 ? std::min(rule.over_relaxation * target_angle, longest) : 0.25 * longest;
   for (int trial = 0; trial < trial_limit; ++trial) {
     const double new_value = try_at(angle);
     // The parabola through the value and slope here and the value there.
@@ -273,7 +273,7 @@ BlockStep improve_block(const Energy& energy, std::size_t block, const StepRule&
       if (std::abs(new_value - value) > rounding * std::abs(value)) {
         // Where nothing was known, the first trial may be far from where the parabola is least.
         const bool near = angle > 0.5 * vertex && angle < 2 * vertex;
-        if (wanted_angle == 0 && !near) try_at(std::min(rule.over_relaxation * vertex, longest));
+        if (target_angle == 0 && !near) try_at(std::min(rule.over_relaxation * vertex, longest));
         reach = vertex / step.gradient_norm;
       }
       return take_best();

@@ -17,7 +17,7 @@ enum class Method : std::int32_t {
   limited_memory = 0,    // L-BFGS whose pairs are transported along the great circles
   barzilai_borwein = 1,  // nonmonotone Barzilai-Borwein steps
   great_circle = 2,      // the dissertation's Algorithm 2 with its flaws mended
-  seed = 3,              // Algorithm 2 as printed
+  dissertation = 3,      // Algorithm 2 as printed
 };
 
 struct Options {

@@ -30,15 +30,15 @@ Relaxation::Relaxation(const Shape& shape, const RelaxationOptions& options, std
 }
 
 void Relaxation::begin(const RelaxationOptions& options) {
-  require(options.method == Method::great_circle || options.method == Method::seed,
-          "the method must be great_circle or seed");
+  require(options.method == Method::great_circle || options.method == Method::dissertation,
+          "the method must be great_circle or dissertation");
   require(options.order >= Order::automatic && options.order <= Order::sweeps, "unknown order");
   require(options.gradient_tolerance >= 0 && options.relative_gain >= 0,
           "gradient_tolerance and relative_gain must not be negative");
   require(options.over_relaxation == 0 || (options.over_relaxation >= 1 && options.over_relaxation < 2),
           "over_relaxation must be from 1 to below 2, or 0");
   options_ = options;
-  if (options_.method == Method::seed) {
+  if (options_.method == Method::dissertation) {
     options_.order = Order::queue;
     options_.over_relaxation = 1;
   }
@@ -68,7 +68,7 @@ void Relaxation::choose_over_relaxation() {
   constexpr std::uint64_t passes = 4;  // that the rate is seen over; one more settles after each change
   constexpr double largest = 1.97;     // the rate is w - 1 at best
   constexpr double slow = 0.5;         // rates above this are what sweeps and over-relaxation are for
-  if (options_.method == Method::seed) return;
+  if (options_.method == Method::dissertation) return;
   if (state_.window == 1) state_.window_gain = state_.pass_gain;
   if (state_.window++ <= passes) return;
   state_.window = 0;

@@ -1,11 +1,11 @@
 // Block by block (Gauss-Seidel): the dissertation's Algorithm 1 without its hierarchy.
 //
 // First by a queue, those blocks first that promise most. The priority is the gain that the block's or its neighbor's
-// latest step brought, which costs nothing; with Method::seed it is eq. 3.6, violation of the first-order condition
-// times mean distance from the neighbors. When the remaining gain is spread over all blocks, which shows in gains that
-// fall slowly from pass to pass, sweeps over the blocks in their order take over, and steps are over-relaxed by Young's
-// factor for the rate that was seen (Young 1954, "Iterative methods for solving partial difference equations of
-// elliptic type"; its estimate after Carre 1961).
+// latest step brought, which costs nothing; with Method::dissertation it is eq. 3.6, violation of the first-order
+// condition times mean distance from the neighbors. When the remaining gain is spread over all blocks, which shows in
+// gains that fall slowly from pass to pass, sweeps over the blocks in their order take over, and steps are over-relaxed
+// by Young's factor for the rate that was seen (Young 1954, "Iterative methods for solving partial difference equations
+// of elliptic type"; its estimate after Carre 1961).
 //
 // Algorithm 1's stop |E_j - E_(j-1)| < eps ends on one unlucky block; here the work ends when the queue is empty or a
 // whole sweep moved nothing, which says that every tangent gradient is within the tolerance, or when a pass over as
@@ -30,7 +30,7 @@ enum class Order : std::int32_t {
 };
 
 struct RelaxationOptions {
-  Method method = Method::great_circle;  // or seed, which keeps to the queue and does not over-relax
+  Method method = Method::great_circle;  // or dissertation, which keeps to the queue and does not over-relax
   Order order = Order::automatic;
   std::int32_t second_order = 0;     // for callers that choose their energy by it; nothing here looks at it
   std::uint32_t reserved = 0;        // saved runs hold no padding
@@ -58,7 +58,7 @@ template <class Energy>
 double mean_distance(const Energy& energy, std::size_t block, std::span<const double> points) {
   const auto d = energy.dimension();
   double sum = 0, count = 0;
-  energy.for_each_neighbour(block, [&](std::size_t other) {
+  energy.for_each_neighbor(block, [&](std::size_t other) {
     double square = 0;
     for (std::size_t k = 0; k < d; ++k) {
       const double difference = points[block * d + k] - points[other * d + k];
@@ -95,11 +95,11 @@ class Relaxation {
   void begin(const RelaxationOptions& options);
 
   // Lowers the energy of `points`, unit vectors that the energy sees where they are, until the end, or for about
-  // `most_steps` steps: run() again goes on as if there had been no break, and so it does when the host (Error
+  // `max_steps` steps: run() again goes on as if there had been no break, and so it does when the host (Error
   // "cancelled") or the energy threw. Points and result are those of the last whole step then.
   template <class Energy>
   void run(const Energy& energy, std::span<double> points, const base::Host& host,
-           std::uint64_t most_steps = std::numeric_limits<std::uint64_t>::max());
+           std::uint64_t max_steps = std::numeric_limits<std::uint64_t>::max());
 
   bool done() const { return state_.phase == Phase::done; }
   const RelaxationResult& result() const { return state_.result; }
@@ -162,8 +162,8 @@ class Relaxation {
 };
 
 template <class Energy>
-void Relaxation::run(const Energy& energy, std::span<double> points, const base::Host& host, std::uint64_t most_steps) {
-  const bool as_printed = options_.method == Method::seed;
+void Relaxation::run(const Energy& energy, std::span<double> points, const base::Host& host, std::uint64_t max_steps) {
+  const bool as_printed = options_.method == Method::dissertation;
   RelaxationResult& result = state_.result;
   result.stop = Stop::running;
   for (; state_.phase == Phase::filling; ++state_.next) {
@@ -184,7 +184,7 @@ void Relaxation::run(const Energy& energy, std::span<double> points, const base:
       measure_from_here();
       break;
     }
-    if (most_steps-- == 0) return;
+    if (max_steps-- == 0) return;
     if (result.steps % 16 == 0) host.report("relaxation", result.steps, 0, -result.gain);
     take_step(energy, points);
   }
@@ -206,7 +206,7 @@ void Relaxation::take_step(const Energy& energy, std::span<double> points) {
   const auto d = energy.dimension();
   RelaxationResult& result = state_.result;
   const auto block = state_.sweeping != 0 ? static_cast<std::uint32_t>(state_.next) : queue_.front();
-  const StepRule rule{options_.gradient_tolerance, result.over_relaxation, options_.method == Method::seed};
+  const StepRule rule{options_.gradient_tolerance, result.over_relaxation, options_.method == Method::dissertation};
   const BlockStep step = improve_block(energy, block, rule, &points[block * d], reach_[block]);
   // Nothing throws from here on, so the step is taken wholly or not at all.
   if (state_.sweeping != 0) {
@@ -232,7 +232,7 @@ void Relaxation::wake(const Energy& energy, std::span<const double> points) {
   const double gain = state_.step_gain;
   if (gain > 0 && state_.sweeping == 0) {
     std::uint64_t evaluations = 0;
-    const bool as_printed = options_.method == Method::seed;
+    const bool as_printed = options_.method == Method::dissertation;
     const auto raise = [&](std::size_t block, double priority) {
       if (as_printed) {
         priority = printed_priority(energy, block, points);
@@ -242,7 +242,7 @@ void Relaxation::wake(const Energy& energy, std::span<const double> points) {
     };
     // The block's own next step gains less, as a rule a good deal less.
     raise(state_.woken, 0.25 * gain);
-    energy.for_each_neighbour(state_.woken, [&](std::size_t other) { raise(other, gain); });
+    energy.for_each_neighbor(state_.woken, [&](std::size_t other) { raise(other, gain); });
     state_.result.evaluations += evaluations;
   }
   state_.waking = 0;

@@ -3,7 +3,7 @@
 // limited_memory: L-BFGS with parallel transport and a Wolfe search along the arcs. barzilai_borwein: Iannazzo and
 // Porcelli 2018, "The Riemannian Barzilai-Borwein method with nonmonotone line search". great_circle: the
 // dissertation's Algorithm 2 along the tangent gradient, the first angle from the last search, halved until the value
-// falls. seed: Algorithm 2 as printed, all blocks turning and halving together.
+// falls. dissertation: Algorithm 2 as printed, all blocks turning and halving together.
 #include "sphere_optimizer/solver.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double quarter_circle = 0.5 * std::numbers::pi;
 
 const Options& checked(const Options& options) {
-  require(options.method >= Method::limited_memory && options.method <= Method::seed, "unknown method");
+  require(options.method >= Method::limited_memory && options.method <= Method::dissertation, "unknown method");
   require(options.memory >= 1 && options.memory <= 1000, "memory must be from 1 to 1000 pairs");
   require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
   require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
@@ -66,15 +66,15 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
       radial_(shape.count, 0.0, host.memory),
       trial_radial_(shape.count, 0.0, host.memory),
       curvature_(shape.count, 1.0, host.memory),
-      ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
-      trial_ambient_(options.method == Method::seed ? shape.size() : 0, 0.0, host.memory),
+      ambient_(options.method == Method::dissertation ? shape.size() : 0, 0.0, host.memory),
+      trial_ambient_(options.method == Method::dissertation ? shape.size() : 0, 0.0, host.memory),
       last_values_(options.method == Method::barzilai_borwein ? options.history : 0, -infinity, host.memory) {
   if (start.empty()) return;
   require(start.size() == shape.size() && base::all_finite(start), "the start must be finite numbers");
   std::copy(start.begin(), start.end(), x_.begin());
   with_dimension(shape.dimension, [&](auto d) {
     for (std::size_t i = 0; i < shape_.count; ++i)
-      require(normalise(d, &x_[i * d]), "a block of the start is zero or far from length 1");
+      require(normalize(d, &x_[i * d]), "a block of the start is zero or far from length 1");
   });
   std::copy(x_.begin(), x_.end(), best_.begin());
 }
@@ -159,8 +159,8 @@ Request Solver::begin_iteration() {
 // The direction and the start of its search; false when there is none that descends.
 bool Solver::choose_direction() {
   constexpr double first_angle = 0.1;  // of the block with the longest gradient, while nothing is known
-  constexpr double largest_angle = 1;  // of a direction of limited_memory, before its search
-  if (options_.method == Method::seed) {
+  constexpr double max_angle = 1;      // of a direction of limited_memory, before its search
+  if (options_.method == Method::dissertation) {
     choose_printed_direction();
     return state_.backtracking.start_slope < 0;
   }
@@ -189,10 +189,10 @@ bool Solver::choose_direction() {
       follow_gradient(std::min(quarter_circle, 2 * state_.arc) / state_.measure);
   }
   double angle = longest_block(direction_);
-  if (options_.method == Method::limited_memory && angle > largest_angle) {
+  if (options_.method == Method::limited_memory && angle > max_angle) {
     for (double& value : direction_)
-      value *= largest_angle / angle;
-    angle = largest_angle;
+      value *= max_angle / angle;
+    angle = max_angle;
   }
   const double slope = base::dot(gradient_, direction_);
   if (!(slope < 0)) return false;
@@ -266,7 +266,7 @@ Search Solver::judge_trial() {
     case Method::barzilai_borwein:
       return search.advance(state_.value, state_.trial_value);
     default: {
-      const double slope = options_.method == Method::seed ? chord_slope() : search.length * search.start_slope;
+      const double slope = options_.method == Method::dissertation ? chord_slope() : search.length * search.start_slope;
       if (state_.trial_value <= search.reference + decrease * slope) return Search::accept;
       search.length *= 0.5;
       return ++search.trials >= halving_limit ? Search::give_up : Search::again;

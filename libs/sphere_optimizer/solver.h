@@ -27,8 +27,8 @@ class Solver {
   Request step();
   std::span<const double> point() const { return state_.asked() ? trial_ : x_; }
   // After need_value_and_gradient only (throws invalid-argument otherwise). `gradient` is the gradient of f in R^d of
-  // each block, or any vector with the same part tangent to the spheres (but Method::seed looks at the whole). A value
-  // or an entry that is not finite says that f could not be evaluated there.
+  // each block, or any vector with the same part tangent to the spheres (but Method::dissertation looks at the whole).
+  // A value or an entry that is not finite says that f could not be evaluated there.
   void tell(double value, std::span<const double> gradient);
   void tell_failure() { state_.tell_failure(); }
   // While a request waits, memory of the solver's that the gradient may be written to before tell(), which saves
@@ -97,7 +97,7 @@ class Solver {
   base::Array<double> x_, gradient_, trial_, trial_gradient_, direction_, velocity_, best_;  // N d each
   base::Array<double> radial_, trial_radial_;    // N each: parts of the gradient along the points
   base::Array<double> curvature_;                // N: what is known of the Hessian's size, by block
-  base::Array<double> ambient_, trial_ambient_;  // the gradients as supplied, for Method::seed
+  base::Array<double> ambient_, trial_ambient_;  // the gradients as supplied, for Method::dissertation
   base::Array<double> last_values_;              // ring of Options::history values of f, for barzilai_borwein
 };
 

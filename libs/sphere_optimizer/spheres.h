@@ -54,7 +54,7 @@ double block_square(Dimension d, const double* a) {
 // a scaled to length 1, to within 2 units of the last place. False, and a unchanged, when it is zero or not finite, or
 // so long or short that its square is.
 template <class Dimension>
-bool normalise(Dimension d, double* a) {
+bool normalize(Dimension d, double* a) {
   const double length = std::sqrt(block_square(d, a));
   if (!(length > 1e-150 && length < 1e150)) return false;
   for (std::size_t k = 0; k < d; ++k)
@@ -85,7 +85,7 @@ void move(Dimension d, const double* x, const double* direction, double length, 
     out[k] = cosine * from + across * along;
     velocity[k] = cosine * along - sine * speed * from;
   }
-  normalise(d, out);
+  normalize(d, out);
 }
 
 // Parallel transport of the tangent vector v from p to q along the shorter great circle, which keeps lengths and

@@ -72,7 +72,7 @@ Regions find_regions(const TetgenMesh& made, const base::Host& host) {
   // Regions in the order of their depth: those next to the outside first, then those behind their walls.
   base::Array<std::size_t> here(host.memory), behind(host.memory), region(host.memory);
   for (std::size_t t = 0; t < count; ++t) {
-    if (std::ranges::min(made.neighbours[t]) < 0) here.push_back(t);
+    if (std::ranges::min(made.neighbors[t]) < 0) here.push_back(t);
   }
   std::size_t visited = 0;
   for (std::uint8_t solid = 1; !here.empty(); solid = solid == 1 ? 0 : 1) {
@@ -87,19 +87,19 @@ Regions find_regions(const TetgenMesh& made, const base::Host& host) {
         if (++visited % items_between_reports == 0) host.report(phase, visited, count);
         for (std::size_t k = 0; k < 4; ++k) {
           const bool wall = (walls[t] >> k & 1U) != 0;
-          if (made.neighbours[t][k] < 0) {
+          if (made.neighbors[t][k] < 0) {
             if (!wall || solid == 0) throw base::Error("no-valid-result", "TetGen's mesh is open");
             continue;
           }
-          const auto neighbour = static_cast<std::size_t>(made.neighbours[t][k]);
-          if (result.solid[neighbour] != unknown) {
-            if ((result.solid[neighbour] == solid) == wall)
+          const auto neighbor = static_cast<std::size_t>(made.neighbors[t][k]);
+          if (result.solid[neighbor] != unknown) {
+            if ((result.solid[neighbor] == solid) == wall)
               throw base::Error("no-valid-result", "the surface in TetGen's mesh is not closed");
           } else if (wall) {
-            behind.push_back(neighbour);
+            behind.push_back(neighbor);
           } else {
-            result.solid[neighbour] = solid;
-            region.push_back(neighbour);
+            result.solid[neighbor] = solid;
+            region.push_back(neighbor);
           }
         }
       }

@@ -70,7 +70,7 @@ bool is_too_large(double* a, double* b, double* c, double* d, double*, double) {
   const auto at = [](const double* p) { return mesh::Vector3(p[0], p[1], p[2]); };
   const mesh::Vector3 u = at(b) - at(a), v = at(c) - at(a), w = at(d) - at(a);
   const mesh::Vector3 center = at(a) + 0.25 * (u + v + w);
-  return std::abs(u.cross(v).dot(w)) > 6 * options_of_child->largest_volume(center);
+  return std::abs(u.cross(v).dot(w)) > 6 * options_of_child->max_volume_at(center);
 }
 
 void set(tetgenbehavior& to, const TetgenOptions& options) {
@@ -85,7 +85,7 @@ void set(tetgenbehavior& to, const TetgenOptions& options) {
     to.fixedvolume = 1;
     to.maxvolume = options.max_volume;
   }
-  if (options.max_volume > 0 || options.largest_volume) {
+  if (options.max_volume > 0 || options.max_volume_at) {
     to.quality = 1;
     if (options.radius_edge_ratio <= 0) to.minratio = std::numeric_limits<float>::max();
   }
@@ -97,7 +97,7 @@ void work(std::span<const mesh::Vector3> positions, std::span<const mesh::Triang
   Input input(positions, triangles);
   tetgenbehavior behaviour;
   set(behaviour, options);
-  if (options.largest_volume) {
+  if (options.max_volume_at) {
     options_of_child = &options;
     input.tetunsuitable = is_too_large;
   }
@@ -154,10 +154,10 @@ TetgenOutcome call_tetgen(std::span<const mesh::Vector3> positions, std::span<co
   if (h.kind != TetgenOutcome::Kind::done) return {h.kind, h.number};
   result.positions.resize(h.positions);
   result.tetrahedra.resize(h.tetrahedra);
-  result.neighbours.resize(h.tetrahedra);
+  result.neighbors.resize(h.tetrahedra);
   result.faces.resize(h.faces);
   result.face_sources.resize(h.faces);
-  if (!(read(result.positions) && read(result.tetrahedra) && read(result.neighbours) && read(result.faces) &&
+  if (!(read(result.positions) && read(result.tetrahedra) && read(result.neighbors) && read(result.faces) &&
         read(result.face_sources)))
     return crashed();
   for (std::int32_t& source : result.face_sources)

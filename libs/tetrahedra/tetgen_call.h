@@ -16,9 +16,9 @@ using Quadruple = std::array<std::int32_t, 4>;
 using Triple = std::array<std::int32_t, 3>;
 
 struct TetgenOptions {
-  double radius_edge_ratio = 0;                                       // 0: no refinement
-  double max_volume = 0;                                              // 0: none
-  std::function<double(const mesh::Vector3& center)> largest_volume;  // of a tetrahedron there; empty: none
+  double radius_edge_ratio = 0;                                      // 0: no refinement
+  double max_volume = 0;                                             // 0: none
+  std::function<double(const mesh::Vector3& center)> max_volume_at;  // of a tetrahedron there; empty: none
   bool keep_surface = true;
   double tolerance = 1e-8;  // below which TetGen takes points for equal and facets for coplanar, where all is of size 1
 };
@@ -26,11 +26,11 @@ struct TetgenOptions {
 // As TetGen numbers things.
 struct TetgenMesh {
   explicit TetgenMesh(std::pmr::memory_resource* memory)
-      : positions(memory), tetrahedra(memory), neighbours(memory), faces(memory), face_sources(memory) {}
+      : positions(memory), tetrahedra(memory), neighbors(memory), faces(memory), face_sources(memory) {}
 
   base::Array<mesh::Vector3> positions;
   base::Array<Quadruple> tetrahedra;
-  base::Array<Quadruple> neighbours;       // of each tetrahedron, opposite to its corners; negative for none
+  base::Array<Quadruple> neighbors;        // of each tetrahedron, opposite to its corners; negative for none
   base::Array<Triple> faces;               // in the surface
   base::Array<std::int32_t> face_sources;  // the triangle that each of them lies in
 };

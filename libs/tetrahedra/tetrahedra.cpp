@@ -54,7 +54,7 @@ double volume_of_regular(double edge) {
 }
 
 // Of a regular tetrahedron with such edges, or what was requested if that is less; in the coordinates of TetGen.
-double largest_volume(const Options& options, const ScaledSurface& surface) {
+double volume_limit(const Options& options, const ScaledSurface& surface) {
   const double of_edge = volume_of_regular(surface.scaled_length(options.edge_length));
   const double asked = surface.scaled_volume(options.max_volume);
   return of_edge > 0 && asked > 0 ? std::min(of_edge, asked) : std::max(of_edge, asked);
@@ -94,13 +94,13 @@ Solid fill(std::span<const Vector3> positions, std::span<const Triangle> triangl
   require_fillable(positions, triangles, host);
   const ScaledSurface surface(positions, triangles, host.memory);
   const Sizing sizing = scaled_sizing(options, surface, host.memory);
-  TetgenOptions wanted{.radius_edge_ratio = options.quality,
-                       .max_volume = largest_volume(options, surface),
-                       .largest_volume = {},
+  TetgenOptions target{.radius_edge_ratio = options.quality,
+                       .max_volume = volume_limit(options, surface),
+                       .max_volume_at = {},
                        .keep_surface = options.keep_surface};
   if (!sizing.empty())
-    wanted.largest_volume = [&](const Vector3& center) { return volume_of_regular(sizing.length_at(center)); };
-  const TetgenMesh made = run_tetgen(surface, wanted, host);
+    target.max_volume_at = [&](const Vector3& center) { return volume_of_regular(sizing.length_at(center)); };
+  const TetgenMesh made = run_tetgen(surface, target, host);
   return assemble(positions, triangles, surface, made, options.keep_surface, host);
 }
 

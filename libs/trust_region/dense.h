@@ -47,7 +47,7 @@ inline double sum_of_magnitudes(const double* a, std::size_t count) {
   return ((sum[0] + sum[4]) + (sum[1] + sum[5])) + ((sum[2] + sum[6]) + (sum[3] + sum[7]));
 }
 
-inline double largest_magnitude(const double* a, std::size_t count) {
+inline double max_magnitude(const double* a, std::size_t count) {
   constexpr std::size_t lanes = 8;
   std::array<double, lanes> most{};
   std::size_t i = 0;

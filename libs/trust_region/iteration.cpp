@@ -1,7 +1,7 @@
 // The iteration: a step of the models in the trust region, then the radii, the points and their geometry. Two radii as
 // in Powell 2006 (NEWUOA): steps are within `radius`, and the `resolution` below it falls only when the models are good
-// and give nothing more. Method::seed has the one radius of the dissertation's section 4.4.2, the resolution then is
-// its end.
+// and give nothing more. Method::dissertation has the one radius of the dissertation's section 4.4.2, the resolution
+// then is its end.
 #include <algorithm>
 #include <cmath>
 
@@ -127,7 +127,7 @@ Request Solver::try_step() {
 
 Request Solver::take_trial() {
   const std::size_t n = variables_.free_size(), best = interpolation_.best();
-  const bool failed = !std::isfinite(state_.told_value), seed = options_.method == Method::seed;
+  const bool failed = !std::isfinite(state_.told_value), dissertation = options_.method == Method::dissertation;
   const double length = norm(step_.data(), n), before = values_[best], slack = noise();
   const double ratio = failed ? -1 : (before - state_.told_value + slack) / (state_.predicted + slack);
   const double resolution = state_.resolution;
@@ -145,11 +145,11 @@ Request Solver::take_trial() {
   if (ratio < enough) ++state_.poor_steps;
   if (!failed) models_.judge(step_.data(), told_.data(), best);
   if (state_.short_step != 0) {
-    if (ratio >= enough && !seed) {
+    if (ratio >= enough && !dissertation) {
       state_.resolution = std::max(std::clamp(length, options_.radius_end, resolution), 0.1 * resolution);
       state_.radius = std::max(state_.resolution, std::min(state_.radius, 2 * length));
     }
-  } else if (seed) {
+  } else if (dissertation) {
     // The dissertation's step 4; where the ratio is low, the points come first (step 5).
     if (ratio >= 0.7) {
       state_.radius = std::max(state_.radius, 2 * length);
@@ -175,7 +175,7 @@ Request Solver::take_trial() {
   }
   state_.next = Next::geometry;
   state_.reduce_after = state_.short_step != 0 || (ratio <= 0 && std::max(length, state_.radius) <= resolution) ? 1 : 0;
-  if (seed) {
+  if (dissertation) {
     // Shrinks once the points are near enough.
     state_.reduce_after = 1;
     state_.predicted = length;
@@ -295,7 +295,7 @@ bool Solver::models_are_flat() {
 Request Solver::reduce_resolution() {
   state_.next = Next::step;
   const double end = options_.radius_end;
-  if (options_.method == Method::seed && state_.radius > end) {
+  if (options_.method == Method::dissertation && state_.radius > end) {
     state_.radius = std::max(end, 0.5 * std::min(state_.radius, state_.predicted));
     return Request::iteration;
   }

@@ -17,7 +17,7 @@ constexpr double power = 0.25;
 // Eigenvalues of less than this part of the largest count as this part: noise of the interpolation.
 constexpr double floor_of_eigenvalues = 1e-6;
 // Not worth a rebuild where lengths would differ by less.
-constexpr double least_change = 2;
+constexpr double min_change = 2;
 // Poor steps after which coordinates may change, and evaluations since the last change, in units of n + 1.
 constexpr std::uint64_t poor_steps = 3, wait = 3;
 
@@ -47,7 +47,7 @@ bool Solver::adapt_metric() {
     values[i] = std::pow(std::max(std::abs(values[i]) / most, floor_of_eigenvalues), power);
     least = i == 0 ? values[i] : std::min(least, values[i]);
   }
-  if (!(1 / least >= least_change)) return false;
+  if (!(1 / least >= min_change)) return false;
   // The longest and the shortest axis change by the same factor. Then T is divided by its largest stretch, so that a
   // length of u is one of x / scale along that axis.
   const double middle = std::sqrt(least);
@@ -62,7 +62,7 @@ bool Solver::adapt_metric() {
   };
   fill(1, true);
   variables_.transform(matrix);
-  const double stretch = variables_.normalise(eigen_, candidate_.data());
+  const double stretch = variables_.normalize(eigen_, candidate_.data());
   fill(1 / stretch, true);
   models_.transform(matrix);
   fill(stretch, false);

@@ -21,8 +21,8 @@ struct Problem {
 };
 
 enum class Method : std::int32_t {
-  two_radii = 0,  // Powell's trust-region radius and resolution
-  seed = 1,       // the dissertation's section 4.4.2: one radius
+  two_radii = 0,     // Powell's trust-region radius and resolution
+  dissertation = 1,  // the dissertation's section 4.4.2: one radius
 };
 
 enum class Start : std::int32_t {

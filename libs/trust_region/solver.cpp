@@ -17,7 +17,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 const Options& checked(const Options& options) {
-  require(options.method == Method::two_radii || options.method == Method::seed, "unknown method");
+  require(options.method == Method::two_radii || options.method == Method::dissertation, "unknown method");
   require(options.start >= Start::automatic && options.start <= Start::cross, "unknown start");
   require(options.radius_begin >= 0 && options.radius_begin <= 1e150, "radius_begin must be from 0 to 1e150");
   require(options.radius_end > 0 && options.radius_end <= 1e150, "radius_end must be positive, up to 1e150");
@@ -43,7 +43,7 @@ std::size_t max_points(const Problem& problem, const Options& options, std::size
             "points must be from n + 2 to (n + 1)(n + 2) / 2");
     return std::clamp<std::size_t>(options.points, free + 2, full);
   }
-  if (options.method == Method::seed) return std::min(full, 2 * free + 1);
+  if (options.method == Method::dissertation) return std::min(full, 2 * free + 1);
   // Sets grow to those of full quadratics while these are small.
   return std::min(
       full, problem.residuals > 0 ? std::max<std::size_t>(91, 2 * free + 1) : std::max<std::size_t>(45, 6 * free + 1));

@@ -19,7 +19,7 @@ constexpr double gain_of_restart = 1e-3;
 Request Solver::begin() {
   const std::size_t n = variables_.free_size();
   state_.radius_begin = state_.radius = state_.resolution = options_.radius_begin;
-  if (options_.method == Method::seed) state_.resolution = options_.radius_end;
+  if (options_.method == Method::dissertation) state_.resolution = options_.radius_end;
   if (interpolation_.size() > 0) return begin_around(interpolation_.size());
   state_.design_next = 0;
   state_.design_end = 1;
@@ -236,7 +236,7 @@ Request Solver::restart_or_finish(Stop stop) {
   edges_.forget();
   state_.radius =
       std::max(10 * options_.radius_end, state_.radius_begin * std::pow(0.1, static_cast<double>(state_.restarts % 4)));
-  if (options_.method != Method::seed) state_.resolution = state_.radius;
+  if (options_.method != Method::dissertation) state_.resolution = state_.radius;
   return begin_around(1);
 }
 

@@ -35,7 +35,7 @@ double Solver::choose_step(double* d) {
   edges_.find(interpolation_, reach_of_edges * state_.radius);
   const bool confined = edges_.count() > 0;
   if (confined) {
-    edge_weight_ = stiffness * (norm(gradient_.data(), n) / state_.radius + largest_magnitude(hessian_.data(), n * n));
+    edge_weight_ = stiffness * (norm(gradient_.data(), n) / state_.radius + max_magnitude(hessian_.data(), n * n));
     edges_.confine(d);
   }
   double value = change_of(d);

@@ -19,7 +19,7 @@ Tridiagonal::Tridiagonal(std::size_t capacity, std::pmr::memory_resource* memory
 void Tridiagonal::reduce(std::size_t size) {
   size_ = size;
   double* p = work_.data();
-  const double largest = largest_magnitude(matrix_.data(), size * size);
+  const double largest = max_magnitude(matrix_.data(), size * size);
   // What is left of a matrix of low rank is rounding of rounding, whose squares would underflow.
   const double negligible = std::max(1e-40 * largest * largest, 1e-290);
   for (std::size_t k = 0; k + 2 < size; ++k) {

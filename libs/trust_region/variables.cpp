@@ -22,10 +22,10 @@ constexpr double alike_boxes = 10, narrow_box = 0.01;
 constexpr double alike_starts = 1e4;
 // Entries of the start that are smaller in relation to the largest are zero but for rounding.
 constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
-constexpr double smallest_scale = 1e-100, largest_scale = 1e100;
+constexpr double min_scale = 1e-100, max_scale = 1e100;
 
 bool usable(double magnitude) {
-  return magnitude >= smallest_scale && magnitude <= largest_scale;
+  return magnitude >= min_scale && magnitude <= max_scale;
 }
 
 }  // namespace
@@ -185,7 +185,7 @@ void Variables::transform(const double* inverse) {
   turned_ = 1;
 }
 
-double Variables::normalise(Tridiagonal& solver, double* work) {
+double Variables::normalize(Tridiagonal& solver, double* work) {
   // The root of the largest eigenvalue of T T'.
   const std::size_t n = free_.size();
   for (std::size_t i = 0; i < n; ++i)

@@ -43,7 +43,7 @@ class Variables {
   // T becomes T `inverse`; only without bounds.
   void transform(const double* inverse);
   // The largest stretch |T u| / |u|; T is divided by it. work: free_size() entries.
-  double normalise(Tridiagonal& solver, double* work);
+  double normalize(Tridiagonal& solver, double* work);
   std::uint64_t fingerprint() const { return fingerprint_; }
 
   template <class Self, class Visit>

@@ -10,7 +10,7 @@
 #include "base/catch_all.h"
 #include "base/error.h"
 #include "base/threads/parallel.h"
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 
 using namespace orbicube::base;
 
@@ -91,16 +91,16 @@ TEST_CASE("a caller that ends in a piece of a loop waits for the other threads b
       CHECK_FALSE(came_to_its_end([&] {
         Host host;
         host.thread_count = 3;
-        const Team team(host);
+        const ThreadPool pool(host);
         const auto caller = std::this_thread::get_id();
-        team.run(1000, [&](std::size_t) { piece(caller); });
+        pool.run(1000, [&](std::size_t) { piece(caller); });
       }));
       CHECK(inside == 1);
     }
   }
 }
 
-TEST_CASE("a loop whose own thread ended in a piece is cancelled, and the team goes on without it") {
+TEST_CASE("a loop whose own thread ended in a piece is cancelled, and the pool goes on without it") {
   const auto caller = std::this_thread::get_id();
   const auto piece = [&](std::size_t) {
     if (std::this_thread::get_id() != caller) pthread_exit(nullptr);
@@ -114,18 +114,18 @@ TEST_CASE("a loop whose own thread ended in a piece is cancelled, and the team g
     }
     Host host;
     host.thread_count = 2;
-    const Team team(host);
+    const ThreadPool pool(host);
     bool cancelled = false;
     for (int loop = 0; loop < 100000 && !cancelled; ++loop) {
       try {
-        team.run(100, piece);
+        pool.run(100, piece);
       } catch (const Error& error) {
         cancelled = std::string(error.kind()) == "cancelled";
       }
     }
     CHECK(cancelled);
     std::atomic<int> runs{0};
-    team.run(20, [&](std::size_t) { ++runs; });
+    pool.run(20, [&](std::size_t) { ++runs; });
     CHECK(runs == 20);
   }
 }

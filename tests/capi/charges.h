@@ -57,22 +57,22 @@ inline std::int32_t callback(const double* x, std::size_t count, std::size_t dim
 // Everybody is everybody's neighbor.
 struct Blocks {
   std::array<std::size_t, charges + 1> start{};
-  std::array<std::uint32_t, charges*(charges - 1)> neighbour{};
+  std::array<std::uint32_t, charges*(charges - 1)> neighbor{};
   obc_sphere_optimizer_blocks blocks{};
 
   Blocks() {
     std::size_t to = 0;
     for (std::uint32_t i = 0; i < charges; ++i) {
       for (std::uint32_t j = 0; j < charges; ++j) {
-        if (i != j) neighbour[to++] = j;
+        if (i != j) neighbor[to++] = j;
       }
       start[i + 1] = to;
     }
     obc_sphere_optimizer_blocks_init(&blocks, sizeof blocks);
     blocks.dimension = 3;
     blocks.count = charges;
-    blocks.neighbour_start = start.data();
-    blocks.neighbour = neighbour.data();
+    blocks.neighbor_start = start.data();
+    blocks.neighbor = neighbor.data();
   }
   Blocks(const Blocks&) = delete;
 };

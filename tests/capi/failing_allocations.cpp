@@ -157,7 +157,7 @@ Outcome fail_each_allocation(const Call& call, std::size_t each_until) {
   return outcome;
 }
 
-Outcome cancel_everywhere(const Call& call, std::size_t most_runs) {
+Outcome cancel_everywhere(const Call& call, std::size_t max_runs) {
   Outcome outcome;
   obc_host host = counting_host();
   host.progress = count_report;
@@ -178,7 +178,7 @@ Outcome cancel_everywhere(const Call& call, std::size_t most_runs) {
     if (outcome.problem.empty() && reports.wrong_fraction) {
       outcome.problem = "run " + std::to_string(outcome.runs) + ": reported a fraction that is not within 0 and 1";
     }
-    if (outcome.runs >= most_runs) step *= 2;
+    if (outcome.runs >= max_runs) step *= 2;
     stop_at += step;
   }
   return outcome;

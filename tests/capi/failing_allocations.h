@@ -33,8 +33,8 @@ Outcome fail_each_allocation(const Call& call, std::size_t each_until = SIZE_MAX
 
 // Runs `call` with a progress callback that stops at its n-th call, for n = 0, 1, 2, ... until a run has fewer reports.
 // Each stopped run must return OBC_CANCELLED without another report, the last one OBC_OK, and after each every block
-// must be released. `most_runs` bounds the work: from there on the step from n to the next doubles.
-Outcome cancel_everywhere(const Call& call, std::size_t most_runs = 64);
+// must be released. `max_runs` bounds the work: from there on the step from n to the next doubles.
+Outcome cancel_everywhere(const Call& call, std::size_t max_runs = 64);
 
 // How many allocations the program has made so far, to see that something allocates nothing.
 std::size_t allocation_count();

@@ -278,7 +278,7 @@ TEST_CASE("Wrong arguments are refused, not followed") {
     if (i == 5) options.repair = 3;
     if (i == 6) {
       options.repair = OBC_FRAME_FIELD_REPAIR;
-      options.method = OBC_FRAME_FIELD_SEED;
+      options.method = OBC_FRAME_FIELD_DISSERTATION;
     }
     CHECK(obc_frame_field_compute(&view, &options, nullptr, nullptr, frames.data(), nullptr, &error) ==
           OBC_INVALID_ARGUMENT);

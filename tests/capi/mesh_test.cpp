@@ -163,9 +163,9 @@ TEST_CASE("The shapes of tetrahedra are measured") {
   CHECK(report.inverted == 1);
   CHECK(report.worst == 1);
   CHECK(report.volume == 0);
-  CHECK(report.largest_volume == doctest::Approx(1.0 / 6));
-  CHECK(report.largest_dihedral == doctest::Approx(90));
-  CHECK(report.longest_edge == doctest::Approx(std::sqrt(2.0)));
+  CHECK(report.max_volume == doctest::Approx(1.0 / 6));
+  CHECK(report.max_dihedral == doctest::Approx(90));
+  CHECK(report.max_edge_length == doctest::Approx(std::sqrt(2.0)));
   CHECK(report.dihedral_histogram[5] == 6);                                 // 54.7 degrees, three times each
   CHECK(report.dihedral_histogram[8] + report.dihedral_histogram[9] == 6);  // 90 degrees, but for rounding
   CHECK(obc_mesh_tetrahedron_quality(nullptr, nullptr, &report, &error) == OBC_INVALID_ARGUMENT);

@@ -158,9 +158,9 @@ TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a
   }
   const std::vector<std::uint32_t> corners = {7, 0}, vertices = {nearest, UINT32_MAX};
   const std::vector<double> points = {0, 0, 0, -1, -1, -1};
-  obc_polycube_places places = {corners.data(), vertices.data(), points.data(), 2};
+  obc_polycube_constraints places = {corners.data(), vertices.data(), points.data(), 2};
   obc_polycube* map = nullptr;
-  REQUIRE(obc_polycube_compute_on(&surface, &box, &places, nullptr, &map, &error) == OBC_OK);
+  REQUIRE(obc_polycube_map_to_domain(&surface, &box, &places, nullptr, &map, &error) == OBC_OK);
   CHECK(obc_polycube_corner_count(map) == 8);
   CHECK(obc_polycube_construction(map) == -1);
   const std::size_t count = obc_polycube_vertex_count(map);
@@ -177,32 +177,32 @@ TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a
   }
   CHECK(at_origin == 1);
   obc_polycube_destroy(map);
-  REQUIRE(obc_polycube_compute_on(&surface, &box, nullptr, nullptr, &map, &error) == OBC_OK);
+  REQUIRE(obc_polycube_map_to_domain(&surface, &box, nullptr, nullptr, &map, &error) == OBC_OK);
   obc_polycube_destroy(map);
 
   std::vector<double> bent = cube;
   bent[0] = 0.5;
   const obc_surface no_polycube = {bent.data(), 8, triangles.data(), 12};
-  CHECK(obc_polycube_compute_on(&surface, &no_polycube, nullptr, nullptr, &map, &error) == OBC_UNSUPPORTED);
+  CHECK(obc_polycube_map_to_domain(&surface, &no_polycube, nullptr, nullptr, &map, &error) == OBC_UNSUPPORTED);
   CHECK(map == nullptr);
   CHECK(std::string(error.message).find("axis-aligned") != std::string::npos);
-  CHECK(obc_polycube_compute_on(nullptr, &box, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_polycube_compute_on(&surface, nullptr, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_polycube_compute_on(&surface, &box, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_map_to_domain(nullptr, &box, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_map_to_domain(&surface, nullptr, nullptr, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_map_to_domain(&surface, &box, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   places.corners = nullptr;
-  CHECK(obc_polycube_compute_on(&surface, &box, &places, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_map_to_domain(&surface, &box, &places, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
   const std::vector<std::uint32_t> none = {8, 0}, same = {7, 7};
   for (const std::uint32_t* wrong : {none.data(), same.data()}) {
     places.corners = wrong;
-    CHECK(obc_polycube_compute_on(&surface, &box, &places, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+    CHECK(obc_polycube_map_to_domain(&surface, &box, &places, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
   }
   places = {corners.data(), vertices.data(), nullptr, 2};
-  CHECK(obc_polycube_compute_on(&surface, &box, &places, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_map_to_domain(&surface, &box, &places, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
   obc_mesh* ring = nullptr;
   obc_surface torus;
   REQUIRE(obc_mesh_make("torus", 400, 0, nullptr, &ring, &error) == OBC_OK);
   REQUIRE(obc_mesh_surface(ring, &torus, &error) == OBC_OK);
-  CHECK(obc_polycube_compute_on(&torus, &box, nullptr, nullptr, &map, &error) == OBC_WRONG_GENUS);
+  CHECK(obc_polycube_map_to_domain(&torus, &box, nullptr, nullptr, &map, &error) == OBC_WRONG_GENUS);
   CHECK(map == nullptr);
   obc_mesh_destroy(ring);
   obc_mesh_destroy(mesh);
@@ -210,10 +210,10 @@ TEST_CASE("A sphere's triangles are mapped to the polycube that is given, with a
   const std::vector<double> in_space = sphere();
   const obc_surface few = {in_space.data(), 8, triangles.data(), 12};
   const std::uint32_t corner = 7, vertex = 7;
-  const obc_polycube_places one = {&corner, &vertex, nullptr, 1};
+  const obc_polycube_constraints one = {&corner, &vertex, nullptr, 1};
   const test::Call call = [&](const obc_host& host) {
     obc_polycube* made = nullptr;
-    const obc_status status = obc_polycube_compute_on(&few, &box, &one, &host, &made, nullptr);
+    const obc_status status = obc_polycube_map_to_domain(&few, &box, &one, &host, &made, nullptr);
     obc_polycube_destroy(made);
     return status;
   };
@@ -296,9 +296,10 @@ TEST_CASE("Two boxes share a polycube with the proportions that suit both") {
   obc_polycube_options options;
   REQUIRE(obc_polycube_options_init(&options, sizeof options) == OBC_OK);
   options.corners = 8;
-  std::size_t made_for = 2;
-  REQUIRE(obc_polycube_compute_common(boxes.data(), 2, &options, nullptr, nullptr, &made_for, best, &error) == OBC_OK);
-  CHECK(made_for < 2);
+  std::size_t constructed_from = 2;
+  REQUIRE(obc_polycube_compute_common(boxes.data(), 2, &options, nullptr, nullptr, &constructed_from, best, &error) ==
+          OBC_OK);
+  CHECK(constructed_from < 2);
   for (obc_polycube*& map : best) {
     CHECK(obc_polycube_corner_count(map) == 8);
     CHECK(obc_polycube_patch_count(map) == 6);

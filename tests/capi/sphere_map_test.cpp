@@ -217,7 +217,7 @@ TEST_CASE("The method seed reports its course") {
   obc_sphere_map_options options;
   REQUIRE(obc_sphere_map_options_init(&options, sizeof options) == OBC_OK);
   CHECK((options.trace == nullptr));
-  options.method = OBC_SPHERE_MAP_SEED;
+  options.method = OBC_SPHERE_MAP_DISSERTATION;
   options.trace = [](std::uint64_t iterations, std::uint64_t vertices, double energy, void* user) {
     static_cast<std::vector<TracePoint>*>(user)->push_back({iterations, vertices, energy});
   };

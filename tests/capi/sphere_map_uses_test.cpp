@@ -228,9 +228,9 @@ TEST_CASE("Through C, a surface is resampled on each grid and measured against i
     REQUIRE(obc_sphere_map_distance_init(&distance, sizeof distance) == OBC_OK);
     const obc_surface resampled = made.surface();
     REQUIRE(obc_sphere_map_surface_distance(&original, &resampled, nullptr, &distance, &error) == OBC_OK);
-    CHECK(distance.first_largest > 0);
-    CHECK(distance.first_largest < 0.3);
-    CHECK(distance.second_root_mean_square <= distance.second_largest);
+    CHECK(distance.first_max > 0);
+    CHECK(distance.first_max < 0.3);
+    CHECK(distance.second_root_mean_square <= distance.second_max);
   }
 }
 

@@ -357,11 +357,11 @@ TEST_CASE("Arguments that cannot be are refused") {
   blocks.count = 0;
   CHECK(refused_blocks(blocks, nullptr));
   blocks = fixture.blocks;
-  blocks.neighbour = nullptr;
+  blocks.neighbor = nullptr;
   CHECK(refused_blocks(blocks, nullptr));
-  fixture.neighbour[3] = charges;
+  fixture.neighbor[3] = charges;
   CHECK(refused_blocks(fixture.blocks, nullptr));
-  fixture.neighbour[3] = 1;
+  fixture.neighbor[3] = 1;
   fixture.start[1] = charges * charges;
   CHECK(refused_blocks(fixture.blocks, nullptr));
   const Blocks good;

@@ -61,7 +61,7 @@ obc_status run(const RelaxationHandle& relaxation, std::uint64_t steps = UINT64_
 
 // Plain steps, Newton's, and Algorithm 2 as printed.
 const auto every_relaxation = {relaxation_options(), relaxation_options(1),
-                               relaxation_options(0, OBC_SPHERE_OPTIMIZER_SEED)};
+                               relaxation_options(0, OBC_SPHERE_OPTIMIZER_DISSERTATION)};
 
 }  // namespace
 
@@ -155,7 +155,7 @@ TEST_CASE("A saved relaxation that is damaged, or of other neighbors, is refused
   }
   CHECK(load(fixture, test::Bytes(blob.begin(), blob.end() - 1)) == OBC_MALFORMED_FILE);
   Blocks other;
-  std::swap(other.neighbour[0], other.neighbour[1]);
+  std::swap(other.neighbor[0], other.neighbor[1]);
   CHECK(load(other, blob) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_optimizer_relaxation_run(nullptr, block_callback, nullptr, 1, nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_optimizer_relaxation_run(relaxation.get(), nullptr, nullptr, 1, nullptr) == OBC_INVALID_ARGUMENT);

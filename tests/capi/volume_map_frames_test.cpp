@@ -73,13 +73,13 @@ TEST_CASE("A box with the frames of the axes becomes its cubes, and so it does w
     CHECK(obc_volume_map_hexes_vertex_count(hexes) == 18);
     CHECK(obc_volume_map_hexes_quad_count(hexes) == 16);
     CHECK(report.volume == doctest::Approx(4).epsilon(1e-9));
-    CHECK(report.least_scaled_jacobian == doctest::Approx(1).epsilon(1e-6));
+    CHECK(report.min_scaled_jacobian == doctest::Approx(1).epsilon(1e-6));
     CHECK(report.singular_edges == 0);
     CHECK(report.irregular_edges == 0);
     CHECK(report.integers == 6);
     CHECK(report.integers_optimal == 1);
-    CHECK(report.distance < 1e-6);
-    CHECK(report.volume_error < 1e-6);
+    CHECK(report.hausdorff_percent < 1e-6);
+    CHECK(report.volume_error_percent < 1e-6);
     CHECK(report.inverted_at_start == 0);
     CHECK(report.tetrahedra >= box.tetrahedra.size() / 4);
     obc_volume_map_hexes_destroy(hexes);
@@ -102,11 +102,11 @@ TEST_CASE("Wrong arguments of hexahedra along frames are refused") {
   CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   for (const double distance : {-1.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
     options = few();
-    options.distance = distance;
+    options.max_hausdorff_percent = distance;
     CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   }
   options = few();
-  options.most_cells = 20'000'000;
+  options.max_cells = 20'000'000;
   CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   FramedBox wrong = box;
   wrong.frames[5] = std::numeric_limits<double>::infinity();

@@ -65,9 +65,9 @@ struct Box {
     return result;
   }
 
-  obc_volume_map_tangle tangle() const {
-    obc_volume_map_tangle t;
-    REQUIRE(obc_volume_map_tangle_init(&t, sizeof t) == OBC_OK);
+  obc_volume_map_untangle_problem problem() const {
+    obc_volume_map_untangle_problem t;
+    REQUIRE(obc_volume_map_untangle_problem_init(&t, sizeof t) == OBC_OK);
     t.positions = start.data();
     t.vertex_count = start.size() / 3;
     t.tetrahedra = tetrahedra.data();
@@ -123,7 +123,7 @@ obc_volume_map_hexes_options few_hexes() {
   options.cells = 12;
   options.padding = OBC_VOLUME_MAP_PADDING_WITHOUT;
   options.rounds = 1;
-  options.distance = 0;
+  options.max_hausdorff_percent = 0;
   return options;
 }
 
@@ -131,18 +131,18 @@ obc_volume_map_hexes_options few_hexes() {
 
 TEST_CASE("An inverted box is untangled, in place too, and the report says how") {
   Box box;
-  obc_volume_map_tangle tangle = box.tangle();
+  obc_volume_map_untangle_problem problem = box.problem();
   std::vector<double> result(box.start.size());
   obc_volume_map_untangle_report report;
   REQUIRE(obc_volume_map_untangle_report_init(&report, sizeof report) == OBC_OK);
   obc_error error;
-  REQUIRE(obc_volume_map_untangle(&tangle, nullptr, nullptr, result.data(), &report, &error) == OBC_OK);
+  REQUIRE(obc_volume_map_untangle(&problem, nullptr, nullptr, result.data(), &report, &error) == OBC_OK);
   CHECK(report.inverted_before > 0);
   CHECK(report.inverted == 0);
   CHECK(report.first_inverted == UINT32_MAX);
   CHECK(report.steps > 0);
-  CHECK(report.least_determinant > 0);
-  CHECK(report.greatest_determinant >= report.least_determinant);
+  CHECK(report.min_determinant > 0);
+  CHECK(report.max_determinant >= report.min_determinant);
   for (std::size_t t = 0; t < box.tetrahedra.size(); t += 4) {
     const auto* const v = &box.tetrahedra[t];
     const double* const x = result.data();
@@ -154,13 +154,13 @@ TEST_CASE("An inverted box is untangled, in place too, and the report says how")
     else
       CHECK(std::abs(result[i] - box.rest[i]) < 0.01);  // where nothing is distorted, but for the end of the polishing
   }
-  REQUIRE(obc_volume_map_untangle(&tangle, nullptr, nullptr, box.start.data(), nullptr, &error) == OBC_OK);
+  REQUIRE(obc_volume_map_untangle(&problem, nullptr, nullptr, box.start.data(), nullptr, &error) == OBC_OK);
   CHECK(box.start == result);
 }
 
 TEST_CASE("Ties and options reach the method") {
   const Box box;
-  obc_volume_map_tangle tangle = box.tangle();
+  obc_volume_map_untangle_problem problem = box.problem();
   // The two vertices inside share y and z.
   std::vector<std::uint32_t> ties(box.start.size(), UINT32_MAX);
   std::vector<std::size_t> inside;
@@ -172,9 +172,9 @@ TEST_CASE("Ties and options reach the method") {
     ties[i + 1] = 7;
     ties[i + 2] = 9;
   }
-  tangle.ties = ties.data();
+  problem.ties = ties.data();
   std::vector<double> result(box.start.size());
-  REQUIRE(obc_volume_map_untangle(&tangle, nullptr, nullptr, result.data(), nullptr, nullptr) == OBC_OK);
+  REQUIRE(obc_volume_map_untangle(&problem, nullptr, nullptr, result.data(), nullptr, nullptr) == OBC_OK);
   CHECK(result[inside[0] + 1] == result[inside[1] + 1]);
   CHECK(result[inside[0] + 2] == result[inside[1] + 2]);
 
@@ -187,7 +187,7 @@ TEST_CASE("Ties and options reach the method") {
   obc_volume_map_untangle_report report;
   REQUIRE(obc_volume_map_untangle_report_init(&report, sizeof report) == OBC_OK);
   obc_error error;
-  CHECK(obc_volume_map_untangle(&tangle, &options, nullptr, result.data(), &report, &error) == OBC_NO_VALID_RESULT);
+  CHECK(obc_volume_map_untangle(&problem, &options, nullptr, result.data(), &report, &error) == OBC_NO_VALID_RESULT);
   CHECK(report.inverted == report.inverted_before);
   CHECK(std::string(error.kind) == "no-valid-result");
   CHECK(std::string(error.message).find(std::to_string(report.inverted)) != std::string::npos);
@@ -196,39 +196,39 @@ TEST_CASE("Ties and options reach the method") {
 
 TEST_CASE("Wrong arguments are refused, not followed") {
   const Box box;
-  const obc_volume_map_tangle tangle = box.tangle();
+  const obc_volume_map_untangle_problem problem = box.problem();
   std::vector<double> result(box.start.size(), 99);
   obc_error error;
   CHECK(obc_volume_map_untangle(nullptr, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_volume_map_untangle(&tangle, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  obc_volume_map_tangle wrong = tangle;
+  CHECK(obc_volume_map_untangle(&problem, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  obc_volume_map_untangle_problem wrong = problem;
   wrong.positions = nullptr;
   CHECK(obc_volume_map_untangle(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
-  wrong = tangle;
+  wrong = problem;
   wrong.vertex_count = 5;
   CHECK(obc_volume_map_untangle(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_MALFORMED_FILE);
   CHECK(std::string(error.kind) == "index-range");
-  wrong = tangle;
+  wrong = problem;
   wrong.vertex_count = static_cast<std::size_t>(-1);
   CHECK(obc_volume_map_untangle(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
   const std::vector<std::uint32_t> ties(box.start.size(), static_cast<std::uint32_t>(box.start.size()));
-  wrong = tangle;
+  wrong = problem;
   wrong.ties = ties.data();
   CHECK(obc_volume_map_untangle(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
   obc_volume_map_untangle_options options;
   REQUIRE(obc_volume_map_untangle_options_init(&options, sizeof options) == OBC_OK);
   options.volume_weight = std::numeric_limits<double>::quiet_NaN();
-  CHECK(obc_volume_map_untangle(&tangle, &options, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_volume_map_untangle(&problem, &options, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_volume_map_untangle_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
   CHECK(std::count(result.begin(), result.end(), 99) == static_cast<std::ptrdiff_t>(result.size()));
 }
 
 TEST_CASE("Each allocation that fails, and each report that cancels, ends the untangling") {
   const Box box;
-  const obc_volume_map_tangle tangle = box.tangle();
+  const obc_volume_map_untangle_problem problem = box.problem();
   std::vector<double> result(box.start.size());
   const test::Call call = [&](const obc_host& host) {
-    return obc_volume_map_untangle(&tangle, nullptr, &host, result.data(), nullptr, nullptr);
+    return obc_volume_map_untangle(&problem, nullptr, &host, result.data(), nullptr, nullptr);
   };
   test::check_failing_allocations(call);
   test::check_cancelling(call);
@@ -239,7 +239,7 @@ TEST_CASE("A box is filled with hexahedra that fill it") {
   obc_volume_map_hexes_options options = few_hexes();
   options.cells = 100;
   options.rounds = 10;
-  options.distance = 0.1;
+  options.max_hausdorff_percent = 0.1;
   obc_volume_map_hexes_report report{};
   report.struct_size = sizeof report;
   obc_volume_map_hexes* hexes = nullptr;
@@ -251,9 +251,9 @@ TEST_CASE("A box is filled with hexahedra that fill it") {
   CHECK(report.padded == 0);
   CHECK(report.polycube_corners == 8);
   CHECK(report.volume == doctest::Approx(12).epsilon(1e-6));
-  CHECK(report.least_scaled_jacobian > 0.9);
-  CHECK(report.distance < 0.1);
-  CHECK(report.volume_error < 1e-4);
+  CHECK(report.min_scaled_jacobian > 0.9);
+  CHECK(report.hausdorff_percent < 0.1);
+  CHECK(report.volume_error_percent < 1e-4);
   CHECK(count < 200);
   std::vector<double> positions(3 * vertices);
   std::vector<std::uint32_t> cells(8 * count), outer(4 * quads), faces(quads);
@@ -291,7 +291,7 @@ TEST_CASE("Pieces that lie apart are filled together, cavities are left out, and
   REQUIRE(fill_with(2, 10, false, &report, &hexes, &error) == OBC_OK);
   CHECK(report.volume == doctest::Approx(12 + 96).epsilon(1e-6));
   CHECK(report.polycube_corners == 16);
-  CHECK(report.least_scaled_jacobian > 0.9);
+  CHECK(report.min_scaled_jacobian > 0.9);
   const std::size_t count = obc_volume_map_hexes_count(hexes);
   std::vector<double> positions(3 * obc_volume_map_hexes_vertex_count(hexes));
   std::vector<std::uint32_t> cells(8 * count), faces(obc_volume_map_hexes_quad_count(hexes));
@@ -316,7 +316,7 @@ TEST_CASE("Pieces that lie apart are filled together, cavities are left out, and
   REQUIRE(fill_with(0.4, 0.25, true, &report, &hexes, &error) == OBC_OK);
   CHECK(report.volume == doctest::Approx(12 * (1 - 0.064)).epsilon(1e-6));
   CHECK(report.polycube_corners == 16);
-  CHECK(report.least_scaled_jacobian > 0.5);
+  CHECK(report.min_scaled_jacobian > 0.5);
   obc_volume_map_hexes_destroy(hexes);
   hexes = nullptr;
   CHECK(fill_with(0.4, 0.25, false, nullptr, &hexes, &error) == OBC_NOT_MANIFOLD);
@@ -332,7 +332,7 @@ TEST_CASE("Cells of a grid in space fill a box, and one with a cavity, without a
   obc_volume_map_hexes_options options = few_hexes();
   options.cells = 500;
   options.rounds = 20;
-  options.method = OBC_VOLUME_MAP_METHOD_VOXELS;
+  options.method = OBC_VOLUME_MAP_METHOD_GRID;
   options.padding = OBC_VOLUME_MAP_PADDING_AUTO;
   obc_volume_map_hexes_report report{};
   report.struct_size = sizeof report;
@@ -342,10 +342,10 @@ TEST_CASE("Cells of a grid in space fill a box, and one with a cavity, without a
   const auto fill = [&](const obc_surface& surface, double volume) {
     obc_volume_map_hexes* hexes = nullptr;
     REQUIRE(obc_volume_map_hexes_compute(&surface, &options, nullptr, &report, &hexes, &error) == OBC_OK);
-    CHECK(report.by_voxels == 1);
+    CHECK(report.grid_based == 1);
     CHECK(report.padded == 1);
     CHECK(report.polycube_corners == 0);
-    CHECK(report.least_scaled_jacobian > 0.2);
+    CHECK(report.min_scaled_jacobian > 0.2);
     // Edges of the box are cut off by less than a cell.
     CHECK(report.volume == doctest::Approx(volume).epsilon(0.05));
     CHECK(obc_volume_map_hexes_count(hexes) > 300);
@@ -369,7 +369,7 @@ TEST_CASE("Sharp edges are followed from the angle that the options give") {
   const BoxSurface box;
   for (const double angle : {0.0, 89.0, 91.0}) {
     obc_volume_map_hexes_options options = few_hexes();
-    options.sharp_angle = angle;
+    options.feature_angle = angle;
     obc_volume_map_hexes_report report{};
     report.struct_size = sizeof report;
     obc_volume_map_hexes* hexes = nullptr;
@@ -384,8 +384,8 @@ TEST_CASE(
     "Options of hexahedra that end before the sharp angle leave it at its default, and a report there stays as it is") {
   const BoxSurface box;
   obc_volume_map_hexes_options options = few_hexes();
-  options.sharp_angle = -1;
-  options.struct_size = offsetof(obc_volume_map_hexes_options, sharp_angle);
+  options.feature_angle = -1;
+  options.struct_size = offsetof(obc_volume_map_hexes_options, feature_angle);
   obc_volume_map_hexes_report report{};
   report.struct_size = offsetof(obc_volume_map_hexes_report, follows_sharp_edges);
   report.follows_sharp_edges = 7;
@@ -465,18 +465,18 @@ TEST_CASE("Wrong arguments of solids and hexahedra are refused") {
   CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   for (const double distance : {-1.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
     options = few_hexes();
-    options.distance = distance;
+    options.max_hausdorff_percent = distance;
     CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) ==
           OBC_INVALID_ARGUMENT);
   }
   for (const double angle : {-1.0, 180.0, std::numeric_limits<double>::quiet_NaN()}) {
     options = few_hexes();
-    options.sharp_angle = angle;
+    options.feature_angle = angle;
     CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) ==
           OBC_INVALID_ARGUMENT);
   }
   options = few_hexes();
-  options.most_cells = 10'000'001;
+  options.max_cells = 10'000'001;
   CHECK(obc_volume_map_hexes_compute(&box.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
   obc_surface opened = box.surface;
   --opened.triangle_count;
@@ -514,10 +514,10 @@ TEST_CASE("Each allocation that fails, and each report that cancels, ends the ma
   obc_volume_map_hexes_options options = few_hexes();
   for (const auto& [surface, method] :
        {std::pair{&box.surface, OBC_VOLUME_MAP_METHOD_AUTO}, std::pair{&hollow.surface, OBC_VOLUME_MAP_METHOD_AUTO},
-        std::pair{&box.surface, OBC_VOLUME_MAP_METHOD_VOXELS}}) {
+        std::pair{&box.surface, OBC_VOLUME_MAP_METHOD_GRID}}) {
     options.method = method;
     options.padding =
-        method == OBC_VOLUME_MAP_METHOD_VOXELS ? OBC_VOLUME_MAP_PADDING_AUTO : OBC_VOLUME_MAP_PADDING_WITHOUT;
+        method == OBC_VOLUME_MAP_METHOD_GRID ? OBC_VOLUME_MAP_PADDING_AUTO : OBC_VOLUME_MAP_PADDING_WITHOUT;
     const test::Call call = test::destroying(
         obc_volume_map_hexes_destroy, [&, of = surface](const obc_host* host, obc_volume_map_hexes** out) {
           return obc_volume_map_hexes_compute(of, &options, host, nullptr, out, nullptr);

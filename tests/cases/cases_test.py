@@ -183,7 +183,7 @@ def face_without_area_does_not_count(case, row):
     text = json.dumps(report)
     energy = float(re.search(rf'"energy": ({FLOAT})', text).group(1))
     case.assertLess(energy, 1.1 * 19.9)
-    (mean,) = map(float, re.findall(rf'"dilatation_mean": ({FLOAT})', text))
+    (mean,) = map(float, re.findall(rf'"mean_quasi_conformal": ({FLOAT})', text))
     case.assertLess(mean, 1.1 * 1.50)
 
 

@@ -34,7 +34,7 @@ def main():
         verb("sphere", at("one.ply"), "-o", at("sphere.glb"), "--remesh", at("remeshed.glb"), "--grid", "icosphere:3")
         verb("sphere", at("one.ply"), "-o", at("sphere.gltf"))
         verb("sphere", at("one.ply"), "-o", at("map.obj"))
-        verb("morph", at("one.ply"), at("two.ply"), "-o", at("morph.glb"), "--steps", 1)
+        verb("morph", at("one.ply"), at("two.ply"), "-o", at("morph.glb"), "--intermediates", 1)
         verb("morph", at("cube.obj"), at("cube.obj"), "-o", at("through.glb"), "--polycube", "--corners", 8)
         verb("morph", at("cube.obj"), at("cube.obj"), "-o", at("shown.glb"), "--polycube", "--show-polycube", "--corners", 8)
         verb("polycube", at("bracket.obj"), "-o", at("polycube.obj"), "--glb", at("polycube.glb"))

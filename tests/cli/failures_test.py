@@ -91,7 +91,7 @@ class Failures(InFolder):
             self.assertEqual(connections, triangles)
             positive = len(triangles) - not_positive(directions, connections)
             self.assertEqual(partial["triangles_positive"], positive)
-            self.assertEqual(partial["triangles_turned_over"], 0)
+            self.assertEqual(partial["triangles_flipped"], 0)
             self.assertEqual(positive, 2 * partial["vertices_placed"] - 4)
             whole = positive == len(triangles)
             self.assertIn("kept in " + self.out, done.stderr)

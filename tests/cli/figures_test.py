@@ -59,7 +59,7 @@ class Figures(InFolder):
         self.assertIn(f"{added[0]} triangles are degenerate", said)
         self.assertTrue(any("degenerate" in note for note in after["notes"]))
         self.assertLess(after["energy"], 1.1 * before["energy"])
-        self.assertLess(after["dilatation_mean"], 1.1 * before["dilatation_mean"])
+        self.assertLess(after["mean_quasi_conformal"], 1.1 * before["mean_quasi_conformal"])
         blob = self.made("blob", 400)
         split = self.path("split.obj")
         *surface, count = split_one_side(*read_obj(blob), 40)
@@ -84,7 +84,7 @@ class Figures(InFolder):
             for shape in (plain, stray):
                 self.report("sphere", shape, "-o", self.path("map.obj"))
                 figures.append(self.report("harmonics", shape, "--sphere", self.path("map.obj"), "--degree", "6", "-o", self.path("x.sh"),
-                                           "--reconstruct", self.path("again.obj"), "--weights", weights)[0])
+                                           "--reconstruct", self.path("again.obj"), "--vertex-weights", weights)[0])
                 self.assertEqual(len(read_obj(self.path("again.obj"))[0]), len(read_obj(shape)[0]))
             for key in ("error", "residual", "area", "degree_norms", "rank", "condition"):
                 self.assertEqual(figures[0][key], figures[1][key], key)

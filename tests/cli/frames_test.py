@@ -270,7 +270,7 @@ class Frames(InFolder):
         out = self.path("solid.frames")
         best = self.figures(path, "-o", out)["E"]
         for options in (("--start", "identity"), ("--start", "propagated"), ("--start", "harmonic"),
-                        ("--start", "diffusion"), ("--method", "seed")):
+                        ("--start", "diffusion"), ("--method", "dissertation")):
             facts = self.figures(path, "-o", out, *options)
             self.assertLess(facts["misalignment_deg"]["one_face_max"], 1e-6)
             self.assertLessEqual(best, 1.01 * facts["E"])

@@ -184,8 +184,8 @@ class Harmonics(InFolder):
             data = file.read()
         self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
         # The diagonal is black, the largest distance light yellow.
-        width, height, bits, colour = struct.unpack(">IIBB", data[16:26])
-        self.assertEqual((bits, colour), (8, 2))
+        width, height, bits, color = struct.unpack(">IIBB", data[16:26])
+        self.assertEqual((bits, color), (8, 2))
         pixels, at = b"", 8
         while at < len(data):
             length, kind = struct.unpack(">I4s", data[at:at + 8])
@@ -227,7 +227,7 @@ class Harmonics(InFolder):
         self.fitted(large, sphere, 6, "b.sh")
         report = self.path("compare.json")
         for options, alike in (((), True), (("--keep-size",), False)):
-            done = run("compare", self.path("a.sh"), self.path("b.sh"), "--from", 1, "--report", report, *options)
+            done = run("compare", self.path("a.sh"), self.path("b.sh"), "--min-degree", 1, "--report", report, *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             with open(report, encoding="utf-8") as file:
                 figures = json.load(file)

@@ -15,7 +15,7 @@ from itertools import product
 from command import Glb, InFolder, main, run
 from tetrahedra import write_medit
 
-NEIGHBOURS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
+NEIGHBORS = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
 
 
@@ -110,7 +110,7 @@ class Hex(InFolder):
         positions, cells = read_medit(path, "Hexahedra", 8)
         faces = Counter()
         for cell in cells:
-            for k, near in enumerate(NEIGHBOURS):
+            for k, near in enumerate(NEIGHBORS):
                 self.assertGreater(determinant(*(positions[cell[i]] for i in (k, *near))), 0)
             for face in FACES:
                 faces[tuple(sorted(cell[i] for i in face))] += 1
@@ -136,8 +136,8 @@ class Hex(InFolder):
             self.assertEqual((figures["method"], figures["hexahedra"], figures["boundary_quads"]), (method, cells, quads))
             if method == "polycube":
                 self.assertEqual(figures["polycube"]["genus"], 3)
-            self.assertGreater(figures["scaled_jacobian_min"], 0.2)
-            self.assertLess(figures["distance_percent"], 3)
+            self.assertGreater(figures["min_scaled_jacobian"], 0.2)
+            self.assertLess(figures["hausdorff_percent"], 3)
             self.assertLess(figures["volume_error_percent"], 3)
 
     def test_machined_parts_follow_frames_and_others_polycubes(self):
@@ -148,7 +148,7 @@ class Hex(InFolder):
         self.check(out, 0)
         self.assertEqual(figures["method"], "frames")
         self.assertGreater(figures["inner_irregular_edges"], 0)
-        self.assertGreater(figures["scaled_jacobian_min"], 0.9)
+        self.assertGreater(figures["min_scaled_jacobian"], 0.9)
         self.assertLess(figures["hexahedra"], 200)
         # Layers are those of a polycube, and a round shape is not machined.
         figures, _ = self.made_hexahedra(self.made("cube", 300), "--cells", 64, "--padding", "with")
@@ -221,7 +221,7 @@ class Hex(InFolder):
         edges, outer = Counter(), set()
         faces = Counter()
         for cell in cells:
-            for k, near in enumerate(NEIGHBOURS):
+            for k, near in enumerate(NEIGHBORS):
                 self.assertGreater(determinant(*(positions[cell[i]] for i in (k, *near))), 0)
                 edges.update(tuple(sorted((cell[k], cell[n]))) for n in near if n > k)
             for face in FACES:
@@ -239,12 +239,12 @@ class Hex(InFolder):
         self.assertEqual(figures["inner_irregular_edges"], inner[3])
         self.assertEqual(figures["hexahedra"], len(cells))
         # Too far from a round bar; with more cells not.
-        self.assertGreater(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+        self.assertGreater(max(figures["hausdorff_percent"], figures["volume_error_percent"]), 1)
         done = run("hex", path, "-o", out, "--method", "frames", "--frames", frames, "--cells", 120, "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(report, encoding="utf-8") as file:
             figures = json.load(file)
-        self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+        self.assertLessEqual(max(figures["hausdorff_percent"], figures["volume_error_percent"]), 1)
         self.assertGreater(figures["hexahedra"], len(cells))
         # A frame less, and frames of a solid that is not there.
         with open(frames, encoding="ascii") as file:
@@ -273,20 +273,20 @@ class Hex(InFolder):
 
     def test_cells_of_a_grid_in_space(self):
         path, out, report = self.made("creature", 2000), self.path("out.mesh"), self.path("report.json")
-        done = run("hex", path, "-o", out, "--cells", 1200, "--distance", 3, "--method", "voxels", "--report", report)
+        done = run("hex", path, "-o", out, "--cells", 1200, "--distance", 3, "--method", "grid", "--report", report)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(report, encoding="ascii") as file:
             figures = json.load(file)
-        self.assertEqual(figures["method"], "voxels")
+        self.assertEqual(figures["method"], "grid")
         self.assertNotIn("polycube", figures)
-        self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 3)
-        self.assertGreater(figures["scaled_jacobian_min"], 0)
+        self.assertLessEqual(max(figures["hausdorff_percent"], figures["volume_error_percent"]), 3)
+        self.assertGreater(figures["min_scaled_jacobian"], 0)
         positions, cells = read_medit(out, "Hexahedra", 8)
         self.assertEqual(len(cells), figures["hexahedra"])
         self.assertLess(len(cells), 2000)
-        neighbours = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
+        neighbors = ((1, 3, 4), (2, 0, 5), (3, 1, 6), (0, 2, 7), (7, 5, 0), (4, 6, 1), (5, 7, 2), (6, 4, 3))
         for cell in cells:
-            for corner, around in enumerate(neighbours):
+            for corner, around in enumerate(neighbors):
                 self.assertGreater(determinant(*(positions[cell[v]] for v in (corner, *around))), 0)
 
     def rod(self, name, sides, radius, length, scale=1.0):
@@ -311,7 +311,7 @@ class Hex(InFolder):
         for scale in (1.0, 1e-200, 1e150):
             path = self.rod("rod", 12, 1, 2000, scale)
             figures, out = self.made_hexahedra(path, "--cells", 1500)
-            self.assertLessEqual(max(figures["distance_percent"], figures["volume_error_percent"]), 1)
+            self.assertLessEqual(max(figures["hausdorff_percent"], figures["volume_error_percent"]), 1)
             positions, cells = read_medit(out, "Hexahedra", 8)
             volume = sum(hexahedron_volume([[float(x / Fraction(scale)) for x in positions[v]] for v in cell])
                          for cell in cells)
@@ -319,7 +319,7 @@ class Hex(InFolder):
 
     def test_what_is_too_far_is_kept_where_that_is_asked_for_alone(self):
         path, out, report = self.made("torus", 2000), self.path("out.mesh"), self.path("report.json")
-        options = ("--cells", 20, "--most-cells", 20, "--distance", 0.05, "--report", report)
+        options = ("--cells", 20, "--max-cells", 20, "--distance", 0.05, "--report", report)
         message = self.refused(1, "no-valid-result", out, "hex", path, "-o", out, *options)
         self.assertIn("--keep-partial", message)
         self.assertFalse(os.path.exists(out))
@@ -327,7 +327,7 @@ class Hex(InFolder):
         self.check(out, 1)
         with open(report, encoding="utf-8") as file:
             figures = json.load(file)
-        self.assertGreater(max(figures["distance_percent"], figures["volume_error_percent"]), 0.1)
+        self.assertGreater(max(figures["hausdorff_percent"], figures["volume_error_percent"]), 0.1)
 
     def test_figures_are_of_the_whole_and_of_each_piece(self):
         path = self.boxes("speck", ((0, 0, 0), 3), ((4, 1, 1), 0.1))
@@ -358,7 +358,7 @@ class Hex(InFolder):
         figures, _ = self.made_hexahedra(path, "--cells", 600)
         self.assertEqual(figures["intersecting_quads"], 0)
         self.assertEqual(figures["pieces"], 2)
-        self.assertLessEqual(figures["distance_percent"], 2)
+        self.assertLessEqual(figures["hausdorff_percent"], 2)
         for piece in figures["by_piece"]:
             self.assertLess(piece["volume_error_percent"], 4)
 

@@ -147,7 +147,7 @@ class Kept(InFolder):
         other = self.made("star", 800)
         for grid in ("both", "first", "icosphere:4"):
             self.run_noting("morph", self.path("egg.glb"), other, "-o", self.path("morph.glb"), "--grid", grid,
-                            "--steps", 1)
+                            "--intermediates", 1)
             file = self.assert_kept("morph.glb")
             self.assertEqual([a["name"] for a in file["animations"]], ["bend", "morph"])
             self.assertEqual(file["meshes"][0]["extras"]["targetNames"], ["star"])
@@ -171,7 +171,7 @@ class Kept(InFolder):
         heights = [math.cos(math.pi * i / ROWS) for i in range(ROWS + 1)]
         for grid in ("first", "cells:2000"):
             self.run_noting("morph", "--polycube", self.path("egg.glb"), other, "-o", self.path("morph.glb"), "--grid", grid,
-                            "--steps", 1, "--show-polycube")
+                            "--intermediates", 1, "--show-polycube")
             file = self.assert_kept("morph.glb")
             self.assertEqual(file["meshes"][0]["extras"]["targetNames"], ["polycube", "star"])
             corners = self.assert_within_seams(file)

@@ -99,7 +99,7 @@ def decoded_directions(data):
 def decoded(result):
     """The bytes of the packed members."""
     return {key: numpy.frombuffer(base64.b64decode(result[key]), numpy.uint8)
-            for key in ("positions", "directions", "connections", "dilatation", "areaRatio")}
+            for key in ("positions", "directions", "connections", "quasiConformal", "areaRatio")}
 
 
 def check_result(result, levels, shape_path, map_path):
@@ -144,8 +144,8 @@ def check_result(result, levels, shape_path, map_path):
     trace = numpy.trace(numpy.linalg.solve(metric, image), axis1=1, axis2=2)
     determinant = numpy.linalg.det(image) / numpy.linalg.det(metric)
     root = numpy.sqrt(numpy.maximum(trace**2 / 4 - determinant, 0))
-    dilatation = (trace / 2 + root) / numpy.sqrt(determinant)
-    for key, values, code in (("dilatation", dilatation, levels["dilatation"]), ("areaRatio", ratio, levels["area"])):
+    quasi_conformal = (trace / 2 + root) / numpy.sqrt(determinant)
+    for key, values, code in (("quasiConformal", quasi_conformal, levels["quasiConformal"]), ("areaRatio", ratio, levels["area"])):
         octaves = numpy.log2(values) / code["octaves"]
         expected = code["zero"] + code["span"] * numpy.sign(octaves) * numpy.sqrt(abs(octaves))
         # 0.05: near 1 the level goes with the square root, which magnifies the roundoff of this other way to compute it.
@@ -222,7 +222,7 @@ def check_read_back(meshes, results):
         normals /= numpy.linalg.norm(normals, axis=1)[:, None]
         off = abs(numpy.array(mesh["normals"]).reshape(-1, 4)[:, :3] - normals).max()
         check(off < 1e-3, f"the page's normals are off by {off}")  # differences of float32 positions of thin triangles
-        check(mesh["levels"] == numpy.stack([data["dilatation"], data["areaRatio"]], 1).ravel().tolist(), "levels")
+        check(mesh["levels"] == numpy.stack([data["quasiConformal"], data["areaRatio"]], 1).ravel().tolist(), "levels")
 
 
 def basis(directions, degree):
@@ -304,8 +304,8 @@ def check_in_browser(folder, path, results):
         # The sphere fills 84 % of the shorter side of its view, 0.84^2 pi / 4 of a square.
         check(0.2 < frame["sphere"]["drawn"] < 0.56, f"sphere: {frame}")
         check(0.02 < frame["shape"]["drawn"] < 0.6, f"shape: {frame}")
-        check(min(frame["shape"]["colours"], frame["sphere"]["colours"]) > 50, f"colours: {frame}")
-    shown = {(frame["result"], frame["shape"]["colours"], frame["sphere"]["colours"]) for frame in report["frames"]}
+        check(min(frame["shape"]["colors"], frame["sphere"]["colors"]) > 50, f"colors: {frame}")
+    shown = {(frame["result"], frame["shape"]["colors"], frame["sphere"]["colors"]) for frame in report["frames"]}
     check(len(shown) == len(report["frames"]), "colorings look alike")
     check([entry["result"] for entry in report["reconstructions"]] == names, "shapes made of harmonics")
     for rebuilt, result in zip(report["reconstructions"], results):

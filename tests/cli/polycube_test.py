@@ -87,7 +87,7 @@ class Polycube(InFolder):
     def test_the_best_proportions_are_no_worse_and_still_a_polycube(self):
         path, out, report = self.made("bracket", 1500), self.path("out.obj"), self.path("report.json")
         for options in ((), ("--measure", "faces", "--area-weight", 0.5)):
-            done = run("polycube", path, "-o", out, "--optimise", "domain", *options, "--report", report)
+            done = run("polycube", path, "-o", out, "--optimize", "domain", *options, "--report", report)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             positions, triangles = read_obj(out)
             self.assertNotIn(None, [looks_along(positions, t) for t in triangles])
@@ -102,7 +102,7 @@ class Polycube(InFolder):
             for energy, d in ((energies[0], before), (energies[-1], after)):
                 # Sums of as many triangles in another order.
                 self.assertAlmostEqual(energy, d["angle_" + which] + weight * d["area_" + which], delta=1e-9)
-        done = run("polycube", path, "-o", out, "--optimise", "corner")
+        done = run("polycube", path, "-o", out, "--optimize", "corner")
         self.assertEqual(done.returncode, 2)
 
     def test_quads_lie_on_the_surface_and_are_regular_but_at_corners(self):
@@ -182,7 +182,7 @@ class Polycube(InFolder):
             held += [{"corner": c, "point": polycube["corner_points"][c]}
                      for c, v in enumerate(polycube["corner_vertices"]) if v >= len(surface)]
             json.dump(held, file)
-        for more in ((), ("--places", places)):
+        for more in ((), ("--constraints", places)):
             done = run("polycube", path, "-o", out, "--from", domain, *more, "--domain", mesh, "--report", report)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             positions, triangles = read_obj(out)
@@ -211,7 +211,7 @@ class Polycube(InFolder):
         count = len(read_obj(ball)[0])
         nearest = min(range(count), key=lambda v: math.dist(before[v], (middle[0], middle[1], high[2])))
         with open(wanted, "w", encoding="utf-8") as file:
-            json.dump({"points": [{"vertex": nearest, "place": top}]}, file)
+            json.dump({"points": [{"vertex": nearest, "target": top}]}, file)
         done = run("polycube", ball, "-o", out, "--from", domain, "--features", wanted, "--report", report)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         positions, triangles = read_obj(out)
@@ -222,14 +222,14 @@ class Polycube(InFolder):
         self.assertEqual((figures["points"], figures["distances"]), (1, [0]))
         self.assertGreater(figures["distances_before"][0], 0)
         bracket = self.made("bracket", 1500)
-        done = run("polycube", bracket, "-o", out, "--sharp-edges", 60, "--report", report)
+        done = run("polycube", bracket, "-o", out, "--feature-angle", 60, "--report", report)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(report, encoding="utf-8") as file:
             figures = json.load(file)["features"]
         self.assertGreater(figures["sharp_on_edges"], 0.7 * figures["sharp_length"])
         os.remove(out)
         for kind, text in (("parse", "[]"), ("parse", '{"points": [{}]}'), ("parse", '{"curves": [{"vertices": 1}]}'),
-                           ("invalid-argument", '{"points": [{"vertex": 0, "place": [9, 9, 9]}]}')):
+                           ("invalid-argument", '{"points": [{"vertex": 0, "target": [9, 9, 9]}]}')):
             with open(wanted, "w", encoding="utf-8") as file:
                 file.write(text)
             done = run("polycube", ball, "-o", out, "--from", domain, "--features", wanted)
@@ -272,7 +272,7 @@ class Polycube(InFolder):
                              ("parse", [{"corner": 0, "point": [0, 0]}])):
             with open(bad, "w", encoding="utf-8") as file:
                 json.dump(places, file)
-            refused(ball, bad, kind, "--from", domain, "--places", bad)
+            refused(ball, bad, kind, "--from", domain, "--constraints", bad)
         # The sphere itself is no polycube.
         refused(ball, ball, "unsupported", "--from", ball)
         done = run("polycube", ball, "-o", out, "--from", domain, "--corners", 8)
@@ -282,7 +282,7 @@ class Polycube(InFolder):
     def test_glb_and_page_hold_the_map(self):
         path, glb, page, report = (self.made("bracket", 1500), self.path("map.glb"), self.path("map.html"),
                                    self.path("report.json"))
-        done = run("polycube", path, "-o", self.path("out.obj"), "--glb", glb, "--page", page, "--optimise", "domain",
+        done = run("polycube", path, "-o", self.path("out.obj"), "--glb", glb, "--page", page, "--optimize", "domain",
                    "--report", report)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(report, encoding="utf-8") as file:
@@ -357,7 +357,7 @@ class Polycube(InFolder):
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(report, encoding="utf-8") as file:
             morph = json.load(file)
-        self.assertEqual(morph["turned_over"], 0)
+        self.assertEqual(morph["flipped"], 0)
         self.assertEqual(morph["polycube"]["energies"], energies)
         with open(glb, "rb") as file:
             data = file.read()
@@ -386,21 +386,21 @@ class Polycube(InFolder):
     def test_corners_in_better_places_leave_a_polycube_that_is_no_worse(self):
         path, out, report = self.made("bracket", 1500), self.path("out.obj"), self.path("report.json")
         for options in (("corners", "--corner-search", "gradient"), ("all", "--area-weight", 0.5)):
-            done = run("polycube", path, "-o", out, "--optimise", *options, "--report", report)
+            done = run("polycube", path, "-o", out, "--optimize", *options, "--report", report)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             self.assertIn("energy after each step: ", done.stdout)
             positions, triangles = read_obj(out)
             self.assertNotIn(None, [looks_along(positions, t) for t in triangles])
             with open(report, encoding="utf-8") as file:
                 figures = json.load(file)
-            found = figures["corner_optimisation"]
+            found = figures["corner_optimization"]
             energies = found["energies"]
             self.assertEqual(energies, sorted(energies, reverse=True))
             weight = 0.5 if "all" in options else 1
             for energy, d in ((energies[0], found["distortion_before"]), (energies[-1], figures["distortion"])):
                 # Sums of as many triangles in another order.
                 self.assertAlmostEqual(energy, d["angle_weighted_mean"] + weight * d["area_weighted_mean"], delta=1e-9)
-        done = run("polycube", path, "-o", out, "--optimise", "corners", "--corner-search", "magic")
+        done = run("polycube", path, "-o", out, "--optimize", "corners", "--corner-search", "magic")
         self.assertEqual(done.returncode, 2)
 
     def test_no_valid_map_is_told_and_nothing_is_written(self):

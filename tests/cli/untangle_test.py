@@ -58,7 +58,7 @@ class Untangle(InFolder):
             figures = json.load(file)
         self.assertEqual(figures["inverted"], 0)
         self.assertGreater(figures["inverted_before"], 50)
-        self.assertGreater(figures["least_determinant"], 0)
+        self.assertGreater(figures["min_determinant"], 0)
 
     def test_threads_do_not_matter_and_vtk_holds_the_same(self):
         self.tangled(3)

@@ -150,7 +150,7 @@ class Morphs(Uses):
             self.assertAlmostEqual(volume(state, glb.triangles) / volume(positions, triangles), 1, delta=0.02)
             for p in positions[::37]:  # sums of base and delta are off by a rounding of float32 here and there
                 self.assertLess(min(math.dist(p, q) for q in state), 1e-6)
-        self.assertEqual([shape["turned_over"] for shape in report["shapes"]], [0, 0])
+        self.assertEqual([shape["flipped"] for shape in report["shapes"]], [0, 0])
         self.assertLess(report["shapes"][0]["distance"]["from_surface"]["max_of_diagonal"], 1e-12)
         self.assertLess(report["shapes"][1]["distance"]["from_surface"]["rms_of_diagonal"], 0.01)
         (animation,) = glb.json["animations"]
@@ -174,7 +174,7 @@ class Morphs(Uses):
         self.assertGreater(figures["landmarks"]["angle_rotated"]["max"], 0.01)
         self.assertEqual(figures["landmarks"]["share"], 1)
         self.assertEqual(figures["warp"]["flipped"], 0)
-        self.assertEqual([shape["turned_over"] for shape in report["shapes"]], [0, 0])
+        self.assertEqual([shape["flipped"] for shape in report["shapes"]], [0, 0])
         rotation = figures["rotation"]
         for i in range(3):
             for j in range(3):
@@ -193,8 +193,8 @@ class Morphs(Uses):
         for grid in ("both", "first", "icosphere:4"):
             report, _ = self.report("morph", a, b, "-o", self.path("morph.glb"), "--landmarks", landmarks, "--grid", grid)
             figures = report["shapes"][1]
-            self.assertEqual([shape["turned_over"] for shape in report["shapes"]], [0, 0])
-            self.assertGreater(figures["warp"]["dilatation_max"], 2)
+            self.assertEqual([shape["flipped"] for shape in report["shapes"]], [0, 0])
+            self.assertGreater(figures["warp"]["max_quasi_conformal"], 2)
             self.assertEqual(figures["landmarks"]["share"], 1)
             if grid == "both":
                 self.assertLess(figures["distance"]["from_surface"]["rms_of_diagonal"], 0.01)
@@ -212,12 +212,12 @@ class Morphs(Uses):
     @long
     def test_other_meshes_more_shapes_and_steps(self):
         shapes = [self.made("blob", 1500, seed=i, name=f"shape{i}.obj") for i in range(3)]
-        report, _ = self.report("morph", *shapes, "-o", self.path("morph.glb"), "--grid", "first", "--steps", "2", "--seconds", "1.5")
+        report, _ = self.report("morph", *shapes, "-o", self.path("morph.glb"), "--grid", "first", "--intermediates", "2", "--seconds", "1.5")
         self.assertEqual(report["vertices"], len(read_obj(shapes[0])[0]))
         glb = Glb(self.path("morph.glb"), texture=False)
         self.assertEqual(glb.target_names, ["shape1", "shape2"])
         self.assertEqual(glb.json["animations"][0]["samplers"][0]["interpolation"], "LINEAR")
-        self.assertEqual(report["steps"], 4)
+        self.assertEqual(report["intermediates"], 4)
         for i in range(1, 5):
             path = self.path(f"morph-0{i}.glb")
             report_of_step, _ = self.report("info", path)
@@ -239,7 +239,7 @@ class Morphs(Uses):
             file.writelines(f"{i} {i}\n" for i in range(0, len(positions), 150))
         size = max(abs(x) for p in positions for x in p)
         arguments = ("morph", a, b, "-o", self.path("morph.glb"), "--grid", "first", "--landmarks", landmarks)
-        report, _ = self.report(*arguments, "--place", "scaled")
+        report, _ = self.report(*arguments, "--placement", "scaled")
         placement = report["shapes"][1]["placement"]
         # The two maps are alike but not equal, so positions agree to the size of triangles, not to rounding.
         self.assertAlmostEqual(placement["scale"], 1 / 2.5, delta=0.01)
@@ -248,7 +248,7 @@ class Morphs(Uses):
                 self.assertAlmostEqual(value, wanted, delta=0.02)
         deltas = Glb(self.path("morph.glb"), texture=False).deltas
         self.assertLess(math.sqrt(sum(x * x for d in deltas for x in d) / len(deltas)), 0.05 * size)
-        report, _ = self.report(*arguments, "--place", "turned")
+        report, _ = self.report(*arguments, "--placement", "turned")
         placement = report["shapes"][1]["placement"]
         self.assertEqual(placement["scale"], 1)
         for c in range(3):
@@ -280,7 +280,7 @@ class Morphs(Uses):
                     file.write("v %r %r %r\n" % tuple(scale * sum(row[k] * p[k] for k in range(3)) for row in r))
                 file.writelines("f {} {} {}\n".format(*(i + 1 for i in t)) for t in triangles)
             arguments = ("morph", a, b, "-o", self.path("morph.glb"), "--grid", "first")
-            report, text = self.report(*arguments, "--place", "scaled")
+            report, text = self.report(*arguments, "--placement", "scaled")
             self.assertEqual(report["alignment"], "shape")
             figures = report["shapes"][1]
             self.assertGreater(figures["correlation"], 0.999)
@@ -293,7 +293,7 @@ class Morphs(Uses):
             deltas = Glb(self.path("morph.glb"), texture=False).deltas
             self.assertLess(math.sqrt(sum(x * x for d in deltas for x in d) / len(deltas)), near * size)
             report, text = self.report(*arguments)
-            self.assertTrue(any("--place turned" in note for note in report["notes"]), report["notes"])
+            self.assertTrue(any("--placement turned" in note for note in report["notes"]), report["notes"])
             report, _ = self.report(*arguments, "--align", "rotation")
             self.assertLess(report["shapes"][1]["correlation"], figures["correlation"])
 

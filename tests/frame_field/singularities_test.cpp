@@ -101,7 +101,7 @@ TEST_CASE("Matchings are inverse on both sides and bring frames within 62.8 degr
       CHECK(a.matching[f] == 0);
       continue;
     }
-    const Index t = a.connectivity.tetrahedron_of(f), u = a.connectivity.neighbour(t, f % 4);
+    const Index t = a.connectivity.tetrahedron_of(f), u = a.connectivity.neighbor(t, f % 4);
     CHECK(a.matching[a.connectivity.opposite(f)] == cube_group.inverse[a.matching[f]]);
     const Quaternion moved = quaternion::multiply(field[t], cube_group.element[a.matching[f]]);
     CHECK(std::abs(quaternion::dot(moved, field[u])) >= std::cos(0.5 * 62.8 / 180 * std::numbers::pi));
@@ -177,7 +177,7 @@ TEST_CASE("Rotations of the cube on any frame, renumbering and rigid motion chan
   for (const Analysis& b : {Analysis(solid, other), Analysis(moved, turned_field), Analysis(renumbered, permuted)}) {
     CHECK(b.figures.energy == doctest::Approx(a.figures.energy).epsilon(1e-12));
     CHECK(b.figures.symmetric.mean == doctest::Approx(a.figures.symmetric.mean).epsilon(1e-9));
-    CHECK(b.figures.one_face_largest == doctest::Approx(a.figures.one_face_largest).epsilon(1e-9));
+    CHECK(b.figures.one_face_max == doctest::Approx(a.figures.one_face_max).epsilon(1e-9));
     CHECK(b.graph.by_class == a.graph.by_class);
     CHECK(b.graph.curves() == a.graph.curves());
     CHECK(b.graph.nodes.size() == a.graph.nodes.size());

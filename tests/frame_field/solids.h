@@ -103,7 +103,7 @@ inline Solid shaken(Solid solid, double amount) {
 inline quaternion::Quaternion random_rotation(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
-  return quaternion::normalised({w, x, y, z});
+  return quaternion::normalized({w, x, y, z});
 }
 
 inline Vector3 rotated(const quaternion::Quaternion& q, const Vector3& p) {

@@ -85,7 +85,7 @@ def check_three(modules, samples):
         if found["edges"] != sample.edges:
             problems.append(f"{found['edges']} edges, not {sample.edges}")
         if sample.everything and sample.targets and not (found["texture"] and {"uv", "normal", "color"} <= set(found["attributes"])):
-            problems.append("texture, texture coordinate, normals or colours are missing")
+            problems.append("texture, texture coordinate, normals or colors are missing")
     return problems
 
 

@@ -149,7 +149,7 @@ TEST_CASE("Sparse values replace those of the base, or zeros") {
   CHECK(surface.positions[2] == mesh::Vector3(0, 1, 0));
 }
 
-TEST_CASE("Quantised positions are read with and without normalisation, when the file says so") {
+TEST_CASE("Quantised positions are read with and without normalization, when the file says so") {
   MadeFile file = tetrahedron();
   std::array<std::int8_t, 12> bytes{};
   std::array<std::uint16_t, 12> words{};

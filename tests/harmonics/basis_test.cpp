@@ -173,7 +173,7 @@ TEST_CASE("The functions are orthonormal: analysis on a quadrature grid undoes s
   synthesise(given, grid.directions, values, host);
   Coefficients back(degree, 1, std::pmr::get_default_resource());
   analyse(grid.directions, grid.weights, values, back, "test", host);
-  CHECK(largest_difference(given, back) < 1e-12);
+  CHECK(max_difference(given, back) < 1e-12);
 }
 
 TEST_CASE("Synthesis and analysis are the sums over the rows of the basis, for any number of channels and points") {

@@ -125,7 +125,7 @@ TEST_CASE("What is written is read again, to the last bits, in both formats and 
     }
   }
   const Coefficients one = samples.coefficients(3, 1);
-  CHECK(largest_difference(parsed(format_coefficients(one, FileFormat::shtools), FileFormat::shtools), one) < 1e-15);
+  CHECK(max_difference(parsed(format_coefficients(one, FileFormat::shtools), FileFormat::shtools), one) < 1e-15);
   CHECK_THROWS_AS(format_coefficients(one, FileFormat::spharm_pdm), base::Error);
 }
 
@@ -204,7 +204,7 @@ TEST_CASE("Files on the disk: the format is that of the ending") {
   const Coefficients f = Samples(55).coefficients(4, 3);
   for (const char* name : {"a.sh", "b.SHTOOLS", "c.txt", "d.coef"}) {
     write_coefficients(folder / name, f, FileFormat::by_ending);
-    CHECK(largest_difference(read_coefficients(folder / name, FileFormat::by_ending, host), f) < 1e-15);
+    CHECK(max_difference(read_coefficients(folder / name, FileFormat::by_ending, host), f) < 1e-15);
   }
   CHECK_THROWS_AS(write_coefficients(folder / "e.obj", f, FileFormat::by_ending), base::Error);
   CHECK_THROWS_AS(read_coefficients(folder / "missing.sh", FileFormat::by_ending, host), base::Error);

@@ -82,7 +82,7 @@ TEST_CASE("Band-limited functions are recovered by both methods") {
       const Problem p = problem(degree, 3, 4 * basis_size(degree) + 10, 0, 12);
       FitReport report;
       const Coefficients found = fitted(p, {.degree = degree, .method = method}, report);
-      CHECK(largest_difference(found, p.exact) < 1e-12);
+      CHECK(max_difference(found, p.exact) < 1e-12);
       CHECK(report.method == method);
       CHECK(report.unknowns == basis_size(degree));
       CHECK(report.rank == report.unknowns);
@@ -97,7 +97,7 @@ TEST_CASE("Degree 60 is recovered from 20 thousand samples") {
   const Coefficients found = fitted(p, {.degree = 60}, report);
   CHECK(report.method == FitMethod::iterative);
   CHECK(report.rank == report.unknowns);
-  CHECK(largest_difference(found, p.exact) < 1e-11);
+  CHECK(max_difference(found, p.exact) < 1e-11);
 }
 
 TEST_CASE("With noise, both methods end in the minimum: the residual is orthogonal to the basis") {
@@ -123,7 +123,7 @@ TEST_CASE("With noise, both methods end in the minimum: the residual is orthogon
     CHECK(report.residual == doctest::Approx(std::sqrt(square / total)).epsilon(1e-12));
     answers[method == FitMethod::dense ? 0 : 1] = found;
   }
-  CHECK(largest_difference(answers[0], answers[1]) < 1e-12);
+  CHECK(max_difference(answers[0], answers[1]) < 1e-12);
 }
 
 TEST_CASE("The condition that is reported is that of the weighted basis") {
@@ -242,7 +242,7 @@ TEST_CASE("Weights: zero is as if a sample were not there, two as if it were the
   }
   FitReport report;
   const Coefficients a = fitted(p, {.degree = 3}, report), b = fitted(q, {.degree = 3}, report);
-  CHECK(largest_difference(a, b) < 1e-13);
+  CHECK(max_difference(a, b) < 1e-13);
 }
 
 TEST_CASE("Fits are the same bits for any number of threads") {

@@ -77,7 +77,7 @@ TEST_CASE("Rotations compose, keep the norms of the degrees, and so D_n") {
   Samples samples(62);
   const Coefficients g = samples.coefficients(40, 3), f = samples.coefficients(40, 3);
   const Matrix3 a = random_rotation(samples), b = random_rotation(samples);
-  CHECK(largest_difference(rotate(rotate(g, a, host), b, host), rotate(g, b * a, host)) < 1e-12);
+  CHECK(max_difference(rotate(rotate(g, a, host), b, host), rotate(g, b * a, host)) < 1e-12);
   Coefficients turned = rotate(g, a, host);
   rotate_values(turned, b);
   CHECK(shape_distance(g, turned, 0, 40) < 1e-24);

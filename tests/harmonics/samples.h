@@ -39,7 +39,7 @@ class Samples {
   std::mt19937_64 engine_;
 };
 
-inline double largest_difference(const Coefficients& a, const Coefficients& b) {
+inline double max_difference(const Coefficients& a, const Coefficients& b) {
   double largest = a.values.size() == b.values.size() ? 0 : 1e300;
   for (std::size_t i = 0; i < a.values.size() && i < b.values.size(); ++i)
     largest = std::max(largest, std::abs(a.values[i] - b.values[i]));

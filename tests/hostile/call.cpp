@@ -102,13 +102,13 @@ double Call::number() {
   return noted(hostile ? random.of(odd) : random.of(plausible), hostile);
 }
 
-// Arrays of 65536 numbers: places of the shape, directions, turns, anything; some with a few entries that are odd.
+// Arrays of 65536 numbers: positions of the shape, directions, turns, anything; some with a few entries that are odd.
 const double* Call::numbers(const char* name) {
   const std::string_view what(name);
   std::size_t kind = random.below(8);
   if (random.one_in(2)) {
     if (what.ends_with("directions")) kind = 3;
-    if (what == "polycube" || what.ends_with("positions") || what == "places") kind = 4;
+    if (what == "polycube" || what.ends_with("positions") || what == "targets") kind = 4;
     if (what == "frames" || what == "rotation" || what.starts_with("matri") || what.ends_with("weights")) kind = 2;
     if (what == "lower") kind = 0;
     if (what == "upper" || what == "scale" || what == "sign") kind = 1;

@@ -66,7 +66,7 @@ TEST_CASE(
       }
       expected.erase(v);
       std::vector<Index> ring;
-      c.for_each_neighbour(v, [&](Index w) { ring.push_back(w); });
+      c.for_each_neighbor(v, [&](Index w) { ring.push_back(w); });
       CHECK(std::set<Index>(ring.begin(), ring.end()) == expected);
       CHECK(ring.size() == expected.size());
       std::size_t outgoing = 0;
@@ -82,7 +82,7 @@ TEST_CASE(
     }
     CHECK(corners == 3 * triangles.size());
     CHECK(c.outgoing(static_cast<Index>(vertices)) == no_index);
-    c.for_each_neighbour(static_cast<Index>(vertices), [](Index) { FAIL("a vertex in no triangle has no neighbors"); });
+    c.for_each_neighbor(static_cast<Index>(vertices), [](Index) { FAIL("a vertex in no triangle has no neighbors"); });
   }
 }
 

@@ -79,12 +79,12 @@ TEST_CASE("Each face has the same vertices from its other side, turned round, an
     CHECK(orientation_3d(x[face[0]], x[face[1]], x[face[2]], x[apex]) < 0);  // the tetrahedron is behind it
     if (c.on_boundary(f)) {
       ++boundary;
-      CHECK(c.neighbour(t, c.corner_opposite(f)) == no_index);
+      CHECK(c.neighbor(t, c.corner_opposite(f)) == no_index);
       continue;
     }
     const Index g = c.opposite(f);
     CHECK(c.opposite(g) == f);
-    CHECK(c.neighbour(t, c.corner_opposite(f)) == c.tetrahedron_of(g));
+    CHECK(c.neighbor(t, c.corner_opposite(f)) == c.tetrahedron_of(g));
     CHECK(vertex_set(c.vertices(g)) == vertex_set(face));
   }
   CHECK(boundary == 2 * 2 * (3 * 2 + 2 * 4 + 4 * 3));

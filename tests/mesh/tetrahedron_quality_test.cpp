@@ -41,8 +41,8 @@ TEST_CASE("A regular tetrahedron has the shape that is known of it, at any size 
     const double tolerance = size == 3 ? 1e-11 : rounding;  // coordinates near 2e3 are rounded to 2e-13
     CHECK(std::abs(s.radius_ratio - 1) < tolerance);
     CHECK(std::abs(s.radius_edge - std::sqrt(6.0) / 4) < tolerance);
-    CHECK(std::abs(s.shortest_edge / (size * std::sqrt(8.0)) - 1) < tolerance);
-    CHECK(std::abs(s.longest_edge / (size * std::sqrt(8.0)) - 1) < tolerance);
+    CHECK(std::abs(s.min_edge_length / (size * std::sqrt(8.0)) - 1) < tolerance);
+    CHECK(std::abs(s.max_edge_length / (size * std::sqrt(8.0)) - 1) < tolerance);
     for (const double angle : s.dihedral_angles)
       CHECK(std::abs(angle - degrees_of_regular) < 100 * tolerance);
     if (size < 1e100 && size > 1e-100) CHECK(std::abs(s.volume / (8.0 / 3 * size * size * size) - 1) < tolerance);
@@ -94,9 +94,9 @@ TEST_CASE("Flat and collapsed tetrahedra have finite figures where there are any
   CHECK(s.volume == 0);
   CHECK(s.radius_ratio == 0);
   CHECK(std::isinf(s.radius_edge));
-  CHECK(s.shortest_edge == doctest::Approx(1));
+  CHECK(s.min_edge_length == doctest::Approx(1));
   const TetrahedronShape point = shape({flat[0], flat[0], flat[0], flat[0]});
-  CHECK(point.longest_edge == 0);
+  CHECK(point.max_edge_length == 0);
   CHECK(point.radius_ratio == 0);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("The report counts signs exactly, adds volumes up and names the worst"
   CHECK(q.flat == 1);
   CHECK(q.positive == q.inverted + 1);  // two pairs of mirror images, and the thin one
   CHECK(std::abs(q.volume) < 1e-12);    // pairs cancel; the thin one has 1e-16
-  CHECK(q.smallest_volume == -q.largest_volume);
+  CHECK(q.min_volume == -q.max_volume);
   std::size_t angles = 0, ratios = 0;
   for (const std::size_t n : q.dihedral_histogram)
     angles += n;
@@ -121,8 +121,8 @@ TEST_CASE("The report counts signs exactly, adds volumes up and names the worst"
   CHECK(angles == 36);
   CHECK(ratios == 6);
   CHECK(q.dihedral_histogram[7] >= 12);  // those of the two regular ones, 70.5 degrees
-  CHECK(q.smallest_radius_ratio == doctest::Approx(-1));
-  CHECK(std::isinf(q.largest_radius_edge));
+  CHECK(q.min_radius_ratio == doctest::Approx(-1));
+  CHECK(std::isinf(q.max_radius_edge));
   CHECK(shape_of(x[cells[q.worst][0]], x[cells[q.worst][1]], x[cells[q.worst][2]], x[cells[q.worst][3]]).radius_ratio ==
         doctest::Approx(1));
 }
@@ -130,5 +130,5 @@ TEST_CASE("The report counts signs exactly, adds volumes up and names the worst"
 TEST_CASE("The report refuses vertices that do not exist, and is empty without tetrahedra") {
   const std::vector<Tetrahedron> cells = {{0, 1, 2, 4}};
   CHECK_THROWS_AS(tetrahedron_quality(regular, cells, host), base::Error);
-  CHECK(tetrahedron_quality(regular, {}, host).largest_volume == 0);
+  CHECK(tetrahedron_quality(regular, {}, host).max_volume == 0);
 }

@@ -280,17 +280,17 @@ TEST_CASE("Any set of triangles on few vertices has the figures that their defin
     REQUIRE(found.orientable == orientable);
 
     // Number of connected parts of a graph given by its neighbors.
-    const auto parts = [](const auto& neighbours) {
+    const auto parts = [](const auto& neighbors) {
       std::size_t count = 0;
       std::set<Index> seen;
-      for (const auto& [start, unused] : neighbours) {
+      for (const auto& [start, unused] : neighbors) {
         if (!seen.insert(start).second) continue;
         ++count;
         std::vector<Index> open{start};
         while (!open.empty()) {
           const Index at = open.back();
           open.pop_back();
-          for (const Index other : neighbours.at(at)) {
+          for (const Index other : neighbors.at(at)) {
             if (seen.insert(other).second) open.push_back(other);
           }
         }

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "blocks.h"
-#include "polycube/labels/chart_order.h"
+#include "polycube/labels/patch_order.h"
 #include "polycube/map/certificate.h"
 
 using namespace orbicube;
@@ -29,7 +29,7 @@ struct Labelled {
     for (AxisLabel& label : labels) {
       if (mirrored && axis_of(label) == 0) label = opposite(label);
     }
-    charts = find_charts(surface, labels, host);
+    patches = find_patches(surface, labels, host);
   }
 
   // Whether an arc is convex in space: the neighbor's triangle lies below the plane of the arc's own.
@@ -42,7 +42,7 @@ struct Labelled {
   Certificate certificate;
   Surface surface;
   Array<AxisLabel> labels;
-  Charts charts{host.memory};
+  Patches patches{host.memory};
 };
 
 std::vector<mesh::Mesh> shapes() {
@@ -66,11 +66,11 @@ TEST_CASE("The signs of a polycube's own edges obey the rules, and are kept when
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
     REQUIRE(l.certificate.valid());
-    const ArcNetwork network(l.surface, l.charts, host);
+    const ArcNetwork network(l.surface, l.patches, host);
     Array<double> wanted(host.memory);
     for (const Arc& arc : network.arcs)
       wanted.push_back(l.is_convex(network, arc) ? 1 : -1);
-    const ArcSigns signs = find_arc_signs(l.charts, l.surface, network, wanted, 1, host);
+    const ArcSigns signs = find_arc_signs(l.patches, l.surface, network, wanted, 1, host);
     CHECK(signs.consistent());
     CHECK(signs.changed == 0);
     CHECK(signs.violation == 0);
@@ -80,7 +80,7 @@ TEST_CASE("The signs of a polycube's own edges obey the rules, and are kept when
 TEST_CASE("An arc runs in the direction that its sign says") {
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
-    const ArcNetwork network(l.surface, l.charts, host);
+    const ArcNetwork network(l.surface, l.patches, host);
     for (const Arc& arc : network.arcs) {
       const double way = l.surface.positions[arc.last][arc.axis] - l.surface.positions[arc.first][arc.axis];
       CHECK((way * arc.direction_if_convex > 0) == l.is_convex(network, arc));
@@ -92,7 +92,7 @@ TEST_CASE("An arc runs in the direction that its sign says") {
 TEST_CASE("Corners: chi, and their number for each genus") {
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
-    const ArcNetwork network(l.surface, l.charts, host);
+    const ArcNetwork network(l.surface, l.patches, host);
     std::int64_t sum = 0;
     for (const Corner& corner : network.corners) {
       sum += corner.chirality;
@@ -108,9 +108,9 @@ TEST_CASE("Corners: chi, and their number for each genus") {
 TEST_CASE("Signs are found though others are the targets") {
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
-    const ArcNetwork network(l.surface, l.charts, host);
+    const ArcNetwork network(l.surface, l.patches, host);
     const Array<double> wanted(network.arcs.size(), 0.01, host.memory);  // all convex
-    const ArcSigns signs = find_arc_signs(l.charts, l.surface, network, wanted, 1, host);
+    const ArcSigns signs = find_arc_signs(l.patches, l.surface, network, wanted, 1, host);
     CHECK(signs.consistent());
     CHECK((signs.changed > 0) == !std::all_of(network.arcs.begin(), network.arcs.end(),
                                               [&](const Arc& arc) { return l.is_convex(network, arc); }));
@@ -124,10 +124,10 @@ TEST_CASE("Signs are found though others are the targets") {
 
 TEST_CASE("The labels of a cube seen in a mirror are those of no polycube") {
   const Labelled l(blocks(box_without({1, 1, 1})), true);
-  CHECK(find_faults(l.surface, l.charts).total() == 0);  // though no local rule says so
-  const ArcNetwork network(l.surface, l.charts, host);
+  CHECK(find_faults(l.surface, l.patches).total() == 0);  // though no local rule says so
+  const ArcNetwork network(l.surface, l.patches, host);
   const Array<double> wanted(network.arcs.size(), 1, host.memory);
-  const ArcSigns signs = find_arc_signs(l.charts, l.surface, network, wanted, 1, host);
+  const ArcSigns signs = find_arc_signs(l.patches, l.surface, network, wanted, 1, host);
   CHECK(!signs.consistent());
   CHECK(signs.violation > 0);
 }
@@ -135,20 +135,20 @@ TEST_CASE("The labels of a cube seen in a mirror are those of no polycube") {
 TEST_CASE("Patches of a polycube have an order, and none when an arc runs the other way than those beside it") {
   for (const mesh::Mesh& m : shapes()) {
     const Labelled l(m);
-    const ArcNetwork network(l.surface, l.charts, host);
+    const ArcNetwork network(l.surface, l.patches, host);
     ArcSigns signs(host.memory);
     for (const Arc& arc : network.arcs)
       signs.convex.push_back(l.is_convex(network, arc));
-    CHECK(arcs_without_order(l.charts, network, signs, host).empty());
+    CHECK(arcs_without_order(l.patches, network, signs, host).empty());
   }
   const Labelled cube(blocks(box_without({1, 1, 1})));
-  const ArcNetwork network(cube.surface, cube.charts, host);
+  const ArcNetwork network(cube.surface, cube.patches, host);
   REQUIRE(network.arcs.size() == 12);
   for (Index turned = 0; turned < 12; ++turned) {
     ArcSigns signs(host.memory);
     signs.convex.assign(12, 1);
     signs.convex[turned] = 0;
-    const Array<Index> left = arcs_without_order(cube.charts, network, signs, host);
+    const Array<Index> left = arcs_without_order(cube.patches, network, signs, host);
     CHECK(left.size() == 4);  // those along its axis
     for (const Index a : left)
       CHECK(network.arcs[a].axis == network.arcs[turned].axis);

@@ -54,7 +54,7 @@ TEST_CASE("Polycubes made of cells have the corners, faces and genus that they m
     INFO(c.reason);
     CHECK(c.valid());
     CHECK(c.corners == e.corners);
-    CHECK(c.patches == e.patches);
+    CHECK(c.patch_count == e.patches);
     CHECK(c.genus == e.genus);
   }
 }
@@ -68,7 +68,7 @@ TEST_CASE("Labels are the directions that triangles look in, and patches are con
     const Vector3 normal = (m.positions[b] - m.positions[a]).cross(m.positions[d] - m.positions[a]);
     CHECK(normal == direction_of(c.labels[i]) * normal.norm());
     for (std::size_t j = 0; j < i; ++j) {
-      if (c.charts[i] != c.charts[j]) continue;
+      if (c.patches[i] != c.patches[j]) continue;
       CHECK(c.labels[i] == c.labels[j]);
       const int axis = axis_of(c.labels[i]);
       CHECK(m.positions[a][axis] == m.positions[m.triangles[j][0]][axis]);
@@ -125,12 +125,12 @@ TEST_CASE("Polycubes meet themselves just when two of their triangles do") {
     const Certificate before = certificate_of(m);
     if (!before.valid()) continue;
     CHECK(mesh::intersecting_triangles(m.positions, m.triangles, host, 1).empty());
-    const auto chart = static_cast<Index>(number(before.patches));
+    const auto patch = static_cast<Index>(number(before.patch_count));
     const double shift = 0.5 * static_cast<double>(1 + number(6)) * (number(2) == 0 ? 1 : -1);
     std::vector<std::uint8_t> moves(m.positions.size(), 0);
     int axis = 0;
     for (std::size_t t = 0; t < m.triangles.size(); ++t) {
-      if (before.charts[t] != chart) continue;
+      if (before.patches[t] != patch) continue;
       axis = axis_of(before.labels[t]);
       for (const Index v : m.triangles[t])
         moves[v] = 1;
@@ -192,7 +192,7 @@ TEST_CASE("Cavities are parts that are inward-oriented within the one that is ou
   CHECK(hollow.cavities == 2);
   CHECK(hollow.genus == 0);
   CHECK(hollow.corners == 24);
-  CHECK(hollow.patches == 18);
+  CHECK(hollow.patch_count == 18);
   CHECK(certificate_of(blocks(box_without({3, 3, 3}, {{1, 1, 1}}))).cavities == 1);
   CHECK(mentions(cubes({{0, 9, false}, {1, 2, false}}), "2 components are outward-oriented"));
   CHECK(mentions(cubes({{0, 9, true}, {1, 2, true}}), "inside out"));

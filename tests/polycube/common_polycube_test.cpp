@@ -109,8 +109,8 @@ TEST_CASE("The best proportions for one map are those that it has alone") {
     p[0] *= 3;
   SurfaceMap one = certified(cube, box), alone = one;
   SurfaceMap* const pointer = &one;
-  const CommonDomain common = optimise_domain({&pointer, 1}, {}, host);
-  const OptimalDomain single = optimise_domain(alone, {}, host);
+  const CommonDomain common = optimize_domain({&pointer, 1}, {}, host);
+  const OptimalDomain single = optimize_domain(alone, {}, host);
   CHECK(common.energies.back() == doctest::Approx(single.energies.back()).epsilon(1e-12));
   CHECK(common.converged);
   for (std::size_t v = 0; v < one.polycube.size(); ++v)
@@ -127,7 +127,7 @@ TEST_CASE("Two shapes share the proportions that minimize the sum of their energ
   SurfaceMap first = certified(tall, cube), second = certified(wide, cube);
   const std::vector<SurfaceMap*> maps = {&first, &second};
   const double before = energy_of(first, {}, host) + energy_of(second, {}, host);
-  const CommonDomain found = optimise_domain(maps, {}, host);
+  const CommonDomain found = optimize_domain(maps, {}, host);
   CHECK(found.converged);
   CHECK(std::is_sorted(found.energies.rbegin(), found.energies.rend()));
   CHECK(found.energies.front() == doctest::Approx(before).epsilon(1e-13));
@@ -160,9 +160,9 @@ TEST_CASE("Two shapes share the proportions that minimize the sum of their energ
   first.polycube[0] *= 1.0;
   for (Vector3& p : first.polycube)
     p[0] += 1;
-  CHECK_THROWS(optimise_domain(maps, {}, host));  // another polycube
-  CHECK_THROWS(optimise_domain(std::span<SurfaceMap* const>(), {}, host));
-  CHECK_THROWS(optimise_domain(maps, {.area_weight = -1}, host));
+  CHECK_THROWS(optimize_domain(maps, {}, host));  // another polycube
+  CHECK_THROWS(optimize_domain(std::span<SurfaceMap* const>(), {}, host));
+  CHECK_THROWS(optimize_domain(maps, {.area_weight = -1}, host));
 }
 
 TEST_CASE("Shapes of a kind get one polycube that suits each nearly as well as its own" * doctest::test_suite("long")) {

@@ -166,9 +166,9 @@ TEST_CASE("The gradient is that of differences while the corner stays in one tri
     CornerRegion region(host.memory);
     if (!finder.find(corner, 100, region)) continue;
     // Half of the triangles count as larger than they are.
-    const double least_area = working.area / static_cast<double>(creature().triangles.size());
-    CornerMove move(region, working.area,
-                    {.area_weight = 0.7, .least_area = least_area, .steps = 400, .least_gain = 1e-14}, host);
+    const double min_area = working.area / static_cast<double>(creature().triangles.size());
+    CornerMove move(region, working.area, {.area_weight = 0.7, .min_area = min_area, .steps = 400, .min_gain = 1e-14},
+                    host);
     for (const Vector2d& at : {Vector2d(0.25, 0.1), Vector2d(-0.2, 0.15), Vector2d(0.05, -0.3)}) {
       Vector2d gradient;
       const double energy = move.evaluate(at, &gradient);
@@ -219,7 +219,7 @@ TEST_CASE("Edges are drawn again without a change of the map") {
     const Certificate certificate = certify(made, host);
     CHECK(certificate.reason == "");
     CHECK(certificate.corners == given.corners);
-    CHECK(certificate.patches == given.patches);
+    CHECK(certificate.patch_count == given.patch_count);
     // Vertices that are beside an edge go onto it, by up to a tenth of their edges' length.
     CHECK(energy_of(made, 1) == doctest::Approx(before + change).epsilon(0.02));
     // The input is there, to the bit, and other vertices lie in its triangles.
@@ -246,7 +246,7 @@ TEST_CASE("A polycube whose corners were moved gets them back" * doctest::test_s
     SurfaceMap map = displaced(refined(test::box_without({1, 1, 1}), 4), {0.3, 0.15});
     const double start = energy_of(map, 1);
     CHECK(start > 2.005);
-    const OptimalCorners found = optimise_corners(map, {.method = method}, host);
+    const OptimalCorners found = optimize_corners(map, {.method = method}, host);
     CHECK(found.movable == 8);
     CHECK(found.moves > 0);
     CHECK(std::is_sorted(found.energies.rbegin(), found.energies.rend()));
@@ -262,7 +262,7 @@ TEST_CASE("Maps stay valid, energies never rise, and bits are the same for all t
     const bool domain = method == CornerMethod::trust_region;
     const CornerOptions options{.method = method, .area_weight = 0.5, .domain = domain, .rounds = 2};
     SurfaceMap map = creature();
-    const OptimalCorners found = optimise_corners(map, options, host);
+    const OptimalCorners found = optimize_corners(map, options, host);
     REQUIRE(found.energies.size() >= 2);
     CHECK(std::is_sorted(found.energies.rbegin(), found.energies.rend()));
     CHECK(found.energies.back() < found.energies.front());
@@ -274,7 +274,7 @@ TEST_CASE("Maps stay valid, energies never rise, and bits are the same for all t
     base::Host one;
     one.thread_count = 1;
     SurfaceMap again = creature();
-    const OptimalCorners same = optimise_corners(again, options, one);
+    const OptimalCorners same = optimize_corners(again, options, one);
     CHECK(same.energies == found.energies);
     REQUIRE(again.polycube.size() == map.polycube.size());
     CHECK(std::memcmp(map.polycube.data(), again.polycube.data(), map.polycube.size() * sizeof(Vector3)) == 0);
@@ -286,8 +286,8 @@ TEST_CASE("Neither a motion nor the size of the surface matters" * doctest::test
   const Eigen::AngleAxisd turn(0.9, Vector3(1, 2, 2).normalized());
   for (Vector3& p : moved.positions)
     p = 2 * (turn * p) + Vector3(5, -3, 1);
-  const OptimalCorners found = optimise_corners(map, {.rounds = 1}, host);
-  const OptimalCorners same = optimise_corners(moved, {.rounds = 1}, host);
+  const OptimalCorners found = optimize_corners(map, {.rounds = 1}, host);
+  const OptimalCorners same = optimize_corners(moved, {.rounds = 1}, host);
   CHECK(same.energies.front() == doctest::Approx(found.energies.front()).epsilon(1e-10));
   // Rounding decides where a corner is on an edge or beside it.
   CHECK(same.energies.back() == doctest::Approx(found.energies.back()).epsilon(1e-2));
@@ -296,12 +296,12 @@ TEST_CASE("Neither a motion nor the size of the surface matters" * doctest::test
 TEST_CASE("An isometry stays as it is, and wrong options are refused") {
   SurfaceMap map = refined(test::box_without({2, 1, 1}), 2);
   const Array<Vector3> before = map.polycube;
-  const OptimalCorners found = optimise_corners(map, {}, host);
+  const OptimalCorners found = optimize_corners(map, {}, host);
   CHECK(found.converged);
   CHECK(found.energies.back() == doctest::Approx(2).epsilon(1e-12));
   CHECK(map.polycube == before);
-  CHECK_THROWS_AS(optimise_corners(map, {.area_weight = -1}, host), base::Error);
-  CHECK_THROWS_AS(optimise_corners(map, {.method = static_cast<CornerMethod>(5)}, host), base::Error);
+  CHECK_THROWS_AS(optimize_corners(map, {.area_weight = -1}, host), base::Error);
+  CHECK_THROWS_AS(optimize_corners(map, {.method = static_cast<CornerMethod>(5)}, host), base::Error);
   SurfaceMap uncertified;
-  CHECK_THROWS_AS(optimise_corners(uncertified, {}, host), base::Error);
+  CHECK_THROWS_AS(optimize_corners(uncertified, {}, host), base::Error);
 }

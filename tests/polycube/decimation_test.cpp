@@ -50,22 +50,22 @@ Array<AxisLabel> good_labels(const Surface& surface, double compactness) {
 // What must not change: patches by label, loops, corners.
 struct Combinatorics {
   Combinatorics(const Surface& surface, std::span<const AxisLabel> labels)
-      : charts(find_charts(surface, labels, host)), faults(find_faults(surface, charts)) {
-    for (std::size_t l = 0; l < charts.loop_count(); ++l)
-      corners_of_loops.push_back(corners_of_loop(surface, charts, l));
+      : patches(find_patches(surface, labels, host)), faults(find_faults(surface, patches)) {
+    for (std::size_t l = 0; l < patches.loop_count(); ++l)
+      corners_of_loops.push_back(corners_of_loop(surface, patches, l));
     std::sort(corners_of_loops.begin(), corners_of_loops.end());
-    chart_labels.assign(charts.labels.begin(), charts.labels.end());
-    std::sort(chart_labels.begin(), chart_labels.end());
+    patch_labels.assign(patches.labels.begin(), patches.labels.end());
+    std::sort(patch_labels.begin(), patch_labels.end());
   }
   bool operator==(const Combinatorics& other) const {
-    return corners_of_loops == other.corners_of_loops && chart_labels == other.chart_labels &&
+    return corners_of_loops == other.corners_of_loops && patch_labels == other.patch_labels &&
            faults.corners == other.faults.corners && faults.total() == other.faults.total();
   }
 
-  Charts charts;
+  Patches patches;
   LabelFaults faults;
   std::vector<std::size_t> corners_of_loops;
-  std::vector<AxisLabel> chart_labels;
+  std::vector<AxisLabel> patch_labels;
 };
 
 }  // namespace
@@ -130,8 +130,8 @@ TEST_CASE("Decimation with labels keeps patches and makes no chords") {
   const Combinatorics found(small, labels);
   CHECK(found == expected);
   for (Index h = 0; h < 3 * small.triangles.size(); ++h) {
-    if (labels[h / 3] != labels[small.neighbour(h)]) continue;
-    CHECK((found.charts.valence[small.start(h)] == 0 || found.charts.valence[small.end(h)] == 0));
+    if (labels[h / 3] != labels[small.neighbor(h)]) continue;
+    CHECK((found.patches.valence[small.start(h)] == 0 || found.patches.valence[small.end(h)] == 0));
   }
 }
 

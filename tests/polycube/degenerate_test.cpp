@@ -74,7 +74,7 @@ TEST_CASE("Triangles without height but for rounding do not enter the distortion
   CHECK(d.area_weighted_mean < without.made.distortion.area_weighted_mean + 0.1);
 
   SurfaceMap map = with.made.map;
-  const OptimalDomain domain = optimise_domain(map, {.measure = DomainMeasure::face_mean}, host);
+  const OptimalDomain domain = optimize_domain(map, {.measure = DomainMeasure::face_mean}, host);
   CHECK(domain.energies.back() < 2.2);
 }
 
@@ -125,17 +125,17 @@ TEST_CASE("Proportions, corners and sharp edges of maps of extreme size are impr
     return map;
   };
   SurfaceMap plain = at(0);
-  const double energy = optimise_domain(plain, {}, host).energies.back();
+  const double energy = optimize_domain(plain, {}, host).energies.back();
   for (const int exponent : {-980, 980}) {
     CAPTURE(exponent);
     SurfaceMap map = at(exponent);
     const Array<Vector3> before = map.positions;
-    const OptimalDomain domain = optimise_domain(map, {}, host);
+    const OptimalDomain domain = optimize_domain(map, {}, host);
     CHECK(domain.certificate.valid());
     CHECK(domain.energies.back() == doctest::Approx(energy).epsilon(1e-9));
     CHECK(map.positions == before);
-    CHECK(meet_features(map, {.sharp_angle = 40}, host).certificate.valid());
-    CHECK(optimise_corners(map, {.rounds = 1}, host).certificate.valid());
+    CHECK(align_features(map, {.feature_angle = 40}, host).certificate.valid());
+    CHECK(optimize_corners(map, {.rounds = 1}, host).certificate.valid());
     CHECK(std::equal(m.positions.begin(), m.positions.end(), map.positions.begin(),
                      [&](const Vector3& a, const Vector3& b) { return a * std::ldexp(1.0, exponent) == b; }));
   }

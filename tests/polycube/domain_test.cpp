@@ -144,7 +144,7 @@ TEST_CASE("A stretched box gets the box's proportions, an isometry, whatever is 
       SurfaceMap map = stretched(test::box_without({2, 1, 1}), stretch);
       const double area = area_of(map.polycube, map.triangles);
       const OptimalDomain found =
-          optimise_domain(map, {.measure = measure, .area_weight = 0.5, .variables = variables}, host);
+          optimize_domain(map, {.measure = measure, .area_weight = 0.5, .variables = variables}, host);
       CHECK(found.converged);
       CHECK(found.crossing == 0);
       CHECK(found.layers == 6);
@@ -171,7 +171,7 @@ TEST_CASE("Layers that are no neighbors in space share their slabs, and an isome
       double& x = p[static_cast<Eigen::Index>(axis)];
       x = planes[axis][static_cast<std::size_t>(x)];
     }
-  const OptimalDomain found = optimise_domain(map, {}, host);
+  const OptimalDomain found = optimize_domain(map, {}, host);
   CHECK(found.energies.back() == doctest::Approx(2).epsilon(1e-11));
   for (std::size_t v = 0; v < map.positions.size(); ++v) {
     const double scale = extent(map.polycube).x() / extent(map.positions).x();
@@ -184,7 +184,7 @@ TEST_CASE("Angles and areas pull where the weight says") {
   std::array<Distortion, 2> d;
   for (const bool areas : {false, true}) {
     SurfaceMap own = map;
-    d[areas ? 1 : 0] = optimise_domain(own, {.area_weight = areas ? 100.0 : 0.01}, host).distortion;
+    d[areas ? 1 : 0] = optimize_domain(own, {.area_weight = areas ? 100.0 : 0.01}, host).distortion;
   }
   CHECK(d[0].angle_weighted_mean < d[1].angle_weighted_mean);
   CHECK(d[0].area_weighted_mean > d[1].area_weighted_mean);
@@ -224,8 +224,8 @@ TEST_CASE(
     base::Host one;
     one.thread_count = 1;
     SurfaceMap again = map;
-    const OptimalDomain found = optimise_domain(map, {.measure = measure}, host);
-    const OptimalDomain same = optimise_domain(again, {.measure = measure}, one);
+    const OptimalDomain found = optimize_domain(map, {.measure = measure}, host);
+    const OptimalDomain same = optimize_domain(again, {.measure = measure}, one);
     CHECK(std::memcmp(map.polycube.data(), again.polycube.data(), map.polycube.size() * sizeof(Vector3)) == 0);
     CHECK(found.energies == same.energies);
     REQUIRE(found.energies.size() >= 2);
@@ -235,12 +235,12 @@ TEST_CASE(
     CHECK(after.valid());
     CHECK(after.corners == before.corners);
     CHECK(after.labels == before.labels);
-    CHECK(after.charts == before.charts);
+    CHECK(after.patches == before.patches);
     CHECK(area_of(map.polycube, map.triangles) == doctest::Approx(area).epsilon(1e-12));
     CHECK((extent(map.polycube) - size).norm() > 1e-3);
     // There is hardly anything left to gain: the solver stops at a small gradient, and in logarithms that of a thin
     // layer is small long before its thickness is found. A start from positions rounds lengths again.
-    const OptimalDomain once_more = optimise_domain(map, {.measure = measure}, host);
+    const OptimalDomain once_more = optimize_domain(map, {.measure = measure}, host);
     CHECK(once_more.energies.back() <= found.energies.back() * (1 + 1e-14));
     CHECK(once_more.energies.back() == doctest::Approx(found.energies.back()).epsilon(1e-5));
   }
@@ -249,11 +249,11 @@ TEST_CASE(
 TEST_CASE("An optimum stays as it is, and wrong options are refused") {
   SurfaceMap map = stretched(test::box_without({3, 2, 1}, {{2, 1, 0}}), {1, 1, 1});
   const std::vector<Vector3> before(map.polycube.begin(), map.polycube.end());
-  const OptimalDomain found = optimise_domain(map, {}, host);
+  const OptimalDomain found = optimize_domain(map, {}, host);
   CHECK(found.energies == Array<double>(found.energies.size(), found.energies.front()));
   CHECK(std::equal(before.begin(), before.end(), map.polycube.begin()));
-  CHECK_THROWS_AS(optimise_domain(map, {.area_weight = -1}, host), base::Error);
-  CHECK_THROWS_AS(optimise_domain(map, {.measure = static_cast<DomainMeasure>(7)}, host), base::Error);
+  CHECK_THROWS_AS(optimize_domain(map, {.area_weight = -1}, host), base::Error);
+  CHECK_THROWS_AS(optimize_domain(map, {.measure = static_cast<DomainMeasure>(7)}, host), base::Error);
   SurfaceMap uncertified;
-  CHECK_THROWS_AS(optimise_domain(uncertified, {}, host), base::Error);
+  CHECK_THROWS_AS(optimize_domain(uncertified, {}, host), base::Error);
 }

@@ -78,7 +78,7 @@ TEST_CASE("Points that must be somewhere are mapped there to the bit, in faces, 
   pull(place_in(map, 1, 0.35, 0.9), place_in(map, 1, 0.4, 1));   // onto an edge
   pull(place_in(map, 0.8, 0.1, 0), place_in(map, 0.8, 0, 0.1));  // around an edge
   pull(place_in(map, 0.12, 0.9, 1), place_in(map, 0, 1, 1));     // to a corner
-  const FeatureFit fit = meet_features(map, {.points = points}, host);
+  const FeatureFit fit = align_features(map, {.points = points}, host);
   for (std::size_t i = 0; i < points.size(); ++i) {
     CHECK(map.polycube[points[i].vertex] == points[i].place);
     CHECK(fit.distances_before[i] > 0);
@@ -96,7 +96,7 @@ TEST_CASE("A tie draws a point the nearer to its place the more it weighs, and t
   for (const double weight : {0.1, 3.0, 100.0}) {
     SurfaceMap map = ball();
     const FeaturePoint point{vertex, place, weight};
-    const FeatureFit fit = meet_features(map, {.points = {&point, 1}}, host);
+    const FeatureFit fit = align_features(map, {.points = {&point, 1}}, host);
     CHECK(fit.distances[0] < last);
     CHECK(fit.distances[0] > 0);
     last = fit.distances[0];
@@ -119,7 +119,7 @@ TEST_CASE("Curves are mapped to lines in faces and to edges of the polycube, in 
     }
     const double there = on_edge ? 1 : 0.5;
     const FeatureCurve curve{vertices, place_in(map, 0.1, there, 1), place_in(map, 0.9, there, 1)};
-    const FeatureFit fit = meet_features(map, {.curves = {&curve, 1}}, host);
+    const FeatureFit fit = align_features(map, {.curves = {&curve, 1}}, host);
     CHECK(fit.distances_before[0] > 0);
     CHECK(fit.distances[0] == 0);
     CHECK(map.polycube[vertices.front()] == curve.from);
@@ -137,7 +137,7 @@ TEST_CASE("Sharp edges come to edges of the polycube") {
   const mesh::Mesh m = shape("bracket", 1500);
   SurfaceMap map = construct(m.positions, m.triangles, {.corners = 60}, host).made.map;
   const SurfaceMap before = map;
-  const FeatureFit fit = meet_features(map, {.sharp_angle = 60}, host);
+  const FeatureFit fit = align_features(map, {.feature_angle = 60}, host);
   MESSAGE(fit.sharp_length, " sharp, on edges ", fit.sharp_before, ", then ", fit.sharp, "; angle ",
           fit.distortion_before.angle_mean, " ", fit.distortion.angle_mean);
   CHECK(fit.sharp_length > 0);
@@ -151,7 +151,7 @@ TEST_CASE("What cannot be met is refused, and the map stays") {
   const Index v = vertex_near(ball(), top);
   const auto refused = [&](const FeatureOptions& options, const char* words) {
     SurfaceMap map = ball();
-    CHECK_THROWS_WITH(meet_features(map, options, host), doctest::Contains(words));
+    CHECK_THROWS_WITH(align_features(map, options, host), doctest::Contains(words));
     CHECK(map.polycube == ball().polycube);
     CHECK(map.triangles == ball().triangles);
   };

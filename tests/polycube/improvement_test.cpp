@@ -23,7 +23,7 @@ namespace {
 const base::Host host;
 
 // As the construction leaves it, before it is improved.
-Construction by_voxels(const mesh::Mesh& m, std::size_t corners) {
+Construction grid_based(const mesh::Mesh& m, std::size_t corners) {
   return construct_by_voxels(m.positions, m.triangles, {.corners = corners}, host);
 }
 
@@ -69,7 +69,7 @@ TEST_CASE("Motions of the plane compose, and their inverses undo them") {
 TEST_CASE("Triangles beside each other see their edge in one place, and angles at corners are those of the polycube") {
   for (const char* name : {"creature", "torus"}) {
     CAPTURE(name);
-    const Construction made = by_voxels(shape(name, 700), 40);
+    const Construction made = grid_based(shape(name, 700), 40);
     const UnfoldedMap map(made.map, host);
     for (Index h = 0; h < 3 * map.surface.faces(); ++h) {
       const PlaneMotion across = map.across(h);
@@ -96,13 +96,13 @@ TEST_CASE("Unfolded and folded at once, a map is what it was") {
   for (const char* name : {"creature", "torus"}) {
     CAPTURE(name);
     const mesh::Mesh m = shape(name, 700);
-    const Construction made = by_voxels(m, 40);
+    const Construction made = grid_based(m, 40);
     UnfoldedMap unfolded(made.map, host);
     SurfaceMap folded = fold(unfolded, host);
     const Certificate certificate = certify(folded, host);
     CHECK(certificate.reason.empty());
     CHECK(certificate.corners == made.certificate.corners);
-    CHECK(certificate.patches == made.certificate.patches);
+    CHECK(certificate.patch_count == made.certificate.patch_count);
     CHECK(folded.triangles.size() == made.map.triangles.size());
     double farthest = 0;
     for (Index v = 0; v < folded.polycube.size(); ++v)
@@ -116,14 +116,14 @@ TEST_CASE("Smoothing keeps the polycube, to the bit, and lowers the distortion")
   for (const char* name : {"creature", "torus"}) {
     CAPTURE(name);
     const mesh::Mesh m = shape(name, 700);
-    const Construction made = by_voxels(m, 40);
+    const Construction made = grid_based(m, 40);
     UnfoldedMap unfolded(made.map, host);
     smooth_unfolded(unfolded, {}, host);
     SurfaceMap folded = fold(unfolded, host);
     const Certificate certificate = certify(folded, host);
     CHECK(certificate.reason.empty());
     CHECK(certificate.corners == made.certificate.corners);
-    CHECK(certificate.patches == made.certificate.patches);
+    CHECK(certificate.patch_count == made.certificate.patch_count);
     check_surface(m, folded);
     // Planes of the faces, of which there is a corner on each.
     for (const UnfoldedCorner& corner : unfolded.corners)
@@ -138,7 +138,7 @@ TEST_CASE("Smoothing keeps the polycube, to the bit, and lowers the distortion")
 
 TEST_CASE("A cube's map becomes an isometry") {
   const mesh::Mesh m = shape("cube", 600);
-  Construction made = by_voxels(m, 8);
+  Construction made = grid_based(m, 8);
   // Every vertex within a face somewhere else, as far as triangles stay positive.
   REQUIRE(made.certificate.corners == 8);
   const Distortion after = improve_map(made.map, made.certificate, {}, host);
@@ -153,7 +153,7 @@ TEST_CASE("Improving never makes a map worse, and its proof is that of the map")
   for (const char* name : {"creature", "bracket"}) {
     CAPTURE(name);
     const mesh::Mesh m = shape(name, 700);
-    Construction made = by_voxels(m, 60);
+    Construction made = grid_based(m, 60);
     const Distortion before = made.distortion;
     const Distortion after = improve_map(made.map, made.certificate, {}, host);
     CHECK(after.angle_mean + after.area_mean <= before.angle_mean + before.area_mean);
@@ -165,7 +165,7 @@ TEST_CASE("Improving never makes a map worse, and its proof is that of the map")
     CHECK(certificate.corners == made.certificate.corners);
     CHECK(certificate.genus == made.certificate.genus);
     CHECK(certificate.labels == made.map.labels);
-    CHECK(certificate.charts == made.map.charts);
+    CHECK(certificate.patches == made.map.patches);
     check_surface(m, made.map);
   }
 }
@@ -173,7 +173,7 @@ TEST_CASE("Improving never makes a map worse, and its proof is that of the map")
 TEST_CASE(
     "Without other proportions the polycube stays to the bit, and corners that are fixed stay at their vertices") {
   const mesh::Mesh m = shape("creature", 700);
-  const Construction made = by_voxels(m, 24);
+  const Construction made = grid_based(m, 24);
   const auto vertex_at = [](const SurfaceMap& map, const Vector3& place) {
     return std::find(map.polycube.begin(), map.polycube.end(), place) - map.polycube.begin();
   };

@@ -46,7 +46,7 @@ TEST_CASE("A labeled polycube is mapped to itself") {
     INFO(outcome.reason);
     REQUIRE(outcome.valid());
     CHECK(outcome.certificate.corners == own.corners);
-    CHECK(outcome.certificate.patches == own.patches);
+    CHECK(outcome.certificate.patch_count == own.patch_count);
     CHECK(outcome.certificate.genus == own.genus);
     const Distortion d = measure_distortion(map, host);
     // The optimum is 1; polishing ends when a step gains less than 1e-5 of the energy, which is quadratic there.
@@ -66,8 +66,8 @@ TEST_CASE("Scrambled positions are untangled") {
     for (const Vector3& p : map.positions)
       positions.push_back(frame(p));
     const Surface surface(Array<Vector3>(positions), Array<Triangle>(map.triangles), host);
-    const Charts charts = find_charts(surface, map.labels, host);
-    TiedMap tied(surface, charts, host);
+    const Patches patches = find_patches(surface, map.labels, host);
+    TiedMap tied(surface, patches, host);
     Random random(5);
     for (Index v = 0; v < positions.size(); ++v) {
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -78,7 +78,7 @@ TEST_CASE("Scrambled positions are untangled") {
       x += 0.8 * frame.scale * (random.unit() - 0.5);
     Untangling untangling(tied, host);
     CHECK(untangling.untangle({}));
-    CHECK(untangling.turned_over() == 0);
+    CHECK(untangling.flipped() == 0);
     untangling.polish(100, 1);
     map.polycube.resize(map.positions.size());
     for (Index v = 0; v < map.positions.size(); ++v)
@@ -96,10 +96,10 @@ TEST_CASE("A map with triangles flipped is drawn again, with its corners where t
     SurfaceMap map = unrefined(m.positions, m.triangles, own.labels, host);
     map.polycube.assign(m.positions.begin(), m.positions.end());
     const Surface surface(Array<Vector3>(map.positions), Array<Triangle>(map.triangles), host);
-    const Charts charts = find_charts(surface, map.labels, host);
+    const Patches patches = find_patches(surface, map.labels, host);
     // One vertex inside a face goes past its neighbors.
     Index moved = 0;
-    while (charts.valence[moved] > 0)
+    while (patches.valence[moved] > 0)
       ++moved;
     const Index h = surface.connectivity.outgoing(moved);
     map.polycube[moved] += 3 * (map.positions[surface.end(h)] - map.positions[moved]);
@@ -107,12 +107,12 @@ TEST_CASE("A map with triangles flipped is drawn again, with its corners where t
     const Construction drawn = draw_labelled(m.positions, m.triangles, map, host);
     CHECK(drawn.certificate.valid());
     CHECK(drawn.certificate.corners == own.corners);
-    CHECK(drawn.certificate.patches == own.patches);
+    CHECK(drawn.certificate.patch_count == own.patch_count);
     CHECK(drawn.certificate.genus == own.genus);
     CHECK(std::equal(m.positions.begin(), m.positions.end(), drawn.map.positions.begin()));
     std::size_t corners = 0;
     for (Index v = 0; v < m.positions.size(); ++v) {
-      if (!charts.is_corner(v)) continue;
+      if (!patches.is_corner(v)) continue;
       CHECK(drawn.map.polycube[v] == m.positions[v]);
       ++corners;
     }
@@ -176,13 +176,13 @@ TEST_CASE("Labels lose their smallest patches until a budget of corners is kept"
   for (const std::size_t budget : {std::size_t{0}, std::size_t{8}}) {
     LabelCosts costs = label_costs(surface, surface.normals, 0.001, host);
     Array<AxisLabel> labels = certify(m.positions, m.triangles, host).labels;
-    REQUIRE(find_faults(surface, find_charts(surface, labels, host)).corners == 16);
-    std::size_t most_changes = 100;
-    CHECK(search_labels(surface, costs, budget, 0, most_changes, labels, host) == 0);
-    const LabelFaults faults = find_faults(surface, find_charts(surface, labels, host));
+    REQUIRE(find_faults(surface, find_patches(surface, labels, host)).corners == 16);
+    std::size_t max_changes = 100;
+    CHECK(search_labels(surface, costs, budget, 0, max_changes, labels, host) == 0);
+    const LabelFaults faults = find_faults(surface, find_patches(surface, labels, host));
     CHECK(faults.total() == 0);
     CHECK(faults.corners == (budget == 0 ? 16 : 8));
-    CHECK((most_changes == 100) == (budget == 0));
+    CHECK((max_changes == 100) == (budget == 0));
   }
 }
 

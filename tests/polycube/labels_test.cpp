@@ -29,15 +29,15 @@ TEST_CASE("Patches of a plate with a hole: two with a hole each, no faults") {
   const mesh::Mesh m = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));
   const Certificate certificate = certify(m.positions, m.triangles, host);
   const Surface surface = surface_of(m);
-  const Charts charts = find_charts(surface, certificate.labels, host);
-  CHECK(charts.count() == 10);
-  CHECK(charts.loop_count() == 12);
-  for (std::size_t c = 0; c < charts.count(); ++c) {
-    CHECK(!charts.has_handles(c));
-    CHECK(charts.loops_of(c) == (axis_of(charts.labels[c]) == 2 ? 2 : 1));
-    if (axis_of(charts.labels[c]) == 2) CHECK(charts.areas[c] == doctest::Approx(8));
+  const Patches patches = find_patches(surface, certificate.labels, host);
+  CHECK(patches.count() == 10);
+  CHECK(patches.loop_count() == 12);
+  for (std::size_t c = 0; c < patches.count(); ++c) {
+    CHECK(!patches.has_handles(c));
+    CHECK(patches.loops_of(c) == (axis_of(patches.labels[c]) == 2 ? 2 : 1));
+    if (axis_of(patches.labels[c]) == 2) CHECK(patches.areas[c] == doctest::Approx(8));
   }
-  const LabelFaults faults = find_faults(surface, charts);
+  const LabelFaults faults = find_faults(surface, patches);
   CHECK(faults.total() == 0);
   CHECK(faults.corners == 16);
 }
@@ -47,17 +47,17 @@ TEST_CASE("Faults are counted") {
   const Surface surface = surface_of(m);
   Array<AxisLabel> labels = certify(m.positions, m.triangles, host).labels;
   labels[0] = opposite(labels[0]);
-  LabelFaults faults = find_faults(surface, find_charts(surface, labels, host));
+  LabelFaults faults = find_faults(surface, find_patches(surface, labels, host));
   CHECK(faults.opposite_edges > 0);
   CHECK(faults.short_loops > 0);
   std::fill(labels.begin(), labels.end(), AxisLabel{2});
-  faults = find_faults(surface, find_charts(surface, labels, host));
+  faults = find_faults(surface, find_patches(surface, labels, host));
   CHECK(faults.missing == 1);
   const mesh::Mesh ring = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));
   const Surface torus = surface_of(ring);
   labels.assign(ring.triangles.size(), AxisLabel{0});
   labels[0] = 2;
-  faults = find_faults(torus, find_charts(torus, labels, host));
+  faults = find_faults(torus, find_patches(torus, labels, host));
   CHECK(faults.handles == 1);
 }
 
@@ -121,7 +121,7 @@ TEST_CASE("Labels of made shapes are without faults after repair") {
       const LabelFaults faults = repair_labels(surface, costs, 60, labels, host);
       INFO(name, " ", compactness);
       CHECK(faults.total() == 0);
-      CHECK(find_faults(surface, find_charts(surface, labels, host)).total() == 0);
+      CHECK(find_faults(surface, find_patches(surface, labels, host)).total() == 0);
     }
   }
 }
@@ -146,10 +146,10 @@ TEST_CASE("Split chords leave no chord, new vertices lie where their sources say
   }
   const Surface surface(Array<Vector3>(map.positions), Array<Triangle>(map.triangles), host);
   CHECK(surface.area == doctest::Approx(14));
-  const Charts charts = find_charts(surface, map.labels, host);
+  const Patches patches = find_patches(surface, map.labels, host);
   for (Index h = 0; h < 3 * map.triangles.size(); ++h) {
-    if (map.labels[h / 3] != map.labels[surface.neighbour(h)]) continue;
-    CHECK((charts.valence[surface.start(h)] == 0 || charts.valence[surface.end(h)] == 0));
+    if (map.labels[h / 3] != map.labels[surface.neighbor(h)]) continue;
+    CHECK((patches.valence[surface.start(h)] == 0 || patches.valence[surface.end(h)] == 0));
   }
   for (std::size_t i = 0; i < map.triangles.size(); ++i)
     CHECK(map.labels[i] == labels[map.triangle_sources[i]]);

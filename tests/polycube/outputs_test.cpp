@@ -73,15 +73,15 @@ void check_graph(const SurfaceMap& map, const PatchGraph& graph, std::int64_t ge
     const auto path = graph.path(e);
     CHECK(path.front() == graph.corner_vertices[graph.origin(2 * e)]);
     CHECK(path.back() == graph.corner_vertices[graph.target(2 * e)]);
-    CHECK(std::find(graph.neighbours_of(graph.dart_left[2 * e]).begin(),
-                    graph.neighbours_of(graph.dart_left[2 * e]).end(),
-                    graph.dart_left[2 * e + 1]) != graph.neighbours_of(graph.dart_left[2 * e]).end());
+    CHECK(std::find(graph.neighbors_of(graph.dart_left[2 * e]).begin(),
+                    graph.neighbors_of(graph.dart_left[2 * e]).end(),
+                    graph.dart_left[2 * e + 1]) != graph.neighbors_of(graph.dart_left[2 * e]).end());
   }
   for (Index p = 0; p < graph.patches(); ++p) {
-    const auto around = graph.neighbours_of(p);
+    const auto around = graph.neighbors_of(p);
     CHECK(std::is_sorted(around.begin(), around.end()));
     for (const Index q : around) {
-      const auto back = graph.neighbours_of(q);
+      const auto back = graph.neighbors_of(q);
       CHECK(q != p);
       CHECK(std::find(back.begin(), back.end(), p) != back.end());
     }
@@ -103,7 +103,7 @@ void check_quads(const SurfaceMap& map, const QuadMesh& mesh) {
       ++edges[{c[k], c[(k + 1) % 4]}];
     // In its patch, and looking as it does.
     const Index t = mesh.triangles[c[0]];
-    const auto label = std::find(map.charts.begin(), map.charts.end(), mesh.patches[q]) - map.charts.begin();
+    const auto label = std::find(map.patches.begin(), map.patches.end(), mesh.patches[q]) - map.patches.begin();
     CHECK(normal.normalized() == direction_of(map.labels[static_cast<std::size_t>(label)]));
     CHECK(t < map.triangles.size());
   }
@@ -142,7 +142,7 @@ TEST_CASE("A box has eight corners, twelve convex edges and six patches with fou
   CHECK(graph.patches() == 6);
   CHECK(std::count(graph.convex.begin(), graph.convex.end(), 1) == 12);
   for (Index p = 0; p < 6; ++p)
-    CHECK(graph.neighbours_of(p).size() == 4);
+    CHECK(graph.neighbors_of(p).size() == 4);
   check_graph(map, graph, 0);
 }
 
@@ -213,7 +213,7 @@ TEST_CASE("Quads tile a polycube, are regular inside patches, and the map to its
     const QuadQuality quality = measure_quads(mesh.positions, mesh.quads, host);
     CHECK(quality.irregular == irregular);
     CHECK(quality.not_convex == 0);
-    CHECK(quality.least_scaled_jacobian == doctest::Approx(1).epsilon(1e-12));
+    CHECK(quality.min_scaled_jacobian == doctest::Approx(1).epsilon(1e-12));
     CHECK(quality.mean_scaled_jacobian == doctest::Approx(1).epsilon(1e-12));
   }
 }
@@ -225,7 +225,7 @@ TEST_CASE("Maps that were found are sampled where the certificate says that they
     const Construction made = construct(m.positions, m.triangles, {.method = Method::voxels, .corners = 60}, host).made;
     const PatchGraph graph = make_patch_graph(made.map, host);
     CHECK(graph.corners.size() == made.certificate.corners);
-    CHECK(graph.patches() == made.certificate.patches);
+    CHECK(graph.patches() == made.certificate.patch_count);
     check_graph(made.map, graph, made.certificate.genus);
     QuadMesh mesh = mesh_grid(graph, make_grid(graph, {.quads = 3000}, host), host);
     sample_grid(made.map, mesh, host);

@@ -46,7 +46,7 @@ bool certified(const VoxelSolid& solid, std::int64_t genus) {
 Voxelisation voxels_of(const mesh::Mesh& shape, std::int64_t genus) {
   const Occupancy occupancy(shape.positions, shape.triangles, 96, host);
   VoxelisationOptions options;
-  options.least_cells = 24;
+  options.min_cells = 24;
   return voxelise(shape.positions, shape.triangles, genus, occupancy, options, host);
 }
 

@@ -190,7 +190,7 @@ TEST_CASE("Where f falls without end a run says so, and never that it converged"
     CHECK(end.result.evaluations < 200);
     CHECK(end.result.value < -1e15);
     CHECK(end.result.projected_gradient > 1e-8);
-    Options seed = with(Method::seed);
+    Options seed = with(Method::dissertation);
     seed.max_evaluations = 2000;
     CHECK(run(c, seed).result.stop != Stop::converged);
   }

@@ -160,14 +160,14 @@ inline double stationarity(const Case& problem, const std::vector<double>& x) {
   return worst;
 }
 
-inline Options with(Method method, LineSearch line_search = LineSearch::largest_of_last) {
+inline Options with(Method method, LineSearch line_search = LineSearch::max_of_last) {
   Options options;
   options.method = method;
   options.line_search = line_search;
   return options;
 }
 
-inline const std::vector<Options> every_method = {with(Method::face), with(Method::seed),
-                                                  with(Method::seed, LineSearch::average)};
+inline const std::vector<Options> every_method = {with(Method::face), with(Method::dissertation),
+                                                  with(Method::dissertation, LineSearch::average)};
 
 }  // namespace orbicube::test

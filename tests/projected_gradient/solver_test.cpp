@@ -76,9 +76,9 @@ TEST_CASE("The default needs no more evaluations than recorded") {
     double f = 0;
     for (std::size_t k = 0; k < x.size(); ++k) {
       const std::size_t i = k / side, j = k % side;
-      const double neighbours = (j > 0 ? x[k - 1] : 0) + (j + 1 < side ? x[k + 1] : 0) + (i > 0 ? x[k - side] : 0) +
-                                (i + 1 < side ? x[k + side] : 0);
-      g[k] = 4 * x[k] - neighbours - 5 * h * h;
+      const double neighbors = (j > 0 ? x[k - 1] : 0) + (j + 1 < side ? x[k + 1] : 0) + (i > 0 ? x[k - side] : 0) +
+                               (i + 1 < side ? x[k + side] : 0);
+      g[k] = 4 * x[k] - neighbors - 5 * h * h;
       f += 0.5 * x[k] * (g[k] - 5 * h * h);
     }
     return f;

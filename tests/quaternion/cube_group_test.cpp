@@ -156,8 +156,8 @@ TEST_CASE("Arrays of any length get the bits of one entry at a time") {
     vectors.push_back(normal(random));
   }
   p[12] = std::nan("");
-  normalise(p.data(), most, p.data());
-  normalise(q.data(), most, q.data());
+  normalize(p.data(), most, p.data());
+  normalize(q.data(), most, q.data());
   const auto at = [](const std::vector<double>& a, std::size_t i) {
     return Quaternion{a[4 * i], a[4 * i + 1], a[4 * i + 2], a[4 * i + 3]};
   };

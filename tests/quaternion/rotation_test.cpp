@@ -41,8 +41,8 @@ TEST_CASE("Inverse and normalization work for every length that a double has") {
     const Quaternion q{size * u.w, size * u.x, size * u.y, size * u.z};
     // Numbers as small as 1e-320 have few digits themselves.
     const double tolerance = size < 1e-310 ? 1e-2 : 4 * ulp;
-    CHECK(apart(normalised(q), u) < tolerance);
-    CHECK(std::abs(length(normalised(q)) - 1) <= 2 * ulp);
+    CHECK(apart(normalized(q), u) < tolerance);
+    CHECK(std::abs(length(normalized(q)) - 1) <= 2 * ulp);
     if (size < 1e-307 || size > 1e299) continue;  // the inverse itself has no double
     CHECK(apart(multiply(q, inverse(q)), {1, 0, 0, 0}) < 8 * ulp);
   }

@@ -18,7 +18,7 @@ inline constexpr double ulp = 2.220446049250313e-16;
 inline Quaternion random_rotation(std::mt19937_64& random) {
   std::normal_distribution<double> normal;
   const double w = normal(random), x = normal(random), y = normal(random), z = normal(random);
-  return quaternion::normalised({w, x, y, z});
+  return quaternion::normalized({w, x, y, z});
 }
 
 // Random rotations, and those about each axis and each pair of axes by angles from nothing to just about half a turn,

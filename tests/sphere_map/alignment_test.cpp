@@ -107,7 +107,7 @@ TEST_CASE("A warp carries landmarks onto landmarks, is a bijection, and its inve
       const Vector3 there = warp.forward(d);
       CHECK(there.norm() == doctest::Approx(1).epsilon(1e-15));
       // Roundings, times how much the warp shrinks areas and so stretches errors on the way back.
-      CHECK((warp.backward(there) - d).norm() < 1e-13 * m.dilatation_largest / std::sqrt(m.area_ratio_smallest));
+      CHECK((warp.backward(there) - d).norm() < 1e-13 * m.max_quasi_conformal / std::sqrt(m.min_area_ratio));
     }
   }
 }
@@ -122,7 +122,7 @@ TEST_CASE("A warp without anything to move is the identity, and near to nothing 
     CHECK((still.forward(d) - d).norm() < 1e-14);
     CHECK((little.forward(d) - d).norm() < 0.03);
   }
-  CHECK(little.distortion(base::Host()).dilatation_largest < 1.2);
+  CHECK(little.distortion(base::Host()).max_quasi_conformal < 1.2);
 }
 
 TEST_CASE("The flow moves its landmarks to where they should be, with an error of the fourth order at most") {
@@ -175,7 +175,7 @@ TEST_CASE("A shape that is carried over by a rotation and a warp is itself at it
   const auto placed = sphere_map::place(shape.directions, alignment, base::Host());
   const auto carried =
       sphere_map::carry_over(locator, shape.surface.positions, alignment, placed, triangles, {}, base::Host());
-  CHECK(carried.turned_over == 0);
+  CHECK(carried.flipped == 0);
   for (std::size_t v = 0; v < placed.size(); ++v)
     CHECK((carried.positions[v] - shape.surface.positions[v]).norm() < 1e-8);
 

@@ -32,8 +32,12 @@ struct RandomTriangles {
 
 Energy every_term() {
   Energy e;
-  e.weights = {
-      .angle = 0.3, .area = 0.7, .isometric = 0.2, .dilatation_1 = 0.4, .dilatation_2 = 0.05, .dilatation_4 = 0.01};
+  e.weights = {.angle = 0.3,
+               .area = 0.7,
+               .isometric = 0.2,
+               .quasi_conformal_1 = 0.4,
+               .quasi_conformal_2 = 0.05,
+               .quasi_conformal_4 = 0.01};
   e.area_scale = 1.7;
   e.uniform_area = 0.2;
   return e;
@@ -83,10 +87,10 @@ TEST_CASE("The isometric and the quasi-conformal distortion terms are what singu
   // D AT^2 / det^2 = AT (s1^-2 + s2^-2), the inverse part of the symmetric Dirichlet energy, times the area 1/2 ...
   // twice.
   CHECK(triangle_energy(e, shape, t) == doctest::Approx(0.25 * (1 / (s1 * s1) + 1 / (s2 * s2))).epsilon(1e-4));
-  e.weights = {.dilatation_2 = 1};
+  e.weights = {.quasi_conformal_2 = 1};
   const double m = 0.5 * (s1 / s2 + s2 / s1);
   CHECK(triangle_energy(e, shape, t) == doctest::Approx(m * m).epsilon(1e-4));
-  e.weights = {.dilatation_4 = 1};
+  e.weights = {.quasi_conformal_4 = 1};
   CHECK(triangle_energy(e, shape, t) == doctest::Approx(m * m * m * m).epsilon(1e-4));
 }
 
@@ -98,9 +102,9 @@ TEST_CASE("Partial derivatives by D, N and M agree with finite differences") {
     const Weights& w = energy.weights;
     const double area = shape.area * energy.area_scale;
     const double m = D / (2 * std::sqrt(M));
-    return d2 *
-               (w.angle * D + w.area * N / (4 * area) + w.isometric * D * area * area / M + w.dilatation_1 * area * m) +
-           energy.uniform_area * (w.dilatation_2 * m * m + w.dilatation_4 * m * m * m * m);
+    return d2 * (w.angle * D + w.area * N / (4 * area) + w.isometric * D * area * area / M +
+                 w.quasi_conformal_1 * area * m) +
+           energy.uniform_area * (w.quasi_conformal_2 * m * m + w.quasi_conformal_4 * m * m * m * m);
   };
   for (int i = 0; i < 100; ++i) {
     const auto [p, q, r] = random.spherical(0.5);

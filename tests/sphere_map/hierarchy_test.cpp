@@ -47,7 +47,7 @@ TEST_CASE("Every mesh of a decimation is a closed manifold of genus 0, and split
   // By one queue, and by regions first: of a fifth of the vertices, and again of a fifth of what these leave.
   for (const std::size_t region_size : {usual_region_size, s.positions.size() / 20}) {
     CAPTURE(region_size);
-    Decimation d = decimate(s.positions, start, 0, host, base::Team(host), region_size);
+    Decimation d = decimate(s.positions, start, 0, host, base::ThreadPool(host), region_size);
     REQUIRE(d.collapses.size() == s.positions.size() - 4);
 
     VertexRings rings = start;
@@ -81,7 +81,7 @@ TEST_CASE("Regions are decimated the same on any number of threads") {
   std::vector<Decimation> results;
   for (const unsigned threads : {1U, 2U, 7U}) {
     host.thread_count = threads;
-    results.push_back(decimate(s.positions, start, 0, host, base::Team(host), region_size));
+    results.push_back(decimate(s.positions, start, 0, host, base::ThreadPool(host), region_size));
   }
   const auto removed = [](const Decimation& d) {
     std::vector<std::array<Index, 2>> pairs;
@@ -96,7 +96,7 @@ TEST_CASE("Regions are decimated the same on any number of threads") {
       REQUIRE(std::ranges::equal(d.ring(d.collapses[i]), results[0].ring(results[0].collapses[i])));
   }
   // Without regions the order is another one: they were at work.
-  const Decimation whole = decimate(s.positions, start, 0, host, base::Team(host));
+  const Decimation whole = decimate(s.positions, start, 0, host, base::ThreadPool(host));
   CHECK(removed(whole) != removed(results[0]));
 }
 
@@ -180,7 +180,7 @@ TEST_CASE("A step lowers the energy by what it says, keeps the star positive, an
   std::mt19937_64 random(8);
   std::normal_distribution<double> normal;
   Energy energy;
-  energy.weights = {.angle = 0.1, .area = 1, .isometric = 0.05, .dilatation_4 = 1e-3};
+  energy.weights = {.angle = 0.1, .area = 1, .isometric = 0.05, .quasi_conformal_4 = 1e-3};
   energy.uniform_area = 4 * M_PI / static_cast<double>(s.triangles.size());
   StepScratch scratch(memory);
   std::vector<Vector3> directions = s.positions;

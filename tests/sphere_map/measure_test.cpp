@@ -33,13 +33,13 @@ TEST_CASE("The identity of a fine sphere has no distortion") {
   CHECK(m.energy_angle == doctest::Approx(16 * std::numbers::pi).epsilon(2e-3));
   CHECK(m.energy_area == doctest::Approx(4 * std::numbers::pi).epsilon(2e-3));
   CHECK(m.energy == doctest::Approx(0.1 * m.energy_angle + m.energy_area));
-  CHECK(m.dilatation_largest == doctest::Approx(1).epsilon(1e-9));
-  CHECK(m.dilatation_mean == doctest::Approx(1).epsilon(1e-9));
+  CHECK(m.max_quasi_conformal == doctest::Approx(1).epsilon(1e-9));
+  CHECK(m.mean_quasi_conformal == doctest::Approx(1).epsilon(1e-9));
   CHECK(m.stretch_efficiency == doctest::Approx(1).epsilon(2e-3));
   CHECK(m.isometric_mean == doctest::Approx(1).epsilon(1e-3));
-  CHECK(m.area_ratio_smallest == doctest::Approx(1).epsilon(3e-3));
-  CHECK(m.area_ratio_largest == doctest::Approx(1).epsilon(3e-3));
-  CHECK(faces.dilatation.size() == s.triangles.size());
+  CHECK(m.min_area_ratio == doctest::Approx(1).epsilon(3e-3));
+  CHECK(m.max_area_ratio == doctest::Approx(1).epsilon(3e-3));
+  CHECK(faces.quasi_conformal.size() == s.triangles.size());
 }
 
 TEST_CASE("The normalized positions of an ellipsoid have the quasi-conformal distortion that its axes say") {
@@ -49,9 +49,9 @@ TEST_CASE("The normalized positions of an ellipsoid have the quasi-conformal dis
   for (Vector3& p : s.positions)
     p.z() *= 2;
   const Measurement m = measured(s, directions);
-  CHECK(m.dilatation_largest == doctest::Approx(2).epsilon(2e-2));
-  CHECK(m.dilatation_mean > 1.2);
-  CHECK(m.dilatation_mean < 2);
+  CHECK(m.max_quasi_conformal == doctest::Approx(2).epsilon(2e-2));
+  CHECK(m.mean_quasi_conformal > 1.2);
+  CHECK(m.mean_quasi_conformal < 2);
 }
 
 TEST_CASE("Turned, flattened and doubled maps are no bijections") {
@@ -111,7 +111,7 @@ TEST_CASE(
       p *= scale;
     const Measurement m = measured(scaled, longer);
     CHECK(m.energy == doctest::Approx(expected.energy).epsilon(1e-10));
-    CHECK(m.dilatation_largest == doctest::Approx(expected.dilatation_largest).epsilon(1e-10));
+    CHECK(m.max_quasi_conformal == doctest::Approx(expected.max_quasi_conformal).epsilon(1e-10));
     CHECK(m.flipped == expected.flipped);
   }
 }
@@ -124,7 +124,7 @@ TEST_CASE("Faces without area are counted and left out of the figures") {
   const Measurement m = measured(s, directions, &faces);
   CHECK(m.zero_area_faces >= 1);
   CHECK(std::isfinite(m.energy));
-  CHECK(std::isinf(faces.dilatation[0]));
+  CHECK(std::isinf(faces.quasi_conformal[0]));
   CHECK(m.bijective);
 }
 

@@ -23,19 +23,23 @@ struct Problem {
       : surface(s),
         level(std::pmr::get_default_resource()),
         directions(compute(s.positions, s.triangles, {}, base::Host())) {
-    energy.weights = {
-        .angle = 0.1, .area = 1, .isometric = 0.05, .dilatation_1 = 0.2, .dilatation_2 = 1e-3, .dilatation_4 = 1e-3};
+    energy.weights = {.angle = 0.1,
+                      .area = 1,
+                      .isometric = 0.05,
+                      .quasi_conformal_1 = 0.2,
+                      .quasi_conformal_2 = 1e-3,
+                      .quasi_conformal_4 = 1e-3};
     const VertexRings rings(s.positions.size(), s.triangles, base::Host());
     for (Index v = 0; v < s.positions.size(); ++v) {
       level.vertices.push_back(v);
       place.push_back(v);
     }
-    level.build(rings, s.positions, energy, base::Host(), base::Team(base::Host()));
+    level.build(rings, s.positions, energy, base::Host(), base::ThreadPool(base::Host()));
   }
 
-  double value() const { return level_energy(energy, level, directions, host, base::Team(host)); }
+  double value() const { return level_energy(energy, level, directions, host, base::ThreadPool(host)); }
   double improve(int steps) {
-    return newton(energy, level, {steps, 2000, 1e-15}, place, directions, host, base::Team(host));
+    return newton(energy, level, {steps, 2000, 1e-15}, place, directions, host, base::ThreadPool(host));
   }
   base::Host host;
 

@@ -64,7 +64,7 @@ TEST_CASE("An overlay has the vertices of all maps, is a positive sphere, and ke
   const sphere_map::Locator locator(a.surface.triangles, a.directions, base::Host());
   const auto carried = sphere_map::carry_over(locator, a.surface.positions, sphere_map::Alignment(), o.directions,
                                               o.triangles, {}, base::Host());
-  CHECK(carried.turned_over == 0);
+  CHECK(carried.flipped == 0);
   const auto d = sphere_map::surface_distance(a.surface.positions, a.surface.triangles, carried.positions, o.triangles,
                                               base::Host());
   CHECK(d.from_first.largest < 1e-12);

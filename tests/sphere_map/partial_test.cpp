@@ -62,7 +62,7 @@ void check_partial(const Surface& s, const Partial& partial) {
 
 TEST_CASE("What is kept of a map that is stopped has no triangle flipped, and is a bijection once all are placed") {
   const Surface s = test::creature(4);
-  for (const Method method : {Method::balanced, Method::seed}) {
+  for (const Method method : {Method::balanced, Method::dissertation}) {
     Options options;
     options.method = method;
     const Stopped whole = stopped(s, options, 1'000'000);

@@ -47,7 +47,7 @@ double area(std::span<const Vector3> x, std::span<const Triangle> triangles) {
 }  // namespace
 
 TEST_CASE("A map that a warp would flip in places is placed one to one, and its surface stays as it is") {
-  std::size_t turned_over = 0;
+  std::size_t flipped = 0;
   for (const std::size_t size : {300U, 1500U}) {
     const test::MappedShape shape = test::mapped("creature", size);
     const auto& positions = shape.surface.positions;
@@ -60,7 +60,7 @@ TEST_CASE("A map that a warp would flip in places is placed one to one, and its 
       base::Array<Vector3> plain = shape.directions;
       move(plain);
       const std::size_t before = sphere_map::count_not_positive(triangles, plain);
-      turned_over += before;
+      flipped += before;
       const auto placed = sphere_map::placed_one_to_one(positions, shape.directions, triangles, move, base::Host());
       REQUIRE(placed.has_value());
       CHECK(sphere_map::count_not_positive(placed->triangles, placed->directions) == 0);
@@ -79,7 +79,7 @@ TEST_CASE("A map that a warp would flip in places is placed one to one, and its 
       CHECK(elsewhere <= placed->moved);
     }
   }
-  CHECK(turned_over > 0);  // so that there was something to do
+  CHECK(flipped > 0);  // so that there was something to do
 }
 
 TEST_CASE("A map that is only turned keeps its triangles, on any number of threads") {

@@ -18,7 +18,7 @@ class ChargeEnergy {
   std::size_t count() const { return points_.size() / 3; }
   double value(std::size_t block, const double* x) const {
     double sum = 0;
-    for_each_neighbour(block, [&](std::size_t other) {
+    for_each_neighbor(block, [&](std::size_t other) {
       double square = 0;
       for (std::size_t k = 0; k < 3; ++k)
         square += (x[k] - points_[3 * other + k]) * (x[k] - points_[3 * other + k]);
@@ -31,7 +31,7 @@ class ChargeEnergy {
     return derivatives(block, gradient, hessian);
   }
   template <class Visit>
-  void for_each_neighbour(std::size_t block, const Visit& visit) const {
+  void for_each_neighbor(std::size_t block, const Visit& visit) const {
     for (std::size_t other = 0; other < count(); ++other) {
       if (other != block) visit(other);
     }
@@ -43,7 +43,7 @@ class ChargeEnergy {
     double sum = 0;
     std::fill(gradient, gradient + 3, 0.0);
     std::fill(hessian, hessian + 9, 0.0);
-    for_each_neighbour(block, [&](std::size_t other) {
+    for_each_neighbor(block, [&](std::size_t other) {
       double away[3], square = 0;
       for (std::size_t k = 0; k < 3; ++k) {
         away[k] = x[k] - points_[3 * other + k];
@@ -81,7 +81,7 @@ class RingEnergy {
   Dimension dimension() const { return d_; }
   double value(std::size_t block, const double* x) const {
     double sum = 0;
-    for_each_neighbour(block, [&](std::size_t other) {
+    for_each_neighbor(block, [&](std::size_t other) {
       const double along = sphere_optimizer::block_dot(d_, x, &points_[other * d_]);
       sum += 1 - along * along;
     });
@@ -92,7 +92,7 @@ class RingEnergy {
     double sum = 0;
     for (std::size_t k = 0; k < d_; ++k)
       gradient[k] = 0;
-    for_each_neighbour(block, [&](std::size_t other) {
+    for_each_neighbor(block, [&](std::size_t other) {
       const double* y = &points_[other * d_];
       const double along = sphere_optimizer::block_dot(d_, x, y);
       sum += 1 - along * along;
@@ -102,7 +102,7 @@ class RingEnergy {
     return sum;
   }
   template <class Visit>
-  void for_each_neighbour(std::size_t block, const Visit& visit) const {
+  void for_each_neighbor(std::size_t block, const Visit& visit) const {
     visit((block + 1) % count_);
     visit((block + count_ - 1) % count_);
   }
@@ -136,7 +136,7 @@ class ClosedRingEnergy : public RingEnergy<sphere_optimizer::FixedDimension<4>> 
 inline std::vector<double> unit_blocks(std::size_t count, std::size_t d, std::uint64_t seed) {
   std::vector<double> points = normal_numbers(count * d, seed);
   for (std::size_t i = 0; i < count; ++i)
-    REQUIRE(sphere_optimizer::normalise(d, &points[i * d]));
+    REQUIRE(sphere_optimizer::normalize(d, &points[i * d]));
   return points;
 }
 
@@ -146,7 +146,7 @@ inline std::vector<double> blocks_near_one(std::size_t count, std::size_t d, std
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < d; ++k)
       points[i * d + k] = 0.6 / std::sqrt(static_cast<double>(d)) * points[i * d + k] + (k == 1 ? 1 : 0);
-    REQUIRE(sphere_optimizer::normalise(d, &points[i * d]));
+    REQUIRE(sphere_optimizer::normalize(d, &points[i * d]));
   }
   return points;
 }

@@ -19,7 +19,7 @@ class LatticeEnergy {
   std::size_t count() const { return side_ * side_ * side_; }
   double value(std::size_t block, const double* x) const {
     double sum = 0;
-    for_each_neighbour(block, [&](std::size_t other) {
+    for_each_neighbor(block, [&](std::size_t other) {
       const double along = sphere_optimizer::block_dot(dimension(), x, &points_[4 * other]);
       sum += 1 - along * along;
     });
@@ -28,7 +28,7 @@ class LatticeEnergy {
   double value_and_gradient(std::size_t block, double* gradient) const {
     std::fill_n(gradient, 4, 0.0);
     double sum = 0;
-    for_each_neighbour(block, [&](std::size_t other) {
+    for_each_neighbor(block, [&](std::size_t other) {
       const double* y = &points_[4 * other];
       const double along = sphere_optimizer::block_dot(dimension(), &points_[4 * block], y);
       sum += 1 - along * along;
@@ -38,7 +38,7 @@ class LatticeEnergy {
     return sum;
   }
   template <class Visit>
-  void for_each_neighbour(std::size_t block, const Visit& visit) const {
+  void for_each_neighbor(std::size_t block, const Visit& visit) const {
     const std::size_t x = block % side_, y = block / side_ % side_, z = block / side_ / side_;
     if (x > 0) visit(block - 1);
     if (x + 1 < side_) visit(block + 1);

@@ -19,7 +19,7 @@ std::vector<double> lattice_start(std::size_t side) {
   std::vector<double> points = normal_numbers(4 * side * side * side, 12);
   for (std::size_t i = 0; i < points.size(); i += 4) {
     points[i] += 1.5;
-    REQUIRE(normalise(FixedDimension<4>{}, &points[i]));
+    REQUIRE(normalize(FixedDimension<4>{}, &points[i]));
   }
   return points;
 }

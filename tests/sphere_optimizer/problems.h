@@ -88,7 +88,7 @@ inline std::vector<double> torus_weights(std::size_t side, std::uint64_t seed) {
     weight = random() % 2 ? 1 : -1;
   return weights;
 }
-inline std::size_t torus_neighbour(std::size_t side, std::size_t node, std::size_t along) {
+inline std::size_t torus_neighbor(std::size_t side, std::size_t node, std::size_t along) {
   const std::size_t row = node / side, column = node % side;
   return along == 0 ? row * side + (column + 1) % side : (row + 1) % side * side + column;
 }
@@ -101,7 +101,7 @@ inline Problem maximum_cut(std::size_t side, std::size_t dimension, std::uint64_
     std::fill(g.begin(), g.end(), 0.0);
     for (std::size_t i = 0; i < count; ++i) {
       for (std::size_t along = 0; along < 2; ++along) {
-        const std::size_t j = torus_neighbour(side, i, along);
+        const std::size_t j = torus_neighbor(side, i, along);
         const double weight = 2 * weights[2 * i + along];
         for (std::size_t k = 0; k < dimension; ++k) {
           sum += weight * x[i * dimension + k] * x[j * dimension + k];

@@ -27,7 +27,7 @@ class HighEnergy {
     return value(block, &points_[3 * block]);
   }
   template <class Visit>
-  void for_each_neighbour(std::size_t, const Visit&) const {}
+  void for_each_neighbor(std::size_t, const Visit&) const {}
 
  protected:
   const std::vector<double>& points_;
@@ -219,7 +219,7 @@ TEST_CASE("Passes, gains and hosts end a relaxation") {
 TEST_CASE("Algorithm 2 as printed lowers the energy, in more evaluations") {
   std::vector<double> points = unit_blocks(12, 3, 11), other = points;
   RelaxationOptions options;
-  options.method = Method::seed;
+  options.method = Method::dissertation;
   options.max_passes = 2000;
   const RelaxationResult printed = relaxed(ChargeEnergy(points), points, options);
   const RelaxationResult mended = relaxed(ChargeEnergy(other), other);

@@ -12,7 +12,7 @@ using namespace orbicube::sphere_optimizer;
 namespace {
 
 constexpr Method every_method[] = {Method::limited_memory, Method::barzilai_borwein, Method::great_circle,
-                                   Method::seed};
+                                   Method::dissertation};
 
 }  // namespace
 
@@ -59,7 +59,7 @@ TEST_CASE("The relaxation of max-cut is solved to a certificate below 1e-6") {
   std::vector<double> s(n * n), gradient(n * d);
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t along = 0; along < 2; ++along) {
-      const std::size_t j = torus_neighbour(side, i, along);
+      const std::size_t j = torus_neighbor(side, i, along);
       s[i * n + j] += weights[2 * i + along];
       s[j * n + i] += weights[2 * i + along];
     }
@@ -108,7 +108,8 @@ TEST_CASE(
 
 TEST_CASE("Algorithm 2 as printed descends, from the same start to the same kind of point") {
   const Problem problem = thomson(12, 4);
-  const Run mended = run(problem, with(Method::great_circle, 1e-5)), printed = run(problem, with(Method::seed, 1e-5));
+  const Run mended = run(problem, with(Method::great_circle, 1e-5)),
+            printed = run(problem, with(Method::dissertation, 1e-5));
   CHECK(mended.result.stop == Stop::converged);
   CHECK(std::abs(mended.result.value - 49.165253058) < 1e-8);
   CHECK((printed.result.stop == Stop::converged || printed.result.stop == Stop::stalled));
@@ -123,7 +124,7 @@ TEST_CASE("What the printed Algorithm 2 does where G.p is small and positive is 
                     return x[0];
                   }};
   problem.start = {1e-9, 1};
-  Options one = with(Method::seed);
+  Options one = with(Method::dissertation);
   one.max_evaluations = 2;
   CHECK(run(problem, one).result.value > -1e-8);
   one.method = Method::great_circle;
@@ -177,7 +178,7 @@ TEST_CASE("Great circles and parallel transport keep lengths, angles and derivat
   const FixedDimension<4> four;
   std::vector<double> numbers = normal_numbers(16, 8);
   double *x = numbers.data(), *v = x + 4, *w = x + 8, *out = x + 12;
-  REQUIRE(normalise(four, x));
+  REQUIRE(normalize(four, x));
   make_tangent(four, x, v);
   make_tangent(four, x, w);
   double velocity[4], ahead[4], behind[4], unused[4], carried[4];
@@ -197,7 +198,7 @@ TEST_CASE("Great circles and parallel transport keep lengths, angles and derivat
       CHECK(std::abs(carried[k] - velocity[k]) < 20 * ulp);
   }
   double nothing[4] = {0, 0, 0, 0};
-  CHECK(!normalise(four, nothing));
+  CHECK(!normalize(four, nothing));
 }
 
 TEST_CASE("Arguments that cannot be are refused") {

@@ -12,7 +12,7 @@ using namespace orbicube::test;
 
 TEST_CASE("Known minima are found, with residuals and without, by both methods") {
   for (const Case& c : every_case()) {
-    for (const Method method : {Method::two_radii, Method::seed}) {
+    for (const Method method : {Method::two_radii, Method::dissertation}) {
       CAPTURE(std::string(c.name));
       CAPTURE(c.residuals);
       Options options;

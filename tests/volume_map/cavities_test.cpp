@@ -93,9 +93,9 @@ TEST_CASE("A bent solid with a cavity has a certified polycube, a map to it and 
 
   const HexResult hexes = make_hexahedra({made.map}, {.cells = 800, .rounds = 16, .distance = 3}, host);
   CHECK(hexes.quality.valid());
-  CHECK(hexes.quality.least_scaled_jacobian > 0.3);
+  CHECK(hexes.quality.min_scaled_jacobian > 0.3);
   CHECK(hexes.distance < 3);
-  CHECK(!hexes.by_voxels);
+  CHECK(!hexes.grid_based);
   // Both walls are covered.
   double volume = 0;
   for (const Tetrahedron& t : block.tetrahedra)

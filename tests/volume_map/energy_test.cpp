@@ -45,7 +45,7 @@ TEST_CASE("A rigid motion of the target shapes has the minimum energy, five time
   FoldoverEnergy energy(elements, variables, 1, s.host);
   const EnergyValue value = energy.value(variables.start(), 0);
   CHECK(value.energy == doctest::Approx(5 * weight_sum(elements)).epsilon(1e-12));
-  CHECK(value.least_determinant == doctest::Approx(1).epsilon(1e-12));
+  CHECK(value.min_determinant == doctest::Approx(1).epsilon(1e-12));
   CHECK(value.inverted == 0);
   std::vector<double> gradient(variables.free());
   energy.linearise(variables.start(), 0, gradient);

@@ -220,7 +220,7 @@ TEST_CASE("a cylinder has four inner curves around which cells meet in threes") 
   CHECK(made.map.patches == 3);
   check_hexahedra(made.result.mesh);
   CHECK(made.result.quality.valid());
-  CHECK(made.result.quality.least_scaled_jacobian > 0.3);
+  CHECK(made.result.quality.min_scaled_jacobian > 0.3);
   // As many as there are layers, four times.
   CHECK(made.inner_irregular_edges % 4 == 0);
   CHECK(made.inner_irregular_edges >= 4 * 2);

@@ -79,7 +79,7 @@ TEST_CASE("Ends of a ring that lie in each other are moved apart, and nothing el
     REQUIRE(met.intersections > 0);
     REQUIRE(open_gaps(ring, host));
     CHECK(quality_of(ring).valid());
-    CHECK(quality_of(ring).least_scaled_jacobian > 0.5);
+    CHECK(quality_of(ring).min_scaled_jacobian > 0.5);
     std::size_t moved = 0;
     for (std::size_t v = 0; v < before.size(); ++v) {
       moved += ring.positions[v] != before[v];

@@ -198,7 +198,7 @@ TEST_CASE("A speck beside a ball has figures of its own, and does not count as m
   for (const auto& part : parts)
     pieces.push_back({empty, balls.positions, part});
   const HexResult made =
-      make_hexahedra_of_pieces(pieces, {.method = HexMethod::voxels, .cells = 300, .distance = 20}, host);
+      make_hexahedra_of_pieces(pieces, {.method = HexMethod::grid, .cells = 300, .distance = 20}, host);
   REQUIRE(made.pieces.size() == 2);
   CHECK(made.quality.valid());
   CHECK(made.pieces[0].hexahedra + made.pieces[1].hexahedra == made.mesh.hexahedra.size());

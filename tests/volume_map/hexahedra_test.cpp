@@ -182,10 +182,10 @@ TEST_CASE("Measures of a box and of what is inverted") {
   const std::vector<Hexahedron> cells = {whole};
   HexQuality q = measure_hexahedra(p, cells, base::Host());
   CHECK(q.valid());
-  CHECK(q.least_scaled_jacobian == 1);
+  CHECK(q.min_scaled_jacobian == 1);
   CHECK(q.mean_scaled_jacobian == 1);
   CHECK(q.volume == doctest::Approx(1));
-  CHECK(least_bezier(p, whole) == doctest::Approx(1));
+  CHECK(min_bezier(p, whole) == doctest::Approx(1));
   p[6] = Vector3(0.1, 0.1, 0.1);
   q = measure_hexahedra(p, cells, base::Host());
   CHECK(!q.valid());
@@ -209,7 +209,7 @@ TEST_CASE("A bent solid gets a valid hexahedral mesh on its surface, the same fo
           make_hexahedra({block.map}, {.cells = 400, .padding = padding, .rounds = 10, .distance = 0}, host);
       CHECK(result.quality.valid());
       CHECK(result.padded == (padding == Padding::with));
-      CHECK(result.quality.least_scaled_jacobian > 0.2);
+      CHECK(result.quality.min_scaled_jacobian > 0.2);
       CHECK(result.mesh.hexahedra.size() > 150);
       CHECK(result.mesh.hexahedra.size() < 800);
       mesh::Mesh m;
@@ -261,7 +261,7 @@ TEST_CASE("Smoothing leaves no hexahedron twisted where its corners are good") {
     CHECK(draft.smooth({.distance = 0.1}, host));
     for (const Hexahedron& h : draft.mesh.hexahedra) {
       CHECK(scaled_jacobian(draft.mesh.positions, h) > 0);
-      CHECK(least_bezier(draft.mesh.positions, h) > 0);
+      CHECK(min_bezier(draft.mesh.positions, h) > 0);
     }
   }
 }
@@ -285,7 +285,7 @@ TEST_CASE("The search makes hexahedra better on average, none worse than the wor
   const HexMesh after = raised({.mean_reach = reach});
   REQUIRE(quality(before).valid());
   CHECK(quality(after).valid());
-  CHECK(quality(after).least_scaled_jacobian >= quality(before).least_scaled_jacobian);
+  CHECK(quality(after).min_scaled_jacobian >= quality(before).min_scaled_jacobian);
   CHECK(quality(after).mean_scaled_jacobian > quality(before).mean_scaled_jacobian + 0.003);
   for (const Index v : boundary.vertices()) {
     // The last step puts vertices onto the surface.
@@ -329,7 +329,7 @@ TEST_CASE(
   HexMesh near(mesh), far(mesh);
   reach_surface(near, boundary, target, 0.7 * before, host);
   CHECK(quality(near).valid());
-  CHECK(quality(near).least_scaled_jacobian >= std::min(0.15, quality(mesh).least_scaled_jacobian));
+  CHECK(quality(near).min_scaled_jacobian >= std::min(0.15, quality(mesh).min_scaled_jacobian));
   CHECK(farthest(near) < 0.8 * before);
   for (const Index v : boundary.vertices()) {
     if (near.positions[v] == mesh.positions[v]) continue;
@@ -383,7 +383,7 @@ TEST_CASE("Where a mesh is far from the surface there are more cells, until it i
                            .padding = Padding::with,
                            .rounds = 12,
                            .distance = distance,
-                           .most_cells = most},
+                           .max_cells = most},
                           host);
   };
   const HexResult few = made(0, 40);
@@ -459,7 +459,7 @@ TEST_CASE("Planes of a polycube are moved to where lengths on it are those in sp
   const polycube::SurfaceMap even = map_with_even_lengths(box.map, host);
   CHECK(std::equal(even.positions.begin(), even.positions.end(), box.map.positions.begin(), box.map.positions.end()));
   CHECK(std::equal(even.labels.begin(), even.labels.end(), box.map.labels.begin(), box.map.labels.end()));
-  CHECK(std::equal(even.charts.begin(), even.charts.end(), box.map.charts.begin(), box.map.charts.end()));
+  CHECK(std::equal(even.patches.begin(), even.patches.end(), box.map.patches.begin(), box.map.patches.end()));
   double largest = 0;
   for (std::size_t v = 0; v < even.positions.size(); ++v)
     largest = std::max(largest, (even.polycube[v] - even.positions[v]).norm());
@@ -480,7 +480,7 @@ TEST_CASE("Whatever the lengths in space, the polycube of even lengths is certif
     const auto after = polycube::certify(even.polycube, even.triangles, host);
     CHECK(after.valid());
     CHECK(after.corners == before.corners);
-    CHECK(after.patches == before.patches);
+    CHECK(after.patch_count == before.patch_count);
     CHECK(std::equal(after.labels.begin(), after.labels.end(), before.labels.begin(), before.labels.end()));
   }
 }
@@ -583,13 +583,13 @@ TEST_CASE(
   const HexResult made = make_hexahedra({best.made.map}, {.cells = 600}, host);
   CHECK(made.follows_sharp_edges);
   CHECK(made.quality.valid());
-  CHECK(made.quality.least_scaled_jacobian > 0.99);
+  CHECK(made.quality.min_scaled_jacobian > 0.99);
   CHECK(made.distance < 0.05);
   CHECK(made.volume_error < 0.01);
-  const HexResult without = make_hexahedra({best.made.map}, {.cells = 600, .sharp_angle = 0}, host);
+  const HexResult without = make_hexahedra({best.made.map}, {.cells = 600, .feature_angle = 0}, host);
   CHECK(without.quality.valid());
   CHECK(!without.follows_sharp_edges);
-  CHECK(made.quality.least_scaled_jacobian >= without.quality.least_scaled_jacobian - 1e-6);
+  CHECK(made.quality.min_scaled_jacobian >= without.quality.min_scaled_jacobian - 1e-6);
   const test::BlockSolid round(test::angle, 4, 0.8, 0.4);
   CHECK(!map_with_sharp_edges(round.map, 100, host));
 }

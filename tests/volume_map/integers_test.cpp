@@ -24,8 +24,8 @@ Transition random_transition(std::mt19937_64& random) {
 }
 
 // The least cost over all integers of a box that meet the bounds, infinite if none does.
-double least_cost(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& best, const IntegerForms& forms,
-                  std::span<const LowerBound> bounds, int reach) {
+double min_cost(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& best, const IntegerForms& forms,
+                std::span<const LowerBound> bounds, int reach) {
   const auto count = static_cast<std::size_t>(best.size());
   Eigen::VectorXd c(best.size());
   double least = std::numeric_limits<double>::infinity();
@@ -157,7 +157,7 @@ TEST_CASE("rounding finds the known optimum, with bounds and without") {
     for (const double x : found.integers)
       CHECK(x == std::round(x));
     CHECK(found.cost == doctest::Approx((found.integers - best).dot(curvature * (found.integers - best))));
-    const double known = least_cost(curvature, best, forms, bounds, 5);
+    const double known = min_cost(curvature, best, forms, bounds, 5);
     CHECK(found.cost <= known * (1 + 1e-9) + 1e-12);
   }
 }
@@ -167,7 +167,7 @@ TEST_CASE("bounds that contradict each other are reported") {
   const Index difference = forms.sum(forms.of_unknown(0), 1, forms.of_unknown(1), -1);
   const std::vector<LowerBound> bounds = {{difference, 1}, {forms.sum(difference, -1, 0, 1), 1}};
   const Rounding found = round_integers(Eigen::MatrixXd::Identity(2, 2), Eigen::VectorXd::Zero(2), forms, bounds,
-                                        {.most_nodes = 1000}, base::Host());
+                                        {.max_nodes = 1000}, base::Host());
   CHECK(found.violated > 0);
   CHECK_FALSE(found.optimal);
 }
@@ -179,7 +179,7 @@ TEST_CASE("rounding ends where numbers are not finite, or so large that a step o
   for (const double far : {1e17, 1e300, std::nan(""), -std::numeric_limits<double>::infinity()}) {
     for (const double stiff : {1.0, 1e300, std::nan("")}) {
       const Rounding found = round_integers(stiff * Eigen::MatrixXd::Identity(2, 2), Eigen::Vector2d(-far, far), forms,
-                                            bounds, {.most_nodes = 1000}, base::Host());
+                                            bounds, {.max_nodes = 1000}, base::Host());
       CHECK(found.integers.size() == 2);
     }
   }

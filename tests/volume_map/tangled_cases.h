@@ -23,7 +23,7 @@ struct TangledCase {
   std::vector<std::uint8_t> fixed;
   std::vector<Index> ties;
 
-  TangledMesh mesh() const { return {tetrahedra, start, rest, fixed, ties}; }
+  UntangleProblem mesh() const { return {tetrahedra, start, rest, fixed, ties}; }
 };
 
 using Block = std::array<int, 3>;

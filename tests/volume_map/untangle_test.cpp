@@ -30,7 +30,7 @@ void check(const test::TangledCase& c) {
     CHECK(result.inverted_before > 0);
     CHECK(result.inverted == 0);
     CHECK(result.first_inverted == no_index);
-    CHECK(result.least_determinant > 0);
+    CHECK(result.min_determinant > 0);
     CHECK(result.energy >= 5);
     for (const Tetrahedron& t : c.tetrahedra) {
       const auto& p = result.positions;
@@ -47,7 +47,7 @@ void check(const test::TangledCase& c) {
   }
 }
 
-std::string refusal(const TangledMesh& mesh, const UntangleOptions& options = {}) {
+std::string refusal(const UntangleProblem& mesh, const UntangleOptions& options = {}) {
   try {
     untangle(mesh, options, base::Host());
   } catch (const base::Error& error) {

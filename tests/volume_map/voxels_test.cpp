@@ -40,7 +40,7 @@ TEST_CASE("Cells of a grid become a conforming mesh whose quads are outward-orie
   CHECK(mesh.hexahedra.size() == 8);
   CHECK(mesh.positions.size() == 32);
   CHECK(mesh.quads.size() == 8 + 8 + 12 + 4);
-  CHECK(measure_hexahedra(mesh.positions, mesh.hexahedra, host).least_scaled_jacobian == 1);
+  CHECK(measure_hexahedra(mesh.positions, mesh.hexahedra, host).min_scaled_jacobian == 1);
   const auto halves = halves_of(mesh.quads, host.memory);
   const mesh::Topology topology = mesh::topology(mesh.positions, halves, host);
   CHECK(topology.genus == 1);
@@ -76,7 +76,7 @@ TEST_CASE("Without a polycube, and where its hexahedra are poor, the cells of a 
   const polycube::SurfaceMap none;
   const PolycubeSurface solid = {none, surface.positions, surface.triangles};
   const HexResult made = make_hexahedra(solid, {.cells = 1000, .rounds = 16, .distance = 3}, host);
-  CHECK(made.by_voxels);
+  CHECK(made.grid_based);
   CHECK(made.padded);
   CHECK(made.quality.valid());
   CHECK(made.quality.mean_scaled_jacobian > 0.7);
@@ -90,22 +90,22 @@ TEST_CASE("Without a polycube, and where its hexahedra are poor, the cells of a 
   for (Vector3& p : block.map.positions)
     p[2] = p[2] < 1 ? 8 * p[2] : p[2] + 7;
   const PolycubeSurface thin = {block.map};
-  CHECK(make_hexahedra(thin, {.cells = 300, .rounds = 4, .distance = 0}, host).by_voxels);
-  CHECK(
-      !make_hexahedra(thin, {.method = HexMethod::polycube, .cells = 300, .rounds = 4, .distance = 0}, host).by_voxels);
+  CHECK(make_hexahedra(thin, {.cells = 300, .rounds = 4, .distance = 0}, host).grid_based);
+  CHECK(!make_hexahedra(thin, {.method = HexMethod::polycube, .cells = 300, .rounds = 4, .distance = 0}, host)
+             .grid_based);
 }
 
 TEST_CASE("Where a polycube serves its hexahedra stay, and are the same for any number of threads as those of a grid") {
   const test::BlockSolid block(test::angle, 4, 0.5, 0.3);
   REQUIRE(block.certificate == "");
-  CHECK(!make_hexahedra({block.map}, {.cells = 300, .rounds = 8, .distance = 0}, host).by_voxels);
+  CHECK(!make_hexahedra({block.map}, {.cells = 300, .rounds = 8, .distance = 0}, host).grid_based);
   std::vector<Vector3> first;
   for (const unsigned threads : {1U, 3U}) {
     base::Host with_threads;
     with_threads.thread_count = threads;
     const HexResult made = make_hexahedra(
-        {block.map}, {.method = HexMethod::voxels, .cells = 400, .rounds = 8, .distance = 0}, with_threads);
-    CHECK(made.by_voxels);
+        {block.map}, {.method = HexMethod::grid, .cells = 400, .rounds = 8, .distance = 0}, with_threads);
+    CHECK(made.grid_based);
     if (threads == 1)
       first.assign(made.mesh.positions.begin(), made.mesh.positions.end());
     else
@@ -116,10 +116,10 @@ TEST_CASE("Where a polycube serves its hexahedra stay, and are the same for any 
 TEST_CASE("The volume of a surface far from the origin keeps its digits") {
   mesh::Mesh surface = mesh::make_shape("torus", {.triangles = 300}, host);
   const polycube::SurfaceMap none;
-  const double volume = WantedSurface({none, surface.positions, surface.triangles}).volume;
+  const double volume = TargetSurface({none, surface.positions, surface.triangles}).volume;
   CHECK(volume > 0);
   for (Vector3& p : surface.positions)
     p += Vector3(0x1p20, -0x1p21, 0x1p19);
   // Coordinates keep 30 digits (of two) there.
-  CHECK(WantedSurface({none, surface.positions, surface.triangles}).volume == doctest::Approx(volume).epsilon(1e-7));
+  CHECK(TargetSurface({none, surface.positions, surface.triangles}).volume == doctest::Approx(volume).epsilon(1e-7));
 }

@@ -28,10 +28,10 @@ class Polycube {
     });
   }
   // On the given polycube, with positions of corners or without.
-  static Polycube compute_on(const Surface& surface, const Surface& polycube,
-                             const obc_polycube_places* places = nullptr, Host* host = nullptr) {
+  static Polycube map_to_domain(const Surface& surface, const Surface& polycube,
+                                const obc_polycube_constraints* constraints = nullptr, Host* host = nullptr) {
     return made(host, [&](obc_polycube** out, obc_error* error) {
-      return obc_polycube_compute_on(&surface, &polycube, places, detail::c(host), out, error);
+      return obc_polycube_map_to_domain(&surface, &polycube, constraints, detail::c(host), out, error);
     });
   }
   // A map made elsewhere; throws, with the reason, what is none.
@@ -41,14 +41,14 @@ class Polycube {
       return obc_polycube_create(&surface, polycube.data(), detail::c(host), nullptr, out, error);
     });
   }
-  // One polycube for several shapes; made_for: the shape that it was made for.
+  // One polycube for several shapes; constructed_from: the shape that it was made for.
   static std::vector<Polycube> compute_common(View<const Surface> surfaces, const Options& options = {},
-                                              const DomainOptions& domain = {}, std::size_t* made_for = nullptr,
+                                              const DomainOptions& domain = {}, std::size_t* constructed_from = nullptr,
                                               Host* host = nullptr) {
     const std::vector<obc_surface> views(surfaces.begin(), surfaces.end());
     return made_together(views.size(), host, [&](obc_polycube** out, obc_error* error) {
-      return obc_polycube_compute_common(views.data(), views.size(), &options, &domain, detail::c(host), made_for, out,
-                                         error);
+      return obc_polycube_compute_common(views.data(), views.size(), &options, &domain, detail::c(host),
+                                         constructed_from, out, error);
     });
   }
   // The proportions with the minimum sum of energies of maps to one polycube.
@@ -77,11 +77,11 @@ class Polycube {
     });
   }
   // What must be mapped where; throws when something cannot be.
-  Polycube meet_features(const FeatureOptions& options, obc_polycube_feature_report* report = nullptr,
-                         Host* host = nullptr) const {
+  Polycube align_features(const FeatureOptions& options, obc_polycube_feature_report* report = nullptr,
+                          Host* host = nullptr) const {
     if (report != nullptr) report->struct_size = sizeof *report;
     return made(host, [&](obc_polycube** out, obc_error* error) {
-      return obc_polycube_meet_features(handle(), &options, detail::c(host), report, out, error);
+      return obc_polycube_align_features(handle(), &options, detail::c(host), report, out, error);
     });
   }
 

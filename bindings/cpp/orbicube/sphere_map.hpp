@@ -70,13 +70,13 @@ inline Report measure(const Surface& surface, Doubles directions, const Options&
 }
 // Of each triangle.
 struct Distortion {
-  std::vector<double> dilatation, area_ratio;
+  std::vector<double> quasi_conformal, area_ratio;
 };
 inline Distortion face_distortion(const Surface& surface, Doubles directions, Host* host = nullptr) {
   detail::check_size(directions.size(), 3 * surface.vertex_count, "directions");
   Distortion found{std::vector<double>(surface.triangle_count), std::vector<double>(surface.triangle_count)};
   detail::call(host, [&](obc_error* error) {
-    return obc_sphere_map_face_distortion(&surface, directions.data(), detail::c(host), found.dilatation.data(),
+    return obc_sphere_map_face_distortion(&surface, directions.data(), detail::c(host), found.quasi_conformal.data(),
                                           found.area_ratio.data(), error);
   });
   return found;

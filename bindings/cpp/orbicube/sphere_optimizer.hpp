@@ -61,15 +61,15 @@ struct Function {
 // obc_sphere_optimizer_blocks and the arrays that it points at.
 class Blocks {
  public:
-  Blocks(std::uint32_t dimension, const std::vector<std::vector<std::uint32_t>>& neighbours) : start_{0} {
-    for (const std::vector<std::uint32_t>& row : neighbours) {
+  Blocks(std::uint32_t dimension, const std::vector<std::vector<std::uint32_t>>& neighbors) : start_{0} {
+    for (const std::vector<std::uint32_t>& row : neighbors) {
       all_.insert(all_.end(), row.begin(), row.end());
       start_.push_back(all_.size());
     }
     blocks_.dimension = dimension;
-    blocks_.count = neighbours.size();
-    blocks_.neighbour_start = start_.data();
-    blocks_.neighbour = all_.data();
+    blocks_.count = neighbors.size();
+    blocks_.neighbor_start = start_.data();
+    blocks_.neighbor = all_.data();
   }
   Blocks(const Blocks&) = delete;
   Blocks& operator=(const Blocks&) = delete;
@@ -100,14 +100,14 @@ Result minimize(F&& f, View<double> x, std::size_t dimension, const Options& opt
 }
 
 // Block by block. f(block, place, points, gradient, hessian), pointers as in obc_sphere_optimizer_block_function, fills
-// what is not NULL and returns the value. `neighbours[i]`: the blocks whose part of f contains block i.
+// what is not NULL and returns the value. `neighbors[i]`: the blocks whose part of f contains block i.
 template <class F>
 RelaxationResult relax(F&& f, View<double> x, std::uint32_t dimension,
-                       const std::vector<std::vector<std::uint32_t>>& neighbours, const RelaxationOptions& options = {},
+                       const std::vector<std::vector<std::uint32_t>>& neighbors, const RelaxationOptions& options = {},
                        Host* host = nullptr) {
   using Called = detail::Function<std::remove_reference_t<F>>;
-  detail::check_size(x.size(), neighbours.size() * dimension, "x");
-  const detail::Blocks blocks(dimension, neighbours);
+  detail::check_size(x.size(), neighbors.size() * dimension, "x");
+  const detail::Blocks blocks(dimension, neighbors);
   Called function{f, {}};
   RelaxationResult result = detail::sized<RelaxationResult>();
   obc_error error;
@@ -122,11 +122,11 @@ RelaxationResult relax(F&& f, View<double> x, std::uint32_t dimension,
 // The same in parts; ends in the same bits. A host that it is given must outlive it.
 class Relaxation {
  public:
-  Relaxation(Doubles x0, std::uint32_t dimension, const std::vector<std::vector<std::uint32_t>>& neighbours,
+  Relaxation(Doubles x0, std::uint32_t dimension, const std::vector<std::vector<std::uint32_t>>& neighbors,
              const RelaxationOptions& options = {}, Host* host = nullptr)
       : n_(x0.size()), host_(host) {
-    detail::check_size(n_, neighbours.size() * dimension, "x0");
-    const detail::Blocks blocks(dimension, neighbours);
+    detail::check_size(n_, neighbors.size() * dimension, "x0");
+    const detail::Blocks blocks(dimension, neighbors);
     obc_sphere_optimizer_relaxation* out = nullptr;
     detail::call(host, [&](obc_error* error) {
       return obc_sphere_optimizer_relaxation_create(blocks.c(), &options, x0.data(), detail::c(host), &out, error);
@@ -135,11 +135,11 @@ class Relaxation {
   }
   // Goes on with one that was saved, of the same neighbors.
   static Relaxation load(const std::vector<unsigned char>& bytes, std::uint32_t dimension,
-                         const std::vector<std::vector<std::uint32_t>>& neighbours, Host* host = nullptr) {
+                         const std::vector<std::vector<std::uint32_t>>& neighbors, Host* host = nullptr) {
     Relaxation relaxation;
-    relaxation.n_ = neighbours.size() * dimension;
+    relaxation.n_ = neighbors.size() * dimension;
     relaxation.host_ = host;
-    const detail::Blocks blocks(dimension, neighbours);
+    const detail::Blocks blocks(dimension, neighbors);
     obc_sphere_optimizer_relaxation* out = nullptr;
     detail::call(host, [&](obc_error* error) {
       return obc_sphere_optimizer_relaxation_load(blocks.c(), bytes.data(), bytes.size(), detail::c(host), &out, error);

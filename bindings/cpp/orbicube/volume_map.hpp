@@ -15,8 +15,8 @@ using UntangleOptions = detail::Filled<obc_volume_map_untangle_options, obc_volu
 using UntangleReport = detail::Filled<obc_volume_map_untangle_report, obc_volume_map_untangle_report_init>;
 
 // A mesh in the caller's arrays. Rest, fixed and ties are set as members where they are requested.
-struct Tangle : detail::Filled<obc_volume_map_tangle, obc_volume_map_tangle_init> {
-  Tangle(Doubles places, Indices cells) {
+struct UntangleProblem : detail::Filled<obc_volume_map_untangle_problem, obc_volume_map_untangle_problem_init> {
+  UntangleProblem(Doubles places, Indices cells) {
     positions = places.data();
     vertex_count = detail::rows(places.size(), 3, "positions");
     tetrahedra = cells.data();
@@ -31,12 +31,12 @@ struct Untangled {
 
 // Moves vertices until every tetrahedron is positive. Where some stay inverted it throws an Error with the status
 // OBC_NO_VALID_RESULT, and *best, if it is given, is the best that was found.
-inline Untangled untangle(const Tangle& tangle, const UntangleOptions& options = {}, Host* host = nullptr,
+inline Untangled untangle(const UntangleProblem& problem, const UntangleOptions& options = {}, Host* host = nullptr,
                           Untangled* best = nullptr) {
-  Untangled result{std::vector<double>(3 * tangle.vertex_count), {}};
+  Untangled result{std::vector<double>(3 * problem.vertex_count), {}};
   try {
     detail::call(host, [&](obc_error* error) {
-      return obc_volume_map_untangle(&tangle, &options, detail::c(host), result.positions.data(), &result.report,
+      return obc_volume_map_untangle(&problem, &options, detail::c(host), result.positions.data(), &result.report,
                                      error);
     });
   } catch (const Error& error) {
@@ -78,10 +78,10 @@ inline Solid map_to_polycube(Doubles positions, Indices tetrahedra, const SolidO
 
 // A certified mesh of hexahedra.
 struct Hexes {
-  std::vector<double> positions;          // x y z a vertex
-  std::vector<std::uint32_t> hexahedra;   // eight vertices each
-  std::vector<std::uint32_t> quads;       // four vertices each, of the boundary
-  std::vector<std::uint32_t> quad_faces;  // of the polycube
+  std::vector<double> positions;            // x y z a vertex
+  std::vector<std::uint32_t> hexahedra;     // eight vertices each
+  std::vector<std::uint32_t> quads;         // four vertices each, of the boundary
+  std::vector<std::uint32_t> quad_patches;  // of the polycube
   obc_volume_map_hexes_report report;
 };
 
@@ -95,10 +95,10 @@ void copy(Host* host, Hexes& to, F&& f) {
   to.positions.resize(3 * obc_volume_map_hexes_vertex_count(made));
   to.hexahedra.resize(8 * obc_volume_map_hexes_count(made));
   to.quads.resize(4 * obc_volume_map_hexes_quad_count(made));
-  to.quad_faces.resize(obc_volume_map_hexes_quad_count(made));
+  to.quad_patches.resize(obc_volume_map_hexes_quad_count(made));
   detail::call(nullptr, [&](obc_error* error) {
     return obc_volume_map_hexes_copy(made, to.positions.data(), to.hexahedra.data(), to.quads.data(),
-                                     to.quad_faces.data(), error);
+                                     to.quad_patches.data(), error);
   });
 }
 
@@ -133,7 +133,7 @@ inline Hexes fill_along_frames(Doubles positions, Indices tetrahedra, Doubles fr
                                               &figures, out, error);
   });
   result.report = detail::sized<obc_volume_map_hexes_report>();
-  result.report.least_scaled_jacobian = figures.least_scaled_jacobian;
+  result.report.min_scaled_jacobian = figures.min_scaled_jacobian;
   result.report.mean_scaled_jacobian = figures.mean_scaled_jacobian;
   result.report.volume = figures.volume;
   result.report.off_surface = figures.off_surface;

@@ -24,7 +24,7 @@ export const constants: {
   readonly OBC_FRAME_FIELD_DIFFUSION: 4;
   readonly OBC_FRAME_FIELD_GIVEN: 5;
   readonly OBC_FRAME_FIELD_SMOOTH: 0;
-  readonly OBC_FRAME_FIELD_SEED: 1;
+  readonly OBC_FRAME_FIELD_DISSERTATION: 1;
   readonly OBC_FRAME_FIELD_UNIFORM: 0;
   readonly OBC_FRAME_FIELD_GEOMETRIC: 1;
   readonly OBC_FRAME_FIELD_NO_REPAIR: 0;
@@ -51,8 +51,8 @@ export const constants: {
   readonly OBC_POLYCUBE_TRUST_REGION: 0;
   readonly OBC_POLYCUBE_GRADIENT: 1;
   readonly OBC_PROJECTED_GRADIENT_FACE: 0;
-  readonly OBC_PROJECTED_GRADIENT_SEED: 1;
-  readonly OBC_PROJECTED_GRADIENT_LARGEST_OF_LAST: 0;
+  readonly OBC_PROJECTED_GRADIENT_DISSERTATION: 1;
+  readonly OBC_PROJECTED_GRADIENT_MAX_OF_LAST: 0;
   readonly OBC_PROJECTED_GRADIENT_AVERAGE: 1;
   readonly OBC_PROJECTED_GRADIENT_NEED_FG: 1;
   readonly OBC_PROJECTED_GRADIENT_ITERATION: 2;
@@ -83,7 +83,7 @@ export const constants: {
   readonly OBC_SPHERE_MAP_ISOMETRIC: 2;
   readonly OBC_SPHERE_MAP_STRETCH: 3;
   readonly OBC_SPHERE_MAP_CONFORMAL: 4;
-  readonly OBC_SPHERE_MAP_SEED: 5;
+  readonly OBC_SPHERE_MAP_DISSERTATION: 5;
   readonly OBC_SPHERE_MAP_ICOSPHERE: 0;
   readonly OBC_SPHERE_MAP_CUBE: 1;
   readonly OBC_SPHERE_MAP_LATITUDE: 2;
@@ -91,7 +91,7 @@ export const constants: {
   readonly OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY: 0;
   readonly OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: 1;
   readonly OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: 2;
-  readonly OBC_SPHERE_OPTIMIZER_SEED: 3;
+  readonly OBC_SPHERE_OPTIMIZER_DISSERTATION: 3;
   readonly OBC_SPHERE_OPTIMIZER_NEED_FG: 1;
   readonly OBC_SPHERE_OPTIMIZER_ITERATION: 2;
   readonly OBC_SPHERE_OPTIMIZER_DONE: 3;
@@ -110,7 +110,7 @@ export const constants: {
   readonly OBC_SPHERE_OPTIMIZER_QUEUE: 1;
   readonly OBC_SPHERE_OPTIMIZER_SWEEPS: 2;
   readonly OBC_TRUST_REGION_TWO_RADII: 0;
-  readonly OBC_TRUST_REGION_SEED: 1;
+  readonly OBC_TRUST_REGION_DISSERTATION: 1;
   readonly OBC_TRUST_REGION_AUTOMATIC: 0;
   readonly OBC_TRUST_REGION_CHAIN: 1;
   readonly OBC_TRUST_REGION_CROSS: 2;
@@ -134,7 +134,7 @@ export const constants: {
   readonly OBC_VOLUME_MAP_PADDING_WITHOUT: 2;
   readonly OBC_VOLUME_MAP_METHOD_AUTO: 0;
   readonly OBC_VOLUME_MAP_METHOD_POLYCUBE: 1;
-  readonly OBC_VOLUME_MAP_METHOD_VOXELS: 2;
+  readonly OBC_VOLUME_MAP_METHOD_GRID: 2;
 };
 
 export interface Layout {
@@ -171,7 +171,7 @@ export const layouts: {
   readonly obc_polycube_corner_report: Layout;
   readonly obc_polycube_feature_options: Layout;
   readonly obc_polycube_feature_report: Layout;
-  readonly obc_polycube_places: Layout;
+  readonly obc_polycube_constraints: Layout;
   readonly obc_polycube_quads_options: Layout;
   readonly obc_projected_gradient_problem: Layout;
   readonly obc_projected_gradient_options: Layout;
@@ -188,7 +188,7 @@ export const layouts: {
   readonly obc_trust_region_problem: Layout;
   readonly obc_trust_region_options: Layout;
   readonly obc_trust_region_result: Layout;
-  readonly obc_volume_map_tangle: Layout;
+  readonly obc_volume_map_untangle_problem: Layout;
   readonly obc_volume_map_untangle_options: Layout;
   readonly obc_volume_map_untangle_report: Layout;
   readonly obc_volume_map_solid_options: Layout;
@@ -286,7 +286,7 @@ export interface RawFunctions {
   obc_gltf_write_surface(path: Pointer, positions: Pointer, vertex_count: number, triangles: Pointer, triangle_count: number, host: Pointer, error: Pointer): number;
   /** Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns
    * base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it. */
-  obc_gltf_delta(base: number, wanted: number): number;
+  obc_gltf_delta(base: number, target: number): number;
   /** Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns
    * base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it. */
   obc_gltf_reconstructed(base: number, delta: number): number;
@@ -505,7 +505,7 @@ export interface RawFunctions {
   /** Aligns features of a map to their targets on the same polycube, with minimum distortion otherwise. The result is certified. Errors:
    * invalid argument (a target that is not on the polycube, a vertex with two targets); no valid result with the conflicting
    * features; out of memory; cancelled. */
-  obc_polycube_meet_features(map: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
+  obc_polycube_align_features(map: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
   /** Returns the number of energies of the optimization that computed a map: one before it and one after each iteration; 0 for NULL and
    * for maps of other origin. */
   obc_polycube_energy_count(map: Pointer): number;
@@ -535,17 +535,17 @@ export interface RawFunctions {
   obc_polycube_copy_sources(map: Pointer, corners: Pointer, weights: Pointer, error: Pointer): number;
   /** Maps a surface to a supplied polycube, whose triangles lie in axis-aligned planes. It is traced on the surface as with
    * OBC_POLYCUBE_VOXELS: at its position, with its bounding box stretched to that of the surface, or as the constraints require. The
-   * polycube of the handle has the same coordinates; the map is smoothed across its edges. places may be NULL. Errors: those of
+   * polycube of the handle has the same coordinates; the map is smoothed across its edges. constraints may be NULL. Errors: those of
    * obc_polycube_compute; invalid argument for constraints that do not exist or occur twice; unsupported if the second surface is not a
    * polycube, with the reason; wrong genus if the genera differ. */
-  obc_polycube_compute_on(surface: Pointer, polycube: Pointer, places: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
+  obc_polycube_map_to_domain(surface: Pointer, polycube: Pointer, constraints: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
   /** Computes one polycube for several shapes of one genus and kind (the dissertation's section 4.5). Several polycubes of each shape are traced on
    * all others; proportions and maps are optimized for the sum of energies, and the polycube with the minimum sum is returned. Maps between
    * shapes are compositions: points with the same image on the polycube correspond. options are for the polycubes of single shapes, domain
-   * for the energy. out is an array of `count` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. made_for
+   * for the energy. out is an array of `count` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. constructed_from
    * (or NULL) receives the index of the shape from which the polycube was constructed. obc_polycube_copy_energies of each handle copies
    * the sums, which never increase. Errors: those of obc_polycube_compute, and wrong genus. */
-  obc_polycube_compute_common(surfaces: Pointer, count: number, options: Pointer, domain: Pointer, host: Pointer, made_for: Pointer, out: Pointer, error: Pointer): number;
+  obc_polycube_compute_common(surfaces: Pointer, count: number, options: Pointer, domain: Pointer, host: Pointer, constructed_from: Pointer, out: Pointer, error: Pointer): number;
   /** Optimizes the proportions of one polycube for several maps to it: minimizes the sum of their energies, otherwise as
    * obc_polycube_optimize_domain. out is an array of `count` handles, all NULL after an error. Errors: invalid argument (also: maps
    * to different polycubes), out of memory, cancelled. */
@@ -585,7 +585,7 @@ export interface RawFunctions {
   obc_polycube_graph_copy_loops(graph: Pointer, starts: Pointer, darts: Pointer, error: Pointer): number;
   /** Copies the dual graph: the offset of the neighbors of each patch, with one entry more than there are patches, and the patches
    * that share an edge with it, ascending. Errors: invalid argument. */
-  obc_polycube_graph_copy_dual(graph: Pointer, starts: Pointer, neighbours: Pointer, error: Pointer): number;
+  obc_polycube_graph_copy_dual(graph: Pointer, starts: Pointer, neighbors: Pointer, error: Pointer): number;
   /** Fills options with the defaults. */
   obc_polycube_quads_options_init(options: Pointer, struct_size: number): number;
   /** Creates a grid with integer numbers of cells between neighboring planes and maps its vertices to the surface, each in the triangle
@@ -781,7 +781,7 @@ export interface RawFunctions {
   /** Computes the distortion of each triangle: quasi-conformal distortion and area ratio as in the report, triangle_count
    * doubles each; either array may be NULL. Degenerate triangles (see obc_sphere_map_report) have an infinite distortion and the ratio
    * 0. O(n). Errors: as obc_sphere_map_measure. */
-  obc_sphere_map_face_distortion(surface: Pointer, directions: Pointer, host: Pointer, dilatation: Pointer, area_ratio: Pointer, error: Pointer): number;
+  obc_sphere_map_face_distortion(surface: Pointer, directions: Pointer, host: Pointer, quasi_conformal: Pointer, area_ratio: Pointer, error: Pointer): number;
   /** Rounds a map to float32, the precision of GLB and of engines, and moves vertices of triangles that rounding flips to nearby points.
    * rounded: 3 * vertex_count floats; all triangles are positive by exact arithmetic on success. Errors: OBC_INVALID_ARGUMENT,
    * OBC_NO_VALID_RESULT (float32 cannot represent the map), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
@@ -974,12 +974,12 @@ export interface RawFunctions {
   /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
   obc_trust_region_version(): number;
   /** Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
-  obc_volume_map_tangle_init(tangle: Pointer, struct_size: number): number;
+  obc_volume_map_untangle_problem_init(problem: Pointer, struct_size: number): number;
   /** Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
   obc_volume_map_untangle_options_init(options: Pointer, struct_size: number): number;
   /** Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
   obc_volume_map_untangle_report_init(report: Pointer, struct_size: number): number;
-  /** Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be tangle->positions; fixed coordinates are
+  /** Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
    * unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
    * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
    * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
@@ -987,7 +987,7 @@ export interface RawFunctions {
    * not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
    * malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
    * tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled. */
-  obc_volume_map_untangle(tangle: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer): number;
+  obc_volume_map_untangle(problem: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer): number;
   /** Fills options with the defaults. */
   obc_volume_map_solid_options_init(options: Pointer, struct_size: number): number;
   /** Computes a polycube of the boundary of a solid and a map of the solid to it. Every tetrahedron is positive on the polycube and in
@@ -1029,14 +1029,14 @@ export interface RawFunctions {
   /** Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
    * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
    * Errors: invalid argument. */
-  obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_faces: Pointer, error: Pointer): number;
+  obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_patches: Pointer, error: Pointer): number;
   /** Fills options with the defaults. */
   obc_volume_map_frame_options_init(options: Pointer, struct_size: number): number;
   /** Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
    * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
    * <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
    * until a map follows one. The patch numbers of obc_volume_map_hexes_copy are those of connected boundary regions in one
-   * plane of the map. Where the boundary exceeds `distance`, it is fixed to the map's surface, then cells are added as in
+   * plane of the map. Where the boundary exceeds `max_hausdorff_percent`, it is fixed to the map's surface, then cells are added as in
    * obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must remain valid until _destroy.
    * Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
    * follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with

@@ -70,7 +70,7 @@ export interface TrustRegionProblem {
 }
 
 export interface TrustRegionOptions extends TrustRegionProblem {
-  method?: 'twoRadii' | 'seed';
+  method?: 'twoRadii' | 'dissertation';
   start?: 'automatic' | 'chain' | 'cross';
   points?: number;
   radiusBegin?: number;
@@ -109,8 +109,8 @@ export interface ProjectedGradientProblem {
 }
 
 export interface ProjectedGradientOptions extends ProjectedGradientProblem {
-  method?: 'face' | 'seed';
-  lineSearch?: 'largestOfLast' | 'average';
+  method?: 'face' | 'dissertation';
+  lineSearch?: 'maxOfLast' | 'average';
   memory?: number;
   history?: number;
   averageWeight?: number;
@@ -137,7 +137,7 @@ export namespace projectedGradient {
 export interface SphereOptimizerOptions {
   /** Numbers of a unit vector, 3 if it is not said. */
   dimension?: number;
-  method?: 'limitedMemory' | 'barzilaiBorwein' | 'seed';
+  method?: 'limitedMemory' | 'barzilaiBorwein' | 'dissertation';
   memory?: number;
   history?: number;
   gradientTolerance?: number;
@@ -207,7 +207,7 @@ export class HeapArray<Type extends 'float64' | 'float32' | 'uint32' | 'uint8' =
 // ---- maps ------------------------------------------------------------------------------------------------------------------
 
 export interface SphereMapOptions {
-  method?: 'balanced' | 'angleArea' | 'isometric' | 'stretch' | 'conformal' | 'seed';
+  method?: 'balanced' | 'angleArea' | 'isometric' | 'stretch' | 'conformal' | 'dissertation';
   angleWeight?: number;
   areaWeight?: number;
   seed?: number;
@@ -223,10 +223,10 @@ export interface SphereMapReport {
   energyAngle: number;
   energyArea: number;
   energy: number;
-  dilatationLargest: number;
-  dilatationMean: number;
-  areaRatioSmallest: number;
-  areaRatioLargest: number;
+  maxQuasiConformal: number;
+  meanQuasiConformal: number;
+  minAreaRatio: number;
+  maxAreaRatio: number;
   stretchEfficiency: number;
   isometricMean: number;
 }
@@ -239,7 +239,7 @@ export interface SphereMapResult {
 
 export function sphereMap(surface: SurfaceLike, options?: SphereMapOptions & Host & { out?: Float64Array }): SphereMapResult;
 export function measure(surface: SurfaceLike, directions: Numbers, options?: SphereMapOptions & Host): SphereMapReport;
-export function faceDistortion(surface: SurfaceLike, directions: Numbers, host?: Host): { dilatation: Float64Array; areaRatio: Float64Array };
+export function faceDistortion(surface: SurfaceLike, directions: Numbers, host?: Host): { quasiConformal: Float64Array; areaRatio: Float64Array };
 export function roundToFloat(surface: SurfaceLike, directions: Numbers, host?: Host): Float32Array;
 export function vertexNormals(surface: SurfaceLike, host?: Host): Float64Array;
 export function bestRotation(from: Numbers, to: Numbers): Float64Array;
@@ -338,7 +338,7 @@ export type SolidLike = { positions: Numbers; tetrahedra: Numbers };
 
 export interface FrameFieldOptions {
   start?: 'auto' | 'identity' | 'propagated' | 'harmonic' | 'diffusion' | 'given';
-  method?: 'smooth' | 'seed';
+  method?: 'smooth' | 'dissertation';
   weighting?: 'uniform' | 'geometric';
   alignBoundary?: boolean;
   rounds?: number;
@@ -385,7 +385,7 @@ export function solidMap(solid: SolidLike, options?: { corners?: number; seed?: 
 
 export interface HexahedraOptions {
   /** Cells of a polycube, of a grid in space, or of that where the polycube's are far from the surface or poor. Default auto. */
-  method?: 'auto' | 'polycube' | 'voxels';
+  method?: 'auto' | 'polycube' | 'grid';
   cells?: number;
   padding?: 'auto' | 'with' | 'without';
   corners?: number;
@@ -393,10 +393,10 @@ export interface HexahedraOptions {
   seed?: number;
   rounds?: number;
   /** In percent, of the diagonal and of the volume; more cells where a mesh differs more. Default 1, 0 for as it comes. */
-  distance?: number;
-  mostCells?: number;
+  maxHausdorffPercent?: number;
+  maxCells?: number;
   /** In degrees: sharper edges are followed where the polycube has edges nearby; 0: none. Default 40. */
-  sharpAngle?: number;
+  featureAngle?: number;
 }
 
 export interface Hexahedra {
@@ -405,7 +405,7 @@ export interface Hexahedra {
   hexahedra: Uint32Array;
   quads: Uint32Array;
   /** Of each quad the patch of the polycube that it lies on. */
-  quadFaces: Uint32Array;
+  quadPatches: Uint32Array;
   report: Record<string, number>;
 }
 
@@ -451,7 +451,7 @@ export function morph(first: SurfaceLike, firstDirections: Float64Array, second:
 export function facing(surface: SurfaceLike, directions: Float64Array, host?: Host): Float64Array;
 export function sphereGlb(surface: SurfaceLike, directions: Float64Array, options?: { name?: string } & Host): Uint8Array;
 export function boxOf(positions: Numbers): { centre: number[]; halfSize: number };
-export function normalised(positions: Numbers, box?: { centre: number[]; halfSize: number }): Float64Array;
+export function normalized(positions: Numbers, box?: { centre: number[]; halfSize: number }): Float64Array;
 export function octahedronCoordinates(directions: Float64Array): Float32Array;
 
 /** Constants, layouts of structs and types of functions. */

@@ -18,7 +18,7 @@ export { Polycube, commonPolycube, polycube } from './polycube.js';
 export { frameField, matchings, measureFrames, singularities } from './frame_field.js';
 export { hexahedra, solidMap, untangle } from './volume_map.js';
 export { readGltf, writeGlb } from './gltf.js';
-export { boxOf, facing, morph, normalised, octahedronCoordinates, sphereGlb } from './morph.js';
+export { boxOf, facing, morph, normalized, octahedronCoordinates, sphereGlb } from './morph.js';
 export { OrbicubeWorker } from './client.js';
 
 export * as raw from './raw/raw.js';

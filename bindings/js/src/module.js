@@ -180,7 +180,7 @@ function wordAmong(allowed, key, word) {
   return allowed[found];
 }
 
-/** An options struct: names in camel case, constants as words ("seed" for OBC_SPHERE_MAP_SEED). */
+/** An options struct: names in camel case, constants as words ("dissertation" for OBC_SPHERE_MAP_DISSERTATION). */
 export function options(scratch, struct, given) {
   const address = scratch.struct(struct);
   for (const [key, value] of Object.entries(given ?? {})) {

@@ -18,7 +18,7 @@ export function boxOf(positions) {
 }
 
 /** Around the origin and two units in size, so that shapes can be shown beside each other. */
-export function normalised(positions, { centre, halfSize } = boxOf(positions)) {
+export function normalized(positions, { centre, halfSize } = boxOf(positions)) {
   return Float64Array.from(positions, (x, i) => (x - centre[i % 3]) / halfSize);
 }
 
@@ -38,14 +38,14 @@ const turned = (vectors, rotation, back) => {
  */
 export function facing(surface, directions, host = {}) {
   const { positions, triangles } = arraysOf(surface);
-  const toShape = bestRotation(directions, normalised(positions));
+  const toShape = bestRotation(directions, normalized(positions));
   const result = turned(directions, toShape, false);
   return measure({ positions, triangles }, result, host).bijective === 1 ? result : directions;
 }
 
 /** How a map lies to its shape in space: the rotation that takes directions nearest to where their points are seen. */
 function pose(positions, locator, sphere) {
-  const seen = locator.sample(sphere, normalised(positions));
+  const seen = locator.sample(sphere, normalized(positions));
   return bestRotation(sphere, seen);
 }
 
@@ -97,7 +97,7 @@ export function sphereGlb(surface, directions, { name = 'surface', ...host } = {
   const { positions, triangles } = arraysOf(surface);
   const sphere = roundToFloat({ positions, triangles }, directions, host);
   return writeGlb({
-    name, positions: normalised(positions), triangles, morphTargets: [{ name: 'sphere', positions: sphere }],
+    name, positions: normalized(positions), triangles, morphTargets: [{ name: 'sphere', positions: sphere }],
     textureCoordinates: octahedronCoordinates(directions), checker: true, baseColor: [1, 1, 1, 1],
   }, host);
 }

@@ -48,11 +48,11 @@ export function measure(surface, directions, given = {}) {
 export function faceDistortion(surface, directions, host = {}) {
   const count = surface instanceof Mesh ? surface.triangleCount : surface.triangles.length / 3;
   return onSurface(surface, host, (scratch, at, lent) => {
-    const dilatation = scratch.room('f64', count);
+    const quasiConformal = scratch.room('f64', count);
     const areaRatio = scratch.room('f64', count);
     call('obc_sphere_map_face_distortion', at, scratch.array('f64', directions, lengthOf(surface), 'directions'), lent,
-      dilatation, areaRatio);
-    return { dilatation: view('f64', dilatation, count).slice(), areaRatio: view('f64', areaRatio, count).slice() };
+      quasiConformal, areaRatio);
+    return { quasiConformal: view('f64', quasiConformal, count).slice(), areaRatio: view('f64', areaRatio, count).slice() };
   });
 }
 

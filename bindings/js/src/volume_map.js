@@ -14,7 +14,7 @@ export function untangle({ positions, tetrahedra }, given = {}) {
   const length = positions.length;
   const flags = fixed && fixed.length * 3 === length ? Uint8Array.from({ length }, (_, i) => Number(fixed[Math.floor(i / 3)])) : fixed;
   return withHost(host, (lent) => scratched((scratch) => {
-    const tangle = scratch.struct('obc_volume_map_tangle', {
+    const problem = scratch.struct('obc_volume_map_untangle_problem', {
       positions: scratch.array('f64', positions, length), vertex_count: length / 3,
       tetrahedra: scratch.array('u32', tetrahedra, tetrahedra.length), tetrahedron_count: tetrahedra.length / 4,
       ...(rest && { rest: scratch.array('f64', rest, length, 'rest') }),
@@ -26,7 +26,7 @@ export function untangle({ positions, tetrahedra }, given = {}) {
     const report = scratch.struct('obc_volume_map_untangle_report');
     const found = () => ({ positions: view('f64', result, length).slice(), report: object('obc_volume_map_untangle_report', report) });
     try {
-      call('obc_volume_map_untangle', tangle, picked, lent, result, report);
+      call('obc_volume_map_untangle', problem, picked, lent, result, report);
     } catch (problem) {
       if (problem.kind === 'no-valid-result') problem.best = found();
       throw problem;
@@ -38,7 +38,7 @@ export function untangle({ positions, tetrahedra }, given = {}) {
 /**
  * Fills a closed surface with hexahedra, certified: `positions`, `hexahedra` (eight vertices each, as VTK orders them), the `quads` of
  * the boundary, of each the patch of the polycube that it lies on, and a `report`. Options: method ("auto", "polycube",
- * "voxels"), cells, padding ("auto", "with", "without"), distance (in percent; more cells where a mesh is farther), mostCells, sharpAngle, corners, triangles, seed, rounds.
+ * "grid"), cells, padding ("auto", "with", "without"), maxHausdorffPercent (more cells where a mesh is farther), maxCells, featureAngle, corners, triangles, seed, rounds.
  */
 export function hexahedra(surface, given = {}) {
   const [host, chosen] = split(given);
@@ -49,7 +49,7 @@ export function hexahedra(surface, given = {}) {
     try {
       const count = (of) => raw(`obc_volume_map_hexes_${of}count`, hexes);
       const [vertices, cells, quads] = ['vertex_', '', 'quad_'].map(count);
-      const parts = { positions: ['f64', 3 * vertices], hexahedra: ['u32', 8 * cells], quads: ['u32', 4 * quads], quadFaces: ['u32', quads] };
+      const parts = { positions: ['f64', 3 * vertices], hexahedra: ['u32', 8 * cells], quads: ['u32', 4 * quads], quadPatches: ['u32', quads] };
       const rooms = Object.values(parts).map(([type, length]) => scratch.room(type, length));
       call('obc_volume_map_hexes_copy', hexes, ...rooms);
       return { ...Object.fromEntries(Object.entries(parts).map(([name, [type, length]], i) => [name, view(type, rooms[i], length).slice()])),

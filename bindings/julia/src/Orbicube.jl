@@ -19,7 +19,7 @@ export image_size, geometry_image, image_surface, write_image, read_image, best_
 export fit_harmonics, synthesize, evaluate_harmonics, harmonic_gradients, vertex_areas, degree_norms, shape_distance, filter_harmonics
 export mean_distance, rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
 export frame_field, measure_frames, frame_matchings, singularities, Quaternions
-export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, meet_features
+export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, align_features
 export energies, polycube_graph, polycube_quads
 export untangle, map_to_polycube, fill_with_hexahedra, fill_along_frames
 

@@ -58,7 +58,7 @@ Maps a surface to a polycube that is given as a surface, or by a map to it. Vert
 `vertices[i]` of the surface or, where that is 0 or missing, nearest to column i of `points`.
 """
 function polycube_on(surface::Surface, target::Surface; corners=nothing, vertices=nothing, points=nothing, threads=0, progress=nothing)
-    places = C_NULL
+    constraints = C_NULL
     chosen, near, to = UInt32[], UInt32[], doubles(points === nothing ? zeros(3, 0) : points)
     if corners !== nothing
         chosen = UInt32.(corners .- 1)
@@ -66,11 +66,11 @@ function polycube_on(surface::Surface, target::Surface; corners=nothing, vertice
         points === nothing || expect(columns(points, 3, "points"), length(chosen), "columns of points")
         near = vertices === nothing ? UInt32[] : UInt32[v == 0 ? typemax(UInt32) : v - 1 for v in vertices]
         nowhere(array) = isempty(array) ? Ptr{eltype(array)}(C_NULL) : pointer(array)
-        places = Ref(Raw.obc_polycube_places(nowhere(chosen), nowhere(near), nowhere(to), length(chosen)))
+        constraints = Ref(Raw.obc_polycube_constraints(nowhere(chosen), nowhere(near), nowhere(to), length(chosen)))
     end
     other = Ref(viewed(target))
-    GC.@preserve target other chosen near to places on_surface(surface; threads=threads, progress=progress) do view, lent, out, error
-        Raw.obc_polycube_compute_on(view, struct_pointer(other), places === C_NULL ? C_NULL : struct_pointer(places), lent, out, error)
+    GC.@preserve target other chosen near to constraints on_surface(surface; threads=threads, progress=progress) do view, lent, out, error
+        Raw.obc_polycube_map_to_domain(view, struct_pointer(other), constraints === C_NULL ? C_NULL : struct_pointer(constraints), lent, out, error)
     end
 end
 polycube_on(surface::Surface, map::PolycubeMap; more...) = polycube_on(surface, Surface(map.polycube, map.triangles); more...)
@@ -90,17 +90,17 @@ function made_together(f, count; host...)
 end
 
 """
-    maps, made_for = common_polycube(surfaces; domain=NamedTuple(), options...)
+    maps, constructed_from = common_polycube(surfaces; domain=NamedTuple(), options...)
 
 One polycube for several shapes: a map each, and the number of the shape that it was made for. `domain`: options of `optimize_domain`.
 """
 function common_polycube(surfaces::AbstractVector{Surface}; domain=NamedTuple(), threads=0, progress=nothing, options...)
     chosen = filled(Raw.obc_polycube_options, Raw.obc_polycube_options_init, values(options), "OBC_POLYCUBE_")
-    energy, views, made_for = domain_options(domain), viewed.(surfaces), Ref(Csize_t(0))
+    energy, views, constructed_from = domain_options(domain), viewed.(surfaces), Ref(Csize_t(0))
     maps = GC.@preserve surfaces made_together(length(views); threads=threads, progress=progress) do lent, out, error
-        Raw.obc_polycube_compute_common(views, length(views), chosen, energy, lent, made_for, out, error)
+        Raw.obc_polycube_compute_common(views, length(views), chosen, energy, lent, constructed_from, out, error)
     end
-    maps, Int(made_for[]) + 1
+    maps, Int(constructed_from[]) + 1
 end
 
 "The best distances between the planes. Options: measure (`:surface_mean`, `:face_mean`, `:harmonic`), area_weight."
@@ -129,16 +129,16 @@ function optimize_corners(map::PolycubeMap; threads=0, progress=nothing, options
 end
 
 """
-    meet_features(map; vertices, places, weights, curves, sharp_angle)
+    align_features(map; vertices, targets, weights, curves, feature_angle)
 
-The same polycube with `vertices` of the map at `places` on it (3 by count), each of the `curves` (vertices, from, to and perhaps a weight)
-along a line, and edges of `sharp_angle` degrees on edges of the polycube. Without weights all of that is met exactly.
+The same polycube with `vertices` of the map at `targets` on it (3 by count), each of the `curves` (vertices, from, to and perhaps a weight)
+along a line, and edges of `feature_angle` degrees on edges of the polycube. Without weights all of that is met exactly.
 """
-function meet_features(map::PolycubeMap; vertices=Int[], places=zeros(3, 0), weights=nothing, curves=(), sharp_angle=0, threads=0,
+function align_features(map::PolycubeMap; vertices=Int[], targets=zeros(3, 0), weights=nothing, curves=(), feature_angle=0, threads=0,
                        progress=nothing)
-    chosen = filled(Raw.obc_polycube_feature_options, Raw.obc_polycube_feature_options_init, (sharp_angle=sharp_angle,))
-    points, at = UInt32[v - 1 for v in vertices], doubles(places)
-    expect(columns(at, 3, "places"), length(points), "columns of places")
+    chosen = filled(Raw.obc_polycube_feature_options, Raw.obc_polycube_feature_options_init, (feature_angle=feature_angle,))
+    points, at = UInt32[v - 1 for v in vertices], doubles(targets)
+    expect(columns(at, 3, "targets"), length(points), "columns of targets")
     heavy = weights === nothing ? Float64[] : doubles(weights)
     weights === nothing || expect(length(heavy), length(points), "weights")
     starts, along, lines, bound = UInt32[0], UInt32[], Float64[], Float64[]
@@ -149,13 +149,13 @@ function meet_features(map::PolycubeMap; vertices=Int[], places=zeros(3, 0), wei
         append!(append!(lines, curve[2]), curve[3])
         push!(bound, length(curve) > 3 ? curve[4] : 0)
     end
-    chosen.point_count, chosen.points, chosen.places = length(points), pointer(points), pointer(at)
+    chosen.point_count, chosen.points, chosen.targets = length(points), pointer(points), pointer(at)
     weights === nothing || (chosen.point_weights = pointer(heavy))
     chosen.curve_count, chosen.curve_starts, chosen.curve_vertices = length(bound), pointer(starts), pointer(along)
     chosen.curve_lines, chosen.curve_weights = pointer(lines), pointer(bound)
     report = sized(Raw.obc_polycube_feature_report)
     GC.@preserve map points at heavy starts along lines bound made(report; threads=threads, progress=progress) do lent, out, error
-        Raw.obc_polycube_meet_features(map.handle, chosen, lent, report, out, error)
+        Raw.obc_polycube_align_features(map.handle, chosen, lent, report, out, error)
     end
 end
 
@@ -173,7 +173,7 @@ parts(starts, of) = [of[starts[i]+1:starts[i+1]] for i in 1:length(starts)-1]
 """
 Corners (`corner_positions`, `corner_vertices` of the map), straight edges (`edge_corners`, `edge_patches` on the left and on the right,
 `edge_convex`), patches (`patch_labels`, 0 to 5 for +x to -z, `patch_coordinates`), of each patch its `loops` of darts (dart 2 e - 1 is edge
-e, 2 e the way back) and the `neighbours` that share an edge with it.
+e, 2 e the way back) and the `neighbors` that share an edge with it.
 """
 function polycube_graph(map::PolycubeMap; host...)
     out = Ref(C_NULL)
@@ -191,11 +191,11 @@ function polycube_graph(map::PolycubeMap; host...)
         checked(error -> Raw.obc_polycube_graph_copy_patches(graph, labels, coordinates, loops_of, error))
         starts, darts = numbers(loops + 1), numbers(2 * edges)
         checked(error -> Raw.obc_polycube_graph_copy_loops(graph, starts, darts, error))
-        dual, neighbours = numbers(patches + 1), numbers(Raw.obc_polycube_graph_link_count(graph))
-        checked(error -> Raw.obc_polycube_graph_copy_dual(graph, dual, neighbours, error))
+        dual, neighbors = numbers(patches + 1), numbers(Raw.obc_polycube_graph_link_count(graph))
+        checked(error -> Raw.obc_polycube_graph_copy_dual(graph, dual, neighbors, error))
         (corner_positions=places, corner_vertices=Int.(vertices) .+ 1, edge_corners=Int.(ends) .+ 1, edge_patches=Int.(sides) .+ 1,
          edge_convex=convex .!= 0, patch_labels=Int.(labels), patch_coordinates=coordinates,
-         loops=parts(loops_of, parts(starts, Int.(darts) .+ 1)), neighbours=parts(dual, Int.(neighbours) .+ 1))
+         loops=parts(loops_of, parts(starts, Int.(darts) .+ 1)), neighbors=parts(dual, Int.(neighbors) .+ 1))
     finally
         Raw.obc_polycube_graph_destroy(graph)
     end

@@ -410,18 +410,18 @@ end
 part_function(::C) where {C} =
     @cfunction(part_called, Int32, (Csize_t, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Ref{C}))
 
-function blocks(x0::AbstractMatrix, neighbours::AbstractVector)
-    length(neighbours) == size(x0, 2) ||
-        throw(DimensionMismatch("neighbours: $(size(x0, 2)) rows are needed, not $(length(neighbours))"))
+function blocks(x0::AbstractMatrix, neighbors::AbstractVector)
+    length(neighbors) == size(x0, 2) ||
+        throw(DimensionMismatch("neighbors: $(size(x0, 2)) rows are needed, not $(length(neighbors))"))
     start, flat = Csize_t[0], UInt32[]
-    for row in neighbours
-        all(j -> 1 <= j <= length(neighbours), row) || throw(BoundsError(neighbours, row))
+    for row in neighbors
+        all(j -> 1 <= j <= length(neighbors), row) || throw(BoundsError(neighbors, row))
         append!(flat, UInt32.(row .- 1))
         push!(start, length(flat))
     end
     c = filled(Raw.obc_sphere_optimizer_blocks, Raw.obc_sphere_optimizer_blocks_init, NamedTuple())
     c.dimension, c.count = size(x0)
-    c.neighbour_start, c.neighbour = pointer(start), pointer(flat)
+    c.neighbor_start, c.neighbor = pointer(start), pointer(flat)
     Problem(c, Any[start, flat])
 end
 
@@ -435,17 +435,17 @@ Base.show(io::IO, result::Relaxed) = print(io, "Result: ", result.stop, " after 
                                            result.report.gain, " at ", minimizer(result))
 
 """
-    relax(part!, x0, neighbours; ...)
+    relax(part!, x0, neighbors; ...)
 
 Lowers f over unit vectors, the columns of x, block by block. `part!(G, H, block, place, points)` returns the part of f that
 contains this block if it were at `place` and all others as in `points`; it fills the gradient `G` and, with `second_order=1`, the
 Hessian `H`, each `nothing` where it is not needed. `points` is the library's own and only there during the call: read it, and
-copy what you keep. `neighbours[i]` are the blocks whose part of f contains block i. Options are the members of
+copy what you keep. `neighbors[i]` are the blocks whose part of f contains block i. Options are the members of
 `obc_sphere_optimizer_relaxation_options`.
 """
-function relax(part!, x0::AbstractMatrix, neighbours::AbstractVector; options...)
+function relax(part!, x0::AbstractMatrix, neighbors::AbstractVector; options...)
     x = Matrix{Float64}(x0)
-    set, chosen = blocks(x, neighbours), relaxation_options(values(options))
+    set, chosen = blocks(x, neighbors), relaxation_options(values(options))
     called = CalledPart(part!, size(x))
     report = sized(Raw.obc_sphere_optimizer_relaxation_result)
     finished(called, report, x, Raw.obc_sphere_optimizer_stop_name) do error
@@ -455,12 +455,12 @@ function relax(part!, x0::AbstractMatrix, neighbours::AbstractVector; options...
 end
 
 """
-    Relaxation(x0, neighbours; ...)                                  the arguments of relax
+    Relaxation(x0, neighbors; ...)                                  the arguments of relax
     while stop_reason(relax!(part!, relaxation, 1000)) == "running"
     end
     result(relaxation)
 
-A relaxation in parts, which ends in the bits of `relax`. `save(relaxation)` gives bytes, `load(bytes, x0, neighbours)` goes on from
+A relaxation in parts, which ends in the bits of `relax`. `save(relaxation)` gives bytes, `load(bytes, x0, neighbors)` goes on from
 them.
 """
 mutable struct Relaxation
@@ -471,16 +471,16 @@ mutable struct Relaxation
     end
 end
 
-function Relaxation(x0::AbstractMatrix, neighbours::AbstractVector; options...)
+function Relaxation(x0::AbstractMatrix, neighbors::AbstractVector; options...)
     x, out = Matrix{Float64}(x0), Ref(C_NULL)
-    set, chosen = blocks(x, neighbours), relaxation_options(values(options))
+    set, chosen = blocks(x, neighbors), relaxation_options(values(options))
     checked(error -> GC.@preserve set Raw.obc_sphere_optimizer_relaxation_create(set.c, chosen, x, C_NULL, out, error))
     Relaxation(out[], size(x))
 end
 
 "Goes on with a relaxation that was saved, of the same neighbors; of x0 only the size counts."
-function load(bytes::Vector{UInt8}, x0::AbstractMatrix, neighbours::AbstractVector)
-    set, out = blocks(x0, neighbours), Ref(C_NULL)
+function load(bytes::Vector{UInt8}, x0::AbstractMatrix, neighbors::AbstractVector)
+    set, out = blocks(x0, neighbors), Ref(C_NULL)
     checked(error -> GC.@preserve set Raw.obc_sphere_optimizer_relaxation_load(set.c, bytes, length(bytes), C_NULL, out, error))
     Relaxation(out[], size(x0))
 end

@@ -24,9 +24,9 @@ end
 function face_distortion(surface::Surface, directions::AbstractMatrix; host...)
     expect(length(directions), 3 * vertex_count(surface), "directions")
     m, places = size(surface.triangles, 2), doubles(directions)
-    dilatation, ratio = Vector{Float64}(undef, m), Vector{Float64}(undef, m)
-    with_surface((view, lent, error) -> Raw.obc_sphere_map_face_distortion(view, places, lent, dilatation, ratio, error), surface; host...)
-    dilatation, ratio
+    quasi_conformal, ratio = Vector{Float64}(undef, m), Vector{Float64}(undef, m)
+    with_surface((view, lent, error) -> Raw.obc_sphere_map_face_distortion(view, places, lent, quasi_conformal, ratio, error), surface; host...)
+    quasi_conformal, ratio
 end
 
 "The map in 32-bit floats, repaired where rounding flips triangles."

@@ -11,32 +11,32 @@ polish_steps, volume_weight.
 function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
                   keep_best=false, threads=0, progress=nothing, options...)
     places, n, cells, m = solid_arrays(positions, tetrahedra)
-    tangle = filled(Raw.obc_volume_map_tangle, Raw.obc_volume_map_tangle_init, NamedTuple())
-    tangle.positions, tangle.vertex_count = pointer(places), n
-    tangle.tetrahedra, tangle.tetrahedron_count = pointer(cells), m
+    problem = filled(Raw.obc_volume_map_untangle_problem, Raw.obc_volume_map_untangle_problem_init, NamedTuple())
+    problem.positions, problem.vertex_count = pointer(places), n
+    problem.tetrahedra, problem.tetrahedron_count = pointer(cells), m
     shape, flags, groups = zeros(0, 0), UInt8[], UInt32[]
     if rest !== nothing
         expect(columns(rest, 3, "rest"), n, "columns of rest")
         shape = doubles(rest)
-        tangle.rest = pointer(shape)
+        problem.rest = pointer(shape)
     end
     if fixed !== nothing
         expect(size(fixed, ndims(fixed)), n, "columns of fixed")
         flags = ndims(fixed) == 1 ? repeat(UInt8.(fixed .!= 0), inner=3) : vec(UInt8.(fixed .!= 0))
         expect(length(flags), 3 * n, "fixed")
-        tangle.fixed = pointer(flags)
+        problem.fixed = pointer(flags)
     end
     if ties !== nothing
         expect(length(ties), 3 * n, "ties")
         groups = UInt32[group == 0 ? typemax(UInt32) : group - 1 for group in ties]
-        tangle.ties = pointer(groups)
+        problem.ties = pointer(groups)
     end
     chosen = filled(Raw.obc_volume_map_untangle_options, Raw.obc_volume_map_untangle_options_init, values(options))
     report = filled(Raw.obc_volume_map_untangle_report, Raw.obc_volume_map_untangle_report_init, NamedTuple())
     result = Matrix{Float64}(undef, 3, n)
     try
         GC.@preserve places cells shape flags groups hosted(threads=threads, progress=progress) do lent, error
-            Raw.obc_volume_map_untangle(tangle, chosen, lent, result, report, error)
+            Raw.obc_volume_map_untangle(problem, chosen, lent, result, report, error)
         end
     catch error
         keep_best && error isa OrbicubeError && error.status == Raw.OBC_NO_VALID_RESULT || rethrow()
@@ -75,13 +75,13 @@ end
 
 """
 A certified mesh of hexahedra: `positions` (3 by n), `hexahedra` (8 by m, as MEDIT and VTK order their vertices), `quads` of the boundary
-(4 by k, counter-clockwise seen from outside), `quad_faces`, the patch of the polycube that each lies on, and the `report`. All count from 1.
+(4 by k, counter-clockwise seen from outside), `quad_patches`, the patch of the polycube that each lies on, and the `report`. All count from 1.
 """
 struct Hexes
     positions::Matrix{Float64}
     hexahedra::Matrix{Int}
     quads::Matrix{Int}
-    quad_faces::Vector{Int}
+    quad_patches::Vector{Int}
     report::Any
 end
 
@@ -104,8 +104,8 @@ end
 """
     fill_with_hexahedra(surface; options...)
 
-Fills a closed surface: a `Hexes`. Options: method (`:auto`, `:polycube`, `:voxels`), cells, padding (`:auto`, `:with`, `:without`), corners,
-triangles, seed, rounds, distance, most_cells, sharp_angle.
+Fills a closed surface: a `Hexes`. Options: method (`:auto`, `:polycube`, `:grid`), cells, padding (`:auto`, `:with`, `:without`), corners,
+triangles, seed, rounds, max_hausdorff_percent, max_cells, feature_angle.
 """
 function fill_with_hexahedra(surface::Surface; threads=0, progress=nothing, options...)
     chosen = filled(Raw.obc_volume_map_hexes_options, Raw.obc_volume_map_hexes_options_init, values(options), "OBC_VOLUME_MAP_")

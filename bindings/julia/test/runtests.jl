@@ -182,7 +182,7 @@ end
     @test_throws ArgumentError optimize(sum, [0.0], TrustRegion(radius=1))
     said(f) = try f(); "nothing" catch error; sprint(showerror, error) end
     @test occursin("no option radius_ende; did you mean :radius_end", said(() -> optimize(sum, [0.0], TrustRegion(radius_ende=1))))
-    @test occursin("method = :two_radi: one of :two_radii, :seed is needed; did you mean :two_radii?",
+    @test occursin("method = :two_radi: one of :two_radii, :dissertation is needed; did you mean :two_radii?",
                    said(() -> optimize(sum, [0.0], TrustRegion(method=:two_radi))))
     @test occursin("method = :cross: one of", said(() -> optimize(sum, [0.0], TrustRegion(method=:cross)))) # a word of `start`
     @test occursin("restarts = -1: out of range", said(() -> optimize(sum, [0.0], TrustRegion(restarts=-1))))
@@ -265,7 +265,7 @@ end
     @test length(graph.corner_vertices) == 8 && size(graph.edge_corners, 2) == 12 && all(graph.edge_convex)
     @test graph.corner_positions == map.polycube[:, graph.corner_vertices]
     @test sort(reduce(vcat, reduce(vcat, graph.loops))) == 1:24
-    @test all(length.(graph.neighbours) .== 4)
+    @test all(length.(graph.neighbors) .== 4)
     mesh = polycube_quads(map; quads=200)
     at = [sum(mesh.weights[k, i] * map.polycube[:, map.triangles[k, mesh.triangles[i]]] for k in 1:3) for i in axes(mesh.weights, 2)]
     @test maximum(maximum(abs, at[i] - mesh.polycube[:, i]) for i in eachindex(at)) < 1e-12
@@ -278,24 +278,24 @@ end
     place = sum(map.polycube[:, v] for v in map.triangles[:, face]) / 3
     plane = findfirst(k -> minimum(abs.(graph.corner_positions[k, :] .- map.polycube[k, vertex])) < 1e-9, 1:3)
     place[plane] = map.polycube[plane, vertex]
-    met = meet_features(map; vertices=[vertex], places=reshape(place, 3, 1))
+    met = align_features(map; vertices=[vertex], targets=reshape(place, 3, 1))
     @test maximum(abs, met.polycube[:, vertex] - place) < 1e-12 && met.report.distance_before > 1e-3
-    @test_throws OrbicubeError meet_features(map; vertices=[vertex], places=fill(100.0, 3, 1))
-    @test_throws DimensionMismatch meet_features(map; vertices=[vertex])
+    @test_throws OrbicubeError align_features(map; vertices=[vertex], targets=fill(100.0, 3, 1))
+    @test_throws DimensionMismatch align_features(map; vertices=[vertex])
     ends = graph.edge_corners[:, 1]
     along = findall(v -> count(map.polycube[:, v] .== graph.corner_positions[:, ends[1]] .== graph.corner_positions[:, ends[2]]) == 2,
                     axes(map.polycube, 2))
     sort!(along, by=v -> sum(abs, map.polycube[:, v] - graph.corner_positions[:, ends[1]]))
     curve = (along, graph.corner_positions[:, ends[1]], graph.corner_positions[:, ends[2]])
-    @test meet_features(map; curves=[curve]).report.distance < 1e-12
+    @test align_features(map; curves=[curve]).report.distance < 1e-12
 
     surface = Surface(map.positions, map.triangles)
     placed = polycube_on(surface, map; corners=graph.corner_vertices[1:2], vertices=[graph.corner_vertices[1], 0],
                          points=map.positions[:, graph.corner_vertices[1:2]])
     @test placed.corners == 8 && polycube_on(shape, map).corners == 8
     @test_throws OrbicubeError polycube_on(surface, map; corners=[size(map.positions, 2) + 1], points=zeros(3, 1))
-    maps, made_for = common_polycube([shape, shape])
-    @test length(maps) == 2 && made_for in 1:2
+    maps, constructed_from = common_polycube([shape, shape])
+    @test length(maps) == 2 && constructed_from in 1:2
     @test all(m -> m.corners == 8, optimize_domain(maps))
     @test_throws OrbicubeError common_polycube(Surface[])
     told = Ref(0)
@@ -341,7 +341,7 @@ end
     cells = reduce(hcat, [[1, ring[i], ring[i%6+1], 8] for i in 1:6])
     mesh = fill_along_frames(corners, cells; cells=8)
     @test (size(mesh.hexahedra), size(mesh.positions), size(mesh.quads)) == ((8, 8), (3, 27), (4, 24))
-    @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.least_scaled_jacobian > 0.99
+    @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.min_scaled_jacobian > 0.99
     @test mesh.report.volume ≈ 1 && mesh.report.irregular_edges == 0
     expected = from_c()
     expected === nothing || @test expected["cube"] == (8, bits(mesh.positions))
@@ -354,10 +354,10 @@ end
     mesh = fill_with_hexahedra(shape; cells=27, padding=:without)
     @test (size(mesh.hexahedra, 2), size(mesh.positions, 2), size(mesh.quads, 2)) == (27, 64, 54)
     @test extrema(mesh.hexahedra) == extrema(mesh.quads) .+ (0, 64 - maximum(mesh.quads)) == (1, 64)
-    @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.least_scaled_jacobian > 0.99
+    @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.min_scaled_jacobian > 0.99
     @test mesh.report.volume ≈ topology(shape).volume
-    @test sort(unique(mesh.quad_faces)) == 1:6
-    @test fill_with_hexahedra(shape; cells=64, method=:voxels).report.by_voxels == 1
+    @test sort(unique(mesh.quad_patches)) == 1:6
+    @test fill_with_hexahedra(shape; cells=64, method=:grid).report.grid_based == 1
     @test_throws OrbicubeError fill_with_hexahedra(shape; cells=27, progress=(_...) -> false)
 
     solid = map_to_polycube(corners, cells)
@@ -442,11 +442,11 @@ end
     same, placed, error = partial_sphere_map(shape)
     @test same == directions && placed == size(places, 2) && error === nothing
     @test partial_sphere_map(shape; progress=(_...) -> false)[3].status == Orbicube.Raw.OBC_CANCELLED
-    dilatation, ratio = face_distortion(shape, directions)
-    @test maximum(dilatation) ≈ report.dilatation_largest && all(ratio .> 0)
+    quasi_conformal, ratio = face_distortion(shape, directions)
+    @test maximum(quasi_conformal) ≈ report.max_quasi_conformal && all(ratio .> 0)
     @test measure_map(shape, Float64.(round_to_float(shape, directions))).bijective == 1
     @test vertex_normals(sphere_grid(:icosphere, 3)) ≈ Orbicube.positions(sphere_grid(:icosphere, 3)) atol = 0.02
-    @test surface_distance(shape, shape).first_largest < 1e-12
+    @test surface_distance(shape, shape).first_max < 1e-12
     locator = Locator(shape, directions)
     pixels = geometry_image(locator, places, :octahedron, 16)
     @test size(pixels) == (3, image_size(:octahedron, 16)...) == (3, 17, 17)

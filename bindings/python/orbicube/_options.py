@@ -10,8 +10,8 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("start", "word", "auto",
                words={"auto": 0, "identity": 1, "propagated": 2, "harmonic": 3, "diffusion": 4, "given": 5},
                doc="initial field, OBC_FRAME_FIELD_AUTO or another. Default: AUTO."),
-        Option("method", "word", "smooth", words={"smooth": 0, "seed": 1},
-               doc="OBC_FRAME_FIELD_SMOOTH or SEED. Default: SMOOTH."),
+        Option("method", "word", "smooth", words={"smooth": 0, "dissertation": 1},
+               doc="OBC_FRAME_FIELD_SMOOTH or DISSERTATION. Default: SMOOTH."),
         Option("weighting", "word", "uniform", words={"uniform": 0, "geometric": 1},
                doc="OBC_FRAME_FIELD_UNIFORM or GEOMETRIC. Default: UNIFORM."),
         Option("align_boundary", "bool", True,
@@ -19,11 +19,11 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("rounds", "int", 2, low=0, high=4294967295,
                doc="number of improvement rounds of AUTO. Default: 2."),
         Option("feature_angle", "float", 0.0,
-               doc="minimum dihedral angle, in radians, of boundary edges that an axis follows; 0: none. Default: 0."),
+               doc="minimum dihedral angle, in degrees, of boundary edges that an axis follows; 0: none. Default: 0."),
         Option("relative_gain", "float", 1e-06,
                doc="smoothing ends with a step that gains less than this fraction of the energy. Default: 1e-6."),
         Option("repair", "word", "no-repair", words={"no-repair": 0, "repair": 1, "single-axis": 2},
-               doc="OBC_FRAME_FIELD_NO_REPAIR, REPAIR or SINGLE_AXIS; not with SEED. Default: NO_REPAIR."),
+               doc="OBC_FRAME_FIELD_NO_REPAIR, REPAIR or SINGLE_AXIS; not with DISSERTATION. Default: NO_REPAIR."),
     ),
     "obc_gltf_read_options": (
         Option("weld_identical", "bool", True,
@@ -111,7 +111,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="maximum number of rounds, at least 1. Default: 6."),
     ),
     "obc_polycube_feature_options": (
-        Option("sharp_angle", "float", 0.0,
+        Option("feature_angle", "float", 0.0,
                doc="minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
                    "none. Default: 0."),
     ),
@@ -123,14 +123,14 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="edge length on the polycube, in place of `quads`; 0: by `quads`. Default: 0."),
     ),
     "obc_projected_gradient_options": (
-        Option("method", "word", "face", words={"face": 0, "seed": 1},
-               doc="OBC_PROJECTED_GRADIENT_FACE or SEED. Default: FACE."),
-        Option("line_search", "word", "largest-of-last", words={"largest-of-last": 0, "average": 1},
-               doc="line search of SEED. Default: LARGEST_OF_LAST."),
+        Option("method", "word", "face", words={"face": 0, "dissertation": 1},
+               doc="OBC_PROJECTED_GRADIENT_FACE or DISSERTATION. Default: FACE."),
+        Option("line_search", "word", "max-of-last", words={"max-of-last": 0, "average": 1},
+               doc="line search of DISSERTATION. Default: MAX_OF_LAST."),
         Option("memory", "int", 10, low=0, high=4294967295,
                doc="number of pairs in the model of FACE, 1 to 1000. Default: 10."),
         Option("history", "int", 10, low=0, high=4294967295,
-               doc="number of values that LARGEST_OF_LAST considers. Default: 10."),
+               doc="number of values that MAX_OF_LAST considers. Default: 10."),
         Option("average_weight", "float", 0.85,
                doc="eta of AVERAGE, 0 (monotone) to 1. Default: 0.85."),
         Option("gradient_tolerance", "float", 1e-08,
@@ -144,7 +144,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
     ),
     "obc_sphere_map_options": (
         Option("method", "word", "balanced",
-               words={"balanced": 0, "angle-area": 1, "isometric": 2, "stretch": 3, "conformal": 4, "seed": 5},
+               words={"balanced": 0, "angle-area": 1, "isometric": 2, "stretch": 3, "conformal": 4, "dissertation": 5},
                doc="OBC_SPHERE_MAP_BALANCED or another. Default: BALANCED."),
         Option("angle_weight", "float", 0.1,
                doc="weight of E_D, positive. Default: 0.1."),
@@ -155,7 +155,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
     ),
     "obc_sphere_optimizer_options": (
         Option("method", "word", "limited-memory",
-               words={"limited-memory": 0, "barzilai-borwein": 1, "great-circle": 2, "seed": 3},
+               words={"limited-memory": 0, "barzilai-borwein": 1, "great-circle": 2, "dissertation": 3},
                doc="OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY or another. Default: LIMITED_MEMORY."),
         Option("memory", "int", 16, low=0, high=4294967295,
                doc="number of pairs of LIMITED_MEMORY, 1 to 1000. Default: 16."),
@@ -171,8 +171,8 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="maximum number of iterations. Default: 100000."),
     ),
     "obc_sphere_optimizer_relaxation_options": (
-        Option("method", "word", "great-circle", words={"great-circle": 2, "seed": 3},
-               doc="GREAT_CIRCLE, or SEED: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT_CIRCLE."),
+        Option("method", "word", "great-circle", words={"great-circle": 2, "dissertation": 3},
+               doc="GREAT_CIRCLE, or DISSERTATION: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT_CIRCLE."),
         Option("second_order", "bool", False,
                doc="1: Newton steps, for which f returns Hessians; 0: first-order steps. Default: 0."),
         Option("order", "word", "automatic", words={"automatic": 0, "queue": 1, "sweeps": 2},
@@ -201,13 +201,14 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="gradation: edge-length growth per unit distance, at least 0. Default: 0.3."),
     ),
     "obc_trust_region_options": (
-        Option("method", "word", "two-radii", words={"two-radii": 0, "seed": 1},
-               doc="OBC_TRUST_REGION_TWO_RADII or SEED. Default: TWO_RADII."),
+        Option("method", "word", "two-radii", words={"two-radii": 0, "dissertation": 1},
+               doc="OBC_TRUST_REGION_TWO_RADII or DISSERTATION. Default: TWO_RADII."),
         Option("start", "word", "automatic", words={"automatic": 0, "chain": 1, "cross": 2},
                doc="initial points, OBC_TRUST_REGION_AUTOMATIC, CHAIN or CROSS. Default: AUTOMATIC."),
         Option("points", "int", 0, low=0, high=18446744073709551615,
                doc="Maximum number of interpolation points, n + 2 to (n+1)(n+2)/2. 0: the larger of 6n + 1 and 45, with "
-                   "residuals of 2n + 1 and 91, limited to the number for a full quadratic; SEED 2n + 1. Default: 0."),
+                   "residuals of 2n + 1 and 91, limited to the number for a full quadratic; DISSERTATION 2n + 1. Default: "
+                   "0."),
         Option("radius_begin", "float", 0.0,
                doc="initial radius of steps. 0: a tenth of max(1, |x0 / scale|inf), or of 1 for a scale by boxes. Default: "
                    "0."),
@@ -256,16 +257,16 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="seed of random choices of the polycube. Default: 0."),
         Option("rounds", "int", 40, low=-2147483648, high=2147483647,
                doc="number of smoothing rounds, 0 to 1000. Default: 40."),
-        Option("method", "word", "auto", words={"auto": 0, "polycube": 1, "voxels": 2},
-               doc="OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or VOXELS. Default: AUTO."),
-        Option("distance", "float", 1.0,
+        Option("method", "word", "auto", words={"auto": 0, "polycube": 1, "grid": 2},
+               doc="OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or GRID. Default: AUTO."),
+        Option("max_hausdorff_percent", "float", 1.0,
                doc="Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume "
-                   "error, in percent, 0 to 100. While it is exceeded, the cell count is doubled, up to most_cells; the "
+                   "error, in percent, 0 to 100. While it is exceeded, the cell count is doubled, up to max_cells; the "
                    "closest mesh is returned. 0 disables the check. Default: 1."),
-        Option("most_cells", "int", 100000, low=0, high=18446744073709551615,
+        Option("max_cells", "int", 100000, low=0, high=18446744073709551615,
                doc="approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: "
                    "100000."),
-        Option("sharp_angle", "float", 40.0,
+        Option("feature_angle", "float", 40.0,
                doc="Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows "
                    "sharp edges near an edge of the polycube, unless hexahedra there would be bad. 0: none. Default: 40."),
     ),
@@ -275,11 +276,11 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("cells", "int", 10000, low=0, high=18446744073709551615,
                doc="approximate number of hexahedra, 1 to 10 million. Default: 10000."),
         Option("feature_angle", "float", 0.0,
-               doc="Minimum dihedral angle, in radians, of boundary edges that an axis of the computed frames follows; "
+               doc="Minimum dihedral angle, in degrees, of boundary edges that an axis of the computed frames follows; "
                    "unused for frames of the caller. 0: none. Default: 0."),
-        Option("distance", "float", 1.0,
+        Option("max_hausdorff_percent", "float", 1.0,
                doc="as in obc_volume_map_hexes_options, relative to the boundary of the solid. Default: 1."),
-        Option("most_cells", "int", 100000, low=0, high=18446744073709551615,
+        Option("max_cells", "int", 100000, low=0, high=18446744073709551615,
                doc="as in obc_volume_map_hexes_options. Default: 100000."),
     ),
 }

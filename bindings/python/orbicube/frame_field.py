@@ -40,7 +40,7 @@ def _report() -> raw.obc_frame_field_report:
 def compute(solid: Any, *,
             # options of obc_frame_field_options, written by scripts/bindings.py
             start: Literal["auto", "identity", "propagated", "harmonic", "diffusion", "given"] = "auto",
-            method: Literal["smooth", "seed"] = "smooth", weighting: Literal["uniform", "geometric"] = "uniform",
+            method: Literal["smooth", "dissertation"] = "smooth", weighting: Literal["uniform", "geometric"] = "uniform",
             align_boundary: bool = True, rounds: int = 2, feature_angle: float = 0.0, relative_gain: float = 1e-06,
             repair: Literal["no-repair", "repair", "single-axis"] = "no-repair",
             # end of options

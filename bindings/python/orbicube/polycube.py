@@ -132,17 +132,17 @@ class Polycube:
         return Polycube(handle, report)
 
     @public
-    def meet_features(self, vertices: ArrayLike = (), places: ArrayLike = (), *, weights: Optional[ArrayLike] = None,
-                      curves: Sequence[tuple[Any, ...]] = (), sharp_angle: float = 0, progress: Progress = None,
+    def align_features(self, vertices: ArrayLike = (), targets: ArrayLike = (), *, weights: Optional[ArrayLike] = None,
+                      curves: Sequence[tuple[Any, ...]] = (), feature_angle: float = 0, progress: Progress = None,
                       threads: int = 0) -> Polycube:
-        """The same polycube with vertices in places on it, each curve (vertices, from, to and perhaps a weight) along a
+        """The same polycube with vertices at targets on it, each curve (vertices, from, to and perhaps a weight) along a
         line, and sharp edges on its edges. Without weights all of that is met exactly."""
         chosen = filled(raw.obc_polycube_feature_options, raw.obc_polycube_feature_options_init,
-                        {"sharp_angle": sharp_angle})
+                        {"feature_angle": feature_angle})
         report, handle, n = sized(raw.obc_polycube_feature_report), Handle(raw.obc_polycube_destroy), self.vertex_count
         points = indices(vertices, name="vertices", below=n).ravel()
-        kept: list[Any] = [points, doubles(places, 3, len(points), "places", each="of the vertices")]
-        chosen.point_count, chosen.points, chosen.places = len(points), address(points), address(kept[1])
+        kept: list[Any] = [points, doubles(targets, 3, len(points), "targets", each="of the vertices")]
+        chosen.point_count, chosen.points, chosen.targets = len(points), address(points), address(kept[1])
         if weights is not None:
             kept.append(doubles(weights, rows=len(points), name="weights", each="of the vertices"))
             chosen.point_weights = address(kept[-1])
@@ -150,7 +150,7 @@ class Polycube:
             kept += _curves(curves, n)
             chosen.curve_count = len(curves)
             chosen.curve_vertices, chosen.curve_starts, chosen.curve_lines, chosen.curve_weights = map(address, kept[-4:])
-        call(raw.obc_polycube_meet_features, self._handle, byref(chosen), HOST, byref(report), byref(handle),
+        call(raw.obc_polycube_align_features, self._handle, byref(chosen), HOST, byref(report), byref(handle),
              progress=progress, threads=threads)
         return Polycube(handle, report)
 
@@ -196,8 +196,8 @@ class Graph(Record):
              address(self.patch_loop_starts))
         self.loop_starts, self.darts = numbers(loops + 1), numbers(2 * edges)
         call(raw.obc_polycube_graph_copy_loops, handle, address(self.loop_starts), address(self.darts))
-        self.dual_starts, self.dual_neighbours = numbers(patches + 1), numbers(links)
-        call(raw.obc_polycube_graph_copy_dual, handle, address(self.dual_starts), address(self.dual_neighbours))
+        self.dual_starts, self.dual_neighbors = numbers(patches + 1), numbers(links)
+        call(raw.obc_polycube_graph_copy_dual, handle, address(self.dual_starts), address(self.dual_neighbors))
         handle.close()
 
 
@@ -260,11 +260,11 @@ def certify(surface: Any, polycube: ArrayLike, *, progress: Progress = None) -> 
 
 
 @public
-def compute_on(surface: Any, polycube: Any, *, corners: Optional[ArrayLike] = None, vertices: Optional[ArrayLike] = None,
+def map_to_domain(surface: Any, polycube: Any, *, corners: Optional[ArrayLike] = None, vertices: Optional[ArrayLike] = None,
                points: Optional[ArrayLike] = None, progress: Progress = None, threads: int = 0) -> Polycube:
     """Maps a surface to the given polycube; corners of it are put at vertices of the surface, or nearest to points."""
     given, target, handle = Surface(surface), Surface(polycube, "polycube"), Handle(raw.obc_polycube_destroy)
-    places = raw.obc_polycube_places()
+    constraints = raw.obc_polycube_constraints()
     kept: list[Any] = []
     for name, value in (("vertices", vertices), ("points", points)):
         if value is not None and (corners is None or (vertices is not None and points is not None)):
@@ -273,15 +273,15 @@ def compute_on(surface: Any, polycube: Any, *, corners: Optional[ArrayLike] = No
         if vertices is None and points is None:
             raise ValueError("corners: vertices or points are needed, of the surface where each corner goes")
         kept.append(indices(corners, name="corners", below=len(target.positions), of="vertices").ravel())
-        places.corners, places.count = address(kept[0]), len(kept[0])
+        constraints.corners, constraints.count = address(kept[0]), len(kept[0])
         if vertices is not None:
-            kept.append(indices(vertices, rows=places.count, name="vertices", below=len(given.positions),
+            kept.append(indices(vertices, rows=constraints.count, name="vertices", below=len(given.positions),
                                 each="of the corners"))
-            places.vertices = address(kept[-1])
+            constraints.vertices = address(kept[-1])
         if points is not None:
-            kept.append(doubles(points, 3, places.count, "points", each="of the corners"))
-            places.points = address(kept[-1])
-    call(raw.obc_polycube_compute_on, given.pointer, target.pointer, byref(places) if kept else None, HOST, byref(handle),
+            kept.append(doubles(points, 3, constraints.count, "points", each="of the corners"))
+            constraints.points = address(kept[-1])
+    call(raw.obc_polycube_map_to_domain, given.pointer, target.pointer, byref(constraints) if kept else None, HOST, byref(handle),
          progress=progress, threads=threads)
     return Polycube(handle)
 
@@ -319,10 +319,10 @@ def compute_common(surfaces: Sequence[Any], *,
     if not given:
         raise ValueError("surfaces is empty: one at least is needed")
     array = (raw_mesh.obc_surface * len(given))(*[surface.struct for surface in given])
-    handles, made_for = _Handles(len(given)), ctypes.c_size_t()
-    call(raw.obc_polycube_compute_common, array, len(given), byref(chosen), byref(energy), HOST, byref(made_for),
+    handles, constructed_from = _Handles(len(given)), ctypes.c_size_t()
+    call(raw.obc_polycube_compute_common, array, len(given), byref(chosen), byref(energy), HOST, byref(constructed_from),
          handles.array, progress=progress, threads=threads)
-    return handles.maps(), made_for.value
+    return handles.maps(), constructed_from.value
 
 
 @with_options("obc_polycube_domain_options")

@@ -101,8 +101,8 @@ class Solver(GradientRun):
     def __init__(self, x0: ArrayLike, *, lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
                  A: Any = None, b: Optional[ArrayLike] = None, project: Optional[Callable[[Doubles], ArrayLike]] = None,
                  # options of obc_projected_gradient_options, written by scripts/bindings.py
-                 method: Literal["face", "seed"] = "face",
-                 line_search: Literal["largest-of-last", "average"] = "largest-of-last", memory: int = 10, history: int = 10,
+                 method: Literal["face", "dissertation"] = "face",
+                 line_search: Literal["max-of-last", "average"] = "max-of-last", memory: int = 10, history: int = 10,
                  average_weight: float = 0.85, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
                  max_evaluations: int = 100000, max_iterations: int = 100000,
                  # end of options
@@ -151,8 +151,8 @@ def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *, 
              upper: Optional[ArrayLike] = None, A: Any = None, b: Optional[ArrayLike] = None,
              project: Optional[Callable[[Doubles], ArrayLike]] = None,
              # options of obc_projected_gradient_options, written by scripts/bindings.py
-             method: Literal["face", "seed"] = "face",
-             line_search: Literal["largest-of-last", "average"] = "largest-of-last", memory: int = 10, history: int = 10,
+             method: Literal["face", "dissertation"] = "face",
+             line_search: Literal["max-of-last", "average"] = "max-of-last", memory: int = 10, history: int = 10,
              average_weight: float = 0.85, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
              max_evaluations: int = 100000, max_iterations: int = 100000,
              # end of options

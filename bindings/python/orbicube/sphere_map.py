@@ -1,7 +1,7 @@
 """Bijective, low-distortion maps of closed genus-0 surfaces to the unit sphere, and what they are for.
 
     result = compute(mesh.make("creature", 5000), method="balanced")
-    result.directions, result.report.dilatation_mean
+    result.directions, result.report.mean_quasi_conformal
     Locator(surface, result.directions).sample(directions, surface.positions)
 
 A surface is (positions, triangles), or any object with such attributes: a Mesh, a mesh of trimesh, meshio or pyvista.
@@ -49,11 +49,11 @@ def _options(given: Mapping[str, Any]) -> Any:
 @with_options("obc_sphere_map_options")
 def compute(surface: Any, *,
             # options of obc_sphere_map_options, written by scripts/bindings.py
-            method: Literal["balanced", "angle-area", "isometric", "stretch", "conformal", "seed"] = "balanced",
+            method: Literal["balanced", "angle-area", "isometric", "stretch", "conformal", "dissertation"] = "balanced",
             angle_weight: float = 0.1, area_weight: float = 1.0, seed: int = 0,
             # end of options
             trace: Optional[Callable[[int, int, float], Any]] = None, threads: int = 0, progress: Progress = None) -> SphereMap:
-    """Maps a surface to the sphere. trace(iterations, vertices, energy) is called during the method `seed`."""
+    """Maps a surface to the sphere. trace(iterations, vertices, energy) is called during the method `dissertation`."""
     chosen = _options(locals())
     given, report = Surface(surface), _report()
     raised: list[BaseException] = []
@@ -77,7 +77,7 @@ def compute(surface: Any, *,
 @with_options("obc_sphere_map_options")
 def compute_partial(surface: Any, *,
                     # options of obc_sphere_map_options, written by scripts/bindings.py
-                    method: Literal["balanced", "angle-area", "isometric", "stretch", "conformal", "seed"] = "balanced",
+                    method: Literal["balanced", "angle-area", "isometric", "stretch", "conformal", "dissertation"] = "balanced",
                     angle_weight: float = 0.1, area_weight: float = 1.0, seed: int = 0,
                     # end of options
                     threads: int = 0, progress: Progress = None) -> tuple[Doubles, int, Optional[Exception]]:
@@ -114,10 +114,10 @@ def face_distortion(surface: Any, directions: ArrayLike, *, progress: Progress =
     """Quasi-conformal distortion and area ratio of each triangle."""
     given = Surface(surface)
     places = doubles(directions, 3, len(given.positions), "directions", each="vertex")
-    dilatation, area_ratio = np.empty(len(given.triangles)), np.empty(len(given.triangles))
-    call(raw.obc_sphere_map_face_distortion, given.pointer, address(places), HOST, address(dilatation), address(area_ratio),
+    quasi_conformal, area_ratio = np.empty(len(given.triangles)), np.empty(len(given.triangles))
+    call(raw.obc_sphere_map_face_distortion, given.pointer, address(places), HOST, address(quasi_conformal), address(area_ratio),
          progress=progress)
-    return dilatation, area_ratio
+    return quasi_conformal, area_ratio
 
 
 @public

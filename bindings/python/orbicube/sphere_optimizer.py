@@ -1,8 +1,8 @@
 """Minimizes f over products of unit spheres: directions, quaternions, unit eigenvectors.
 
     result = minimize(f_and_gradient, x0)        # x0: a row a sphere; all at once, with the gradient
-    result = relax(part, x0, neighbours)         # block by block, with the part of f that contains one
-    relaxation = Relaxation(x0, neighbours)      # the same in parts: relaxation.run(part, steps)
+    result = relax(part, x0, neighbors)         # block by block, with the part of f that contains one
+    relaxation = Relaxation(x0, neighbors)      # the same in parts: relaxation.run(part, steps)
 
 Options are the members of `obc_sphere_optimizer_options` and `obc_sphere_optimizer_relaxation_options`; docs/sphere_optimizer.md
 of the library describes them.
@@ -41,7 +41,7 @@ class Solver(GradientRun):
     @with_options("obc_sphere_optimizer_options")
     def __init__(self, x0: ArrayLike, *,
                  # options of obc_sphere_optimizer_options, written by scripts/bindings.py
-                 method: Literal["limited-memory", "barzilai-borwein", "great-circle", "seed"] = "limited-memory",
+                 method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation"] = "limited-memory",
                  memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
                  max_evaluations: int = 100000, max_iterations: int = 100000,
                  # end of options
@@ -66,7 +66,7 @@ class Solver(GradientRun):
 @with_options("obc_sphere_optimizer_options")
 def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *,
              # options of obc_sphere_optimizer_options, written by scripts/bindings.py
-             method: Literal["limited-memory", "barzilai-borwein", "great-circle", "seed"] = "limited-memory",
+             method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation"] = "limited-memory",
              memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
              max_evaluations: int = 100000, max_iterations: int = 100000,
              # end of options
@@ -127,25 +127,25 @@ class _Part:
             return 1
 
 
-def _blocks(x: Doubles, neighbours: Sequence[Sequence[int]]) -> tuple[Any, list[Any]]:
+def _blocks(x: Doubles, neighbors: Sequence[Sequence[int]]) -> tuple[Any, list[Any]]:
     """obc_sphere_optimizer_blocks, and the arrays that it points at."""
-    if len(neighbours) != len(x):
-        raise ValueError(f"neighbours: {len(x)} rows are needed, one for each row of x0, not {len(neighbours)}")
-    rows = [indices(row, name=f"neighbours[{i}]", below=len(x), of="spheres").ravel() for i, row in enumerate(neighbours)]
+    if len(neighbors) != len(x):
+        raise ValueError(f"neighbors: {len(x)} rows are needed, one for each row of x0, not {len(neighbors)}")
+    rows = [indices(row, name=f"neighbors[{i}]", below=len(x), of="spheres").ravel() for i, row in enumerate(neighbors)]
     starts = np.zeros(len(x) + 1, dtype=np.uintp)
     starts[1:] = np.cumsum([len(row) for row in rows])
     flat = np.concatenate(rows)
     blocks = raw.obc_sphere_optimizer_blocks()
     call_init(raw.obc_sphere_optimizer_blocks_init, blocks)
     blocks.dimension, blocks.count = x.shape[1], x.shape[0]
-    blocks.neighbour_start, blocks.neighbour = address(starts), address(flat)
+    blocks.neighbor_start, blocks.neighbor = address(starts), address(flat)
     return blocks, [starts, flat]
 
 
 @with_options("obc_sphere_optimizer_relaxation_options")
-def relax(f: Callable[..., Any], x0: ArrayLike, neighbours: Sequence[Sequence[int]], *,
+def relax(f: Callable[..., Any], x0: ArrayLike, neighbors: Sequence[Sequence[int]], *,
           # options of obc_sphere_optimizer_relaxation_options, written by scripts/bindings.py
-          method: Literal["great-circle", "seed"] = "great-circle", second_order: bool = False,
+          method: Literal["great-circle", "dissertation"] = "great-circle", second_order: bool = False,
           order: Literal["automatic", "queue", "sweeps"] = "automatic", gradient_tolerance: float = 1e-06,
           relative_gain: float = 0.0, over_relaxation: float = 0.0, max_passes: int = 10000,
           # end of options
@@ -153,10 +153,10 @@ def relax(f: Callable[..., Any], x0: ArrayLike, neighbours: Sequence[Sequence[in
     """Lowers f block by block. `f(block, place, points, derivatives)` returns the part of f that contains a block if it were
     at `place` and all others as in `points`: the value; with derivatives 1 (value, gradient); with 2, when `second_order=1`,
     (value, gradient, hessian). More is fine. The arrays are the solver's own and only valid in the call.
-    neighbours[i]: the blocks whose part of f contains block i."""
+    neighbors[i]: the blocks whose part of f contains block i."""
     chosen = filled(raw.obc_sphere_optimizer_relaxation_options, raw.obc_sphere_optimizer_relaxation_options_init, locals())
     x = _points(x0)
-    blocks, kept = _blocks(x, neighbours)
+    blocks, kept = _blocks(x, neighbors)
     part = _Part(f, (x.shape[0], x.shape[1]))
     report = sized(raw.obc_sphere_optimizer_relaxation_result)
     call(raw.obc_sphere_optimizer_relax, byref(blocks), byref(chosen), part.function, None, address(x), byref(report),
@@ -170,16 +170,16 @@ class Relaxation:
     Ends in the bits of `relax`."""
 
     @with_options("obc_sphere_optimizer_relaxation_options")
-    def __init__(self, x0: ArrayLike, neighbours: Sequence[Sequence[int]], *,
+    def __init__(self, x0: ArrayLike, neighbors: Sequence[Sequence[int]], *,
                  # options of obc_sphere_optimizer_relaxation_options, written by scripts/bindings.py
-                 method: Literal["great-circle", "seed"] = "great-circle", second_order: bool = False,
+                 method: Literal["great-circle", "dissertation"] = "great-circle", second_order: bool = False,
                  order: Literal["automatic", "queue", "sweeps"] = "automatic", gradient_tolerance: float = 1e-06,
                  relative_gain: float = 0.0, over_relaxation: float = 0.0, max_passes: int = 10000,
                  # end of options
                  ) -> None:
         chosen = filled(raw.obc_sphere_optimizer_relaxation_options, raw.obc_sphere_optimizer_relaxation_options_init, locals())
         x = _points(x0)
-        blocks, kept = _blocks(x, neighbours)
+        blocks, kept = _blocks(x, neighbors)
         self._begin((x.shape[0], x.shape[1]))
         call(raw.obc_sphere_optimizer_relaxation_create, byref(blocks), byref(chosen), address(x), None, byref(self._handle))
         del kept
@@ -189,10 +189,10 @@ class Relaxation:
 
     @classmethod
     @public
-    def load(cls, blob: bytes, x0: ArrayLike, neighbours: Sequence[Sequence[int]]) -> Relaxation:
+    def load(cls, blob: bytes, x0: ArrayLike, neighbors: Sequence[Sequence[int]]) -> Relaxation:
         """Goes on with a relaxation that was saved, of the same neighbors; of x0 only the shape counts."""
         x = _points(x0)
-        blocks, kept = _blocks(x, neighbours)
+        blocks, kept = _blocks(x, neighbors)
         relaxation = cls.__new__(cls)
         relaxation._begin((x.shape[0], x.shape[1]))
         call(raw.obc_sphere_optimizer_relaxation_load, byref(blocks), blob, len(blob), None, byref(relaxation._handle))

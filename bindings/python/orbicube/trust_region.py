@@ -59,7 +59,7 @@ class Solver(Run):
     def __init__(self, x0: ArrayLike, residuals: int = 0, *, lower: Optional[ArrayLike] = None,
                  upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None, sign: Optional[ArrayLike] = None,
                  # options of obc_trust_region_options, written by scripts/bindings.py
-                 method: Literal["two-radii", "seed"] = "two-radii",
+                 method: Literal["two-radii", "dissertation"] = "two-radii",
                  start: Literal["automatic", "chain", "cross"] = "automatic", points: int = 0, radius_begin: float = 0.0,
                  radius_end: float = 1e-08, target: float = float("-inf"), noise_absolute: float = 0.0,
                  noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,
@@ -149,9 +149,10 @@ class Solver(Run):
 def minimize(f: Callable[[Doubles], float], x0: ArrayLike, *, lower: Optional[ArrayLike] = None,
              upper: Optional[ArrayLike] = None, scale: Optional[ArrayLike] = None,
              # options of obc_trust_region_options, written by scripts/bindings.py
-             method: Literal["two-radii", "seed"] = "two-radii", start: Literal["automatic", "chain", "cross"] = "automatic",
-             points: int = 0, radius_begin: float = 0.0, radius_end: float = 1e-08, target: float = float("-inf"),
-             noise_absolute: float = 0.0, noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,
+             method: Literal["two-radii", "dissertation"] = "two-radii",
+             start: Literal["automatic", "chain", "cross"] = "automatic", points: int = 0, radius_begin: float = 0.0,
+             radius_end: float = 1e-08, target: float = float("-inf"), noise_absolute: float = 0.0,
+             noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,
              # end of options
              progress: Progress = None) -> Result:
     """The minimum value of f that is found from x0."""
@@ -164,7 +165,7 @@ def least_squares(residuals: Callable[[Doubles], ArrayLike], x0: ArrayLike, coun
                   lower: Optional[ArrayLike] = None, upper: Optional[ArrayLike] = None,
                   scale: Optional[ArrayLike] = None, sign: Optional[ArrayLike] = None,
                   # options of obc_trust_region_options, written by scripts/bindings.py
-                  method: Literal["two-radii", "seed"] = "two-radii",
+                  method: Literal["two-radii", "dissertation"] = "two-radii",
                   start: Literal["automatic", "chain", "cross"] = "automatic", points: int = 0, radius_begin: float = 0.0,
                   radius_end: float = 1e-08, target: float = float("-inf"), noise_absolute: float = 0.0,
                   noise_relative: float = 0.0, restarts: int = 0, max_evaluations: int = 0,

@@ -34,14 +34,14 @@ def untangle(solid: Any, *,
     best that was found, positions and report, as its member `best`."""
     chosen = filled(raw.obc_volume_map_untangle_options, raw.obc_volume_map_untangle_options_init, locals())
     positions, tetrahedra = solid_of(solid)
-    tangle = raw.obc_volume_map_tangle()
-    call_init(raw.obc_volume_map_tangle_init, tangle)
-    tangle.positions, tangle.vertex_count = address(positions), len(positions)
-    tangle.tetrahedra, tangle.tetrahedron_count = address(tetrahedra), len(tetrahedra)
+    problem = raw.obc_volume_map_untangle_problem()
+    call_init(raw.obc_volume_map_untangle_problem_init, problem)
+    problem.positions, problem.vertex_count = address(positions), len(positions)
+    problem.tetrahedra, problem.tetrahedron_count = address(tetrahedra), len(tetrahedra)
     kept: list[Any] = []
     if rest is not None:
         kept.append(doubles(rest, 3, len(positions), "rest", each="vertex"))
-        tangle.rest = address(kept[-1])
+        problem.rest = address(kept[-1])
     if fixed is not None:
         flags = numbers(fixed, "fixed")
         if flags.shape not in (positions.shape, (len(positions),)) or not np.all((flags == 0) | (flags == 1)):
@@ -49,15 +49,15 @@ def untangle(solid: Any, *,
                              f"({len(positions)},), is needed, not shape {flags.shape}")
         flags = flags[:, None] if flags.ndim == 1 else flags
         kept.append(np.ascontiguousarray(np.broadcast_to(flags, positions.shape), dtype=np.uint8))
-        tangle.fixed = address(kept[-1])
+        problem.fixed = address(kept[-1])
     if ties is not None:
         kept.append(indices(ties, 3, len(positions), "ties", each="vertex"))
-        tangle.ties = address(kept[-1])
+        problem.ties = address(kept[-1])
     report = raw.obc_volume_map_untangle_report()
     call_init(raw.obc_volume_map_untangle_report_init, report)
     result = np.empty_like(positions)
     try:
-        call(raw.obc_volume_map_untangle, byref(tangle), byref(chosen), HOST, address(result), byref(report),
+        call(raw.obc_volume_map_untangle, byref(problem), byref(chosen), HOST, address(result), byref(report),
              threads=threads, progress=progress)
     except NoValidResult as error:
         error.best = (result, report)
@@ -96,16 +96,16 @@ def map_to_polycube(solid: Any, *,
 
 class Hexes(Record):
     """A certified mesh of hexahedra: positions, hexahedra (eight vertices each, as MEDIT and VTK order them), quads of the
-    boundary, counter-clockwise seen from outside, quad_faces (the patch of the polycube that each lies on), and the report."""
+    boundary, counter-clockwise seen from outside, quad_patches (the patch of the polycube that each lies on), and the report."""
 
     def __init__(self, handle: Handle, report: Any) -> None:
         self.positions: Doubles = np.empty((raw.obc_volume_map_hexes_vertex_count(handle), 3))
         self.hexahedra: Indices = np.empty((raw.obc_volume_map_hexes_count(handle), 8), dtype=np.uint32)
         self.quads: Indices = np.empty((raw.obc_volume_map_hexes_quad_count(handle), 4), dtype=np.uint32)
-        self.quad_faces: Indices = np.empty(len(self.quads), dtype=np.uint32)
+        self.quad_patches: Indices = np.empty(len(self.quads), dtype=np.uint32)
         self.report = report
         call(raw.obc_volume_map_hexes_copy, handle, address(self.positions), address(self.hexahedra), address(self.quads),
-             address(self.quad_faces))
+             address(self.quad_patches))
 
 
 @with_options("obc_volume_map_hexes_options")
@@ -113,11 +113,11 @@ def fill_with_hexahedra(surface: Any, *,
                         # options of obc_volume_map_hexes_options, written by scripts/bindings.py
                         padding: Literal["auto", "with", "without"] = "auto", cells: int = 10000, corners: int = 100,
                         triangles: int = 6000, seed: int = 0, rounds: int = 40,
-                        method: Literal["auto", "polycube", "voxels"] = "auto", distance: float = 1.0,
-                        most_cells: int = 100000, sharp_angle: float = 40.0,
+                        method: Literal["auto", "polycube", "grid"] = "auto", max_hausdorff_percent: float = 1.0,
+                        max_cells: int = 100000, feature_angle: float = 40.0,
                         # end of options
                         threads: int = 0, progress: Progress = None) -> Hexes:
-    """Fills a closed surface. The report has least_scaled_jacobian, mean_scaled_jacobian, volume, distance, ..."""
+    """Fills a closed surface. The report has min_scaled_jacobian, mean_scaled_jacobian, volume, hausdorff_percent, ..."""
     chosen = filled(raw.obc_volume_map_hexes_options, raw.obc_volume_map_hexes_options_init, locals())
     given, report = Surface(surface), sized(raw.obc_volume_map_hexes_report)
     handle = Handle(raw.obc_volume_map_hexes_destroy)
@@ -132,8 +132,8 @@ def fill_with_hexahedra(surface: Any, *,
 @with_options("obc_volume_map_frame_options")
 def fill_along_frames(solid: Any, frames: Optional[ArrayLike] = None, *,
                       # options of obc_volume_map_frame_options, written by scripts/bindings.py
-                      rounds: int = 40, cells: int = 10000, feature_angle: float = 0.0, distance: float = 1.0,
-                      most_cells: int = 100000,
+                      rounds: int = 40, cells: int = 10000, feature_angle: float = 0.0, max_hausdorff_percent: float = 1.0,
+                      max_cells: int = 100000,
                       # end of options
                       threads: int = 0, progress: Progress = None) -> Hexes:
     """Fills a solid of tetrahedra with hexahedra that follow frames, w x y z a tetrahedron as of frame_field.compute; without any

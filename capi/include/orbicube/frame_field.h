@@ -63,7 +63,7 @@ enum {
 /* Methods. */
 enum {
   OBC_FRAME_FIELD_SMOOTH = 0, /* as described at the top */
-  OBC_FRAME_FIELD_SEED = 1    /* chapter 6 of the dissertation as printed: identity inside, fixed boundary frames and matchings */
+  OBC_FRAME_FIELD_DISSERTATION = 1    /* chapter 6 of the dissertation as printed: identity inside, fixed boundary frames and matchings */
 };
 
 /* Weights of inner faces in the energy. */
@@ -89,13 +89,13 @@ typedef struct obc_frame_field_options {
   uint32_t struct_size;
 
   int32_t start;          /* initial field, OBC_FRAME_FIELD_AUTO or another. Default: AUTO. */
-  int32_t method;         /* OBC_FRAME_FIELD_SMOOTH or SEED. Default: SMOOTH. */
+  int32_t method;         /* OBC_FRAME_FIELD_SMOOTH or DISSERTATION. Default: SMOOTH. */
   int32_t weighting;      /* OBC_FRAME_FIELD_UNIFORM or GEOMETRIC. Default: UNIFORM. */
   int32_t align_boundary; /* 1: an axis is exactly along the normal of each boundary face; 0: the boundary is free. Default: 1. */
   uint32_t rounds;        /* number of improvement rounds of AUTO. Default: 2. */
-  double feature_angle;   /* minimum dihedral angle, in radians, of boundary edges that an axis follows; 0: none. Default: 0. */
+  double feature_angle;   /* minimum dihedral angle, in degrees, of boundary edges that an axis follows; 0: none. Default: 0. */
   double relative_gain;   /* smoothing ends with a step that gains less than this fraction of the energy. Default: 1e-6. */
-  int32_t repair;         /* OBC_FRAME_FIELD_NO_REPAIR, REPAIR or SINGLE_AXIS; not with SEED. Default: NO_REPAIR. */
+  int32_t repair;         /* OBC_FRAME_FIELD_NO_REPAIR, REPAIR or SINGLE_AXIS; not with DISSERTATION. Default: NO_REPAIR. */
   int32_t reserved;
 } obc_frame_field_options;
 

@@ -147,7 +147,7 @@ OBC_API obc_status obc_gltf_write_surface(const char *path, const float *positio
 
 /* Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns
  * base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it. */
-OBC_API float obc_gltf_delta(float base, float wanted);
+OBC_API float obc_gltf_delta(float base, float target);
 OBC_API float obc_gltf_reconstructed(float base, float delta);
 
 /* Returns the version of the library, major * 10000 + minor * 100 + patch. */

@@ -117,11 +117,11 @@ OBC_API obc_status obc_mesh_boundary(const obc_mesh *mesh, const obc_host *host,
 typedef struct obc_mesh_tetrahedron_quality_report {
   uint32_t struct_size, worst;                    /* worst: first tetrahedron with the minimum radius ratio; 2^32 - 1: none */
   uint64_t tetrahedra, positive, flat, inverted;  /* numbers of all tetrahedra and of those with each exact sign */
-  double volume, smallest_volume, largest_volume; /* total, minimum and maximum signed volume */
-  double smallest_dihedral, largest_dihedral, mean_smallest_dihedral; /* dihedral angles; the mean is that of each tetrahedron's minimum */
-  double smallest_radius_ratio, mean_radius_ratio; /* 3 * inradius / circumradius: 1 for a regular tetrahedron */
-  double largest_radius_edge, mean_radius_edge;    /* circumradius / shortest edge; infinite for flat tetrahedra, which the mean leaves out */
-  double shortest_edge, longest_edge;              /* edge lengths */
+  double volume, min_volume, max_volume; /* total, minimum and maximum signed volume */
+  double min_dihedral, max_dihedral, mean_min_dihedral; /* dihedral angles; the mean is that of each tetrahedron's minimum */
+  double min_radius_ratio, mean_radius_ratio; /* 3 * inradius / circumradius: 1 for a regular tetrahedron */
+  double max_radius_edge, mean_radius_edge;    /* circumradius / shortest edge; infinite for flat tetrahedra, which the mean leaves out */
+  double min_edge_length, max_edge_length;              /* edge lengths */
   uint64_t dihedral_histogram[18], radius_ratio_histogram[20]; /* six angles a tetrahedron in bins of 10 degrees; ratios in bins of 0.05 */
 } obc_mesh_tetrahedron_quality_report;
 

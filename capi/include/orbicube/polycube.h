@@ -178,14 +178,14 @@ typedef struct obc_polycube_feature_options {
 
   size_t point_count;                   /* number of points. Default: 0. */
   const uint32_t *points;               /* vertex of the map of each point. Default: NULL. */
-  const double *places, *point_weights; /* target position of each point (x y z); weight of each point, or NULL. Default: NULL. */
+  const double *targets, *point_weights; /* target position of each point (x y z); weight of each point, or NULL. Default: NULL. */
 
   size_t curve_count;                                  /* number of curves. Default: 0. */
   const uint32_t *curve_starts, *curve_vertices;       /* curve_count + 1 offsets; the two or more vertices of each curve. Default: NULL. */
   const double *curve_lines, *curve_weights;           /* target of each curve, an axis-aligned segment in a patch or an edge (x y z
                                                           of both ends); weight of each curve, or NULL. Default: NULL. */
 
-  double sharp_angle; /* minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: none. Default: 0. */
+  double feature_angle; /* minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: none. Default: 0. */
 } obc_polycube_feature_options;
 
 /* Fills options with the defaults. */
@@ -202,7 +202,7 @@ typedef struct obc_polycube_feature_report {
 /* Aligns features of a map to their targets on the same polycube, with minimum distortion otherwise. The result is certified. Errors:
  * invalid argument (a target that is not on the polycube, a vertex with two targets); no valid result with the conflicting
  * features; out of memory; cancelled. */
-OBC_API obc_status obc_polycube_meet_features(const obc_polycube *map, const obc_polycube_feature_options *options,
+OBC_API obc_status obc_polycube_align_features(const obc_polycube *map, const obc_polycube_feature_options *options,
                                               const obc_host *host, obc_polycube_feature_report *report, obc_polycube **out,
                                               obc_error *error);
 
@@ -244,32 +244,32 @@ OBC_API obc_status obc_polycube_copy_sources(const obc_polycube *map, uint32_t *
 
 /* ---- maps to a supplied polycube ------------------------------------------------------------------------------------- */
 
-/* Positional constraints of corners, for obc_polycube_compute_on. */
-typedef struct obc_polycube_places {
+/* Positional constraints of corners, for obc_polycube_map_to_domain. */
+typedef struct obc_polycube_constraints {
   const uint32_t *corners;  /* vertex of the polycube of each constrained corner */
   const uint32_t *vertices; /* target vertex of the surface of each corner, UINT32_MAX for a target point; NULL: all have target points */
   const double *points;     /* target point of each corner (x y z), of which the nearest point of the surface counts; NULL: all have vertices */
   size_t count;             /* number of constrained corners */
-} obc_polycube_places;
+} obc_polycube_constraints;
 
 /* Maps a surface to a supplied polycube, whose triangles lie in axis-aligned planes. It is traced on the surface as with
  * OBC_POLYCUBE_VOXELS: at its position, with its bounding box stretched to that of the surface, or as the constraints require. The
- * polycube of the handle has the same coordinates; the map is smoothed across its edges. places may be NULL. Errors: those of
+ * polycube of the handle has the same coordinates; the map is smoothed across its edges. constraints may be NULL. Errors: those of
  * obc_polycube_compute; invalid argument for constraints that do not exist or occur twice; unsupported if the second surface is not a
  * polycube, with the reason; wrong genus if the genera differ. */
-OBC_API obc_status obc_polycube_compute_on(const obc_surface *surface, const obc_surface *polycube,
-                                           const obc_polycube_places *places, const obc_host *host, obc_polycube **out,
+OBC_API obc_status obc_polycube_map_to_domain(const obc_surface *surface, const obc_surface *polycube,
+                                           const obc_polycube_constraints *constraints, const obc_host *host, obc_polycube **out,
                                            obc_error *error);
 
 /* Computes one polycube for several shapes of one genus and kind (the dissertation's section 4.5). Several polycubes of each shape are traced on
  * all others; proportions and maps are optimized for the sum of energies, and the polycube with the minimum sum is returned. Maps between
  * shapes are compositions: points with the same image on the polycube correspond. options are for the polycubes of single shapes, domain
- * for the energy. out is an array of `count` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. made_for
+ * for the energy. out is an array of `count` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. constructed_from
  * (or NULL) receives the index of the shape from which the polycube was constructed. obc_polycube_copy_energies of each handle copies
  * the sums, which never increase. Errors: those of obc_polycube_compute, and wrong genus. */
 OBC_API obc_status obc_polycube_compute_common(const obc_surface *surfaces, size_t count, const obc_polycube_options *options,
                                                const obc_polycube_domain_options *domain, const obc_host *host,
-                                               size_t *made_for, obc_polycube **out, obc_error *error);
+                                               size_t *constructed_from, obc_polycube **out, obc_error *error);
 
 /* Optimizes the proportions of one polycube for several maps to it: minimizes the sum of their energies, otherwise as
  * obc_polycube_optimize_domain. out is an array of `count` handles, all NULL after an error. Errors: invalid argument (also: maps
@@ -323,7 +323,7 @@ OBC_API obc_status obc_polycube_graph_copy_loops(const obc_polycube_graph *graph
 
 /* Copies the dual graph: the offset of the neighbors of each patch, with one entry more than there are patches, and the patches
  * that share an edge with it, ascending. Errors: invalid argument. */
-OBC_API obc_status obc_polycube_graph_copy_dual(const obc_polycube_graph *graph, uint32_t *starts, uint32_t *neighbours,
+OBC_API obc_status obc_polycube_graph_copy_dual(const obc_polycube_graph *graph, uint32_t *starts, uint32_t *neighbors,
                                                 obc_error *error);
 
 /* ---- quad meshes ----------------------------------------------------------------------------------------------------- */

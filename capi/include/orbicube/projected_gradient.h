@@ -3,7 +3,7 @@
  *
  * Methods. FACE (default): projected Barzilai-Borwein steps on a limited-memory quasi-Newton model of f find the active face
  * of the feasible set; the step is the exact minimizer of the model in this face (two phases of Hager and Zhang 2006, model of
- * Byrd, Lu, Nocedal, Zhu 1995, line search of Hager and Zhang 2005). SEED, for comparison: the projected Barzilai-Borwein
+ * Byrd, Lu, Nocedal, Zhu 1995, line search of Hager and Zhang 2005). DISSERTATION, for comparison: the projected Barzilai-Borwein
  * method of the dissertation, section 4.3.1 (eq. 4.11 to 4.13), with the nonmonotone searches of Grippo, Lampariello, Lucidi 1986
  * or of Zhang and Hager 2004.
  *
@@ -16,7 +16,7 @@
  *   while ((request = obc_projected_gradient_step(solver, &x)) > 0 && request != OBC_PROJECTED_GRADIENT_DONE)
  *     if (request == OBC_PROJECTED_GRADIENT_NEED_FG) obc_projected_gradient_tell(solver, f(x), gradient(x), NULL);
  *
- * Memory: about (14 + 2 memory) n numbers for FACE and 9 n for SEED; with rows 2 n more, A twice and the factor of A A'. All of
+ * Memory: about (14 + 2 memory) n numbers for FACE and 9 n for DISSERTATION; with rows 2 n more, A twice and the factor of A A'. All of
  * it is allocated by _create and _load. An iteration takes O(n (memory^2 + entries of A)) time.
  *
  * Thread safety: a solver serves one thread at a time; distinct solvers may run at the same time. All work is done on the calling
@@ -65,12 +65,12 @@ typedef struct obc_projected_gradient obc_projected_gradient;
 /* Methods. */
 enum {
   OBC_PROJECTED_GRADIENT_FACE = 0, /* active face of a quasi-Newton model */
-  OBC_PROJECTED_GRADIENT_SEED = 1  /* the dissertation's section 4.3.1, for comparison */
+  OBC_PROJECTED_GRADIENT_DISSERTATION = 1  /* the dissertation's section 4.3.1, for comparison */
 };
 
-/* Nonmonotone line searches of SEED. */
+/* Nonmonotone line searches of DISSERTATION. */
 enum {
-  OBC_PROJECTED_GRADIENT_LARGEST_OF_LAST = 0, /* Grippo, Lampariello, Lucidi: below the largest of the last values */
+  OBC_PROJECTED_GRADIENT_MAX_OF_LAST = 0, /* Grippo, Lampariello, Lucidi: below the largest of the last values */
   OBC_PROJECTED_GRADIENT_AVERAGE = 1          /* Zhang and Hager: below a weighted mean of all values */
 };
 
@@ -139,10 +139,10 @@ typedef struct obc_projected_gradient_problem {
 typedef struct obc_projected_gradient_options {
   uint32_t struct_size;
 
-  int32_t method;        /* OBC_PROJECTED_GRADIENT_FACE or SEED. Default: FACE. */
-  int32_t line_search;   /* line search of SEED. Default: LARGEST_OF_LAST. */
+  int32_t method;        /* OBC_PROJECTED_GRADIENT_FACE or DISSERTATION. Default: FACE. */
+  int32_t line_search;   /* line search of DISSERTATION. Default: MAX_OF_LAST. */
   uint32_t memory;       /* number of pairs in the model of FACE, 1 to 1000. Default: 10. */
-  uint32_t history;      /* number of values that LARGEST_OF_LAST considers. Default: 10. */
+  uint32_t history;      /* number of values that MAX_OF_LAST considers. Default: 10. */
   double average_weight; /* eta of AVERAGE, 0 (monotone) to 1. Default: 0.85. */
 
   double gradient_tolerance; /* tolerance of |P(x - g) - x|inf, the projected gradient. Default: 1e-8. */

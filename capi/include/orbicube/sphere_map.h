@@ -26,7 +26,7 @@
  *     if (obc_mesh_surface(mesh, &surface, &error) != OBC_OK || surface.vertex_count > 10000) return 1;
  *     obc_sphere_map_report_init(&report, sizeof report);
  *     if (obc_sphere_map_compute(&surface, NULL, NULL, directions, &report, &error) != OBC_OK) return puts(error.message), 1;
- *     printf("bijective: %d, largest distortion %.2f\n", (int)report.bijective, report.dilatation_largest);
+ *     printf("bijective: %d, largest distortion %.2f\n", (int)report.bijective, report.max_quasi_conformal);
  *     obc_mesh_destroy(mesh);
  *     return 0;
  *   }
@@ -49,10 +49,10 @@ enum {
   OBC_SPHERE_MAP_ISOMETRIC = 2,  /* the symmetric Dirichlet energy; the weights are unused, as in the next two */
   OBC_SPHERE_MAP_STRETCH = 3,    /* the L2 stretch of Praun and Hoppe */
   OBC_SPHERE_MAP_CONFORMAL = 4,  /* E_D alone */
-  OBC_SPHERE_MAP_SEED = 5        /* the dissertation's chapter 3 as printed, corrected only where it would fail */
+  OBC_SPHERE_MAP_DISSERTATION = 5        /* the dissertation's chapter 3 as printed, corrected only where it would fail */
 };
 
-/* Receives the convergence of OBC_SPHERE_MAP_SEED (the dissertation's Figure 3.2) at the end of a level, and during the last level once for each
+/* Receives the convergence of OBC_SPHERE_MAP_DISSERTATION (the dissertation's Figure 3.2) at the end of a level, and during the last level once for each
  * vertex_count iterations: iterations, the number of calls of its Algorithm 2 for one vertex; vertices, the vertex count of the
  * refined mesh; energy, the energy of that mesh. iterations restarts at 0 when the map restarts. Runs on the thread that called
  * the library. */
@@ -66,7 +66,7 @@ typedef struct obc_sphere_map_options {
   double area_weight;  /* weight of E_A, nonnegative. Default: 1. */
   uint64_t seed;       /* seed of the order of equally good decimation steps. Default: 0. */
 
-  obc_sphere_map_trace_function trace; /* receives the convergence of OBC_SPHERE_MAP_SEED; NULL: none. Default: NULL. */
+  obc_sphere_map_trace_function trace; /* receives the convergence of OBC_SPHERE_MAP_DISSERTATION; NULL: none. Default: NULL. */
   void *trace_user;                    /* passed to trace. Default: NULL. */
 } obc_sphere_map_options;
 
@@ -91,9 +91,9 @@ typedef struct obc_sphere_map_report {
   double energy_area;  /* E_A = sum d^-2 area(t)^2 / area(T); at least 4 pi */
   double energy;       /* angle_weight E_D + area_weight E_A */
 
-  double dilatation_largest; /* maximum quasi-conformal distortion sigma_1 / sigma_2, at least 1 */
-  double dilatation_mean;    /* mean quasi-conformal distortion, weighted by surface area, at least 1 */
-  double area_ratio_smallest, area_ratio_largest; /* minimum and maximum of solid angle / surface area of a triangle */
+  double max_quasi_conformal; /* maximum quasi-conformal distortion sigma_1 / sigma_2, at least 1 */
+  double mean_quasi_conformal;    /* mean quasi-conformal distortion, weighted by surface area, at least 1 */
+  double min_area_ratio, max_area_ratio; /* minimum and maximum of solid angle / surface area of a triangle */
   double stretch_efficiency; /* 1 / mean of (sigma_1^-2 + sigma_2^-2) / 2, weighted by surface area (L2 stretch), at most 1 */
   double isometric_mean;     /* mean of (sigma_1^2 + sigma_2^2 + sigma_1^-2 + sigma_2^-2) / 4, weighted by surface area, at least 1 */
 } obc_sphere_map_report;
@@ -134,7 +134,7 @@ OBC_API obc_status obc_sphere_map_measure(const obc_surface *surface, const doub
  * doubles each; either array may be NULL. Degenerate triangles (see obc_sphere_map_report) have an infinite distortion and the ratio
  * 0. O(n). Errors: as obc_sphere_map_measure. */
 OBC_API obc_status obc_sphere_map_face_distortion(const obc_surface *surface, const double *directions,
-                                                  const obc_host *host, double *dilatation, double *area_ratio,
+                                                  const obc_host *host, double *quasi_conformal, double *area_ratio,
                                                   obc_error *error);
 
 /* Rounds a map to float32, the precision of GLB and of engines, and moves vertices of triangles that rounding flips to nearby points.
@@ -205,8 +205,8 @@ OBC_API obc_status obc_sphere_map_remesh(const obc_sphere_map_locator *locator, 
 typedef struct obc_sphere_map_distance {
   uint32_t struct_size;
   uint32_t reserved;
-  double first_mean, first_root_mean_square, first_largest;    /* from the first surface: mean, root mean square, maximum */
-  double second_mean, second_root_mean_square, second_largest; /* from the second surface */
+  double first_mean, first_root_mean_square, first_max;    /* from the first surface: mean, root mean square, maximum */
+  double second_mean, second_root_mean_square, second_max; /* from the second surface */
 } obc_sphere_map_distance;
 
 /* Fills a result with zeros and its size. */

@@ -7,7 +7,7 @@
  *   BARZILAI_BORWEIN          nonmonotone Barzilai-Borwein steps (Iannazzo, Porcelli 2018); low memory
  *   GREAT_CIRCLE              the great-circle search of the dissertation's Algorithm 2 (section 3.1.4), corrected: it follows the
  *                             tangent gradient, starts from the length of the last step, and bisects the angle
- *   SEED                      Algorithm 2 as printed, for comparison: the first arc ends at -G / |G| or its mirror image
+ *   DISSERTATION                      Algorithm 2 as printed, for comparison: the first arc ends at -G / |G| or its mirror image
  *
  *   const double *x;
  *   while ((request = obc_sphere_optimizer_step(solver, &x)) > 0 && request != OBC_SPHERE_OPTIMIZER_DONE)
@@ -19,7 +19,7 @@
  * gradient as a whole; all at once reaches high accuracy in fewer evaluations.
  *
  * Memory, in numbers, allocated by _create, _load and at the start of _relax: (7 + 2 memory) N d + 3 N for LIMITED_MEMORY,
- * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for SEED; 18 bytes a block for _relax. An iteration takes
+ * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for DISSERTATION; 18 bytes a block for _relax. An iteration takes
  * O(N d memory) time and usually 1.0 to 1.1 evaluations.
  *
  * Thread safety: a solver serves one thread at a time; distinct solvers may run at the same time. All work is done on the calling
@@ -63,7 +63,7 @@ enum {
   OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY = 0,
   OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN = 1,
   OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE = 2,
-  OBC_SPHERE_OPTIMIZER_SEED = 3
+  OBC_SPHERE_OPTIMIZER_DISSERTATION = 3
 };
 
 /* Requests of obc_sphere_optimizer_step. */
@@ -123,7 +123,7 @@ typedef struct obc_sphere_optimizer_result {
 } obc_sphere_optimizer_result;
 
 /* Evaluates f at x (count blocks of dimension numbers, consecutive) and its gradient in the same order: the gradient in R^d of each
- * block, or any vector with the same tangential component. SEED uses the whole gradient; LIMITED_MEMORY takes the normal component as an
+ * block, or any vector with the same tangential component. DISSERTATION uses the whole gradient; LIMITED_MEMORY takes the normal component as an
  * estimate of the stiffness of each block, which saves evaluations. A value or entry that is not finite counts as FAILED. Returns one
  * of the constants above. */
 typedef int32_t (*obc_sphere_optimizer_function)(const double *x, size_t count, size_t dimension, double *value,
@@ -190,8 +190,8 @@ typedef struct obc_sphere_optimizer_blocks {
   uint32_t dimension; /* dimension of a block, 2 to 64; 3 and 4 have specialized code. Default: 0, which must be set. */
   size_t count;       /* number of blocks, below 4294967295. Default: 0, which must be set. */
 
-  const size_t *neighbour_start; /* count + 1 offsets into the array of neighbors. Default: NULL. */
-  const uint32_t *neighbour;     /* for each block, the blocks whose terms of f contain it. Default: NULL. */
+  const size_t *neighbor_start; /* count + 1 offsets into the array of neighbors. Default: NULL. */
+  const uint32_t *neighbor;     /* for each block, the blocks whose terms of f contain it. Default: NULL. */
 } obc_sphere_optimizer_blocks;
 
 /* Orders in which blocks are relaxed. */
@@ -205,7 +205,7 @@ enum {
 typedef struct obc_sphere_optimizer_relaxation_options {
   uint32_t struct_size;
 
-  int32_t method;       /* GREAT_CIRCLE, or SEED: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT_CIRCLE. */
+  int32_t method;       /* GREAT_CIRCLE, or DISSERTATION: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT_CIRCLE. */
   int32_t second_order; /* 1: Newton steps, for which f returns Hessians; 0: first-order steps. Default: 0. */
   int32_t order;        /* AUTOMATIC, QUEUE or SWEEPS. Default: AUTOMATIC. */
 

@@ -4,7 +4,7 @@
  * Method. Quadratic models interpolate f (or each residual) at n + 2 to (n+1)(n+2)/2 points; their Hessians change with minimum
  * Frobenius norm (Powell 2004, 2006 NEWUOA, 2009 BOBYQA). Residuals are modeled one by one (Zhang, Conn, Scheinberg 2010 DFBOLS;
  * Wild 2017 POUNDERS), squared and summed with their signs (the dissertation's eq. 4.15). Steps stay within a trust-region
- * radius; a second radius, the resolution, decreases from radius_begin to radius_end and ends the run. SEED, for comparison, is
+ * radius; a second radius, the resolution, decreases from radius_begin to radius_end and ends the run. DISSERTATION, for comparison, is
  * the dissertation's section 4.4.2 with its single radius.
  *
  * Every x at which f is evaluated satisfies the bounds exactly. A value that is NaN or infinite counts as a failed evaluation: planes
@@ -64,7 +64,7 @@ typedef struct obc_trust_region obc_trust_region;
 /* Methods. */
 enum {
   OBC_TRUST_REGION_TWO_RADII = 0, /* radius of steps and resolution */
-  OBC_TRUST_REGION_SEED = 1       /* the dissertation's radius rule, for comparison */
+  OBC_TRUST_REGION_DISSERTATION = 1       /* the dissertation's radius rule, for comparison */
 };
 
 /* Initial interpolation points. */
@@ -90,7 +90,7 @@ enum {
   OBC_TRUST_REGION_NOISE_LIMIT = 4,       /* the values around the best point differ by less than the noise */
   OBC_TRUST_REGION_STALLED = 5,           /* no set of points that double precision resolves */
   OBC_TRUST_REGION_CANCELLED = 6,         /* by the host's progress callback or by the callback f */
-  OBC_TRUST_REGION_EVALUATION_FAILED = 7, /* no value at x0 of a CHAIN, or more than 80 + 8n (SEED: 20 + 2n) failures in a row */
+  OBC_TRUST_REGION_EVALUATION_FAILED = 7, /* no value at x0 of a CHAIN, or more than 80 + 8n (DISSERTATION: 20 + 2n) failures in a row */
   OBC_TRUST_REGION_RESOLUTION_LIMIT = 8   /* the resolution reached radius_end at the boundary of the domain of f or where f is not
                                              smooth; the models still have a descent direction */
 };
@@ -132,11 +132,11 @@ typedef struct obc_trust_region_problem {
 typedef struct obc_trust_region_options {
   uint32_t struct_size;
 
-  int32_t method; /* OBC_TRUST_REGION_TWO_RADII or SEED. Default: TWO_RADII. */
+  int32_t method; /* OBC_TRUST_REGION_TWO_RADII or DISSERTATION. Default: TWO_RADII. */
   int32_t start;  /* initial points, OBC_TRUST_REGION_AUTOMATIC, CHAIN or CROSS. Default: AUTOMATIC. */
 
   /* Maximum number of interpolation points, n + 2 to (n+1)(n+2)/2. 0: the larger of 6n + 1 and 45, with residuals of 2n + 1 and
-   * 91, limited to the number for a full quadratic; SEED 2n + 1. Default: 0. */
+   * 91, limited to the number for a full quadratic; DISSERTATION 2n + 1. Default: 0. */
   uint64_t points;
 
   double radius_begin; /* initial radius of steps. 0: a tenth of max(1, |x0 / scale|inf), or of 1 for a scale by boxes. Default: 0. */

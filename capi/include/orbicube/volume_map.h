@@ -21,7 +21,7 @@
  *     obc_volume_map_hexes *hexes = NULL;
  *     obc_error error;
  *     obc_volume_map_hexes_options_init(&options, sizeof options);
- *     options.cells = 1000, options.distance = 0;
+ *     options.cells = 1000, options.max_hausdorff_percent = 0;
  *     if (obc_mesh_make("l-shape", 1000, 0, NULL, &mesh, &error) != OBC_OK) return 1;
  *     if (obc_mesh_surface(mesh, &surface, &error) != OBC_OK) return 1;
  *     if (obc_volume_map_hexes_compute(&surface, &options, NULL, NULL, &hexes, &error) != OBC_OK) return puts(error.message), 1;
@@ -44,7 +44,7 @@ extern "C" {
 
 /* A mesh to untangle, with its constraints: a view of arrays of the caller. Coordinate 3 * vertex + axis is that of an axis of a vertex. Fill with
  * _init. */
-typedef struct obc_volume_map_tangle {
+typedef struct obc_volume_map_untangle_problem {
   uint32_t struct_size;
   int32_t reserved;
 
@@ -62,7 +62,7 @@ typedef struct obc_volume_map_tangle {
   /* Groups of equal coordinates: one entry a coordinate, the number of its group, below 3 * vertex_count, or UINT32_MAX for none;
    * NULL: no groups. A group with a fixed coordinate is fixed; any other group starts at its mean. Default: NULL. */
   const uint32_t *ties;
-} obc_volume_map_tangle;
+} obc_volume_map_untangle_problem;
 
 /* Options of untangling. Fill with _init. */
 typedef struct obc_volume_map_untangle_options {
@@ -79,16 +79,16 @@ typedef struct obc_volume_map_untangle_report {
   uint32_t first_inverted;            /* first tetrahedron that is not positive; UINT32_MAX: none */
   uint64_t inverted_before, inverted; /* number of tetrahedra that are not positive before and after, by exact arithmetic */
   uint64_t steps, polish_steps;       /* number of steps taken */
-  double least_determinant, greatest_determinant; /* minimum and maximum determinant after */
+  double min_determinant, max_determinant; /* minimum and maximum determinant after */
   double energy; /* mean of |J|^2 / D^(2/3) + volume_weight (1 + D^2) / D; at least 5 with weight 1 */
 } obc_volume_map_untangle_report;
 
 /* Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
-OBC_API obc_status obc_volume_map_tangle_init(obc_volume_map_tangle *tangle, size_t struct_size);
+OBC_API obc_status obc_volume_map_untangle_problem_init(obc_volume_map_untangle_problem *problem, size_t struct_size);
 OBC_API obc_status obc_volume_map_untangle_options_init(obc_volume_map_untangle_options *options, size_t struct_size);
 OBC_API obc_status obc_volume_map_untangle_report_init(obc_volume_map_untangle_report *report, size_t struct_size);
 
-/* Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be tangle->positions; fixed coordinates are
+/* Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
  * unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
  * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
  * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
@@ -96,7 +96,7 @@ OBC_API obc_status obc_volume_map_untangle_report_init(obc_volume_map_untangle_r
  * not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
  * malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
  * tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled. */
-OBC_API obc_status obc_volume_map_untangle(const obc_volume_map_tangle *tangle,
+OBC_API obc_status obc_volume_map_untangle(const obc_volume_map_untangle_problem *problem,
                                            const obc_volume_map_untangle_options *options, const obc_host *host,
                                            double *result, obc_volume_map_untangle_report *report, obc_error *error);
 
@@ -148,12 +148,12 @@ typedef struct obc_volume_map_hexes obc_volume_map_hexes;
  * the result is bad, it also tries none and all. */
 enum { OBC_VOLUME_MAP_PADDING_AUTO = 0, OBC_VOLUME_MAP_PADDING_WITH = 1, OBC_VOLUME_MAP_PADDING_WITHOUT = 2 };
 
-/* Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+/* Methods. POLYCUBE: cells of a polycube of the surface. GRID (grid-based): inner cells of a grid over the bounding box with a layer
  * around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
- * argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed `distance` with up to twice as many cells or have a
+ * argument. AUTO: POLYCUBE, and GRID where the hexahedra of the polycube exceed `max_hausdorff_percent` with up to twice as many cells or have a
  * scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
  * POLYCUBE. */
-enum { OBC_VOLUME_MAP_METHOD_AUTO = 0, OBC_VOLUME_MAP_METHOD_POLYCUBE = 1, OBC_VOLUME_MAP_METHOD_VOXELS = 2 };
+enum { OBC_VOLUME_MAP_METHOD_AUTO = 0, OBC_VOLUME_MAP_METHOD_POLYCUBE = 1, OBC_VOLUME_MAP_METHOD_GRID = 2 };
 
 /* Options of a hexahedral mesh. Fill with _init. */
 typedef struct obc_volume_map_hexes_options {
@@ -165,18 +165,18 @@ typedef struct obc_volume_map_hexes_options {
   size_t triangles; /* a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: never. Default: 6000. */
   uint64_t seed;    /* seed of random choices of the polycube. Default: 0. */
   int32_t rounds;   /* number of smoothing rounds, 0 to 1000. Default: 40. */
-  int32_t method;   /* OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or VOXELS. Default: AUTO. */
+  int32_t method;   /* OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or GRID. Default: AUTO. */
 
   /* Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume error, in percent, 0 to
-   * 100. While it is exceeded, the cell count is doubled, up to most_cells; the closest mesh is returned. 0 disables the check.
+   * 100. While it is exceeded, the cell count is doubled, up to max_cells; the closest mesh is returned. 0 disables the check.
    * Default: 1. */
-  double distance;
+  double max_hausdorff_percent;
 
-  size_t most_cells; /* approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: 100000. */
+  size_t max_cells; /* approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: 100000. */
 
   /* Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows sharp edges near an edge of
    * the polycube, unless hexahedra there would be bad. 0: none. Default: 40. */
-  double sharp_angle;
+  double feature_angle;
 } obc_volume_map_hexes_options;
 
 /* Fills options with the defaults. */
@@ -187,17 +187,17 @@ OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_option
 typedef struct obc_volume_map_hexes_report {
   uint32_t struct_size;
   int32_t padded; /* 1: with a layer along the boundary or parts of it; 0: without */
-  double least_scaled_jacobian, mean_scaled_jacobian; /* minimum and mean over the hexahedra */
+  double min_scaled_jacobian, mean_scaled_jacobian; /* minimum and mean over the hexahedra */
   double volume;           /* total volume of the trilinear hexahedra */
   size_t polycube_corners; /* number of corners of the polycubes of all boundary components; 0: no polycube */
   size_t off_surface;      /* number of boundary vertices that could not be placed on the surface */
 
   /* Hausdorff distance of the boundary (quads split at their first vertex) and the surface, in percent of the bounding-box diagonal,
    * accurate to half a percent of itself, and volume error in percent, both of the whole solid. */
-  double distance, volume_error;
+  double hausdorff_percent, volume_error_percent;
 
   int32_t follows_sharp_edges; /* 1: the mesh follows the sharp edges for which the polycube has edges; 0: it does not */
-  int32_t by_voxels;           /* 1: at least one piece is grid-based; 0: none */
+  int32_t grid_based;           /* 1: at least one piece is grid-based; 0: none */
 } obc_volume_map_hexes_report;
 
 /* Fills a closed, outward-oriented surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the
@@ -224,7 +224,7 @@ OBC_API size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes *hexes
  * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
  * Errors: invalid argument. */
 OBC_API obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes *hexes, double *positions, uint32_t *hexahedra,
-                                             uint32_t *quads, uint32_t *quad_faces, obc_error *error);
+                                             uint32_t *quads, uint32_t *quad_patches, obc_error *error);
 
 /* ---- hexahedra along frames ------------------------------------------------------------------------------------------ */
 
@@ -234,12 +234,12 @@ typedef struct obc_volume_map_frame_options {
   int32_t rounds; /* number of smoothing rounds, 0 to 1000. Default: 40. */
   size_t cells;   /* approximate number of hexahedra, 1 to 10 million. Default: 10000. */
 
-  /* Minimum dihedral angle, in radians, of boundary edges that an axis of the computed frames follows; unused for frames of the
+  /* Minimum dihedral angle, in degrees, of boundary edges that an axis of the computed frames follows; unused for frames of the
    * caller. 0: none. Default: 0. */
   double feature_angle;
 
-  double distance;   /* as in obc_volume_map_hexes_options, relative to the boundary of the solid. Default: 1. */
-  size_t most_cells; /* as in obc_volume_map_hexes_options. Default: 100000. */
+  double max_hausdorff_percent; /* as in obc_volume_map_hexes_options, relative to the boundary of the solid. Default: 1. */
+  size_t max_cells;             /* as in obc_volume_map_hexes_options. Default: 100000. */
 } obc_volume_map_frame_options;
 
 /* Fills options with the defaults. */
@@ -249,7 +249,7 @@ OBC_API obc_status obc_volume_map_frame_options_init(obc_volume_map_frame_option
 typedef struct obc_volume_map_frame_report {
   uint32_t struct_size;
   int32_t integers_optimal; /* 1: the search proved the integers optimal; 0: it ended before */
-  double least_scaled_jacobian, mean_scaled_jacobian; /* as in obc_volume_map_hexes_report */
+  double min_scaled_jacobian, mean_scaled_jacobian; /* as in obc_volume_map_hexes_report */
   double volume;            /* total volume of the trilinear hexahedra */
   size_t off_surface;       /* number of boundary vertices that could not be placed on the surface */
   size_t singular_edges;    /* number of singular inner edges of the tetrahedra */
@@ -258,14 +258,14 @@ typedef struct obc_volume_map_frame_report {
   size_t tetrahedra;        /* number of tetrahedra of the map, after splits */
   size_t inverted_at_start; /* number of inverted tetrahedra after the choice of integers; the final map has none */
   size_t steps;             /* number of Newton steps of untangling and optimization */
-  double distance, volume_error; /* as in obc_volume_map_hexes_report */
+  double hausdorff_percent, volume_error_percent; /* as in obc_volume_map_hexes_report */
 } obc_volume_map_frame_report;
 
 /* Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
  * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
  * <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
  * until a map follows one. The patch numbers of obc_volume_map_hexes_copy are those of connected boundary regions in one
- * plane of the map. Where the boundary exceeds `distance`, it is fixed to the map's surface, then cells are added as in
+ * plane of the map. Where the boundary exceeds `max_hausdorff_percent`, it is fixed to the map's surface, then cells are added as in
  * obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must remain valid until _destroy.
  * Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
  * follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with

@@ -41,11 +41,11 @@ Array<std::byte> read_file(const std::filesystem::path& path, const Host& host, 
     throw Error(links == Links::refuse ? "unsafe-path" : "io", "cannot read: not a regular file");
   }
   Array<std::byte> bytes(static_cast<std::size_t>(facts.st_size), host.memory);
-  constexpr std::size_t most_at_once = std::size_t{1} << 22U;  // so that a slow disk can be cancelled
+  constexpr std::size_t max_at_once = std::size_t{1} << 22U;  // so that a slow disk can be cancelled
   std::size_t done = 0;
   while (done < bytes.size()) {
     host.report("reading file", done, bytes.size());
-    const ::ssize_t got = ::read(file.get(), bytes.data() + done, std::min(most_at_once, bytes.size() - done));
+    const ::ssize_t got = ::read(file.get(), bytes.data() + done, std::min(max_at_once, bytes.size() - done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail_to_read();
     if (got == 0) break;  // the file became shorter
@@ -101,9 +101,9 @@ void OutputFile::create() {
 }
 
 void OutputFile::write(std::span<const std::byte> bytes) {
-  constexpr std::size_t most_at_once = std::size_t{1} << 30U;  // the system takes no more than 2 GiB
+  constexpr std::size_t max_at_once = std::size_t{1} << 30U;  // the system takes no more than 2 GiB
   while (!bytes.empty()) {
-    const ::ssize_t written = ::write(file_.get(), bytes.data(), std::min(bytes.size(), most_at_once));
+    const ::ssize_t written = ::write(file_.get(), bytes.data(), std::min(bytes.size(), max_at_once));
     if (written < 0 && errno == EINTR) continue;
     if (written < 0) fail("cannot write");
     bytes = bytes.subspan(static_cast<std::size_t>(written));

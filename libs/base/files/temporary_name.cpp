@@ -70,8 +70,8 @@ bool remove_folder(int parent, const char* name) {
   struct stat facts {};
   if (folder.get() < 0 || ::fstat(folder.get(), &facts) != 0 || facts.st_uid != ::geteuid()) return false;
   if ((facts.st_mode & 0077U) != 0 || !takes_lock(folder.get())) return false;
-  constexpr std::size_t most_files = 1000;
-  for (const std::string& file : names_in(open_folder(parent, name), most_files)) {
+  constexpr std::size_t max_files = 1000;
+  for (const std::string& file : names_in(open_folder(parent, name), max_files)) {
     struct stat inside {};
     if (::fstatat(folder.get(), file.c_str(), &inside, AT_SYMLINK_NOFOLLOW) == 0 && S_ISREG(inside.st_mode))
       ::unlinkat(folder.get(), file.c_str(), 0);
@@ -126,9 +126,9 @@ std::vector<std::string> remove_leftovers(const std::filesystem::path& target) {
   const std::string name = target.filename().string();
   const Descriptor folder(::open(parent.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (folder.get() < 0) return removed;
-  constexpr std::size_t most_names = 100'000;
+  constexpr std::size_t max_names = 100'000;
   for (const std::string& candidate :
-       names_in(Descriptor(::openat(folder.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)), most_names)) {
+       names_in(Descriptor(::openat(folder.get(), ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)), max_names)) {
     if (!is_temporary_name(candidate, name)) continue;
     if (remove_file(folder.get(), candidate.c_str()) || remove_folder(folder.get(), candidate.c_str()))
       removed.push_back(candidate);

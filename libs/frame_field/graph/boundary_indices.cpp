@@ -29,7 +29,7 @@ CrossFace cross_face(std::span<const Vector3> positions, const mesh::Triangle& v
   if (!(normal.norm() > 0.5)) return face;
   face.normal = normal;
   face.direction = along;
-  const Quaternion q = aligned(quaternion::normalised(frame), {normal[0], normal[1], normal[2]});
+  const Quaternion q = aligned(quaternion::normalized(frame), {normal[0], normal[1], normal[2]});
   for (const Vector& axis : {Vector{1, 0, 0}, Vector{0, 1, 0}, Vector{0, 0, 1}}) {
     const Vector d = quaternion::rotate(q, axis);
     const Vector3 direction(d.x, d.y, d.z);

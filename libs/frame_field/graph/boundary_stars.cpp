@@ -44,7 +44,7 @@ bool frame_of(const Directions& directions, Quaternion& frame) {
   }
   if (axes.determinant() < 0) axes.col(2) = -axes.col(2);
   const Eigen::Quaterniond q(mesh::nearest_rotation(axes));
-  frame = quaternion::normalised({q.w(), q.x(), q.y(), q.z()});
+  frame = quaternion::normalized({q.w(), q.x(), q.y(), q.z()});
   return true;
 }
 

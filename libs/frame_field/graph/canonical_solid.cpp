@@ -221,11 +221,11 @@ Vector CanonicalSolid::turned(const Vector& v) const {
 }
 
 Quaternion CanonicalSolid::turned(const Quaternion& frame) const {
-  return quaternion::normalised(quaternion::multiply(quaternion::conjugate(axes), frame));
+  return quaternion::normalized(quaternion::multiply(quaternion::conjugate(axes), frame));
 }
 
 Quaternion CanonicalSolid::turned_back(const Quaternion& frame) const {
-  return quaternion::normalised(quaternion::multiply(axes, frame));
+  return quaternion::normalized(quaternion::multiply(axes, frame));
 }
 
 void CanonicalSolid::turn(Constraints& constraints) const {

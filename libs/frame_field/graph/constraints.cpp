@@ -12,7 +12,7 @@ namespace orbicube::frame_field {
 namespace {
 
 using quaternion::multiply;
-using quaternion::normalised;
+using quaternion::normalized;
 
 struct BoundaryFace {
   double area;
@@ -87,7 +87,7 @@ Quaternion aligned(const Quaternion& frame, const Vector& n) {
   const double cosine = axis.x * local.x + axis.y * local.y + axis.z * local.z;
   const Quaternion turn{1 + cosine, axis.y * local.z - axis.z * local.y, axis.z * local.x - axis.x * local.z,
                         axis.x * local.y - axis.y * local.x};
-  return normalised(multiply(frame, normalised(turn)));
+  return normalized(multiply(frame, normalized(turn)));
 }
 
 Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> positions,
@@ -116,7 +116,7 @@ Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> po
       node[graph.tetrahedron[i]] = i;
     result.pulls.reserve(pulls);
     for (const GivenFrame& g : given_frames) {
-      if (g.weight < held) result.pulls.push_back({node[g.tetrahedron], true, normalised(g.frame), {}, g.weight});
+      if (g.weight < held) result.pulls.push_back({node[g.tetrahedron], true, normalized(g.frame), {}, g.weight});
     }
     for (const GivenAxis& g : given_axes) {
       if (g.weight < held)
@@ -142,7 +142,7 @@ Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> po
     std::size_t count = 0;
     if (!frame_of.empty() && frame_of[t] != no_index) {
       constraint.fixed = true;
-      constraint.frame = normalised(given_frames[frame_of[t]].frame);
+      constraint.frame = normalized(given_frames[frame_of[t]].frame);
     } else if (!axis_of.empty() && axis_of[t] != no_index) {
       constraint.direction = given_axes[axis_of[t]].direction;
       constraint.frame = aligned(constraint.frame, constraint.direction);

@@ -56,7 +56,7 @@ DualGraph make_dual_graph(std::span<const Vector3> positions, const mesh::Tetrah
     for (Index k = 0; k < 4; ++k) {
       const Index face = 4 * t + k;
       const bool inner = !connectivity.on_boundary(face);
-      graph.others[i][k] = inner ? node[connectivity.neighbour(t, k)] : i;
+      graph.others[i][k] = inner ? node[connectivity.neighbor(t, k)] : i;
       double weight = inner ? 1 : 0;
       if (inner && weighting == Weighting::geometric) weight = geometric_weight(positions, connectivity, face);
       graph.weights[i][k] = static_cast<float>(weight);

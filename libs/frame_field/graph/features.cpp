@@ -52,7 +52,7 @@ void follow_features(std::span<const Vector3> positions, const mesh::Tetrahedral
           Eigen::Matrix3d axes_in_space;
           axes_in_space << along, normal, along.cross(normal);
           const Eigen::Quaterniond q(axes_in_space);
-          frames.push_back({t, quaternion::normalised({q.w(), q.x(), q.y(), q.z()})});
+          frames.push_back({t, quaternion::normalized({q.w(), q.x(), q.y(), q.z()})});
         };
         hold(behind, a);
         hold(faces.back(), b);

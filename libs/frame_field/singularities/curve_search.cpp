@@ -11,8 +11,8 @@ namespace {
 using quaternion::cube_group;
 
 constexpr std::uint32_t fitting_sweeps = 6, free_sweeps = 6;
-constexpr double hopeless = 0.5;     // energy that free sweeps do not win back
-constexpr double least_gain = 1e-4;  // of a move
+constexpr double hopeless = 0.5;   // energy that free sweeps do not win back
+constexpr double min_gain = 1e-4;  // of a move
 constexpr std::size_t items_between_reports = 64;
 
 }  // namespace
@@ -46,7 +46,7 @@ CurveSearch::CurveSearch(const DualGraph& graph, const Constraints& constraints,
   }
 }
 
-double CurveSearch::run(std::uint32_t most_passes, Field& field) {
+double CurveSearch::run(std::uint32_t max_passes, Field& field) {
   gain_ = 0;
   matchings_ = matchings(connectivity_, field, host_);
   struct End {
@@ -54,7 +54,7 @@ double CurveSearch::run(std::uint32_t most_passes, Field& field) {
     std::size_t ring;
   };
   Array<End> ends(host_.memory);
-  for (std::uint32_t pass = 0; pass < most_passes; ++pass) {
+  for (std::uint32_t pass = 0; pass < max_passes; ++pass) {
     ends.clear();
     for (std::size_t r = 0; r < rings_.size(); ++r) {
       if (rings_.on_boundary(r) || rotation_of(r) == 0) continue;
@@ -148,7 +148,7 @@ void CurveSearch::collect_patch(std::span<const Change> changes) {
     const std::size_t end = patch_.size();
     for (; from < end; ++from) {
       for (Index k = 0; k < 4; ++k) {
-        const Index other = connectivity_.neighbour(patch_[from], k);
+        const Index other = connectivity_.neighbor(patch_[from], k);
         if (other == no_index || stamp_[other] == patches_) continue;
         stamp_[other] = patches_;
         patch_.push_back(other);
@@ -162,7 +162,7 @@ double CurveSearch::patch_energy(const Field& field) const {
   double sum = 0;
   for (const Index t : patch_) {
     for (Index k = 0; k < 4; ++k) {
-      const Index other = connectivity_.neighbour(t, k);
+      const Index other = connectivity_.neighbor(t, k);
       if (other == no_index || (stamp_[other] == patches_ && other < t)) continue;
       sum += static_cast<double>(graph_.weights[t][k]) * quaternion::symmetric_sine_square(field[t], field[other]);
     }
@@ -196,7 +196,7 @@ bool CurveSearch::try_changes(std::span<const Change> changes, Field& field) {
     relaxation_.relax(patch_, {}, free_sweeps, field);
     after = patch_energy(field);
   }
-  if (!(after < before - least_gain)) {
+  if (!(after < before - min_gain)) {
     for (std::size_t i = 0; i < changes.size(); ++i)
       set(old[i]);
     for (std::size_t i = 0; i < patch_.size(); ++i)

@@ -24,7 +24,7 @@ class CurveSearch {
 
   // `field` satisfies the constraints, and does so afterwards. Returns by how much the energy fell, as
   // far as the frames around tell. Passes end when one moves nothing.
-  double run(std::uint32_t most_passes, Field& field);
+  double run(std::uint32_t max_passes, Field& field);
 
  private:
   struct Change {

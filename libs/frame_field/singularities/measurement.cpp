@@ -41,7 +41,7 @@ AngleStatistics statistics(Array<float>& angles, const base::CompensatedSum& sum
 // Degrees between a line and the nearest axis of a frame.
 double misalignment(const Quaternion& frame, const Vector3& normal) {
   const Vector local =
-      quaternion::rotate(quaternion::conjugate(quaternion::normalised(frame)), {normal[0], normal[1], normal[2]});
+      quaternion::rotate(quaternion::conjugate(quaternion::normalized(frame)), {normal[0], normal[1], normal[2]});
   const double x = std::abs(local.x), y = std::abs(local.y), z = std::abs(local.z);
   const double along = std::max({x, y, z});
   const double across = x == along ? std::hypot(y, z) : y == along ? std::hypot(x, z) : std::hypot(x, y);
@@ -60,7 +60,7 @@ Measurement measure(std::span<const Vector3> positions, const mesh::TetrahedralC
   base::CompensatedSum energy, symmetric_sum, plain_sum, alignment_sum;
   for (Index t = 0; t < field.size(); ++t) {
     if (t % items_between_reports == 0) host.report("measuring", t, field.size());
-    const Quaternion q = quaternion::normalised(field[t]);
+    const Quaternion q = quaternion::normalized(field[t]);
     m.norm_error = std::max(m.norm_error, std::abs(std::sqrt(quaternion::dot(field[t], field[t])) - 1));
     std::size_t faces = 0;
     double worst = 0, best = 180;
@@ -79,7 +79,7 @@ Measurement measure(std::span<const Vector3> positions, const mesh::TetrahedralC
         continue;
       }
       if (connectivity.opposite(face) < face) continue;
-      const Quaternion other = quaternion::normalised(field[connectivity.neighbour(t, k)]);
+      const Quaternion other = quaternion::normalized(field[connectivity.neighbor(t, k)]);
       const double sine_square = quaternion::symmetric_sine_square(q, other);
       energy.add(sine_square);
       const double angle = quaternion::symmetric_distance(q, other) * degrees;
@@ -94,12 +94,12 @@ Measurement measure(std::span<const Vector3> positions, const mesh::TetrahedralC
     }
     if (faces == 1) {
       ++m.one_face_tetrahedra;
-      m.one_face_largest = std::max(m.one_face_largest, worst);
+      m.one_face_max = std::max(m.one_face_max, worst);
       alignment_sum.add(worst);
     } else if (faces > 1) {
       ++m.several_face_tetrahedra;
-      m.several_best_largest = std::max(m.several_best_largest, best);
-      m.several_worst_largest = std::max(m.several_worst_largest, worst);
+      m.several_best_max = std::max(m.several_best_max, best);
+      m.several_worst_max = std::max(m.several_worst_max, worst);
     }
   }
   m.inner_faces = symmetric.size();

@@ -26,10 +26,10 @@ struct Measurement {
 
   // Angle between the boundary normal and the axis nearest to it.
   std::size_t one_face_tetrahedra = 0, several_face_tetrahedra = 0;
-  double one_face_largest = 0, one_face_mean = 0;
-  double several_best_largest = 0;   // largest over tetrahedra of the minimum over their faces
-  double several_worst_largest = 0;  // largest over tetrahedra of the largest over their faces
-  double norm_error = 0;             // largest | |q| - 1 |
+  double one_face_max = 0, one_face_mean = 0;
+  double several_best_max = 0;   // largest over tetrahedra of the minimum over their faces
+  double several_worst_max = 0;  // largest over tetrahedra of the largest over their faces
+  double norm_error = 0;         // largest | |q| - 1 |
 };
 
 // Field by tetrahedron. O(n), 16 bytes a tetrahedron. Throws Error "cancelled".

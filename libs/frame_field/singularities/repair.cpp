@@ -20,7 +20,7 @@ struct Attempt {
   Way way;
 };
 constexpr Attempt attempts[] = {{2, Way::zip}, {3, Way::refill}, {4, Way::zip}, {2, Way::refill}, {3, Way::zip}};
-constexpr std::uint32_t most_rounds = 12;
+constexpr std::uint32_t max_rounds = 12;
 constexpr std::uint32_t fitting_sweeps = 60, smoothing_sweeps = 60, seam_sweeps = 20;
 constexpr std::uint32_t rings_not_smoothed = 3;  // about faults that smoothing brings back
 // Frames that differ by less are the same (recombination.h); radians.
@@ -65,7 +65,7 @@ RepairOutcome Repair::search_about_single_axes(Field& smoother) {
 std::uint32_t Repair::rounds(Field& field) {
   Structure now = finder_.find(field);
   std::uint32_t round = 0;
-  for (std::uint32_t idle = 0; idle < std::size(attempts) && round < most_rounds && !now.places.empty(); ++round) {
+  for (std::uint32_t idle = 0; idle < std::size(attempts) && round < max_rounds && !now.places.empty(); ++round) {
     const Attempt& attempt = attempts[round % std::size(attempts)];
     const auto inside = finder_.around(now.vertices, attempt.rings);
     Field candidate(field, host_.memory);
@@ -82,11 +82,11 @@ std::uint32_t Repair::rounds(Field& field) {
 }
 
 void Repair::zip_apart(std::span<const std::uint8_t> inside, const Structure& structure, Field& field) const {
-  Array<std::uint8_t> wanted(structure.matchings, host_.memory);
-  zip(positions_, connectivity_, finder_, field, inside, structure.graph, host_, wanted);
+  Array<std::uint8_t> target(structure.matchings, host_.memory);
+  zip(positions_, connectivity_, finder_, field, inside, structure.graph, host_, target);
   const Array<Index> list = listed(inside);
   const RegionRelaxation relaxation(graph_, constraints_, connectivity_, host_);
-  relaxation.relax(list, wanted, fitting_sweeps, field);
+  relaxation.relax(list, target, fitting_sweeps, field);
   relaxation.relax(list, {}, smoothing_sweeps, field);
 }
 
@@ -97,14 +97,14 @@ void Repair::refill(std::span<const std::uint8_t> inside, Field& field) const {
     if (inside[t] != 0) continue;
     bool next_to = false;
     for (Index k = 0; k < 4; ++k) {
-      const Index other = connectivity_.neighbour(t, k);
+      const Index other = connectivity_.neighbor(t, k);
       next_to = next_to || (other != no_index && inside[other] != 0);
     }
     if (next_to) front.push_back(t);
   }
   for (std::size_t i = 0; i < front.size(); ++i) {
     for (Index k = 0; k < 4; ++k) {
-      const Index other = connectivity_.neighbour(front[i], k);
+      const Index other = connectivity_.neighbor(front[i], k);
       if (other == no_index || left[other] == 0) continue;
       left[other] = 0;
       field[other] = satisfying(other, field[front[i]]);
@@ -142,7 +142,7 @@ void Repair::take_smoother(const Field& candidate, Field& field) const {
     if (differs[t] == 0) continue;
     Parts::Change& change = parts.at(connectivity_.tetrahedra()[t][0]);
     for (Index k = 0; k < 4; ++k) {
-      const Index other = connectivity_.neighbour(t, k);
+      const Index other = connectivity_.neighbor(t, k);
       const bool both = other != no_index && differs[other] != 0;
       if (other == no_index || (both && other < t)) continue;
       const double w = static_cast<double>(graph_.weights[t][k]);

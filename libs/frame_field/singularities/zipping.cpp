@@ -20,7 +20,7 @@ constexpr double vertex_cost = 3;    // an inner vertex that no hexahedral mesh 
 constexpr double mismatch_cost = 2;  // times sin^2 of half the angle across a face
 // Changes for less are not made; what is worth most comes first.
 constexpr double least_worth[] = {8, 4, 2, 1, 0.5, 0.05};
-constexpr std::uint32_t most_passes = 30;  // for each
+constexpr std::uint32_t max_passes = 30;  // for each
 constexpr std::size_t items_between_reports = 4096;
 
 enum class EdgeKind : std::uint8_t { regular, of_three, of_five, other };
@@ -77,10 +77,10 @@ class Zipper {
     collect(inside, graph);
     std::size_t changes = 0;
     for (const double least : least_worth) {
-      for (std::uint32_t pass = 0; pass < most_passes; ++pass) {
+      for (std::uint32_t pass = 0; pass < max_passes; ++pass) {
         std::size_t made = 0;
         for (std::size_t i = 0; i < faces_.size(); ++i) {
-          if (i % items_between_reports == 0) host_.report("zipping", pass, most_passes);
+          if (i % items_between_reports == 0) host_.report("zipping", pass, max_passes);
           made += improve(faces_[i], least) ? 1 : 0;
         }
         changes += made;

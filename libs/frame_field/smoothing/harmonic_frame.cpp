@@ -7,7 +7,7 @@ namespace orbicube::frame_field {
 namespace {
 
 using quaternion::multiply;
-using quaternion::normalised;
+using quaternion::normalized;
 
 // Lengths of the harmonics in Racah's scaling, by order.
 // Lengths of the harmonics in Racah's scaling, by order: sqrt 10 / 4, sqrt 5 / 4, sqrt 70 / 4, sqrt 35 / 8.
@@ -82,7 +82,7 @@ struct Starts {
     const auto candidate = [&](std::size_t i) {
       const double s = static_cast<double>(i) + 0.5, t = s / candidates, d = 2 * std::numbers::pi * s;
       const double r = std::sqrt(t), big = std::sqrt(1 - t), alpha = d / phi, beta = d / psi;
-      return normalised({r * std::sin(alpha), r * std::cos(alpha), big * std::sin(beta), big * std::cos(beta)});
+      return normalized({r * std::sin(alpha), r * std::cos(alpha), big * std::sin(beta), big * std::cos(beta)});
     };
     Quaternion chosen{1, 0, 0, 0};
     for (std::size_t k = 0; k < count; ++k) {
@@ -147,11 +147,11 @@ Vector quartic_gradient(const Harmonic& a, const Vector& v) {
 }
 
 Quaternion climb_to_frame(const Harmonic& a, const Quaternion& start) {
-  constexpr int most_steps = 50;
+  constexpr int max_steps = 50;
   constexpr double certain = 1e-3;  // Newton's steps that short go up, whatever rounding makes of the values
   Quaternion q = start;
   Expansion here = expand(a, q);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const auto& g = here.gradient;
     const double size = std::abs(here.hessian[0]) + std::abs(here.hessian[1]) + std::abs(here.hessian[2]);
     const double slope = std::sqrt(g[0] * g[0] + g[1] * g[1] + g[2] * g[2]);
@@ -166,7 +166,7 @@ Quaternion climb_to_frame(const Harmonic& a, const Quaternion& start) {
     bool taken = false;
     for (int cut = 0; cut < 8 && !taken; ++cut, length *= 0.4) {
       const double half = 0.5 * length;
-      const Quaternion next = normalised(multiply(q, {1, half * turn[0], half * turn[1], half * turn[2]}));
+      const Quaternion next = normalized(multiply(q, {1, half * turn[0], half * turn[1], half * turn[2]}));
       const Expansion there = expand(a, next);
       taken = trusted || there.value > here.value;
       if (!taken) continue;

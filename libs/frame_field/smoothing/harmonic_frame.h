@@ -57,7 +57,7 @@ inline constexpr double circle_radius_square = 5.0 / 12.0;  // |first|^2
 // Turns the frame by `angle` about a unit direction of space.
 inline Quaternion turned(const Quaternion& frame, const Vector& direction, double angle) {
   const double c = std::cos(0.5 * angle), s = std::sin(0.5 * angle);
-  return quaternion::normalised(quaternion::multiply({c, s * direction.x, s * direction.y, s * direction.z}, frame));
+  return quaternion::normalized(quaternion::multiply({c, s * direction.x, s * direction.y, s * direction.z}, frame));
 }
 
 }  // namespace orbicube::frame_field

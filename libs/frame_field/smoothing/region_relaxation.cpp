@@ -23,7 +23,7 @@ Quaternion RegionRelaxation::relaxed(Index t, std::span<const std::uint8_t> matc
   Quaternion sum{0, 0, 0, 0};
   double weights = 0;
   for (Index k = 0; k < 4; ++k) {
-    const Index other = connectivity_.neighbour(t, k);
+    const Index other = connectivity_.neighbor(t, k);
     if (other == no_index) continue;
     const std::uint32_t g = matchings.empty() ? quaternion::symmetric_matching(q, field[other]) : matchings[4 * t + k];
     const Quaternion p = multiply(field[other], conjugate(cube_group.element[g]));
@@ -47,7 +47,7 @@ Quaternion RegionRelaxation::relaxed(Index t, std::span<const std::uint8_t> matc
     return aligned(turned(q, n, 2 * over_relaxation * std::atan2(dot(sum, across), dot(sum, q))), n);
   }
   const double step = over_relaxation / weights, keep = 1 - over_relaxation;
-  return quaternion::normalised(
+  return quaternion::normalized(
       {keep * q.w + step * sum.w, keep * q.x + step * sum.x, keep * q.y + step * sum.y, keep * q.z + step * sum.z});
 }
 

@@ -13,7 +13,7 @@ namespace {
 using quaternion::conjugate;
 using quaternion::cube_group;
 using quaternion::multiply;
-using quaternion::normalised;
+using quaternion::normalized;
 using Solver = GraphSolver<3>;
 
 // The frame `other` written so that it is nearest to `frame`: other g with the cube's rotation g.
@@ -142,7 +142,7 @@ void turn_all(const Field& from, std::span<const Solver::Value> turn, double len
     for (std::size_t i = begin; i < end; ++i) {
       const auto& t = turn[i].at;
       const double half = 0.5 * length;
-      to[i] = normalised(multiply(
+      to[i] = normalized(multiply(
           {1, half * static_cast<double>(t[0]), half * static_cast<double>(t[1]), half * static_cast<double>(t[2])},
           from[i]));
     }

@@ -19,7 +19,7 @@ bool is_letter(char c) {
 bool starts_with_ignoring_case(std::string_view text, std::string_view lower_case) {
   return text.size() >= lower_case.size() &&
          std::equal(lower_case.begin(), lower_case.end(), text.begin(),
-                    [](char wanted, char c) { return wanted == (is_letter(c) ? static_cast<char>(c | 0x20) : c); });
+                    [](char target, char c) { return target == (is_letter(c) ? static_cast<char>(c | 0x20) : c); });
 }
 
 std::string percent_decoded(std::string_view uri) {

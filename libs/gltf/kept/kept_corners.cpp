@@ -197,13 +197,13 @@ class CornerPlacer {
 
   // The vertex of the group with these attributes, which is added where there is none. Those of one vertex of the
   // surface are a list.
-  static Index vertex_at(VertexGroup& group, Index surface_vertex, const BlendedVertex& wanted,
+  static Index vertex_at(VertexGroup& group, Index surface_vertex, const BlendedVertex& target,
                          std::vector<Index>& first, std::vector<Index>& next) {
     for (Index v = first[surface_vertex]; v != mesh::no_index; v = next[v]) {
-      if (group.vertices[v].vertices == wanted.vertices && group.vertices[v].weights == wanted.weights) return v;
+      if (group.vertices[v].vertices == target.vertices && group.vertices[v].weights == target.weights) return v;
     }
     const auto added = static_cast<Index>(group.vertices.size());
-    group.vertices.push_back(wanted);
+    group.vertices.push_back(target);
     group.surface_vertex.push_back(surface_vertex);
     next.push_back(std::exchange(first[surface_vertex], added));
     return added;

@@ -132,8 +132,8 @@ std::size_t checked_count(const Asset& asset, std::size_t accessor) {
   return from.count;
 }
 
-void check_type(const Asset& asset, std::size_t accessor, int wanted, const char* name) {
-  if (description(asset, accessor).type != wanted) fail_type(accessor, std::string("is not of type ") + name);
+void check_type(const Asset& asset, std::size_t accessor, int target, const char* name) {
+  if (description(asset, accessor).type != target) fail_type(accessor, std::string("is not of type ") + name);
 }
 
 // KHR_mesh_quantization: signed c -> max(c / 127, -1), unsigned c -> c / 255, and so on for 16 bits.

@@ -54,13 +54,13 @@ class BinaryBuffer {
   // Calls sink(bytes) for each piece and the zeros between them, in pieces of at most a few MiB.
   template <class Sink>
   void emit(const Sink& sink) const {
-    constexpr std::size_t most_at_once = std::size_t{1} << 22U;
+    constexpr std::size_t max_at_once = std::size_t{1} << 22U;
     constexpr std::array<std::byte, 4> zeros{};
     std::uint64_t done = 0;
     for (const std::span<const std::byte> piece : pieces_) {
-      for (std::size_t at = 0; at < piece.size(); at += most_at_once) {
+      for (std::size_t at = 0; at < piece.size(); at += max_at_once) {
         host_.report("writing glTF", done + at, size_);
-        sink(piece.subspan(at, std::min(most_at_once, piece.size() - at)));
+        sink(piece.subspan(at, std::min(max_at_once, piece.size() - at)));
       }
       sink(std::span(zeros).first((4 - piece.size() % 4) % 4));
       done += piece.size();

@@ -13,7 +13,7 @@ namespace {
 // Squares of sizes between these are normal numbers of float32 or close to it, and renderers may flush others to 0.
 constexpr double smallest_as_is = 0x1p-100, largest_as_is = 0x1p100;
 // Of float32 itself, whose least normal number is 2^-126 and whose largest is below 2^128.
-constexpr double smallest_scale = 0x1p-125, largest_scale = 0x1p126;
+constexpr double min_scale = 0x1p-125, max_scale = 0x1p126;
 
 [[noreturn]] void refuse(double size) {
   std::array<char, 160> text{};
@@ -28,7 +28,7 @@ constexpr double smallest_scale = 0x1p-125, largest_scale = 0x1p126;
 
 double float_scale(double size) {
   if (size == 0 || (size >= smallest_as_is && size <= largest_as_is)) return 1;
-  if (!(size >= smallest_scale && size <= largest_scale)) refuse(size);
+  if (!(size >= min_scale && size <= max_scale)) refuse(size);
   return std::ldexp(1.0, std::ilogb(size));
 }
 
@@ -40,7 +40,7 @@ FloatFrame float_frame(const mesh::Vector3& low, const mesh::Vector3& high) {
     frame.scale = float_scale(largest);
     return frame;
   }
-  if (largest > largest_scale) refuse(largest);
+  if (largest > max_scale) refuse(largest);
   frame.translation = 0.5 * low + 0.5 * high;
   frame.scale = float_scale(half_size);
   return frame;

@@ -42,7 +42,7 @@ void check(const Scene& scene, const base::Host& host) {
   };
   check_size(scene.normals.size(), 3, "normals");
   check_size(scene.texture_coordinates.size(), 2, "texture coordinates");
-  check_size(scene.colors.size(), 4, "colours");
+  check_size(scene.colors.size(), 4, "colors");
   require_finite(scene.normals, "normals", host);
   require_finite(scene.texture_coordinates, "texture coordinates", host);
   for (const MorphTarget& target : scene.morph_targets) {

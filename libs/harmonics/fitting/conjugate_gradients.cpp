@@ -35,7 +35,7 @@ ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span
 
   ConjugateGradientsReport report;
   double last_alpha = 0, last_beta = 0;
-  for (; report.iterations < options.most_iterations; ++report.iterations) {
+  for (; report.iterations < options.max_iterations; ++report.iterations) {
     host.report(options.phase, report.iterations, 0);
     bool any = false;
     for (std::size_t c = 0; c < channels; ++c) {

@@ -16,7 +16,7 @@ using Multiply = std::function<void(std::span<const double> x, std::size_t chann
 
 struct ConjugateGradientsOptions {
   double tolerance = 1e-8;  // of |G x - b| relative to |b|, for each column
-  std::uint64_t most_iterations = 1000;
+  std::uint64_t max_iterations = 1000;
   const char* phase = "solving";
 };
 
@@ -27,7 +27,7 @@ struct ConjugateGradientsReport {
   double smallest = 0, largest = 0;  // eigenvalues of G as the first column saw them (zeros when it is zero)
 };
 
-// x is written, from zero. Stops at the tolerance, at most_iterations, or where G is not positive in the direction of
+// x is written, from zero. Stops at the tolerance, at max_iterations, or where G is not positive in the direction of
 // search (rounding, for a G that is singular): the columns then keep what they have.
 ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span<const double> b, std::size_t channels,
                                              std::span<double> x, const ConjugateGradientsOptions& options,

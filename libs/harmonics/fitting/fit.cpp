@@ -58,8 +58,8 @@ double penalty(const Samples& samples, const FitOptions& options, std::uint32_t 
 }
 
 // Of the iterative method.
-constexpr int most_passes = 8;
-constexpr std::uint64_t most_iterations = 2000;  // in each
+constexpr int max_passes = 8;
+constexpr std::uint64_t max_iterations = 2000;  // in each
 
 Coefficients fit_dense(const Samples& samples, const FitOptions& options, const base::Host& host, FitReport& report) {
   const std::size_t unknowns = basis_size(options.degree), n = samples.count(), channels = samples.channels;
@@ -186,7 +186,7 @@ Coefficients fit_iterative(const Samples& samples, const FitOptions& options, co
     const ConjugateGradientsReport probe =
         conjugate_gradients(multiply, random, 1, ignored,
                             {.tolerance = tolerance,
-                             .most_iterations = 400 + 4 * std::uint64_t{options.degree},
+                             .max_iterations = 400 + 4 * std::uint64_t{options.degree},
                              .phase = "measuring the condition"},
                             host);
     report.iterations += probe.iterations;
@@ -202,7 +202,7 @@ Coefficients fit_iterative(const Samples& samples, const FitOptions& options, co
   Array<double> rest(samples.values.begin(), samples.values.end(), host.memory), fitted(rest.size(), host.memory),
       change(unknowns * channels, host.memory);
   double first = 0, last = 0;
-  for (int pass = 0; pass < most_passes; ++pass) {
+  for (int pass = 0; pass < max_passes; ++pass) {
     analyse(samples.directions, samples.weights, rest, right, "fitting", host);
     equations.add_penalty(coefficients.values, channels, -1, right.values);
     const double length = norm(right.values);
@@ -212,7 +212,7 @@ Coefficients fit_iterative(const Samples& samples, const FitOptions& options, co
     if (length <= rounding * first || (pass > 0 && length > 0.5 * last)) break;
     last = length;
     const ConjugateGradientsReport solved = conjugate_gradients(
-        multiply, right.values, channels, change, {.tolerance = 1e-8, .most_iterations = most_iterations}, host);
+        multiply, right.values, channels, change, {.tolerance = 1e-8, .max_iterations = max_iterations}, host);
     report.iterations += solved.iterations;
     for (std::size_t i = 0; i < change.size(); ++i)
       coefficients.values[i] += change[i];
@@ -227,7 +227,7 @@ Coefficients fit_iterative(const Samples& samples, const FitOptions& options, co
 void refuse_too_high_degree(std::size_t samples, const FitOptions& options) {
   const double degree = options.degree;
   constexpr double seconds_of_product = 5e-8;  // by the third power of the degree, of one processor
-  const double iterations = most_passes * most_iterations + 4 * degree;
+  const double iterations = max_passes * max_iterations + 4 * degree;
   const double seconds = seconds_of_product * std::pow(degree + 1, 3) * iterations;
   const auto highest = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(samples))) - 1;
   throw base::Error("invalid-argument",

@@ -14,8 +14,8 @@ void gauss_legendre(std::span<double> nodes, std::span<double> weights) {
     double x =
         (1 - 1 / (8 * count * count)) * std::cos(std::numbers::pi * (static_cast<double>(k) + 0.75) / (count + 0.5));
     double slope = 1;
-    constexpr int most_steps = 8;
-    for (int step = 0; step < most_steps; ++step) {
+    constexpr int max_steps = 8;
+    for (int step = 0; step < max_steps; ++step) {
       double value = 1, before = 0;
       for (std::size_t j = 1; j <= n; ++j) {
         const double d = static_cast<double>(j);

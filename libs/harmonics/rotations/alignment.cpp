@@ -62,11 +62,11 @@ class Climb {
 
   // Newton's method for the maximum. Far from it, directions in which the sum bends the wrong way are followed uphill.
   void run(Place& place) const {
-    constexpr int most_steps = 50;
+    constexpr int max_steps = 50;
     constexpr double longest = 0.15;  // radians
     Coefficients h = turned(place.rotation, place.values);
     place.sum = product(f_, h);
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
       const Eigen::VectorXd direction = newton_direction(h, longest);
       const double length = direction.norm();
       if (!(length > 0)) return;

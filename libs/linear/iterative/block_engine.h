@@ -15,7 +15,7 @@ class BlockEngine {
   // `solution` is that of the step at which the residual, measured by the engine's preconditioner, is `tolerance` of
   // what it was, or of the last step. Returns the number of steps. Throws Error "no-valid-result" when the engine
   // fails, "cancelled".
-  virtual int solve(const BlockMatrix<block>& matrix, std::span<const double> right, int most_steps, double tolerance,
+  virtual int solve(const BlockMatrix<block>& matrix, std::span<const double> right, int max_steps, double tolerance,
                     std::span<double> solution, const base::Host& host) = 0;
 };
 

@@ -32,11 +32,11 @@ void BlockSolver<block>::factor(Matrix& matrix) {
 }
 
 template <int block>
-int BlockSolver<block>::solve(std::span<const double> right, int most_steps, double tolerance,
+int BlockSolver<block>::solve(std::span<const double> right, int max_steps, double tolerance,
                               std::span<double> solution) {
-  if (engine_ != nullptr) return engine_->solve(*matrix_, right, most_steps, tolerance, solution, host_);
-  if (by_multigrid()) return multigrid_.solve(right, most_steps, tolerance, solution);
-  return gauss_seidel_.solve(right, most_steps, tolerance, solution);
+  if (engine_ != nullptr) return engine_->solve(*matrix_, right, max_steps, tolerance, solution, host_);
+  if (by_multigrid()) return multigrid_.solve(right, max_steps, tolerance, solution);
+  return gauss_seidel_.solve(right, max_steps, tolerance, solution);
 }
 
 template class BlockSolver<1>;

@@ -22,7 +22,7 @@ class BlockSolver {
   // Keeps a view of the matrix, and adds a little to its diagonal.
   void factor(Matrix& matrix);
   // As GaussSeidel::solve.
-  int solve(std::span<const double> right, int most_steps, double tolerance, std::span<double> solution);
+  int solve(std::span<const double> right, int max_steps, double tolerance, std::span<double> solution);
 
  private:
   bool by_multigrid() const { return matrix_->rows() >= multigrid_from_; }

@@ -148,7 +148,7 @@ void GaussSeidel<block>::multiply_diagonal(std::span<const double> x, std::span<
 }
 
 template <int block>
-int GaussSeidel<block>::solve(std::span<const double> right, int most_steps, double tolerance,
+int GaussSeidel<block>::solve(std::span<const double> right, int max_steps, double tolerance,
                               std::span<double> solution) {
   // With A = L + D + L' and u = (D + L') x the system is (D + L)^-1 A (D + L')^-1 u = (D + L)^-1 b, preconditioned by
   // D.
@@ -169,7 +169,7 @@ int GaussSeidel<block>::solve(std::span<const double> right, int most_steps, dou
   double rz = dot(residual_, search_);
   const double enough = tolerance * tolerance * rz;
   int k = 0;
-  for (; k < most_steps && rz > enough; ++k) {
+  for (; k < max_steps && rz > enough; ++k) {
     image_ = search_;
     backward(image_);
     multiply_diagonal(image_, product_);

@@ -33,7 +33,7 @@ class GaussSeidel {
 
   // `solution` begins at 0, and is that of the step at which the residual, measured by the preconditioner, is
   // `tolerance` of what it was, or of the last step. Returns the number of steps. Reports to the host.
-  int solve(std::span<const double> right, int most_steps, double tolerance, std::span<double> solution);
+  int solve(std::span<const double> right, int max_steps, double tolerance, std::span<double> solution);
 
  private:
   void sweep_row(std::size_t v, std::span<const double> right, std::span<double> x, std::span<double> sums) const;

@@ -44,7 +44,7 @@ class Solver : public IterativeSolver {
   IterativeReport solve(std::span<const double> right, const IterativeOptions& options,
                         std::span<double> solution) override {
     // One run of conjugate gradients gains little more: its own residual drifts from that of the matrix.
-    constexpr double least_gain_of_a_run = 1e-6, stalled = 0.5;
+    constexpr double min_gain_of_a_run = 1e-6, stalled = 0.5;
     IterativeReport report;
     const int exponent = exponent_of(right);
     right_.resize(right.size());
@@ -58,7 +58,7 @@ class Solver : public IterativeSolver {
     report.residual = size > 0 ? 1 : 0;
     for (double before = size; size > 0;) {
       if (before <= options.tolerance * size || report.iterations >= options.max_iterations) break;
-      const double gain = std::max(least_gain_of_a_run, 0.3 * options.tolerance * size / before);
+      const double gain = std::max(min_gain_of_a_run, 0.3 * options.tolerance * size / before);
       report.iterations += solver_.solve(residual_, options.max_iterations - report.iterations, gain, correction_);
       for (std::size_t i = 0; i < solution.size(); ++i)
         solution[i] += correction_[i];

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t aggregate_size = 8;
 constexpr std::size_t coarsest_rows = 100;
-constexpr std::size_t most_dense = 800;  // unknowns of a matrix that is factored as a whole
+constexpr std::size_t max_dense = 800;  // unknowns of a matrix that is factored as a whole
 constexpr std::size_t slab = 16384;
 
 double dot(std::span<const double> a, std::span<const double> b) {
@@ -55,8 +55,8 @@ void Multigrid<block>::aggregate(Level& level, std::size_t& count) const {
   constexpr double weak = 0.1;  // of the strongest coupling of the first vertex
   const Matrix& m = *level.matrix;
   const std::size_t rows = m.rows();
-  Array<Index> begin(rows + 1, 0, host_.memory), next(host_.memory), neighbour(2 * m.column.size(), host_.memory);
-  Array<float> coupling(neighbour.size(), host_.memory);
+  Array<Index> begin(rows + 1, 0, host_.memory), next(host_.memory), neighbor(2 * m.column.size(), host_.memory);
+  Array<float> coupling(neighbor.size(), host_.memory);
   for (std::size_t v = 0; v < rows; ++v) {
     begin[v + 1] += m.row_begin[v + 1] - m.row_begin[v];
     for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
@@ -72,8 +72,8 @@ void Multigrid<block>::aggregate(Level& level, std::size_t& count) const {
       // Relative to the diagonal, so that contrasts of the coefficients do not matter by themselves.
       const double size = std::sqrt(m.diagonal[v].trace() * m.diagonal[w].trace());
       const auto c = static_cast<float>(size > 0 ? std::max(0.0, -m.lower[i].trace()) / size : 0.0);
-      neighbour[next[v]] = w, coupling[next[v]++] = c;
-      neighbour[next[w]] = v, coupling[next[w]++] = c;
+      neighbor[next[v]] = w, coupling[next[v]++] = c;
+      neighbor[next[w]] = v, coupling[next[w]++] = c;
     }
   }
   level.aggregate.assign(rows, no_index);
@@ -99,7 +99,7 @@ void Multigrid<block>::aggregate(Level& level, std::size_t& count) const {
       level.aggregate[added] = number;
       if (++size == aggregate_size) break;
       for (Index i = begin[added]; i < begin[added + 1]; ++i) {
-        const Index w = neighbour[i];
+        const Index w = neighbor[i];
         if (!is_free(w) || !(coupling[i] > 0)) continue;
         if (place[w] == no_index) {
           place[w] = static_cast<Index>(candidates.size());
@@ -125,7 +125,7 @@ void Multigrid<block>::aggregate(Level& level, std::size_t& count) const {
     float most = 0;
     const auto look = [&](Index v) {
       for (Index i = begin[v]; i < begin[v + 1]; ++i) {
-        const Index other = level.aggregate[neighbour[i]];
+        const Index other = level.aggregate[neighbor[i]];
         if (other == no_index || other == number || !(coupling[i] > most)) continue;
         most = coupling[i];
         best = other;
@@ -218,7 +218,7 @@ void Multigrid<block>::factor_last() {
   const Matrix& m = *level.matrix;
   const std::size_t size = m.size();
   last_.clear();
-  if (size > most_dense) return;
+  if (size > max_dense) return;
   last_.resize(size * size);
   for (std::size_t i = 0; i < size; ++i) {
     level.first[i] = 1;
@@ -329,7 +329,7 @@ void Multigrid<block>::solve_level(std::size_t number) {
 }
 
 template <int block>
-int Multigrid<block>::solve(std::span<const double> right, int most_steps, double tolerance,
+int Multigrid<block>::solve(std::span<const double> right, int max_steps, double tolerance,
                             std::span<double> solution) {
   // Conjugate gradients for preconditioners that change.
   Level& fine = *levels_[0];
@@ -344,7 +344,7 @@ int Multigrid<block>::solve(std::span<const double> right, int most_steps, doubl
   double rz = dot(residual, preconditioned);
   const double enough = tolerance * tolerance * rz;
   int k = 0;
-  for (; k < most_steps && rz > enough; ++k) {
+  for (; k < max_steps && rz > enough; ++k) {
     fine.matrix->multiply(search, image, host_);
     const double curvature = dot(search, image);
     if (!(curvature > 0) || !std::isfinite(curvature)) break;

@@ -21,7 +21,7 @@ class Multigrid {
   // Makes the levels. Keeps a view of the matrix, and adds a little to its diagonal.
   void factor(Matrix& matrix);
   // As GaussSeidel::solve.
-  int solve(std::span<const double> right, int most_steps, double tolerance, std::span<double> solution);
+  int solve(std::span<const double> right, int max_steps, double tolerance, std::span<double> solution);
 
   std::size_t levels() const { return depth_; }
 

@@ -82,7 +82,7 @@ std::optional<std::size_t> PlyElement::find(std::initializer_list<std::string_vi
   return std::nullopt;
 }
 
-std::size_t PlyElement::least_size() const {
+std::size_t PlyElement::min_size() const {
   std::size_t size = 0;
   for (const PlyProperty& p : properties)
     size += size_of(p.count_type.value_or(p.type));

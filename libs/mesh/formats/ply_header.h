@@ -29,7 +29,7 @@ struct PlyElement {
   // Place of the property of one of the names, if there is one.
   std::optional<std::size_t> find(std::initializer_list<std::string_view> names) const;
   // The fewest bytes that one takes in a binary file.
-  std::size_t least_size() const;
+  std::size_t min_size() const;
 };
 
 enum class PlyForm { ascii, little_endian, big_endian };

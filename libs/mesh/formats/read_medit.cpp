@@ -28,7 +28,7 @@ class MeditReader {
       const std::string_view keyword = scanner_.word();
       const std::string name = in_small_letters(keyword);
       if (name == "end") break;
-      if (!section(name) && !wanted_section(name)) skip_section(keyword);
+      if (!section(name) && !target_section(name)) skip_section(keyword);
     }
     report_.format = "MEDIT";
     report_.polygons = faces_.larger_than_triangles();
@@ -64,7 +64,7 @@ class MeditReader {
   }
 
   // What says how to read, and cells that cannot be read: leaving them out would leave a hole.
-  bool wanted_section(const std::string& name) {
+  bool target_section(const std::string& name) {
     if (name == "dimension") {
       dimension();
     } else if (name == "meshversionformatted") {

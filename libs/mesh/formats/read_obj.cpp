@@ -36,9 +36,9 @@ class ObjReader {
       }
       scanner_.progress();
     }
-    if (largest_index_ > static_cast<std::int64_t>(mesh_.positions.size())) {
+    if (max_index_ > static_cast<std::int64_t>(mesh_.positions.size())) {
       throw base::Error("index-range", "line " + std::to_string(scanner_.line_of(place_of_largest_)) +
-                                           ": vertex index " + std::to_string(largest_index_) + " of " +
+                                           ": vertex index " + std::to_string(max_index_) + " of " +
                                            std::to_string(mesh_.positions.size()) + " vertices");
     }
     report_.format = "OBJ";
@@ -105,8 +105,8 @@ class ObjReader {
     if (given > static_cast<std::int64_t>(no_index)) {
       scanner_.fail("index-range", "vertex index " + std::to_string(given) + " is out of range");
     }
-    if (given > count && given > largest_index_) {  // of a vertex that may still come
-      largest_index_ = given;
+    if (given > count && given > max_index_) {  // of a vertex that may still come
+      max_index_ = given;
       place_of_largest_ = scanner_.place();
     }
     return static_cast<Index>(given < 0 ? count + given : given - 1);
@@ -118,7 +118,7 @@ class ObjReader {
   Mesh mesh_;
   Polygons faces_;
   Array<Index> face_;
-  std::int64_t largest_index_ = 0;
+  std::int64_t max_index_ = 0;
   const char* place_of_largest_ = nullptr;
   std::size_t texture_coordinates_ = 0, normals_ = 0, colors_ = 0, materials_ = 0, groups_ = 0, lines_ = 0;
   std::size_t free_form_ = 0;

@@ -61,7 +61,7 @@ class BinaryBody {
   explicit BinaryBody(BinaryScanner& scanner) : scanner_(scanner) {}
 
   void require_elements(const PlyElement& e) {
-    scanner_.require_room(e.count, std::max<std::size_t>(1, e.least_size()), e.name.c_str());
+    scanner_.require_room(e.count, std::max<std::size_t>(1, e.min_size()), e.name.c_str());
   }
   void require_list(std::uint64_t count, PlyType type) {
     scanner_.require_room(count, size_of(type), "entries of a list");

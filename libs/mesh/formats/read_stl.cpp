@@ -124,8 +124,8 @@ class TextReader {
   }
 
   // Past the second word of "end loop" and the like.
-  bool next_is(std::string_view wanted) {
-    if (scanner_.at_end_of_line() || !scanner_.starts_with_ignoring_case(wanted)) return false;
+  bool next_is(std::string_view target) {
+    if (scanner_.at_end_of_line() || !scanner_.starts_with_ignoring_case(target)) return false;
     scanner_.word();
     return true;
   }

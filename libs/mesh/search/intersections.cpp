@@ -139,8 +139,8 @@ Array<Pair> meeting_pairs(std::span<const Box> boxes, std::size_t most, const ba
       }
     });
     for (const std::vector<Pair>& pairs : found) {
-      const auto wanted = static_cast<std::ptrdiff_t>(std::min(pairs.size(), most - result.size()));
-      result.insert(result.end(), pairs.begin(), pairs.begin() + wanted);
+      const auto target = static_cast<std::ptrdiff_t>(std::min(pairs.size(), most - result.size()));
+      result.insert(result.end(), pairs.begin(), pairs.begin() + target);
     }
   }
   return result;

@@ -41,8 +41,8 @@ TetrahedronShape shape_of(const Vector3& a, const Vector3& b, const Vector3& c, 
   scale(w);
   const std::array<double, 6> lengths = {u.norm(), v.norm(), w.norm(), (v - u).norm(), (w - u).norm(), (w - v).norm()};
   const auto [shortest, longest] = std::ranges::minmax(lengths);
-  result.shortest_edge = std::ldexp(shortest, exponent + 1);
-  result.longest_edge = std::ldexp(longest, exponent + 1);
+  result.min_edge_length = std::ldexp(shortest, exponent + 1);
+  result.max_edge_length = std::ldexp(longest, exponent + 1);
 
   // Outward normals of the faces opposite to a, b, c, d, twice the area long.
   const Vector3 vw = v.cross(w), wu = w.cross(u), uv = u.cross(v);
@@ -71,10 +71,10 @@ TetrahedronQuality tetrahedron_quality(std::span<const Vector3> positions, std::
   result.tetrahedra = tetrahedra.size();
   if (tetrahedra.empty()) return result;
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  result.smallest_volume = result.smallest_dihedral = result.shortest_edge = infinity;
-  result.smallest_radius_ratio = infinity;
-  result.largest_volume = -infinity;
-  base::CompensatedSum volumes, smallest_angles, ratios, radius_edges;
+  result.min_volume = result.min_dihedral = result.min_edge_length = infinity;
+  result.min_radius_ratio = infinity;
+  result.max_volume = -infinity;
+  base::CompensatedSum volumes, min_angles, ratios, radius_edges;
   for (std::size_t i = 0; i < tetrahedra.size(); ++i) {
     if (i % items_between_reports == 0) host.report(phase, i, tetrahedra.size());
     const Tetrahedron& t = tetrahedra[i];
@@ -89,29 +89,29 @@ TetrahedronQuality tetrahedron_quality(std::span<const Vector3> positions, std::
     ++(sign > 0 ? result.positive : sign == 0 ? result.flat : result.inverted);
     const double volume = sign < 0 ? -shape.volume : shape.volume;
     volumes.add(volume);
-    result.smallest_volume = std::min(result.smallest_volume, volume);
-    result.largest_volume = std::max(result.largest_volume, volume);
+    result.min_volume = std::min(result.min_volume, volume);
+    result.max_volume = std::max(result.max_volume, volume);
     const auto [low, high] = std::ranges::minmax(shape.dihedral_angles);
-    result.smallest_dihedral = std::min(result.smallest_dihedral, low);
-    result.largest_dihedral = std::max(result.largest_dihedral, high);
-    smallest_angles.add(low);
+    result.min_dihedral = std::min(result.min_dihedral, low);
+    result.max_dihedral = std::max(result.max_dihedral, high);
+    min_angles.add(low);
     for (const double angle : shape.dihedral_angles)
       count(result.dihedral_histogram, angle, 10);
     const double ratio = sign > 0 ? shape.radius_ratio : sign == 0 ? 0 : -shape.radius_ratio;
-    if (ratio < result.smallest_radius_ratio) {
-      result.smallest_radius_ratio = ratio;
+    if (ratio < result.min_radius_ratio) {
+      result.min_radius_ratio = ratio;
       result.worst = static_cast<Index>(i);
     }
     ratios.add(ratio);
     count(result.radius_ratio_histogram, std::max(ratio, 0.0), 0.05);
     if (sign != 0) radius_edges.add(shape.radius_edge);
-    result.largest_radius_edge = std::max(result.largest_radius_edge, shape.radius_edge);
-    result.shortest_edge = std::min(result.shortest_edge, shape.shortest_edge);
-    result.longest_edge = std::max(result.longest_edge, shape.longest_edge);
+    result.max_radius_edge = std::max(result.max_radius_edge, shape.radius_edge);
+    result.min_edge_length = std::min(result.min_edge_length, shape.min_edge_length);
+    result.max_edge_length = std::max(result.max_edge_length, shape.max_edge_length);
   }
   const auto n = static_cast<double>(tetrahedra.size());
   result.volume = volumes.value();
-  result.mean_smallest_dihedral = smallest_angles.value() / n;
+  result.mean_min_dihedral = min_angles.value() / n;
   result.mean_radius_ratio = ratios.value() / n;
   if (result.flat < result.tetrahedra)
     result.mean_radius_edge = radius_edges.value() / static_cast<double>(result.tetrahedra - result.flat);

@@ -42,10 +42,10 @@ std::span<const ShapeDescription> shapes() {
 }
 
 Mesh make_shape(std::string_view name, const ShapeOptions& options, const base::Host& host) {
-  constexpr std::size_t most_triangles = 100'000'000;
-  if (options.triangles > most_triangles) {
+  constexpr std::size_t max_triangles = 100'000'000;
+  if (options.triangles > max_triangles) {
     throw base::Error("invalid-argument", std::to_string(options.triangles) + " triangles; at most " +
-                                              std::to_string(most_triangles) + " can be made");
+                                              std::to_string(max_triangles) + " can be made");
   }
   for (const Shape& shape : table) {
     if (name == shape.description.name) return shape.make(options, host);

@@ -108,7 +108,7 @@ class Creature {
  private:
   double vary(double usual) { return usual * random_.uniform(0.8, 1.25); }
 
-  void limb(Tip& tip, const Vector3& direction, double length, double radius) {
+  void protrusion(Tip& tip, const Vector3& direction, double length, double radius) {
     mesh_.grow(tip, direction, length, mesh_.scale_to(tip, radius));
   }
 
@@ -122,10 +122,10 @@ class Creature {
     const double foot = vary(0.3);
     for (const double side : {1.0, -1.0}) {
       Tip tip = mesh_.tip_at(side > 0 ? piece[1] : piece[3]);
-      limb(tip, {0, side, -0.35}, hip, 1.25 * radius);
-      limb(tip, {0.05, side * spread, -1}, upper, radius);
-      limb(tip, {-0.05, 0.4 * side * spread, -1}, lower, 0.75 * radius);
-      limb(tip, {0.35, 0.3 * side, -1}, foot, 0.85 * radius);
+      protrusion(tip, {0, side, -0.35}, hip, 1.25 * radius);
+      protrusion(tip, {0.05, side * spread, -1}, upper, radius);
+      protrusion(tip, {-0.05, 0.4 * side * spread, -1}, lower, 0.75 * radius);
+      protrusion(tip, {0.35, 0.3 * side, -1}, foot, 0.85 * radius);
     }
   }
 
@@ -138,19 +138,19 @@ class Creature {
     const bool thumb = random_.whole(0, 1) == 1;
     for (const double side : {1.0, -1.0}) {
       Tip tip = mesh_.tip_at(side > 0 ? piece[1] : piece[3]);
-      limb(tip, {0.1, side, 0.3 * lift}, vary(0.3), 1.25 * radius);
-      limb(tip, {0.25, side, lift}, upper, radius);
+      protrusion(tip, {0.1, side, 0.3 * lift}, vary(0.3), 1.25 * radius);
+      protrusion(tip, {0.25, side, lift}, upper, radius);
       const Vector3 forward = Vector3(0.6, 0.9 * side, lift).normalized();
-      limb(tip, forward, lower, 0.7 * radius);
+      protrusion(tip, forward, lower, 0.7 * radius);
       const Ring palm = mesh_.grow(tip, forward, 0.3, 1.35);
-      limb(tip, forward, 0.12, 0.4 * radius);
-      limb(tip, forward, finger, 0.22 * radius);
+      protrusion(tip, forward, 0.12, 0.4 * radius);
+      protrusion(tip, forward, finger, 0.22 * radius);
       for (const std::size_t k : {0U, 1U, 2U, 3U}) {
         if (k == 0 && !thumb) continue;
         Tip one = mesh_.tip_at(palm[k]);
         const Vector3 outward = one.direction;
-        limb(one, outward + 0.5 * forward, 0.14, 0.4 * radius);
-        limb(one, outward + 1.6 * forward, finger * random_.uniform(0.7, 1), 0.22 * radius);
+        protrusion(one, outward + 0.5 * forward, 0.14, 0.4 * radius);
+        protrusion(one, outward + 1.6 * forward, finger * random_.uniform(0.7, 1), 0.22 * radius);
       }
     }
   }
@@ -161,7 +161,7 @@ class Creature {
     double radius = vary(0.36);
     Vector3 way(-1, 0, random_.uniform(-0.2, 0.3));
     for (int i = 0; i < pieces; ++i) {
-      limb(tip, way, vary(0.5), radius);
+      protrusion(tip, way, vary(0.5), radius);
       radius *= random_.uniform(0.72, 0.88);
       const double up = random_.uniform(-0.1, 0.35);
       way = (way + Vector3(0, random_.uniform(-0.25, 0.25), up)).normalized();
@@ -171,27 +171,27 @@ class Creature {
   void head(Tip tip) {
     const double radius = vary(0.3);
     const double stretch = vary(0.4);
-    limb(tip, {1, 0, 0.5}, vary(0.35), 1.3 * radius);
-    limb(tip, {0.5, 0, 1}, stretch, radius);
-    limb(tip, {0.4, 0, 1}, stretch, radius);
-    limb(tip, {1, 0, 0.5}, 0.3, 1.8 * radius);
+    protrusion(tip, {1, 0, 0.5}, vary(0.35), 1.3 * radius);
+    protrusion(tip, {0.5, 0, 1}, stretch, radius);
+    protrusion(tip, {0.4, 0, 1}, stretch, radius);
+    protrusion(tip, {1, 0, 0.5}, 0.3, 1.8 * radius);
     const Ring skull = mesh_.grow(tip, {1, 0, 0}, vary(0.5), 1);
     const double snout = random_.uniform(0.8, 1.3) * radius;
-    limb(tip, {1, 0, -0.15}, vary(0.35), snout);
+    protrusion(tip, {1, 0, -0.15}, vary(0.35), snout);
     const double ear = vary(0.45);
     for (const std::size_t k : {1U, 3U}) {
       Tip one = mesh_.tip_at(skull[k]);
       const Vector3 outward(-0.15, one.direction[1] > 0 ? 0.5 : -0.5, 1);
-      limb(one, one.direction + 0.3 * outward, 0.12, 0.16);
-      limb(one, outward, ear, 0.06);
+      protrusion(one, one.direction + 0.3 * outward, 0.12, 0.16);
+      protrusion(one, outward, ear, 0.06);
     }
   }
 
   void spike(std::size_t quad) {
     Tip tip = mesh_.tip_at(quad);
     const Vector3 up = tip.direction;
-    limb(tip, up, 0.15, 0.25);
-    limb(tip, up - Vector3(0.3, 0, 0), vary(0.3), 0.06);
+    protrusion(tip, up, 0.15, 0.25);
+    protrusion(tip, up - Vector3(0.3, 0, 0), vary(0.3), 0.06);
   }
 
   Random random_;

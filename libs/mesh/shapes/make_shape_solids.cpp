@@ -35,9 +35,9 @@ class BoxSolid : public PatchSurface {
       for (int axis = 0; axis < 3; ++axis) {
         if (hole && hole->axis == axis) continue;
         for (const bool high : {false, true}) {
-          Cell neighbour = cell;
-          neighbour[static_cast<std::size_t>(axis)] += high ? 1 : -1;
-          if (!cells_.contains(neighbour)) complex_.quads.push_back(side_of(cell, axis, high));
+          Cell neighbor = cell;
+          neighbor[static_cast<std::size_t>(axis)] += high ? 1 : -1;
+          if (!cells_.contains(neighbor)) complex_.quads.push_back(side_of(cell, axis, high));
         }
       }
       if (hole) bore(cell, *hole);

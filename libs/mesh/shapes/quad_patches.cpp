@@ -37,16 +37,16 @@ std::vector<Index> strips(const QuadComplex& complex, std::span<const Index> twi
       sum += 2.0 * count(h, density) * count(h + 1, density);
     return sum;
   };
-  const auto wanted = static_cast<double>(triangles);
+  const auto target = static_cast<double>(triangles);
   double low = 0;
   double high = 1;
-  while (total(high) < wanted)
+  while (total(high) < target)
     high *= 2;
   for (int i = 0; i < 60; ++i) {
     const double middle = 0.5 * (low + high);
-    (total(middle) < wanted ? low : high) = middle;
+    (total(middle) < target ? low : high) = middle;
   }
-  const double density = wanted - total(low) < total(high) - wanted ? low : high;
+  const double density = target - total(low) < total(high) - target ? low : high;
   std::vector<Index> result(half_edges);
   for (Index h = 0; h < half_edges; ++h)
     result[h] = count(h, density);

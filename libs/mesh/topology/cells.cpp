@@ -17,7 +17,7 @@ constexpr const char* phase = "checking cells";
 constexpr std::size_t items_between_reports = 8192;
 
 // The three neighbors of each corner of a hexahedron, so that their edges have a positive determinant in a cube.
-constexpr std::array<std::array<std::size_t, 3>, 8> corner_neighbours = {
+constexpr std::array<std::array<std::size_t, 3>, 8> corner_neighbors = {
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 
 constexpr std::array<std::array<std::size_t, 3>, 4> tetrahedron_faces = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
@@ -38,7 +38,7 @@ int orientation(std::span<const Vector3> x, const Tetrahedron& c) {
 int orientation(std::span<const Vector3> x, const Hexahedron& c) {
   int least = 1;
   for (std::size_t i = 0; i < 8; ++i) {
-    const auto& n = corner_neighbours[i];
+    const auto& n = corner_neighbors[i];
     least = std::min(least, orientation_3d(x[c[i]], x[c[n[0]]], x[c[n[1]]], x[c[n[2]]]));
   }
   return least;
@@ -214,9 +214,9 @@ void glue(Boundary& boundary, std::span<const Vector3> positions, const base::Ho
       boundary.triangles.size(), positions.size(), [&](std::size_t i) { return sorted(boundary.triangles[i]); }, host);
   // The triangle with the corners of a quadrilateral but one.
   const auto without = [&](const Key<4>& q, std::size_t corner) {
-    const Entry<3> wanted{sorted<3>({q[(corner + 1) % 4], q[(corner + 2) % 4], q[(corner + 3) % 4]}), 0};
-    const auto found = std::lower_bound(entries.begin(), entries.end(), wanted);
-    return found != entries.end() && found->key == wanted.key ? found->item : no_index;
+    const Entry<3> target{sorted<3>({q[(corner + 1) % 4], q[(corner + 2) % 4], q[(corner + 3) % 4]}), 0};
+    const auto found = std::lower_bound(entries.begin(), entries.end(), target);
+    return found != entries.end() && found->key == target.key ? found->item : no_index;
   };
   Array<std::uint8_t> glued(boundary.triangles.size(), 0, host.memory);
   Array<Key<4>> left(host.memory);
@@ -292,7 +292,7 @@ void check_edges(const Boundary& boundary, std::span<const Vector3> positions, c
 int inverted_corners(std::span<const Vector3> x, const Hexahedron& c) {
   int sum = 0;
   for (std::size_t i = 0; i < 8; ++i) {
-    const auto& n = corner_neighbours[i];
+    const auto& n = corner_neighbors[i];
     sum -= orientation_3d(x[c[i]], x[c[n[0]]], x[c[n[1]]], x[c[n[2]]]);
   }
   return sum;

@@ -44,7 +44,7 @@ class Connectivity {
 
   // visit(neighbor) for each vertex that an edge joins with `vertex`, counter-clockwise.
   template <class Visit>
-  void for_each_neighbour(Index vertex, const Visit& visit) const {
+  void for_each_neighbor(Index vertex, const Visit& visit) const {
     Index last = no_index;
     for_each_outgoing(vertex, [&](Index h) {
       visit(end(h));

@@ -22,11 +22,10 @@ bool has_float_digits(const Vector3& p) {
 constexpr double float_rounding = 0x1p-24, double_rounding = 0x1p-53;
 
 // Of edges whose squares neither overflow nor vanish.
-bool is_flat(const Vector3& pq, const Vector3& pr, double least_height) {
+bool is_flat(const Vector3& pq, const Vector3& pr, double min_height) {
   const double longest_square = std::max({pq.squaredNorm(), pr.squaredNorm(), (pr - pq).squaredNorm()});
   const double twice_area = pq.cross(pr).norm();
-  return twice_area <= degenerate_height_ratio * longest_square ||
-         twice_area <= least_height * std::sqrt(longest_square);
+  return twice_area <= degenerate_height_ratio * longest_square || twice_area <= min_height * std::sqrt(longest_square);
 }
 
 }  // namespace
@@ -52,12 +51,12 @@ bool is_degenerate(const Vector3& p, const Vector3& q, const Vector3& r, double 
   const double size = std::max(pq.cwiseAbs().maxCoeff(), pr.cwiseAbs().maxCoeff());
   if (!(size > 0)) return true;
   const double farthest = std::max({p.cwiseAbs().maxCoeff(), q.cwiseAbs().maxCoeff(), r.cwiseAbs().maxCoeff()});
-  const double least_height = degenerate_height_roundings * rounding * (0.5 * farthest);
+  const double min_height = degenerate_height_roundings * rounding * (0.5 * farthest);
   constexpr double smallest = 1e-70, largest = 1e70;
-  if (size > smallest && size < largest) return is_flat(pq, pr, least_height);
+  if (size > smallest && size < largest) return is_flat(pq, pr, min_height);
   const int exponent = -std::ilogb(size);
   const auto scaled = [&](double x) { return std::scalbn(x, exponent); };
-  return is_flat(pq.unaryExpr(scaled), pr.unaryExpr(scaled), scaled(least_height));
+  return is_flat(pq.unaryExpr(scaled), pr.unaryExpr(scaled), scaled(min_height));
 }
 
 std::size_t count_degenerate(std::span<const Vector3> positions, std::span<const Triangle> triangles) {

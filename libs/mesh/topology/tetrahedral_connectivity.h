@@ -46,7 +46,7 @@ class TetrahedralConnectivity {
   Index opposite(Index face) const { return opposite_[face]; }
   bool on_boundary(Index face) const { return opposite_[face] == no_index; }
   // The tetrahedron across the face opposite `corner`; no_index on the boundary.
-  Index neighbour(Index tetrahedron, Index corner) const {
+  Index neighbor(Index tetrahedron, Index corner) const {
     const Index other = opposite_[4 * tetrahedron + corner];
     return other == no_index ? no_index : other / 4;
   }

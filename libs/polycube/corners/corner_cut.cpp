@@ -14,7 +14,7 @@ namespace {
 constexpr double quarter = 0.5 * std::numbers::pi;
 // A vertex that is as near to a ray, in parts of its shortest edge, goes onto it if its triangles keep such a part of
 // their areas.
-constexpr double snapping = 0.2, least_area = 0.3;
+constexpr double snapping = 0.2, min_area = 0.3;
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -79,7 +79,7 @@ class RegionCut {
   }
 
   // Into what is from 0 up to the whole turn; the point, if there is one, with it.
-  double normalised(double angle, Vector2d* point = nullptr) const {
+  double normalized(double angle, Vector2d* point = nullptr) const {
     const int turns = static_cast<int>(std::floor(angle / whole_));
     if (point != nullptr) *point = turned_by(*point, -turns * region_.quarters);
     return std::clamp(angle - turns * whole_, 0.0, whole_);
@@ -121,7 +121,7 @@ class RegionCut {
     for (Index v = 0; v < count; ++v) {
       const Index own = v < region_.vertices.size() ? region_.vertices[v] : apex_;
       cone_[own] = v < region_.inside || v >= region_.vertices.size() ? move_.position(v) : region_.cone[v];
-      angle_[own] = normalised(angles[v], &cone_[own]);
+      angle_[own] = normalized(angles[v], &cone_[own]);
       if (v < region_.inside || v >= region_.vertices.size()) moved_.push_back(own);
     }
     return true;
@@ -194,7 +194,7 @@ class RegionCut {
         angle_[v] = sector.begin * quarter;
         std::size_t i = 0;
         surface_.for_each_outgoing(v, [&](Index h) { worst = std::min(worst, area(h / 3) / old_areas_[i++]); });
-        if (worst > least_area) break;
+        if (worst > min_area) break;
         cone_[v] = before;
         angle_[v] = angle_before;
       }
@@ -253,7 +253,7 @@ class RegionCut {
   }
 
   const CornerSector& sector_at(double angle) const {
-    angle = normalised(angle);
+    angle = normalized(angle);
     for (const CornerSector& sector : region_.sectors)
       if (angle < (sector.begin + sector.quarters) * quarter) return sector;
     return region_.sectors.front();

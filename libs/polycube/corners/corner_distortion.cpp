@@ -37,20 +37,20 @@ void PlanarTriangles::clear() {
 }
 
 void PlanarTriangles::add(const std::array<Vector3, 3>& space, const std::array<Index, 6>& coordinates,
-                          const std::array<double, 6>& sign, double whole_area, double least_area) {
+                          const std::array<double, 6>& sign, double whole_area, double min_area) {
   // Slivers are widened a little, so that their hat functions stay finite.
-  constexpr double least_height = 1e-7;
+  constexpr double min_height = 1e-7;
   const Vector3 first = space[1] - space[0], second = space[2] - space[0];
   const double longest =
       std::sqrt(std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm(), 1e-300}));
-  const double base = std::max(first.norm(), least_height * longest);
+  const double base = std::max(first.norm(), min_height * longest);
   const double along = first.norm() > 0 ? second.dot(first) / first.norm() : 0;
-  const double height = std::max(first.cross(second).norm() / base, least_height * longest);
+  const double height = std::max(first.cross(second).norm() / base, min_height * longest);
   const Vector2d at_1(1 / base, -along / (base * height)), at_2(0, 1 / height);
   variables.push_back(coordinates);
   signs.push_back(sign);
   hats.push_back({Vector2d(-at_1 - at_2), at_1, at_2});
-  weights.push_back(std::max(0.5 * base * height, least_area) / whole_area);
+  weights.push_back(std::max(0.5 * base * height, min_area) / whole_area);
 }
 
 Eigen::Matrix2d PlanarTriangles::jacobian(std::span<const double> value, std::size_t triangle) const {
@@ -113,13 +113,13 @@ double DistortionMinimum::chi(double determinant, double* derivative) const {
   return value;
 }
 
-double DistortionMinimum::least_determinant(std::size_t* turned_over) const {
+double DistortionMinimum::min_determinant(std::size_t* flipped) const {
   double least = infinity;
-  *turned_over = 0;
+  *flipped = 0;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const double d = triangles_.jacobian(value_, t).determinant();
     least = std::min(least, d);
-    *turned_over += !(d > 0);
+    *flipped += !(d > 0);
   }
   return least;
 }
@@ -203,8 +203,8 @@ double DistortionMinimum::step() {
   const double descent = gradient_.dot(x);
   std::copy(x.begin(), x.end(), direction_.begin());
   double length = eps_ <= 0 ? longest_positive_step(direction_) : 1;
-  constexpr int most_halvings = 25;
-  for (int halvings = 0; halvings < most_halvings; ++halvings, length *= 0.5) {
+  constexpr int max_halvings = 25;
+  for (int halvings = 0; halvings < max_halvings; ++halvings, length *= 0.5) {
     host_.report(phase, 0, 0);
     for (std::size_t i = 0; i < free_; ++i)
       trial_[i] = value_[i] + length * direction_[i];
@@ -217,8 +217,8 @@ double DistortionMinimum::step() {
 }
 
 bool DistortionMinimum::untangle(int steps) {
-  std::size_t turned_over = 0;
-  double least = least_determinant(&turned_over);
+  std::size_t flipped = 0;
+  double least = min_determinant(&flipped);
   constexpr int steps_an_eps = 4;
   constexpr double little = 2e-3;
   eps_ = std::clamp(0.2 * std::abs(least) + 1e-3, 0.05, 1.0);
@@ -226,16 +226,16 @@ bool DistortionMinimum::untangle(int steps) {
     for (int i = 0; i < steps_an_eps && done < steps; ++i, ++done)
       if (step() < little) break;
     ++done;
-    least = least_determinant(&turned_over);
+    least = min_determinant(&flipped);
   }
   eps_ = 0;
   return least > 0;
 }
 
-double DistortionMinimum::minimise(int steps, double least_gain) {
+double DistortionMinimum::minimise(int steps, double min_gain) {
   eps_ = 0;
   for (int i = 0; i < steps; ++i)
-    if (!(step() >= least_gain)) break;
+    if (!(step() >= min_gain)) break;
   return triangles_.energy(value_, lambda_);
 }
 

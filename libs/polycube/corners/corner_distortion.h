@@ -29,7 +29,7 @@ struct PlanarTriangles {
   // Corners in space, at the scale of the polycube; coordinates in the plane, counter-clockwise. A triangle counts as
   // if it had at least the minimum area: what is lost in the mean over the surface would else become needles.
   void add(const std::array<Vector3, 3>& space, const std::array<Index, 6>& coordinates,
-           const std::array<double, 6>& sign, double whole_area, double least_area);
+           const std::array<double, 6>& sign, double whole_area, double min_area);
   Eigen::Matrix2d jacobian(std::span<const double> value, std::size_t triangle) const;
   // Infinite unless every triangle is positive.
   double energy(std::span<const double> value, double area_weight) const;
@@ -51,12 +51,12 @@ class DistortionMinimum {
   bool untangle(int steps);
   // Lowers the energy of a positive map in at most the given number of steps, until one gains less than a part of it;
   // returns the energy.
-  double minimise(int steps, double least_gain);
+  double minimise(int steps, double min_gain);
 
  private:
   double chi(double determinant, double* derivative) const;
   double energy_at(std::span<const double> value) const;
-  double least_determinant(std::size_t* turned_over) const;
+  double min_determinant(std::size_t* flipped) const;
   double longest_positive_step(std::span<const double> direction) const;
   double step();
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 // A point with less of a corner's weight lies on the edge opposite to it.
-constexpr double least_weight = 0.1;
+constexpr double min_weight = 0.1;
 
 double cross(const Vector2d& a, const Vector2d& b) {
   return a.x() * b.y() - a.y() * b.x();
@@ -62,7 +62,7 @@ CornerMove::CornerMove(const CornerRegion& region, double whole_area, const Corn
 }
 
 double CornerMove::evaluate(const Vector2d& at, Vector2d* gradient) {
-  if (!(at.norm() < 1) || !locate(region_.flat, at, least_weight)) return infinity;
+  if (!(at.norm() < 1) || !locate(region_.flat, at, min_weight)) return infinity;
   if (!split()) return infinity;
   number(apex_);
   start(apex_flat_);
@@ -72,7 +72,7 @@ double CornerMove::evaluate(const Vector2d& at, Vector2d* gradient) {
   if (free == 0) return planar_.energy(value_, options_.area_weight);
   DistortionMinimum minimum(planar_, free, options_.area_weight, value_, host_);
   if (!minimum.untangle(options_.untangling_steps)) return infinity;
-  const double energy = minimum.minimise(options_.steps, options_.least_gain);
+  const double energy = minimum.minimise(options_.steps, options_.min_gain);
   if (gradient != nullptr) *gradient = slope();
   return energy;
 }
@@ -90,7 +90,7 @@ double CornerMove::relax() {
   fill();
   if (!std::isfinite(planar_.energy(value_, options_.area_weight))) return infinity;
   const double energy = DistortionMinimum(planar_, 2 * region_.inside, options_.area_weight, value_, host_)
-                            .minimise(options_.steps, options_.least_gain);
+                            .minimise(options_.steps, options_.min_gain);
   relaxed_.clear();
   for (Index v = 0; v < space_.size(); ++v)
     relaxed_.push_back(position(v));
@@ -241,7 +241,7 @@ void CornerMove::fill() {
       signs[2 * k] = turn == 0 || turn == 3 ? 1 : -1;
       signs[2 * k + 1] = turn == 0 || turn == 1 ? 1 : -1;
     }
-    planar_.add({space_[t[0]], space_[t[1]], space_[t[2]]}, coordinates, signs, whole_area_, options_.least_area);
+    planar_.add({space_[t[0]], space_[t[1]], space_[t[2]]}, coordinates, signs, whole_area_, options_.min_area);
   }
 }
 
@@ -275,11 +275,11 @@ Vector2d CornerMove::slope() const {
     const Vector3 square = 0.5 * (y - z).cross(normal);
     Vector3 change = 0.5 * (dots / (4 * image) + options_.area_weight * square / image);
     const double area = 0.5 * normal.norm();
-    if (area < options_.least_area) {
+    if (area < options_.min_area) {
       const double sum = (y - x).dot(z - x) * (u - v).squaredNorm() + (z - y).dot(x - y) * v.squaredNorm() +
                          (x - z).dot(y - z) * u.squaredNorm();
       const double whole = 0.5 * (sum / (4 * image) + options_.area_weight * (image + area * area / image));
-      change = options_.least_area * (change / area - whole / (2 * area * area * area) * square);
+      change = options_.min_area * (change / area - whole / (2 * area * area * area) * square);
     }
     by_place += change / whole_area_;
     if (!added()) {

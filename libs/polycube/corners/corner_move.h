@@ -16,10 +16,10 @@ namespace orbicube::polycube {
 
 struct CornerMoveOptions {
   double area_weight = 1;
-  double least_area = 0;  // that a triangle counts with, at the scale of the polycube
+  double min_area = 0;  // that a triangle counts with, at the scale of the polycube
   int untangling_steps = 30;
-  int steps = 15;            // maximum number of Gauss-Newton steps
-  double least_gain = 1e-6;  // of the region's energy in a step
+  int steps = 15;          // maximum number of Gauss-Newton steps
+  double min_gain = 1e-6;  // of the region's energy in a step
 };
 
 class CornerMove {

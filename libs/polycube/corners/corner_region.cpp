@@ -106,7 +106,7 @@ RegionFinder::Waiting RegionFinder::pop() {
   return result;
 }
 
-bool RegionFinder::find(Index centre, std::size_t most_vertices, CornerRegion& region) {
+bool RegionFinder::find(Index centre, std::size_t max_vertices, CornerRegion& region) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   nearest_.clear();
   place_.resize(map_.image.size(), no_index);
@@ -117,7 +117,7 @@ bool RegionFinder::find(Index centre, std::size_t most_vertices, CornerRegion& r
   if (!find_sectors(centre, region)) return false;
   distance_[centre] = 0;
   push(0, centre, 0);
-  while (!heap_.empty() && candidates_.size() < most_vertices) {
+  while (!heap_.empty() && candidates_.size() < max_vertices) {
     const Waiting w = pop();
     if (w.distance > distance_[w.vertex] || !may_move(w.vertex, region)) continue;
     candidates_.push_back(w.vertex);
@@ -138,7 +138,7 @@ bool RegionFinder::find(Index centre, std::size_t most_vertices, CornerRegion& r
   return count > 0;
 }
 
-Array<CornerRegion> RegionFinder::find_disjoint(std::size_t most_vertices) {
+Array<CornerRegion> RegionFinder::find_disjoint(std::size_t max_vertices) {
   const Array<Index> centres = corners();
   Array<Array<Index>> own(centres.size(), Array<Index>(host_.memory), host_.memory);
   Array<double> distance(map_.image.size(), std::numeric_limits<double>::infinity(), host_.memory);
@@ -170,7 +170,7 @@ Array<CornerRegion> RegionFinder::find_disjoint(std::size_t most_vertices) {
     if (!find_sectors(centres[c], region)) continue;
     candidates_.clear();
     for (const Index v : own[c])
-      if (candidates_.size() < most_vertices && may_move(v, region)) candidates_.push_back(v);
+      if (candidates_.size() < max_vertices && may_move(v, region)) candidates_.push_back(v);
     if (candidates_.empty() || candidates_.front() != centres[c]) continue;
     std::size_t count = candidates_.size();
     while (count > 0 && !gather(std::span<const Index>(candidates_).first(count), region))
@@ -336,7 +336,7 @@ bool RegionFinder::unfold(CornerRegion& region) const {
 WorkingMap::WorkingMap(const SurfaceMap& map, const base::Host& host)
     : surface(map.positions, map.triangles, host),
       label(map.labels.begin(), map.labels.end(), host.memory),
-      facet(map.charts.begin(), map.charts.end(), host.memory),
+      facet(map.patches.begin(), map.patches.end(), host.memory),
       image(map.polycube.begin(), map.polycube.end(), host.memory) {
   surface.source = map.vertex_sources;
   surface.triangle_source = map.triangle_sources;
@@ -365,7 +365,7 @@ SurfaceMap WorkingMap::result(const base::Host& host) const {
     map.triangles.push_back({number[a], number[b], number[c]});
     map.triangle_sources.push_back(surface.triangle_source[f]);
     map.labels.push_back(label[f]);
-    map.charts.push_back(facet[f]);
+    map.patches.push_back(facet[f]);
   }
   return map;
 }

@@ -99,10 +99,10 @@ class RegionFinder {
 
   // The given number of nearest vertices around one of these that may move, or fewer where they would not be a disk;
   // false when there is no room at all.
-  bool find(Index centre, std::size_t most_vertices, CornerRegion& region);
+  bool find(Index centre, std::size_t max_vertices, CornerRegion& region);
 
   // Disjoint regions of the corners that have room, each vertex in that of the corner that is nearest.
-  Array<CornerRegion> find_disjoint(std::size_t most_vertices);
+  Array<CornerRegion> find_disjoint(std::size_t max_vertices);
 
  private:
   struct Waiting {

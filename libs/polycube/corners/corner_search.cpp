@@ -11,9 +11,9 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr double least_gain = 1e-9;
+constexpr double min_gain = 1e-9;
 const double bound = CornerMove::reach / std::sqrt(2.0);
-constexpr std::uint64_t most_values = 16, most_gradients = 7;
+constexpr std::uint64_t max_values = 16, max_gradients = 7;
 
 class Search {
  public:
@@ -34,7 +34,7 @@ class Search {
     ++best_.evaluations;
     last_ = at;
     const double energy = move_.evaluate(at, gradient);
-    if (energy < best_.energy * (1 - least_gain)) {
+    if (energy < best_.energy * (1 - min_gain)) {
       best_.energy = energy;
       best_.at = at;
       best_.improved = true;
@@ -51,7 +51,7 @@ class Search {
     trust_region::Options options;
     options.radius_begin = step;
     options.radius_end = 0.1 * step;
-    options.max_evaluations = most_values;
+    options.max_evaluations = max_values;
     options.follow_edges = 0;
     trust_region::Solver solver(problem, options, start, host_);
     for (;;) {
@@ -81,7 +81,7 @@ class Search {
     problem.upper = upper;
     projected_gradient::Options options;
     options.gradient_tolerance = 0.1 * step;
-    options.max_evaluations = most_gradients;
+    options.max_evaluations = max_gradients;
     projected_gradient::Solver solver(problem, options, zero, host_);
     bool first = true;
     for (;;) {

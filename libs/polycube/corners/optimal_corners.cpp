@@ -47,7 +47,7 @@ class Rounds {
       }
       const double gain = before - result_.energies.back();
       if (host_.on_log) host_.log("corners: energy " + std::to_string(result_.energies.back()));
-      if (!(gain > options_.least_gain * (before - isometry))) {
+      if (!(gain > options_.min_gain * (before - isometry))) {
         result_.converged = true;
         break;
       }
@@ -65,14 +65,14 @@ class Rounds {
   static constexpr int rest = 2;
 
   // Smaller triangles count as if they had a part of the mean area.
-  double least_area(const WorkingMap& working) const {
+  double min_area(const WorkingMap& working) const {
     constexpr double part = 0.05;
     return part * working.area / static_cast<double>(map_.triangles.size());
   }
 
   void improve_domain() {
     OptimalDomain found =
-        optimise_domain(map_, {.measure = DomainMeasure::surface_mean, .area_weight = options_.area_weight}, host_);
+        optimize_domain(map_, {.measure = DomainMeasure::surface_mean, .area_weight = options_.area_weight}, host_);
     // Sums of thousands of terms, in another order.
     result_.energies.push_back(std::min(energy_of(found.distortion, options_.area_weight), result_.energies.back()));
     result_.distortion = found.distortion;
@@ -91,12 +91,12 @@ class Rounds {
   }
 
   bool accept(WorkingMap& working) {
-    smooth_map(working, options_.area_weight, least_area(working), options_.smoothing_steps, host_);
+    smooth_map(working, options_.area_weight, min_area(working), options_.smoothing_steps, host_);
     SurfaceMap made = working.result(host_);
     const Distortion distortion = measure_distortion(made, host_);
     const double energy = energy_of(distortion, options_.area_weight);
-    constexpr double least_gain = 1e-12;  // less is rounding
-    if (!(energy < result_.energies.back() * (1 - least_gain))) return false;
+    constexpr double min_gain = 1e-12;  // less is rounding
+    if (!(energy < result_.energies.back() * (1 - min_gain))) return false;
     Certificate certificate = certify(made, host_);
     if (!certificate.valid()) {
       host_.log("corners: " + certificate.reason);
@@ -119,7 +119,7 @@ class Rounds {
     });
     course_.resize(corners.size());
     const double excess = result_.energies.back() - 1 - options_.area_weight;
-    const double little = options_.least_gain * excess / static_cast<double>(corners.size());
+    const double little = options_.min_gain * excess / static_cast<double>(corners.size());
     double triangles = 0;
     std::size_t movable = 0;
     CornerRegion region(host_.memory);
@@ -130,9 +130,9 @@ class Rounds {
         --course.rests;
         continue;
       }
-      if (!finder.find(corners[i], options_.most_vertices, region)) continue;
+      if (!finder.find(corners[i], options_.max_vertices, region)) continue;
       ++movable;
-      CornerMove move(region, working.area, {.area_weight = options_.area_weight, .least_area = least_area(working)},
+      CornerMove move(region, working.area, {.area_weight = options_.area_weight, .min_area = min_area(working)},
                       host_);
       const CornerSearch found = search_corner(move, options_.method, course.step, host_);
       result_.evaluations += found.evaluations;
@@ -153,8 +153,8 @@ class Rounds {
     for (std::size_t i = 0; i < middles.size(); ++i) {
       host_.report("corners", i, middles.size(), result_.energies.back());
       // One that was cut before may have left the edge beside it.
-      if (working.edges_at(middles[i]) != 2 || !finder.find(middles[i], options_.most_vertices, region)) continue;
-      CornerMove move(region, working.area, {.area_weight = options_.area_weight, .least_area = least_area(working)},
+      if (working.edges_at(middles[i]) != 2 || !finder.find(middles[i], options_.max_vertices, region)) continue;
+      CornerMove move(region, working.area, {.area_weight = options_.area_weight, .min_area = min_area(working)},
                       host_);
       if (move.relax() < move.energy_now()) cut(move, working);
     }
@@ -182,8 +182,8 @@ class Rounds {
 
 }  // namespace
 
-void smooth_map(WorkingMap& map, double area_weight, double least_area, int steps, const base::Host& host) {
-  constexpr double least_gain = 1e-6;
+void smooth_map(WorkingMap& map, double area_weight, double min_area, int steps, const base::Host& host) {
+  constexpr double min_gain = 1e-6;
   const EditableSurface& surface = map.surface;
   // A number for each coordinate; those first that may change.
   Array<std::array<Index, 3>> number(map.image.size(), {no_index, no_index, no_index}, host.memory);
@@ -223,10 +223,10 @@ void smooth_map(WorkingMap& map, double area_weight, double least_area, int step
       signs[2 * k] = 1;
       signs[2 * k + 1] = sign_of(map.label[f]);
     }
-    planar.add(space, coordinates, signs, map.area, least_area);
+    planar.add(space, coordinates, signs, map.area, min_area);
   }
   if (!std::isfinite(planar.energy(value, area_weight))) return;
-  DistortionMinimum(planar, free, area_weight, value, host).minimise(steps, least_gain);
+  DistortionMinimum(planar, free, area_weight, value, host).minimise(steps, min_gain);
   const Array<Vector3> before(map.image, host.memory);
   for (Index v = 0; v < map.image.size(); ++v) {
     if (surface.outgoing(v) == no_index) continue;
@@ -241,7 +241,7 @@ void smooth_map(WorkingMap& map, double area_weight, double least_area, int step
   }
 }
 
-OptimalCorners optimise_corners(SurfaceMap& map, const CornerOptions& options, const base::Host& host) {
+OptimalCorners optimize_corners(SurfaceMap& map, const CornerOptions& options, const base::Host& host) {
   base::require(map.labels.size() == map.triangles.size() && !map.labels.empty(), "the map is not certified");
   base::require(std::isfinite(options.area_weight) && options.area_weight >= 0, "area_weight must not be negative");
   base::require(options.method == CornerMethod::trust_region || options.method == CornerMethod::gradient,

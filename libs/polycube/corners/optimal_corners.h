@@ -15,12 +15,12 @@ namespace orbicube::polycube {
 
 struct CornerOptions {
   CornerMethod method = CornerMethod::trust_region;
-  double area_weight = 1;           // of areas beside angles, not negative
-  bool domain = false;              // before each round the best proportions (the dissertation's Algorithm 3)
-  int rounds = 6;                   // maximum number
-  double least_gain = 1e-3;         // of what the energy exceeds that of an isometry by, in a round
-  std::size_t most_vertices = 500;  // of a region
-  int smoothing_steps = 2;          // of the whole map, after each round
+  double area_weight = 1;          // of areas beside angles, not negative
+  bool domain = false;             // before each round the best proportions (the dissertation's Algorithm 3)
+  int rounds = 6;                  // maximum number
+  double min_gain = 1e-3;          // of what the energy exceeds that of an isometry by, in a round
+  std::size_t max_vertices = 500;  // of a region
+  int smoothing_steps = 2;         // of the whole map, after each round
 };
 
 struct OptimalCorners {
@@ -40,11 +40,11 @@ struct OptimalCorners {
 
 // Lowers the distortion of a positive map with its corners and the edges of its polycube where they are; steps and
 // least area as in DistortionMinimum. Triangles stay positive, exactly.
-void smooth_map(WorkingMap& map, double area_weight, double least_area, int steps, const base::Host& host);
+void smooth_map(WorkingMap& map, double area_weight, double min_area, int steps, const base::Host& host);
 
 // The map must be certified; it is certified again, and refined where edges of the polycube are now. Without `domain`
 // the polycube stays. The energy never rises; the map is as it was, to the bit, when nothing better is found. Throws
 // Error "invalid-argument" (options; a map that is not certified), "cancelled".
-OptimalCorners optimise_corners(SurfaceMap& map, const CornerOptions& options, const base::Host& host);
+OptimalCorners optimize_corners(SurfaceMap& map, const CornerOptions& options, const base::Host& host);
 
 }  // namespace orbicube::polycube

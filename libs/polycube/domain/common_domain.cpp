@@ -10,11 +10,11 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr double least_gain = 1e-12;  // less is rounding
+constexpr double min_gain = 1e-12;  // less is rounding
 
-class CommonOptimisation {
+class CommonOptimization {
  public:
-  CommonOptimisation(std::span<SurfaceMap* const> maps, const DomainOptions& options, const base::Host& host)
+  CommonOptimization(std::span<SurfaceMap* const> maps, const DomainOptions& options, const base::Host& host)
       : maps_(maps), options_(options), host_(host), gradient_(host.memory), result_(host.memory) {
     for (const SurfaceMap* map : maps) {
       base::require(map != nullptr && map->labels.size() == map->triangles.size() && !map->labels.empty(),
@@ -40,10 +40,10 @@ class CommonOptimisation {
       result_.before.push_back(energy.evaluate(first.lengths(), {}));
     const double start = sum(first.lengths(), {});
     // What rounding makes of the optimum, or, where that is no valid map, of lengths on the way back.
-    constexpr int most_tries = 6;
+    constexpr int max_tries = 6;
     double found = start;
     Array<double> lengths(minimum.lengths, host_.memory);
-    for (int i = 0; i < most_tries && found == start; ++i) {
+    for (int i = 0; i < max_tries && found == start; ++i) {
       found = try_lengths(lengths, start);
       for (std::size_t k = 0; k < lengths.size(); ++k)
         lengths[k] = std::sqrt(lengths[k] * first.lengths()[k]);
@@ -105,7 +105,7 @@ class CommonOptimisation {
       after.push_back(energy_of(trial, options_, host_));
       value += after.back();
     }
-    if (!(value < start * (1 - least_gain))) return start;
+    if (!(value < start * (1 - min_gain))) return start;
     for (std::size_t i = 0; i < maps_.size(); ++i)
       maps_[i]->polycube = std::move(moved[i]);  // which may be in other memory
     result_.certificates = std::move(certificates);
@@ -131,10 +131,10 @@ void check(const DomainOptions& options) {
 
 }  // namespace
 
-CommonDomain optimise_domain(std::span<SurfaceMap* const> maps, const DomainOptions& options, const base::Host& host) {
+CommonDomain optimize_domain(std::span<SurfaceMap* const> maps, const DomainOptions& options, const base::Host& host) {
   check(options);
   base::require(!maps.empty(), "no maps");
-  return CommonOptimisation(maps, options, host).run();
+  return CommonOptimization(maps, options, host).run();
 }
 
 double energy_of(const SurfaceMap& map, const DomainOptions& options, const base::Host& host) {

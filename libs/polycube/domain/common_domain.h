@@ -22,7 +22,7 @@ struct CommonDomain {
 // Moves map.polycube of each map and nothing else; all stay maps to one polycube. The maps must be certified and to the
 // very same polycube. The sum never rises; where rounding stands in the way of the optimum, what lies between it and
 // the maps given. Throws Error "invalid-argument" (options, no maps, other polycubes), "cancelled".
-CommonDomain optimise_domain(std::span<SurfaceMap* const> maps, const DomainOptions& options, const base::Host& host);
+CommonDomain optimize_domain(std::span<SurfaceMap* const> maps, const DomainOptions& options, const base::Host& host);
 
 // The energy of a certified map by that measure.
 double energy_of(const SurfaceMap& map, const DomainOptions& options, const base::Host& host);

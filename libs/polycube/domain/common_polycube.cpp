@@ -122,7 +122,7 @@ class CommonConstruction {
         CommonPolycube alone(host_.memory);
         alone.maps.push_back(copy_of(*own_[i]));
         settle(alone);
-        improve(alone, most_rounds);
+        improve(alone, max_rounds);
         own_energies_[i] = alone.energies.back();
       });
     }
@@ -131,7 +131,7 @@ class CommonConstruction {
   // Each shape's own polycube drawn on all shapes, and those of coarse shapes by each construction, which takes time in
   // proportion to the square of the number of shapes.
   void try_polycubes() {
-    constexpr std::size_t most_drawings = 48;
+    constexpr std::size_t max_drawings = 48;
     const auto name_of = [](std::size_t i) { return "polycube of shape " + std::to_string(i); };
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (own_[i]) try_polycube(name_of(i), i, *own_[i], coarse_shapes_[i].whole);
@@ -140,7 +140,7 @@ class CommonConstruction {
         ConstructionOptions options = options_.construction;
         if (options.method != Method::automatic && options.method != method) continue;
         if (coarse_shapes_[i].whole && own_methods_[i] == method) continue;  // that is its own
-        if (tried_ * shapes_.size() >= most_drawings) return;
+        if (tried_ * shapes_.size() >= max_drawings) return;
         options.method = method;
         const std::string name = name_of(i) + (method == Method::labels ? " by labels" : " grid-based");
         attempt(name, [&] {
@@ -198,7 +198,7 @@ class CommonConstruction {
 
   // The best proportions, and the energies, of maps as they are.
   void settle(CommonPolycube& common) {
-    CommonDomain domain = optimise_domain(pointers(common.maps), options_.domain, host_);
+    CommonDomain domain = optimize_domain(pointers(common.maps), options_.domain, host_);
     common.energies = domain.energies;
     common.certificates = std::move(domain.certificates);
     common.distortions = std::move(domain.distortions);
@@ -213,7 +213,7 @@ class CommonConstruction {
 
   // Smooths the maps across edges and optimizes proportions again, in turns, as long as that helps.
   void improve(CommonPolycube& common, int rounds) {
-    constexpr double least_gain = 1e-3;
+    constexpr double min_gain = 1e-3;
     for (int round = 0; round < rounds; ++round) {
       const double before = common.energies.back();
       CommonPolycube next(host_.memory);
@@ -229,7 +229,7 @@ class CommonConstruction {
       common.maps = std::move(next.maps);
       common.certificates = std::move(next.certificates);
       common.distortions = std::move(next.distortions);
-      if (before - now < least_gain * before) break;
+      if (before - now < min_gain * before) break;
     }
   }
 
@@ -244,13 +244,13 @@ class CommonConstruction {
             candidate.maps[i] = draw(i, shapes_[i], candidate.graph, candidate.maps[i], nullptr);
         settle(candidate);
       }
-      improve(candidate, most_rounds);
+      improve(candidate, max_rounds);
       candidate.graph = make_patch_graph(candidate.maps[candidate.base], host_);
       best_ = std::move(candidate);
     });
   }
 
-  static constexpr int most_rounds = 6;
+  static constexpr int max_rounds = 6;
 
   std::span<const SurfaceSpan> shapes_;
   const CommonPolycubeOptions& options_;

@@ -11,8 +11,8 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr double most_stretch = 1000;
-constexpr double least_gain = 1e-12;  // less is rounding
+constexpr double max_stretch = 1000;
+constexpr double min_gain = 1e-12;  // less is rounding
 
 // Unknowns x and the lengths that they stand for, at a scale at which lengths are about 1.
 class Unknowns {
@@ -32,7 +32,7 @@ class Unknowns {
     scale_ = logarithmic_ ? std::exp(sum / count) : sum / count;
     for (std::size_t i = 0; i < start.size(); ++i) {
       const double length = start[i] / scale_;
-      const double least = std::min(length, 1.0) / most_stretch, most = std::max(length, 1.0) * most_stretch;
+      const double least = std::min(length, 1.0) / max_stretch, most = std::max(length, 1.0) * max_stretch;
       start_[i] = logarithmic_ ? std::log(length) : length;
       lower_[i] = logarithmic_ ? std::log(least) : least;
       upper_[i] = logarithmic_ ? std::log(most) : most;
@@ -142,7 +142,7 @@ DomainMinimum minimise_domain(const LengthEnergy& energy, std::span<const double
   return result;
 }
 
-OptimalDomain optimise_domain(SurfaceMap& map, const DomainOptions& options, const base::Host& host) {
+OptimalDomain optimize_domain(SurfaceMap& map, const DomainOptions& options, const base::Host& host) {
   base::require(map.labels.size() == map.triangles.size() && !map.labels.empty(), "the map is not certified");
   base::require(std::isfinite(options.area_weight) && options.area_weight >= 0, "area_weight must not be negative");
   base::require(options.measure == DomainMeasure::surface_mean || options.measure == DomainMeasure::face_mean ||
@@ -160,7 +160,7 @@ OptimalDomain optimise_domain(SurfaceMap& map, const DomainOptions& options, con
   result.crossing = energy.crossing();
 
   // What rounding makes of the optimum, or, where that is no valid map, of lengths on the way back.
-  constexpr int most_tries = 6;
+  constexpr int max_tries = 6;
   const double start_energy = energy.evaluate(energy.lengths(), {});
   SurfaceMap trial(host.memory);
   trial.positions = map.positions;
@@ -172,7 +172,7 @@ OptimalDomain optimise_domain(SurfaceMap& map, const DomainOptions& options, con
   Array<double> lengths(minimum.lengths, host.memory);
   double final_energy = start_energy;
   bool moved = false;
-  for (int i = 0; i < most_tries && !moved; ++i) {
+  for (int i = 0; i < max_tries && !moved; ++i) {
     // At the scale at which the polycube has the area that it has.
     const double scale = std::sqrt(energy.area(energy.lengths()) / energy.area(lengths));
     if (lay_out(layers, lengths, scale, positions)) {
@@ -182,7 +182,7 @@ OptimalDomain optimise_domain(SurfaceMap& map, const DomainOptions& options, con
       now.places = layers.places;
       const DomainEnergy after(trial, now, options.measure, options.area_weight, host);
       const double value = after.evaluate(after.lengths(), {});
-      if (value < start_energy * (1 - least_gain)) {
+      if (value < start_energy * (1 - min_gain)) {
         result.certificate = certify(trial.polycube, trial.triangles, host);
         if (result.certificate.valid()) {
           final_energy = value;

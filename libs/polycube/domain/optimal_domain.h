@@ -69,6 +69,6 @@ struct OptimalDomain {
 // polycube that was given to rounding, the center of its box, and no more energy; where rounding stands in the way of
 // the optimum, what lies between it and the map given, and that map to the bit where nothing better is valid.
 // Throws Error "invalid-argument" (options; a map that is not certified), "cancelled".
-OptimalDomain optimise_domain(SurfaceMap& map, const DomainOptions& options, const base::Host& host);
+OptimalDomain optimize_domain(SurfaceMap& map, const DomainOptions& options, const base::Host& host);
 
 }  // namespace orbicube::polycube

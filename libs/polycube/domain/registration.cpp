@@ -14,11 +14,11 @@ namespace orbicube::polycube {
 namespace {
 
 constexpr const char* phase = "registration";
-constexpr std::size_t samples_a_point = 10, most_points = 320, least_points = 40, points_a_triangle = 4;
+constexpr std::size_t samples_a_point = 10, max_points = 320, min_points = 40, points_a_triangle = 4;
 constexpr double width = 1.2;      // of the kernel of the field, in units of the shapes' standard deviation
 constexpr double stiffness = 2;    // of the field
 constexpr double outliers = 0.05;  // the part of points that belongs to none of the others
-constexpr int most_rounds = 80;
+constexpr int max_rounds = 80;
 
 using Matrix = Eigen::MatrixXd;
 
@@ -29,7 +29,7 @@ struct Samples {
 
 // Points spread evenly: of many at random, one after another the farthest from those chosen.
 Samples spread_over(const SurfaceSpan& surface, const base::Host& host) {
-  const std::size_t spread = std::clamp(points_a_triangle * surface.triangles.size(), least_points, most_points);
+  const std::size_t spread = std::clamp(points_a_triangle * surface.triangles.size(), min_points, max_points);
   const std::size_t samples = samples_a_point * spread;
   Array<double> sums(host.memory);
   double area = 0;
@@ -92,8 +92,8 @@ Matrix drift(const Matrix& from, const Matrix& from_normals, const Matrix& to, c
   for (Eigen::Index i = 0; i < m; ++i)
     variance += (to.rowwise() - from.row(i)).squaredNorm();
   variance /= 3.0 * static_cast<double>(m * n);
-  for (int round = 0; round < most_rounds && variance > 1e-5; ++round) {
-    host.report(phase, static_cast<std::uint64_t>(round), most_rounds);
+  for (int round = 0; round < max_rounds && variance > 1e-5; ++round) {
+    host.report(phase, static_cast<std::uint64_t>(round), max_rounds);
     const double other = std::pow(2 * std::numbers::pi * variance, 1.5) * outliers / (1 - outliers) *
                          static_cast<double>(m) / static_cast<double>(n);
     for (Eigen::Index j = 0; j < n; ++j) {
@@ -169,22 +169,22 @@ double misfit(const Matrix& from, const Matrix& moved, const Matrix& from_normal
     return (moved.row(i) - to.row(j)).norm() + side_weight * (1 - from_normals.row(i).dot(to_normals.row(j)));
   };
   double sum = way_weight * (moved - from).rowwise().norm().mean();
-  double least_sum = 0;
+  double min_sum = 0;
   for (Eigen::Index i = 0; i < moved.rows(); ++i) {
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index j = 0; j < to.rows(); ++j)
       least = std::min(least, distance(i, j));
-    least_sum += least;
+    min_sum += least;
   }
-  sum += least_sum / static_cast<double>(moved.rows());
-  least_sum = 0;
+  sum += min_sum / static_cast<double>(moved.rows());
+  min_sum = 0;
   for (Eigen::Index j = 0; j < to.rows(); ++j) {
     double least = std::numeric_limits<double>::infinity();
     for (Eigen::Index i = 0; i < moved.rows(); ++i)
       least = std::min(least, distance(i, j));
-    least_sum += least;
+    min_sum += least;
   }
-  return sum + least_sum / static_cast<double>(to.rows());
+  return sum + min_sum / static_cast<double>(to.rows());
 }
 
 // Turns and scales the first points to where they fit the second best: as the shapes stand, or by quarter turns of

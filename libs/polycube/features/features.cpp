@@ -58,10 +58,10 @@ class Fit {
   FeatureFit run() {
     Certificate before = certify(map_.polycube, map_.triangles, host_);
     base::require(before.valid() && map_.labels.size() == map_.triangles.size(), "the map is not certified");
-    base::require(options_.sharp_angle >= 0 && options_.sharp_angle < 180, "sharp_angle must be from 0 to 180");
+    base::require(options_.feature_angle >= 0 && options_.feature_angle < 180, "feature_angle must be from 0 to 180");
     result_.distortion_before = measure_distortion(map_, host_);
     measure(map_, result_.distances_before);
-    if (options_.sharp_angle > 0) result_.sharp_before = length_on_edges(map_, options_.sharp_angle, host_);
+    if (options_.feature_angle > 0) result_.sharp_before = length_on_edges(map_, options_.feature_angle, host_);
     UnfoldedMap unfolded(map_, host_);
     gather(unfolded);
     if (pulls_.empty()) {
@@ -79,7 +79,7 @@ class Fit {
     if (!result_.certificate.valid()) throw base::Error("no-valid-result", result_.certificate.reason);
     result_.distortion = measure_distortion(made, host_);
     measure(made, result_.distances);
-    if (options_.sharp_angle > 0) result_.sharp = length_on_edges(made, options_.sharp_angle, host_);
+    if (options_.feature_angle > 0) result_.sharp = length_on_edges(made, options_.feature_angle, host_);
     std::swap(map_, made);
     return std::move(result_);
   }
@@ -144,7 +144,7 @@ class Fit {
         add(pull);
       }
     }
-    if (options_.sharp_angle > 0) add_sharp(unfolded, walks);
+    if (options_.feature_angle > 0) add_sharp(unfolded, walks);
     find_places(unfolded);
     tie(unfolded, 0, false);  // corners keep off what is tied
     for (const auto& [corner, vertex] : walks) {
@@ -191,7 +191,7 @@ class Fit {
 
   void add_sharp(const UnfoldedMap& unfolded, Array<std::array<Index, 2>>& walks) {
     const PatchGraph graph = make_patch_graph(map_, host_);
-    const SharpEdges sharp = find_sharp_edges(map_, graph, options_.sharp_angle, host_);
+    const SharpEdges sharp = find_sharp_edges(map_, graph, options_.feature_angle, host_);
     result_.sharp_length = sharp.length;
     first_optional_walk_ = walks.size();
     for (const SharpVertex& s : sharp.vertices) {
@@ -300,12 +300,12 @@ class Fit {
 
   void draw_near(UnfoldedMap& unfolded) {
     constexpr int steps = 20;
-    constexpr double least_gain = 1e-4, last = 1e7;
+    constexpr double min_gain = 1e-4, last = 1e7;
     std::size_t left = 1;
     for (double weight = 1; weight <= last && left > 0; weight *= 10) {
       tie(unfolded, weight, false);
       *weights_ = TriangleWeights(unfolded);
-      move_all(unfolded, *weights_, steps, least_gain, host_);
+      move_all(unfolded, *weights_, steps, min_gain, host_);
       left = pin(unfolded, 1.5, true);
     }
     if (left > 0) pin(unfolded, 1e3, false);
@@ -400,7 +400,7 @@ class Fit {
 
 }  // namespace
 
-FeatureFit meet_features(SurfaceMap& map, const FeatureOptions& options, const base::Host& host) {
+FeatureFit align_features(SurfaceMap& map, const FeatureOptions& options, const base::Host& host) {
   SurfaceMap trial(host.memory);
   trial = map;
   FeatureFit result = [&] {

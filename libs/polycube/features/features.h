@@ -37,7 +37,7 @@ struct FeatureOptions {
   std::span<const FeatureCurve> curves = {};
   // Edges of the surface that bends by at least the given angle in degrees are brought to the polycube's edges that
   // they are near and along, as far as that goes; 0: none.
-  double sharp_angle = 0;
+  double feature_angle = 0;
   int newton_steps = 100;  // of all vertices, for the smoothing at the end
 };
 
@@ -59,6 +59,6 @@ struct FeatureFit {
 // those of the surface. Throws Error "invalid-argument" (places that are not on the polycube, vertices that do not
 // exist or have two places, curves that are not along an axis), "no-valid-result" when something cannot be met, with
 // the map as it was, "cancelled".
-FeatureFit meet_features(SurfaceMap& map, const FeatureOptions& options, const base::Host& host);
+FeatureFit align_features(SurfaceMap& map, const FeatureOptions& options, const base::Host& host);
 
 }  // namespace orbicube::polycube

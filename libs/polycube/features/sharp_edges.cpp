@@ -173,7 +173,7 @@ double length_on_edges(const SurfaceMap& map, double degrees, const base::Host& 
   const mesh::Connectivity connectivity(map.positions.size(), map.triangles, host);
   double sum = 0;
   for_each_sharp(map, connectivity, degrees, host, [&](Index h, bool) {
-    if (map.charts[h / 3] == map.charts[connectivity.opposite(h) / 3]) return;
+    if (map.patches[h / 3] == map.patches[connectivity.opposite(h) / 3]) return;
     sum += (map.positions[connectivity.end(h)] - map.positions[connectivity.start(h)]).norm();
   });
   return sum;

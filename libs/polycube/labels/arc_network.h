@@ -4,7 +4,7 @@
 #include <array>
 #include <span>
 
-#include "polycube/labels/charts.h"
+#include "polycube/labels/patches.h"
 
 namespace orbicube::polycube {
 
@@ -22,14 +22,14 @@ struct Arc {
 // Three patches counter-clockwise, and three arcs; arc i lies between patch i and patch i + 1.
 struct Corner {
   Index vertex;
-  std::array<Index, 3> chart;
+  std::array<Index, 3> patch;
   std::array<Index, 3> arc;
   int chirality;  // sign of det of the three labels' directions
 };
 
 struct ArcNetwork {
   // For patches of valence 3 without opposite neighbors.
-  ArcNetwork(const Surface& surface, const Charts& charts, const base::Host& host);
+  ArcNetwork(const Surface& surface, const Patches& patches, const base::Host& host);
 
   std::span<const Index> half_edges_of(const Arc& arc) const { return {half_edges.data() + arc.begin, arc.size}; }
 

@@ -19,9 +19,9 @@ constexpr double cold = 0.03;
 
 class Problem {
  public:
-  Problem(const Charts& charts, const Surface& surface, const ArcNetwork& network, std::span<const double> wanted,
+  Problem(const Patches& patches, const Surface& surface, const ArcNetwork& network, std::span<const double> wanted,
           const base::Host& host)
-      : charts_(charts),
+      : patches_(patches),
         network_(network),
         wanted_(wanted),
         host_(host),
@@ -31,8 +31,8 @@ class Problem {
         saddle_begin_(host.memory),
         saddles_(host.memory),
         loop_at_(network.corners.size(), host.memory),
-        turn_(charts.loop_count(), host.memory),
-        loop_groups_(charts.loop_count(), host.memory),
+        turn_(patches.loop_count(), host.memory),
+        loop_groups_(patches.loop_count(), host.memory),
         move_(host.memory) {
     join_arcs();
     find_loops_at_corners(surface);
@@ -76,9 +76,9 @@ class Problem {
       if (is_saddle(k) && reflex(k) == 3) r.bad_corners.push_back(k);
     }
     r.violation = static_cast<double>(r.bad_corners.size());
-    for (Index c = 0; c < charts_.count(); ++c) {
-      const double v = chart_violation(c);
-      if (v > 0) r.bad_charts.push_back(c);
+    for (Index c = 0; c < patches_.count(); ++c) {
+      const double v = patch_violation(c);
+      if (v > 0) r.bad_patches.push_back(c);
       r.violation += v;
     }
     return r;
@@ -130,12 +130,12 @@ class Problem {
   }
 
   void find_loops_at_corners(const Surface& surface) {
-    for (Index l = 0; l < charts_.loop_count(); ++l) {
-      for (const Index h : charts_.loop(l)) {
+    for (Index l = 0; l < patches_.loop_count(); ++l) {
+      for (const Index h : patches_.loop(l)) {
         const Index k = network_.corner_of_vertex[surface.start(h)];
         if (k == no_index) continue;
         for (std::size_t i = 0; i < 3; ++i) {
-          if (network_.corners[k].chart[i] == charts_.loop_chart[l]) loop_at_[k][i] = l;
+          if (network_.corners[k].patch[i] == patches_.loop_patch[l]) loop_at_[k][i] = l;
           loop_groups_[l].push_back(group_[network_.corners[k].arc[i]]);
         }
       }
@@ -152,8 +152,8 @@ class Problem {
     return (odd + 2) % 3;  // arc i lies between patches i and i + 1
   }
 
-  double chart_violation(std::size_t c) const {
-    const std::size_t begin = charts_.chart_loops[c], end = charts_.chart_loops[c + 1];
+  double patch_violation(std::size_t c) const {
+    const std::size_t begin = patches_.patch_loops[c], end = patches_.patch_loops[c + 1];
     double best = begin == end ? 0 : std::numeric_limits<double>::infinity();
     for (std::size_t outer = begin; outer < end; ++outer) {
       double sum = 0;
@@ -180,8 +180,8 @@ class Problem {
         turn_[loop_at_[k][r]] -= 2;
     }
     violation_ = corner_weight * static_cast<double>(bad);
-    for (std::size_t c = 0; c < charts_.count(); ++c)
-      violation_ += turn_weight * chart_violation(c);
+    for (std::size_t c = 0; c < patches_.count(); ++c)
+      violation_ += turn_weight * patch_violation(c);
     preference_ = 0;
     for (std::size_t g = 0; g < sign_.size(); ++g)
       preference_ += cost_[g][sign_[g] ? 1 : 0];
@@ -224,10 +224,10 @@ class Problem {
           continue;
         }
         const Index l = loop_at_[k][r];
-        const std::size_t c = charts_.loop_chart[l];
-        violation_ -= turn_weight * chart_violation(c);
+        const std::size_t c = patches_.loop_patch[l];
+        violation_ -= turn_weight * patch_violation(c);
         turn_[l] -= 2 * way;
-        violation_ += turn_weight * chart_violation(c);
+        violation_ += turn_weight * patch_violation(c);
       }
     };
     count(-1);
@@ -236,7 +236,7 @@ class Problem {
     preference_ += cost_[g][sign_[g] ? 1 : 0];
   }
 
-  const Charts& charts_;
+  const Patches& patches_;
   const ArcNetwork& network_;
   std::span<const double> wanted_;
   const base::Host& host_;
@@ -253,9 +253,9 @@ class Problem {
 
 }  // namespace
 
-ArcSigns find_arc_signs(const Charts& charts, const Surface& surface, const ArcNetwork& network,
+ArcSigns find_arc_signs(const Patches& patches, const Surface& surface, const ArcNetwork& network,
                         std::span<const double> wanted, std::uint64_t seed, const base::Host& host) {
-  Problem problem(charts, surface, network, wanted, host);
+  Problem problem(patches, surface, network, wanted, host);
   if (!problem.satisfied() && !network.arcs.empty()) problem.anneal(seed);
   return problem.result();
 }

@@ -17,20 +17,20 @@
 namespace orbicube::polycube {
 
 struct ArcSigns {
-  explicit ArcSigns(std::pmr::memory_resource* memory) : convex(memory), bad_corners(memory), bad_charts(memory) {}
+  explicit ArcSigns(std::pmr::memory_resource* memory) : convex(memory), bad_corners(memory), bad_patches(memory) {}
 
-  bool consistent() const { return bad_corners.empty() && bad_charts.empty(); }
+  bool consistent() const { return bad_corners.empty() && bad_patches.empty(); }
 
   Array<std::uint8_t> convex;  // of each arc
   std::size_t changed = 0;     // arcs whose signs are not the target ones
   Array<Index> bad_corners;    // with chi = -1 whose arcs all have one sign
-  Array<Index> bad_charts;     // with a loop that does not turn as it must
+  Array<Index> bad_patches;    // with a loop that does not turn as it must
   double violation = 0;        // of the rules, 0 when consistent: bad corners, and turns of loops in units of 2
 };
 
 // `wanted[i]` is positive when arc i should be convex, and its size is what another sign costs. The result depends on
 // `seed` where the target signs break the rules.
-ArcSigns find_arc_signs(const Charts& charts, const Surface& surface, const ArcNetwork& network,
+ArcSigns find_arc_signs(const Patches& patches, const Surface& surface, const ArcNetwork& network,
                         std::span<const double> wanted, std::uint64_t seed, const base::Host& host);
 
 }  // namespace orbicube::polycube

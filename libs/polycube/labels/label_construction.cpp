@@ -41,12 +41,12 @@ constexpr int repair_passes = 60;
 // What the best polycube has no room for is labeled again by itself, with a compactness of this at its rim and still
 // less inside.
 constexpr double limb_compactness = 0.003;
-constexpr int most_limbs = 12;
-constexpr std::size_t most_limb_changes = 100, most_limb_steps = 1000;
+constexpr int max_protrusions = 12;
+constexpr std::size_t max_protrusion_changes = 100, max_protrusion_steps = 1000;
 
 // What all labelings together may cost: changes of labels that have no signs of arcs, and steps of Gauss-Newton for
 // their maps. What works takes few of either.
-constexpr std::size_t most_changes = 150, most_map_steps = 1500;
+constexpr std::size_t max_changes = 150, max_map_steps = 1500;
 
 // The product of both means over the surface; what has less is not compared with more.
 constexpr double nearly_isometric = 1.03;
@@ -58,7 +58,7 @@ constexpr double many_corners = 1.03;
 constexpr double alike_below = 0.03;
 
 // Maps in which a few triangles stay flipped are drawn on the surface instead.
-constexpr std::size_t most_turned_over = 60;
+constexpr std::size_t max_flipped = 60;
 constexpr int rounds_after_drawing = 4;
 
 // Labelings are tried on a surface of this number of triangles, when the input has more than is coarse enough.
@@ -120,7 +120,7 @@ class LabelConstruction {
         if (candidates_.empty()) try_labels(compactness, normals);
       }
     }
-    if (!candidates_.empty() && !good_enough()) pull_out_limbs();
+    if (!candidates_.empty() && !good_enough()) pull_out_protrusions();
     std::stable_sort(candidates_.begin(), candidates_.end(), better);
     for (Candidate& candidate : candidates_) {
       Construction result(host_.memory);
@@ -218,11 +218,11 @@ class LabelConstruction {
   }
 
   // Boxes for what the best polycube has no room for, one at a time.
-  void pull_out_limbs() {
+  void pull_out_protrusions() {
     Array<std::uint8_t> tried(coarse_.triangles.size(), 0, host_.memory);
-    changes_left_ += most_limb_changes;
-    steps_left_ += most_limb_steps;
-    for (int limb = 0; limb < most_limbs; ++limb) {
+    changes_left_ += max_protrusion_changes;
+    steps_left_ += max_protrusion_steps;
+    for (int protrusion = 0; protrusion < max_protrusions; ++protrusion) {
       const std::size_t best = static_cast<std::size_t>(
           std::min_element(candidates_.begin(), candidates_.end(), better) - candidates_.begin());
       const DistortedRegions regions = find_distorted_regions(coarse_, candidates_[best].map, host_);
@@ -288,7 +288,7 @@ class LabelConstruction {
     if (far_above()) return refuse("more corners than the budget");
     const double conflict =
         search_labels(coarse_, costs, options_.corners, options_.seed, changes_left_, labels, host_);
-    faults = find_faults(coarse_, find_charts(coarse_, labels, host_));
+    faults = find_faults(coarse_, find_patches(coarse_, labels, host_));
     if (options_.corners > 0 && faults.corners > options_.corners) return refuse("more corners than the budget");
     if (conflict > 0) return refuse("no signs of arcs make the labels those of a polycube");
     const auto same = [&](const Candidate& c) {
@@ -298,7 +298,7 @@ class LabelConstruction {
     SurfaceMap map = unrefined(search_.positions, search_.triangles, labels, host_);
     LabelledMapOptions map_options;
     map_options.seed = options_.seed;
-    map_options.enough = most_turned_over;
+    map_options.enough = max_flipped;
     if (steps_left_ == 0) return refuse("not tried: the budget of steps is used up");
     map_options.untangling_steps =
         static_cast<int>(std::min<std::size_t>(steps_left_, static_cast<std::size_t>(map_options.untangling_steps)));
@@ -316,7 +316,7 @@ class LabelConstruction {
 
   // A valid map instead of one with some triangles flipped; whether there is one.
   bool draw(SurfaceMap& map, LabelledMapOutcome& outcome) const {
-    if (outcome.turned_over > most_turned_over) return false;
+    if (outcome.flipped > max_flipped) return false;
     try {
       Construction made = draw_labelled(search_.positions, search_.triangles, map, host_);
       improve_map(made.map, made.certificate, {.rounds = rounds_after_drawing}, host_);
@@ -444,7 +444,7 @@ class LabelConstruction {
   Array<Vector3> smoothed_, turned_;  // normals of the coarse surface
   Array<Candidate> candidates_;
   std::size_t tried_ = 0;
-  std::size_t changes_left_ = most_changes, steps_left_ = most_map_steps;
+  std::size_t changes_left_ = max_changes, steps_left_ = max_map_steps;
   std::vector<Failure> failures_;
 };
 

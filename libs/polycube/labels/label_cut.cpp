@@ -60,7 +60,7 @@ class MinimumCut {
       const Index node = queue_[i];
       reached = reached || terminal[node] < -least;
       for (Index h = 3 * node; h < 3 * node + 3; ++h) {
-        const Index other = surface_.neighbour(h);
+        const Index other = surface_.neighbor(h);
         if (capacity[h] <= least || level_[other] >= 0) continue;
         level_[other] = level_[node] + 1;
         queue_.push_back(other);
@@ -87,13 +87,13 @@ class MinimumCut {
           if (capacity[path_[i]] <= least) keep = i;
         }
         path_.resize(keep);
-        node = keep == 0 ? source : surface_.neighbour(path_.back());
+        node = keep == 0 ? source : surface_.neighbor(path_.back());
         continue;
       }
       bool advanced = false;
       for (std::uint8_t& k = next_arc_[node]; k < 3; ++k) {
         const Index h = 3 * node + k;
-        const Index other = surface_.neighbour(h);
+        const Index other = surface_.neighbor(h);
         if (capacity[h] <= least || level_[other] != level_[node] + 1) continue;
         path_.push_back(h);
         node = other;
@@ -103,7 +103,7 @@ class MinimumCut {
       if (advanced) continue;
       if (path_.empty()) return;
       path_.pop_back();
-      node = path_.empty() ? source : surface_.neighbour(path_.back());
+      node = path_.empty() ? source : surface_.neighbor(path_.back());
       ++next_arc_[node];
     }
   }
@@ -138,7 +138,7 @@ LabelCosts label_costs(const Surface& surface, std::span<const Vector3> normals,
     for (AxisLabel label = 0; label < label_count; ++label)
       costs.data[i][label] = surface.areas[i] / surface.area * (1 - normals[i].dot(direction_of(label)));
     for (Index h = 3 * i; h < 3 * i + 3; ++h) {
-      const double agreement = std::max(0.0, normals[i].dot(normals[surface.neighbour(h)]));
+      const double agreement = std::max(0.0, normals[i].dot(normals[surface.neighbor(h)]));
       costs.boundary[h] = compactness * surface.length(h) / unit * (0.25 + 0.75 * agreement);
     }
   }
@@ -150,8 +150,7 @@ double label_energy(const Surface& surface, const LabelCosts& costs, std::span<c
   for (Index i = 0; i < labels.size(); ++i) {
     result += costs.data[i][labels[i]];
     for (Index h = 3 * i; h < 3 * i + 3; ++h) {
-      if (h < surface.opposite(h))
-        result += costs.boundary[h] * label_distance(labels[i], labels[surface.neighbour(h)]);
+      if (h < surface.opposite(h)) result += costs.boundary[h] * label_distance(labels[i], labels[surface.neighbor(h)]);
     }
   }
   return result;
@@ -182,7 +181,7 @@ void expand_labels(const Surface& surface, const LabelCosts& costs, std::span<co
         if (!active[i]) continue;
         cut.terminal[i] += costs.data[i][alpha] - costs.data[i][labels[i]];
         for (Index h = 3 * i; h < 3 * i + 3; ++h) {
-          const Index other = surface.neighbour(h);
+          const Index other = surface.neighbor(h);
           const double weight = costs.boundary[h];
           if (!active[other]) {
             cut.terminal[i] +=

@@ -21,7 +21,7 @@ class Repair {
         costs_(costs),
         labels_(labels),
         host_(host),
-        charts_(host.memory),
+        patches_(host.memory),
         free_(labels.size(), host.memory),
         before_(host.memory),
         component_(surface.positions.size(), host.memory),
@@ -40,17 +40,17 @@ class Repair {
       remove_ears();
       if (separate_opposites()) remove_ears();
       lower_valences();
-      charts_ = find_charts(surface_, labels_, host_);
-      faults = find_faults(surface_, charts_);
+      patches_ = find_patches(surface_, labels_, host_);
+      faults = find_faults(surface_, patches_);
       if (faults.total() == 0 || faults.missing > 0) return faults;
-      change_bad_charts();
+      change_bad_patches();
     }
-    charts_ = find_charts(surface_, labels_, host_);
-    return find_faults(surface_, charts_);
+    patches_ = find_patches(surface_, labels_, host_);
+    return find_faults(surface_, patches_);
   }
 
  private:
-  AxisLabel across(Index h) const { return labels_[surface_.neighbour(h)]; }
+  AxisLabel across(Index h) const { return labels_[surface_.neighbor(h)]; }
 
   // A triangle with two neighbors of one other label takes it.
   void remove_ears() {
@@ -70,7 +70,7 @@ class Repair {
 
   // Along each connected line between opposite labels, the triangles at it take the best label of another axis.
   bool separate_opposites() {
-    const auto between_opposites = [&](Index h) { return before_[h / 3] == opposite(before_[surface_.neighbour(h)]); };
+    const auto between_opposites = [&](Index h) { return before_[h / 3] == opposite(before_[surface_.neighbor(h)]); };
     before_.assign(labels_.begin(), labels_.end());
     std::fill(component_.begin(), component_.end(), std::uint8_t{0});
     bool any = false;
@@ -109,7 +109,7 @@ class Repair {
       for (const Index i : members_) {
         cost += costs_.data[i][label];
         for (Index h = 3 * i; h < 3 * i + 3; ++h) {
-          const Index other = surface_.neighbour(h);
+          const Index other = surface_.neighbor(h);
           if (in_strip_[other]) continue;
           cost += costs_.boundary[h] * (labels_[other] == opposite(label) ? 20 : (labels_[other] == label ? 0 : 1));
         }
@@ -149,9 +149,9 @@ class Repair {
   }
 
   void lower_valences() {
-    charts_ = find_charts(surface_, labels_, host_);
+    patches_ = find_patches(surface_, labels_, host_);
     for (Index v = 0; v < surface_.positions.size(); ++v) {
-      if (charts_.valence[v] <= 3) continue;
+      if (patches_.valence[v] <= 3) continue;
       find_fans(v);  // labels may have changed since
       if (fan_begin_count_ > 3) lower_valence();
     }
@@ -211,44 +211,44 @@ class Repair {
   }
 
   // Patches with handles or short loops, the smallest first, none beside one that has just changed.
-  void change_bad_charts() {
+  void change_bad_patches() {
     Array<std::pair<double, Index>> bad(host_.memory);
-    for (Index c = 0; c < charts_.count(); ++c) {
-      bool is_bad = charts_.has_handles(c);
-      for (Index l = charts_.chart_loops[c]; l < charts_.chart_loops[c + 1]; ++l)
-        is_bad = is_bad || corners_of_loop(surface_, charts_, l) < 4;
-      if (is_bad) bad.emplace_back(charts_.areas[c], c);
+    for (Index c = 0; c < patches_.count(); ++c) {
+      bool is_bad = patches_.has_handles(c);
+      for (Index l = patches_.patch_loops[c]; l < patches_.patch_loops[c + 1]; ++l)
+        is_bad = is_bad || corners_of_loop(surface_, patches_, l) < 4;
+      if (is_bad) bad.emplace_back(patches_.areas[c], c);
     }
     std::sort(bad.begin(), bad.end());
-    touched_.assign(charts_.count(), 0);
+    touched_.assign(patches_.count(), 0);
     for (const auto& [area, c] : bad) {
       if (touched_[c] || beside_touched(c)) continue;
-      if (charts_.loops_of(c) > 1 && !charts_.has_handles(c) && change_within_hole(c)) continue;
+      if (patches_.loops_of(c) > 1 && !patches_.has_handles(c) && change_within_hole(c)) continue;
       change_label(c);
     }
   }
 
   template <class Visit>
-  void for_each_boundary(Index chart, const Visit& visit) const {
-    for (Index l = charts_.chart_loops[chart]; l < charts_.chart_loops[chart + 1]; ++l) {
-      for (const Index h : charts_.loop(l))
-        visit(h, charts_.chart[surface_.neighbour(h)]);
+  void for_each_boundary(Index patch, const Visit& visit) const {
+    for (Index l = patches_.patch_loops[patch]; l < patches_.patch_loops[patch + 1]; ++l) {
+      for (const Index h : patches_.loop(l))
+        visit(h, patches_.patch[surface_.neighbor(h)]);
     }
   }
 
-  bool beside_touched(Index chart) const {
+  bool beside_touched(Index patch) const {
     bool result = false;
-    for_each_boundary(chart, [&](Index, Index other) { result = result || touched_[other]; });
+    for_each_boundary(patch, [&](Index, Index other) { result = result || touched_[other]; });
     return result;
   }
 
   // What lies beyond a short loop of a patch, when it is the smaller side, is cut again with less compactness, once, or
   // joins the patch.
-  bool change_within_hole(Index chart) {
-    for (Index l = charts_.chart_loops[chart]; l < charts_.chart_loops[chart + 1]; ++l) {
-      if (corners_of_loop(surface_, charts_, l) >= 4) continue;
-      inside_.assign(charts_.count(), 0);
-      inside_[chart] = 1;
+  bool change_within_hole(Index patch) {
+    for (Index l = patches_.patch_loops[patch]; l < patches_.patch_loops[patch + 1]; ++l) {
+      if (corners_of_loop(surface_, patches_, l) >= 4) continue;
+      inside_.assign(patches_.count(), 0);
+      inside_[patch] = 1;
       open_.clear();
       double area = 0;
       bool waits = false;
@@ -256,29 +256,29 @@ class Repair {
         if (inside_[c]) return;
         inside_[c] = 1;
         open_.push_back(c);
-        area += charts_.areas[c];
+        area += patches_.areas[c];
         waits = waits || touched_[c];
       };
-      for (const Index h : charts_.loop(l))
-        enter(charts_.chart[surface_.neighbour(h)]);
+      for (const Index h : patches_.loop(l))
+        enter(patches_.patch[surface_.neighbor(h)]);
       while (!open_.empty()) {
         const Index c = open_.back();
         open_.pop_back();
         for_each_boundary(c, [&](Index, Index other) { enter(other); });
       }
-      inside_[chart] = 0;
+      inside_[patch] = 0;
       if (area >= 0.5 * (surface_.area - area)) continue;
       if (waits) return true;
-      change_region(chart, area);
+      change_region(patch, area);
       return true;
     }
     return false;
   }
 
-  void change_region(Index chart, double area) {
+  void change_region(Index patch, double area) {
     std::uint64_t key = 0;
     for (Index i = 0; i < labels_.size(); ++i) {
-      free_[i] = inside_[charts_.chart[i]];
+      free_[i] = inside_[patches_.patch[i]];
       if (free_[i]) key = key * 31 + i;
     }
     if (area > small_region * surface_.area && std::find(recut_.begin(), recut_.end(), key) == recut_.end()) {
@@ -293,24 +293,24 @@ class Repair {
       for (Index i = 0; i < labels_.size(); ++i) {
         if (!free_[i]) continue;
         costs_.ban(i, labels_[i]);
-        labels_[i] = charts_.labels[chart];
+        labels_[i] = patches_.labels[patch];
       }
     }
-    touched_[chart] = 1;
-    for (Index c = 0; c < charts_.count(); ++c)
+    touched_[patch] = 1;
+    for (Index c = 0; c < patches_.count(); ++c)
       touched_[c] = touched_[c] || inside_[c];
   }
 
   // The patch's label is banned there; late in the work the whole patch joins a neighbor.
-  void change_label(Index chart) {
-    const AxisLabel label = charts_.labels[chart];
+  void change_label(Index patch) {
+    const AxisLabel label = patches_.labels[patch];
     for (Index i = 0; i < labels_.size(); ++i) {
-      free_[i] = charts_.chart[i] == chart;
+      free_[i] = patches_.patch[i] == patch;
       if (free_[i]) costs_.ban(i, label);
     }
     if (last_half_) {
       std::array<double, label_count> length{};
-      for_each_boundary(chart, [&](Index h, Index other) { length[charts_.labels[other]] += surface_.length(h); });
+      for_each_boundary(patch, [&](Index h, Index other) { length[patches_.labels[other]] += surface_.length(h); });
       std::array<double, label_count> score = length;
       for (AxisLabel l = 0; l < label_count; ++l)
         score[l] *= length[opposite(l)] > 0 ? 0.1 : 1;
@@ -322,8 +322,8 @@ class Repair {
         labels_[i] = free_[i] ? best_label(costs_, i) : labels_[i];
       expand_labels(surface_, costs_, free_, sweeps_of_a_recut, labels_, host_);
     }
-    touched_[chart] = 1;
-    for_each_boundary(chart, [&](Index, Index other) { touched_[other] = 1; });
+    touched_[patch] = 1;
+    for_each_boundary(patch, [&](Index, Index other) { touched_[other] = 1; });
   }
 
   const Surface& surface_;
@@ -332,7 +332,7 @@ class Repair {
   const base::Host& host_;
   int pass_ = 0;
   bool last_half_ = false;
-  Charts charts_;
+  Patches patches_;
   Array<std::uint8_t> free_;
   Array<AxisLabel> before_;
   Array<std::uint8_t> component_;

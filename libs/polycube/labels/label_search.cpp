@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <utility>
 
-#include "polycube/labels/chart_order.h"
 #include "polycube/labels/label_repair.h"
+#include "polycube/labels/patch_order.h"
 #include "polycube/map/starts.h"
 
 namespace orbicube::polycube {
 namespace {
 
-constexpr int most_steps = 8;
+constexpr int max_steps = 8;
 constexpr std::size_t changes_a_step = 8;
-constexpr double largest_chart = 0.06;  // of the whole area: larger ones keep their labels
+constexpr double max_patch = 0.06;      // of the whole area: larger ones keep their labels
 constexpr double energy_weight = 4;     // what worse labels cost beside conflicts
 constexpr double order_weight = 0.2;    // and an arc that runs in a circle
 constexpr double corner_weight = 0.25;  // and a corner above the budget
@@ -21,34 +21,34 @@ constexpr int sweeps = 2;
 constexpr int repair_passes = 25;
 
 struct Conflict {
-  explicit Conflict(std::pmr::memory_resource* memory) : charts(memory) {}
+  explicit Conflict(std::pmr::memory_resource* memory) : patches(memory) {}
 
   double size = 0;
-  Array<Index> charts;  // where it is, and beside
+  Array<Index> patches;  // where it is, and beside
 };
 
-Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels, std::size_t most_corners,
+Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels, std::size_t max_corners,
                        std::uint64_t seed, const base::Host& host) {
-  const Charts charts = find_charts(surface, labels, host);
-  TiedMap map(surface, charts, host);
+  const Patches patches = find_patches(surface, labels, host);
+  TiedMap map(surface, patches, host);
   poisson_start(map, rounds_of_the_start, host);
-  const ArcNetwork network(surface, charts, host);
-  const ArcSigns signs = find_arc_signs(charts, surface, network, wanted_signs(map, network, host), seed, host);
+  const ArcNetwork network(surface, patches, host);
+  const ArcSigns signs = find_arc_signs(patches, surface, network, target_signs(map, network, host), seed, host);
   Conflict result(host.memory);
   result.size = signs.violation;
-  Array<std::uint8_t> near(charts.count(), 0, host.memory);
+  Array<std::uint8_t> near(patches.count(), 0, host.memory);
   for (const Index k : signs.bad_corners) {
-    for (const Index c : network.corners[k].chart)
+    for (const Index c : network.corners[k].patch)
       near[c] = 2;
   }
-  for (const Index c : signs.bad_charts)
+  for (const Index c : signs.bad_patches)
     near[c] = 2;
   if (signs.consistent()) {
-    for (const Index a : arcs_without_order(charts, network, signs, host)) {
+    for (const Index a : arcs_without_order(patches, network, signs, host)) {
       const Arc& arc = network.arcs[a];
       result.size += order_weight;
       for (const Index v : {arc.first, arc.last})
-        for (const Index c : network.corners[network.corner_of_vertex[v]].chart)
+        for (const Index c : network.corners[network.corner_of_vertex[v]].patch)
           near[c] = 2;
     }
   }
@@ -56,27 +56,27 @@ Conflict find_conflict(const Surface& surface, std::span<const AxisLabel> labels
     if (near[arc.left] == 2 && near[arc.right] == 0) near[arc.right] = 1;
     if (near[arc.right] == 2 && near[arc.left] == 0) near[arc.left] = 1;
   }
-  if (most_corners > 0 && network.corners.size() > most_corners) {
+  if (max_corners > 0 && network.corners.size() > max_corners) {
     if (result.size == 0) std::fill(near.begin(), near.end(), std::uint8_t{2});
-    result.size += corner_weight * static_cast<double>(network.corners.size() - most_corners);
+    result.size += corner_weight * static_cast<double>(network.corners.size() - max_corners);
   }
   Array<std::pair<double, Index>> order(host.memory);
   for (Index c = 0; c < near.size(); ++c) {
-    if (near[c] > 0 && charts.areas[c] < largest_chart * surface.area)
-      order.emplace_back(charts.areas[c] * (near[c] == 2 ? 1 : 3), c);
+    if (near[c] > 0 && patches.areas[c] < max_patch * surface.area)
+      order.emplace_back(patches.areas[c] * (near[c] == 2 ? 1 : 3), c);
   }
   std::sort(order.begin(), order.end());
-  for (const auto& [size, chart] : order)
-    result.charts.push_back(Index{chart});
+  for (const auto& [size, patch] : order)
+    result.patches.push_back(Index{patch});
   return result;
 }
 
-// The labels without those of one patch; whether the rules of charts.h could be kept.
-bool drop_chart(const Surface& surface, const Charts& charts, Index chart, LabelCosts& costs,
+// The labels without those of one patch; whether the rules of patches.h could be kept.
+bool drop_patch(const Surface& surface, const Patches& patches, Index patch, LabelCosts& costs,
                 std::span<AxisLabel> labels, const base::Host& host) {
   Array<std::uint8_t> free(labels.size(), 0, host.memory);
   for (Index i = 0; i < labels.size(); ++i) {
-    if (charts.chart[i] != chart) continue;
+    if (patches.patch[i] != patch) continue;
     free[i] = 1;
     costs.ban(i, labels[i]);
     labels[i] = best_label(costs, i);
@@ -87,25 +87,25 @@ bool drop_chart(const Surface& surface, const Charts& charts, Index chart, Label
 
 }  // namespace
 
-double search_labels(const Surface& surface, LabelCosts& costs, std::size_t most_corners, std::uint64_t seed,
-                     std::size_t& most_changes, std::span<AxisLabel> labels, const base::Host& host) {
-  Conflict now = find_conflict(surface, labels, most_corners, seed, host);
+double search_labels(const Surface& surface, LabelCosts& costs, std::size_t max_corners, std::uint64_t seed,
+                     std::size_t& max_changes, std::span<AxisLabel> labels, const base::Host& host) {
+  Conflict now = find_conflict(surface, labels, max_corners, seed, host);
   const double energy = label_energy(surface, costs, labels);
   double reached = now.size;
-  for (int step = 0; step < most_steps && now.size > 0; ++step) {
-    const Charts charts = find_charts(surface, labels, host);
+  for (int step = 0; step < max_steps && now.size > 0; ++step) {
+    const Patches patches = find_patches(surface, labels, host);
     LabelCosts best_costs(host.memory);
     Array<AxisLabel> best_labels(host.memory);
     Conflict best(host.memory);
     double least = reached - 1e-9;
-    for (std::size_t i = 0; i < std::min(now.charts.size(), changes_a_step) && most_changes > 0; ++i) {
-      --most_changes;
+    for (std::size_t i = 0; i < std::min(now.patches.size(), changes_a_step) && max_changes > 0; ++i) {
+      --max_changes;
       LabelCosts trial_costs(host.memory);
       trial_costs.data = costs.data;
       trial_costs.boundary = costs.boundary;
       Array<AxisLabel> trial(labels.begin(), labels.end(), host.memory);
-      if (!drop_chart(surface, charts, now.charts[i], trial_costs, trial, host)) continue;
-      Conflict found = find_conflict(surface, trial, most_corners, seed, host);
+      if (!drop_patch(surface, patches, now.patches[i], trial_costs, trial, host)) continue;
+      Conflict found = find_conflict(surface, trial, max_corners, seed, host);
       // Bans do not count: energies are those of the labels themselves.
       const double score = found.size + energy_weight * (label_energy(surface, costs, trial) - energy);
       if (score >= least) continue;

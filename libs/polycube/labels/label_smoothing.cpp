@@ -11,7 +11,7 @@ bool may_change(const Surface& surface, std::span<const AxisLabel> labels, Index
   std::size_t count = 0;
   bool own_across_an_edge = false;
   for (Index h = 3 * triangle; h < 3 * triangle + 3; ++h) {
-    own_across_an_edge = own_across_an_edge || labels[surface.neighbour(h)] == labels[triangle];
+    own_across_an_edge = own_across_an_edge || labels[surface.neighbor(h)] == labels[triangle];
     for (Index g = surface.turned(h); g != h; g = surface.turned(g)) {
       const AxisLabel label = labels[g / 3];
       if (count > 0 && runs[count - 1] == label) continue;
@@ -43,11 +43,11 @@ void smooth_labels(const Surface& surface, const LabelCosts& costs, int sweeps, 
       const auto cost_of = [&](AxisLabel label) {
         double cost = costs.data[t][label];
         for (Index h = 3 * t; h < 3 * t + 3; ++h)
-          cost += costs.boundary[h] * label_distance(label, labels[surface.neighbour(h)]);
+          cost += costs.boundary[h] * label_distance(label, labels[surface.neighbor(h)]);
         return cost;
       };
       for (Index h = 3 * t; h < 3 * t + 3; ++h) {
-        const AxisLabel to = labels[surface.neighbour(h)];
+        const AxisLabel to = labels[surface.neighbor(h)];
         if (to == labels[t] || !(cost_of(to) < cost_of(labels[t]) - 1e-15)) continue;
         if (!may_change(surface, labels, t, to)) continue;
         labels[t] = to;

@@ -29,7 +29,7 @@ linear::SparseSystem::Triplets smoothing_of(const Surface& surface, double lengt
   };
   linear::SparseSystem::Triplets triplets(host.memory);
   for (Index h = 0; h < half_edges; ++h) {
-    const Index a = h / 3, b = surface.neighbour(h);
+    const Index a = h / 3, b = surface.neighbor(h);
     const Vector3 middle = (surface.positions[surface.start(h)] + surface.positions[surface.end(h)]) / 2;
     const double distance = (centre(a) - middle).norm() + (middle - centre(b)).norm();
     // Each edge is met twice, once from each side.

@@ -25,7 +25,7 @@ VoxelSolid compressed(const VoxelSolid& solid, const base::Host& host) {
       c[axis] = plane;
       for (c[u] = 0; c[u] < solid.count(u) && !differs; ++c[u])
         for (c[v] = 0; c[v] < solid.count(v) && !differs; ++c[v])
-          differs = solid.inside(solid.place(c)) != solid.inside(solid.neighbour(solid.place(c), axis, -1));
+          differs = solid.inside(solid.place(c)) != solid.inside(solid.neighbor(solid.place(c), axis, -1));
       if (differs) kept[axis].push_back(plane);
     }
     if (kept[axis].size() < 2) throw base::Error("internal", "a polycube without extent");
@@ -89,7 +89,7 @@ class Builder {
       const Cell c = solid_.cell(place);
       for (AxisLabel label = 0; label < label_count; ++label) {
         const auto axis = static_cast<std::size_t>(axis_of(label));
-        if (solid_.inside(solid_.neighbour(place, axis, sign_of(label)))) continue;
+        if (solid_.inside(solid_.neighbor(place, axis, sign_of(label)))) continue;
         Square square{c, label, no_index, no_index, {}};
         constexpr std::array<std::array<int, 2>, 4> around = {{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
         for (std::size_t k = 0; k < 4; ++k) {

@@ -35,10 +35,10 @@ class LayoutMap {
   }
 
   SurfaceMap run(const LayoutMapOptions& options) {
-    constexpr std::size_t least_vertices = 300, vertices_a_node = 8;
+    constexpr std::size_t min_vertices = 300, vertices_a_node = 8;
     const Array<double> parameter = arc_parameters(surface_, drawing_, host_);
     const Array<Index> collapsed =
-        decimate(layout_, surface_, drawing_, std::max(least_vertices, vertices_a_node * layout_.nodes.size()), host_);
+        decimate(layout_, surface_, drawing_, std::max(min_vertices, vertices_a_node * layout_.nodes.size()), host_);
     image_ = map_rectangles(layout_, drawing_, surface_, parameter, host_);
     for (Index v = 0; v < surface_.vertices(); ++v)
       if (surface_.outgoing(v) != no_index) active_.push_back(v);
@@ -56,7 +56,7 @@ class LayoutMap {
   }
 
  private:
-  MapView view() { return {surface_, label_, facet_, image_, scale_, least_length_}; }
+  MapView view() { return {surface_, label_, facet_, image_, scale_, min_length_}; }
 
   void measure() {
     double in_space = 0, on_polycube = 0;
@@ -73,7 +73,7 @@ class LayoutMap {
       on_polycube += size[(axis + 1) % 3] * size[(axis + 2) % 3];
     }
     scale_ = std::sqrt(on_polycube / in_space);
-    least_length_ = 1e-6 * (high - low).norm();
+    min_length_ = 1e-6 * (high - low).norm();
   }
 
   // Steps of all active vertices, until a sweep gains less than a part of the energy.
@@ -111,14 +111,14 @@ class LayoutMap {
   }
 
   void insert(Index h) {
-    constexpr int most_attempts = 5;
+    constexpr int max_attempts = 5;
     const Index v = surface_.start(h), w = surface_.end(h);
     for (int attempt = 0;; ++attempt) {
       surface_.undo_collapse(h);
       image_[v] = image_[w];
       star_.gather(view(), v);
       if (star_.place(view())) break;
-      if (attempt == most_attempts) throw base::Error("no-valid-result", "a vertex finds no place on the polycube");
+      if (attempt == max_attempts) throw base::Error("no-valid-result", "a vertex finds no place on the polycube");
       // Its surroundings make room.
       surface_.collapse(h);
       for (int round = 0; round < 4 << attempt; ++round) {
@@ -149,7 +149,7 @@ class LayoutMap {
       map.triangles.push_back({number[a], number[b], number[c]});
       map.triangle_sources.push_back(Index{surface_.triangle_source[f]});
       map.labels.push_back(AxisLabel{label_[f]});
-      map.charts.push_back(Index{facet_[f]});
+      map.patches.push_back(Index{facet_[f]});
     }
     return map;
   }
@@ -163,7 +163,7 @@ class LayoutMap {
   Array<Index> facet_;
   Array<Vector3> image_;
   Array<Index> active_;  // vertices that are there
-  double scale_ = 1, least_length_ = 0;
+  double scale_ = 1, min_length_ = 0;
 };
 
 }  // namespace

@@ -23,7 +23,7 @@ double& coordinate(Vector3& p, std::size_t axis) {
 
 void PlanarStar::gather(const MapView& map, Index vertex) {
   // Triangles of the input may be needles; as flatter than that they do not count.
-  constexpr double least_height = 0.01;
+  constexpr double min_height = 0.01;
   vertex_ = vertex;
   here_ = map.image[vertex];
   triangles_.clear();
@@ -44,10 +44,10 @@ void PlanarStar::gather(const MapView& map, Index vertex) {
     const Vector3 second = map.scale * (positions[q] - positions[vertex]);
     const double longest =
         std::sqrt(std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()}));
-    const double least = map.scale * map.least_length;
-    const double base = std::max({first.norm(), least_height * longest, least});
+    const double least = map.scale * map.min_length;
+    const double base = std::max({first.norm(), min_height * longest, least});
     const double along = first.norm() > 0 ? second.dot(first) / first.norm() : 0;
-    const double height = std::max({first.cross(second).norm() / base, least_height * longest, least_height * least});
+    const double height = std::max({first.cross(second).norm() / base, min_height * longest, min_height * least});
     t.weight = 0.5 * base * height;
     t.inverse << 1 / base, -along / (base * height), 0, 1 / height;
     triangles_.push_back(t);
@@ -224,9 +224,9 @@ double PlanarStar::improve(const MapView& map) {
   }
   const double slope = gradient.dot(step);
   if (!(slope < 0)) return 0;
-  constexpr int most_halvings = 12;
+  constexpr int max_halvings = 12;
   double length = 1;
-  for (int attempt = 0; attempt < most_halvings; ++attempt, length *= 0.5) {
+  for (int attempt = 0; attempt < max_halvings; ++attempt, length *= 0.5) {
     Vector3 there = here_;
     coordinate(there, axes_[0]) += length * step.x();
     if (freedoms_ == 2) coordinate(there, axes_[1]) += length * step.y();

@@ -18,7 +18,7 @@ struct MapView {
   std::span<const Index> facet;      // of each triangle: the patch of the polycube
   std::span<Vector3> image;          // of each vertex, on the polycube
   double scale;                      // of lengths in space, for equal areas
-  double least_length;               // shorter edges in space count as that long
+  double min_length;                 // shorter edges in space count as that long
 };
 
 class PlanarStar {

@@ -17,14 +17,14 @@ ScatteredMap::ScatteredMap(std::span<const Vector3> points, std::span<const Vect
   for (const Vector3& p : points)
     radius = std::max(radius, (p - centre_).norm());
   if (radius > 0) scale_ = radius;
-  Array<Vector3> wanted(host.memory);
+  Array<Vector3> target(host.memory);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Vector3 p = (points[i] - centre_) / scale_;
     const bool again =
         std::any_of(points_.begin(), points_.end(), [&](const Vector3& q) { return (p - q).norm() < 1e-12; });
     if (again) continue;
     points_.push_back(p);
-    wanted.push_back(images[i] - points[i]);  // what the identity misses
+    target.push_back(images[i] - points[i]);  // what the identity misses
   }
   const auto n = static_cast<Eigen::Index>(points_.size());
   // Whether they span the space.
@@ -48,7 +48,7 @@ ScatteredMap::ScatteredMap(std::span<const Vector3> points, std::span<const Vect
     system(i, n) = system(n, i) = 1;
     for (Eigen::Index k = 0; k + 1 < more; ++k)
       system(i, n + 1 + k) = system(n + 1 + k, i) = p[k];
-    rhs.row(i) = wanted[static_cast<std::size_t>(i)].transpose();
+    rhs.row(i) = target[static_cast<std::size_t>(i)].transpose();
   }
   const Eigen::MatrixXd solution = linear::solve_dense(system, rhs);
   for (Eigen::Index i = 0; i < n; ++i)

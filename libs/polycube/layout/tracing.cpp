@@ -22,7 +22,7 @@ constexpr std::size_t vertices_a_node = 12;
 // How many times its faces a surface may have in the end; a tenth more than it has serves as a rule. One with few faces
 // may have more of them, but not any number: paths without room wind around one another, and each makes the surface
 // grow by a part of what it is, so that searches in it would soon take minutes.
-constexpr std::size_t most_refinement = 24, small_surface = 40'000;
+constexpr std::size_t max_refinement = 24, small_surface = 40'000;
 
 class Tracing {
  public:
@@ -47,7 +47,7 @@ class Tracing {
       }
     }
     diagonal_ = (high - low).norm();
-    most_faces_ = most_refinement * surface.faces();
+    max_faces_ = max_refinement * surface.faces();
   }
 
   Drawing run() {
@@ -84,7 +84,7 @@ class Tracing {
 
   Index split_edge(Index h) {
     const Index a = surface_.start(h), b = surface_.end(h);
-    if (surface_.faces() > most_faces_)
+    if (surface_.faces() > max_faces_)
       throw base::Error("no-valid-result", "drawing the polycube's edges would refine the surface beyond measure");
     const Index m = surface_.split_edge(h, 0.5);
     level_.push_back(static_cast<std::uint8_t>(std::min(250, std::max(level_[a], level_[b]) + 1)));
@@ -95,10 +95,10 @@ class Tracing {
   void refine_for_nodes() {
     const std::size_t wanted = vertices_a_node * layout_.nodes.size();
     const std::size_t faces = 2 * wanted;  // of a closed surface with that number of vertices
-    if (faces > std::max(most_faces_, small_surface / 4))
+    if (faces > std::max(max_faces_, small_surface / 4))
       throw base::Error("no-valid-result", "the surface has too few triangles for a polycube with " +
                                                std::to_string(layout_.nodes.size()) + " corners and ends of cuts");
-    most_faces_ = std::max(most_faces_, std::min(2 * most_refinement * faces, small_surface));
+    max_faces_ = std::max(max_faces_, std::min(2 * max_refinement * faces, small_surface));
     std::size_t used = 0;
     for (Index v = 0; v < surface_.vertices(); ++v)
       used += surface_.outgoing(v) != no_index;
@@ -534,7 +534,7 @@ class Tracing {
   std::size_t drawn_count_ = 0;
   Array<Index> starts_, ends_;
   double diagonal_ = 0;
-  std::size_t most_faces_ = 0;
+  std::size_t max_faces_ = 0;
 };
 
 }  // namespace

@@ -80,7 +80,7 @@ class Certifier {
   Certificate run() {
     if (surface() && planes()) {
       const Connectivity connectivity(positions_.size(), triangles_, host_);
-      charts(connectivity);
+      patches(connectivity);
       if (fans(connectivity) && outward() && embedded(connectivity)) return std::move(result_);
     }
     return std::move(result_);
@@ -122,17 +122,17 @@ class Certifier {
                   std::to_string(first));
   }
 
-  void charts(const Connectivity& connectivity) {
+  void patches(const Connectivity& connectivity) {
     mesh::DisjointSets sets(triangles_.size(), host_.memory);
     for (Index h = 0; h < 3 * triangles_.size(); ++h) {
       report_now_and_then(h);
       const Index other = connectivity.opposite(h) / 3;
       if (result_.labels[h / 3] == result_.labels[other]) sets.unite(h / 3, other);
     }
-    result_.charts.assign(triangles_.size(), no_index);
+    result_.patches.assign(triangles_.size(), no_index);
     for (Index i = 0; i < triangles_.size(); ++i) {
       const Index root = sets.find(i);  // the lowest of its set, so it has its number already
-      result_.charts[i] = root == i ? static_cast<Index>(result_.patches++) : result_.charts[root];
+      result_.patches[i] = root == i ? static_cast<Index>(result_.patch_count++) : result_.patches[root];
     }
   }
 
@@ -206,9 +206,9 @@ class Certifier {
   }
 
   bool embedded(const Connectivity& connectivity) {
-    constexpr std::size_t most_cells = 10'000'000;
+    constexpr std::size_t max_cells = 10'000'000;
     const auto contact =
-        embedding_fault(positions_, triangles_, result_.labels, result_.charts, connectivity, most_cells, host_);
+        embedding_fault(positions_, triangles_, result_.labels, result_.patches, connectivity, max_cells, host_);
     if (contact) return contact->empty() || refuse(*contact);
     if (result_.cavities > 0) return refuse("there are too many corners to see where cavities lie");
     constexpr std::size_t most = 1;
@@ -235,7 +235,7 @@ Certificate certify(SurfaceMap& map, const base::Host& host) {
   Certificate certificate = certify(map.polycube, map.triangles, host);
   if (certificate.valid()) {
     map.labels = certificate.labels;
-    map.charts = certificate.charts;
+    map.patches = certificate.patches;
   }
   return certificate;
 }

@@ -18,17 +18,17 @@
 namespace orbicube::polycube {
 
 struct Certificate {
-  explicit Certificate(std::pmr::memory_resource* memory) : labels(memory), charts(memory) {}
+  explicit Certificate(std::pmr::memory_resource* memory) : labels(memory), patches(memory) {}
 
   bool valid() const { return reason.empty(); }
 
   std::string reason;  // what is wrong and where, or empty
   std::size_t cavities = 0;
-  std::int64_t genus = 0;   // with cavities, of all parts together
-  std::size_t corners = 0;  // vertices where three patches of the polycube or more meet
-  std::size_t patches = 0;  // patches of the polycube
-  Array<AxisLabel> labels;  // of each triangle, while reason is empty
-  Array<Index> charts;      // of each triangle, numbered in the order of their first triangles
+  std::int64_t genus = 0;       // with cavities, of all parts together
+  std::size_t corners = 0;      // vertices where three patches of the polycube or more meet
+  std::size_t patch_count = 0;  // of the polycube
+  Array<AxisLabel> labels;      // of each triangle, while reason is empty
+  Array<Index> patches;         // of each triangle, numbered in the order of their first triangles
 };
 
 // `polycube` are the positions of the vertices of `triangles` on the polycube. O(n log n), unless the planes through

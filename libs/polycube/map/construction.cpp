@@ -26,13 +26,13 @@ constexpr double about_equal = 0.02;
 
 // The polycubes of voxels that may be drawn and mapped, which takes time in proportion to the triangles: many for
 // small surfaces, a few for large ones.
-std::size_t most_voxel_polycubes(std::size_t triangles) {
+std::size_t max_voxel_polycubes(std::size_t triangles) {
   constexpr std::size_t work = 600'000, least = 4, most = 24;
   return std::clamp(work / std::max<std::size_t>(triangles, 1), least, most);
 }
 
 // Those that are improved and compared, where none is good enough.
-std::size_t most_voxel_maps(std::size_t triangles) {
+std::size_t max_voxel_maps(std::size_t triangles) {
   constexpr std::size_t work = 60'000, least = 1, most = 3;
   return std::clamp(work / std::max<std::size_t>(triangles, 1), least, most);
 }
@@ -77,13 +77,13 @@ class BestOfAll {
 
  private:
   void try_voxels() {
-    const std::size_t most = most_voxel_maps(triangles_.size());
+    const std::size_t most = max_voxel_maps(triangles_.size());
     std::size_t grid = 0;
     for (std::size_t i = 0; i < most && grid < voxel_grids.size() && !reaches(i == 0 ? good_enough : fair); ++i) {
       const bool made = attempt(Method::voxels, "grid-based", [&] {
         Construction one = construct_by_voxels(
             positions_, triangles_,
-            {.corners = budget_, .most_polycubes = most_voxel_polycubes(triangles_.size()), .first_grid = grid}, host_);
+            {.corners = budget_, .max_polycubes = max_voxel_polycubes(triangles_.size()), .first_grid = grid}, host_);
         grid = one.grid + 1;
         return one;
       });

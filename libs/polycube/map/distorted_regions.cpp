@@ -7,7 +7,7 @@
 namespace orbicube::polycube {
 namespace {
 
-constexpr double much = 2, least_area = 0.002;
+constexpr double much = 2, min_area = 0.002;
 constexpr int rings = 2;  // around what is distorted
 
 // The change of angles times that of areas (distortion.h), a mean over each triangle of the surface.
@@ -49,7 +49,7 @@ Array<double> components(const Surface& surface, const Inside& inside, Array<Ind
     for (std::size_t k = 0; k < queue.size(); ++k) {
       areas[number] += surface.areas[queue[k]];
       for (Index h = 3 * queue[k]; h < 3 * queue[k] + 3; ++h) {
-        const Index other = surface.neighbour(h);
+        const Index other = surface.neighbor(h);
         if (of_triangle[other] != no_index || !inside(other)) continue;
         of_triangle[other] = number;
         queue.push_back(other);
@@ -69,7 +69,7 @@ DistortedRegions find_distorted_regions(const Surface& surface, const SurfaceMap
   for (int k = 0; k < rings; ++k) {
     const Array<std::uint8_t> before(chosen, host.memory);
     for (Index h = 0; h < 3 * chosen.size(); ++h)
-      chosen[h / 3] |= before[surface.neighbour(h)];
+      chosen[h / 3] |= before[surface.neighbor(h)];
   }
   // All that is left but the largest part is enclosed: tips of protrusions lie well on a face.
   Array<Index> number(host.memory);
@@ -84,7 +84,7 @@ DistortedRegions find_distorted_regions(const Surface& surface, const SurfaceMap
       surface, [&](Index i) { return chosen[i] != 0; }, number);
   Array<Index> order(host.memory);
   for (Index r = 0; r < areas.size(); ++r) {
-    if (areas[r] >= least_area * surface.area) order.push_back(r);
+    if (areas[r] >= min_area * surface.area) order.push_back(r);
   }
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return areas[a] > areas[b]; });
   result.count = order.size();

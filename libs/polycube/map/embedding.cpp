@@ -15,11 +15,11 @@ constexpr const char* phase = "certificate";
 class Grid {
  public:
   Grid(std::span<const Vector3> polycube, std::span<const Triangle> triangles, std::span<const AxisLabel> labels,
-       std::span<const Index> charts, const Connectivity& connectivity, const base::Host& host)
+       std::span<const Index> patches, const Connectivity& connectivity, const base::Host& host)
       : polycube_(polycube),
         triangles_(triangles),
         labels_(labels),
-        charts_(charts),
+        patches_(patches),
         connectivity_(connectivity),
         host_(host),
         planes_{Array<double>(host.memory), Array<double>(host.memory), Array<double>(host.memory)},
@@ -30,12 +30,12 @@ class Grid {
         vertices_(host.memory),
         triangle_of_(host.memory) {}
 
-  std::optional<std::string> run(std::size_t most_cells) {
+  std::optional<std::string> run(std::size_t max_cells) {
     find_planes();
     find_crossings();
-    if (crossings_.size() > most_cells) return std::nullopt;
+    if (crossings_.size() > max_cells) return std::nullopt;
     std::sort(crossings_.begin(), crossings_.end());
-    if (count_cells() > most_cells) return std::nullopt;
+    if (count_cells() > max_cells) return std::nullopt;
     if (overlapping_ != no_index)
       return "the polycube meets itself, face " + std::to_string(overlapping_) + " overlaps itself";
     std::string wrong = check_cells();
@@ -48,7 +48,7 @@ class Grid {
  private:
   // Where the boundary of a face crosses a row of cells: `change` to what is beyond it.
   struct Crossing {
-    Index chart, row, at;
+    Index patch, row, at;
     int change;
     auto operator<=>(const Crossing&) const = default;
   };
@@ -56,14 +56,14 @@ class Grid {
   struct Cell {
     Place place;
     int axis;
-    Index chart;
+    Index patch;
     std::strong_ordering operator<=>(const Cell&) const = default;
   };
   // The edge of the grid from the place on, along the axis.
   struct Edge {
     Place place;
     int axis;
-    Index chart;
+    Index patch;
     std::strong_ordering operator<=>(const Edge&) const = default;
   };
   struct Vertex {
@@ -72,7 +72,7 @@ class Grid {
     std::strong_ordering operator<=>(const Vertex&) const = default;
   };
 
-  bool on_edge(Index h) const { return charts_[h / 3] != charts_[connectivity_.opposite(h) / 3]; }
+  bool on_edge(Index h) const { return patches_[h / 3] != patches_[connectivity_.opposite(h) / 3]; }
 
   void report(std::size_t i) const {
     if (i % 4096 == 0) host_.report(phase, 0, 0);
@@ -127,36 +127,36 @@ class Grid {
       // The face is on the left, seen from outside.
       const int change = (to[v] > from[v] ? -1 : 1) * sign_of(label);
       for (Index row = low; row < high; ++row)
-        crossings_.push_back({charts_[h / 3], row, from[u], change});
+        crossings_.push_back({patches_[h / 3], row, from[u], change});
     }
   }
 
   // By the crossings along each row; returns how many there are. A face's plane is that of any of its corners.
   std::size_t count_cells() {
     for (Index f = 0; f < triangles_.size(); ++f)
-      if (charts_[f] == triangle_of_.size()) triangle_of_.push_back(f);
+      if (patches_[f] == triangle_of_.size()) triangle_of_.push_back(f);
     int winding = 0;
     for (std::size_t i = 0; i < crossings_.size(); ++i) {
       report(i);
       const Crossing& c = crossings_[i];
       winding += c.change;
       const bool last = i + 1 == crossings_.size();
-      if (!last && crossings_[i + 1].chart == c.chart && crossings_[i + 1].row == c.row) {
+      if (!last && crossings_[i + 1].patch == c.patch && crossings_[i + 1].row == c.row) {
         const Crossing& next = crossings_[i + 1];
         if (next.at == c.at) continue;
-        if (winding < 0 || winding > 1) overlapping_ = c.chart;
+        if (winding < 0 || winding > 1) overlapping_ = c.patch;
         if (winding != 1) continue;
-        const AxisLabel label = labels_[triangle_of_[c.chart]];
+        const AxisLabel label = labels_[triangle_of_[c.patch]];
         const auto axis = static_cast<std::size_t>(axis_of(label));
         Place place{};
-        place[axis] = place_of(triangles_[triangle_of_[c.chart]][0])[axis];
+        place[axis] = place_of(triangles_[triangle_of_[c.patch]][0])[axis];
         place[(axis + 2) % 3] = c.row;
         for (Index k = c.at; k < next.at; ++k) {
           place[(axis + 1) % 3] = k;
-          cells_.push_back({place, axis_of(label), c.chart});
+          cells_.push_back({place, axis_of(label), c.patch});
         }
       } else {
-        if (winding != 0) overlapping_ = c.chart;
+        if (winding != 0) overlapping_ = c.patch;
         winding = 0;
       }
     }
@@ -175,7 +175,7 @@ class Grid {
     std::sort(cells_.begin(), cells_.end());
     for (std::size_t i = 1; i < cells_.size(); ++i) {
       const Cell &a = cells_[i - 1], &b = cells_[i];
-      if (a.place == b.place && a.axis == b.axis) return between(a.chart, b.chart, a.place);
+      if (a.place == b.place && a.axis == b.axis) return between(a.patch, b.patch, a.place);
     }
     return {};
   }
@@ -188,15 +188,15 @@ class Grid {
       Place beyond_u = c.place, beyond_v = c.place;
       ++beyond_u[static_cast<std::size_t>(u)];
       ++beyond_v[static_cast<std::size_t>(v)];
-      edges_.push_back({c.place, u, c.chart});
-      edges_.push_back({c.place, v, c.chart});
-      edges_.push_back({beyond_v, u, c.chart});
-      edges_.push_back({beyond_u, v, c.chart});
+      edges_.push_back({c.place, u, c.patch});
+      edges_.push_back({c.place, v, c.patch});
+      edges_.push_back({beyond_v, u, c.patch});
+      edges_.push_back({beyond_u, v, c.patch});
     }
     std::sort(edges_.begin(), edges_.end());
     for (std::size_t i = 2; i < edges_.size(); ++i) {
       const Edge &a = edges_[i - 2], &b = edges_[i];
-      if (a.place == b.place && a.axis == b.axis) return between(a.chart, b.chart, a.place);
+      if (a.place == b.place && a.axis == b.axis) return between(a.patch, b.patch, a.place);
     }
     return {};
   }
@@ -238,7 +238,7 @@ class Grid {
     int before = 1;
     for (std::size_t i = 0; i < across.size(); ++i) {
       report(i);
-      const int now = sign_of(labels_[triangle_of_[across[i].chart]]);
+      const int now = sign_of(labels_[triangle_of_[across[i].patch]]);
       const bool last = i + 1 == across.size() || row(across[i + 1]) != row(across[i]);
       if (now == before || (last && now < 0))
         return "a part of the polycube lies in what is inside or outside already, " + at(across[i].place);
@@ -273,7 +273,7 @@ class Grid {
   std::span<const Vector3> polycube_;
   std::span<const Triangle> triangles_;
   std::span<const AxisLabel> labels_;
-  std::span<const Index> charts_;
+  std::span<const Index> patches_;
   const Connectivity& connectivity_;
   const base::Host& host_;
   std::array<Array<double>, 3> planes_;
@@ -289,10 +289,10 @@ class Grid {
 }  // namespace
 
 std::optional<std::string> embedding_fault(std::span<const Vector3> polycube, std::span<const Triangle> triangles,
-                                           std::span<const AxisLabel> labels, std::span<const Index> charts,
-                                           const Connectivity& connectivity, std::size_t most_cells,
+                                           std::span<const AxisLabel> labels, std::span<const Index> patches,
+                                           const Connectivity& connectivity, std::size_t max_cells,
                                            const base::Host& host) {
-  return Grid(polycube, triangles, labels, charts, connectivity, host).run(most_cells);
+  return Grid(polycube, triangles, labels, patches, connectivity, host).run(max_cells);
 }
 
 }  // namespace orbicube::polycube

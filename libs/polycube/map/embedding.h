@@ -20,11 +20,11 @@ namespace orbicube::polycube {
 
 // Of a closed surface whose triangles lie in axis-aligned planes with these labels and patches, and turn once around
 // each vertex (certificate.h). Returns where it meets itself or parts of it are not inside and outside by turns, empty
-// when all is well; nothing when the grid would have more than `most_cells` cells, which only polycubes of very many
+// when all is well; nothing when the grid would have more than `max_cells` cells, which only polycubes of very many
 // corners have. Throws Error "cancelled".
 std::optional<std::string> embedding_fault(std::span<const Vector3> polycube, std::span<const Triangle> triangles,
-                                           std::span<const AxisLabel> labels, std::span<const Index> charts,
-                                           const mesh::Connectivity& connectivity, std::size_t most_cells,
+                                           std::span<const AxisLabel> labels, std::span<const Index> patches,
+                                           const mesh::Connectivity& connectivity, std::size_t max_cells,
                                            const base::Host& host);
 
 }  // namespace orbicube::polycube

@@ -15,36 +15,36 @@ namespace orbicube::polycube {
 namespace {
 
 constexpr int rounds_of_the_start = 15;
-constexpr int most_steps = std::numeric_limits<int>::max();
+constexpr int max_steps = std::numeric_limits<int>::max();
 constexpr int steps_without_signs = 50;
 
 class LabelledMap {
  public:
-  LabelledMap(SurfaceMap& result, const Surface& surface, const Charts& charts, const Frame& frame,
+  LabelledMap(SurfaceMap& result, const Surface& surface, const Patches& patches, const Frame& frame,
               const LabelledMapOptions& options, const base::Host& host)
       : result_(result),
         frame_(frame),
         options_(options),
         host_(host),
-        network_(surface, charts, host),
-        map_(surface, charts, host),
+        network_(surface, patches, host),
+        map_(surface, patches, host),
         poisson_(host.memory),
         signs_(host.memory),
         outcome_(host.memory) {}
 
   LabelledMapOutcome run(std::span<const double> planes) {
-    if (!planes.empty() && place_charts_at(planes)) {
+    if (!planes.empty() && place_patches_at(planes)) {
       Untangling untangling(map_, host_);
       for (const double first_eps : {0.0, 0.01}) {
-        place_charts_at(planes);
+        place_patches_at(planes);
         spread_vertices(map_, network_, host_);
         if (attempt(untangling, first_eps)) return std::move(outcome_);
       }
     }
     poisson_start(map_, rounds_of_the_start, host_);
     poisson_ = map_.value;
-    const Array<double> wanted = wanted_signs(map_, network_, host_);
-    signs_ = find_arc_signs(*map_.charts, *map_.surface, network_, wanted, options_.seed, host_);
+    const Array<double> target = target_signs(map_, network_, host_);
+    signs_ = find_arc_signs(*map_.patches, *map_.surface, network_, target, options_.seed, host_);
     const bool as_wanted = signs_.consistent() && signs_.changed == 0;
     Untangling untangling(map_, host_);
     // Where no signs were found that obey the rules there hardly is a map, but the signs are no proof.
@@ -52,15 +52,15 @@ class LabelledMap {
     if (!signs_.consistent() && attempt(untangling, 0, steps_without_signs)) return std::move(outcome_);
     if (!signs_.consistent()) {
       outcome_.reason = "no signs of arcs make the labels a polycube: " + std::to_string(signs_.bad_corners.size()) +
-                        " corners and " + std::to_string(signs_.bad_charts.size()) + " patches are in conflict; " +
+                        " corners and " + std::to_string(signs_.bad_patches.size()) + " patches are in conflict; " +
                         outcome_.reason;
       return std::move(outcome_);
     }
     // Each of these finds maps that the others do not.
     for (const double first_eps : {0.0, 0.01, 0.001}) {
-      if (outcome_.turned_over <= options_.enough) break;
+      if (outcome_.flipped <= options_.enough) break;
       map_.value = poisson_;
-      place_charts(map_, network_, signs_, host_);
+      place_patches(map_, network_, signs_, host_);
       spread_vertices(map_, network_, host_);
       if (attempt(untangling, first_eps)) break;
     }
@@ -69,22 +69,22 @@ class LabelledMap {
 
  private:
   // Each patch at the median of its triangles; whether all have one.
-  bool place_charts_at(std::span<const double> planes) {
+  bool place_patches_at(std::span<const double> planes) {
     Array<std::pair<Index, double>> known(host_.memory);
     for (Index t = 0; t < planes.size(); ++t) {
-      if (!std::isnan(planes[t])) known.emplace_back(map_.charts->chart[t], planes[t]);
+      if (!std::isnan(planes[t])) known.emplace_back(map_.patches->patch[t], planes[t]);
     }
     std::sort(known.begin(), known.end());
-    std::size_t charts = 0;
-    for (std::size_t begin = 0, end = 0; begin < known.size(); begin = end, ++charts) {
+    std::size_t patches = 0;
+    for (std::size_t begin = 0, end = 0; begin < known.size(); begin = end, ++patches) {
       while (end < known.size() && known[end].first == known[begin].first)
         ++end;
       map_.value[known[begin].first] = known[(begin + end) / 2].second;
     }
-    return charts == map_.charts->count();
+    return patches == map_.patches->count();
   }
 
-  bool attempt(Untangling& untangling, double first_eps, int steps = most_steps) {
+  bool attempt(Untangling& untangling, double first_eps, int steps = max_steps) {
     const std::size_t before = untangling.steps_taken();
     const bool made = make(untangling, first_eps, steps);
     outcome_.steps += untangling.steps_taken() - before;
@@ -93,8 +93,8 @@ class LabelledMap {
 
   bool make(Untangling& untangling, double first_eps, int steps) {
     if (!untangling.untangle({std::min(steps, options_.untangling_steps), first_eps, 1})) {
-      keep_best(untangling.turned_over());
-      outcome_.reason = std::to_string(untangling.turned_over()) + " triangles stay flipped";
+      keep_best(untangling.flipped());
+      outcome_.reason = std::to_string(untangling.flipped()) + " triangles stay flipped";
       return false;
     }
     untangling.polish(options_.polishing_steps, options_.area_weight);
@@ -104,9 +104,9 @@ class LabelledMap {
     return outcome_.valid();
   }
 
-  void keep_best(std::size_t turned_over) {
-    if (turned_over >= outcome_.turned_over) return;
-    outcome_.turned_over = turned_over;
+  void keep_best(std::size_t flipped) {
+    if (flipped >= outcome_.flipped) return;
+    outcome_.flipped = flipped;
     store_map();
   }
 
@@ -156,8 +156,8 @@ LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const 
   Array<Vector3> positions(map.positions.size(), host.memory);
   std::transform(map.positions.begin(), map.positions.end(), positions.begin(), frame);
   const Surface surface(std::move(positions), Array<Triangle>(map.triangles, host.memory), host);
-  const Charts charts = find_charts(surface, map.labels, host);
-  return LabelledMap(map, surface, charts, frame, options, host).run(plane);
+  const Patches patches = find_patches(surface, map.labels, host);
+  return LabelledMap(map, surface, patches, frame, options, host).run(plane);
 }
 
 }  // namespace orbicube::polycube

@@ -36,12 +36,12 @@ struct LabelledMapOutcome {
 
   std::string reason;  // why there is no map
   // In the map that is left when none is valid: the one with the fewest.
-  std::size_t turned_over = std::numeric_limits<std::size_t>::max();
+  std::size_t flipped = std::numeric_limits<std::size_t>::max();
   std::size_t steps = 0;    // of Gauss-Newton that it took
   Certificate certificate;  // of the map
 };
 
-// Makes the map from map.positions, triangles and labels, which must obey the rules of charts.h. Splits edges where
+// Makes the map from map.positions, triangles and labels, which must obey the rules of patches.h. Splits edges where
 // that is needed, fills in positions on the polycube, of the size of the surface, and certifies them.
 // `planes`, unless it is empty, says for each triangle where its patch is likely to lie along the patch's axis, in the
 // frame (not a number where that is not known): the first place to start from.

@@ -3,43 +3,43 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "polycube/labels/charts.h"
+#include "polycube/labels/patches.h"
 
 namespace orbicube::polycube {
 
 Construction draw_labelled(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                            const SurfaceMap& map, const base::Host& host) {
   const Surface surface(Array<Vector3>(map.positions, host.memory), Array<Triangle>(map.triangles, host.memory), host);
-  const Charts charts = find_charts(surface, map.labels, host);
+  const Patches patches = find_patches(surface, map.labels, host);
   Array<Index> corner_vertices(host.memory);
   Array<Index> corner_of(map.positions.size(), no_index, host.memory);
   Array<Vector3> corners(host.memory);
   for (Index v = 0; v < map.positions.size(); ++v) {
-    if (!charts.is_corner(v)) continue;
+    if (!patches.is_corner(v)) continue;
     corner_of[v] = static_cast<Index>(corners.size());
     corner_vertices.push_back(v);
     corners.push_back(map.polycube[v]);
   }
   // Of all patches one after another: the corners along their loops, and where each loop begins.
   Array<Index> around(host.memory), begins(host.memory);
-  Array<std::size_t> chart_begin(host.memory), chart_loops(host.memory);
-  for (std::size_t c = 0; c < charts.count(); ++c) {
-    chart_begin.push_back(around.size());
-    chart_loops.push_back(begins.size());
-    for (std::size_t l = charts.chart_loops[c]; l < charts.chart_loops[c + 1]; ++l) {
-      begins.push_back(static_cast<Index>(around.size() - chart_begin[c]));
-      for (const Index h : charts.loop(l))
-        if (charts.is_corner(surface.start(h))) around.push_back(Index{corner_of[surface.start(h)]});
+  Array<std::size_t> patch_begin(host.memory), patch_loops(host.memory);
+  for (std::size_t c = 0; c < patches.count(); ++c) {
+    patch_begin.push_back(around.size());
+    patch_loops.push_back(begins.size());
+    for (std::size_t l = patches.patch_loops[c]; l < patches.patch_loops[c + 1]; ++l) {
+      begins.push_back(static_cast<Index>(around.size() - patch_begin[c]));
+      for (const Index h : patches.loop(l))
+        if (patches.is_corner(surface.start(h))) around.push_back(Index{corner_of[surface.start(h)]});
     }
-    begins.push_back(static_cast<Index>(around.size() - chart_begin[c]));
+    begins.push_back(static_cast<Index>(around.size() - patch_begin[c]));
   }
-  chart_begin.push_back(around.size());
-  chart_loops.push_back(begins.size());
-  Array<GivenPatch> patches(host.memory);
-  for (std::size_t c = 0; c < charts.count(); ++c)
-    patches.push_back({charts.labels[c], std::span(begins).subspan(chart_loops[c], chart_loops[c + 1] - chart_loops[c]),
-                       std::span(around).subspan(chart_begin[c], chart_begin[c + 1] - chart_begin[c])});
-  const TargetPolycube target = target_of_patches(corners, patches, host);
+  patch_begin.push_back(around.size());
+  patch_loops.push_back(begins.size());
+  Array<GivenPatch> given(host.memory);
+  for (std::size_t c = 0; c < patches.count(); ++c)
+    given.push_back({patches.labels[c], std::span(begins).subspan(patch_loops[c], patch_loops[c + 1] - patch_loops[c]),
+                     std::span(around).subspan(patch_begin[c], patch_begin[c + 1] - patch_begin[c])});
+  const TargetPolycube target = target_of_patches(corners, given, host);
 
   Array<CornerPlace> places(host.memory);
   for (Index i = 0; i < target.graph.corners.size(); ++i) {

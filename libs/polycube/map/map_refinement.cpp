@@ -90,8 +90,8 @@ class MapRefinement {
       t.y = t.in_plane(polycube_[y]);
       const Vector3 e = surface_.positions[x] - p, g = surface_.positions[y] - p;
       // Slivers are widened a little, so that cotangents stay finite.
-      constexpr double least_height = 1e-7;
-      t.area = std::max({0.5 * e.cross(g).norm(), least_height * std::max(e.squaredNorm(), g.squaredNorm()), 1e-300});
+      constexpr double min_height = 1e-7;
+      t.area = std::max({0.5 * e.cross(g).norm(), min_height * std::max(e.squaredNorm(), g.squaredNorm()), 1e-300});
       const double scale = 0.5 / t.area;
       t.at_p = scale * e.dot(g);
       t.at_x = scale * -e.dot(g - e);

@@ -94,7 +94,7 @@ void poisson_start(TiedMap& map, int rounds, const base::Host& host) {
   }
 }
 
-Array<double> wanted_signs(const TiedMap& map, const ArcNetwork& network, const base::Host& host) {
+Array<double> target_signs(const TiedMap& map, const ArcNetwork& network, const base::Host& host) {
   Array<double> result(network.arcs.size(), host.memory);
   const double unit = std::sqrt(map.surface->area);
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -105,8 +105,8 @@ Array<double> wanted_signs(const TiedMap& map, const ArcNetwork& network, const 
   return result;
 }
 
-std::size_t place_charts(TiedMap& map, const ArcNetwork& network, const ArcSigns& signs, const base::Host& host) {
-  const auto count = static_cast<Eigen::Index>(map.charts->count());
+std::size_t place_patches(TiedMap& map, const ArcNetwork& network, const ArcSigns& signs, const base::Host& host) {
+  const auto count = static_cast<Eigen::Index>(map.patches->count());
   const double unit = std::sqrt(map.surface->area);
   struct Difference {
     Index from, to;  // patches; the arc runs from the lower to the higher
@@ -128,11 +128,11 @@ std::size_t place_charts(TiedMap& map, const ArcNetwork& network, const ArcSigns
   // Augmented Lagrangian of the lower bounds.
   constexpr double stay = 1e-6;
   constexpr double stiffness = 10;
-  constexpr int most_rounds = 200;
+  constexpr int max_rounds = 200;
   Eigen::VectorXd x(count), right(count);
   Eigen::MatrixXd matrix(count, count);
   std::size_t wrong = 0;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     host.report(phase, 0, 0);
     matrix = stay * Eigen::MatrixXd::Identity(count, count);
     for (Eigen::Index c = 0; c < count; ++c)
@@ -166,7 +166,7 @@ std::size_t place_charts(TiedMap& map, const ArcNetwork& network, const ArcSigns
 void spread_vertices(TiedMap& map, const ArcNetwork& network, const base::Host& host) {
   const Surface& surface = *map.surface;
   Array<std::uint8_t> fixed(map.value.size(), host.memory);
-  std::fill_n(fixed.begin(), map.charts->count(), std::uint8_t{1});
+  std::fill_n(fixed.begin(), map.patches->count(), std::uint8_t{1});
   for (const Arc& arc : network.arcs) {
     const double from = map.coordinate(arc.first, arc.axis), to = map.coordinate(arc.last, arc.axis);
     double passed = 0;

@@ -14,11 +14,11 @@ void poisson_start(TiedMap& map, int rounds, const base::Host& host);
 
 // How far each arc of the map goes in the direction in which it would be convex: the signs that find_arc_signs wants,
 // relative to the square root of the surface's area.
-Array<double> wanted_signs(const TiedMap& map, const ArcNetwork& network, const base::Host& host);
+Array<double> target_signs(const TiedMap& map, const ArcNetwork& network, const base::Host& host);
 
 // Patches placed so that every arc runs as its sign says: least squares of the arcs' present lengths, or part of their
 // lengths in space where they run the other way, with lower bounds. Returns how many arcs still run the wrong way.
-std::size_t place_charts(TiedMap& map, const ArcNetwork& network, const ArcSigns& signs, const base::Host& host);
+std::size_t place_patches(TiedMap& map, const ArcNetwork& network, const ArcSigns& signs, const base::Host& host);
 
 // With patches where they are: vertices along arcs by arc length, those inside patches by a harmonic map.
 void spread_vertices(TiedMap& map, const ArcNetwork& network, const base::Host& host);

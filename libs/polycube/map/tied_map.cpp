@@ -5,12 +5,12 @@
 
 namespace orbicube::polycube {
 
-TiedMap::TiedMap(const Surface& of, const Charts& with, const base::Host& host)
-    : surface(&of), charts(&with), variable(of.positions.size(), host.memory), value(host.memory) {
+TiedMap::TiedMap(const Surface& of, const Patches& with, const base::Host& host)
+    : surface(&of), patches(&with), variable(of.positions.size(), host.memory), value(host.memory) {
   std::fill(variable.begin(), variable.end(), std::array<Index, 3>{no_index, no_index, no_index});
   for (Index i = 0; i < of.triangles.size(); ++i) {
     for (const Index v : of.triangles[i])
-      variable[v][static_cast<std::size_t>(axis_of(label(i)))] = with.chart[i];
+      variable[v][static_cast<std::size_t>(axis_of(label(i)))] = with.patch[i];
   }
   auto next = static_cast<Index>(with.count());
   for (auto& of_vertex : variable) {
@@ -39,14 +39,14 @@ TiedTriangles::TiedTriangles(const TiedMap& map, const base::Host& host)
     sign[i] = sign_of(label);
 
     // Slivers are widened a little, so that gradients stay finite.
-    constexpr double least_height = 1e-7;
+    constexpr double min_height = 1e-7;
     const Vector3 e = surface.positions[t[1]] - surface.positions[t[0]];
     const Vector3 g = surface.positions[t[2]] - surface.positions[t[0]];
     const double scale = std::max(e.norm(), g.norm());
-    const double length = std::max(e.norm(), least_height * scale);
+    const double length = std::max(e.norm(), min_height * scale);
     const Vector3 along = length > 0 ? Vector3(e / length) : Vector3::UnitX();
     const double x = g.dot(along);
-    const double y = std::max((g - x * along).norm(), least_height * scale);
+    const double y = std::max((g - x * along).norm(), min_height * scale);
     const std::array<Eigen::Vector2d, 3> corner = {Eigen::Vector2d(0, 0), Eigen::Vector2d(length, 0),
                                                    Eigen::Vector2d(x, y)};
     const double twice_area = length * y;

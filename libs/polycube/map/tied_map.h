@@ -2,26 +2,26 @@
 // its own axis is one variable, which all its vertices share.
 //
 // Vertices inside a patch have two variables of their own, those along an arc one, corners none. Since three patches at
-// most meet at a vertex and neighbors have different axes (charts.h), no vertex lies on two patches of one axis.
+// most meet at a vertex and neighbors have different axes (patches.h), no vertex lies on two patches of one axis.
 #pragma once
 
 #include <array>
 #include <span>
 
-#include "polycube/labels/charts.h"
+#include "polycube/labels/patches.h"
 
 namespace orbicube::polycube {
 
 struct TiedMap {
   // Keeps references to both. All variables are 0.
-  TiedMap(const Surface& surface, const Charts& charts, const base::Host& host);
+  TiedMap(const Surface& surface, const Patches& patches, const base::Host& host);
 
   double coordinate(Index vertex, int axis) const { return value[variable[vertex][static_cast<std::size_t>(axis)]]; }
   Vector3 position(Index vertex) const { return {coordinate(vertex, 0), coordinate(vertex, 1), coordinate(vertex, 2)}; }
-  AxisLabel label(Index triangle) const { return charts->labels[charts->chart[triangle]]; }
+  AxisLabel label(Index triangle) const { return patches->labels[patches->patch[triangle]]; }
 
   const Surface* surface;
-  const Charts* charts;
+  const Patches* patches;
   Array<std::array<Index, 3>> variable;  // of each vertex and axis; those of patches come first, by their numbers
   Array<double> value;                   // of each variable
 };

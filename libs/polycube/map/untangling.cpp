@@ -60,13 +60,13 @@ double Untangling::chi(double determinant, double* derivative) const {
   return value;
 }
 
-double Untangling::least_determinant() {
+double Untangling::min_determinant() {
   double least = std::numeric_limits<double>::infinity();
-  turned_over_ = 0;
+  flipped_ = 0;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const double d = triangles_.jacobian(map_.value, i).determinant();
     least = std::min(least, d);
-    turned_over_ += !(d > 0);
+    flipped_ += !(d > 0);
   }
   return least;
 }
@@ -163,16 +163,16 @@ double Untangling::step() {
       to[i] = map_.value[i] + by * direction_[i];
     return energy(to);
   };
-  constexpr int most_halvings = 30;
+  constexpr int max_halvings = 30;
   double after = 0;
   int halvings = 0;
-  for (; halvings < most_halvings; ++halvings) {
+  for (; halvings < max_halvings; ++halvings) {
     host_.report(phase, 0, 0);
     after = move(length, trial_);
     if (after <= before + 1e-4 * length * slope) break;
     length *= 0.5;
   }
-  if (halvings == most_halvings) return 0;
+  if (halvings == max_halvings) return 0;
   for (int k = 0; k < 3 && eps_ > 0 && halvings == 0; ++k) {
     length *= 2;
     const double farther = move(length, longer_);
@@ -186,15 +186,15 @@ double Untangling::step() {
 
 bool Untangling::untangle(const UntanglingLimits& limits) {
   lambda_ = limits.area_weight;
-  double least = least_determinant();
+  double least = min_determinant();
   if (least > 0) return true;
   constexpr int steps_an_eps = 6;
   constexpr double little = 2e-3;
-  constexpr double least_eps = 1e-9;
+  constexpr double min_eps = 1e-9;
   constexpr int patience = 25;  // values of eps without fewer triangles flipped
   eps_ = limits.first_eps > 0 ? limits.first_eps : std::clamp(0.2 * std::abs(least) + 1e-3, 0.05, 1.0);
   int stalled = 0;
-  std::size_t fewest = turned_over_;
+  std::size_t fewest = flipped_;
   for (int done = 0; done < limits.steps;) {
     const double before = energy(map_.value);
     for (int i = 0; i < steps_an_eps && done < limits.steps; ++i, ++done) {
@@ -202,17 +202,17 @@ bool Untangling::untangle(const UntanglingLimits& limits) {
     }
     ++done;
     const double after = energy(map_.value);
-    least = least_determinant();
+    least = min_determinant();
     if (least > 0) break;
-    stalled = turned_over_ < fewest ? 0 : stalled + 1;
-    fewest = std::min(fewest, turned_over_);
+    stalled = flipped_ < fewest ? 0 : stalled + 1;
+    fewest = std::min(fewest, flipped_);
     if (stalled > patience) break;
     // The next eps of Garanzha et al., but never more than 0.6 of this one.
     double derivative = 0;
     const double gain = std::max(1 - after / before, 0.1);
     const double floor = (1 - gain) * chi(least, &derivative);
-    const double next = least < floor ? 2 * std::sqrt(floor * (floor - least)) : least_eps;
-    eps_ = std::max(std::min(next, 0.6 * eps_), least_eps);
+    const double next = least < floor ? 2 * std::sqrt(floor * (floor - least)) : min_eps;
+    eps_ = std::max(std::min(next, 0.6 * eps_), min_eps);
   }
   return least > 0;
 }
@@ -224,7 +224,7 @@ void Untangling::polish(int steps, double area_weight) {
   for (int i = 0; i < steps; ++i) {
     if (step() < little) break;
   }
-  least_determinant();
+  min_determinant();
 }
 
 }  // namespace orbicube::polycube

@@ -29,12 +29,12 @@ class Untangling {
   // Lowers the energy of a positive map in at most the given number of steps, and keeps it positive.
   void polish(int steps, double area_weight);
 
-  std::size_t turned_over() const { return turned_over_; }
+  std::size_t flipped() const { return flipped_; }
   // Of Gauss-Newton, by both.
   std::size_t steps_taken() const { return steps_taken_; }
 
  private:
-  double least_determinant();
+  double min_determinant();
   double energy(std::span<const double> value) const;
   double assemble();
   double longest_positive_step() const;
@@ -52,7 +52,7 @@ class Untangling {
   Array<double> trial_, longer_;
   double eps_ = 0;
   double lambda_ = 1;
-  std::size_t turned_over_ = 0, steps_taken_ = 0;
+  std::size_t flipped_ = 0, steps_taken_ = 0;
 };
 
 }  // namespace orbicube::polycube

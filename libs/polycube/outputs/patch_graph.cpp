@@ -31,19 +31,19 @@ class Builder {
     find_edges();
     find_patches();
     find_loops();
-    find_neighbours();
+    find_neighbors();
     return std::move(graph_);
   }
 
  private:
-  Index chart(Index half_edge) const { return map_.charts[half_edge / 3]; }
-  bool drawn(Index h) const { return chart(h) != chart(connectivity_.opposite(h)); }
+  Index patch(Index half_edge) const { return map_.patches[half_edge / 3]; }
+  bool drawn(Index h) const { return patch(h) != patch(connectivity_.opposite(h)); }
   void report(std::size_t done) const {
     if (done % 4096 == 0) host_.report("patches", 0, 0);
   }
 
   void find_corners() {
-    if (map_.labels.size() != map_.triangles.size() || map_.charts.size() != map_.triangles.size()) refuse();
+    if (map_.labels.size() != map_.triangles.size() || map_.patches.size() != map_.triangles.size()) refuse();
     for (Index v = 0; v < map_.positions.size(); ++v) {
       report(v);
       int arcs = 0;
@@ -84,8 +84,8 @@ class Builder {
         graph_.path_begin.push_back(static_cast<Index>(graph_.paths.size()));
         graph_.dart_origin.push_back(corner);
         graph_.dart_origin.push_back(corner_at_[connectivity_.end(h)]);
-        graph_.dart_left.push_back(chart(first));
-        graph_.dart_left.push_back(chart(connectivity_.opposite(first)));
+        graph_.dart_left.push_back(patch(first));
+        graph_.dart_left.push_back(patch(connectivity_.opposite(first)));
         last_.push_back(h);
         last_.push_back(connectivity_.opposite(first));
         const Vector3 along = map_.polycube[connectivity_.end(first)] - map_.polycube[connectivity_.start(first)];
@@ -98,13 +98,13 @@ class Builder {
 
   void find_patches() {
     Index patches = 0;
-    for (const Index c : map_.charts)
+    for (const Index c : map_.patches)
       patches = std::max(patches, c + 1);
     graph_.labels.assign(patches, 0);
     graph_.coordinates.assign(patches, 0);
     for (Index t = 0; t < map_.triangles.size(); ++t) {
-      graph_.labels[map_.charts[t]] = map_.labels[t];
-      graph_.coordinates[map_.charts[t]] = map_.polycube[map_.triangles[t][0]][axis_of(map_.labels[t])];
+      graph_.labels[map_.patches[t]] = map_.labels[t];
+      graph_.coordinates[map_.patches[t]] = map_.polycube[map_.triangles[t][0]][axis_of(map_.labels[t])];
     }
   }
 
@@ -161,19 +161,19 @@ class Builder {
     if (graph_.loops_of_patch.size() != graph_.patches() + 1) refuse();
   }
 
-  void find_neighbours() {
+  void find_neighbors() {
     Array<std::array<Index, 2>> links(host_.memory);
     for (Index dart = 0; dart < graph_.dart_left.size(); ++dart)
       links.push_back({graph_.dart_left[dart], graph_.dart_left[dart ^ 1U]});
     std::sort(links.begin(), links.end());
     links.erase(std::unique(links.begin(), links.end()), links.end());
-    graph_.neighbour_begin.assign(graph_.patches() + 1, 0);
+    graph_.neighbor_begin.assign(graph_.patches() + 1, 0);
     for (const auto& [patch, other] : links) {
-      ++graph_.neighbour_begin[patch + 1];
-      graph_.neighbours.push_back(other);
+      ++graph_.neighbor_begin[patch + 1];
+      graph_.neighbors.push_back(other);
     }
     for (std::size_t p = 0; p < graph_.patches(); ++p)
-      graph_.neighbour_begin[p + 1] += graph_.neighbour_begin[p];
+      graph_.neighbor_begin[p + 1] += graph_.neighbor_begin[p];
   }
 
   const SurfaceMap& map_;

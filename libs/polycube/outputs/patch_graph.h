@@ -24,8 +24,8 @@ struct PatchGraph {
         loops_of_patch(memory),
         loop_begin(memory),
         loops(memory),
-        neighbour_begin(memory),
-        neighbours(memory) {}
+        neighbor_begin(memory),
+        neighbors(memory) {}
 
   std::size_t edges() const { return convex.size(); }
   std::size_t patches() const { return labels.size(); }
@@ -40,8 +40,8 @@ struct PatchGraph {
     return {loops.data() + loop_begin[number], loop_begin[number + 1] - loop_begin[number]};
   }
   // Patches that share an edge with a patch, ascending, each once.
-  std::span<const Index> neighbours_of(Index patch) const {
-    return {neighbours.data() + neighbour_begin[patch], neighbour_begin[patch + 1] - neighbour_begin[patch]};
+  std::span<const Index> neighbors_of(Index patch) const {
+    return {neighbors.data() + neighbor_begin[patch], neighbor_begin[patch + 1] - neighbor_begin[patch]};
   }
 
   Array<Vector3> corners;
@@ -54,7 +54,7 @@ struct PatchGraph {
   Array<double> coordinates;       // of its plane along that axis
   Array<Index> loops_of_patch;     // loops [loops_of_patch[p], loops_of_patch[p + 1]): the outer one, then holes
   Array<Index> loop_begin, loops;  // darts
-  Array<Index> neighbour_begin, neighbours;  // the dual graph
+  Array<Index> neighbor_begin, neighbors;  // the dual graph
 };
 
 // Of a certified map. Patches have the numbers of its patches. O(n log n). Throws Error "invalid-argument" for a map

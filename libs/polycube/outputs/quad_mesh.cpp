@@ -15,7 +15,7 @@ namespace orbicube::polycube {
 namespace {
 
 constexpr const char* phase = "quads";
-constexpr double most_quads = 1e7;
+constexpr double max_quads = 1e7;
 constexpr std::size_t items_between_reports = 16384;
 
 class GridSizes {
@@ -28,7 +28,7 @@ class GridSizes {
   PolycubeGrid choose(const GridOptions& options) {
     if (options.edge_length > 0) {
       set(options.edge_length);
-      if (!(count() <= most_quads)) throw base::Error("invalid-argument", "cells so small make too many quads");
+      if (!(count() <= max_quads)) throw base::Error("invalid-argument", "cells so small make too many quads");
     } else {
       find(static_cast<double>(options.quads));
     }
@@ -41,8 +41,8 @@ class GridSizes {
       const Array<double>& at = grid_.layers[axis];
       grid_.cells[axis].clear();
       for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-        const double wanted = std::min((at[i + 1] - at[i]) / edge_length, 2 * most_quads);
-        grid_.cells[axis].push_back(static_cast<Index>(std::max(1.0, std::round(wanted))));
+        const double target = std::min((at[i + 1] - at[i]) / edge_length, 2 * max_quads);
+        grid_.cells[axis].push_back(static_cast<Index>(std::max(1.0, std::round(target))));
       }
     }
   }
@@ -131,7 +131,7 @@ Array<Key> sorted(Array<Key> keys, const std::array<Lines, 3>& lines, const base
 PolycubeGrid make_grid(const PatchGraph& graph, const GridOptions& options, const base::Host& host) {
   if (!(options.edge_length >= 0) || !std::isfinite(options.edge_length))
     throw base::Error("invalid-argument", "the edge length of cells must be a positive number");
-  if (options.edge_length == 0 && (options.quads == 0 || static_cast<double>(options.quads) > most_quads))
+  if (options.edge_length == 0 && (options.quads == 0 || static_cast<double>(options.quads) > max_quads))
     throw base::Error("invalid-argument", "the number of quads must be from 1 to 10^7");
   return GridSizes(graph, host).choose(options);
 }
@@ -195,7 +195,7 @@ QuadQuality measure_quads(std::span<const Vector3> positions, std::span<const Qu
   Array<Index> valence(positions.size(), 0, host.memory);
   base::CompensatedSum least_of_each, area;
   double largest = 0;
-  result.least_scaled_jacobian = quads.empty() ? 0 : 1;
+  result.min_scaled_jacobian = quads.empty() ? 0 : 1;
   for (std::size_t q = 0; q < quads.size(); ++q) {
     if (q % 4096 == 0) host.report(phase, q, quads.size());
     const Quad& c = quads[q];
@@ -212,7 +212,7 @@ QuadQuality measure_quads(std::span<const Vector3> positions, std::span<const Qu
     least_of_each.add(least);
     area.add(0.5 * size);
     largest = std::max(largest, 0.5 * size);
-    result.least_scaled_jacobian = std::min(result.least_scaled_jacobian, least);
+    result.min_scaled_jacobian = std::min(result.min_scaled_jacobian, least);
     result.not_convex += least <= 0;
   }
   for (const Index n : valence)

@@ -57,11 +57,11 @@ void sample_grid(const SurfaceMap& map, QuadMesh& mesh, const base::Host& host);
 
 // The quality measures of users of quad meshes.
 struct QuadQuality {
-  std::size_t irregular = 0;         // vertices with other than four quads
-  double least_scaled_jacobian = 0;  // of the four corners of a quad, by the normal of its diagonals; 1 for a square
-  double mean_scaled_jacobian = 0;   // of the minimum of each quad
-  std::size_t not_convex = 0;        // quads with a scaled Jacobian of 0 or less
-  double area_ratio = 0;             // largest quad over mean quad
+  std::size_t irregular = 0;        // vertices with other than four quads
+  double min_scaled_jacobian = 0;   // of the four corners of a quad, by the normal of its diagonals; 1 for a square
+  double mean_scaled_jacobian = 0;  // of the minimum of each quad
+  std::size_t not_convex = 0;       // quads with a scaled Jacobian of 0 or less
+  double area_ratio = 0;            // largest quad over mean quad
 };
 QuadQuality measure_quads(std::span<const Vector3> positions, std::span<const Quad> quads, const base::Host& host);
 

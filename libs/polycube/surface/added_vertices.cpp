@@ -18,9 +18,9 @@ class Removal {
 
   std::size_t run() {
     // What goes makes room for others.
-    constexpr int most_rounds = 10;
+    constexpr int max_rounds = 10;
     std::size_t removed = 0;
-    for (int round = 0; round < most_rounds; ++round) {
+    for (int round = 0; round < max_rounds; ++round) {
       const std::size_t before = removed;
       for (Index v = 0; v < surface_.vertices(); ++v) {
         if (v % 256 == 0) host_.report(phase, 0, 0);

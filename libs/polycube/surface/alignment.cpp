@@ -12,7 +12,7 @@ namespace {
 
 constexpr int starts = 150;
 constexpr int refinements = 150;
-constexpr std::size_t most_normals = 4000;
+constexpr std::size_t max_normals = 4000;
 
 // Uniform over all rotations (Shoemake 1992).
 Eigen::Matrix3d random_rotation(Random& random) {
@@ -44,7 +44,7 @@ Eigen::Matrix3d nearest_to_identity(const Eigen::Matrix3d& r) {
 }  // namespace
 
 Eigen::Matrix3d best_alignment(const Surface& surface, std::uint64_t seed, const base::Host& host) {
-  const std::size_t stride = (surface.triangles.size() + most_normals - 1) / most_normals;
+  const std::size_t stride = (surface.triangles.size() + max_normals - 1) / max_normals;
   Array<Vector3> normals(host.memory);
   for (std::size_t i = 0; i < surface.triangles.size(); i += stride)
     normals.push_back(surface.areas[i] * surface.normals[i]);

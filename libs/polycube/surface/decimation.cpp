@@ -14,7 +14,7 @@ namespace {
 
 using mesh::Connectivity;
 
-constexpr Index most_valence = 24;  // of the vertex that is kept
+constexpr Index max_valence = 24;  // of the vertex that is kept
 
 class Decimator {
  public:
@@ -113,7 +113,7 @@ class Decimator {
       else if (x != kept && arms_[removed] == 0 && arms_[kept] > 0 && arms_[x] > 0)
         chord = true;
     });
-    if (common != 2 || chord || around_kept + around_removed > most_valence + 4) return false;
+    if (common != 2 || chord || around_kept + around_removed > max_valence + 4) return false;
     if (valence(left) <= 3 || valence(right) <= 3) return false;
     if (arms_[removed] == 0) return true;
     // Along an arc, not into a corner, beside whose reflex angle it would have no way back, and not where a triangle

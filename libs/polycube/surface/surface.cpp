@@ -32,11 +32,11 @@ Array<Vector3> unit_normals(std::span<const Vector3> positions, std::span<const 
 }
 
 double cotangent(const Vector3& a, const Vector3& b, const Vector3& c) {
-  constexpr double smallest_sine = 1e-12;
+  constexpr double min_sine = 1e-12;
   const Vector3 u = b - a, v = c - a;
   const double lengths = u.norm() * v.norm();
   if (!(lengths > 0)) return 0;
-  return u.dot(v) / std::max(u.cross(v).norm(), smallest_sine * lengths);
+  return u.dot(v) / std::max(u.cross(v).norm(), min_sine * lengths);
 }
 
 }  // namespace orbicube::polycube

@@ -21,7 +21,7 @@ struct Surface {
   Index end(Index half_edge) const { return connectivity.end(half_edge); }
   Index opposite(Index half_edge) const { return connectivity.opposite(half_edge); }
   // Across the edge of the half-edge.
-  Index neighbour(Index half_edge) const { return connectivity.opposite(half_edge) / 3; }
+  Index neighbor(Index half_edge) const { return connectivity.opposite(half_edge) / 3; }
   // The next half-edge out of the same vertex, counter-clockwise.
   Index turned(Index half_edge) const { return connectivity.opposite(mesh::Connectivity::previous(half_edge)); }
   double length(Index half_edge) const { return (positions[end(half_edge)] - positions[start(half_edge)]).norm(); }

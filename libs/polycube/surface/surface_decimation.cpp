@@ -40,7 +40,7 @@ class Decimation {
     }
   }
 
-  Array<Index> run(std::size_t least_vertices) {
+  Array<Index> run(std::size_t min_vertices) {
     std::size_t left = 0;
     for (Index v = 0; v < surface_.vertices(); ++v) {
       if (v % 1024 == 0) host_.report(phase, v, surface_.vertices());
@@ -48,7 +48,7 @@ class Decimation {
       ++left;
       push(v);
     }
-    while (left > least_vertices && !queue_.empty()) {
+    while (left > min_vertices && !queue_.empty()) {
       if (collapsed_.size() % 256 == 0) host_.report(phase, 0, 0);
       const Candidate top = queue_.front();
       std::pop_heap(queue_.begin(), queue_.end(), costlier);
@@ -116,8 +116,8 @@ class Decimation {
     if (is_node_[v]) return best;
     int valence = 0;
     surface_.for_each_outgoing(v, [&](Index) { ++valence; });
-    constexpr int most_valence = 24;
-    if (valence > most_valence) return best;
+    constexpr int max_valence = 24;
+    if (valence > max_valence) return best;
     surface_.for_each_outgoing(v, [&](Index h) {
       if (!allowed(h)) return;
       const Index w = surface_.end(h);
@@ -167,9 +167,9 @@ class Decimation {
 
 }  // namespace
 
-Array<Index> decimate(const Layout& layout, EditableSurface& surface, const Drawing& drawing,
-                      std::size_t least_vertices, const base::Host& host) {
-  return Decimation(layout, surface, drawing, host).run(least_vertices);
+Array<Index> decimate(const Layout& layout, EditableSurface& surface, const Drawing& drawing, std::size_t min_vertices,
+                      const base::Host& host) {
+  return Decimation(layout, surface, drawing, host).run(min_vertices);
 }
 
 }  // namespace orbicube::polycube

@@ -10,8 +10,8 @@
 namespace orbicube::polycube {
 
 // The half-edges collapsed, in order; for EditableSurface::undo_collapse from the last to the first. Ends at
-// `least_vertices`, or earlier when nothing more can go. O(n log n).
-Array<Index> decimate(const Layout& layout, EditableSurface& surface, const Drawing& drawing,
-                      std::size_t least_vertices, const base::Host& host);
+// `min_vertices`, or earlier when nothing more can go. O(n log n).
+Array<Index> decimate(const Layout& layout, EditableSurface& surface, const Drawing& drawing, std::size_t min_vertices,
+                      const base::Host& host);
 
 }  // namespace orbicube::polycube

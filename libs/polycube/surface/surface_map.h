@@ -30,7 +30,7 @@ struct SurfaceMap {
         vertex_sources(memory),
         triangles(memory),
         labels(memory),
-        charts(memory),
+        patches(memory),
         triangle_sources(memory) {}
 
   // Of each vertex. Those of the input come first, in its order and to the bit.
@@ -41,7 +41,7 @@ struct SurfaceMap {
   // Of each triangle. A patch is a connected set of triangles with one label: a patch of the polycube.
   Array<Triangle> triangles;
   Array<AxisLabel> labels;
-  Array<Index> charts;
+  Array<Index> patches;
   Array<Index> triangle_sources;  // the input's triangle that it lies in
 };
 

@@ -21,13 +21,12 @@ struct RestTriangle {
 // From the edges to the second and the third corner. Needles count as wider than they are: what is flatter than that
 // has no angles to speak of.
 inline RestTriangle rest_triangle(const Vector3& first, const Vector3& second) {
-  constexpr double least_height = 1e-3, least_length = 1e-9;
+  constexpr double min_height = 1e-3, min_length = 1e-9;
   const double longest =
       std::sqrt(std::max({first.squaredNorm(), second.squaredNorm(), (second - first).squaredNorm()}));
-  const double base = std::max({first.norm(), least_height * longest, least_length});
+  const double base = std::max({first.norm(), min_height * longest, min_length});
   const double along = first.norm() > 0 ? second.dot(first) / first.norm() : 0;
-  const double height =
-      std::max({first.cross(second).norm() / base, least_height * longest, least_height * least_length});
+  const double height = std::max({first.cross(second).norm() / base, min_height * longest, min_height * min_length});
   RestTriangle t;
   t.hat[1] = {1 / base, -along / (base * height)};
   t.hat[2] = {0, 1 / height};

@@ -14,7 +14,7 @@ namespace orbicube::polycube {
 namespace {
 
 // Each takes time in proportion to the 1.5th power of the triangles, as the factors of its systems do.
-int most_steps(std::size_t triangles) {
+int max_steps(std::size_t triangles) {
   constexpr double work = 2e9, least = 30, most = 500;
   const auto n = static_cast<double>(std::max<std::size_t>(triangles, 1));
   return static_cast<int>(std::clamp(work / (n * std::sqrt(n)), least, most));
@@ -36,7 +36,7 @@ void hold(std::span<const Vector3> places, UnfoldedMap& map) {
 Distortion improve_map(SurfaceMap& map, Certificate& certificate, const ImprovementOptions& options,
                        const base::Host& host) {
   constexpr double little = 0.005;  // of what there is above an isometry
-  int steps = options.newton_steps > 0 ? options.newton_steps : most_steps(map.triangles.size());
+  int steps = options.newton_steps > 0 ? options.newton_steps : max_steps(map.triangles.size());
   const auto score = [&](const Distortion& d) { return score_of(d, options.domain); };
   Distortion now = measure_distortion(map, host);
   for (int round = 0; round < options.rounds && steps > 0; ++round) {
@@ -49,7 +49,7 @@ Distortion improve_map(SurfaceMap& map, Certificate& certificate, const Improvem
       Certificate proof = certify(trial, host);
       if (!proof.valid()) throw base::Error("no-valid-result", proof.reason);
       const Distortion after = options.domain
-                                   ? optimise_domain(trial, {.measure = DomainMeasure::face_mean}, host).distortion
+                                   ? optimize_domain(trial, {.measure = DomainMeasure::face_mean}, host).distortion
                                    : measure_distortion(trial, host);
       host.log("smoothed: angle " + std::to_string(after.angle_mean) + ", area " + std::to_string(after.area_mean));
       if (!(score(after) < before)) break;

@@ -164,7 +164,7 @@ class Folding {
         while (dart < corner.dart_end && map_.darts[dart].direction != direction)
           ++dart;
         if (dart == corner.dart_end) astray("it reaches the wrong corner");
-        const UnfoldedFacet& facet = map_.facets[map_.darts[dart].facet];
+        const UnfoldedPatch& facet = map_.facets[map_.darts[dart].facet];
         const Vector2d p = map_.at(h), along = map_.at(EditableSurface::next(h)) - p, wanted = facet.flat(direction);
         PlaneMotion motion;
         motion.quarters = static_cast<int>(std::lround(std::atan2(cross(along, wanted), along.dot(wanted)) /
@@ -225,7 +225,7 @@ class Folding {
       map.triangles.push_back({number[a], number[b], number[c]});
       map.triangle_sources.push_back(Index{surface_.triangle_source[f]});
       map.labels.push_back(AxisLabel{map_.facets[facet_[f]].label});
-      map.charts.push_back(Index{facet_[f]});
+      map.patches.push_back(Index{facet_[f]});
     }
     return map;
   }

@@ -31,12 +31,12 @@ class CornerMoves {
 
   // Several edges at once where meshes are fine.
   std::size_t run() {
-    constexpr int most_edges = 8;
+    constexpr int max_edges = 8;
     std::size_t moves = 0;
     for (Index corner = 0; corner < map_.corners.size(); ++corner) {
       host_.report(phase, corner, map_.corners.size());
       if (map_.corners[corner].held) continue;
-      for (int i = 0; i < most_edges && move(corner); ++i)
+      for (int i = 0; i < max_edges && move(corner); ++i)
         ++moves;
     }
     return moves;
@@ -44,7 +44,7 @@ class CornerMoves {
 
   // By the shortest way on the polycube. It is looked for again after each move.
   bool walk(Index number, Index goal) {
-    constexpr int most_tries = 6, passes = 4;
+    constexpr int max_tries = 6, passes = 4;
     int tries = 0;
     while (map_.corners[number].vertex != goal) {
       host_.report(phase, 0, 0);
@@ -52,7 +52,7 @@ class CornerMoves {
       if (h == no_index) return false;
       const Move found = evaluate(h, energy_around(v), goal, true);
       if (found.half_edge == no_index) {
-        if (++tries > most_tries) return false;
+        if (++tries > max_tries) return false;
       } else {
         std::swap(best_, motions_);
         carry_out(number, found);
@@ -162,10 +162,10 @@ class CornerMoves {
     Move best;
     const double around = energy_around(v);
     // What is gained must be worth it, or corners go to and fro.
-    constexpr double least_gain = 1e-3;
+    constexpr double min_gain = 1e-3;
     surface_.for_each_outgoing(v, [&](Index h) {
       const Move found = evaluate(h, around);
-      if (found.half_edge == no_index || found.gain <= std::max(best.gain, least_gain * around)) return;
+      if (found.half_edge == no_index || found.gain <= std::max(best.gain, min_gain * around)) return;
       best = found;
       std::swap(best_, motions_);
     });

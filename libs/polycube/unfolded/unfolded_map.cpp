@@ -18,7 +18,7 @@ int quarters_of(double angle) {
 }
 
 // From one patch of the polycube to a neighbor, unfolded about the edge between them, on which `point` lies.
-PlaneMotion hinge(const UnfoldedFacet& from, const UnfoldedFacet& to, const Vector3& point) {
+PlaneMotion hinge(const UnfoldedPatch& from, const UnfoldedPatch& to, const Vector3& point) {
   const Vector3 along = Vector3::Unit(third_axis(axis_of(from.label), axis_of(to.label)));
   PlaneMotion motion;
   motion.quarters = quarters_of(signed_angle(from.flat(along), to.flat(along)));
@@ -42,29 +42,29 @@ UnfoldedMap::UnfoldedMap(const SurfaceMap& map, const base::Host& host)
   surface.source.assign(map.vertex_sources.begin(), map.vertex_sources.end());
   surface.triangle_source.assign(map.triangle_sources.begin(), map.triangle_sources.end());
   for (Index f = 0; f < map.triangles.size(); ++f) {
-    const Index chart = map.charts[f];
-    if (chart >= facets.size()) facets.resize(chart + 1);
-    facets[chart] = {map.labels[f], map.polycube[map.triangles[f][0]][axis_of(map.labels[f])]};
+    const Index patch = map.patches[f];
+    if (patch >= facets.size()) facets.resize(patch + 1);
+    facets[patch] = {map.labels[f], map.polycube[map.triangles[f][0]][axis_of(map.labels[f])]};
   }
   find_corners(map);
   for (Index v = 0; v < image.size(); ++v) {
     if (surface.outgoing(v) == no_index) continue;
-    const Index home = map.charts[surface.outgoing(v) / 3];
+    const Index home = map.patches[surface.outgoing(v) / 3];
     image[v] = facets[home].flat(map.polycube[v]);
     surface.for_each_outgoing(v, [&](Index h) {
-      const Index chart = map.charts[h / 3];
-      if (chart == home) return;
+      const Index patch = map.patches[h / 3];
+      if (patch == home) return;
       // Of a corner only the place matters.
       if (is_corner(v))
-        motion[h] = {0, facets[chart].flat(map.polycube[v]) - image[v]};
+        motion[h] = {0, facets[patch].flat(map.polycube[v]) - image[v]};
       else
-        motion[h] = hinge(facets[home], facets[chart], map.polycube[v]);
+        motion[h] = hinge(facets[home], facets[patch], map.polycube[v]);
     });
   }
 }
 
 void UnfoldedMap::find_corners(const SurfaceMap& map) {
-  const auto on_edge = [&](Index h) { return map.charts[h / 3] != map.charts[surface.opposite(h) / 3]; };
+  const auto on_edge = [&](Index h) { return map.patches[h / 3] != map.patches[surface.opposite(h) / 3]; };
   for (Index v = 0; v < image.size(); ++v) {
     int edges = 0;
     surface.for_each_outgoing(v, [&](Index h) { edges += on_edge(h); });
@@ -77,11 +77,11 @@ void UnfoldedMap::find_corners(const SurfaceMap& map) {
 }
 
 void UnfoldedMap::add_darts(const SurfaceMap& map, UnfoldedCorner& corner) {
-  const auto on_edge = [&](Index h) { return map.charts[h / 3] != map.charts[surface.opposite(h) / 3]; };
+  const auto on_edge = [&](Index h) { return map.patches[h / 3] != map.patches[surface.opposite(h) / 3]; };
   corner.dart_begin = static_cast<Index>(darts.size());
   surface.for_each_outgoing(corner.vertex, [&](Index h) {
     if (!on_edge(h)) return;
-    UnfoldedDart dart{corner_at[corner.vertex], no_index, 0, map.charts[h / 3], Vector3::Zero()};
+    UnfoldedDart dart{corner_at[corner.vertex], no_index, 0, map.patches[h / 3], Vector3::Zero()};
     const Vector3 along = map.polycube[surface.end(h)] - corner.place;
     along.cwiseAbs().maxCoeff(&dart.quarters);
     dart.direction[dart.quarters] = along[dart.quarters] > 0 ? 1 : -1;
@@ -95,7 +95,7 @@ void UnfoldedMap::add_darts(const SurfaceMap& map, UnfoldedCorner& corner) {
     dart.target = corner_at[surface.end(end)];
     if (darts.size() == corner.dart_begin) {
       corner.end = surface.end(h);
-      const UnfoldedFacet& facet = facets[dart.facet];
+      const UnfoldedPatch& facet = facets[dart.facet];
       corner.direction = facet.flat(map.polycube[corner.end]) - facet.flat(corner.place);
     }
     darts.push_back(dart);
@@ -103,7 +103,7 @@ void UnfoldedMap::add_darts(const SurfaceMap& map, UnfoldedCorner& corner) {
   corner.dart_end = static_cast<Index>(darts.size());
   for (Index i = corner.dart_begin; i < corner.dart_end; ++i) {
     darts[i].quarters = corner.quarters;
-    const UnfoldedFacet& facet = facets[darts[i].facet];
+    const UnfoldedPatch& facet = facets[darts[i].facet];
     const Vector3& next = darts[i + 1 < corner.dart_end ? i + 1 : corner.dart_begin].direction;
     corner.quarters += quarters_of(signed_angle(facet.flat(darts[i].direction), facet.flat(next)));
   }

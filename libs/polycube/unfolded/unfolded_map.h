@@ -40,7 +40,7 @@ struct PlaneMotion {
 };
 
 // A patch of the polycube: its plane, and how points of space are seen in it from outside.
-struct UnfoldedFacet {
+struct UnfoldedPatch {
   Vector2d flat(const Vector3& p) const {
     return {p[(axis_of(label) + 1) % 3], sign_of(label) * p[(axis_of(label) + 2) % 3]};
   }
@@ -120,7 +120,7 @@ class UnfoldedMap {
   Array<std::uint8_t> held;
   Array<Index> tie_at;
   Array<PlaneTie> ties;
-  Array<UnfoldedFacet> facets;
+  Array<UnfoldedPatch> facets;
   Array<UnfoldedCorner> corners;
   Array<UnfoldedDart> darts;
 

@@ -65,9 +65,9 @@ class System {
     if (!x.allFinite() || !(slope < 0)) return 0;
     for (std::size_t i = 0; i < place_.size(); ++i)
       direction_[i] = x.segment<2>(static_cast<Eigen::Index>(2 * i));
-    constexpr int most_halvings = 20;
+    constexpr int max_halvings = 20;
     double length = longest_step();
-    for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
+    for (int i = 0; i < max_halvings; ++i, length *= 0.5) {
       host_.report(phase, 0, 0);
       for (std::size_t k = 0; k < place_.size(); ++k)
         trial_[k] = place_[k] + length * direction_[k];
@@ -203,7 +203,7 @@ class System {
 
 }  // namespace
 
-int move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, double least_gain, const base::Host& host) {
+int move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, double min_gain, const base::Host& host) {
   if (steps <= 0) return 0;
   const EditableSurface& surface = map.surface;
   Array<Index> number(surface.vertices(), no_index, host.memory);
@@ -232,7 +232,7 @@ int move_all(UnfoldedMap& map, const TriangleWeights& weights, int steps, double
   }
   System system(std::move(elements), std::move(place), std::move(held), std::move(ties), host);
   int taken = 0;
-  for (double gain = 1; taken < steps && gain >= least_gain; ++taken) {
+  for (double gain = 1; taken < steps && gain >= min_gain; ++taken) {
     gain = system.step();
     for (Index v = 0; v < number.size(); ++v)
       if (number[v] != no_index) map.image[v] = system.places()[number[v]];

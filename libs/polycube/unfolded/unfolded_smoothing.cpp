@@ -19,15 +19,15 @@ class Smoothing {
       : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory) {}
 
   int run(const SmoothingOptions& options) {
-    constexpr int most_removals = 12, steps_at_once = 40, steps_between = 10;
+    constexpr int max_removals = 12, steps_at_once = 40, steps_between = 10;
     constexpr double fine = 1e-4;
-    for (int i = 0; i < most_removals; ++i) {
+    for (int i = 0; i < max_removals; ++i) {
       sweep(i == 0 ? 60 : 6);
       if (remove_added() == 0) break;
     }
     int left = options.newton_steps;
-    const auto move = [&](int steps, double least_gain) {
-      left -= move_all(map_, weights_, std::min(steps, left), least_gain, host_);
+    const auto move = [&](int steps, double min_gain) {
+      left -= move_all(map_, weights_, std::min(steps, left), min_gain, host_);
     };
     // Corners are led astray by what is not settled.
     move(steps_at_once, fine);

@@ -89,9 +89,9 @@ Vector2d UnfoldedStar::improved(const Vector2d& place, double& before, double& g
                         determinant;
   const double slope = gradient.dot(step);
   if (!(slope < 0)) return place;
-  constexpr int most_halvings = 12;
+  constexpr int max_halvings = 12;
   double length = 1;
-  for (int i = 0; i < most_halvings; ++i, length *= 0.5) {
+  for (int i = 0; i < max_halvings; ++i, length *= 0.5) {
     const Vector2d there = place + length * step;
     const double after = energy(there);
     if (!(after <= value + 1e-4 * length * slope) || !positive(there)) continue;

@@ -105,7 +105,7 @@ Array<float> local_thickness(const VoxelSolid& solid, const base::Host& host) {
       for (std::size_t a = 0; a < 3; ++a) {
         for (const int step : {-1, 1}) {
           if (c[a] + step < 0 || c[a] + step >= solid.count(a)) continue;
-          const std::size_t there = solid.neighbour(here, a, step);
+          const std::size_t there = solid.neighbor(here, a, step);
           if (thickness[there] > 0) continue;
           thickness[there] = thickness[here];
           next.push_back(there);

@@ -77,7 +77,7 @@ void Simplification::add_pushes(std::size_t axis, int sign, int layer, std::size
 
 // Faces by flooding, and the slabs of each in both directions.
 void Simplification::find_pushes() {
-  constexpr std::size_t most_slabs = 40;
+  constexpr std::size_t max_slabs = 40;
   pushes_.clear();
   squares_.clear();
   Array<std::size_t> face(host_.memory);
@@ -89,7 +89,7 @@ void Simplification::find_pushes() {
       host_.report(phase, 0, 0);
       marks_.assign(solid_.size(), 0);
       const auto exposed = [&, axis = axis](std::size_t place) {
-        return solid_.inside(place) && !solid_.inside(solid_.neighbour(place, axis, sign));
+        return solid_.inside(place) && !solid_.inside(solid_.neighbor(place, axis, sign));
       };
       const std::size_t first = solid_.stride(0);
       for (std::size_t start = first; start + first < solid_.size(); ++start) {
@@ -120,7 +120,7 @@ void Simplification::find_pushes() {
           if (swapped) std::sort(turned.begin(), turned.end());
           slabs.clear();
           cut_into_slabs(turned, slabs);
-          if (slabs.size() < 2 || slabs.size() >= most_slabs) continue;
+          if (slabs.size() < 2 || slabs.size() >= max_slabs) continue;
           for (const GridRectangle& slab : slabs) {
             const std::size_t slab_begin = squares_.size();
             for (int i = slab.low[0]; i < slab.high[0]; ++i)
@@ -141,7 +141,7 @@ bool Simplification::still_a_face(const Push& push) const {
     c[(push.axis + 1) % 3] = squares_[i][0];
     c[(push.axis + 2) % 3] = squares_[i][1];
     const std::size_t here = solid_.place(c);
-    if (!solid_.inside(here) || solid_.inside(solid_.neighbour(here, push.axis, push.sign))) return false;
+    if (!solid_.inside(here) || solid_.inside(solid_.neighbor(here, push.axis, push.sign))) return false;
   }
   return true;
 }
@@ -180,14 +180,14 @@ void Simplification::undo() {
   flipped_.clear();
 }
 
-bool Simplification::apply(const Push& push, int most_layers, Outcome& outcome) {
-  constexpr std::int64_t most_more_corners = 8;  // on the way; more is a wall that is not worth the flips
+bool Simplification::apply(const Push& push, int max_layers, Outcome& outcome) {
+  constexpr std::int64_t max_more_corners = 8;  // on the way; more is a wall that is not worth the flips
   flipped_.clear();
   outcome = {};
-  for (int depth = 0; depth < most_layers; ++depth) {
+  for (int depth = 0; depth < max_layers; ++depth) {
     if (!flip_layer(push, depth, outcome)) break;
     if (outcome.corners < 0) return true;
-    if (outcome.corners > most_more_corners) break;
+    if (outcome.corners > max_more_corners) break;
   }
   undo();
   return false;
@@ -195,8 +195,8 @@ bool Simplification::apply(const Push& push, int most_layers, Outcome& outcome) 
 
 // Cost for each corner removed; what makes the fit better counts as free but for a little.
 double Simplification::rate(const Outcome& outcome) {
-  constexpr double most_gain = 0.02;
-  return std::max(outcome.cost, -most_gain) / static_cast<double>(-outcome.corners);
+  constexpr double max_gain = 0.02;
+  return std::max(outcome.cost, -max_gain) / static_cast<double>(-outcome.corners);
 }
 
 // Pushes by one layer that fit better and add no corner.
@@ -225,14 +225,14 @@ bool Simplification::reduce(std::size_t corners) {
   const auto target = static_cast<std::int64_t>(corners);
   while (corners_ > target) {
     find_pushes();
-    const int most_layers = corners_ > some  ? 2
-                            : corners_ > few ? 6
-                                             : std::max({solid_.count(0), solid_.count(1), solid_.count(2)});
+    const int max_layers = corners_ > some  ? 2
+                           : corners_ > few ? 6
+                                            : std::max({solid_.count(0), solid_.count(1), solid_.count(2)});
     candidates_.clear();
     for (std::size_t i = 0; i < pushes_.size(); ++i) {
       if (i % 16 == 0) host_.report(phase, 0, 0, static_cast<double>(corners_));
       Outcome outcome;
-      if (!apply(pushes_[i], most_layers, outcome)) continue;
+      if (!apply(pushes_[i], max_layers, outcome)) continue;
       undo();
       candidates_.push_back({rate(outcome), i});
     }
@@ -249,7 +249,7 @@ bool Simplification::reduce(std::size_t corners) {
       const Push& push = pushes_[candidate.push];
       if (!still_a_face(push)) continue;
       Outcome outcome;
-      if (!apply(push, most_layers, outcome)) continue;
+      if (!apply(push, max_layers, outcome)) continue;
       if (rate(outcome) > 1.3 * candidate.rate + 1e-6 && done > 0) {
         undo();
         continue;

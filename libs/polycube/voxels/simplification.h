@@ -48,7 +48,7 @@ class Simplification {
   // undone, when there is none.
   bool flip_layer(const Push& push, int depth, Outcome& outcome);
   // Pushes until there are fewer corners; leaves nothing changed, and returns false, when that does not happen.
-  bool apply(const Push& push, int most_layers, Outcome& outcome);
+  bool apply(const Push& push, int max_layers, Outcome& outcome);
   void undo();
   static double rate(const Outcome& outcome);
   Cell cell_of(const Push& push, const Square& square, int depth) const;

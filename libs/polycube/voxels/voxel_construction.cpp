@@ -55,10 +55,10 @@ class VoxelConstruction {
     return *topology.genus;
   }
 
-  bool try_grid(int least_cells) {
-    if (made_.tried >= options_.most_polycubes) return false;
+  bool try_grid(int min_cells) {
+    if (made_.tried >= options_.max_polycubes) return false;
     VoxelisationOptions grid;
-    grid.least_cells = least_cells;
+    grid.min_cells = min_cells;
     try {
       const Voxelisation voxels = voxelise(positions_, triangles_, genus_, occupancy_, grid, host_);
       Simplification simplification(voxels, host_);
@@ -69,7 +69,7 @@ class VoxelConstruction {
         simplification.reduce(target);
         if (simplification.corners() == last) continue;
         last = simplification.corners();
-        if (made_.tried >= options_.most_polycubes) break;
+        if (made_.tried >= options_.max_polycubes) break;
         if (try_polycube(simplification.solid(), last)) return true;
       }
     } catch (const base::Error& error) {

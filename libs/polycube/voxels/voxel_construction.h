@@ -13,9 +13,9 @@
 namespace orbicube::polycube {
 
 struct VoxelConstructionOptions {
-  std::size_t corners = 0;          // maximum of the polycube, or the fewest that it can be brought to; 0: any number
-  std::size_t most_polycubes = 24;  // that are drawn on the surface and mapped
-  std::size_t first_grid = 0;       // of voxel_grids, where those before have been tried
+  std::size_t corners = 0;         // maximum of the polycube, or the fewest that it can be brought to; 0: any number
+  std::size_t max_polycubes = 24;  // that are drawn on the surface and mapped
+  std::size_t first_grid = 0;      // of voxel_grids, where those before have been tried
 };
 
 // Grids begin with this number of cells along the longest axis: finer and coarser ones make other polycubes.

@@ -146,7 +146,7 @@ std::size_t VoxelSolid::components(bool inside, Array<Index>& marks, Array<std::
       for (std::size_t a = 0; a < 3; ++a) {
         for (const int step : {-1, 1}) {
           if (c[a] + step < 0 || c[a] + step >= count(a)) continue;
-          const std::size_t there = neighbour(here, a, step);
+          const std::size_t there = neighbor(here, a, step);
           if ((inside_[there] != 0) != inside || marks[there] != no_index) continue;
           marks[there] = component;
           waiting.push_back(there);

@@ -55,7 +55,7 @@ class VoxelSolid {
   // How far apart the places of neighbors along an axis are.
   std::size_t stride(std::size_t axis) const { return axis == 0 ? count_y_ * count_z_ : axis == 1 ? count_z_ : 1; }
   // The place of the neighbor above (sign > 0) or below along an axis.
-  std::size_t neighbour(std::size_t place, std::size_t axis, int sign) const {
+  std::size_t neighbor(std::size_t place, std::size_t axis, int sign) const {
     return sign > 0 ? place + stride(axis) : place - stride(axis);
   }
   bool inside(std::size_t place) const { return inside_[place] != 0; }

@@ -108,7 +108,7 @@ double farthest_vertex(const VoxelSolid& solid, std::span<const Vector3> positio
       for (std::size_t a = 0; a < 3; ++a) {
         for (const int step : {-1, 1}) {
           if (c[a] + step < 0 || c[a] + step >= solid.count(a)) continue;
-          const std::size_t there = solid.neighbour(here, a, step);
+          const std::size_t there = solid.neighbor(here, a, step);
           if (layer[there] >= 0) continue;
           layer[there] = distance;
           next.push_back(there);
@@ -186,10 +186,10 @@ Voxelisation voxelise(std::span<const Vector3> positions, std::span<const Triang
     return best && best->farthest <= options.far;
   };
   for (const int cells : cell_counts)
-    if (cells >= options.least_cells && cells <= options.most_cells && attempt(cells)) return std::move(*best);
+    if (cells >= options.min_cells && cells <= options.max_cells && attempt(cells)) return std::move(*best);
   if (best) return std::move(*best);
   for (auto cells = cell_counts.rbegin(); cells != cell_counts.rend(); ++cells) {
-    if (*cells >= options.least_cells) continue;
+    if (*cells >= options.min_cells) continue;
     attempt(*cells);
     if (best) return std::move(*best);
   }

@@ -28,9 +28,9 @@ struct Voxelisation {
 };
 
 struct VoxelisationOptions {
-  int least_cells = 40;  // along the longest axis; coarser grids are only tried when no finer one is right
-  int most_cells = 140;  // likewise
-  double far = 0.05;     // the farthest vertex that is near enough
+  int min_cells = 40;   // along the longest axis; coarser grids are only tried when no finer one is right
+  int max_cells = 140;  // likewise
+  double far = 0.05;    // the farthest vertex that is near enough
 };
 
 // By one grid, of the given number of cells along the longest axis: the first of several thresholds that gives the

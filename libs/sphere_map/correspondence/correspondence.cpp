@@ -24,7 +24,7 @@ CarriedShape carry_over(const Locator& map, std::span<const Vector3> positions, 
     result.directions[v] = own(v) < positions.size() ? map.directions()[own(v)] : alignment.from_common(common[v]);
   });
   result.positions = sample_vectors(map, result.directions, positions, Interpolation::linear, host);
-  result.turned_over = count_not_positive(common_triangles, result.directions);
+  result.flipped = count_not_positive(common_triangles, result.directions);
   return result;
 }
 

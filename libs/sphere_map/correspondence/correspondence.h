@@ -12,9 +12,9 @@ namespace orbicube::sphere_map {
 struct CarriedShape {
   explicit CarriedShape(std::pmr::memory_resource* memory) : positions(memory), directions(memory) {}
 
-  Array<Vector3> positions;     // of the shape, one a vertex of the triangulation
-  Array<Vector3> directions;    // on the shape's own sphere
-  std::size_t turned_over = 0;  // triangles that are not positive there, exactly: 0 where the warp is resolved
+  Array<Vector3> positions;   // of the shape, one a vertex of the triangulation
+  Array<Vector3> directions;  // on the shape's own sphere
+  std::size_t flipped = 0;    // triangles that are not positive there, exactly: 0 where the warp is resolved
 };
 
 // `own_vertex` says which vertices of the triangulation are vertices of the shape, whose positions are then taken as

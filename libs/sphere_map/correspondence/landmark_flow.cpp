@@ -29,8 +29,8 @@ LandmarkFlow::LandmarkFlow(std::span<const Vector3> from, std::span<const Vector
   // A kernel as wide as landmarks are apart takes their surroundings along; beside it stands a wide one, so that what
   // all landmarks have in common moves the whole sphere.
   const double apart = nearest_on_the_way();
-  constexpr double least_apart = 2e-3;
-  if (apart < least_apart) {
+  constexpr double min_apart = 2e-3;
+  if (apart < min_apart) {
     throw base::Error("no-valid-result", "the paths of two landmarks cross (at a distance of " + std::to_string(apart) +
                                              "): do their pairs belong together?");
   }
@@ -78,7 +78,7 @@ double LandmarkFlow::nearest_on_the_way() const {
 void LandmarkFlow::solve(double time, std::span<Source> sources) const {
   const auto count = static_cast<Eigen::Index>(from_.size());
   Eigen::MatrixXd matrix(2 * count, 2 * count);
-  Eigen::VectorXd wanted(2 * count);
+  Eigen::VectorXd target(2 * count);
   Array<TangentBasis> bases(from_.get_allocator().resource());
   for (std::size_t i = 0; i < from_.size(); ++i) {
     sources[i].at = landmark(i, time);
@@ -87,8 +87,8 @@ void LandmarkFlow::solve(double time, std::span<Source> sources) const {
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto a = static_cast<std::size_t>(i);
     const Vector3 velocity_wanted = landmark_velocity(a, time);
-    wanted[2 * i] = velocity_wanted.dot(bases[a].first);
-    wanted[2 * i + 1] = velocity_wanted.dot(bases[a].second);
+    target[2 * i] = velocity_wanted.dot(bases[a].first);
+    target[2 * i + 1] = velocity_wanted.dot(bases[a].second);
     for (Eigen::Index j = 0; j < count; ++j) {
       const auto b = static_cast<std::size_t>(j);
       const double k = kernel(sources[a].at, sources[b].at);
@@ -98,7 +98,7 @@ void LandmarkFlow::solve(double time, std::span<Source> sources) const {
       matrix(2 * i + 1, 2 * j + 1) = k * bases[a].second.dot(bases[b].second);
     }
   }
-  const Eigen::VectorXd strength = matrix.ldlt().solve(wanted);
+  const Eigen::VectorXd strength = matrix.ldlt().solve(target);
   for (Eigen::Index i = 0; i < count; ++i) {
     const auto a = static_cast<std::size_t>(i);
     sources[a].strength = strength[2 * i] * bases[a].first + strength[2 * i + 1] * bases[a].second;

@@ -257,7 +257,7 @@ void refine(Triangulation& triangulation, const Refinement& refinement, const ba
       const std::size_t count = triangulation.half_edge_count();  // new ones wait for the next pass
       for (Index h = 0; h < count; ++h) {
         if (h % 1024 == 0) host.report("refining the common mesh", h, count);
-        if (triangulation.vertex_count() >= refinement.most_vertices) return;
+        if (triangulation.vertex_count() >= refinement.max_vertices) return;
         if (std::isnan(triangulation.error(h))) {
           const Vector3& a = triangulation.direction(triangulation.start(h));
           const Vector3& b = triangulation.direction(triangulation.end(h));

@@ -42,7 +42,7 @@ struct Overlay {
 struct Refinement {
   // How much the edge between two directions misses; more than 1 is too much.
   std::function<double(const Vector3& a, const Vector3& b)> error;
-  std::size_t most_vertices;  // that there may be in the end
+  std::size_t max_vertices;  // that there may be in the end
 };
 
 // Vertices at exactly one direction become one. O(n log n) for n vertices in all, as a rule.

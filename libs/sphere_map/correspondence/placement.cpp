@@ -87,9 +87,9 @@ std::optional<Placement> placed_one_to_one(std::span<const Vector3> positions, s
   result.own.assign(directions.begin(), directions.end());
   result.directions.assign(directions.begin(), directions.end());
   move(result.directions);
-  constexpr int most_rounds = 100;
-  const std::size_t most_vertices = 2 * positions.size() + 25000;
-  for (int round = 0; round < most_rounds && result.own.size() < most_vertices; ++round) {
+  constexpr int max_rounds = 100;
+  const std::size_t max_vertices = 2 * positions.size() + 25000;
+  for (int round = 0; round < max_rounds && result.own.size() < max_vertices; ++round) {
     const Array<std::uint64_t> edges = edges_to_cut(result, host);
     if (edges.empty()) break;
     const auto first = static_cast<Index>(result.own.size());

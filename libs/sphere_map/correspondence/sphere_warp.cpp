@@ -13,7 +13,7 @@
 namespace orbicube::sphere_map {
 namespace {
 
-constexpr double least_apart = 0.01;
+constexpr double min_apart = 0.01;
 
 Array<Vector3> checked(std::span<const Vector3> directions, const char* what, const base::Host& host) {
   Array<Vector3> unit(host.memory);
@@ -24,7 +24,7 @@ Array<Vector3> checked(std::span<const Vector3> directions, const char* what, co
   }
   for (std::size_t i = 0; i < unit.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if ((unit[i] - unit[j]).norm() < least_apart) {
+      if ((unit[i] - unit[j]).norm() < min_apart) {
         throw base::Error("invalid-argument", std::string(what) + "s " + std::to_string(j) + " and " +
                                                   std::to_string(i) + " are nearer to each other than 0.01");
       }

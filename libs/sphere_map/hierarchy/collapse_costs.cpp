@@ -22,7 +22,7 @@ double random_of(std::uint64_t vertex, std::uint64_t seed) {
 }  // namespace
 
 CollapseCosts::CollapseCosts(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed,
-                             const base::Host& host, const base::Team& team)
+                             const base::Host& host, const base::ThreadPool& pool)
     : positions_(positions),
       host_(host),
       seed_(seed),
@@ -36,13 +36,13 @@ CollapseCosts::CollapseCosts(std::span<const Vector3> positions, VertexRings rin
     dead_[v] = rings_.valence(v) == 0;
     alive_ += !dead_[v];
   }
-  sum_quadrics(team);
-  choose_first_targets(team);
+  sum_quadrics(pool);
+  choose_first_targets(pool);
 }
 
-void CollapseCosts::sum_quadrics(const base::Team& team) {
+void CollapseCosts::sum_quadrics(const base::ThreadPool& pool) {
   host_.report("decimation", 0, alive_);
-  team.run_pieces(positions_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+  pool.run_pieces(positions_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
     for (auto v = static_cast<Index>(begin); v < end; ++v) {
       const auto ring = rings_[v];
       for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -55,11 +55,11 @@ void CollapseCosts::sum_quadrics(const base::Team& team) {
   });
 }
 
-void CollapseCosts::choose_first_targets(const base::Team& team) {
+void CollapseCosts::choose_first_targets(const base::ThreadPool& pool) {
   constexpr std::size_t batch = 65536;  // some tens of milliseconds of work between reports
   for (std::size_t first = 0; first < positions_.size(); first += batch) {
     host_.report("decimation", 0, alive_);
-    team.run_pieces(std::min(batch, positions_.size() - first), vertices_a_piece,
+    pool.run_pieces(std::min(batch, positions_.size() - first), vertices_a_piece,
                     [&](std::size_t begin, std::size_t end) {
                       CandidatesOnStack stack;
                       for (std::size_t v = first + begin; v < first + end; ++v) {

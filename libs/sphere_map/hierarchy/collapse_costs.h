@@ -12,7 +12,7 @@
 #include <span>
 #include <utility>
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "sphere_map/hierarchy/vertex_rings.h"
 
 namespace orbicube::sphere_map {
@@ -52,7 +52,7 @@ class CollapseCosts {
 
   // Looks at every vertex of `rings`. `seed` varies the order of equally good steps.
   CollapseCosts(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
-                const base::Team& team);
+                const base::ThreadPool& pool);
 
   // Finds target and cost of a vertex. A `patient` look passes over those of high valence. Reads the rings, quadrics
   // and positions of the vertex and its neighbors, and writes what belongs to the vertex: vertices without a common
@@ -82,8 +82,8 @@ class CollapseCosts {
   // How many of the cheapest feasible neighbors are looked at closely.
   static constexpr int close_looks = 4;
 
-  void sum_quadrics(const base::Team& team);
-  void choose_first_targets(const base::Team& team);
+  void sum_quadrics(const base::ThreadPool& pool);
+  void choose_first_targets(const base::ThreadPool& pool);
   bool link_condition(Index vertex, std::size_t position) const;
   double penalty(Index vertex, std::size_t position) const;
 

@@ -52,14 +52,14 @@ void collapse_to_tetrahedron(CollapseCosts& costs, Decimation& result, const bas
 }  // namespace
 
 Decimation decimate(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
-                    const base::Team& team, std::size_t region_size) {
-  CollapseCosts costs(positions, std::move(rings), seed, host, team);
+                    const base::ThreadPool& pool, std::size_t region_size) {
+  CollapseCosts costs(positions, std::move(rings), seed, host, pool);
   const std::size_t count = costs.alive_at_first();
   if (count < 4) throw base::Error("internal", "decimation of fewer than four vertices");
   Decimation result{Array<Collapse>(host.memory), Array<Index>(host.memory), {}, VertexRings(0, {}, host)};
   result.collapses.reserve(count - 4);
   result.ring_pool.reserve(6 * count);
-  if (count >= least_regions * region_size) decimate_regions(positions, region_size, costs, result, host, team);
+  if (count >= min_regions * region_size) decimate_regions(positions, region_size, costs, result, host, pool);
   collapse_to_tetrahedron(costs, result, host);
 
   Index first = 0;

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <span>
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "sphere_map/hierarchy/vertex_rings.h"
 
 namespace orbicube::sphere_map {
@@ -30,6 +30,6 @@ constexpr std::size_t usual_region_size = 50000;
 // depends on `region_size`, never on the number of threads. O(n log n) for bounded valence. Throws Error internal if no
 // step is possible, which a closed manifold excludes.
 Decimation decimate(std::span<const mesh::Vector3> positions, VertexRings rings, std::uint64_t seed,
-                    const base::Host& host, const base::Team& team, std::size_t region_size = usual_region_size);
+                    const base::Host& host, const base::ThreadPool& pool, std::size_t region_size = usual_region_size);
 
 }  // namespace orbicube::sphere_map

@@ -8,9 +8,9 @@ namespace {
 
 // Sum of body(begin, end) over pieces of [0, total).
 template <class Body>
-double sum_of_pieces(std::size_t total, const base::Host& host, const base::Team& team, const Body& body) {
+double sum_of_pieces(std::size_t total, const base::Host& host, const base::ThreadPool& pool, const Body& body) {
   Array<double> sums((total + vertices_a_piece - 1) / vertices_a_piece, host.memory);
-  team.run_pieces(total, vertices_a_piece,
+  pool.run_pieces(total, vertices_a_piece,
                   [&](std::size_t begin, std::size_t end) { sums[begin / vertices_a_piece] = body(begin, end); });
   return std::accumulate(sums.begin(), sums.end(), 0.0);
 }
@@ -18,7 +18,7 @@ double sum_of_pieces(std::size_t total, const base::Host& host, const base::Team
 }  // namespace
 
 void Level::build(const VertexRings& rings, std::span<const Vector3> positions, Energy& energy, const base::Host& host,
-                  const base::Team& team) {
+                  const base::ThreadPool& pool) {
   host.report("stars", 0, vertices.size());
   star_begin.resize(vertices.size() + 1);
   large.clear();
@@ -31,7 +31,7 @@ void Level::build(const VertexRings& rings, std::span<const Vector3> positions, 
   star_begin.back() = total;
   stars.resize(total);
   host.report("stars", 0, vertices.size());
-  const double area = sum_of_pieces(vertices.size(), host, team, [&](std::size_t begin, std::size_t end) {
+  const double area = sum_of_pieces(vertices.size(), host, pool, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = vertices[i];
@@ -52,8 +52,8 @@ void Level::build(const VertexRings& rings, std::span<const Vector3> positions, 
 }
 
 double level_energy(const Energy& energy, const Level& level, std::span<const Vector3> directions,
-                    const base::Host& host, const base::Team& team) {
-  return sum_of_pieces(level.vertices.size(), host, team, [&](std::size_t begin, std::size_t end) {
+                    const base::Host& host, const base::ThreadPool& pool) {
+  return sum_of_pieces(level.vertices.size(), host, pool, [&](std::size_t begin, std::size_t end) {
     double sum = 0;
     for (std::size_t i = begin; i < end; ++i) {
       const Index v = level.vertices[i];

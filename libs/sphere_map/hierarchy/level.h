@@ -1,7 +1,7 @@
 // The vertices of one level of the hierarchy with their stars.
 #pragma once
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "sphere_map/hierarchy/vertex_rings.h"
 #include "sphere_map/optimization/vertex_step.h"
 
@@ -22,7 +22,7 @@ struct Level {
 
   // Rebuilds the stars of `vertices`, and the areas of `energy`, from the surface positions.
   void build(const VertexRings& rings, std::span<const Vector3> positions, Energy& energy, const base::Host& host,
-             const base::Team& team);
+             const base::ThreadPool& pool);
 
   std::span<const StarTriangle> star(std::size_t i) const {
     return {stars.data() + star_begin[i], star_begin[i + 1] - star_begin[i]};
@@ -36,6 +36,6 @@ struct Level {
 
 // Sum over the level's triangles.
 double level_energy(const Energy& energy, const Level& level, std::span<const Vector3> directions,
-                    const base::Host& host, const base::Team& team);
+                    const base::Host& host, const base::ThreadPool& pool);
 
 }  // namespace orbicube::sphere_map

@@ -42,8 +42,8 @@ std::size_t batch_size(std::size_t count) {
 
 Array<StepScratch> scratch_of_slots(std::pmr::memory_resource* memory) {
   Array<StepScratch> scratch(memory);
-  scratch.reserve(Waves::slots);
-  for (std::size_t slot = 0; slot < Waves::slots; ++slot)
+  scratch.reserve(DependencyLevels::slots);
+  for (std::size_t slot = 0; slot < DependencyLevels::slots; ++slot)
     scratch.emplace_back(memory).heights.reserve(large_star);
   return scratch;
 }
@@ -51,20 +51,20 @@ Array<StepScratch> scratch_of_slots(std::pmr::memory_resource* memory) {
 class Refiner {
  public:
   Refiner(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
-          const RestTriangles& rest, const base::Host& host, const base::Team& team)
+          const RestTriangles& rest, const base::Host& host, const base::ThreadPool& pool)
       : decimation_(decimation),
         rings_(decimation.rings),
         positions_(positions),
         schedule_(schedule),
         host_(host),
-        team_(team),
+        pool_(pool),
         directions_(positions.size(), Vector3::Zero(), host.memory),
         level_(host.memory),
         place_(positions.size(), host.memory),
         queue_(positions.size(), host.memory),
-        waves_(positions.size(), host, team_),
+        dependency_levels_(positions.size(), host, pool_),
         scratch_(scratch_of_slots(host.memory)),
-        splits_(positions, directions_, waves_, scratch_, host) {
+        splits_(positions, directions_, dependency_levels_, scratch_, host) {
     energy_.weights = schedule.hierarchy();
     energy_.rest = rest;
   }
@@ -106,25 +106,25 @@ class Refiner {
 
   void solve_level(std::size_t total) {
     std::sort(level_.vertices.begin(), level_.vertices.end());
-    level_.build(rings_, positions_, energy_, host_, team_);
+    level_.build(rings_, positions_, energy_, host_, pool_);
     const std::size_t count = level_.vertices.size();
     for (std::size_t i = 0; i < count; ++i)
       place_[level_.vertices[i]] = static_cast<Index>(i);
     if (count <= small_level) {
-      relax(energy_, level_, place_, level_.vertices, small_limits, directions_, queue_, scratch_[0], host_, team_);
+      relax(energy_, level_, place_, level_.vertices, small_limits, directions_, queue_, scratch_[0], host_, pool_);
     } else {
       const RelaxationLimits& limits = count == total ? last_sweep_limits : sweep_limits;
-      const auto outliers = sweep(energy_, level_, place_, limits, directions_, scratch_, host_, team_);
-      relax(energy_, level_, place_, outliers, outlier_limits, directions_, queue_, scratch_[0], host_, team_);
+      const auto outliers = sweep(energy_, level_, place_, limits, directions_, scratch_, host_, pool_);
+      relax(energy_, level_, place_, outliers, outlier_limits, directions_, queue_, scratch_[0], host_, pool_);
     }
     if (count == total) {
       release_hierarchy();
       for (const Stage& stage : schedule_.stages()) {
         energy_.weights = stage.weights;
-        newton(energy_, level_, stage.limits, place_, directions_, host_, team_);
+        newton(energy_, level_, stage.limits, place_, directions_, host_, pool_);
       }
     } else if (count >= newton_from && count <= newton_to) {
-      newton(energy_, level_, newton_limits, place_, directions_, host_, team_);
+      newton(energy_, level_, newton_limits, place_, directions_, host_, pool_);
     }
   }
 
@@ -134,7 +134,7 @@ class Refiner {
     decimation_.ring_pool = Array<Index>(host_.memory);
     rings_ = VertexRings(0, {}, host_);
     queue_ = BucketQueue(0, host_.memory);
-    waves_.release();
+    dependency_levels_.release();
   }
 
   // Inserts vertices until there are `count`, and optimizes each and its ring once. A batch of splits is prepared
@@ -167,14 +167,14 @@ class Refiner {
   std::span<const Vector3> positions_;
   const Schedule& schedule_;
   const base::Host& host_;
-  const base::Team& team_;
+  const base::ThreadPool& pool_;
   Energy energy_;
   Array<Vector3> directions_;
   Level level_;
   Array<Index> place_;  // of each vertex of the level in it
   BucketQueue queue_;
-  Waves waves_;
-  Array<StepScratch> scratch_;  // one a slot of the waves
+  DependencyLevels dependency_levels_;
+  Array<StepScratch> scratch_;  // one a slot of the dependency_levels
   VertexSplits splits_;
   std::size_t done_ = 0;  // splits
 };
@@ -182,8 +182,9 @@ class Refiner {
 }  // namespace
 
 Array<Vector3> refine(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
-                      const RestTriangles& rest, const base::Host& host, const base::Team& team, Partial* partial) {
-  return Refiner(decimation, positions, schedule, rest, host, team).run(partial);
+                      const RestTriangles& rest, const base::Host& host, const base::ThreadPool& pool,
+                      Partial* partial) {
+  return Refiner(decimation, positions, schedule, rest, host, pool).run(partial);
 }
 
 }  // namespace orbicube::sphere_map

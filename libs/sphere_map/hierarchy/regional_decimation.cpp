@@ -33,9 +33,9 @@ class Region {
         pool_end_(pool_begin + recorded_room * vertices.size()),
         room_(room) {
     queue_.fill(vertices, host.memory);
-    most_collapses_ = vertices.size() - vertices.size() / 4;
-    collapses_.reserve(most_collapses_);
-    collapse_costs_.reserve(most_collapses_);
+    max_collapses_ = vertices.size() - vertices.size() / 4;
+    collapses_.reserve(max_collapses_);
+    collapse_costs_.reserve(max_collapses_);
   }
 
   bool done() const { return done_; }
@@ -44,7 +44,7 @@ class Region {
   void run(std::size_t count) {
     CandidatesOnStack stack;
     const auto usable = [&](Index v) { return is_inner(v); };
-    const std::size_t end = std::min(collapses_.size() + count, most_collapses_);
+    const std::size_t end = std::min(collapses_.size() + count, max_collapses_);
     while (collapses_.size() < end) {
       const Index vertex = queue_.pop(usable, stack.candidates);
       if (vertex == no_index || !collapse(vertex)) {
@@ -52,7 +52,7 @@ class Region {
         return;
       }
     }
-    done_ = collapses_.size() == most_collapses_;
+    done_ = collapses_.size() == max_collapses_;
   }
 
   std::span<const Collapse> collapses() const { return collapses_; }
@@ -61,8 +61,8 @@ class Region {
 
  private:
   bool is_inner(Index vertex) const {
-    for (const Index neighbour : costs_.rings()[vertex]) {
-      if (region_of_[neighbour] != number_) return false;
+    for (const Index neighbor : costs_.rings()[vertex]) {
+      if (region_of_[neighbor] != number_) return false;
     }
     return true;
   }
@@ -95,7 +95,7 @@ class Region {
   Array<Index>& ring_pool_;
   std::size_t pool_used_, pool_end_;
   VertexRings::Room room_;
-  std::size_t most_collapses_ = 0;
+  std::size_t max_collapses_ = 0;
   bool done_ = false;
 };
 
@@ -119,7 +119,7 @@ void merge(std::span<const Region> regions, Array<Collapse>& result, std::pmr::m
 
 // Takes each region of `vertices`, which lie along the curve, down to a quarter.
 void decimate_once(std::span<const Index> vertices, std::size_t region_size, std::span<Index> region_of,
-                   CollapseCosts& costs, Decimation& result, const base::Host& host, const base::Team& team) {
+                   CollapseCosts& costs, Decimation& result, const base::Host& host, const base::ThreadPool& pool) {
   const std::size_t count = vertices.size() / region_size;
   const std::size_t total = costs.alive_at_first();
   const auto begin_of = [&](std::size_t region) { return vertices.size() * region / count; };
@@ -145,7 +145,7 @@ void decimate_once(std::span<const Index> vertices, std::size_t region_size, std
     }
     if (active.empty()) break;
     host.report("decimation", std::min(done, total), total);
-    team.run(active.size(), [&](std::size_t i) { regions[active[i]].run(collapses_between_reports); });
+    pool.run(active.size(), [&](std::size_t i) { regions[active[i]].run(collapses_between_reports); });
     done += active.size() * collapses_between_reports;
   }
   merge(regions, result.collapses, host.memory);
@@ -154,14 +154,14 @@ void decimate_once(std::span<const Index> vertices, std::size_t region_size, std
 }  // namespace
 
 void decimate_regions(std::span<const Vector3> positions, std::size_t region_size, CollapseCosts& costs,
-                      Decimation& result, const base::Host& host, const base::Team& team) {
+                      Decimation& result, const base::Host& host, const base::ThreadPool& pool) {
   Array<Index> vertices = mesh::hilbert_order(positions, host);
   Array<Index> region_of(positions.size(), host.memory);
   for (std::size_t before = positions.size() + 1;;) {
     std::erase_if(vertices, [&](Index v) { return costs.is_dead(v); });
-    if (vertices.size() < least_regions * region_size || vertices.size() == before) return;
+    if (vertices.size() < min_regions * region_size || vertices.size() == before) return;
     before = vertices.size();
-    decimate_once(vertices, region_size, region_of, costs, result, host, team);
+    decimate_once(vertices, region_size, region_of, costs, result, host, pool);
   }
 }
 

@@ -9,18 +9,18 @@
 #include <cstddef>
 #include <span>
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "sphere_map/hierarchy/collapse_costs.h"
 #include "sphere_map/hierarchy/decimation.h"
 
 namespace orbicube::sphere_map {
 
 // With fewer regions than that it is not worth while.
-constexpr std::size_t least_regions = 4;
+constexpr std::size_t min_regions = 4;
 
 // Takes each region down to a quarter of its vertices, or as far as it goes. `result` must be empty; it gets the
 // collapses and the pool of their rings, after which one queue can go on. The result depends on region_size alone.
 void decimate_regions(std::span<const Vector3> positions, std::size_t region_size, CollapseCosts& costs,
-                      Decimation& result, const base::Host& host, const base::Team& team);
+                      Decimation& result, const base::Host& host, const base::ThreadPool& pool);
 
 }  // namespace orbicube::sphere_map

@@ -34,15 +34,15 @@ VertexRings::VertexRings(std::size_t vertex_count, std::span<const Triangle> tri
     if (places_[v].size == 0) continue;
     for (std::size_t i = begin[v]; i < begin[v + 1]; ++i)
       successor[pairs[i][0]] = pairs[i][1];
-    Index neighbour = pairs[begin[v]][0];
-    for (std::size_t i = begin[v]; i < begin[v + 1]; ++i, neighbour = successor[neighbour])
-      pool_[i] = neighbour;
+    Index neighbor = pairs[begin[v]][0];
+    for (std::size_t i = begin[v]; i < begin[v + 1]; ++i, neighbor = successor[neighbor])
+      pool_[i] = neighbor;
   }
 }
 
-std::size_t VertexRings::find(Index vertex, Index neighbour) const {
+std::size_t VertexRings::find(Index vertex, Index neighbor) const {
   const auto r = (*this)[vertex];
-  return static_cast<std::size_t>(std::find(r.begin(), r.end(), neighbour) - r.begin());
+  return static_cast<std::size_t>(std::find(r.begin(), r.end(), neighbor) - r.begin());
 }
 
 bool VertexRings::adjacent(Index a, Index b) const {
@@ -90,12 +90,12 @@ void VertexRings::erase(Index vertex, std::size_t position) {
   --place.size;
 }
 
-void VertexRings::insert(Index vertex, std::size_t position, Index neighbour) {
+void VertexRings::insert(Index vertex, std::size_t position, Index neighbor) {
   reserve(vertex, places_[vertex].size + std::size_t{1});
   Place& place = places_[vertex];
   Index* r = ring(vertex);
   std::copy_backward(r + position, r + place.size, r + place.size + 1);
-  r[position] = neighbour;
+  r[position] = neighbor;
   ++place.size;
 }
 

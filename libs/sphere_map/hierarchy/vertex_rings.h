@@ -40,8 +40,8 @@ class VertexRings {
   std::size_t valence(Index vertex) const { return places_[vertex].size; }
   std::size_t vertex_count() const { return places_.size(); }
 
-  // Position of `neighbour` in the ring of `vertex`, or its valence when it is not there.
-  std::size_t find(Index vertex, Index neighbour) const;
+  // Position of `neighbor` in the ring of `vertex`, or its valence when it is not there.
+  std::size_t find(Index vertex, Index neighbor) const;
 
   // Whether the two are joined by an edge. Takes as long as the shorter of their rings.
   bool adjacent(Index a, Index b) const;
@@ -76,7 +76,7 @@ class VertexRings {
   void move_ring(Index vertex, std::size_t begin, std::size_t capacity);
   void reserve(Index vertex, std::size_t size);
   void erase(Index vertex, std::size_t position);
-  void insert(Index vertex, std::size_t position, Index neighbour);
+  void insert(Index vertex, std::size_t position, Index neighbor);
 
   Array<Place> places_;
   Array<Index> pool_;

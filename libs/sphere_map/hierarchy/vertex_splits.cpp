@@ -7,18 +7,18 @@
 
 namespace orbicube::sphere_map {
 
-VertexSplits::VertexSplits(std::span<const Vector3> positions, std::span<Vector3> directions, Waves& waves,
-                           std::span<StepScratch> scratch, const base::Host& host)
+VertexSplits::VertexSplits(std::span<const Vector3> positions, std::span<Vector3> directions,
+                           DependencyLevels& dependency_levels, std::span<StepScratch> scratch, const base::Host& host)
     : positions_(positions),
       directions_(directions),
-      waves_(waves),
+      dependency_levels_(dependency_levels),
       scratch_(scratch),
       added_(host.memory),
       running_(host.memory),
       written_(host.memory),
       slots_(host.memory) {
-  slots_.reserve(Waves::slots);
-  for (std::size_t slot = 0; slot < Waves::slots; ++slot)
+  slots_.reserve(DependencyLevels::slots);
+  for (std::size_t slot = 0; slot < DependencyLevels::slots; ++slot)
     slots_.emplace_back(host.memory);
 }
 
@@ -35,11 +35,11 @@ void VertexSplits::add(const VertexRings& rings, const Collapse& collapse, const
   const std::size_t moves_begin = added_.moves.size();
   written_.clear();
   add_move(rings, collapse.removed);
-  for (const Index neighbour : rings[collapse.removed]) {
-    if (rings.valence(neighbour) <= large_star) add_move(rings, neighbour);
+  for (const Index neighbor : rings[collapse.removed]) {
+    if (rings.valence(neighbor) <= large_star) add_move(rings, neighbor);
   }
   added_.splits.push_back({collapse.kept, moves_begin, added_.moves.size(), energy});
-  waves_.add(written_, std::span(added_.ring).subspan(ring_begin));
+  dependency_levels_.add(written_, std::span(added_.ring).subspan(ring_begin));
 }
 
 void VertexSplits::begin() {

@@ -2,8 +2,8 @@
 //
 // A split puts its vertex into the spherical kernel of its ring and then moves the vertex and its ring once each
 // (vertex_step.h). Splits of a batch are given in order, each with what the connectivity is at that time; then they are
-// carried out, those that do not touch each other side by side (waves.h). Meanwhile the next batch is given: that takes
-// one thread a third of the time.
+// carried out, those that do not touch each other side by side (dependency_levels.h). Meanwhile the next batch is
+// given: that takes one thread a third of the time.
 #pragma once
 
 #include <atomic>
@@ -12,15 +12,15 @@
 #include "sphere_map/hierarchy/level.h"
 #include "sphere_map/hierarchy/spherical_kernel.h"
 #include "sphere_map/hierarchy/vertex_rings.h"
+#include "sphere_map/optimization/dependency_levels.h"
 #include "sphere_map/optimization/distortion.h"
-#include "sphere_map/optimization/waves.h"
 
 namespace orbicube::sphere_map {
 
 class VertexSplits {
  public:
-  // `scratch` has one a slot of the waves.
-  VertexSplits(std::span<const Vector3> positions, std::span<Vector3> directions, Waves& waves,
+  // `scratch` has one a slot of the dependency_levels.
+  VertexSplits(std::span<const Vector3> positions, std::span<Vector3> directions, DependencyLevels& dependency_levels,
                std::span<StepScratch> scratch, const base::Host& host);
 
   // Adds the split that undoes `collapse`, which has just been undone in `rings`.
@@ -30,11 +30,11 @@ class VertexSplits {
   bool waiting() const { return !added_.splits.empty(); }
 
   // Carries out what was added, while beside(done, total) is called from any thread, one call after the other, to add
-  // to the next batch (Waves::run). Throws Error no-valid-result when a kernel has no room.
+  // to the next batch (DependencyLevels::run). Throws Error no-valid-result when a kernel has no room.
   template <class Beside>
   void run(const Beside& beside) {
     begin();
-    waves_.run([this](std::size_t i, std::size_t slot) { carry_out(i, slot); }, beside);
+    dependency_levels_.run([this](std::size_t i, std::size_t slot) { carry_out(i, slot); }, beside);
     finish();
   }
 
@@ -76,7 +76,7 @@ class VertexSplits {
 
   std::span<const Vector3> positions_;
   std::span<Vector3> directions_;
-  Waves& waves_;
+  DependencyLevels& dependency_levels_;
   std::span<StepScratch> scratch_;
   Batch added_, running_;
   Array<Index> written_;

@@ -31,23 +31,23 @@ struct Weights {
   double angle = 0;      // d^-2 D
   double area = 0;       // d^-2 N / (4 AT)
   double isometric = 0;  // d^-2 D AT^2 / M: the symmetric Dirichlet energy's inverse part
-  double dilatation_1 =
+  double quasi_conformal_1 =
       0;  // d^-2 AT m, where m = D / (2 sqrt M) = (K + 1/K) / 2 for the quasi-conformal distortion K of T -> t
-  double dilatation_2 = 0;  // AU m^2
-  double dilatation_4 = 0;  // AU m^4
+  double quasi_conformal_2 = 0;  // AU m^2
+  double quasi_conformal_4 = 0;  // AU m^4
 };
 
 // How the triangles of the surface count that have no shape of their own.
 struct RestTriangles {
   // With it, each triangle is blended with an equilateral one of that area, so that where surfaces have no area there
   // is something to map.
-  double least_area = 0;
+  double min_area = 0;
   // Whether degenerate triangles (mesh/topology/degenerate_triangles.h) only keep from collapsing, and slivers that
-  // have no part in the area of the surface. Degenerate are those below least_height, or below
+  // have no part in the area of the surface. Degenerate are those below min_height, or below
   // mesh::degenerate_height_ratio times their longest side; slivers are below sliver_height_ratio times it, and below
   // sliver_area.
   bool release_degenerate = false;
-  double least_height = 0;
+  double min_height = 0;
   double sliver_area = 0;
 };
 
@@ -61,7 +61,7 @@ inline constexpr double sliver_area_share = 1e-3;
 // Whether a triangle of a surface of diagonal 1 is released, by twice its area and the square of its longest side.
 inline bool is_released(const RestTriangles& rest, double twice_area, double longest_square) {
   return twice_area <= mesh::degenerate_height_ratio * longest_square ||
-         twice_area <= rest.least_height * std::sqrt(longest_square) ||
+         twice_area <= rest.min_height * std::sqrt(longest_square) ||
          (twice_area <= sliver_height_ratio * longest_square && twice_area <= 2 * rest.sliver_area);
 }
 
@@ -86,8 +86,8 @@ inline constexpr double released_share = 0.05;
 
 inline TriangleShape released_shape(double squares) {
   // Also for corners at one point, on surfaces of diagonal 1.
-  constexpr double least_square = 1e-12;
-  const double side_square = std::max(squares / 3, least_square), cotangent = released_share / std::numbers::sqrt3;
+  constexpr double min_square = 1e-12;
+  const double side_square = std::max(squares / 3, min_square), cotangent = released_share / std::numbers::sqrt3;
   return {cotangent, cotangent, cotangent, released_share * 0.25 * std::numbers::sqrt3 * side_square};
 }
 
@@ -107,9 +107,9 @@ inline TriangleShape triangle_shape(const Vector3& p, const Vector3& q, const Ve
     const double longest_square = std::max({pq.squaredNorm(), pr.squaredNorm(), qr.squaredNorm()});
     if (is_released(rest, own_area, longest_square)) shape = released_shape(squares);
   }
-  if (rest.least_area > 0) {
-    shape.area += rest.least_area;
-    const double part = rest.least_area / shape.area;
+  if (rest.min_area > 0) {
+    shape.area += rest.min_area;
+    const double part = rest.min_area / shape.area;
     for (double* cotangent : {&shape.cot_p, &shape.cot_q, &shape.cot_r}) {
       *cotangent += part * (1 / std::numbers::sqrt3 - *cotangent);
     }
@@ -163,9 +163,9 @@ inline double triangle_energy(const Energy& energy, const TriangleShape& shape, 
   const double inverse_determinant = 1 / t.determinant;
   const double inverse_M = inverse_determinant * inverse_determinant;
   const double inside = w.angle * D + w.area * t.N / (4 * area) + w.isometric * D * area * area * inverse_M +
-                        w.dilatation_1 * area * 0.5 * D * inverse_determinant;
+                        w.quasi_conformal_1 * area * 0.5 * D * inverse_determinant;
   const double m2 = 0.25 * D * D * inverse_M;
-  return t.inverse_d_square() * inside + energy.uniform_area * (w.dilatation_2 + w.dilatation_4 * m2) * m2;
+  return t.inverse_d_square() * inside + energy.uniform_area * (w.quasi_conformal_2 + w.quasi_conformal_4 * m2) * m2;
 }
 
 inline EnergyPartials energy_partials(const Energy& energy, const TriangleShape& shape, const SphericalTriangle& t) {
@@ -188,8 +188,8 @@ inline EnergyPartials energy_partials(const Energy& energy, const TriangleShape&
     e.by_DM -= d2 * c * inverse_M;
     e.by_MM += 2 * d2 * c * D * inverse_M * inverse_M;
   }
-  if (w.dilatation_1 > 0) {
-    const double c = w.dilatation_1 * area * 0.5 * inverse_determinant;
+  if (w.quasi_conformal_1 > 0) {
+    const double c = w.quasi_conformal_1 * area * 0.5 * inverse_determinant;
     e.inside_d += c * D;
     e.by_D += d2 * c;
     e.by_M -= 0.5 * d2 * c * D * inverse_M;
@@ -199,8 +199,8 @@ inline EnergyPartials energy_partials(const Energy& energy, const TriangleShape&
   e.value = d2 * e.inside_d;
 
   // The powers of m^2 = D^2 / (4 M): f(m^2) = c2 m^2 + c4 m^4 and its derivatives by the chain rule.
-  const double c2 = energy.uniform_area * w.dilatation_2;
-  const double c4 = energy.uniform_area * w.dilatation_4;
+  const double c2 = energy.uniform_area * w.quasi_conformal_2;
+  const double c4 = energy.uniform_area * w.quasi_conformal_4;
   if (c2 > 0 || c4 > 0) {
     const double m2 = 0.25 * D * D * inverse_M;
     const double m2_D = 0.5 * D * inverse_M;

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 #include "mesh/topology/degenerate_triangles.h"
-#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/hierarchy/normalize.h"
 #include "sphere_map/optimization/distortion.h"
 
 namespace orbicube::sphere_map {
@@ -84,7 +84,7 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
                     std::span<const Vector3> directions, double angle_weight, double area_weight,
                     const base::Host& host, FaceDistortion* faces) {
   const Array<std::uint8_t> used = checked_use(positions, triangles, directions, host);
-  const Array<Vector3> surface = normalised(positions, triangles, host.memory);
+  const Array<Vector3> surface = normalized(positions, triangles, host.memory);
   const double rounding = mesh::rounding_unit(positions, triangles);
   Array<Vector3> unit(directions.begin(), directions.end(), host.memory);
   Measurement m;
@@ -111,15 +111,15 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
   m.bijective = !triangles.empty() && m.flipped == 0 && m.degenerate == 0 && std::abs(m.degree - 1) < 1e-6;
 
   if (faces != nullptr) {
-    faces->dilatation.assign(triangles.size(), std::numeric_limits<double>::infinity());
+    faces->quasi_conformal.assign(triangles.size(), std::numeric_limits<double>::infinity());
     faces->area_ratio.assign(triangles.size(), 0);
   }
   const double length_scale = std::sqrt(four_pi / surface_area);
   double measured_area = 0;
-  double dilatation = 0;
+  double quasi_conformal = 0;
   double stretch = 0;
   double isometric = 0;
-  m.area_ratio_smallest = std::numeric_limits<double>::infinity();
+  m.min_area_ratio = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
     const Vector3 p = length_scale * surface[t[0]];
@@ -140,26 +140,26 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
     const SingularValues s = singular_values(p, q, r, unit[t[0]], unit[t[1]], unit[t[2]]);
     const double k = s.small > 0 ? s.large / s.small : std::numeric_limits<double>::infinity();
     const double ratio = std::abs(solid_angle(unit[t[0]], unit[t[1]], unit[t[2]])) / area;
-    m.dilatation_largest = std::max(m.dilatation_largest, k);
-    m.area_ratio_smallest = std::min(m.area_ratio_smallest, ratio);
-    m.area_ratio_largest = std::max(m.area_ratio_largest, ratio);
+    m.max_quasi_conformal = std::max(m.max_quasi_conformal, k);
+    m.min_area_ratio = std::min(m.min_area_ratio, ratio);
+    m.max_area_ratio = std::max(m.max_area_ratio, ratio);
     measured_area += area;
-    dilatation += area * k;
+    quasi_conformal += area * k;
     stretch += area * 0.5 * (1 / (s.large * s.large) + 1 / (s.small * s.small));
     isometric +=
         area * 0.25 * (s.large * s.large + s.small * s.small + 1 / (s.large * s.large) + 1 / (s.small * s.small));
     if (faces != nullptr) {
-      faces->dilatation[i] = k;
+      faces->quasi_conformal[i] = k;
       faces->area_ratio[i] = ratio;
     }
     if (i % 65536 == 0) host.report("measurement", i, triangles.size());
   }
   m.energy = angle_weight * m.energy_angle + area_weight * m.energy_area;
   if (!(measured_area > 0)) {
-    m.area_ratio_smallest = 0;
+    m.min_area_ratio = 0;
     return m;
   }
-  m.dilatation_mean = dilatation / measured_area;
+  m.mean_quasi_conformal = quasi_conformal / measured_area;
   m.stretch_efficiency = measured_area / stretch;
   m.isometric_mean = isometric / measured_area;
   return m;

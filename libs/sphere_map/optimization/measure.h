@@ -20,17 +20,17 @@ using mesh::Vector3;
 struct Measurement {
   bool mirrored = false;    // more triangles are negative than positive: the map of a surface that is inward-oriented
   std::size_t flipped = 0;  // triangles with det[p q r] < 0, exactly (> 0 when mirrored)
-  std::size_t degenerate = 0;      // triangles with det[p q r] = 0, exactly
-  double degree = 0;               // sum of the signed solid angles / 4 pi: 1 for a bijection
-  bool bijective = false;          // no flipped and no degenerate triangle, and degree 1
-  double radius_error = 0;         // largest | |p| - 1 | of a vertex of a triangle
-  double energy_angle = 0;         // E_D, eq. 3.3 with E_D(T) read as a density; at least 16 pi
-  double energy_area = 0;          // E_A, eq. 3.4; at least 4 pi
-  double energy = 0;               // angle_weight E_D + area_weight E_A, eq. 3.5
-  double dilatation_largest = 0;   // sigma_max / sigma_min
-  double dilatation_mean = 0;      // weighted by surface area
-  double area_ratio_smallest = 0;  // solid angle over surface area of a triangle
-  double area_ratio_largest = 0;
+  std::size_t degenerate = 0;       // triangles with det[p q r] = 0, exactly
+  double degree = 0;                // sum of the signed solid angles / 4 pi: 1 for a bijection
+  bool bijective = false;           // no flipped and no degenerate triangle, and degree 1
+  double radius_error = 0;          // largest | |p| - 1 | of a vertex of a triangle
+  double energy_angle = 0;          // E_D, eq. 3.3 with E_D(T) read as a density; at least 16 pi
+  double energy_area = 0;           // E_A, eq. 3.4; at least 4 pi
+  double energy = 0;                // angle_weight E_D + area_weight E_A, eq. 3.5
+  double max_quasi_conformal = 0;   // sigma_max / sigma_min
+  double mean_quasi_conformal = 0;  // weighted by surface area
+  double min_area_ratio = 0;        // solid angle over surface area of a triangle
+  double max_area_ratio = 0;
   double stretch_efficiency = 0;    // L2, 1 / (surface-weighted mean of the squared stretch sphere -> surface)
   double isometric_mean = 0;        // surface-weighted mean of (s1^2 + s2^2 + s1^-2 + s2^-2) / 4; at least 1
   std::size_t zero_area_faces = 0;  // triangles that are degenerate on the surface
@@ -38,10 +38,10 @@ struct Measurement {
 
 // Distortion of each triangle, for coloring. One entry a triangle; 1 is none.
 struct FaceDistortion {
-  explicit FaceDistortion(std::pmr::memory_resource* memory) : dilatation(memory), area_ratio(memory) {}
+  explicit FaceDistortion(std::pmr::memory_resource* memory) : quasi_conformal(memory), area_ratio(memory) {}
 
-  Array<double> dilatation;  // sigma_max / sigma_min, infinite where the surface triangle is degenerate
-  Array<double> area_ratio;  // solid angle / surface area
+  Array<double> quasi_conformal;  // sigma_max / sigma_min, infinite where the surface triangle is degenerate
+  Array<double> area_ratio;       // solid angle / surface area
 };
 
 // Measures `directions` (one a vertex; normalized before use) of the surface. O(n). `faces` may be null.

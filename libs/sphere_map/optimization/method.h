@@ -35,7 +35,7 @@ class Schedule {
   std::size_t count_ = 0;
 };
 
-// Without a stage for `seed`. Throws Error invalid-argument for weights or a method that cannot be used.
+// Without a stage for `dissertation`. Throws Error invalid-argument for weights or a method that cannot be used.
 Schedule schedule_of(const Options& options);
 
 }  // namespace orbicube::sphere_map

@@ -28,17 +28,17 @@ constexpr std::size_t triangles_a_piece = 256;
 class Newton {
  public:
   Newton(const Energy& energy, const Level& level, std::span<const Index> place, std::span<Vector3> directions,
-         const base::Host& host, const base::Team& team)
+         const base::Host& host, const base::ThreadPool& pool)
       : energy_(energy),
         level_(level),
         host_(host),
-        team_(team),
+        pool_(pool),
         directions_(directions),
         points_(level.vertices.size(), host.memory),
         trial_(level.vertices.size(), host.memory),
         triangles_(host.memory),
         matrix_(level, place, host),
-        solver_(level.vertices.size(), host, team),
+        solver_(level.vertices.size(), host, pool),
         downhill_(level.vertices.size(), host.memory),
         step_(level.vertices.size(), host.memory),
         models_{Array<TriangleModel>(host.memory), Array<TriangleModel>(host.memory)},
@@ -102,7 +102,7 @@ class Newton {
   // The energy with its negative gradient and Hessian at points_.
   double assemble() {
     double value = 0;
-    matrix_.set_zero(team_);
+    matrix_.set_zero(pool_);
     std::fill(downhill_.begin(), downhill_.end(), Vector2d::Zero());
     const std::size_t batches = (triangles_.size() + triangles_a_batch - 1) / triangles_a_batch;
     for (std::size_t batch = 0; batch <= batches; ++batch) {
@@ -110,7 +110,7 @@ class Newton {
       const std::size_t end = std::min(begin + triangles_a_batch, triangles_.size());
       const std::size_t pieces = (end - begin + triangles_a_piece - 1) / triangles_a_piece;
       // One thread adds up the batch before, so that sums have an order of their own.
-      team_.run(pieces + 1, [&](std::size_t piece) {
+      pool_.run(pieces + 1, [&](std::size_t piece) {
         if (piece == 0) {
           if (batch > 0) value += add((batch - 1) * triangles_a_batch, begin, models_[(batch - 1) % 2]);
           return;
@@ -166,7 +166,7 @@ class Newton {
 
   // Sets trial_ to the points after a part of the step.
   void move(double length) {
-    team_.run_pieces(points_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+    pool_.run_pieces(points_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) {
         const TangentBasis basis(points_[i]);
         const Vector2d s = length * step_[i];
@@ -178,7 +178,7 @@ class Newton {
   // Infinite when a triangle is not safely positive.
   double trial_energy() {
     std::atomic<bool> invalid{false};
-    team_.run_pieces(triangles_.size(), triangles_a_batch, [&](std::size_t begin, std::size_t end) {
+    pool_.run_pieces(triangles_.size(), triangles_a_batch, [&](std::size_t begin, std::size_t end) {
       double sum = 0;
       for (std::size_t t = begin; t < end; ++t) {
         const auto& [a, b, c] = triangles_[t].corner;
@@ -201,7 +201,7 @@ class Newton {
   const Energy& energy_;
   const Level& level_;
   const base::Host& host_;
-  const base::Team& team_;
+  const base::ThreadPool& pool_;
   std::span<Vector3> directions_;
   Array<Vector3> points_, trial_;
   Array<LevelTriangle> triangles_;
@@ -215,8 +215,8 @@ class Newton {
 }  // namespace
 
 double newton(const Energy& energy, const Level& level, const NewtonLimits& limits, std::span<const Index> place,
-              std::span<Vector3> directions, const base::Host& host, const base::Team& team) {
-  return Newton(energy, level, place, directions, host, team).run(limits);
+              std::span<Vector3> directions, const base::Host& host, const base::ThreadPool& pool) {
+  return Newton(energy, level, place, directions, host, pool).run(limits);
 }
 
 }  // namespace orbicube::sphere_map

@@ -1,12 +1,12 @@
 // Newton's method on all vertices of a level at once.
 //
-// Vertex by vertex, long waves of a map take as many passes as the level is wide; here they go in a few steps. The
-// Hessian is the true one in tangent coordinates (triangle_model.h): projecting each triangle's own part to be positive
-// would stall. Its systems are solved by conjugate gradients (star_matrix.h). A step is only taken when it lowers the
-// energy and leaves every triangle safely positive.
+// Vertex by vertex, long dependency_levels of a map take as many passes as the level is wide; here they go in a few
+// steps. The Hessian is the true one in tangent coordinates (triangle_model.h): projecting each triangle's own part to
+// be positive would stall. Its systems are solved by conjugate gradients (star_matrix.h). A step is only taken when it
+// lowers the energy and leaves every triangle safely positive.
 #pragma once
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "sphere_map/hierarchy/level.h"
 
 namespace orbicube::sphere_map {
@@ -20,6 +20,6 @@ struct NewtonLimits {
 // Lowers the energy of the level. `place` maps each vertex of the level to its place in it. About
 // 420 bytes a vertex while it runs. Returns the energy.
 double newton(const Energy& energy, const Level& level, const NewtonLimits& limits, std::span<const Index> place,
-              std::span<Vector3> directions, const base::Host& host, const base::Team& team);
+              std::span<Vector3> directions, const base::Host& host, const base::ThreadPool& pool);
 
 }  // namespace orbicube::sphere_map

@@ -4,13 +4,13 @@ namespace orbicube::sphere_map {
 
 void relax(const Energy& energy, const Level& level, std::span<const Index> place, std::span<const Index> first,
            const RelaxationLimits& limits, std::span<Vector3> directions, BucketQueue& queue, StepScratch& scratch,
-           const base::Host& host, const base::Team& team) {
+           const base::Host& host, const base::ThreadPool& pool) {
   const std::size_t count = first.size();
   if (count == 0) return;
   // A few vertices are no reason to look at the largest stars again and again.
   const std::span<const Index> large =
       count == level.vertices.size() ? std::span(level.large) : std::span<const Index>();
-  double value = level_energy(energy, level, directions, host, team);
+  double value = level_energy(energy, level, directions, host, pool);
   queue.start(value);
   for (const Index v : first)
     queue.raise(v, value);

@@ -21,6 +21,6 @@ struct RelaxationLimits {
 // vertex of the level to its place in it.
 void relax(const Energy& energy, const Level& level, std::span<const Index> place, std::span<const Index> first,
            const RelaxationLimits& limits, std::span<Vector3> directions, BucketQueue& queue, StepScratch& scratch,
-           const base::Host& host, const base::Team& team);
+           const base::Host& host, const base::ThreadPool& pool);
 
 }  // namespace orbicube::sphere_map

@@ -14,8 +14,8 @@ StarMatrix::StarMatrix(const Level& level, std::span<const Index> place, const b
     column_[k] = place[level.stars[k].q];
 }
 
-void StarMatrix::set_zero(const base::Team& team) {
-  team.run_pieces(size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+void StarMatrix::set_zero(const base::ThreadPool& pool) {
+  pool.run_pieces(size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       diagonal[i].setZero();
       for (std::size_t k = begin_[i]; k < begin_[i + 1]; ++k)
@@ -24,9 +24,9 @@ void StarMatrix::set_zero(const base::Team& team) {
   });
 }
 
-ConjugateGradients::ConjugateGradients(std::size_t size, const base::Host& host, const base::Team& team)
+ConjugateGradients::ConjugateGradients(std::size_t size, const base::Host& host, const base::ThreadPool& pool)
     : host_(host),
-      team_(team),
+      pool_(pool),
       inverse_(size, host.memory),
       residual_(size, host.memory),
       preconditioned_(size, host.memory),
@@ -36,7 +36,7 @@ ConjugateGradients::ConjugateGradients(std::size_t size, const base::Host& host,
 
 template <class Term>
 double ConjugateGradients::sum(const Term& term) {
-  team_.run_pieces(inverse_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+  pool_.run_pieces(inverse_.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
     double piece = 0;
     for (std::size_t i = begin; i < end; ++i)
       piece += term(i);
@@ -49,7 +49,7 @@ double ConjugateGradients::sum(const Term& term) {
 }
 
 void ConjugateGradients::solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance,
-                               int most_steps, std::span<Vector2d> x) {
+                               int max_steps, std::span<Vector2d> x) {
   double rz = sum([&](std::size_t i) {
     const Eigen::Matrix2d& d = matrix.diagonal[i];
     // Made positive, as the step of a single vertex is.
@@ -64,7 +64,7 @@ void ConjugateGradients::solve(const StarMatrix& matrix, std::span<const Vector2
     return residual_[i].dot(along_[i]);
   });
   const double goal = tolerance * tolerance * rz;
-  for (int step = 0; step < most_steps && rz > goal; ++step) {
+  for (int step = 0; step < max_steps && rz > goal; ++step) {
     const double curvature = sum([&](std::size_t i) {
       product_[i] = matrix.row_times(i, along_);
       return along_[i].dot(product_[i]);
@@ -82,11 +82,11 @@ void ConjugateGradients::solve(const StarMatrix& matrix, std::span<const Vector2
     });
     const double beta = next / rz;
     rz = next;
-    team_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+    pool_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         along_[i] = preconditioned_[i] + beta * along_[i];
     });
-    host_.report("final optimization", static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(most_steps));
+    host_.report("final optimization", static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(max_steps));
   }
 }
 

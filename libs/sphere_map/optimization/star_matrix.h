@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "sphere_map/hierarchy/level.h"
 
 namespace orbicube::sphere_map {
@@ -18,7 +18,7 @@ class StarMatrix {
  public:
   StarMatrix(const Level& level, std::span<const Index> place, const base::Host& host);
 
-  void set_zero(const base::Team& team);
+  void set_zero(const base::ThreadPool& pool);
 
   std::size_t size() const { return diagonal.size(); }
   // Row of a vertex times x.
@@ -38,13 +38,13 @@ class StarMatrix {
 };
 
 // Solves matrix * x = right_side by conjugate gradients, preconditioned by the diagonal blocks, whose eigenvalues are
-// made positive. Ends when the residual has fallen to `tolerance` of its start, after most_steps, or at negative
+// made positive. Ends when the residual has fallen to `tolerance` of its start, after max_steps, or at negative
 // curvature with what was reached (Steihaug 1983).
 class ConjugateGradients {
  public:
-  ConjugateGradients(std::size_t size, const base::Host& host, const base::Team& team);
+  ConjugateGradients(std::size_t size, const base::Host& host, const base::ThreadPool& pool);
 
-  void solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance, int most_steps,
+  void solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance, int max_steps,
              std::span<Vector2d> x);
 
  private:
@@ -53,7 +53,7 @@ class ConjugateGradients {
   double sum(const Term& term);
 
   const base::Host& host_;
-  const base::Team& team_;
+  const base::ThreadPool& pool_;
   base::Array<Eigen::Matrix2d> inverse_;
   base::Array<Vector2d> residual_, preconditioned_, along_, product_;
   base::Array<double> partial_;  // sums of the pieces

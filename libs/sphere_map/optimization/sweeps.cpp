@@ -11,7 +11,8 @@ constexpr std::size_t vertices_a_batch = 16384;
 class Sweeps {
  public:
   Sweeps(const Energy& energy, const Level& level, std::span<const Index> place, double movement,
-         std::span<Vector3> directions, std::span<StepScratch> scratch, const base::Host& host, const base::Team& team)
+         std::span<Vector3> directions, std::span<StepScratch> scratch, const base::Host& host,
+         const base::ThreadPool& pool)
       : energy_(energy),
         level_(level),
         place_(place),
@@ -19,13 +20,13 @@ class Sweeps {
         directions_(directions),
         scratch_(scratch),
         host_(host),
-        team_(team),
+        pool_(pool),
         awake_(level.vertices.size(), 1, host.memory),
         star_energy_(level.vertices.size(), 0, host.memory),
         order_(host.memory),
         begin_(host.memory),
         gains_(scratch.size(), host.memory) {
-    colour();
+    color();
   }
 
   // One pass over all that are awake. Returns the gain.
@@ -57,24 +58,24 @@ class Sweeps {
 
  private:
   // Each vertex takes the first color that none of its neighbors has; then order_ holds them color by color.
-  void colour() {
+  void color() {
     constexpr std::uint8_t none = 255;
     static_assert(large_star < none);
     const std::size_t count = level_.vertices.size();
-    Array<std::uint8_t> colour(count, none, host_.memory);
+    Array<std::uint8_t> color(count, none, host_.memory);
     Array<std::size_t> taken_by(none, count, host_.memory);  // the last vertex with a neighbor of that color
     begin_.assign(1, 0);
     for (std::size_t i = 0; i < count; ++i) {
       if (i % 65536 == 0) host_.report("relaxation", 0, 0);
       if (level_.star(i).size() > large_star) continue;
       for (const StarTriangle& s : level_.star(i)) {
-        const std::uint8_t c = colour[place_[s.q]];
+        const std::uint8_t c = color[place_[s.q]];
         if (c != none) taken_by[c] = i;
       }
       std::uint8_t c = 0;
       while (taken_by[c] == i)
         ++c;
-      colour[i] = c;
+      color[i] = c;
       if (begin_.size() < std::size_t{c} + 2) begin_.resize(std::size_t{c} + 2, 0);
       ++begin_[std::size_t{c} + 1];
     }
@@ -83,14 +84,14 @@ class Sweeps {
     order_.resize(begin_.back());
     Array<std::size_t> fill(begin_.begin(), begin_.end() - 1, host_.memory);
     for (std::size_t i = 0; i < count; ++i) {
-      if (colour[i] != none) order_[fill[colour[i]]++] = static_cast<Index>(i);
+      if (color[i] != none) order_[fill[color[i]]++] = static_cast<Index>(i);
     }
   }
 
   // Steps of vertices of one color.
   double visit(std::span<const Index> places) {
     const std::size_t pieces = gains_.size();
-    team_.run(pieces, [&](std::size_t slot) {
+    pool_.run(pieces, [&](std::size_t slot) {
       double gain = 0;
       for (std::size_t i = slot * places.size() / pieces; i < (slot + 1) * places.size() / pieces; ++i)
         gain += visit(places[i], slot);
@@ -125,7 +126,7 @@ class Sweeps {
   std::span<Vector3> directions_;
   std::span<StepScratch> scratch_;
   const base::Host& host_;
-  const base::Team& team_;
+  const base::ThreadPool& pool_;
   Array<std::uint8_t> awake_;
   Array<float> star_energy_;  // at the latest look
   Array<Index> order_;        // places, color by color
@@ -137,9 +138,9 @@ class Sweeps {
 
 Array<Index> sweep(const Energy& energy, const Level& level, std::span<const Index> place,
                    const RelaxationLimits& limits, std::span<Vector3> directions, std::span<StepScratch> scratch,
-                   const base::Host& host, const base::Team& team) {
-  double value = level_energy(energy, level, directions, host, team);
-  Sweeps sweeps(energy, level, place, limits.movement, directions, scratch, host, team);
+                   const base::Host& host, const base::ThreadPool& pool) {
+  double value = level_energy(energy, level, directions, host, pool);
+  Sweeps sweeps(energy, level, place, limits.movement, directions, scratch, host, pool);
   for (std::size_t pass = 0; pass < limits.passes; ++pass) {
     const double gain = sweeps.pass();
     value -= gain;

@@ -14,6 +14,6 @@ namespace orbicube::sphere_map {
 // steps more and they would stand in the way of all others. About 14 bytes a vertex.
 Array<Index> sweep(const Energy& energy, const Level& level, std::span<const Index> place,
                    const RelaxationLimits& limits, std::span<Vector3> directions, std::span<StepScratch> scratch,
-                   const base::Host& host, const base::Team& team);
+                   const base::Host& host, const base::ThreadPool& pool);
 
 }  // namespace orbicube::sphere_map

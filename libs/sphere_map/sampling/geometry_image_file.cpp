@@ -38,14 +38,14 @@ std::string ending_of(const std::filesystem::path& path) {
 
 Bytes to_pfm(const GeometryImage& image, const base::Host& host) {
   // Below this, the numbers of float32 lose digits, in the end all.
-  constexpr double least_size = 1e-30;
+  constexpr double min_size = 1e-30;
   Vector3 low = image.pixels[0], high = low;
   for (const Vector3& p : image.pixels) {
     low = low.cwiseMin(p);
     high = high.cwiseMax(p);
   }
   const double size = (0.5 * high - 0.5 * low).maxCoeff();
-  if (size > 0 && size < least_size)
+  if (size > 0 && size < min_size)
     throw base::Error("invalid-argument", "the surface is too small for the numbers of float32");
   Bytes bytes(host.memory);
   const std::string head = "PF\n" + std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";

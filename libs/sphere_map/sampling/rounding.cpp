@@ -18,10 +18,10 @@ namespace {
 // How good a star is: fewer triangles that are not safely positive, then a larger smallest height.
 struct StarQuality {
   std::size_t bad = 0;
-  double smallest_height = std::numeric_limits<double>::infinity();
+  double min_height = std::numeric_limits<double>::infinity();
 
   bool better_than(const StarQuality& other) const {
-    return bad != other.bad ? bad < other.bad : smallest_height > other.smallest_height;
+    return bad != other.bad ? bad < other.bad : min_height > other.min_height;
   }
 };
 
@@ -42,7 +42,7 @@ class Repairer {
   // Rounds of moves on the vertices around bad triangles; each round that leaves some takes in their neighbors too.
   // Ends when rounds no longer help: a map whose triangles are far below the grid cannot be mended.
   void run(std::span<const Triangle> triangles) {
-    constexpr int most_rounds = 60;
+    constexpr int max_rounds = 60;
     constexpr int patience = 6;
     std::size_t fewest = triangles.size();
     int without_progress = 0;
@@ -54,7 +54,7 @@ class Repairer {
       }
     }
     Array<Index> next(host_.memory);
-    for (int round = 0; round < most_rounds && !active.empty(); ++round) {
+    for (int round = 0; round < max_rounds && !active.empty(); ++round) {
       std::sort(active.begin(), active.end());
       for (std::size_t i = 0; i < active.size(); ++i) {
         move(active[i]);
@@ -69,8 +69,8 @@ class Repairer {
         bad += bad_here;
         if (bad_here == 0) continue;
         enqueue(next, v);
-        for (const Index neighbour : rings_[v])
-          enqueue(next, neighbour);
+        for (const Index neighbor : rings_[v])
+          enqueue(next, neighbor);
       }
       std::swap(active, next);
       const bool progress = static_cast<double>(bad) < 0.9 * static_cast<double>(fewest);
@@ -99,7 +99,7 @@ class Repairer {
       const Vector3 e = q - position;
       const Vector3 f = r - position;
       const double longest = std::sqrt(std::max({e.squaredNorm(), f.squaredNorm(), (q - r).squaredNorm()}));
-      result.smallest_height = std::min(result.smallest_height, longest > 0 ? position.dot(e.cross(f)) / longest : 0);
+      result.min_height = std::min(result.min_height, longest > 0 ? position.dot(e.cross(f)) / longest : 0);
     }
     return result;
   }
@@ -115,8 +115,8 @@ class Repairer {
       moved_[v] = 1;
     };
     Vector3 mean = Vector3::Zero();
-    for (const Index neighbour : rings_[v])
-      mean += stored_[neighbour];
+    for (const Index neighbor : rings_[v])
+      mean += stored_[neighbor];
     if (mean.norm() > 0) consider(mean.normalized());
     if (polygon_.cut(rings_[v], stored_, stored_[v].normalized(), mesh::no_index)) {
       if (const auto centroid = polygon_.area_centroid()) consider(*centroid);

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/hierarchy/normalize.h"
 
 namespace orbicube::sphere_map {
 
@@ -50,7 +50,7 @@ Array<Vector3> sample_vectors(const Locator& locator, std::span<const Vector3> q
 
 Array<Vector3> vertex_normals(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                               const base::Host& host) {
-  const Array<Vector3> x = normalised(positions, triangles, host.memory);
+  const Array<Vector3> x = normalized(positions, triangles, host.memory);
   Array<Vector3> normals(positions.size(), Vector3::Zero(), host.memory);
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     if (t % 65536 == 0) host.report("normals", t, triangles.size());

@@ -39,9 +39,9 @@ class OneWay {
     most_ = most;
     start(positions, triangles);
     // Where bounds do not close in, as between sheets that are equally far, what was found stands.
-    const std::size_t most_halvings = 200'000 + 20 * triangles.size();
+    const std::size_t max_halvings = 200'000 + 20 * triangles.size();
     std::make_heap(open_.begin(), open_.end());
-    for (std::size_t halvings = 0; !open_.empty() && halvings < most_halvings; ++halvings) {
+    for (std::size_t halvings = 0; !open_.empty() && halvings < max_halvings; ++halvings) {
       if (halvings % 256 == 0) host_.report(phase, 0, 0);
       if (!in_doubt(open_.front().bound)) break;
       std::pop_heap(open_.begin(), open_.end());

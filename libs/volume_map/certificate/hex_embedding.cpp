@@ -106,8 +106,8 @@ void measure_embedding(std::span<const Vector3> positions, std::span<const Quad>
       if (k != i && boxes[k].overlaps(point)) around += found.winding(found.parts[k], at, positions, host);
     });
     // Outside of all solids, or, the wall of a cavity, within one.
-    const double wanted = part.volume > 0 ? 0 : 1;
-    if (std::abs(around - wanted) < 0.5) continue;
+    const double target = part.volume > 0 ? 0 : 1;
+    if (std::abs(around - target) < 0.5) continue;
     if (quality.misplaced_parts++ == 0) quality.first_intersection = at;
   }
 }

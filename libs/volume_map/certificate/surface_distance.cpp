@@ -33,11 +33,11 @@ class OneWay {
  private:
   // An edge of triangle i has one point more than that.
   int parts_of(std::size_t i) const {
-    constexpr int most_parts = 60;
+    constexpr int max_parts = 60;
     const mesh::Triangle& t = triangles_[i];
     const Vector3 a = positions_[t[0]], b = positions_[t[1]] - a, c = positions_[t[2]] - a;
     const double longest = std::sqrt(std::max({b.squaredNorm(), c.squaredNorm(), (c - b).squaredNorm()}));
-    return static_cast<int>(std::clamp(std::ceil(longest / spacing_), 1.0, double{most_parts}));
+    return static_cast<int>(std::clamp(std::ceil(longest / spacing_), 1.0, double{max_parts}));
   }
 
   // Where the pieces begin, and the end. Each has about max_points points, so that a cancel takes effect within 50 ms.

@@ -49,7 +49,7 @@ FrameEnergy::FrameEnergy(std::span<const Vector3> positions, std::span<const Tet
     Eigen::Matrix<double, 4, 3> gradients;
     const double volume = shape_of(p, gradients);
     const Eigen::Matrix4d square = volume * gradients * gradients.transpose();
-    const Eigen::Matrix<double, 4, 3> wanted = volume / cell_length * gradients * matrix_of(cut.frames[t]);
+    const Eigen::Matrix<double, 4, 3> target = volume / cell_length * gradients * matrix_of(cut.frames[t]);
     for (Eigen::Index a = 0; a < 3; ++a) {
       std::array<int, 4> variable{};
       std::array<double, 4> sign{};
@@ -62,9 +62,9 @@ FrameEnergy::FrameEnergy(std::span<const Vector3> positions, std::span<const Tet
       }
       for (std::size_t k = 0; k < 4; ++k) {
         const auto row = static_cast<Eigen::Index>(k);
-        if (variable[k] >= 0) right_[variable[k]] += sign[k] * wanted(row, a);
+        if (variable[k] >= 0) right_[variable[k]] += sign[k] * target(row, a);
         for (const IntegerTerm& term : terms[k])
-          integer_right[term.unknown] += term.factor * wanted(row, a);
+          integer_right[term.unknown] += term.factor * target(row, a);
         for (std::size_t l = 0; l < 4; ++l) {
           const double entry = square(row, static_cast<Eigen::Index>(l));
           if (variable[k] >= 0 && variable[l] >= 0 && variable[k] >= variable[l])

@@ -38,7 +38,7 @@ polycube::SurfaceMap surface_of(const FrameMap& map, const base::Host& host) {
       v = number[v];
     }
     surface.triangles.push_back(triangle);
-    surface.charts.push_back(map.patch[face]);
+    surface.patches.push_back(map.patch[face]);
   }
   return surface;
 }
@@ -175,7 +175,7 @@ void take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, co
                  const base::Host& host) {
   const polycube::SurfaceMap map = surface_of(grid.map, host);
   const PolycubeSurface surface = {map, options.fine_positions, options.fine_triangles};
-  const WantedSurface wanted(surface);
+  const TargetSurface target(surface);
   const double scale = std::cbrt(static_cast<double>(grid.mesh.hexahedra.size()) / volume);
   for (Vector3& p : grid.mesh.positions)
     p *= scale;
@@ -185,7 +185,7 @@ void take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, co
     if (hold && (options.distance == 0 || (made && excess(*made, options.distance) <= 1))) break;
     HexResult now = finish_apart(
         [&] {
-          return HexDraft(HexMesh(grid.mesh), 0, scale, surface, wanted,
+          return HexDraft(HexMesh(grid.mesh), 0, scale, surface, target,
                           {.distance = options.distance, .rounds = options.rounds}, host);
         },
         {.hold = hold});
@@ -208,14 +208,14 @@ void take_better(std::optional<FrameHexes>& best, Grid&& grid, double volume, co
 FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra,
                                        double feature_angle, const FrameHexOptions& options, const base::Host& host) {
   using Clock = std::chrono::steady_clock;
-  base::require(options.most_fields > 0, "one field has to be tried");
+  base::require(options.max_fields > 0, "one field has to be tried");
   std::size_t fewest = std::numeric_limits<std::size_t>::max(), fields = 0;
   FramedSolid best(host.memory);
   std::exception_ptr first_refusal;
   double seconds = 0;
   Array<Array<quaternion::Quaternion>> refused(host.memory);  // frames
   for (const FieldAttempt& attempt : field_attempts) {
-    if (fields == options.most_fields) break;
+    if (fields == options.max_fields) break;
     const auto start = Clock::now();
     const base::Stage stage(host, 0.5);
     FramedSolid solid = solid_with_frames(attempt, positions, tetrahedra, feature_angle, host);
@@ -257,9 +257,9 @@ FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::
 
 FrameHexes make_hexahedra_by_frames(const FramedSolid& solid, const FrameHexOptions& options, const base::Host& host) {
   base::require(options.cells > 0 && options.cells <= 10'000'000, "the number of cells must be from 1 to 10 million");
-  base::require(options.rounds >= 0 && options.rounds <= most_rounds, "the number of rounds must be from 0 to 1000");
+  base::require(options.rounds >= 0 && options.rounds <= max_rounds, "the number of rounds must be from 0 to 1000");
   base::require(options.distance >= 0 && options.distance <= 100, "the distance must be from 0 to 100 percent");
-  base::require(options.most_cells <= 10'000'000, "most_cells must be at most 10 million");
+  base::require(options.max_cells <= 10'000'000, "max_cells must be at most 10 million");
   double volume = 0;
   for (const Tetrahedron& t : solid.tetrahedra)
     volume += six_volumes(solid.positions, t) / 6;
@@ -272,7 +272,7 @@ FrameHexes make_hexahedra_by_frames(const FramedSolid& solid, const FrameHexOpti
       // More cells are there for the distance alone.
       if (!best || !is_refusal(error)) throw;
     }
-    if (excess(best->result, options.distance) <= 1 || 2 * cells > options.most_cells) break;
+    if (excess(best->result, options.distance) <= 1 || 2 * cells > options.max_cells) break;
   }
   const polycube::SurfaceMap map = surface_of(best->map, host);
   complete(best->result, {map, options.fine_positions, options.fine_triangles}, host);

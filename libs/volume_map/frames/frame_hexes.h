@@ -12,12 +12,12 @@ struct FrameHexOptions {
   int rounds = 40;            // of smoothing
   // As in HexOptions.
   double distance = 1;
-  std::size_t most_cells = 100'000;
+  std::size_t max_cells = 100'000;
   // The surface that counts, where the solid fills a coarser version of it; may be empty.
   std::span<const Vector3> fine_positions = {};
   std::span<const mesh::Triangle> fine_triangles = {};
   // Where frames are not given: the number of fields to try.
-  std::size_t most_fields = 7;
+  std::size_t max_fields = 7;
 };
 
 struct FrameHexes {

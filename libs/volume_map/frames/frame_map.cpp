@@ -87,9 +87,9 @@ class Mapping {
     }
     split_for_frames(solid, host_);
     // Where few stay inverted, these get more room.
-    constexpr int most_attempts = 5;
+    constexpr int max_attempts = 5;
     Array<Index> bad(host_.memory);
-    for (int attempt = 1; !attempt_map(attempt == most_attempts, bad); ++attempt) {
+    for (int attempt = 1; !attempt_map(attempt == max_attempts, bad); ++attempt) {
       split_around(solid, bad, host_);
       split_for_frames(solid, host_);
     }
@@ -228,22 +228,22 @@ class Mapping {
     variables.expand(variables.start(), image);
     require_small(image);
     map_.inverted_at_start = inverted(corners, image).size();
-    double volume = 0, wanted = 0;
+    double volume = 0, target = 0;
     for (const Tetrahedron& t : corners) {
       volume += six_volumes(image, t);
-      wanted += six_volumes(rest, t);
+      target += six_volumes(rest, t);
     }
-    const double scale = volume > 0 ? std::cbrt(volume / wanted) : 1 / options_.cell_length;
+    const double scale = volume > 0 ? std::cbrt(volume / target) : 1 / options_.cell_length;
     const Array<Element> elements = elements_of(corners, rest, scale, host_);
     FoldoverEnergy energy(elements, variables, 1, host_);
     Newton newton(energy, variables.start(), host_);
     // A large eps finds no way here. More steps would help less than more room.
-    constexpr int most_steps = 60;
-    constexpr double most_eps = 0.4;
-    bool done = newton.untangle(most_steps, most_eps, 1, {});
+    constexpr int max_steps = 60;
+    constexpr double max_eps = 0.4;
+    bool done = newton.untangle(max_steps, max_eps, 1, {});
     if (!done) {
       newton.restart(variables.start());
-      done = newton.untangle(2 * most_steps, most_eps, 6, {});
+      done = newton.untangle(2 * max_steps, max_eps, 6, {});
     }
     if (done) newton.polish(20, 1e-3, {.tolerance = 3e-2});
     map_.steps += newton.steps();

@@ -14,7 +14,7 @@ namespace {
 
 using Connectivity = mesh::TetrahedralConnectivity;
 
-constexpr int most_rounds = 60;
+constexpr int max_rounds = 60;
 
 // Not 0 for the rings of edges around which the matchings do not compose to the identity.
 Array<std::uint8_t> singular_rings(const mesh::EdgeRings& rings, std::span<const std::uint8_t> matchings,
@@ -80,7 +80,7 @@ std::array<Index, 2> boundary_faces(const Connectivity& connectivity, const mesh
 void split_for_frames(FramedSolid& solid, const base::Host& host) {
   enum class What { borders, edges, faces, cells };
   for (const What what : {What::borders, What::edges, What::faces, What::cells}) {
-    for (int k = 0; k < most_rounds; ++k) {
+    for (int k = 0; k < max_rounds; ++k) {
       // The connectivity keeps a view of what the round changes, so it gets a copy.
       const Array<Tetrahedron> now(solid.tetrahedra, host.memory);
       const Connectivity connectivity(solid.positions.size(), now, host);
@@ -104,7 +104,7 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
         }
       }
       SplitRound round(solid.positions, solid.tetrahedra, &solid.frames, host);
-      const auto wanted = [&](std::size_t ring) {
+      const auto target = [&](std::size_t ring) {
         const auto& [a, b] = rings.vertices(ring);
         return rings.on_boundary(ring) == (what == What::borders) && singular[ring] == 0 && held[a] != 0 &&
                held[b] != 0 && (what != What::borders || border[ring] == 0);
@@ -114,7 +114,7 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
       else if (what == What::cells)
         round.split_held_cells(now, held);
       else
-        round.halve_all(rings, wanted);
+        round.halve_all(rings, target);
       if (round.splits() == 0) break;
     }
   }
@@ -122,12 +122,12 @@ void split_for_frames(FramedSolid& solid, const base::Host& host) {
 
 void split_around(FramedSolid& solid, std::span<const Index> tetrahedra, const base::Host& host) {
   const std::size_t before = solid.positions.size();
-  Array<std::uint8_t> wanted(before, 0, host.memory);
+  Array<std::uint8_t> target(before, 0, host.memory);
   for (const Index t : tetrahedra) {
     for (const Index v : solid.tetrahedra[t])
-      wanted[v] = 1;
+      target[v] = 1;
   }
-  for (int k = 0; k < most_rounds; ++k) {
+  for (int k = 0; k < max_rounds; ++k) {
     const Array<Tetrahedron> now(solid.tetrahedra, host.memory);
     const Connectivity connectivity(solid.positions.size(), now, host);
     const mesh::EdgeRings rings(connectivity, host);
@@ -136,7 +136,7 @@ void split_around(FramedSolid& solid, std::span<const Index> tetrahedra, const b
     round.halve_all(rings, [&](std::size_t ring) {
       const auto& [a, b] = rings.vertices(ring);
       return !rings.on_boundary(ring) && singular[ring] == 0 && a < before && b < before &&
-             (wanted[a] != 0 || wanted[b] != 0);
+             (target[a] != 0 || target[b] != 0);
     });
     if (round.splits() == 0) break;
   }

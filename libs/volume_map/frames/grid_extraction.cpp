@@ -177,10 +177,10 @@ class Extraction {
 
   // Straight from a point near `middle`, which the tetrahedron has, to `to`, which is in the same cell.
   Place walk(Index t, const Vector3& middle, const Vector3& to) const {
-    constexpr int most_attempts = 64;
+    constexpr int max_attempts = 64;
     const auto& c = map_.charts[t];
     const Vector3 centre = 0.25 * (c[0] + c[1] + c[2] + c[3]);
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
       // Another point of the tetrahedron where the line meets an edge.
       Vector3 aim = centre;
       for (std::size_t k = 0; k < 4; ++k) {
@@ -290,14 +290,14 @@ class Extraction {
   }
 
   Index patch_beyond(Index t, const Vector3& middle, Index s) const {
-    constexpr int most_attempts = 64;
+    constexpr int max_attempts = 64;
     host_.report("grid", 0, 0);
     Vector3 normal = Vector3::Zero();
     for (const std::uint8_t corner : hexahedron_faces[s])
       normal += 0.25 * direction(corner);
     Eigen::Index axis = 0;
     normal.cwiseAbs().maxCoeff(&axis);
-    for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    for (int attempt = 0; attempt < max_attempts; ++attempt) {
       Vector3 to = middle + 0.5 * normal;
       for (const int other : {1, 2}) {
         double& x = to[(axis + other) % 3];

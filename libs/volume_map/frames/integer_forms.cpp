@@ -9,10 +9,10 @@ namespace orbicube::volume_map {
 namespace {
 
 // Factors beyond this are of no use, and sums of two of them are still integers.
-constexpr std::int64_t most_factor = std::int64_t{1} << 30;
+constexpr std::int64_t max_factor = std::int64_t{1} << 30;
 
 int small(std::int64_t factor) {
-  if (std::abs(factor) > most_factor)
+  if (std::abs(factor) > max_factor)
     throw base::Error("no-valid-result", "the equations between singular curves have no small solution");
   return static_cast<int>(factor);
 }

@@ -128,7 +128,7 @@ class Search {
   }
 
   // Depth first, values of each variable in the order of their cost, as long as the cost stays below the best.
-  bool branch(std::uint64_t most_nodes) {
+  bool branch(std::uint64_t max_nodes) {
     const auto count = static_cast<std::size_t>(best_.size());
     if (count == 0) return true;
     // Of the permuted curvature R' R the last variable is the first to be chosen: the one that was rounded first.
@@ -179,8 +179,8 @@ class Search {
     std::size_t level = count - 1;
     enter(level);
     bool complete = false;
-    while (nodes < most_nodes) {
-      if (++nodes % 256 == 0) host_.report("round", nodes, most_nodes);
+    while (nodes < max_nodes) {
+      if (++nodes % 256 == 0) host_.report("round", nodes, max_nodes);
       // The next value around the middle: nearest, then on both sides in turn.
       const double nearest = std::round(middle[level]);
       const int step = tried[level]++;
@@ -296,7 +296,7 @@ Rounding round_integers(const Eigen::MatrixXd& curvature, const Eigen::VectorXd&
   Search search(curvature, best, forms, bounds, host);
   search.greedy();
   search.descend();
-  return search.result(search.branch(options.most_nodes));
+  return search.result(search.branch(options.max_nodes));
 }
 
 }  // namespace orbicube::volume_map

@@ -15,7 +15,7 @@ struct LowerBound {
 };
 
 struct RoundingOptions {
-  std::uint64_t most_nodes = 200'000;  // of the search
+  std::uint64_t max_nodes = 200'000;  // of the search
 };
 
 struct Rounding {

@@ -26,7 +26,7 @@ HexMesh copy_of(const HexMesh& mesh, const base::Host& host) {
 
 }  // namespace
 
-WantedSurface::WantedSurface(const PolycubeSurface& solid)
+TargetSurface::TargetSurface(const PolycubeSurface& solid)
     : positions(solid.fine_triangles.empty() ? solid.map.positions : solid.fine_positions),
       triangles(solid.fine_triangles.empty() ? solid.map.triangles : solid.fine_triangles) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -52,7 +52,7 @@ double excess(const HexResult& result, double distance) {
 
 bool better(const HexResult& x, const HexResult& y, double distance) {
   const double of_x = excess(x, distance), of_y = excess(y, distance);
-  return of_x != of_y ? of_x < of_y : x.quality.least_scaled_jacobian > y.quality.least_scaled_jacobian;
+  return of_x != of_y ? of_x < of_y : x.quality.min_scaled_jacobian > y.quality.min_scaled_jacobian;
 }
 
 std::string what_is_wrong(const HexQuality& q) {
@@ -67,8 +67,8 @@ std::string what_is_wrong(const HexQuality& q) {
 }
 
 HexDraft::HexDraft(HexMesh mesh, std::size_t padding, double scale, const PolycubeSurface& surface,
-                   const WantedSurface& wanted, const HexAim& aim, const base::Host& host)
-    : wanted_(wanted),
+                   const TargetSurface& shape, const HexTarget& aim, const base::Host& host)
+    : shape_(shape),
       aim_(aim),
       host_(host),
       mesh_(std::move(mesh)),
@@ -82,7 +82,7 @@ HexResult HexDraft::finish(const HexManner& manner) {
                                          .lift = manner.lift,
                                          .padding = padding_,
                                          .distance = manner.hold ? held_distance(manner) : 0,
-                                         .most_weight = manner.insist ? 1000.0 : 60.0};
+                                         .max_weight = manner.insist ? 1000.0 : 60.0};
   if (manner.apart) boundary_.keep_apart(mesh_.positions, mesh_.quads);
   {
     const base::Stage stage(host_, 0.6);
@@ -162,10 +162,10 @@ void HexDraft::measure(HexResult& result) const {
   const Array<mesh::Triangle> outer = halves_of(result.mesh.quads, host_.memory);
   result.quality = measure_hexahedra(result.mesh.positions, result.mesh.hexahedra, host_);
   measure_embedding(result.mesh.positions, result.mesh.quads, result.quality, host_);
-  result.distance = 100 / (wanted_.diagonal_ratio * wanted_.diagonal) *
-                    surface_distance(result.mesh.positions, outer, wanted_.positions, wanted_.triangles,
-                                     spacing * wanted_.diagonal, host_);
-  result.volume_error = 100 / wanted_.volume_ratio * std::abs(result.quality.volume / wanted_.volume - 1);
+  result.distance = 100 / (shape_.diagonal_ratio * shape_.diagonal) *
+                    surface_distance(result.mesh.positions, outer, shape_.positions, shape_.triangles,
+                                     spacing * shape_.diagonal, host_);
+  result.volume_error = 100 / shape_.volume_ratio * std::abs(result.quality.volume / shape_.volume - 1);
 }
 
 }  // namespace orbicube::volume_map

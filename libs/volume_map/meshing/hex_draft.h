@@ -33,8 +33,8 @@ inline Vector3 near_origin(const Vector3& low, const Vector3& high) {
 }
 
 // The surface that counts.
-struct WantedSurface {
-  explicit WantedSurface(const PolycubeSurface& solid);
+struct TargetSurface {
+  explicit TargetSurface(const PolycubeSurface& solid);
 
   std::span<const Vector3> positions;
   std::span<const mesh::Triangle> triangles;
@@ -42,10 +42,10 @@ struct WantedSurface {
   double diagonal_ratio = 1, volume_ratio = 1;
 };
 
-constexpr int most_rounds = 1000;  // of smoothing
+constexpr int max_rounds = 1000;  // of smoothing
 
 // What is made of a grid.
-struct HexAim {
+struct HexTarget {
   // In percent: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
   // box, and so much the volume may differ; 0: nothing is requested.
   double distance = 1;
@@ -57,7 +57,7 @@ struct HexPiece {
   Vector3 place = Vector3::Zero();  // the center of its box
   std::size_t hexahedra = 0;
   double distance = 0, volume_error = 0;  // in percent of its own diagonal and volume
-  bool by_voxels = false;
+  bool grid_based = false;
 };
 
 struct HexResult {
@@ -68,7 +68,7 @@ struct HexResult {
   bool padded = false;               // somewhere
   bool follows_sharp_edges = false;  // those that the polycube has edges for
   std::size_t off_surface = 0;       // vertices of the boundary that could not be put onto the surface
-  bool by_voxels = false;            // the cells of a grid in space, not of a polycube (voxel_hexes.h)
+  bool grid_based = false;           // the cells of a grid in space, not of a polycube (voxel_hexes.h)
   bool hardly_near = false;          // as far from the surface as allowed, or moved to where it is near (hex_reach.h)
   // In percent, of the diagonal and of the volume of the whole surface.
   double distance = 0, volume_error = 0;
@@ -95,8 +95,8 @@ class HexDraft {
  public:
   // `mesh` with cells about 1 long: positions times `scale`. The last `padding` hexahedra are layers at the boundary.
   // Keeps references.
-  HexDraft(HexMesh mesh, std::size_t padding, double scale, const PolycubeSurface& surface, const WantedSurface& wanted,
-           const HexAim& aim, const base::Host& host);
+  HexDraft(HexMesh mesh, std::size_t padding, double scale, const PolycubeSurface& surface, const TargetSurface& shape,
+           const HexTarget& aim, const base::Host& host);
 
   // Valid or not. May be called once. The same for any number of threads. Throws Error "cancelled".
   HexResult finish(const HexManner& manner);
@@ -105,20 +105,20 @@ class HexDraft {
   void part_walls(HexResult& result) const;
 
  private:
-  double distance() const { return 0.01 * aim_.distance * scale_ * wanted_.diagonal; }
+  double distance() const { return 0.01 * aim_.distance * scale_ * shape_.diagonal; }
   // How far the boundary may move where it is fixed. Without a distance that is allowed: as for one percent.
   double held_distance(const HexManner& manner) const {
     constexpr double held = 0.65;  // farther vertices are fixed, in the distance that is allowed
     const double percent = aim_.distance > 0 ? aim_.distance : 1;
-    return held * manner.held_fraction * 0.01 * percent * scale_ * wanted_.diagonal;
+    return held * manner.held_fraction * 0.01 * percent * scale_ * shape_.diagonal;
   }
   HexResult searched(const HexManner& manner, bool all) const;
   // As it is to be returned.
   HexResult measured(const HexMesh& mesh, std::size_t off_surface) const;
   void measure(HexResult& result) const;
 
-  const WantedSurface& wanted_;
-  const HexAim aim_;
+  const TargetSurface& shape_;
+  const HexTarget aim_;
   const base::Host& host_;
   HexMesh mesh_;
   const std::size_t padding_;

@@ -18,7 +18,7 @@ void place_inner(HexMesh& mesh, std::span<const std::uint8_t> outer, const base:
   for (std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
     for (std::size_t k = 0; k < 8; ++k) {
       const Hexahedron& h = mesh.hexahedra[i];
-      const auto& n = corner_neighbours[k];
+      const auto& n = corner_neighbors[k];
       Element& e = elements[8 * i + k];
       e.corner = {h[k], h[n[0]], h[n[1]], h[n[2]]};
       e.gradient = {-Vector3::Ones(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
@@ -119,7 +119,7 @@ HexMesh sample_hexahedra(const IntegerDomain& domain, const polycube::SurfaceMap
   }
   place_inner(mesh, outer, host);
   for (std::size_t i = 0; i < mesh.quads.size(); ++i)
-    mesh.quad_patches[i] = surface.charts[located.triangles[boundary.size() + i]];
+    mesh.quad_patches[i] = surface.patches[located.triangles[boundary.size() + i]];
   return mesh;
 }
 

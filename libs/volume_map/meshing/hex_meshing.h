@@ -11,7 +11,7 @@ enum class Padding : std::int32_t { automatic = 0, with = 1, without = 2 };
 
 // What is filled with cells: the polycube, space (voxel_hexes.h), or space where the polycube's hexahedra are not near
 // to the surface, even twice as many, or poor.
-enum class HexMethod : std::int32_t { automatic = 0, polycube = 1, voxels = 2 };
+enum class HexMethod : std::int32_t { automatic = 0, polycube = 1, grid = 2 };
 
 struct HexOptions {
   HexMethod method = HexMethod::automatic;
@@ -20,12 +20,12 @@ struct HexOptions {
   int rounds = 40;                       // of smoothing
   // In percent: so far the boundary may be from the surface and the surface from the boundary, of the diagonal of its
   // box, and so much the volume may differ. Where a mesh does not do that there are more cells, twice as many each
-  // time, up to `most_cells`; the nearest is returned. 0: nothing is requested.
+  // time, up to `max_cells`; the nearest is returned. 0: nothing is requested.
   double distance = 1;
-  std::size_t most_cells = 100'000;
+  std::size_t max_cells = 100'000;
   // What of the surface bends by at least the given angle in degrees is followed where the polycube has edges nearby;
   // 0: nothing.
-  double sharp_angle = 40;
+  double feature_angle = 40;
 };
 
 // Every hexahedron of the result has positive corners by exact signs and a trilinear map that is certainly positive;

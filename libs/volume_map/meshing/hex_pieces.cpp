@@ -38,7 +38,7 @@ void add(const HexResult& piece, HexResult& all, Index& first_patch) {
   first_patch += patches;
   all.padded = all.padded || piece.padded;
   all.follows_sharp_edges = all.follows_sharp_edges || piece.follows_sharp_edges;
-  all.by_voxels = all.by_voxels || piece.by_voxels;
+  all.grid_based = all.grid_based || piece.grid_based;
   all.off_surface += piece.off_surface;
   all.pieces.insert(all.pieces.end(), piece.pieces.begin(), piece.pieces.end());
 }
@@ -52,9 +52,9 @@ struct Original {
 
   Original(const PolycubeSurface& piece, const base::Host& host) : positions(host.memory) {
     host.report(phase, 0, 0);
-    const WantedSurface wanted(piece);
-    triangles = wanted.triangles;
-    for (const Vector3& p : wanted.positions)
+    const TargetSurface target(piece);
+    triangles = target.triangles;
+    for (const Vector3& p : target.positions)
       positions.push_back(piece.space != nullptr ? piece.space->back(p) : p);
     for (const mesh::Triangle& t : triangles) {
       for (const Index v : t)
@@ -94,7 +94,7 @@ void add_figures(HexResult& result, const Original& original, const base::Host& 
   result.volume_error = figures.volume_error;
   result.quality.volume = figures.volume;
   result.pieces.assign(1, HexPiece{original.center(), result.mesh.hexahedra.size(), figures.distance,
-                                   figures.volume_error, result.by_voxels});
+                                   figures.volume_error, result.grid_based});
 }
 
 // Of the whole, from all surfaces together.
@@ -203,7 +203,7 @@ HexResult make_hexahedra_of_pieces(std::span<const PolycubeSurface> pieces, cons
     };
     HexOptions of_piece = options;
     of_piece.cells = share(options.cells);
-    of_piece.most_cells = share(options.most_cells);
+    of_piece.max_cells = share(options.max_cells);
     try {
       HexResult made = make_hexahedra(parts[i], of_piece, host);
       take_back(made, parts[i], host);

@@ -12,7 +12,7 @@ namespace {
 
 using polycube::VoxelSolid;
 
-constexpr double most_cells = 1e8;  // of the box
+constexpr double max_cells = 1e8;  // of the box
 
 // Two planes between which columns along the axis pass from one change of inside and outside to the next, and the area
 // of these columns.
@@ -63,8 +63,8 @@ Array<int> numbers_for(std::span<const double> planes, std::span<const Passage> 
   const std::size_t count = planes.size();
   Array<int> numbers(count, 0, host.memory);
   for (std::size_t i = 1; i < count; ++i) {
-    const double wanted = (planes[i] - planes[0]) / cell_length;
-    numbers[i] = std::max(static_cast<int>(std::lround(wanted)), numbers[i - 1] + 1);
+    const double target = (planes[i] - planes[0]) / cell_length;
+    numbers[i] = std::max(static_cast<int>(std::lround(target)), numbers[i - 1] + 1);
     for (const Passage& p : passages) {
       if (p.to == i) numbers[i] = std::max(numbers[i], numbers[p.from] + across);
     }
@@ -81,9 +81,9 @@ Array<int> numbers_for(std::span<const double> planes, std::span<const Passage> 
     return sum;
   };
   double best = cost(numbers);
-  constexpr int most_rounds = 1000;
+  constexpr int max_rounds = 1000;
   bool better = true;
-  for (int round = 0; better && round < most_rounds; ++round) {
+  for (int round = 0; better && round < max_rounds; ++round) {
     better = false;
     for (std::size_t i = 1; i < count; ++i) {
       for (std::size_t j = i; j < count; ++j) {
@@ -122,13 +122,13 @@ IntegerDomain::IntegerDomain(const PatchGraph& graph, double cell_length, const 
     planes_[a].assign(all.begin() + 1, all.end() - 1);
     box *= (planes_[a].back() - planes_[a].front()) / cell_length + static_cast<double>(planes_[a].size());
   }
-  if (!(box < most_cells)) throw base::Error("invalid-argument", "more than 10^8 cells");
+  if (!(box < max_cells)) throw base::Error("invalid-argument", "more than 10^8 cells");
   for (std::size_t a = 0; a < 3; ++a) {
     host.report("grid", a, 3);
     numbers_[a] = numbers_for(planes_[a], passages_of(solid, a, host.memory), cell_length, across, host);
     size_[a] = numbers_[a].back();
   }
-  if (static_cast<double>(size_[0]) * size_[1] * size_[2] > most_cells)
+  if (static_cast<double>(size_[0]) * size_[1] * size_[2] > max_cells)
     throw base::Error("invalid-argument", "more than 10^8 cells");
   inside_.assign(
       static_cast<std::size_t>(size_[0]) * static_cast<std::size_t>(size_[1]) * static_cast<std::size_t>(size_[2]), 0);
@@ -192,17 +192,17 @@ IntegerDomain domain_of_cells(const PatchGraph& graph, std::size_t cells, double
     volume += (solid.position({c[0] + 1, c[1] + 1, c[2] + 1}) - solid.position(c)).prod();
   }
   // The number falls with the length but for rounding: halving, then the best that was met.
-  const auto wanted = static_cast<double>(cells);
-  double length = std::cbrt(volume / wanted), low = 0, high = 0;
+  const auto target = static_cast<double>(cells);
+  double length = std::cbrt(volume / target), low = 0, high = 0;
   IntegerDomain best(graph, length, host, across);
   const auto count = [&](const IntegerDomain& d) {
     return static_cast<double>(d.cells()) + padded * static_cast<double>(d.faces());
   };
-  const auto error = [&](const IntegerDomain& d) { return std::abs(std::log(count(d) / wanted)); };
+  const auto error = [&](const IntegerDomain& d) { return std::abs(std::log(count(d) / target)); };
   for (int k = 0; k < 14; ++k) {
     const IntegerDomain now(graph, length, host, across);
     if (error(now) < error(best)) best = now;
-    (count(now) > wanted ? low : high) = length;
+    (count(now) > target ? low : high) = length;
     if (low == 0)
       length *= 0.8;
     else if (high == 0)

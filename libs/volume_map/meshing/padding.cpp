@@ -40,7 +40,7 @@ Array<Index> hexahedra_around(const HexMesh& mesh, std::span<const BoundaryEdge>
   all.reserve(12 * mesh.hexahedra.size());
   for (const Hexahedron& h : mesh.hexahedra) {
     for (std::size_t k = 0; k < 8; ++k) {
-      for (const std::uint8_t n : corner_neighbours[k]) {
+      for (const std::uint8_t n : corner_neighbors[k]) {
         if (k < n) all.push_back(sorted(h[k], h[n]));
       }
     }

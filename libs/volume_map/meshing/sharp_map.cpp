@@ -13,7 +13,7 @@ double length_of_edges(const polycube::SurfaceMap& map, const base::Host& host) 
   double length = 0;
   for (Index h = 0; h < 3 * map.triangles.size(); ++h) {
     const Index other = connectivity.opposite(h);
-    if (other == no_index || other < h || map.charts[h / 3] == map.charts[other / 3]) continue;
+    if (other == no_index || other < h || map.patches[h / 3] == map.patches[other / 3]) continue;
     length += (map.positions[connectivity.end(h)] - map.positions[connectivity.start(h)]).norm();
   }
   return length;
@@ -29,7 +29,7 @@ std::optional<polycube::SurfaceMap> map_with_sharp_edges(const polycube::Surface
   polycube::SurfaceMap sharp(host.memory);
   sharp = map;
   try {
-    const polycube::FeatureFit fit = polycube::meet_features(sharp, {.sharp_angle = degrees}, host);
+    const polycube::FeatureFit fit = polycube::align_features(sharp, {.feature_angle = degrees}, host);
     if (fit.sharp < least_met * fit.sharp_length || fit.sharp < least * length_of_edges(sharp, host))
       return std::nullopt;
     return sharp;

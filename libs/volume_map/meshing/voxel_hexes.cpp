@@ -16,7 +16,7 @@
 namespace orbicube::volume_map {
 namespace {
 
-constexpr double most_boxes = 40e6;  // of the box of the surface, for the parts of cells that are inside
+constexpr double max_boxes = 40e6;  // of the box of the surface, for the parts of cells that are inside
 
 // Of the box, by the number along its longest axis.
 double boxes(const Vector3& size, double along) {
@@ -27,7 +27,7 @@ double boxes(const Vector3& size, double along) {
 int occupancy_of(const Vector3& size, int along) {
   constexpr int least = 240;
   int parts = (least + along - 1) / along;
-  while (parts > 1 && boxes(size, along * parts) > most_boxes)
+  while (parts > 1 && boxes(size, along * parts) > max_boxes)
     --parts;
   return along * parts;
 }
@@ -63,17 +63,17 @@ VoxelHexes cells_inside(std::span<const Vector3> positions, std::span<const mesh
                         std::size_t cells, const base::Host& host) {
   const mesh::Measures measures = mesh::measures(positions, triangles, host);
   const Vector3 size = measures.high - measures.low;
-  const double longest = size.maxCoeff(), most = longest * std::cbrt(most_boxes / size.prod());
+  const double longest = size.maxCoeff(), most = longest * std::cbrt(max_boxes / size.prod());
   const mesh::Topology topology = mesh::topology(positions, triangles, host);
-  const auto wanted = static_cast<double>(cells);
+  const auto target = static_cast<double>(cells);
   // What the layer takes is seen once there is one.
-  constexpr int most_rounds = 4;
+  constexpr int max_rounds = 4;
   constexpr double about = 0.15;
   VoxelHexes best(host.memory);
   double best_error = 0;
   int before = 0;
-  double along = longest / std::cbrt(measures.volume / wanted);
-  for (int round = 0; round < most_rounds; ++round) {
+  double along = longest / std::cbrt(measures.volume / target);
+  for (int round = 0; round < max_rounds; ++round) {
     const int count = static_cast<int>(std::lround(std::clamp(along, 3.0, most)));
     if (count == before) break;
     before = count;
@@ -85,7 +85,7 @@ VoxelHexes cells_inside(std::span<const Vector3> positions, std::span<const mesh
     }
     HexMesh mesh = hexahedra_of(found->solid, host);
     const std::size_t inner = mesh.hexahedra.size();
-    const double all = static_cast<double>(inner + mesh.quads.size()), error = std::abs(std::log(all / wanted));
+    const double all = static_cast<double>(inner + mesh.quads.size()), error = std::abs(std::log(all / target));
     if (best.mesh.hexahedra.empty() || error < best_error) {
       best.scale = count / longest;
       for (Vector3& p : mesh.positions)
@@ -97,7 +97,7 @@ VoxelHexes cells_inside(std::span<const Vector3> positions, std::span<const mesh
       best_error = error;
     }
     if (error < about) break;
-    along *= std::pow(wanted / all, 1.0 / 3);
+    along *= std::pow(target / all, 1.0 / 3);
   }
   return best;
 }

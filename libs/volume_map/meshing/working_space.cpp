@@ -12,7 +12,7 @@ namespace orbicube::volume_map {
 namespace {
 
 // Coordinates whose size lies within these powers of two stay as they are: fourth powers and their sums are in range.
-constexpr int largest_exponent = 100;
+constexpr int max_exponent = 100;
 // A side of the solid's own box longer than long_sides times the next one is shortened to `kept` times that. From there
 // on fewer than three cells are across for ten thousand in all.
 constexpr double long_sides = 16, kept = 8;
@@ -62,7 +62,7 @@ int size_exponent(std::span<const Vector3> positions) {
     size = std::max(size, p.cwiseAbs().maxCoeff());
   int exponent = 0;
   if (size > 0 && std::isfinite(size)) std::frexp(size, &exponent);
-  return std::abs(exponent) > largest_exponent ? exponent : 0;
+  return std::abs(exponent) > max_exponent ? exponent : 0;
 }
 
 WorkingSpace::WorkingSpace(std::span<const Vector3> given, std::span<const mesh::Triangle> triangles, int exponent)

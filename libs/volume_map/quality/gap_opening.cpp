@@ -24,11 +24,11 @@ class GapOpening {
         deep_(host.memory) {}
 
   bool run() {
-    constexpr int most_rounds = 40, patience = 6;  // rounds without fewer pairs
+    constexpr int max_rounds = 40, patience = 6;  // rounds without fewer pairs
     std::size_t fewest = std::numeric_limits<std::size_t>::max();
     int waited = 0;
-    for (int round = 0; round < most_rounds; ++round) {
-      host_.report(phase, static_cast<std::uint64_t>(round), most_rounds);
+    for (int round = 0; round < max_rounds; ++round) {
+      host_.report(phase, static_cast<std::uint64_t>(round), max_rounds);
       const std::size_t pairs = find_meetings();
       if (pairs == 0) return true;
       waited = pairs < fewest ? 0 : waited + 1;
@@ -77,7 +77,7 @@ class GapOpening {
   }
 
   void add(const std::array<Index, 2>& pair) {
-    constexpr double least_margin = 1e-3, deep = 0.35;  // of the length of a quad
+    constexpr double min_margin = 1e-3, deep = 0.35;  // of the length of a quad
     const Quad &p = mesh_.quads[pair[0]], &q = mesh_.quads[pair[1]];
     for (const Index v : p) {
       if (std::find(q.begin(), q.end(), v) != q.end()) return;
@@ -87,7 +87,7 @@ class GapOpening {
     if (n.norm() == 0) return;
     const double length = std::sqrt(std::min(a.norm(), b.norm()));
     const auto [top, bottom] = extent(p, q, n);
-    (top - bottom > deep * length ? deep_ : meetings_).push_back({pair, n, least_margin * length});
+    (top - bottom > deep * length ? deep_ : meetings_).push_back({pair, n, min_margin * length});
   }
 
   // Along which the minimum of a way parts quads with these normals, among those against which they look and that are
@@ -132,9 +132,9 @@ class GapOpening {
 
   // Moves quads that met to both sides of their planes, as far as there is room. Returns whether any moved.
   bool part() {
-    constexpr int most_sweeps = 60;
+    constexpr int max_sweeps = 60;
     bool any = false;
-    for (int sweep = 0; sweep < most_sweeps; ++sweep) {
+    for (int sweep = 0; sweep < max_sweeps; ++sweep) {
       bool moved = false;
       for (const Meeting& meeting : meetings_)
         moved |= part(meeting);
@@ -163,7 +163,7 @@ class GapOpening {
     double worst = 1;
     for (const Index h : around_.of(v))
       worst = std::min({worst, scaled_jacobian(mesh_.positions, mesh_.hexahedra[h]),
-                        6 * least_bezier(mesh_.positions, mesh_.hexahedra[h])});
+                        6 * min_bezier(mesh_.positions, mesh_.hexahedra[h])});
     return worst;
   }
 

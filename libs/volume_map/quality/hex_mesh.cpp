@@ -72,7 +72,7 @@ Array<mesh::Triangle> halves_of(std::span<const Quad> quads, std::pmr::memory_re
 }
 
 double corner_jacobian(std::span<const Vector3> positions, const Hexahedron& h, std::size_t corner) {
-  const auto& n = corner_neighbours[corner];
+  const auto& n = corner_neighbors[corner];
   const Vector3& o = positions[h[corner]];
   const Vector3 a = positions[h[n[0]]] - o, b = positions[h[n[1]]] - o, c = positions[h[n[2]]] - o;
   const double lengths = std::sqrt(a.squaredNorm() * b.squaredNorm() * c.squaredNorm());
@@ -109,7 +109,7 @@ Coefficients bezier_coefficients(std::span<const Vector3> positions, const Hexah
   return f;
 }
 
-double least_bezier(std::span<const Vector3> positions, const Hexahedron& h) {
+double min_bezier(std::span<const Vector3> positions, const Hexahedron& h) {
   const Coefficients f = bezier_coefficients(positions, h);
   double product = 1;
   for (const auto& parallel : edges_along) {
@@ -123,14 +123,14 @@ double least_bezier(std::span<const Vector3> positions, const Hexahedron& h) {
 }
 
 bool certainly_positive(std::span<const Vector3> positions, const Hexahedron& h) {
-  constexpr int most_halvings = 15;
+  constexpr int max_halvings = 15;
   constexpr double rounding = 4e-13;  // times the cube of the reach: a coefficient's is below 2e-13
   double reach = 0;
   for (const Index a : h) {
     for (const Index b : h)
       reach = std::max(reach, (positions[a] - positions[b]).cwiseAbs().maxCoeff());
   }
-  return positive(bezier_coefficients(positions, h), rounding * reach * reach * reach, most_halvings);
+  return positive(bezier_coefficients(positions, h), rounding * reach * reach * reach, max_halvings);
 }
 
 HexQuality measure_hexahedra(std::span<const Vector3> positions, std::span<const Hexahedron> hexahedra,
@@ -140,13 +140,13 @@ HexQuality measure_hexahedra(std::span<const Vector3> positions, std::span<const
     if (i % 1024 == 0) host.report("check", i, hexahedra.size());
     const Hexahedron& h = hexahedra[i];
     const double least = scaled_jacobian(positions, h);
-    q.least_scaled_jacobian = std::min(q.least_scaled_jacobian, least);
+    q.min_scaled_jacobian = std::min(q.min_scaled_jacobian, least);
     q.mean_scaled_jacobian += least / static_cast<double>(hexahedra.size());
     for (const double f : bezier_coefficients(positions, h))
       q.volume += f / 27;
     bool inverted = false;
     for (std::size_t k = 0; k < 8 && !inverted; ++k) {
-      const auto& n = corner_neighbours[k];
+      const auto& n = corner_neighbors[k];
       inverted = mesh::orientation_3d(positions[h[k]], positions[h[n[0]]], positions[h[n[1]]], positions[h[n[2]]]) <= 0;
     }
     const bool uncertain = !inverted && !certainly_positive(positions, h);

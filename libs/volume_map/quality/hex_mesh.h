@@ -27,7 +27,7 @@ struct HexMesh {
 Array<mesh::Triangle> halves_of(std::span<const Quad> quads, std::pmr::memory_resource* memory);
 
 // Three neighbors of each corner, whose edges have a positive determinant in a good hexahedron.
-inline constexpr std::array<std::array<std::uint8_t, 3>, 8> corner_neighbours = {
+inline constexpr std::array<std::array<std::uint8_t, 3>, 8> corner_neighbors = {
     {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7}, {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}}};
 // The edges along each of the three directions.
 inline constexpr std::array<std::array<std::array<std::uint8_t, 2>, 4>, 3> edges_along = {
@@ -45,13 +45,13 @@ double scaled_jacobian(std::span<const Vector3> positions, const Hexahedron& h);
 // parameter is the fastest index. The polynomial lies between the minimum and the largest coefficient.
 std::array<double, 27> bezier_coefficients(std::span<const Vector3> positions, const Hexahedron& h);
 // The minimum coefficient over the product of the longest edges along the three parameters: for searches.
-double least_bezier(std::span<const Vector3> positions, const Hexahedron& h);
+double min_bezier(std::span<const Vector3> positions, const Hexahedron& h);
 // Whether the determinant is certainly positive everywhere, rounding included: by the coefficients of the whole, or of
 // its parts, halved until they tell.
 bool certainly_positive(std::span<const Vector3> positions, const Hexahedron& h);
 
 struct HexQuality {
-  double least_scaled_jacobian = 1, mean_scaled_jacobian = 0;
+  double min_scaled_jacobian = 1, mean_scaled_jacobian = 0;
   std::size_t inverted = 0;   // with a corner that is not positive, by exact signs
   std::size_t uncertain = 0;  // others whose trilinear map is not certainly positive
   Index first_bad = no_index;

@@ -18,7 +18,7 @@ double HexMoves::corners(Index hexahedron) const {
 }
 
 double HexMoves::coefficients(Index hexahedron) const {
-  return std::max(lowest_coefficients, 6 * least_bezier(mesh_.positions, mesh_.hexahedra[hexahedron]));
+  return std::max(lowest_coefficients, 6 * min_bezier(mesh_.positions, mesh_.hexahedra[hexahedron]));
 }
 
 double HexMoves::quality(Index hexahedron, double enough) const {
@@ -60,20 +60,20 @@ bool HexMoves::try_better_places(Index vertex, double radius, const Range& range
   double worst = before;
   try_places(vertex, radius, range, [&] {
     const double now = worst_around(vertex, worst);
-    const bool better = now > worst + least_gain;
+    const bool better = now > worst + min_gain;
     if (better) worst = now;
     return better;
   });
   return worst > before;
 }
 
-double HexMoves::shortest_edge(Index vertex) const {
+double HexMoves::min_edge_length(Index vertex) const {
   double least = std::numeric_limits<double>::infinity();
   for (const Index i : around(vertex)) {
     const Hexahedron& h = mesh_.hexahedra[i];
     for (std::size_t k = 0; k < 8; ++k) {
       if (h[k] != vertex) continue;
-      for (const std::uint8_t n : corner_neighbours[k])
+      for (const std::uint8_t n : corner_neighbors[k])
         least = std::min(least, (mesh_.positions[h[n]] - mesh_.positions[vertex]).norm());
     }
   }

@@ -42,7 +42,7 @@ class HexMoves {
     constexpr int far_trials = 4, near_trials = 4;
     constexpr double near = 0.2;  // of the radius
     Vector3& x = mesh_.positions[vertex];
-    const double edge = shortest_edge(vertex);
+    const double edge = min_edge_length(vertex);
     for (int trial = 0; trial < far_trials + near_trials; ++trial) {
       const Vector3 from = x;
       const double reach = radius * edge * (trial < far_trials ? 1 : near);
@@ -65,13 +65,13 @@ class HexMoves {
     return {a, b, c};
   }
 
-  static constexpr double least_gain = 1e-6;  // less is not taken
+  static constexpr double min_gain = 1e-6;  // less is not taken
 
  private:
   double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
   double corners(Index hexahedron) const;
   double coefficients(Index hexahedron) const;
-  double shortest_edge(Index vertex) const;
+  double min_edge_length(Index vertex) const;
 
   HexMesh& mesh_;
   const HexBoundary& boundary_;

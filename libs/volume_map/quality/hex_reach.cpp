@@ -32,14 +32,14 @@ class Reach {
     // Hexahedra lose as little as will do.
     for (const double quality : {0.5, 0.3, 0.15}) {
       floor_ = quality;
-      constexpr int most_passes = 20;
-      for (int pass = 0; pass < most_passes; ++pass) {
+      constexpr int max_passes = 20;
+      for (int pass = 0; pass < max_passes; ++pass) {
         if (share_out(wards) <= near_enough * distance_) return;
         bool any = false;
         for (std::size_t begin = 0, end = 0; begin < wards.size(); begin = end) {
           while (end < wards.size() && wards[end].vertex == wards[begin].vertex)
             ++end;
-          host_.report("reach", static_cast<std::uint64_t>(pass), most_passes);
+          host_.report("reach", static_cast<std::uint64_t>(pass), max_passes);
           any |= reach(wards[begin].vertex, std::span(wards).subspan(begin, end - begin));
         }
         if (!any) break;
@@ -52,7 +52,7 @@ class Reach {
   static constexpr double near_enough = 0.95;  // nothing is done when all are nearer than that
   static constexpr double watched = 0.6;       // of the distance: what is farther may become too far by what is moved
   static constexpr double spacing = 0.2;       // of samples, in cells
-  static constexpr double least_gain = 1e-4;
+  static constexpr double min_gain = 1e-4;
 
   // A sample that a vertex of the boundary stands for, as a corner of the nearest half of a quad.
   struct Ward {
@@ -66,7 +66,7 @@ class Reach {
 
   // Points of the surface that are far from the boundary.
   void find_samples() {
-    constexpr double most_parts = 60;
+    constexpr double max_parts = 60;
     const mesh::SurfaceSearch search(mesh_.positions, halves_, host_);
     Index last = no_index;
     std::size_t count = 0;
@@ -74,7 +74,7 @@ class Reach {
       if (count++ % 64 == 0) host_.report("reach", 0, 0);
       const Vector3 a = target_.positions()[t[0]], b = target_.positions()[t[1]] - a, c = target_.positions()[t[2]] - a;
       const double longest = std::sqrt(std::max({b.squaredNorm(), c.squaredNorm(), (c - b).squaredNorm()}));
-      const int parts = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1.0, most_parts));
+      const int parts = static_cast<int>(std::clamp(std::ceil(longest / spacing), 1.0, max_parts));
       for (int k = 0; k <= parts; ++k) {
         for (int l = 0; k + l <= parts; ++l) {
           const Vector3 x = a + (k * b + l * c) / parts;
@@ -140,7 +140,7 @@ class Reach {
                                                    : Vector3(0.5 * worst.gap * moves_.random_direction());
       x = boundary_.project(v, from + move).position;
       const double then = gap(v, wards, now);
-      if (then < now - least_gain && (moves_.worst_around(v, before) >= before || make_room(v, before))) {
+      if (then < now - min_gain && (moves_.worst_around(v, before) >= before || make_room(v, before))) {
         now = then;
         any = true;
         before = std::min(floor_, worst_of_chosen(v));

@@ -100,7 +100,7 @@ class Search {
         const double reach = held(v) ? std::min(options_.reach, options_.mean_reach) : options_.mean_reach;
         moves_.try_places(v, radius, {start[v], reach}, [&] {
           const double now = moves_.sum_around(v);
-          const bool better = now > sum + HexMoves::least_gain && moves_.worst_around(v, floor) >= floor;
+          const bool better = now > sum + HexMoves::min_gain && moves_.worst_around(v, floor) >= floor;
           if (better) sum = now;
           return better;
         });

@@ -40,10 +40,10 @@ class Smoothing {
         elements_.push_back(hex_tetrahedra[k].element(h));
     }
     // Vertices and centers of the surface, few enough to visit all of them quickly.
-    constexpr std::size_t most_samples = 30000;
+    constexpr std::size_t max_samples = 30000;
     const auto& triangles = target.triangles();
     const std::size_t all = target.positions().size() + triangles.size();
-    const std::size_t stride = (all + most_samples - 1) / most_samples;
+    const std::size_t stride = (all + max_samples - 1) / max_samples;
     const auto corner = [&](const mesh::Triangle& t, std::size_t k) { return target.positions()[t[k]]; };
     const auto normal = [&](const mesh::Triangle& t) -> Vector3 {
       return (corner(t, 1) - corner(t, 0)).cross(corner(t, 2) - corner(t, 0));
@@ -134,14 +134,14 @@ class Smoothing {
     for (std::size_t i = 0; i < mesh_.hexahedra.size(); ++i) {
       if (i % hexahedra_between_reports == 0) host_.report("smooth", 0, 0);
       const Hexahedron& h = mesh_.hexahedra[i];
-      const double least = least_bezier(mesh_.positions, h);
+      const double least = min_bezier(mesh_.positions, h);
       result = std::min(result, least > 0 ? scaled_jacobian(mesh_.positions, h) : least);
     }
     return result;
   }
 
   // Until all elements are positive. The mesh follows.
-  bool untangle(double pull, double least_fall) {
+  bool untangle(double pull, double min_fall) {
     constexpr double hopeless_eps = 1e-6;
     constexpr int turns = 8;  // of steps, between tries to untangle the few that are left
     double eps = 0;
@@ -152,9 +152,9 @@ class Smoothing {
       host_.report("untangle", static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(options_.untangling_steps),
                    static_cast<double>(now.inverted));
       if (now.inverted == 0) return true;
-      if (k == 0) eps = std::clamp(std::hypot(1e-3, 0.2 * now.least_determinant), 1e-3, 1.0);
+      if (k == 0) eps = std::clamp(std::hypot(1e-3, 0.2 * now.min_determinant), 1e-3, 1.0);
       if (k > 0 && k % turns == 0 && few(now.inverted)) {
-        const bool done = untangle_neighbourhoods();
+        const bool done = untangle_neighborhoods();
         newton_->restart(values());
         if (done) return true;
       }
@@ -162,8 +162,8 @@ class Smoothing {
       now = energy_->value(newton_->values(), eps);
       const double before = now.energy;
       newton_->step(eps, {.products = 80}, now);
-      const double sigma = std::max(least_fall, 1 - now.energy / before);
-      const double least = now.least_determinant, m = std::hypot(least, eps);
+      const double sigma = std::max(min_fall, 1 - now.energy / before);
+      const double least = now.min_determinant, m = std::hypot(least, eps);
       eps = std::max(eps * (least < 0 ? 1 - sigma * m / (std::abs(least) + m) : 1 - sigma), 1e-9);
     }
     variables_.expand(newton_->values(), mesh_.positions);
@@ -174,10 +174,10 @@ class Smoothing {
 
   // Untangles inverted elements, each group of elements in its neighborhood. Returns whether nothing is inverted any
   // more.
-  bool untangle_neighbourhoods() {
-    constexpr int most_steps = 60;
+  bool untangle_neighborhoods() {
+    constexpr int max_steps = 60;
     const Array<std::uint8_t> none_fixed(3 * mesh_.positions.size(), 0, host_.memory);
-    return untangle_locally(elements_, none_fixed, volume_weight, most_steps, mesh_.positions, host_, pulls_).done;
+    return untangle_locally(elements_, none_fixed, volume_weight, max_steps, mesh_.positions, host_, pulls_).done;
   }
 
   // Of the variables, where the mesh is now.
@@ -193,14 +193,14 @@ class Smoothing {
   // Where the best of all rounds has some that are twisted, they are untangled with what is beside them left alone
   // as far as that can be; what twists in turn is next.
   void untwist_the_last() {
-    constexpr int most_turns = 4;
+    constexpr int max_turns = 4;
     const auto count = [&] {
       return std::count_if(mesh_.hexahedra.begin(), mesh_.hexahedra.end(),
-                           [&](const Hexahedron& h) { return least_bezier(mesh_.positions, h) <= 0; });
+                           [&](const Hexahedron& h) { return min_bezier(mesh_.positions, h) <= 0; });
     };
     auto fewest = count();
     Array<Vector3> best(mesh_.positions, host_.memory);
-    for (int turn = 0; turn < most_turns && fewest > 0; ++turn) {
+    for (int turn = 0; turn < max_turns && fewest > 0; ++turn) {
       untwist(1, last_pull, 0);
       const auto left = count();
       if (left >= fewest) continue;
@@ -216,7 +216,7 @@ class Smoothing {
     Array<Index> twisted(host_.memory);
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
       if (i % hexahedra_between_reports == 0) host_.report("smooth", 0, 0);
-      if (edges_[i] == no_index && least_bezier(mesh_.positions, mesh_.hexahedra[i]) <= least) twisted.push_back(i);
+      if (edges_[i] == no_index && min_bezier(mesh_.positions, mesh_.hexahedra[i]) <= least) twisted.push_back(i);
     }
     if (twisted.empty()) return;
     const std::size_t elements = elements_.size();
@@ -229,7 +229,7 @@ class Smoothing {
     set_pulls(pull);
     // In a small mesh a neighborhood is half of it, and a step for all of it costs little.
     constexpr std::size_t small = 20000;
-    if (!untangle_neighbourhoods() && elements_.size() < small) {
+    if (!untangle_neighborhoods() && elements_.size() < small) {
       const Array<double> reached = values();
       begin(reached);
       if (!untangle(pull, quick)) variables_.expand(reached, mesh_.positions);
@@ -284,7 +284,7 @@ class Smoothing {
       if (i % hexahedra_between_reports == 0) host_.report("smooth", 0, 0);
       for_tetrahedra(i, [&](const HexTetrahedron& t, Element& element) {
         const double ratio = enough / std::max(0.02, t.scaled_jacobian(mesh_.positions, element));
-        element.weight = std::clamp(ratio * ratio * element.weight, 1.0, options_.most_weight);
+        element.weight = std::clamp(ratio * ratio * element.weight, 1.0, options_.max_weight);
       });
     }
     // What pulls to the surface is to keep pace.

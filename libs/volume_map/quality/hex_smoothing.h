@@ -14,7 +14,7 @@ struct HexSmoothingOptions {
   // Where the surface is farther than this from the boundary, or the boundary from it, the boundary is fixed the more
   // to where it began; 0: nowhere.
   double distance = 0;
-  double most_weight =
+  double max_weight =
       60;  // of a corner that stays bad: a larger one untangles some, and spoils the neighbors of others
 };
 

@@ -52,11 +52,11 @@ inline constexpr auto hex_tetrahedra = [] {
   std::array<HexTetrahedron, corner_tetrahedra + edge_tetrahedra> all{};
   std::size_t next = corner_tetrahedra;
   for (std::uint8_t a = 0; a < 8; ++a) {
-    const auto& neighbours = corner_neighbours[a];
+    const auto& neighbors = corner_neighbors[a];
     const auto& direction = direction_of_edge[a];
-    all[a] = {{a, neighbours[0], neighbours[1], neighbours[2]}, direction, {{{0, 1}, {0, 2}, {0, 3}}}};
+    all[a] = {{a, neighbors[0], neighbors[1], neighbors[2]}, direction, {{{0, 1}, {0, 2}, {0, 3}}}};
     for (std::size_t j = 0; j < 3; ++j) {
-      const std::uint8_t b = neighbours[j];
+      const std::uint8_t b = neighbors[j];
       if (b < a) continue;
       // Of the edge from a to b and what follows it, positively oriented, one from a and one from b.
       const std::size_t k = (j + 1) % 3, l = (j + 2) % 3;
@@ -64,11 +64,11 @@ inline constexpr auto hex_tetrahedra = [] {
         std::size_t i = 0;
         while (direction_of_edge[b][i] != along)
           ++i;
-        return corner_neighbours[b][i];
+        return corner_neighbors[b][i];
       };
       const std::array<std::uint8_t, 3> turned = {direction[j], direction[k], direction[l]};
-      all[next++] = {{a, b, neighbours[k], from_b(direction[l])}, turned, {{{0, 1}, {0, 2}, {1, 3}}}};
-      all[next++] = {{a, b, from_b(direction[k]), neighbours[l]}, turned, {{{0, 1}, {1, 2}, {0, 3}}}};
+      all[next++] = {{a, b, neighbors[k], from_b(direction[l])}, turned, {{{0, 1}, {0, 2}, {1, 3}}}};
+      all[next++] = {{a, b, from_b(direction[k]), neighbors[l]}, turned, {{{0, 1}, {1, 2}, {0, 3}}}};
     }
   }
   return all;

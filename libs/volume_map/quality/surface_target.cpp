@@ -13,7 +13,7 @@ namespace {
 
 // The cosine of the angle to the normal of what looks the other way.
 constexpr double opposite = -0.3;
-constexpr double sharp_angle = 40 * std::numbers::pi / 180;
+constexpr double feature_angle = 40 * std::numbers::pi / 180;
 
 Vector3 twice_area(std::span<const Vector3> positions, const mesh::Triangle& t) {
   return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
@@ -40,26 +40,27 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
   for (Vector3& p : positions_)
     p *= scale;
   Index patch_count = 0;
-  for (const Index chart : map.charts)
-    patch_count = std::max(patch_count, chart + 1);
-  Array<Index> charts(map.charts, host.memory);
-  find_lines(map.positions, map.triangles, charts, scale, host);
+  for (const Index patch : map.patches)
+    patch_count = std::max(patch_count, patch + 1);
+  Array<Index> patches(map.patches, host.memory);
+  find_lines(map.positions, map.triangles, patches, scale, host);
   if (fine && has_sharp_edges()) {
     // Each triangle belongs to the face that the coarse surface has beside its center; lines are where faces meet that
     // have a sharp edge in common there.
-    charts.resize(triangles_.size());
+    patches.resize(triangles_.size());
     const mesh::SurfaceSearch search(map.positions, map.triangles, host);
     constexpr std::size_t piece = 256;
     host.parallel_for((triangles_.size() + piece - 1) / piece, [&](std::size_t p) {
       for (std::size_t i = p * piece; i < std::min(triangles_.size(), (p + 1) * piece); ++i) {
         const mesh::Triangle& t = fine_triangles[i];
-        charts[i] = map.charts[search.nearest((fine_positions[t[0]] + fine_positions[t[1]] + fine_positions[t[2]]) / 3)
-                                   .triangle];
+        patches[i] =
+            map.patches[search.nearest((fine_positions[t[0]] + fine_positions[t[1]] + fine_positions[t[2]]) / 3)
+                            .triangle];
       }
     });
     host.report("target", 0, 0);
     const Array<Line> coarse(lines_, host.memory);
-    find_lines(fine_positions, fine_triangles, charts, scale, host);
+    find_lines(fine_positions, fine_triangles, patches, scale, host);
     std::erase_if(lines_, [&](const Line& line) {
       return !std::binary_search(coarse.begin(), coarse.end(), line,
                                  [](const Line& x, const Line& y) { return x.patches < y.patches; });
@@ -78,7 +79,7 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
   Array<Corner> corners(host.memory);
   for (Index i = 0; i < triangles_.size(); ++i) {
     for (Index k = 0; k < 3; ++k)
-      corners.push_back({triangles_[i][k], apart ? charts[i] : 0, i, k});
+      corners.push_back({triangles_[i][k], apart ? patches[i] : 0, i, k});
   }
   std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) {
     return std::array{x.vertex, x.patch, x.triangle, x.corner} < std::array{y.vertex, y.patch, y.triangle, y.corner};
@@ -101,7 +102,7 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
   for (Index i = 0; i < patch_count; ++i)
     patches_.emplace_back(host.memory);
   for (Index i = 0; i < triangles_.size(); ++i) {
-    Part& part = patches_[charts[i]];
+    Part& part = patches_[patches[i]];
     part.triangles.push_back(triangles_[i]);
     part.sources.push_back(i);
   }
@@ -111,7 +112,7 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
 
 // The edges between faces whose border is mostly sharp, sorted.
 void SurfaceTarget::find_lines(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-                               std::span<const Index> charts, double scale, const base::Host& host) {
+                               std::span<const Index> patches, double scale, const base::Host& host) {
   const mesh::Connectivity connectivity(positions.size(), triangles, host);
   // How much of the border between two faces is sharp.
   struct Border {
@@ -123,12 +124,12 @@ void SurfaceTarget::find_lines(std::span<const Vector3> positions, std::span<con
   for (Index h = 0; h < 3 * triangles.size(); ++h) {
     const Index other = connectivity.opposite(h);
     if (other == no_index || other < h) continue;
-    Index a = charts[h / 3], b = charts[other / 3];
+    Index a = patches[h / 3], b = patches[other / 3];
     if (a == b) continue;
     if (a > b) std::swap(a, b);
     const Vector3 p = positions[connectivity.start(h)], q = positions[connectivity.end(h)];
     const Vector3 m = twice_area(positions, triangles[h / 3]), n = twice_area(positions, triangles[other / 3]);
-    const bool is_sharp = std::atan2(m.cross(n).norm(), m.dot(n)) > sharp_angle;
+    const bool is_sharp = std::atan2(m.cross(n).norm(), m.dot(n)) > feature_angle;
     borders.push_back({{a, b}, (q - p).norm(), is_sharp ? (q - p).norm() : 0});
     all.push_back({{a, b}, scale * p, scale * q});
   }
@@ -232,7 +233,7 @@ std::optional<SurfaceTarget::Meeting> SurfaceTarget::meeting(const std::array<In
         for (const auto& [other_at, other_to] : ends(other)) {
           if (at != other_at || (best && (at - p).squaredNorm() >= (best->position - p).squaredNorm())) continue;
           const Vector3 m = to - at, n = at - other_to;
-          best = Meeting{at, std::atan2(m.cross(n).norm(), m.dot(n)) > sharp_angle};
+          best = Meeting{at, std::atan2(m.cross(n).norm(), m.dot(n)) > feature_angle};
         }
       }
     }

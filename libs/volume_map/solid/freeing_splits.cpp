@@ -6,14 +6,14 @@
 namespace orbicube::volume_map {
 namespace {
 
-constexpr int most_rounds = 60;
+constexpr int max_rounds = 60;
 
 }  // namespace
 
 std::size_t split_edges_at(Array<Vector3>& positions, Array<Tetrahedron>& tetrahedra,
                            std::span<const std::uint8_t> marked, const base::Host& host) {
   const std::size_t before = positions.size();
-  for (int k = 0; k < most_rounds; ++k) {
+  for (int k = 0; k < max_rounds; ++k) {
     const Array<Tetrahedron> now(tetrahedra, host.memory);
     const mesh::TetrahedralConnectivity connectivity(positions.size(), now, host);
     const mesh::EdgeRings rings(connectivity, host);
@@ -31,7 +31,7 @@ std::size_t split_for_freedom(Array<Vector3>& positions, Array<Tetrahedron>& tet
   const std::size_t before = positions.size();
   enum class What { edges, faces, cells };
   for (const What what : {What::edges, What::faces, What::cells}) {
-    for (int k = 0; k < most_rounds; ++k) {
+    for (int k = 0; k < max_rounds; ++k) {
       // The connectivity keeps a view of what the round changes, so it gets a copy.
       const Array<Tetrahedron> now(tetrahedra, host.memory);
       const mesh::TetrahedralConnectivity connectivity(positions.size(), now, host);

@@ -6,7 +6,7 @@ namespace orbicube::volume_map {
 
 void make_harmonic(std::span<const Element> elements, std::span<const std::uint8_t> held, std::span<Vector3> positions,
                    const base::Host& host, BlockEngine* engine) {
-  constexpr int most_steps = 1000;
+  constexpr int max_steps = 1000;
   constexpr double tolerance = 1e-8;
   Array<std::uint8_t> fixed(3 * positions.size(), host.memory);
   for (std::size_t i = 0; i < fixed.size(); ++i)
@@ -32,11 +32,11 @@ void make_harmonic(std::span<const Element> elements, std::span<const std::uint8
         Eigen::Map<Vector3>(&right[3 * static_cast<std::size_t>(e.corner[k])]) -= j * e.gradient[k];
     }
   }
-  assembly.finish(base::Team(host));
+  assembly.finish(base::ThreadPool(host));
   BlockSolver solver(host);
   solver.set_engine(engine);
   solver.factor(matrix);
-  solver.solve(right, most_steps, tolerance, change);
+  solver.solve(right, max_steps, tolerance, change);
   for (std::size_t v = 0; v < positions.size(); ++v)
     positions[v] += Eigen::Map<const Vector3>(&change[3 * v]);
 }

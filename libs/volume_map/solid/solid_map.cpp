@@ -21,7 +21,7 @@ using mesh::Triangle;
 // is that of the map, and the normal in space goes to the normal of the face. The fourth corner is a vertex that stays,
 // one a direction, from `normals` on.
 void add_boundary(const polycube::SurfaceMap& surface, std::span<const Vector3> positions, double scale,
-                  double mean_volume, double least_weight, Index normals, Array<Element>& elements) {
+                  double mean_volume, double min_weight, Index normals, Array<Element>& elements) {
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const Triangle& t = surface.triangles[i];
     const Vector3 a = scale * positions[t[0]], b = scale * positions[t[1]], c = scale * positions[t[2]];
@@ -32,7 +32,7 @@ void add_boundary(const polycube::SurfaceMap& surface, std::span<const Vector3> 
     Element e;
     e.corner = {t[0], t[1], t[2], normals + surface.labels[i]};
     e.gradient = {n.cross(c - b) / length, n.cross(a - c) / length, n.cross(b - a) / length, n};
-    e.weight = std::pow(0.5 * length, 1.5) / 3 / mean_volume + least_weight;
+    e.weight = std::pow(0.5 * length, 1.5) / 3 / mean_volume + min_weight;
     elements.push_back(e);
   }
 }
@@ -48,7 +48,7 @@ class Mapping {
         elements_(host.memory),
         start_(host.memory),
         sliding_(host.memory) {
-    constexpr double least_weight = 0.02;
+    constexpr double min_weight = 0.02;
     const std::size_t vertices = map.source.size();
     double source_volume = 0, image_volume = 0;
     for (const Tetrahedron& t : map.tetrahedra)
@@ -72,7 +72,7 @@ class Mapping {
     make_harmonic(elements_, held, start_, host, options.engine);
 
     const double mean = std::abs(image_volume) / static_cast<double>(inner);
-    add_boundary(surface, map.source, map.scale, mean / 6, least_weight, static_cast<Index>(vertices), elements_);
+    add_boundary(surface, map.source, map.scale, mean / 6, min_weight, static_cast<Index>(vertices), elements_);
     for (polycube::AxisLabel label = 0; label < polycube::label_count; ++label)
       start_.push_back(polycube::direction_of(label));
     sliding_.assign(3 * start_.size(), 0);
@@ -85,7 +85,7 @@ class Mapping {
   }
 
   // Only neighborhoods of inverted elements move.
-  LocalUntangling untangle_neighbourhoods() {
+  LocalUntangling untangle_neighborhoods() {
     map_.image = start_;
     LocalUntangling local = untangle_locally(elements_, sliding_, 1, options_.steps, map_.image, host_);
     map_.steps += local.steps;
@@ -94,7 +94,7 @@ class Mapping {
 
   // All vertices of the boundary slide; where elements jam, a growing ring round them is fixed to the surface map, and
   // all begins again.
-  bool untangle(int most_holds) {
+  bool untangle(int max_holds) {
     Array<std::uint8_t> held(start_.size(), 0, host_.memory);
     for (int holds = 0;; ++holds, ++map_.holds) {
       Array<std::uint8_t> fixed(sliding_, host_.memory);
@@ -110,7 +110,7 @@ class Mapping {
       map_.steps += newton.steps();
       map_.image.resize(start_.size());
       variables.expand(newton.values(), map_.image);
-      if (done || holds == most_holds) return done;
+      if (done || holds == max_holds) return done;
       for (const Element& e : elements_) {
         if (e.jacobian(map_.image).determinant() > 0) continue;
         for (const Index v : e.corner)
@@ -186,11 +186,11 @@ SolidMap map_solid(const polycube::SurfaceMap& surface, std::span<const Vector3>
   map.added = split_for_freedom(map.source, map.tetrahedra, host);
   // An inner vertex may be next to triangles of the boundary that have no place in common on the right side of all:
   // where elements jam, edges are halved, and all begins again.
-  constexpr int most_refinements = 3;
+  constexpr int max_refinements = 3;
   for (int refinements = 0;; ++refinements) {
     Mapping mapping(surface, target, map, options, host);
-    const bool last = refinements == most_refinements;
-    const LocalUntangling local = mapping.untangle_neighbourhoods();
+    const bool last = refinements == max_refinements;
+    const LocalUntangling local = mapping.untangle_neighborhoods();
     const bool jammed = !local.jammed.empty();  // not too much to try neighborhoods alone
     if (local.done || ((last || !jammed) && mapping.untangle(last ? 3 : 1))) {
       mapping.polish();

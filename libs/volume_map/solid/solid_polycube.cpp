@@ -132,13 +132,13 @@ polycube::Construction construct_in_one(std::span<const Vector3> positions, std:
   }
   const mesh::Measures measures = mesh::measures(positions, triangles, host);
   const double diagonal = (measures.high - measures.low).norm();
-  polycube::ConstructionOptions by_voxels = options;
-  by_voxels.method = polycube::Method::voxels;
+  polycube::ConstructionOptions grid_based = options;
+  grid_based.method = polycube::Method::voxels;
   for (const double width : widths) {
     const Array<Vector3> wider = widened_gaps(positions, triangles, width * diagonal, host);
     if (wider.empty()) continue;
     try {
-      polycube::Construction made = polycube::construct(wider, triangles, by_voxels, host).made;
+      polycube::Construction made = polycube::construct(wider, triangles, grid_based, host).made;
       put_onto(made.map, positions);
       made.certificate = polycube::certify(made.map, host);
       if (!made.certificate.valid()) continue;
@@ -170,13 +170,13 @@ polycube::Construction construct_polycube(std::span<const Vector3> positions, st
   }
   Array<CavityPlacement> placements(1, CavityPlacement{}, host.memory);
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    const CavityPlacement wanted = place_cavity(parts[0].made.map, parts[i].made.map, host);
+    const CavityPlacement target = place_cavity(parts[0].made.map, parts[i].made.map, host);
     constexpr double step = 0.85;
     constexpr int most = 12;
-    placements.push_back(wanted);
+    placements.push_back(target);
     double by = 1;
     for (int k = 0;; ++k, by *= step) {
-      placements[i] = smaller(wanted, by, parts[i].made.map);
+      placements[i] = smaller(target, by, parts[i].made.map);
       all.map = joined(positions, std::span(parts).first(i + 1), placements, host);
       all.certificate = polycube::certify(all.map, host);
       if (all.certificate.valid()) break;

@@ -71,11 +71,11 @@ class SplitRound {
     split(around_, std::array{a, b}, 0.5 * (positions_[a] + positions_[b]));
   }
 
-  // The edges of all rings for which `wanted` is true.
-  template <class Wanted>
-  void halve_all(const mesh::EdgeRings& rings, const Wanted& wanted) {
+  // The edges of all rings for which `target` is true.
+  template <class Target>
+  void halve_all(const mesh::EdgeRings& rings, const Target& target) {
     for (std::size_t ring = 0; ring < rings.size(); ++ring) {
-      if (wanted(ring)) halve(rings, ring);
+      if (target(ring)) halve(rings, ring);
     }
   }
 
@@ -84,7 +84,7 @@ class SplitRound {
                         std::span<const std::uint8_t> held) {
     for (Index t = 0; t < now.size(); ++t) {
       for (Index corner = 0; corner < 4 && count_of(now[t], held) >= 3; ++corner) {
-        const Index other = connectivity.neighbour(t, corner);
+        const Index other = connectivity.neighbor(t, corner);
         if (other == no_index || !free(t) || !free(other)) continue;
         const mesh::Triangle face = connectivity.vertices(4 * t + corner);
         if (count_of(face, held) < 3) continue;

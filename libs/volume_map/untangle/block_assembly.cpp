@@ -128,7 +128,7 @@ void BlockAssembly::add_shares(const base::Host& host) {
   }
 }
 
-void BlockAssembly::finish(const base::Team& team) {
+void BlockAssembly::finish(const base::ThreadPool& pool) {
   BlockMatrix& m = matrix_;
   std::fill(m.border.begin(), m.border.end(), Vector3::Zero());
   std::fill(m.corner.begin(), m.corner.end(), 0.0);
@@ -159,7 +159,7 @@ void BlockAssembly::finish(const base::Team& team) {
       if (!m.is_own(m.border_column[i], a)) m.border[i][static_cast<Eigen::Index>(a)] = 0;
     }
   }
-  team.run_pieces(m.rows(), piece, [&](std::size_t begin, std::size_t end) {
+  pool.run_pieces(m.rows(), piece, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       // What is no unknown has the size of the rest, or 1.
       Eigen::Matrix3d& diagonal = m.diagonal[v];

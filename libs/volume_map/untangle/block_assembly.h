@@ -6,7 +6,7 @@
 #include <span>
 #include <utility>
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "linear/iterative/block_solver.h"
 #include "volume_map/untangle/elements.h"
 
@@ -32,7 +32,7 @@ class BlockAssembly {
   }
   // Once the blocks, of all coordinates, are there: sums of rows and columns go to what is shared, and what is no
   // unknown of its own is cleared.
-  void finish(const base::Team& team);
+  void finish(const base::ThreadPool& pool);
 
   // From the free variables to entries of vectors of the matrix, and back. What is no unknown is 0.
   void scatter(std::span<const double> free, std::span<double> entries) const;

@@ -25,7 +25,7 @@ void set_gradients(const Eigen::Matrix3d& edges, Element& element) {
 
 Array<Element> elements_of(std::span<const Tetrahedron> tetrahedra, std::span<const Vector3> rest, double scale,
                            const base::Host& host) {
-  constexpr double least_weight = 0.02;
+  constexpr double min_weight = 0.02;
   Array<Element> elements(tetrahedra.size(), host.memory);
   double total = 0;
   Element regular;
@@ -63,7 +63,7 @@ Array<Element> elements_of(std::span<const Tetrahedron> tetrahedra, std::span<co
   }
   const double mean = total / static_cast<double>(elements.size());
   for (Element& element : elements)
-    element.weight = element.weight / mean + least_weight;
+    element.weight = element.weight / mean + min_weight;
   return elements;
 }
 

@@ -45,7 +45,7 @@ FoldoverEnergy::FoldoverEnergy(std::span<const Element> elements, const Variable
       variables_(variables),
       lambda_(lambda),
       host_(host),
-      team_(host),
+      pool_(host),
       curvature_(elements.size(), host.memory),
       force_(elements.size(), host.memory),
       incident_begin_(variables.vertices() + 1, 0, host.memory),
@@ -77,7 +77,7 @@ void FoldoverEnergy::for_elements(const char* phase, const Body& body) const {
   for (std::size_t begin = 0; begin < elements_.size(); begin += slab) {
     host_.report(phase, 0, 0);
     const std::size_t count = std::min(slab, elements_.size() - begin);
-    team_.run_pieces(count, piece, [&](std::size_t from, std::size_t to) { body(begin + from, begin + to); });
+    pool_.run_pieces(count, piece, [&](std::size_t from, std::size_t to) { body(begin + from, begin + to); });
   }
 }
 
@@ -87,7 +87,7 @@ void FoldoverEnergy::for_vertices(const Body& body) const {
   for (std::size_t begin = 0; begin < forces_.size(); begin += at_once) {
     host_.report("untangle", 0, 0);
     const std::size_t count = std::min(at_once, forces_.size() - begin);
-    team_.run_pieces(count, piece, [&](std::size_t from, std::size_t to) { body(begin + from, begin + to); });
+    pool_.run_pieces(count, piece, [&](std::size_t from, std::size_t to) { body(begin + from, begin + to); });
   }
 }
 
@@ -98,7 +98,7 @@ EnergyValue FoldoverEnergy::value(std::span<const double> values, double eps) {
     for (std::size_t i = begin; i < end; ++i) {
       const Eigen::Matrix3d j = elements_[i].jacobian(positions_);
       const double d = j.determinant();
-      sum.least_determinant = std::min(sum.least_determinant, d);
+      sum.min_determinant = std::min(sum.min_determinant, d);
       sum.mean_determinant += elements_[i].weight * d;
       if (!(d > 0)) {
         ++sum.inverted;
@@ -115,7 +115,7 @@ EnergyValue FoldoverEnergy::value(std::span<const double> values, double eps) {
   EnergyValue total{0, std::numeric_limits<double>::infinity(), 0, 0};
   for (const EnergyValue& part : partial_) {
     total.energy += part.energy;
-    total.least_determinant = std::min(total.least_determinant, part.least_determinant);
+    total.min_determinant = std::min(total.min_determinant, part.min_determinant);
     total.inverted += part.inverted;
     total.mean_determinant += part.mean_determinant / total_weight_;
   }
@@ -157,12 +157,12 @@ void FoldoverEnergy::linearise(std::span<const double> values, double eps, std::
   set_system();
 }
 
-void FoldoverEnergy::solve(std::span<const double> gradient, int most_steps, double tolerance,
+void FoldoverEnergy::solve(std::span<const double> gradient, int max_steps, double tolerance,
                            std::span<double> direction) {
   for (std::size_t i = 0; i < gradient.size(); ++i)
     direction[i] = -gradient[i];
   assembly_.scatter(direction, right_);
-  system_.solve(right_, most_steps, tolerance, solution_);
+  system_.solve(right_, max_steps, tolerance, solution_);
   assembly_.gather(solution_, direction);
 }
 
@@ -244,7 +244,7 @@ void FoldoverEnergy::set_system() {
       }
     }
   });
-  assembly_.finish(team_);
+  assembly_.finish(pool_);
   system_.factor(matrix);
 }
 

@@ -13,7 +13,7 @@
 
 #include <span>
 
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 #include "volume_map/untangle/block_assembly.h"
 #include "volume_map/untangle/elements.h"
 
@@ -45,7 +45,7 @@ struct Pull {
 
 struct EnergyValue {
   double energy;
-  double least_determinant;
+  double min_determinant;
   std::size_t inverted;     // elements with D <= 0
   double mean_determinant;  // by weights
 };
@@ -68,12 +68,12 @@ class FoldoverEnergy {
   void linearise(std::span<const double> values, double eps, std::span<double> gradient);
   // Where the Hessian's part times `direction` is -gradient, by conjugate gradients: at most the given number of steps,
   // or until the preconditioned residual is `tolerance` of what it was.
-  void solve(std::span<const double> gradient, int most_steps, double tolerance, std::span<double> direction);
+  void solve(std::span<const double> gradient, int max_steps, double tolerance, std::span<double> direction);
   // The product of the Hessian's part with `direction`, both with an entry a free variable.
   void multiply(std::span<const double> direction, std::span<double> product);
 
   const Variables& variables() const { return variables_; }
-  const base::Team& team() const { return team_; }
+  const base::ThreadPool& pool() const { return pool_; }
   // Of the last linearise().
   const BlockMatrix& matrix() const { return assembly_.matrix(); }
   const BlockAssembly& assembly() const { return assembly_; }
@@ -98,7 +98,7 @@ class FoldoverEnergy {
   double lambda_;
   double total_weight_ = 0;
   const base::Host& host_;
-  base::Team team_;
+  base::ThreadPool pool_;
   Array<Curvature> curvature_;
   Array<std::array<Vector3, 4>> force_;     // on the corners of each element
   Array<Index> incident_begin_, incident_;  // of each vertex: 4 element + corner

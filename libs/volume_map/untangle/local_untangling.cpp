@@ -8,14 +8,14 @@
 namespace orbicube::volume_map {
 namespace {
 
-class Neighbourhoods {
+class Neighborhoods {
  public:
-  Neighbourhoods(std::span<const Element> elements, std::span<const std::uint8_t> fixed, double lambda, int most_steps,
-                 std::span<Vector3> positions, const base::Host& host, std::span<const Pull> pulls)
+  Neighborhoods(std::span<const Element> elements, std::span<const std::uint8_t> fixed, double lambda, int max_steps,
+                std::span<Vector3> positions, const base::Host& host, std::span<const Pull> pulls)
       : elements_(elements),
         fixed_(fixed),
         lambda_(lambda),
-        most_steps_(std::min(most_steps, steps_in_reason)),
+        max_steps_(std::min(max_steps, steps_in_reason)),
         positions_(positions),
         host_(host),
         pulls_(pulls),
@@ -61,7 +61,7 @@ class Neighbourhoods {
     for (std::size_t i = 0; i < region_.size(); ++i) {
       const Index v = region_[i];
       if (ring_[v] == rings) break;
-      for_neighbours(v, [&](Index w) { visit(w, ring_[v] + 1); });
+      for_neighbors(v, [&](Index w) { visit(w, ring_[v] + 1); });
     }
     return inverted;
   }
@@ -80,7 +80,7 @@ class Neighbourhoods {
       vertices.clear();
       add(first, vertices);
       for (std::size_t i = 0; i < vertices.size(); ++i)
-        for_neighbours(vertices[i], [&](Index w) {
+        for_neighbors(vertices[i], [&](Index w) {
           if (ring_[w] != no_index) add(w, vertices);
         });
       const std::size_t movable = vertices.size();
@@ -126,7 +126,7 @@ class Neighbourhoods {
     region_.push_back(v);
   }
   template <class Body>
-  void for_neighbours(Index v, const Body& body) const {
+  void for_neighbors(Index v, const Body& body) const {
     for (Index k = incident_begin_[v]; k < incident_begin_[v + 1]; ++k) {
       for (const Index w : elements_[incident_[k]].corner)
         body(w);
@@ -141,7 +141,7 @@ class Neighbourhoods {
   void untangle_part(std::span<const Index> vertices, std::size_t movable, std::span<const Element> around,
                      LocalUntangling& result) {
     constexpr int polish_steps = 10;
-    constexpr double least_gain = 1e-3;
+    constexpr double min_gain = 1e-3;
     Array<Vector3> start(vertices.size(), host_.memory);
     Array<std::uint8_t> fixed(3 * vertices.size(), 1, host_.memory);
     for (std::size_t i = 0; i < vertices.size(); ++i) {
@@ -159,8 +159,8 @@ class Neighbourhoods {
       energy.set_pulls(pulls);
     }
     Newton newton(energy, variables.start(), host_);
-    const bool done = newton.untangle(most_steps_, 1, 1, {});
-    if (done) newton.polish(polish_steps, least_gain, {.tolerance = 3e-2});
+    const bool done = newton.untangle(max_steps_, 1, 1, {});
+    if (done) newton.polish(polish_steps, min_gain, {.tolerance = 3e-2});
     result.steps += newton.steps();
     variables.expand(newton.values(), start);
     if (done) {
@@ -178,7 +178,7 @@ class Neighbourhoods {
   std::span<const Element> elements_;
   std::span<const std::uint8_t> fixed_;
   double lambda_;
-  int most_steps_;
+  int max_steps_;
   std::span<Vector3> positions_;
   const base::Host& host_;
   std::span<const Pull> pulls_;
@@ -193,16 +193,16 @@ class Neighbourhoods {
 }  // namespace
 
 LocalUntangling untangle_locally(std::span<const Element> elements, std::span<const std::uint8_t> fixed, double lambda,
-                                 int most_steps, std::span<Vector3> positions, const base::Host& host,
+                                 int max_steps, std::span<Vector3> positions, const base::Host& host,
                                  std::span<const Pull> pulls) {
   constexpr Index first_rings = 2;
-  constexpr Index most_rings = 8;
+  constexpr Index max_rings = 8;
   LocalUntangling result(host.memory);
-  Neighbourhoods neighbourhoods(elements, fixed, lambda, most_steps, positions, host, pulls);
+  Neighborhoods neighborhoods(elements, fixed, lambda, max_steps, positions, host, pulls);
   for (Index rings = first_rings;; rings *= 2) {
-    result.done = neighbourhoods.choose(rings) == 0;
-    if (result.done || rings > most_rings || 2 * neighbourhoods.chosen() > positions.size()) break;
-    neighbourhoods.untangle(result);
+    result.done = neighborhoods.choose(rings) == 0;
+    if (result.done || rings > max_rings || 2 * neighborhoods.chosen() > positions.size()) break;
+    neighborhoods.untangle(result);
   }
   if (result.done) result.jammed.clear();
   return result;

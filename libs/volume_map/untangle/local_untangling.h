@@ -19,12 +19,12 @@ struct LocalUntangling {
 // Moves vertices within some rings of neighbors of each group of elements that are not positive, by the method of
 // newton.h with all else fixed, and lets the distortion there fall; then those within twice as many rings round what is
 // left, at most three times, and only as long as these are less than half of all vertices. A group that is not
-// untangled stays as it was. `fixed` has an entry a coordinate, not 0 for what stays. At most `most_steps` steps, and
+// untangled stays as it was. `fixed` has an entry a coordinate, not 0 for what stays. At most `max_steps` steps, and
 // 150, are made in each neighborhood. `pulls` has what pulls each vertex besides, or nothing (foldover_energy.h). The
 // same for any number of threads. About 100 bytes an element, and 600 for those of a neighborhood. Throws Error
 // "cancelled".
 LocalUntangling untangle_locally(std::span<const Element> elements, std::span<const std::uint8_t> fixed, double lambda,
-                                 int most_steps, std::span<Vector3> positions, const base::Host& host,
+                                 int max_steps, std::span<Vector3> positions, const base::Host& host,
                                  std::span<const Pull> pulls = {});
 
 }  // namespace orbicube::volume_map

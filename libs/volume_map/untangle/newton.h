@@ -22,14 +22,14 @@ class Newton {
   void restart(std::span<const double> values);
 
   // Lets the energy fall until no element is inverted, in at most the given number of steps; eps goes from what the
-  // worst determinant requires, but at most `most_eps`, towards 0. Returns whether it got there, in floating point.
+  // worst determinant requires, but at most `max_eps`, towards 0. Returns whether it got there, in floating point.
   // Gives up where eps is next to nothing, and where everything has collapsed: above 0.4 that may be the minimum energy
   // unless the boundary is fixed. At each eps at most `patience` steps are made, until one gains little.
-  bool untangle(int most_steps, double most_eps, int patience, const NewtonLimits& limits);
+  bool untangle(int max_steps, double max_eps, int patience, const NewtonLimits& limits);
   // Lowers the energy of a map without inverted elements, and keeps it so, in at most the given number of steps, or
-  // until a step gains less than `least_gain` of the energy. Where elements are nearly flat, which would stop a
+  // until a step gains less than `min_gain` of the energy. Where elements are nearly flat, which would stop a
   // barrier, the eps with which untangle() ended goes on falling first, and the best positive map on that way is kept.
-  void polish(int most_steps, double least_gain, const NewtonLimits& limits);
+  void polish(int max_steps, double min_gain, const NewtonLimits& limits);
 
   std::span<const double> values() const { return values_; }  // of all variables
   const EnergyValue& now() const { return now_; }

@@ -15,7 +15,7 @@
 namespace orbicube::volume_map {
 namespace {
 
-void check(const TangledMesh& mesh, const UntangleOptions& options) {
+void check(const UntangleProblem& mesh, const UntangleOptions& options) {
   base::require(options.steps >= 0 && options.polish_steps >= 0, "numbers of steps must not be negative");
   base::require(options.volume_weight > 0 && std::isfinite(options.volume_weight),
                 "the weight of volumes must be positive");
@@ -42,7 +42,7 @@ void check(const TangledMesh& mesh, const UntangleOptions& options) {
 
 // The factor that gives the target shapes the volume that the map will have: that of the start, or the sum of absolute
 // volumes where the start is too inverted for its own to be useful.
-double scale_of(const TangledMesh& mesh, std::span<const Vector3> start) {
+double scale_of(const UntangleProblem& mesh, std::span<const Vector3> start) {
   double sum = 0, absolute = 0, wanted = 0;
   for (const Tetrahedron& t : mesh.tetrahedra) {
     const double volume = six_volumes(start, t);
@@ -57,7 +57,7 @@ double scale_of(const TangledMesh& mesh, std::span<const Vector3> start) {
 }
 
 // Coordinates that stay while a neighborhood moves: also those that others far away are tied to.
-Array<std::uint8_t> held_of(const TangledMesh& mesh, std::pmr::memory_resource* memory) {
+Array<std::uint8_t> held_of(const UntangleProblem& mesh, std::pmr::memory_resource* memory) {
   Array<std::uint8_t> held(3 * mesh.start.size(), 0, memory);
   std::copy(mesh.fixed.begin(), mesh.fixed.end(), held.begin());
   for (std::size_t i = 0; i < mesh.ties.size(); ++i) {
@@ -90,8 +90,8 @@ InvertedCount count_inverted(std::span<const Tetrahedron> tetrahedra, std::span<
   return result;
 }
 
-Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, const base::Host& host) {
-  constexpr double least_gain = 1e-4;
+Untangled untangle(const UntangleProblem& mesh, const UntangleOptions& options, const base::Host& host) {
+  constexpr double min_gain = 1e-4;
   check(mesh, options);
   const Variables variables(mesh.start, mesh.fixed, mesh.ties, host.memory);
   Untangled result(host.memory);
@@ -118,11 +118,11 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
   Array<double> best(newton.values().begin(), newton.values().end(), host.memory);
   std::size_t fewest = newton.now().inverted;
   bool first = true;
-  for (const auto& [most_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
+  for (const auto& [max_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
     if (newton.now().inverted == 0) break;
     if (!first) newton.restart(variables.start());
     first = false;
-    newton.untangle(options.steps, most_eps, patience, {});
+    newton.untangle(options.steps, max_eps, patience, {});
     if (newton.now().inverted < fewest) {
       fewest = newton.now().inverted;
       best.assign(newton.values().begin(), newton.values().end());
@@ -134,7 +134,7 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
   if (newton.now().inverted == 0 && (options.polish_steps > 0 || result.inverted > 0)) {
     const Array<Vector3> before(result.positions, host.memory);
     const std::size_t inverted = result.inverted;
-    newton.polish(std::max(options.polish_steps, inverted > 0 ? 5 : 0), least_gain, {.tolerance = 3e-2});
+    newton.polish(std::max(options.polish_steps, inverted > 0 ? 5 : 0), min_gain, {.tolerance = 3e-2});
     result.polish_steps = newton.steps() + local.steps - result.steps;
     certify();
     // What is positive in floating point may be flat by exact arithmetic, if only just.
@@ -146,13 +146,13 @@ Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, cons
     }
   }
   double weights = 0, sum = 0;
-  result.least_determinant = std::numeric_limits<double>::infinity();
-  result.greatest_determinant = -result.least_determinant;
+  result.min_determinant = std::numeric_limits<double>::infinity();
+  result.max_determinant = -result.min_determinant;
   for (const Element& element : elements) {
     const Eigen::Matrix3d j = element.jacobian(result.positions);
     const double d = j.determinant();
-    result.least_determinant = std::min(result.least_determinant, d);
-    result.greatest_determinant = std::max(result.greatest_determinant, d);
+    result.min_determinant = std::min(result.min_determinant, d);
+    result.max_determinant = std::max(result.max_determinant, d);
     weights += element.weight;
     const double root = std::cbrt(d);
     sum += d > 0 ? element.weight * (j.squaredNorm() / (root * root) + options.volume_weight * (1 + d * d) / d)

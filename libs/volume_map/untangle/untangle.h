@@ -10,7 +10,7 @@
 
 namespace orbicube::volume_map {
 
-struct TangledMesh {
+struct UntangleProblem {
   std::span<const Tetrahedron> tetrahedra;
   std::span<const Vector3> start;  // where vertices are
   // Where the same tetrahedra, all positive, have the shapes that they should have; only shapes count, not the size of
@@ -34,9 +34,9 @@ struct Untangled {
   Array<Vector3> positions;
   std::size_t inverted_before = 0, inverted = 0;  // tetrahedra that are not positive, by exact arithmetic
   Index first_inverted = no_index;
-  std::size_t steps = 0, polish_steps = 0;                 // taken
-  double least_determinant = 0, greatest_determinant = 0;  // of the map from the target shapes; 1 keeps volumes
-  double energy = 0;                                       // mean of |J|^2 / D^(2/3) + volume_weight (1 + D^2) / D
+  std::size_t steps = 0, polish_steps = 0;          // taken
+  double min_determinant = 0, max_determinant = 0;  // of the map from the target shapes; 1 keeps volumes
+  double energy = 0;                                // mean of |J|^2 / D^(2/3) + volume_weight (1 + D^2) / D
 };
 
 // Fixed coordinates stay to the bit and tied ones are the same bits. The best that was found where some stay inverted:
@@ -46,7 +46,7 @@ struct Untangled {
 // "inverted-cell" (a target shape), "non-manifold-face" and
 // "inconsistent-orientation" (three tetrahedra at a face, or two on one side of it), "degenerate-geometry" (all in one
 // plane, or of no finite volume), "invalid-argument" for options and for what Variables refuses, "cancelled".
-Untangled untangle(const TangledMesh& mesh, const UntangleOptions& options, const base::Host& host);
+Untangled untangle(const UntangleProblem& mesh, const UntangleOptions& options, const base::Host& host);
 
 // Throws Error "no-valid-result", with how many and the first, when some are inverted.
 void require_untangled(const Untangled& result, std::size_t tetrahedra);

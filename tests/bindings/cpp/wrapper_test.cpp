@@ -377,16 +377,16 @@ TEST_CASE("inverted tetrahedra are untangled, or the best is handed out with the
   const std::vector<std::uint32_t> cells = {0, 1, 2, 4, 0, 2, 3, 4, 0, 3, 1, 4, 1, 3, 2, 4};
   std::vector<std::uint8_t> fixed(12, 1);
   fixed.resize(15);
-  volume_map::Tangle tangle(positions, cells);
-  tangle.fixed = fixed.data();
-  const auto right = volume_map::untangle(tangle);
+  volume_map::UntangleProblem problem(positions, cells);
+  problem.fixed = fixed.data();
+  const auto right = volume_map::untangle(problem);
   CHECK(right.report.inverted_before > 0);
   CHECK(right.report.inverted == 0);
   CHECK(std::equal(positions.begin(), positions.begin() + 12, right.positions.begin()));
 
   fixed.assign(15, 1);
   volume_map::Untangled best;
-  CHECK_THROWS_AS(volume_map::untangle(tangle, {}, nullptr, &best), Error);
+  CHECK_THROWS_AS(volume_map::untangle(problem, {}, nullptr, &best), Error);
   CHECK(best.positions == positions);
   CHECK(best.report.inverted == right.report.inverted_before);
 }
@@ -402,7 +402,7 @@ TEST_CASE("a cube is filled with hexahedra, and a tetrahedral cube goes to its p
   CHECK(hexes.hexahedra.size() == 8 * 27);
   CHECK(hexes.positions.size() == 3 * 64);
   CHECK(hexes.quads.size() == 4 * 54);
-  CHECK(hexes.quad_faces.size() == 54);
+  CHECK(hexes.quad_patches.size() == 54);
   CHECK(hexes.report.volume == doctest::Approx(8));
 
   // The same with a vertex in the middle.
@@ -431,7 +431,7 @@ TEST_CASE("hexahedra follow the frames of a tetrahedral cube") {
   CHECK(hexes.positions.size() == 3 * 27);
   CHECK(hexes.quads.size() == 4 * 24);
   CHECK(report.volume == doctest::Approx(1));
-  CHECK(hexes.report.least_scaled_jacobian > 0.99);
+  CHECK(hexes.report.min_scaled_jacobian > 0.99);
   Mesh::Cells given;
   given.positions = hexes.positions.data();
   given.vertex_count = 27;
@@ -453,9 +453,9 @@ TEST_CASE("images, overlays and partial maps") {
   host.on_progress([](const Progress&) { return false; });
   CHECK(sphere_map::compute_partial(shape, {}, &host).status == OBC_CANCELLED);
   const auto distortion = sphere_map::face_distortion(shape, map.directions);
-  CHECK(*std::max_element(distortion.dilatation.begin(), distortion.dilatation.end()) ==
-        doctest::Approx(map.report.dilatation_largest));
-  CHECK(sphere_map::surface_distance(shape, shape).first_largest < 1e-12);
+  CHECK(*std::max_element(distortion.quasi_conformal.begin(), distortion.quasi_conformal.end()) ==
+        doctest::Approx(map.report.max_quasi_conformal));
+  CHECK(sphere_map::surface_distance(shape, shape).first_max < 1e-12);
 
   const sphere_map::Locator locator(shape, map.directions);
   const sphere_map::Image image(locator, shape.positions(), OBC_SPHERE_MAP_OCTAHEDRON, 16);

@@ -179,7 +179,7 @@ export const checks = {
   'a wrong option or word gets the nearest one, and those that there are'(o) {
     const said = (options) => failure(() => o.trustRegion.minimize((x) => x[0] ** 2, [1], options)).message;
     assert(said({ radiusEnde: 1 }).includes("no option radiusEnde; did you mean 'radiusEnd'? There are: method, start"));
-    same(said({ method: 'two-radi' }), "method: one of 'two-radii', 'seed' is needed, not 'two-radi'; did you mean 'two-radii'?");
+    same(said({ method: 'two-radi' }), "method: one of 'two-radii', 'dissertation' is needed, not 'two-radi'; did you mean 'two-radii'?");
     assert(said({ method: 'cross' }).startsWith("method: one of")); // a word of `start`
     same(said({ restarts: 'many' }), "restarts: a number is needed, not 'many'");
   },
@@ -292,8 +292,8 @@ export const checks = {
     const regular = locator.remesh(positions, 'icosphere', 3);
     same([regular.vertexCount, o.topology(regular).genus], [642, 0]);
     same(countTurned(o.roundToFloat(mesh, directions), mesh.triangles), 0);
-    const { dilatation } = o.faceDistortion(mesh, directions);
-    assert(dilatation.length === mesh.triangleCount && dilatation.every((x) => x >= 1));
+    const { quasiConformal } = o.faceDistortion(mesh, directions);
+    assert(quasiConformal.length === mesh.triangleCount && quasiConformal.every((x) => x >= 1));
     for (const each of [locator, regular, mesh]) each.close();
   },
 
@@ -404,7 +404,7 @@ export const checks = {
     const fixed = Array.from({ length: flat.length / 3 }, (_, v) => rest.positions[3 * v] === 0);
     const { positions, report } = o.untangle({ positions: flat, tetrahedra: rest.tetrahedra }, { rest: rest.positions, fixed });
     same([report.inverted, countInverted(positions, rest.tetrahedra)], [0, 0]);
-    assert(report.invertedBefore > 0 && report.leastDeterminant > 0);
+    assert(report.invertedBefore > 0 && report.minDeterminant > 0);
     fixed.forEach((held, v) => held && sameBits(positions.subarray(3 * v, 3 * v + 3), flat.subarray(3 * v, 3 * v + 3), 'fixed'));
     const none = failure(() => o.untangle({ positions: flat, tetrahedra: rest.tetrahedra },
       { rest: rest.positions, fixed: new Uint8Array(flat.length).fill(1), steps: 2 }));
@@ -413,13 +413,13 @@ export const checks = {
 
   'hexahedra fill a cube, each positive, with its volume'(o) {
     const cube = o.Mesh.make('cube', 300);
-    const { positions, hexahedra, quads, quadFaces, report } = o.hexahedra(cube, { cells: 64 });
-    same([quads.length / 4, report.polycubeCorners], [quadFaces.length, 8]);
-    assert(hexahedra.length % 8 === 0 && report.leastScaledJacobian > 0.5, `${report.leastScaledJacobian}`);
+    const { positions, hexahedra, quads, quadPatches, report } = o.hexahedra(cube, { cells: 64 });
+    same([quads.length / 4, report.polycubeCorners], [quadPatches.length, 8]);
+    assert(hexahedra.length % 8 === 0 && report.minScaledJacobian > 0.5, `${report.minScaledJacobian}`);
     const { volume } = o.topology(cube);
     assert(Math.abs(report.volume - volume) < 0.01 * volume, `volumes ${report.volume} and ${volume}`);
     assert(quads.every((v) => v < positions.length / 3));
-    same(o.hexahedra(cube, { cells: 64, method: 'voxels' }).report.byVoxels, 1);
+    same(o.hexahedra(cube, { cells: 64, method: 'grid' }).report.gridBased, 1);
     same(failure(() => o.hexahedra(cube, { onProgress: () => false })).kind, 'cancelled');
   },
 

@@ -8,7 +8,7 @@ async function use(): Promise<number> {
   const mesh: Mesh = Mesh.make('creature', 1000, { seed: 1 });
   const map: SphereMapResult = sphereMap(mesh, { method: 'isometric', onProgress: ({ done, total }) => done < total });
   const held = new HeapArray('float64', 3);
-  held.array[0] = map.report.dilatationMean;
+  held.array[0] = map.report.meanQuasiConformal;
   const end = trustRegion.minimize((x) => x[0] ** 2, [1], { lower: 0, radiusEnd: 1e-6 });
   projectedGradient.minimize((x, g) => { g[0] = 2 * x[0]; return x[0] ** 2; }, [1], { A: [[1]], b: [1] });
   const solver = new TrustRegion([1, 2], { residuals: 2 });

@@ -214,9 +214,9 @@ class Maps(unittest.TestCase):
         thread.join()
         self.assertGreater(counted[0], 10)
 
-    def test_the_course_of_the_method_seed(self):
+    def test_the_course_of_the_dissertations_method(self):
         told = []
-        sphere_map.compute(mesh.make("sphere", 200), method="seed", trace=lambda *what: told.append(what))
+        sphere_map.compute(mesh.make("sphere", 200), method="dissertation", trace=lambda *what: told.append(what))
         self.assertGreater(len(told), 2)
         self.assertTrue(all(energy > 0 for _, _, energy in told))
 
@@ -256,8 +256,8 @@ class Maps(unittest.TestCase):
         rounded = sphere_map.round_to_float(self.shape, self.map.directions)
         self.assertEqual(rounded.dtype, np.float32)
         self.assertEqual(sphere_map.measure(self.shape, rounded.astype(float)).flipped, 0)
-        dilatation, _ = sphere_map.face_distortion(self.shape, self.map.directions)
-        self.assertAlmostEqual(dilatation.max(), self.map.report.dilatation_largest, places=12)
+        quasi_conformal, _ = sphere_map.face_distortion(self.shape, self.map.directions)
+        self.assertAlmostEqual(quasi_conformal.max(), self.map.report.max_quasi_conformal, places=12)
 
     def test_harmonics_of_the_shape(self):
         areas = harmonics.vertex_areas(self.shape)
@@ -353,11 +353,11 @@ class Cubes(unittest.TestCase):
         # A vertex in the middle of a triangle beside it, and curved edges of the surface on edges of the polycube.
         triangle = next(t for t in better.triangles if t[0] < len(shape))
         place = better.polycube[triangle].mean(axis=0)
-        met = better.meet_features([triangle[0]], [place], sharp_angle=60)
+        met = better.align_features([triangle[0]], [place], feature_angle=60)
         np.testing.assert_allclose(met.polycube[triangle[0]], place, atol=1e-12)
         self.assertGreater(met.report.sharp, 0.5 * met.report.sharp_length)
         with self.assertRaises(orbicube.InvalidArgument):
-            better.meet_features([0], [place + 100])
+            better.align_features([0], [place + 100])
         again = polycube.certify((cube.positions, cube.triangles), cube.polycube)
         self.assertEqual(again.corner_count, cube.corner_count)
         with self.assertRaises(orbicube.NoValidResult):
@@ -382,14 +382,14 @@ class Cubes(unittest.TestCase):
         edges = np.stack([corners[:, list(three)] - corners[:, [k]] for k, three in enumerate(ends)], axis=1)
         jacobians = np.linalg.det(edges) / np.prod(np.linalg.norm(edges, axis=3), axis=2)
         self.assertGreater(jacobians.min(), 0)
-        self.assertAlmostEqual(jacobians.min(), hexes.report.least_scaled_jacobian, places=12)
+        self.assertAlmostEqual(jacobians.min(), hexes.report.min_scaled_jacobian, places=12)
         self.assertAlmostEqual(jacobians.min(axis=1).mean(), hexes.report.mean_scaled_jacobian, places=12)
         self.assertAlmostEqual(hexes.report.volume, volume, delta=within)
         whole = mesh.Mesh(hexes.positions, hexahedra=hexes.hexahedra)
         mesh.check_cells(whole)
         boundary = mesh.topology(whole.boundary())
         self.assertEqual((boundary.components, boundary.closed, boundary.genus), (1, 1, 0))
-        self.assertEqual(len(hexes.quad_faces), len(hexes.quads))
+        self.assertEqual(len(hexes.quad_patches), len(hexes.quads))
         split = np.concatenate([hexes.quads[:, [0, 1, 2]], hexes.quads[:, [0, 2, 3]]])
         self.assertAlmostEqual(mesh.topology((hexes.positions, split)).volume, volume, delta=within)
 
@@ -398,16 +398,16 @@ class Cubes(unittest.TestCase):
         volume = mesh.topology(shape).volume
         hexes = volume_map.fill_with_hexahedra(shape, cells=27, padding="without")
         self.assertEqual((len(hexes.hexahedra), len(hexes.positions), len(hexes.quads)), (27, 64, 54))
-        self.assertEqual(len(np.unique(hexes.quad_faces)), 6)
+        self.assertEqual(len(np.unique(hexes.quad_patches)), 6)
         self.check_hexes(hexes, volume)
-        smooth = volume_map.fill_with_hexahedra(shape, cells=27, padding="without", sharp_angle=0)
+        smooth = volume_map.fill_with_hexahedra(shape, cells=27, padding="without", feature_angle=0)
         self.assertEqual((hexes.report.follows_sharp_edges, smooth.report.follows_sharp_edges), (1, 0))
         padded = volume_map.fill_with_hexahedra(shape, cells=27, padding="with")
         self.assertEqual(padded.report.padded, 1)
-        self.check_hexes(padded, volume, 0.01 * volume)  # what `distance` requires
-        voxels = volume_map.fill_with_hexahedra(mesh.make("sphere", 800), method="voxels", cells=500)
-        self.assertEqual((voxels.report.by_voxels, hexes.report.by_voxels), (1, 0))
-        self.assertEqual(voxels.report.polycube_corners, 0)
+        self.check_hexes(padded, volume, 0.01 * volume)  # what `max_hausdorff_percent` requires
+        grid = volume_map.fill_with_hexahedra(mesh.make("sphere", 800), method="grid", cells=500)
+        self.assertEqual((grid.report.grid_based, hexes.report.grid_based), (1, 0))
+        self.assertEqual(grid.report.polycube_corners, 0)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "cube.vtk")
             mesh.write(path, hexes)

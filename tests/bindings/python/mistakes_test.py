@@ -113,14 +113,14 @@ CALLS = {
     "mesh.orientation_from_origin": (mesh.orientation_from_origin, {"p": V, "q": V, "r": V}),
     "polycube.Polycube.optimize_domain": (MAP.optimize_domain, {}),
     "polycube.Polycube.optimize_corners": (MAP.optimize_corners, {"rounds": 1}),
-    "polycube.Polycube.meet_features": (MAP.meet_features, {
-        "vertices": [0], "places": MAP.polycube[:1], "weights": [1.0], "curves": []}),
+    "polycube.Polycube.align_features": (MAP.align_features, {
+        "vertices": [0], "targets": MAP.polycube[:1], "weights": [1.0], "curves": []}),
     "polycube.Polycube.graph": (MAP.graph, {}),
     "polycube.Polycube.quads": (MAP.quads, {"quads": 50}),
     "polycube.Graph": (polycube.Graph, {"map": MAP}),
     "polycube.compute": (polycube.compute, {"surface": SURFACE}),
     "polycube.certify": (polycube.certify, {"surface": (MAP.positions, MAP.triangles), "polycube": MAP.polycube}),
-    "polycube.compute_on": (polycube.compute_on, {"surface": SURFACE, "polycube": (MAP.polycube, MAP.triangles)}),
+    "polycube.map_to_domain": (polycube.map_to_domain, {"surface": SURFACE, "polycube": (MAP.polycube, MAP.triangles)}),
     "polycube.compute_common": (polycube.compute_common, {"surfaces": [SURFACE, SURFACE], "domain": {"area_weight": 1.0}}),
     "polycube.optimize_common_domain": (polycube.optimize_common_domain, {"maps": [MAP]}),
     "projected_gradient.minimize": (projected_gradient.minimize, {
@@ -164,10 +164,10 @@ CALLS = {
     "sphere_optimizer.Solver.load": (sphere_optimizer.Solver.load, {"blob": sphere_optimizer.Solver(ROWS).save()}),
     "sphere_optimizer.Solver.run": (lambda: sphere_optimizer.Solver(ROWS).run, {
         "f": lambda x: (x[:, 2].sum(), np.tile([0, 0, 1.0], (2, 1)))}),
-    "sphere_optimizer.relax": (sphere_optimizer.relax, {"f": height, "x0": ROWS, "neighbours": [[1], [0]]}),
-    "sphere_optimizer.Relaxation": (sphere_optimizer.Relaxation, {"x0": ROWS, "neighbours": [[1], [0]]}),
+    "sphere_optimizer.relax": (sphere_optimizer.relax, {"f": height, "x0": ROWS, "neighbors": [[1], [0]]}),
+    "sphere_optimizer.Relaxation": (sphere_optimizer.Relaxation, {"x0": ROWS, "neighbors": [[1], [0]]}),
     "sphere_optimizer.Relaxation.load": (sphere_optimizer.Relaxation.load, {
-        "blob": sphere_optimizer.Relaxation(ROWS, [[1], [0]]).save(), "x0": ROWS, "neighbours": [[1], [0]]}),
+        "blob": sphere_optimizer.Relaxation(ROWS, [[1], [0]]).save(), "x0": ROWS, "neighbors": [[1], [0]]}),
     "sphere_optimizer.Relaxation.run": (lambda: sphere_optimizer.Relaxation(ROWS, [[1], [0]]).run, {"f": height, "steps": 3}),
     "trust_region.minimize": (trust_region.minimize, {"f": lambda x: float(x @ x), "x0": [1.0, 2.0], "lower": [-1, -1],
                                                       "upper": [4, 4], "scale": [1, 2]}),
@@ -257,7 +257,7 @@ BY_NAME = {
     [[math.nan, 1]], ([0, 3], [0, 1], [1.0, 1.0]), ([0, 1], [7], [1.0])], "held_frames": [3, ([0],), ([99], [Q]), ([0], [V]), ([0.5], [Q])],
     "held_axes": [3, ([0],), ([99], [V]), ([0], [Q]), ([0], [V], ["much"])], "surfaces": [[], [None], [SURFACE, 3]],
     "maps": [[], [None], [SURFACE]], "domain": [{"measur": "harmonic"}, {"area_weight": "much"}, {"measure": "mean"}],
-    "morph_targets": [{"a": "text"}, {"a": V}, {3: DIRECTIONS}], "neighbours": [[[1]], [[1], [2]], [[1], [0.5]], [[1], None]],
+    "morph_targets": [{"a": "text"}, {"a": V}, {3: DIRECTIONS}], "neighbors": [[[1]], [[1], [2]], [[1], [0.5]], [[1], None]],
     "curves": [[3], [([0, 1], V)], [([0, 99999], V, V)], [([0, 1], V, "there")]], "map": [SURFACE, 3],
 }
 INTEGERS = {"edges", "colors", "rows", "ties", "vertices", "corners", "triangles", "tetrahedra", "hexahedra"}

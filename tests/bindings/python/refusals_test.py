@@ -138,7 +138,7 @@ class Arrays(unittest.TestCase):
             with self.assertRaises((ValueError, TypeError)):
                 mesh.Mesh(TRIANGLE, corners)
 
-    def test_colours_that_are_no_bytes_are_refused(self):
+    def test_colors_that_are_no_bytes_are_refused(self):
         shape = mesh.make("sphere", 100)
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.glb")
@@ -181,7 +181,7 @@ class Answers(unittest.TestCase):
             raise ZeroDivisionError
 
         with self.assertRaises(ZeroDivisionError):
-            sphere_map.compute(mesh.make("creature", 2000), method="seed", trace=trace)
+            sphere_map.compute(mesh.make("creature", 2000), method="dissertation", trace=trace)
         self.assertEqual(len(told), 1)
 
     def test_numbers_that_do_not_fit_are_refused(self):

@@ -320,7 +320,7 @@ class Behaviour(unittest.TestCase):
     def test_wrong_arguments_are_refused(self):
         with self.assertRaisesRegex(TypeError, "no argument 'radius'; did you mean 'radius_end'.*There are: f, x0, .*max_evaluations"):
             trust_region.minimize(misfit, [0], radius=1)
-        with self.assertRaisesRegex(ValueError, "method='two-radius': one of 'two-radii', 'seed' is needed; did you mean 'two-radii'"):
+        with self.assertRaisesRegex(ValueError, "method='two-radius': one of 'two-radii', 'dissertation' is needed; did you mean 'two-radii'"):
             trust_region.minimize(misfit, [0], method="two-radius")
         with self.assertRaisesRegex(ValueError, r"x0\[0\] is nan"):
             trust_region.Solver([math.nan])

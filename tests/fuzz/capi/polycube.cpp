@@ -84,18 +84,18 @@ void look_at(const obc_polycube* map, Input& in, Host& host) {
   obc_polycube_feature_options_init(&features, sizeof features);
   features.point_count = points;
   features.points = vertices.data();
-  features.places = places.data();
+  features.targets = places.data();
   if (in.one_in(2)) features.point_weights = point_weights.data();
   features.curve_count = curves;
   features.curve_starts = starts.data();
   features.curve_vertices = along.data();
   features.curve_lines = lines.data();
   if (in.one_in(2)) features.curve_weights = curve_weights.data();
-  if (in.one_in(3)) features.sharp_angle = in.number();
+  if (in.one_in(3)) features.feature_angle = in.number();
   obc_polycube_feature_report report;
   report.struct_size = sizeof report;
   if (in.one_in(2) &&
-      ok([&](obc_error* e) { return obc_polycube_meet_features(map, &features, host.c(), &report, &again, e); }))
+      ok([&](obc_error* e) { return obc_polycube_align_features(map, &features, host.c(), &report, &again, e); }))
     obc_polycube_destroy(again);
 
   obc_polycube_graph* graph = nullptr;
@@ -178,11 +178,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::size_t count = in.below(4);
   const auto corners = in.indices(count, 8), vertices = in.indices(count, shape.vertex_count());
   const auto points = in.numbers(3 * count);
-  const obc_polycube_places where = {corners.data(), in.one_in(2) ? vertices.data() : nullptr,
-                                     in.one_in(3) ? nullptr : points.data(), count};
+  const obc_polycube_constraints where = {corners.data(), in.one_in(2) ? vertices.data() : nullptr,
+                                          in.one_in(3) ? nullptr : points.data(), count};
   const obc_surface on = {places.data(), places.size() / 3, cube.cells.data(), cube.cell_count()};
   if (in.one_in(4) && ok([&](obc_error* e) {
-        return obc_polycube_compute_on(&given, &on, in.one_in(2) ? &where : nullptr, host.c(), &map, e);
+        return obc_polycube_map_to_domain(&given, &on, in.one_in(2) ? &where : nullptr, host.c(), &map, e);
       })) {
     look_at(map, in, host);
     obc_polycube_destroy(map);
@@ -190,12 +190,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (in.one_in(10)) {
     const obc_surface two[] = {given, on};
     obc_polycube* out[2];
-    std::size_t made_for = 9;
+    std::size_t constructed_from = 9;
     const std::size_t shapes = in.below(3);
     if (ok([&](obc_error* e) {
-          return obc_polycube_compute_common(two, shapes, &options, nullptr, host.c(), &made_for, out, e);
+          return obc_polycube_compute_common(two, shapes, &options, nullptr, host.c(), &constructed_from, out, e);
         })) {
-      require(made_for < shapes, "made for no shape");
+      require(constructed_from < shapes, "made for no shape");
       for (std::size_t i = 0; i < shapes; ++i)
         obc_polycube_destroy(out[i]);
     }

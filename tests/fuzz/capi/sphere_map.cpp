@@ -35,9 +35,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(placed <= n, "more vertices have places than there are");
   }
   ok([&](obc_error* e) { return obc_sphere_map_measure(&given, directions.data(), &options, host.c(), &report, e); });
-  std::vector<double> dilatation(shape.cell_count()), ratio(shape.cell_count()), normals(3 * n);
+  std::vector<double> quasi_conformal(shape.cell_count()), ratio(shape.cell_count()), normals(3 * n);
   ok([&](obc_error* e) {
-    return obc_sphere_map_face_distortion(&given, directions.data(), host.c(), dilatation.data(), ratio.data(), e);
+    return obc_sphere_map_face_distortion(&given, directions.data(), host.c(), quasi_conformal.data(), ratio.data(), e);
   });
   std::vector<float> rounded(3 * n);
   ok([&](obc_error* e) {

@@ -96,14 +96,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::vector<std::size_t> starts = {0};
   for (std::size_t i = 0; i < count; ++i)
     starts.push_back(starts.back() + in.below(4));
-  const auto neighbours = in.indices(starts.back(), count);
+  const auto neighbors = in.indices(starts.back(), count);
   if (count > 1 && in.one_in(10)) starts[1] = starts[2] + in.byte();
   obc_sphere_optimizer_blocks blocks;
   obc_sphere_optimizer_blocks_init(&blocks, sizeof blocks);
   blocks.dimension = static_cast<std::uint32_t>(dimension);
   blocks.count = count;
-  blocks.neighbour_start = starts.data();
-  blocks.neighbour = neighbours.data();
+  blocks.neighbor_start = starts.data();
+  blocks.neighbor = neighbors.data();
   obc_sphere_optimizer_relaxation_options relaxing;
   obc_sphere_optimizer_relaxation_options_init(&relaxing, sizeof relaxing);
   relaxing.max_passes = in.below(20);

@@ -63,10 +63,10 @@ void fill_with_hexahedra(Input& in, Host& host) {
   options.triangles = in.one_in(3) ? in.byte() : 0;
   options.seed = in.byte();
   options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(5));
-  options.distance = in.one_in(20) ? -1 : static_cast<double>(in.below(20));
-  options.most_cells = in.one_in(20) ? in.bits() : in.below(200);
-  if (options.distance > 0 && options.most_cells > 1000 && options.most_cells <= 10'000'000) return;
-  options.sharp_angle = in.one_in(20) ? -1 : static_cast<double>(in.below(180));
+  options.max_hausdorff_percent = in.one_in(20) ? -1 : static_cast<double>(in.below(20));
+  options.max_cells = in.one_in(20) ? in.bits() : in.below(200);
+  if (options.max_hausdorff_percent > 0 && options.max_cells > 1000 && options.max_cells <= 10'000'000) return;
+  options.feature_angle = in.one_in(20) ? -1 : static_cast<double>(in.below(180));
   obc_volume_map_hexes_report report;
   report.struct_size = sizeof report;
   obc_volume_map_hexes* hexes = nullptr;
@@ -84,7 +84,7 @@ void fill_with_hexahedra(Input& in, Host& host) {
   require_finite(positions, "a vertex of hexahedra that is not finite");
   require_below(hexahedra, n, "a hexahedron with a vertex that does not exist");
   require_below(quads, n, "a quad with a vertex that does not exist");
-  require(m > 0 && q > 0 && report.least_scaled_jacobian > 0 && report.mean_scaled_jacobian <= 1 && report.volume > 0,
+  require(m > 0 && q > 0 && report.min_scaled_jacobian > 0 && report.mean_scaled_jacobian <= 1 && report.volume > 0,
           "certified hexahedra with figures that are none");
 }
 
@@ -100,8 +100,8 @@ void fill_along_frames(Input& in, Host& host) {
   if (options.cells > 1000 && options.cells <= 10'000'000) return;  // must end
   options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(4));
   if (in.one_in(3)) options.feature_angle = in.number();
-  if (in.one_in(3)) options.distance = in.number();
-  options.most_cells = in.below(200);
+  if (in.one_in(3)) options.max_hausdorff_percent = in.number();
+  options.max_cells = in.below(200);
   obc_volume_map_frame_report report;
   report.struct_size = sizeof report;
   obc_volume_map_hexes* hexes = nullptr;
@@ -121,7 +121,7 @@ void fill_along_frames(Input& in, Host& host) {
   obc_volume_map_hexes_destroy(hexes);
   require_finite(positions, "a vertex of hexahedra that is not finite");
   require_below(hexahedra, n, "a hexahedron with a vertex that does not exist");
-  require(m > 0 && report.least_scaled_jacobian > 0 && report.volume > 0,
+  require(m > 0 && report.min_scaled_jacobian > 0 && report.volume > 0,
           "certified hexahedra with figures that are none");
 }
 
@@ -146,21 +146,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::vector<double> rest = mesh.positions;
   for (std::size_t i = in.below(6); i > 0 && !mesh.positions.empty(); --i)
     mesh.positions[in.bits() % mesh.positions.size()] += 2 * in.moderate();
-  obc_volume_map_tangle tangle;
-  obc_volume_map_tangle_init(&tangle, sizeof tangle);
-  tangle.positions = mesh.positions.data();
-  tangle.vertex_count = mesh.vertex_count();
-  tangle.tetrahedra = mesh.cells.data();
-  tangle.tetrahedron_count = mesh.cell_count();
+  obc_volume_map_untangle_problem problem;
+  obc_volume_map_untangle_problem_init(&problem, sizeof problem);
+  problem.positions = mesh.positions.data();
+  problem.vertex_count = mesh.vertex_count();
+  problem.tetrahedra = mesh.cells.data();
+  problem.tetrahedron_count = mesh.cell_count();
   std::vector<std::uint8_t> fixed(mesh.positions.size());
   for (std::uint8_t& flag : fixed)
     flag = in.one_in(4);
   std::vector<std::uint32_t> ties(mesh.positions.size(), UINT32_MAX);
   for (std::size_t i = in.below(6); i > 0; --i)
     ties[in.bits() % ties.size()] = in.index(ties.size());
-  if (in.one_in(2)) tangle.rest = rest.data();
-  if (in.one_in(2)) tangle.fixed = fixed.data();
-  if (in.one_in(3)) tangle.ties = ties.data();
+  if (in.one_in(2)) problem.rest = rest.data();
+  if (in.one_in(2)) problem.fixed = fixed.data();
+  if (in.one_in(3)) problem.ties = ties.data();
   obc_volume_map_untangle_options options;
   obc_volume_map_untangle_options_init(&options, sizeof options);
   options.steps = in.one_in(20) ? static_cast<std::int32_t>(in.bits()) % 100 : static_cast<std::int32_t>(in.below(40));
@@ -170,16 +170,16 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   obc_volume_map_untangle_report_init(&report, sizeof report);
   std::vector<double> result(mesh.positions.size());
   if (!ok([&](obc_error* e) {
-        return obc_volume_map_untangle(&tangle, &options, host.c(), result.data(), &report, e);
+        return obc_volume_map_untangle(&problem, &options, host.c(), result.data(), &report, e);
       }))
     return 0;
   require_finite(result, "a position that is not finite");
   require(report.inverted == 0 && report.first_inverted == UINT32_MAX, "a certified mesh with an inverted tetrahedron");
-  require(report.least_determinant > -1e-9, "a certified mesh with a determinant that is not positive");  // rounded
-  for (std::size_t i = 0; tangle.fixed != nullptr && i < result.size(); ++i)
+  require(report.min_determinant > -1e-9, "a certified mesh with a determinant that is not positive");  // rounded
+  for (std::size_t i = 0; problem.fixed != nullptr && i < result.size(); ++i)
     require(fixed[i] == 0 || std::memcmp(&result[i], &mesh.positions[i], sizeof result[i]) == 0,
             "a fixed coordinate moved");
-  for (std::size_t i = 0; tangle.ties != nullptr && i < result.size(); ++i) {
+  for (std::size_t i = 0; problem.ties != nullptr && i < result.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j)
       require(ties[i] == UINT32_MAX || ties[i] != ties[j] || result[i] == result[j], "tied coordinates differ");
   }

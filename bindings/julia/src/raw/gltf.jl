@@ -92,8 +92,8 @@ obc_gltf_write_surface(path, positions, vertex_count, triangles, triangle_count,
     ccall(symbol(address_obc_gltf_write_surface, :gltf, :obc_gltf_write_surface), Int32, (Cstring, Ptr{Float32}, Csize_t, Ptr{UInt32}, Csize_t, Ptr{obc_host}, Ptr{obc_error}), path, positions, vertex_count, triangles, triangle_count, host, error)
 
 const address_obc_gltf_delta = Ref(C_NULL)
-obc_gltf_delta(base, wanted) =
-    ccall(symbol(address_obc_gltf_delta, :gltf, :obc_gltf_delta), Float32, (Float32, Float32), base, wanted)
+obc_gltf_delta(base, target) =
+    ccall(symbol(address_obc_gltf_delta, :gltf, :obc_gltf_delta), Float32, (Float32, Float32), base, target)
 
 const address_obc_gltf_reconstructed = Ref(C_NULL)
 obc_gltf_reconstructed(base, delta) =

@@ -36,17 +36,17 @@ mutable struct obc_mesh_tetrahedron_quality_report <: CStruct
     flat::UInt64
     inverted::UInt64
     volume::Float64
-    smallest_volume::Float64
-    largest_volume::Float64
-    smallest_dihedral::Float64
-    largest_dihedral::Float64
-    mean_smallest_dihedral::Float64
-    smallest_radius_ratio::Float64
+    min_volume::Float64
+    max_volume::Float64
+    min_dihedral::Float64
+    max_dihedral::Float64
+    mean_min_dihedral::Float64
+    min_radius_ratio::Float64
     mean_radius_ratio::Float64
-    largest_radius_edge::Float64
+    max_radius_edge::Float64
     mean_radius_edge::Float64
-    shortest_edge::Float64
-    longest_edge::Float64
+    min_edge_length::Float64
+    max_edge_length::Float64
     dihedral_histogram::NTuple{18, UInt64}
     radius_ratio_histogram::NTuple{20, UInt64}
     obc_mesh_tetrahedron_quality_report() = zeroed!(new())

@@ -81,14 +81,14 @@ mutable struct obc_polycube_feature_options <: CStruct
     struct_size::UInt32
     point_count::Csize_t
     points::Ptr{UInt32}
-    places::Ptr{Float64}
+    targets::Ptr{Float64}
     point_weights::Ptr{Float64}
     curve_count::Csize_t
     curve_starts::Ptr{UInt32}
     curve_vertices::Ptr{UInt32}
     curve_lines::Ptr{Float64}
     curve_weights::Ptr{Float64}
-    sharp_angle::Float64
+    feature_angle::Float64
     obc_polycube_feature_options() = zeroed!(new())
 end
 
@@ -106,7 +106,7 @@ mutable struct obc_polycube_feature_report <: CStruct
     obc_polycube_feature_report() = zeroed!(new())
 end
 
-struct obc_polycube_places
+struct obc_polycube_constraints
     corners::Ptr{UInt32}
     vertices::Ptr{UInt32}
     points::Ptr{Float64}
@@ -152,9 +152,9 @@ const address_obc_polycube_feature_options_init = Ref(C_NULL)
 obc_polycube_feature_options_init(options, struct_size) =
     ccall(symbol(address_obc_polycube_feature_options_init, :polycube, :obc_polycube_feature_options_init), Int32, (Ptr{obc_polycube_feature_options}, Csize_t), options, struct_size)
 
-const address_obc_polycube_meet_features = Ref(C_NULL)
-obc_polycube_meet_features(map, options, host, report, out, error) =
-    ccall(symbol(address_obc_polycube_meet_features, :polycube, :obc_polycube_meet_features), Int32, (Ptr{Cvoid}, Ptr{obc_polycube_feature_options}, Ptr{obc_host}, Ptr{obc_polycube_feature_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), map, options, host, report, out, error)
+const address_obc_polycube_align_features = Ref(C_NULL)
+obc_polycube_align_features(map, options, host, report, out, error) =
+    ccall(symbol(address_obc_polycube_align_features, :polycube, :obc_polycube_align_features), Int32, (Ptr{Cvoid}, Ptr{obc_polycube_feature_options}, Ptr{obc_host}, Ptr{obc_polycube_feature_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), map, options, host, report, out, error)
 
 const address_obc_polycube_energy_count = Ref(C_NULL)
 obc_polycube_energy_count(map) =
@@ -200,13 +200,13 @@ const address_obc_polycube_copy_sources = Ref(C_NULL)
 obc_polycube_copy_sources(map, corners, weights, error) =
     ccall(symbol(address_obc_polycube_copy_sources, :polycube, :obc_polycube_copy_sources), Int32, (Ptr{Cvoid}, Ptr{UInt32}, Ptr{Float64}, Ptr{obc_error}), map, corners, weights, error)
 
-const address_obc_polycube_compute_on = Ref(C_NULL)
-obc_polycube_compute_on(surface, polycube, places, host, out, error) =
-    ccall(symbol(address_obc_polycube_compute_on, :polycube, :obc_polycube_compute_on), Int32, (Ptr{obc_surface}, Ptr{obc_surface}, Ptr{obc_polycube_places}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surface, polycube, places, host, out, error)
+const address_obc_polycube_map_to_domain = Ref(C_NULL)
+obc_polycube_map_to_domain(surface, polycube, constraints, host, out, error) =
+    ccall(symbol(address_obc_polycube_map_to_domain, :polycube, :obc_polycube_map_to_domain), Int32, (Ptr{obc_surface}, Ptr{obc_surface}, Ptr{obc_polycube_constraints}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surface, polycube, constraints, host, out, error)
 
 const address_obc_polycube_compute_common = Ref(C_NULL)
-obc_polycube_compute_common(surfaces, count, options, domain, host, made_for, out, error) =
-    ccall(symbol(address_obc_polycube_compute_common, :polycube, :obc_polycube_compute_common), Int32, (Ptr{obc_surface}, Csize_t, Ptr{obc_polycube_options}, Ptr{obc_polycube_domain_options}, Ptr{obc_host}, Ptr{Csize_t}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surfaces, count, options, domain, host, made_for, out, error)
+obc_polycube_compute_common(surfaces, count, options, domain, host, constructed_from, out, error) =
+    ccall(symbol(address_obc_polycube_compute_common, :polycube, :obc_polycube_compute_common), Int32, (Ptr{obc_surface}, Csize_t, Ptr{obc_polycube_options}, Ptr{obc_polycube_domain_options}, Ptr{obc_host}, Ptr{Csize_t}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surfaces, count, options, domain, host, constructed_from, out, error)
 
 const address_obc_polycube_optimize_common_domain = Ref(C_NULL)
 obc_polycube_optimize_common_domain(maps, count, options, host, out, error) =
@@ -257,8 +257,8 @@ obc_polycube_graph_copy_loops(graph, starts, darts, error) =
     ccall(symbol(address_obc_polycube_graph_copy_loops, :polycube, :obc_polycube_graph_copy_loops), Int32, (Ptr{Cvoid}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), graph, starts, darts, error)
 
 const address_obc_polycube_graph_copy_dual = Ref(C_NULL)
-obc_polycube_graph_copy_dual(graph, starts, neighbours, error) =
-    ccall(symbol(address_obc_polycube_graph_copy_dual, :polycube, :obc_polycube_graph_copy_dual), Int32, (Ptr{Cvoid}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), graph, starts, neighbours, error)
+obc_polycube_graph_copy_dual(graph, starts, neighbors, error) =
+    ccall(symbol(address_obc_polycube_graph_copy_dual, :polycube, :obc_polycube_graph_copy_dual), Int32, (Ptr{Cvoid}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), graph, starts, neighbors, error)
 
 const address_obc_polycube_quads_options_init = Ref(C_NULL)
 obc_polycube_quads_options_init(options, struct_size) =

@@ -1,9 +1,9 @@
 # What <orbicube/projected_gradient.h> declares. Written by scripts/bindings.py; not to be edited.
 
 const OBC_PROJECTED_GRADIENT_FACE = Int32(0)
-const OBC_PROJECTED_GRADIENT_SEED = Int32(1)
+const OBC_PROJECTED_GRADIENT_DISSERTATION = Int32(1)
 
-const OBC_PROJECTED_GRADIENT_LARGEST_OF_LAST = Int32(0)
+const OBC_PROJECTED_GRADIENT_MAX_OF_LAST = Int32(0)
 const OBC_PROJECTED_GRADIENT_AVERAGE = Int32(1)
 
 const OBC_PROJECTED_GRADIENT_NEED_FG = Int32(1)

@@ -5,7 +5,7 @@ const OBC_SPHERE_MAP_ANGLE_AREA = Int32(1)
 const OBC_SPHERE_MAP_ISOMETRIC = Int32(2)
 const OBC_SPHERE_MAP_STRETCH = Int32(3)
 const OBC_SPHERE_MAP_CONFORMAL = Int32(4)
-const OBC_SPHERE_MAP_SEED = Int32(5)
+const OBC_SPHERE_MAP_DISSERTATION = Int32(5)
 
 const OBC_SPHERE_MAP_ICOSPHERE = Int32(0)
 const OBC_SPHERE_MAP_CUBE = Int32(1)
@@ -35,10 +35,10 @@ mutable struct obc_sphere_map_report <: CStruct
     energy_angle::Float64
     energy_area::Float64
     energy::Float64
-    dilatation_largest::Float64
-    dilatation_mean::Float64
-    area_ratio_smallest::Float64
-    area_ratio_largest::Float64
+    max_quasi_conformal::Float64
+    mean_quasi_conformal::Float64
+    min_area_ratio::Float64
+    max_area_ratio::Float64
     stretch_efficiency::Float64
     isometric_mean::Float64
     obc_sphere_map_report() = zeroed!(new())
@@ -49,10 +49,10 @@ mutable struct obc_sphere_map_distance <: CStruct
     reserved::UInt32
     first_mean::Float64
     first_root_mean_square::Float64
-    first_largest::Float64
+    first_max::Float64
     second_mean::Float64
     second_root_mean_square::Float64
-    second_largest::Float64
+    second_max::Float64
     obc_sphere_map_distance() = zeroed!(new())
 end
 
@@ -77,8 +77,8 @@ obc_sphere_map_measure(surface, directions, options, host, report, error) =
     ccall(symbol(address_obc_sphere_map_measure, :sphere_map, :obc_sphere_map_measure), Int32, (Ptr{obc_surface}, Ptr{Float64}, Ptr{obc_sphere_map_options}, Ptr{obc_host}, Ptr{obc_sphere_map_report}, Ptr{obc_error}), surface, directions, options, host, report, error)
 
 const address_obc_sphere_map_face_distortion = Ref(C_NULL)
-obc_sphere_map_face_distortion(surface, directions, host, dilatation, area_ratio, error) =
-    ccall(symbol(address_obc_sphere_map_face_distortion, :sphere_map, :obc_sphere_map_face_distortion), Int32, (Ptr{obc_surface}, Ptr{Float64}, Ptr{obc_host}, Ptr{Float64}, Ptr{Float64}, Ptr{obc_error}), surface, directions, host, dilatation, area_ratio, error)
+obc_sphere_map_face_distortion(surface, directions, host, quasi_conformal, area_ratio, error) =
+    ccall(symbol(address_obc_sphere_map_face_distortion, :sphere_map, :obc_sphere_map_face_distortion), Int32, (Ptr{obc_surface}, Ptr{Float64}, Ptr{obc_host}, Ptr{Float64}, Ptr{Float64}, Ptr{obc_error}), surface, directions, host, quasi_conformal, area_ratio, error)
 
 const address_obc_sphere_map_round_to_float = Ref(C_NULL)
 obc_sphere_map_round_to_float(surface, directions, host, rounded, error) =

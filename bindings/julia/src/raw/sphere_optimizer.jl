@@ -3,7 +3,7 @@
 const OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY = Int32(0)
 const OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN = Int32(1)
 const OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE = Int32(2)
-const OBC_SPHERE_OPTIMIZER_SEED = Int32(3)
+const OBC_SPHERE_OPTIMIZER_DISSERTATION = Int32(3)
 
 const OBC_SPHERE_OPTIMIZER_NEED_FG = Int32(1)
 const OBC_SPHERE_OPTIMIZER_ITERATION = Int32(2)
@@ -53,8 +53,8 @@ mutable struct obc_sphere_optimizer_blocks <: CStruct
     struct_size::UInt32
     dimension::UInt32
     count::Csize_t
-    neighbour_start::Ptr{Csize_t}
-    neighbour::Ptr{UInt32}
+    neighbor_start::Ptr{Csize_t}
+    neighbor::Ptr{UInt32}
     obc_sphere_optimizer_blocks() = zeroed!(new())
 end
 

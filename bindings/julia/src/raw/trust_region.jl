@@ -1,7 +1,7 @@
 # What <orbicube/trust_region.h> declares. Written by scripts/bindings.py; not to be edited.
 
 const OBC_TRUST_REGION_TWO_RADII = Int32(0)
-const OBC_TRUST_REGION_SEED = Int32(1)
+const OBC_TRUST_REGION_DISSERTATION = Int32(1)
 
 const OBC_TRUST_REGION_AUTOMATIC = Int32(0)
 const OBC_TRUST_REGION_CHAIN = Int32(1)

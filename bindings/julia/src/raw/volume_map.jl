@@ -6,9 +6,9 @@ const OBC_VOLUME_MAP_PADDING_WITHOUT = Int32(2)
 
 const OBC_VOLUME_MAP_METHOD_AUTO = Int32(0)
 const OBC_VOLUME_MAP_METHOD_POLYCUBE = Int32(1)
-const OBC_VOLUME_MAP_METHOD_VOXELS = Int32(2)
+const OBC_VOLUME_MAP_METHOD_GRID = Int32(2)
 
-mutable struct obc_volume_map_tangle <: CStruct
+mutable struct obc_volume_map_untangle_problem <: CStruct
     struct_size::UInt32
     reserved::Int32
     positions::Ptr{Float64}
@@ -18,7 +18,7 @@ mutable struct obc_volume_map_tangle <: CStruct
     rest::Ptr{Float64}
     fixed::Ptr{UInt8}
     ties::Ptr{UInt32}
-    obc_volume_map_tangle() = zeroed!(new())
+    obc_volume_map_untangle_problem() = zeroed!(new())
 end
 
 mutable struct obc_volume_map_untangle_options <: CStruct
@@ -37,8 +37,8 @@ mutable struct obc_volume_map_untangle_report <: CStruct
     inverted::UInt64
     steps::UInt64
     polish_steps::UInt64
-    least_determinant::Float64
-    greatest_determinant::Float64
+    min_determinant::Float64
+    max_determinant::Float64
     energy::Float64
     obc_volume_map_untangle_report() = zeroed!(new())
 end
@@ -60,24 +60,24 @@ mutable struct obc_volume_map_hexes_options <: CStruct
     seed::UInt64
     rounds::Int32
     method::Int32
-    distance::Float64
-    most_cells::Csize_t
-    sharp_angle::Float64
+    max_hausdorff_percent::Float64
+    max_cells::Csize_t
+    feature_angle::Float64
     obc_volume_map_hexes_options() = zeroed!(new())
 end
 
 mutable struct obc_volume_map_hexes_report <: CStruct
     struct_size::UInt32
     padded::Int32
-    least_scaled_jacobian::Float64
+    min_scaled_jacobian::Float64
     mean_scaled_jacobian::Float64
     volume::Float64
     polycube_corners::Csize_t
     off_surface::Csize_t
-    distance::Float64
-    volume_error::Float64
+    hausdorff_percent::Float64
+    volume_error_percent::Float64
     follows_sharp_edges::Int32
-    by_voxels::Int32
+    grid_based::Int32
     obc_volume_map_hexes_report() = zeroed!(new())
 end
 
@@ -86,15 +86,15 @@ mutable struct obc_volume_map_frame_options <: CStruct
     rounds::Int32
     cells::Csize_t
     feature_angle::Float64
-    distance::Float64
-    most_cells::Csize_t
+    max_hausdorff_percent::Float64
+    max_cells::Csize_t
     obc_volume_map_frame_options() = zeroed!(new())
 end
 
 mutable struct obc_volume_map_frame_report <: CStruct
     struct_size::UInt32
     integers_optimal::Int32
-    least_scaled_jacobian::Float64
+    min_scaled_jacobian::Float64
     mean_scaled_jacobian::Float64
     volume::Float64
     off_surface::Csize_t
@@ -104,14 +104,14 @@ mutable struct obc_volume_map_frame_report <: CStruct
     tetrahedra::Csize_t
     inverted_at_start::Csize_t
     steps::Csize_t
-    distance::Float64
-    volume_error::Float64
+    hausdorff_percent::Float64
+    volume_error_percent::Float64
     obc_volume_map_frame_report() = zeroed!(new())
 end
 
-const address_obc_volume_map_tangle_init = Ref(C_NULL)
-obc_volume_map_tangle_init(tangle, struct_size) =
-    ccall(symbol(address_obc_volume_map_tangle_init, :volume_map, :obc_volume_map_tangle_init), Int32, (Ptr{obc_volume_map_tangle}, Csize_t), tangle, struct_size)
+const address_obc_volume_map_untangle_problem_init = Ref(C_NULL)
+obc_volume_map_untangle_problem_init(problem, struct_size) =
+    ccall(symbol(address_obc_volume_map_untangle_problem_init, :volume_map, :obc_volume_map_untangle_problem_init), Int32, (Ptr{obc_volume_map_untangle_problem}, Csize_t), problem, struct_size)
 
 const address_obc_volume_map_untangle_options_init = Ref(C_NULL)
 obc_volume_map_untangle_options_init(options, struct_size) =
@@ -122,8 +122,8 @@ obc_volume_map_untangle_report_init(report, struct_size) =
     ccall(symbol(address_obc_volume_map_untangle_report_init, :volume_map, :obc_volume_map_untangle_report_init), Int32, (Ptr{obc_volume_map_untangle_report}, Csize_t), report, struct_size)
 
 const address_obc_volume_map_untangle = Ref(C_NULL)
-obc_volume_map_untangle(tangle, options, host, result, report, error) =
-    ccall(symbol(address_obc_volume_map_untangle, :volume_map, :obc_volume_map_untangle), Int32, (Ptr{obc_volume_map_tangle}, Ptr{obc_volume_map_untangle_options}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_volume_map_untangle_report}, Ptr{obc_error}), tangle, options, host, result, report, error)
+obc_volume_map_untangle(problem, options, host, result, report, error) =
+    ccall(symbol(address_obc_volume_map_untangle, :volume_map, :obc_volume_map_untangle), Int32, (Ptr{obc_volume_map_untangle_problem}, Ptr{obc_volume_map_untangle_options}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_volume_map_untangle_report}, Ptr{obc_error}), problem, options, host, result, report, error)
 
 const address_obc_volume_map_solid_options_init = Ref(C_NULL)
 obc_volume_map_solid_options_init(options, struct_size) =
@@ -174,8 +174,8 @@ obc_volume_map_hexes_quad_count(hexes) =
     ccall(symbol(address_obc_volume_map_hexes_quad_count, :volume_map, :obc_volume_map_hexes_quad_count), Csize_t, (Ptr{Cvoid},), hexes)
 
 const address_obc_volume_map_hexes_copy = Ref(C_NULL)
-obc_volume_map_hexes_copy(hexes, positions, hexahedra, quads, quad_faces, error) =
-    ccall(symbol(address_obc_volume_map_hexes_copy, :volume_map, :obc_volume_map_hexes_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), hexes, positions, hexahedra, quads, quad_faces, error)
+obc_volume_map_hexes_copy(hexes, positions, hexahedra, quads, quad_patches, error) =
+    ccall(symbol(address_obc_volume_map_hexes_copy, :volume_map, :obc_volume_map_hexes_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), hexes, positions, hexahedra, quads, quad_patches, error)
 
 const address_obc_volume_map_frame_options_init = Ref(C_NULL)
 obc_volume_map_frame_options_init(options, struct_size) =

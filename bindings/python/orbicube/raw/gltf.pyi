@@ -98,7 +98,7 @@ def obc_gltf_write_surface(path: bytes | None, positions: Pointer, vertex_count:
     """Writes a surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count. Otherwise as obc_gltf_write."""
     ...
 
-def obc_gltf_delta(base: float, wanted: float) -> float:
+def obc_gltf_delta(base: float, target: float) -> float:
     """Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns
     base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it."""
     ...

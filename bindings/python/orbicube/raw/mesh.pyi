@@ -38,20 +38,20 @@ class obc_mesh_tetrahedron_quality_report(Struct):
     flat: int
     inverted: int
     volume: float
-    smallest_volume: float
-    largest_volume: float
-    smallest_dihedral: float
-    largest_dihedral: float
-    mean_smallest_dihedral: float
-    smallest_radius_ratio: float
+    min_volume: float
+    max_volume: float
+    min_dihedral: float
+    max_dihedral: float
+    mean_min_dihedral: float
+    min_radius_ratio: float
     mean_radius_ratio: float
-    largest_radius_edge: float
+    max_radius_edge: float
     mean_radius_edge: float
-    shortest_edge: float
-    longest_edge: float
+    min_edge_length: float
+    max_edge_length: float
     dihedral_histogram: Any
     radius_ratio_histogram: Any
-    def __init__(self, struct_size: int = ..., worst: int = ..., tetrahedra: int = ..., positive: int = ..., flat: int = ..., inverted: int = ..., volume: float = ..., smallest_volume: float = ..., largest_volume: float = ..., smallest_dihedral: float = ..., largest_dihedral: float = ..., mean_smallest_dihedral: float = ..., smallest_radius_ratio: float = ..., mean_radius_ratio: float = ..., largest_radius_edge: float = ..., mean_radius_edge: float = ..., shortest_edge: float = ..., longest_edge: float = ..., dihedral_histogram: Any = ..., radius_ratio_histogram: Any = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., worst: int = ..., tetrahedra: int = ..., positive: int = ..., flat: int = ..., inverted: int = ..., volume: float = ..., min_volume: float = ..., max_volume: float = ..., min_dihedral: float = ..., max_dihedral: float = ..., mean_min_dihedral: float = ..., min_radius_ratio: float = ..., mean_radius_ratio: float = ..., max_radius_edge: float = ..., mean_radius_edge: float = ..., min_edge_length: float = ..., max_edge_length: float = ..., dihedral_histogram: Any = ..., radius_ratio_histogram: Any = ...) -> None: ...
 
 class obc_mesh_read_options(Struct):
     struct_size: int

@@ -105,14 +105,14 @@ class obc_polycube_feature_options(_Struct):
         ("struct_size", _c.c_uint32),
         ("point_count", _c.c_size_t),
         ("points", _c.c_void_p),
-        ("places", _c.c_void_p),
+        ("targets", _c.c_void_p),
         ("point_weights", _c.c_void_p),
         ("curve_count", _c.c_size_t),
         ("curve_starts", _c.c_void_p),
         ("curve_vertices", _c.c_void_p),
         ("curve_lines", _c.c_void_p),
         ("curve_weights", _c.c_void_p),
-        ("sharp_angle", _c.c_double),
+        ("feature_angle", _c.c_double),
     ]
 
 
@@ -132,8 +132,8 @@ class obc_polycube_feature_report(_Struct):
     ]
 
 
-class obc_polycube_places(_Struct):
-    """Positional constraints of corners, for obc_polycube_compute_on."""
+class obc_polycube_constraints(_Struct):
+    """Positional constraints of corners, for obc_polycube_map_to_domain."""
     _fields_ = [
         ("corners", _c.c_void_p),
         ("vertices", _c.c_void_p),
@@ -160,7 +160,7 @@ _functions = [
     ("obc_polycube_corner_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_polycube_optimize_corners", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_feature_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
-    ("obc_polycube_meet_features", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_align_features", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_energy_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_polycube_copy_energies", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_destroy", None, [_c.c_void_p]),
@@ -172,7 +172,7 @@ _functions = [
     ("obc_polycube_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_copy_triangles", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_copy_sources", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
-    ("obc_polycube_compute_on", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_polycube_map_to_domain", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_compute_common", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_optimize_common_domain", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_graph_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

@@ -78,15 +78,15 @@ class obc_polycube_feature_options(Struct):
     struct_size: int
     point_count: int
     points: Any
-    places: Any
+    targets: Any
     point_weights: Any
     curve_count: int
     curve_starts: Any
     curve_vertices: Any
     curve_lines: Any
     curve_weights: Any
-    sharp_angle: float
-    def __init__(self, struct_size: int = ..., point_count: int = ..., points: Any = ..., places: Any = ..., point_weights: Any = ..., curve_count: int = ..., curve_starts: Any = ..., curve_vertices: Any = ..., curve_lines: Any = ..., curve_weights: Any = ..., sharp_angle: float = ...) -> None: ...
+    feature_angle: float
+    def __init__(self, struct_size: int = ..., point_count: int = ..., points: Any = ..., targets: Any = ..., point_weights: Any = ..., curve_count: int = ..., curve_starts: Any = ..., curve_vertices: Any = ..., curve_lines: Any = ..., curve_weights: Any = ..., feature_angle: float = ...) -> None: ...
 
 class obc_polycube_feature_report(Struct):
     struct_size: int
@@ -101,7 +101,7 @@ class obc_polycube_feature_report(Struct):
     area_weighted_mean: float
     def __init__(self, struct_size: int = ..., distance_before: float = ..., distance: float = ..., sharp_length: float = ..., sharp_before: float = ..., sharp: float = ..., angle_mean: float = ..., area_mean: float = ..., angle_weighted_mean: float = ..., area_weighted_mean: float = ...) -> None: ...
 
-class obc_polycube_places(Struct):
+class obc_polycube_constraints(Struct):
     corners: Any
     vertices: Any
     points: Any
@@ -158,7 +158,7 @@ def obc_polycube_feature_options_init(options: Pointer, struct_size: int) -> int
     """Fills options with the defaults."""
     ...
 
-def obc_polycube_meet_features(map: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
+def obc_polycube_align_features(map: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer) -> int:
     """Aligns features of a map to their targets on the same polycube, with minimum distortion otherwise. The result is certified. Errors:
     invalid argument (a target that is not on the polycube, a vertex with two targets); no valid result with the conflicting
     features; out of memory; cancelled."""
@@ -213,19 +213,19 @@ def obc_polycube_copy_sources(map: Pointer, corners: Pointer, weights: Pointer, 
     argument."""
     ...
 
-def obc_polycube_compute_on(surface: Pointer, polycube: Pointer, places: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
+def obc_polycube_map_to_domain(surface: Pointer, polycube: Pointer, constraints: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
     """Maps a surface to a supplied polycube, whose triangles lie in axis-aligned planes. It is traced on the surface as with
     OBC_POLYCUBE_VOXELS: at its position, with its bounding box stretched to that of the surface, or as the constraints require. The
-    polycube of the handle has the same coordinates; the map is smoothed across its edges. places may be NULL. Errors: those of
+    polycube of the handle has the same coordinates; the map is smoothed across its edges. constraints may be NULL. Errors: those of
     obc_polycube_compute; invalid argument for constraints that do not exist or occur twice; unsupported if the second surface is not a
     polycube, with the reason; wrong genus if the genera differ."""
     ...
 
-def obc_polycube_compute_common(surfaces: Pointer, count: int, options: Pointer, domain: Pointer, host: Pointer, made_for: Pointer, out: Pointer, error: Pointer) -> int:
+def obc_polycube_compute_common(surfaces: Pointer, count: int, options: Pointer, domain: Pointer, host: Pointer, constructed_from: Pointer, out: Pointer, error: Pointer) -> int:
     """Computes one polycube for several shapes of one genus and kind (the dissertation's section 4.5). Several polycubes of each shape are traced on
     all others; proportions and maps are optimized for the sum of energies, and the polycube with the minimum sum is returned. Maps between
     shapes are compositions: points with the same image on the polycube correspond. options are for the polycubes of single shapes, domain
-    for the energy. out is an array of `count` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. made_for
+    for the energy. out is an array of `count` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. constructed_from
     (or NULL) receives the index of the shape from which the polycube was constructed. obc_polycube_copy_energies of each handle copies
     the sums, which never increase. Errors: those of obc_polycube_compute, and wrong genus."""
     ...
@@ -291,7 +291,7 @@ def obc_polycube_graph_copy_loops(graph: Pointer, starts: Pointer, darts: Pointe
     Errors: invalid argument."""
     ...
 
-def obc_polycube_graph_copy_dual(graph: Pointer, starts: Pointer, neighbours: Pointer, error: Pointer) -> int:
+def obc_polycube_graph_copy_dual(graph: Pointer, starts: Pointer, neighbors: Pointer, error: Pointer) -> int:
     """Copies the dual graph: the offset of the neighbors of each patch, with one entry more than there are patches, and the patches
     that share an edge with it, ascending. Errors: invalid argument."""
     ...

@@ -9,7 +9,7 @@ OBC_SPHERE_MAP_ANGLE_AREA = 1
 OBC_SPHERE_MAP_ISOMETRIC = 2
 OBC_SPHERE_MAP_STRETCH = 3
 OBC_SPHERE_MAP_CONFORMAL = 4
-OBC_SPHERE_MAP_SEED = 5
+OBC_SPHERE_MAP_DISSERTATION = 5
 
 OBC_SPHERE_MAP_ICOSPHERE = 0
 OBC_SPHERE_MAP_CUBE = 1
@@ -50,10 +50,10 @@ class obc_sphere_map_report(_Struct):
         ("energy_angle", _c.c_double),
         ("energy_area", _c.c_double),
         ("energy", _c.c_double),
-        ("dilatation_largest", _c.c_double),
-        ("dilatation_mean", _c.c_double),
-        ("area_ratio_smallest", _c.c_double),
-        ("area_ratio_largest", _c.c_double),
+        ("max_quasi_conformal", _c.c_double),
+        ("mean_quasi_conformal", _c.c_double),
+        ("min_area_ratio", _c.c_double),
+        ("max_area_ratio", _c.c_double),
         ("stretch_efficiency", _c.c_double),
         ("isometric_mean", _c.c_double),
     ]
@@ -67,10 +67,10 @@ class obc_sphere_map_distance(_Struct):
         ("reserved", _c.c_uint32),
         ("first_mean", _c.c_double),
         ("first_root_mean_square", _c.c_double),
-        ("first_largest", _c.c_double),
+        ("first_max", _c.c_double),
         ("second_mean", _c.c_double),
         ("second_root_mean_square", _c.c_double),
-        ("second_largest", _c.c_double),
+        ("second_max", _c.c_double),
     ]
 
 

@@ -8,7 +8,7 @@ OBC_SPHERE_MAP_ANGLE_AREA: int
 OBC_SPHERE_MAP_ISOMETRIC: int
 OBC_SPHERE_MAP_STRETCH: int
 OBC_SPHERE_MAP_CONFORMAL: int
-OBC_SPHERE_MAP_SEED: int
+OBC_SPHERE_MAP_DISSERTATION: int
 
 OBC_SPHERE_MAP_ICOSPHERE: int
 OBC_SPHERE_MAP_CUBE: int
@@ -39,24 +39,24 @@ class obc_sphere_map_report(Struct):
     energy_angle: float
     energy_area: float
     energy: float
-    dilatation_largest: float
-    dilatation_mean: float
-    area_ratio_smallest: float
-    area_ratio_largest: float
+    max_quasi_conformal: float
+    mean_quasi_conformal: float
+    min_area_ratio: float
+    max_area_ratio: float
     stretch_efficiency: float
     isometric_mean: float
-    def __init__(self, struct_size: int = ..., bijective: int = ..., mirrored: int = ..., reserved: int = ..., flipped: int = ..., degenerate: int = ..., zero_area_faces: int = ..., degree: float = ..., energy_angle: float = ..., energy_area: float = ..., energy: float = ..., dilatation_largest: float = ..., dilatation_mean: float = ..., area_ratio_smallest: float = ..., area_ratio_largest: float = ..., stretch_efficiency: float = ..., isometric_mean: float = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., bijective: int = ..., mirrored: int = ..., reserved: int = ..., flipped: int = ..., degenerate: int = ..., zero_area_faces: int = ..., degree: float = ..., energy_angle: float = ..., energy_area: float = ..., energy: float = ..., max_quasi_conformal: float = ..., mean_quasi_conformal: float = ..., min_area_ratio: float = ..., max_area_ratio: float = ..., stretch_efficiency: float = ..., isometric_mean: float = ...) -> None: ...
 
 class obc_sphere_map_distance(Struct):
     struct_size: int
     reserved: int
     first_mean: float
     first_root_mean_square: float
-    first_largest: float
+    first_max: float
     second_mean: float
     second_root_mean_square: float
-    second_largest: float
-    def __init__(self, struct_size: int = ..., reserved: int = ..., first_mean: float = ..., first_root_mean_square: float = ..., first_largest: float = ..., second_mean: float = ..., second_root_mean_square: float = ..., second_largest: float = ...) -> None: ...
+    second_max: float
+    def __init__(self, struct_size: int = ..., reserved: int = ..., first_mean: float = ..., first_root_mean_square: float = ..., first_max: float = ..., second_mean: float = ..., second_root_mean_square: float = ..., second_max: float = ...) -> None: ...
 
 def obc_sphere_map_options_init(options: Pointer, struct_size: int) -> int:
     """Fills options with the defaults."""
@@ -89,7 +89,7 @@ def obc_sphere_map_measure(surface: Pointer, directions: Pointer, options: Point
     an error: see report->bijective."""
     ...
 
-def obc_sphere_map_face_distortion(surface: Pointer, directions: Pointer, host: Pointer, dilatation: Pointer, area_ratio: Pointer, error: Pointer) -> int:
+def obc_sphere_map_face_distortion(surface: Pointer, directions: Pointer, host: Pointer, quasi_conformal: Pointer, area_ratio: Pointer, error: Pointer) -> int:
     """Computes the distortion of each triangle: quasi-conformal distortion and area ratio as in the report, triangle_count
     doubles each; either array may be NULL. Degenerate triangles (see obc_sphere_map_report) have an infinite distortion and the ratio
     0. O(n). Errors: as obc_sphere_map_measure."""

@@ -7,7 +7,7 @@ from .._library import Struct as _Struct
 OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY = 0
 OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN = 1
 OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE = 2
-OBC_SPHERE_OPTIMIZER_SEED = 3
+OBC_SPHERE_OPTIMIZER_DISSERTATION = 3
 
 OBC_SPHERE_OPTIMIZER_NEED_FG = 1
 OBC_SPHERE_OPTIMIZER_ITERATION = 2
@@ -68,8 +68,8 @@ class obc_sphere_optimizer_blocks(_Struct):
         ("struct_size", _c.c_uint32),
         ("dimension", _c.c_uint32),
         ("count", _c.c_size_t),
-        ("neighbour_start", _c.c_void_p),
-        ("neighbour", _c.c_void_p),
+        ("neighbor_start", _c.c_void_p),
+        ("neighbor", _c.c_void_p),
     ]
 
 

@@ -6,7 +6,7 @@ from .._library import Pointer, Struct
 OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY: int
 OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: int
 OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: int
-OBC_SPHERE_OPTIMIZER_SEED: int
+OBC_SPHERE_OPTIMIZER_DISSERTATION: int
 
 OBC_SPHERE_OPTIMIZER_NEED_FG: int
 OBC_SPHERE_OPTIMIZER_ITERATION: int
@@ -58,9 +58,9 @@ class obc_sphere_optimizer_blocks(Struct):
     struct_size: int
     dimension: int
     count: int
-    neighbour_start: Any
-    neighbour: Any
-    def __init__(self, struct_size: int = ..., dimension: int = ..., count: int = ..., neighbour_start: Any = ..., neighbour: Any = ...) -> None: ...
+    neighbor_start: Any
+    neighbor: Any
+    def __init__(self, struct_size: int = ..., dimension: int = ..., count: int = ..., neighbor_start: Any = ..., neighbor: Any = ...) -> None: ...
 
 class obc_sphere_optimizer_relaxation_options(Struct):
     struct_size: int

@@ -5,7 +5,7 @@ from .._library import bind as _bind
 from .._library import Struct as _Struct
 
 OBC_TRUST_REGION_TWO_RADII = 0
-OBC_TRUST_REGION_SEED = 1
+OBC_TRUST_REGION_DISSERTATION = 1
 
 OBC_TRUST_REGION_AUTOMATIC = 0
 OBC_TRUST_REGION_CHAIN = 1

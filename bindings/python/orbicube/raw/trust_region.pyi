@@ -4,7 +4,7 @@ from typing import Any
 from .._library import Pointer, Struct
 
 OBC_TRUST_REGION_TWO_RADII: int
-OBC_TRUST_REGION_SEED: int
+OBC_TRUST_REGION_DISSERTATION: int
 
 OBC_TRUST_REGION_AUTOMATIC: int
 OBC_TRUST_REGION_CHAIN: int

@@ -10,10 +10,10 @@ OBC_VOLUME_MAP_PADDING_WITHOUT = 2
 
 OBC_VOLUME_MAP_METHOD_AUTO = 0
 OBC_VOLUME_MAP_METHOD_POLYCUBE = 1
-OBC_VOLUME_MAP_METHOD_VOXELS = 2
+OBC_VOLUME_MAP_METHOD_GRID = 2
 
 
-class obc_volume_map_tangle(_Struct):
+class obc_volume_map_untangle_problem(_Struct):
     """A mesh to untangle, with its constraints: a view of arrays of the caller. Coordinate 3 * vertex + axis is that of an axis of a vertex. Fill with
     _init."""
     _fields_ = [
@@ -49,8 +49,8 @@ class obc_volume_map_untangle_report(_Struct):
         ("inverted", _c.c_uint64),
         ("steps", _c.c_uint64),
         ("polish_steps", _c.c_uint64),
-        ("least_determinant", _c.c_double),
-        ("greatest_determinant", _c.c_double),
+        ("min_determinant", _c.c_double),
+        ("max_determinant", _c.c_double),
         ("energy", _c.c_double),
     ]
 
@@ -76,9 +76,9 @@ class obc_volume_map_hexes_options(_Struct):
         ("seed", _c.c_uint64),
         ("rounds", _c.c_int32),
         ("method", _c.c_int32),
-        ("distance", _c.c_double),
-        ("most_cells", _c.c_size_t),
-        ("sharp_angle", _c.c_double),
+        ("max_hausdorff_percent", _c.c_double),
+        ("max_cells", _c.c_size_t),
+        ("feature_angle", _c.c_double),
     ]
 
 
@@ -88,15 +88,15 @@ class obc_volume_map_hexes_report(_Struct):
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("padded", _c.c_int32),
-        ("least_scaled_jacobian", _c.c_double),
+        ("min_scaled_jacobian", _c.c_double),
         ("mean_scaled_jacobian", _c.c_double),
         ("volume", _c.c_double),
         ("polycube_corners", _c.c_size_t),
         ("off_surface", _c.c_size_t),
-        ("distance", _c.c_double),
-        ("volume_error", _c.c_double),
+        ("hausdorff_percent", _c.c_double),
+        ("volume_error_percent", _c.c_double),
         ("follows_sharp_edges", _c.c_int32),
-        ("by_voxels", _c.c_int32),
+        ("grid_based", _c.c_int32),
     ]
 
 
@@ -107,8 +107,8 @@ class obc_volume_map_frame_options(_Struct):
         ("rounds", _c.c_int32),
         ("cells", _c.c_size_t),
         ("feature_angle", _c.c_double),
-        ("distance", _c.c_double),
-        ("most_cells", _c.c_size_t),
+        ("max_hausdorff_percent", _c.c_double),
+        ("max_cells", _c.c_size_t),
     ]
 
 
@@ -117,7 +117,7 @@ class obc_volume_map_frame_report(_Struct):
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("integers_optimal", _c.c_int32),
-        ("least_scaled_jacobian", _c.c_double),
+        ("min_scaled_jacobian", _c.c_double),
         ("mean_scaled_jacobian", _c.c_double),
         ("volume", _c.c_double),
         ("off_surface", _c.c_size_t),
@@ -127,13 +127,13 @@ class obc_volume_map_frame_report(_Struct):
         ("tetrahedra", _c.c_size_t),
         ("inverted_at_start", _c.c_size_t),
         ("steps", _c.c_size_t),
-        ("distance", _c.c_double),
-        ("volume_error", _c.c_double),
+        ("hausdorff_percent", _c.c_double),
+        ("volume_error_percent", _c.c_double),
     ]
 
 
 _functions = [
-    ("obc_volume_map_tangle_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_volume_map_untangle_problem_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_volume_map_untangle_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_volume_map_untangle_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_volume_map_untangle", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

@@ -9,9 +9,9 @@ OBC_VOLUME_MAP_PADDING_WITHOUT: int
 
 OBC_VOLUME_MAP_METHOD_AUTO: int
 OBC_VOLUME_MAP_METHOD_POLYCUBE: int
-OBC_VOLUME_MAP_METHOD_VOXELS: int
+OBC_VOLUME_MAP_METHOD_GRID: int
 
-class obc_volume_map_tangle(Struct):
+class obc_volume_map_untangle_problem(Struct):
     struct_size: int
     reserved: int
     positions: Any
@@ -38,10 +38,10 @@ class obc_volume_map_untangle_report(Struct):
     inverted: int
     steps: int
     polish_steps: int
-    least_determinant: float
-    greatest_determinant: float
+    min_determinant: float
+    max_determinant: float
     energy: float
-    def __init__(self, struct_size: int = ..., first_inverted: int = ..., inverted_before: int = ..., inverted: int = ..., steps: int = ..., polish_steps: int = ..., least_determinant: float = ..., greatest_determinant: float = ..., energy: float = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., first_inverted: int = ..., inverted_before: int = ..., inverted: int = ..., steps: int = ..., polish_steps: int = ..., min_determinant: float = ..., max_determinant: float = ..., energy: float = ...) -> None: ...
 
 class obc_volume_map_solid_options(Struct):
     struct_size: int
@@ -59,38 +59,38 @@ class obc_volume_map_hexes_options(Struct):
     seed: int
     rounds: int
     method: int
-    distance: float
-    most_cells: int
-    sharp_angle: float
-    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., method: int = ..., distance: float = ..., most_cells: int = ..., sharp_angle: float = ...) -> None: ...
+    max_hausdorff_percent: float
+    max_cells: int
+    feature_angle: float
+    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., method: int = ..., max_hausdorff_percent: float = ..., max_cells: int = ..., feature_angle: float = ...) -> None: ...
 
 class obc_volume_map_hexes_report(Struct):
     struct_size: int
     padded: int
-    least_scaled_jacobian: float
+    min_scaled_jacobian: float
     mean_scaled_jacobian: float
     volume: float
     polycube_corners: int
     off_surface: int
-    distance: float
-    volume_error: float
+    hausdorff_percent: float
+    volume_error_percent: float
     follows_sharp_edges: int
-    by_voxels: int
-    def __init__(self, struct_size: int = ..., padded: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., distance: float = ..., volume_error: float = ..., follows_sharp_edges: int = ..., by_voxels: int = ...) -> None: ...
+    grid_based: int
+    def __init__(self, struct_size: int = ..., padded: int = ..., min_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., hausdorff_percent: float = ..., volume_error_percent: float = ..., follows_sharp_edges: int = ..., grid_based: int = ...) -> None: ...
 
 class obc_volume_map_frame_options(Struct):
     struct_size: int
     rounds: int
     cells: int
     feature_angle: float
-    distance: float
-    most_cells: int
-    def __init__(self, struct_size: int = ..., rounds: int = ..., cells: int = ..., feature_angle: float = ..., distance: float = ..., most_cells: int = ...) -> None: ...
+    max_hausdorff_percent: float
+    max_cells: int
+    def __init__(self, struct_size: int = ..., rounds: int = ..., cells: int = ..., feature_angle: float = ..., max_hausdorff_percent: float = ..., max_cells: int = ...) -> None: ...
 
 class obc_volume_map_frame_report(Struct):
     struct_size: int
     integers_optimal: int
-    least_scaled_jacobian: float
+    min_scaled_jacobian: float
     mean_scaled_jacobian: float
     volume: float
     off_surface: int
@@ -100,11 +100,11 @@ class obc_volume_map_frame_report(Struct):
     tetrahedra: int
     inverted_at_start: int
     steps: int
-    distance: float
-    volume_error: float
-    def __init__(self, struct_size: int = ..., integers_optimal: int = ..., least_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., off_surface: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., distance: float = ..., volume_error: float = ...) -> None: ...
+    hausdorff_percent: float
+    volume_error_percent: float
+    def __init__(self, struct_size: int = ..., integers_optimal: int = ..., min_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., off_surface: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., hausdorff_percent: float = ..., volume_error_percent: float = ...) -> None: ...
 
-def obc_volume_map_tangle_init(tangle: Pointer, struct_size: int) -> int:
+def obc_volume_map_untangle_problem_init(problem: Pointer, struct_size: int) -> int:
     """Fill a mesh with no vertices, options with the defaults, and a report with zeros."""
     ...
 
@@ -116,8 +116,8 @@ def obc_volume_map_untangle_report_init(report: Pointer, struct_size: int) -> in
     """Fill a mesh with no vertices, options with the defaults, and a report with zeros."""
     ...
 
-def obc_volume_map_untangle(tangle: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer) -> int:
-    """Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be tangle->positions; fixed coordinates are
+def obc_volume_map_untangle(problem: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer) -> int:
+    """Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
     unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
     NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
     Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
@@ -189,7 +189,7 @@ def obc_volume_map_hexes_quad_count(hexes: Pointer) -> int:
     """Return the number of vertices, hexahedra and boundary quads; 0 for NULL."""
     ...
 
-def obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_faces: Pointer, error: Pointer) -> int:
+def obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_patches: Pointer, error: Pointer) -> int:
     """Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
     counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
     Errors: invalid argument."""
@@ -204,7 +204,7 @@ def obc_volume_map_frame_hexes_compute(positions: Pointer, vertex_count: int, te
     Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
     <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
     until a map follows one. The patch numbers of obc_volume_map_hexes_copy are those of connected boundary regions in one
-    plane of the map. Where the boundary exceeds `distance`, it is fixed to the map's surface, then cells are added as in
+    plane of the map. Where the boundary exceeds `max_hausdorff_percent`, it is fixed to the map's surface, then cells are added as in
     obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must remain valid until _destroy.
     Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
     follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with

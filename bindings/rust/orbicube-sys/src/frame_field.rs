@@ -19,7 +19,7 @@ pub const OBC_FRAME_FIELD_GIVEN: i32 = 5;
 /// as described at the top
 pub const OBC_FRAME_FIELD_SMOOTH: i32 = 0;
 /// chapter 6 of the dissertation as printed: identity inside, fixed boundary frames and matchings
-pub const OBC_FRAME_FIELD_SEED: i32 = 1;
+pub const OBC_FRAME_FIELD_DISSERTATION: i32 = 1;
 
 /// 1
 pub const OBC_FRAME_FIELD_UNIFORM: i32 = 0;
@@ -62,7 +62,7 @@ pub struct obc_frame_field_options {
     pub struct_size: u32,
     /// initial field, OBC\_FRAME\_FIELD\_AUTO or another. Default: AUTO.
     pub start: i32,
-    /// OBC\_FRAME\_FIELD\_SMOOTH or SEED. Default: SMOOTH.
+    /// OBC\_FRAME\_FIELD\_SMOOTH or DISSERTATION. Default: SMOOTH.
     pub method: i32,
     /// OBC\_FRAME\_FIELD\_UNIFORM or GEOMETRIC. Default: UNIFORM.
     pub weighting: i32,
@@ -70,11 +70,11 @@ pub struct obc_frame_field_options {
     pub align_boundary: i32,
     /// number of improvement rounds of AUTO. Default: 2.
     pub rounds: u32,
-    /// minimum dihedral angle, in radians, of boundary edges that an axis follows; 0: none. Default: 0.
+    /// minimum dihedral angle, in degrees, of boundary edges that an axis follows; 0: none. Default: 0.
     pub feature_angle: f64,
     /// smoothing ends with a step that gains less than this fraction of the energy. Default: 1e-6.
     pub relative_gain: f64,
-    /// OBC\_FRAME\_FIELD\_NO\_REPAIR, REPAIR or SINGLE\_AXIS; not with SEED. Default: NO\_REPAIR.
+    /// OBC\_FRAME\_FIELD\_NO\_REPAIR, REPAIR or SINGLE\_AXIS; not with DISSERTATION. Default: NO\_REPAIR.
     pub repair: i32,
     pub reserved: i32,
 }

@@ -120,7 +120,7 @@ extern "C" {
     pub fn obc_gltf_write_surface(path: *const c_char, positions: *const f32, vertex_count: usize, triangles: *const u32, triangle_count: usize, host: *const obc_host, error: *mut obc_error) -> i32;
     /// Compute exact morph targets of finite numbers. \_delta returns the stored delta for a base and a target coordinate; \_reconstructed returns
     /// base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it.
-    pub fn obc_gltf_delta(base: f32, wanted: f32) -> f32;
+    pub fn obc_gltf_delta(base: f32, target: f32) -> f32;
     /// Compute exact morph targets of finite numbers. \_delta returns the stored delta for a base and a target coordinate; \_reconstructed returns
     /// base + delta in float32, as a renderer adds them, which equals the target whenever some delta reaches it.
     pub fn obc_gltf_reconstructed(base: f32, delta: f32) -> f32;

@@ -88,27 +88,27 @@ pub struct obc_mesh_tetrahedron_quality_report {
     /// total, minimum and maximum signed volume
     pub volume: f64,
     /// total, minimum and maximum signed volume
-    pub smallest_volume: f64,
+    pub min_volume: f64,
     /// total, minimum and maximum signed volume
-    pub largest_volume: f64,
+    pub max_volume: f64,
     /// dihedral angles; the mean is that of each tetrahedron's minimum
-    pub smallest_dihedral: f64,
+    pub min_dihedral: f64,
     /// dihedral angles; the mean is that of each tetrahedron's minimum
-    pub largest_dihedral: f64,
+    pub max_dihedral: f64,
     /// dihedral angles; the mean is that of each tetrahedron's minimum
-    pub mean_smallest_dihedral: f64,
+    pub mean_min_dihedral: f64,
     /// 3 \* inradius / circumradius: 1 for a regular tetrahedron
-    pub smallest_radius_ratio: f64,
+    pub min_radius_ratio: f64,
     /// 3 \* inradius / circumradius: 1 for a regular tetrahedron
     pub mean_radius_ratio: f64,
     /// circumradius / shortest edge; infinite for flat tetrahedra, which the mean leaves out
-    pub largest_radius_edge: f64,
+    pub max_radius_edge: f64,
     /// circumradius / shortest edge; infinite for flat tetrahedra, which the mean leaves out
     pub mean_radius_edge: f64,
     /// edge lengths
-    pub shortest_edge: f64,
+    pub min_edge_length: f64,
     /// edge lengths
-    pub longest_edge: f64,
+    pub max_edge_length: f64,
     /// six angles a tetrahedron in bins of 10 degrees; ratios in bins of 0.05
     pub dihedral_histogram: [u64; 18],
     /// six angles a tetrahedron in bins of 10 degrees; ratios in bins of 0.05
@@ -375,17 +375,17 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).flat) } as usize - start as usize, 24, "obc_mesh_tetrahedron_quality_report.flat");
         assert_eq!(unsafe { addr_of!((*start).inverted) } as usize - start as usize, 32, "obc_mesh_tetrahedron_quality_report.inverted");
         assert_eq!(unsafe { addr_of!((*start).volume) } as usize - start as usize, 40, "obc_mesh_tetrahedron_quality_report.volume");
-        assert_eq!(unsafe { addr_of!((*start).smallest_volume) } as usize - start as usize, 48, "obc_mesh_tetrahedron_quality_report.smallest_volume");
-        assert_eq!(unsafe { addr_of!((*start).largest_volume) } as usize - start as usize, 56, "obc_mesh_tetrahedron_quality_report.largest_volume");
-        assert_eq!(unsafe { addr_of!((*start).smallest_dihedral) } as usize - start as usize, 64, "obc_mesh_tetrahedron_quality_report.smallest_dihedral");
-        assert_eq!(unsafe { addr_of!((*start).largest_dihedral) } as usize - start as usize, 72, "obc_mesh_tetrahedron_quality_report.largest_dihedral");
-        assert_eq!(unsafe { addr_of!((*start).mean_smallest_dihedral) } as usize - start as usize, 80, "obc_mesh_tetrahedron_quality_report.mean_smallest_dihedral");
-        assert_eq!(unsafe { addr_of!((*start).smallest_radius_ratio) } as usize - start as usize, 88, "obc_mesh_tetrahedron_quality_report.smallest_radius_ratio");
+        assert_eq!(unsafe { addr_of!((*start).min_volume) } as usize - start as usize, 48, "obc_mesh_tetrahedron_quality_report.min_volume");
+        assert_eq!(unsafe { addr_of!((*start).max_volume) } as usize - start as usize, 56, "obc_mesh_tetrahedron_quality_report.max_volume");
+        assert_eq!(unsafe { addr_of!((*start).min_dihedral) } as usize - start as usize, 64, "obc_mesh_tetrahedron_quality_report.min_dihedral");
+        assert_eq!(unsafe { addr_of!((*start).max_dihedral) } as usize - start as usize, 72, "obc_mesh_tetrahedron_quality_report.max_dihedral");
+        assert_eq!(unsafe { addr_of!((*start).mean_min_dihedral) } as usize - start as usize, 80, "obc_mesh_tetrahedron_quality_report.mean_min_dihedral");
+        assert_eq!(unsafe { addr_of!((*start).min_radius_ratio) } as usize - start as usize, 88, "obc_mesh_tetrahedron_quality_report.min_radius_ratio");
         assert_eq!(unsafe { addr_of!((*start).mean_radius_ratio) } as usize - start as usize, 96, "obc_mesh_tetrahedron_quality_report.mean_radius_ratio");
-        assert_eq!(unsafe { addr_of!((*start).largest_radius_edge) } as usize - start as usize, 104, "obc_mesh_tetrahedron_quality_report.largest_radius_edge");
+        assert_eq!(unsafe { addr_of!((*start).max_radius_edge) } as usize - start as usize, 104, "obc_mesh_tetrahedron_quality_report.max_radius_edge");
         assert_eq!(unsafe { addr_of!((*start).mean_radius_edge) } as usize - start as usize, 112, "obc_mesh_tetrahedron_quality_report.mean_radius_edge");
-        assert_eq!(unsafe { addr_of!((*start).shortest_edge) } as usize - start as usize, 120, "obc_mesh_tetrahedron_quality_report.shortest_edge");
-        assert_eq!(unsafe { addr_of!((*start).longest_edge) } as usize - start as usize, 128, "obc_mesh_tetrahedron_quality_report.longest_edge");
+        assert_eq!(unsafe { addr_of!((*start).min_edge_length) } as usize - start as usize, 120, "obc_mesh_tetrahedron_quality_report.min_edge_length");
+        assert_eq!(unsafe { addr_of!((*start).max_edge_length) } as usize - start as usize, 128, "obc_mesh_tetrahedron_quality_report.max_edge_length");
         assert_eq!(unsafe { addr_of!((*start).dihedral_histogram) } as usize - start as usize, 136, "obc_mesh_tetrahedron_quality_report.dihedral_histogram");
         assert_eq!(unsafe { addr_of!((*start).radius_ratio_histogram) } as usize - start as usize, 280, "obc_mesh_tetrahedron_quality_report.radius_ratio_histogram");
         assert_eq!((size_of::<obc_mesh_read_options>(), align_of::<obc_mesh_read_options>()), (8, 4));

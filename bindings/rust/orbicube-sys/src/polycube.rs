@@ -177,7 +177,7 @@ pub struct obc_polycube_feature_options {
     /// vertex of the map of each point. Default: NULL.
     pub points: *const u32,
     /// target position of each point (x y z); weight of each point, or NULL. Default: NULL.
-    pub places: *const f64,
+    pub targets: *const f64,
     /// target position of each point (x y z); weight of each point, or NULL. Default: NULL.
     pub point_weights: *const f64,
     /// number of curves. Default: 0.
@@ -193,7 +193,7 @@ pub struct obc_polycube_feature_options {
     /// of both ends); weight of each curve, or NULL. Default: NULL.
     pub curve_weights: *const f64,
     /// minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: none. Default: 0.
-    pub sharp_angle: f64,
+    pub feature_angle: f64,
 }
 
 /// Figures of the alignment. Lengths of sharp edges are lengths on the surface. The caller sets struct\_size.
@@ -226,10 +226,10 @@ pub struct obc_polycube_feature_report {
     pub area_weighted_mean: f64,
 }
 
-/// Positional constraints of corners, for obc\_polycube\_compute\_on.
+/// Positional constraints of corners, for obc\_polycube\_map\_to\_domain.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct obc_polycube_places {
+pub struct obc_polycube_constraints {
     /// vertex of the polycube of each constrained corner
     pub corners: *const u32,
     /// target vertex of the surface of each corner, UINT32\_MAX for a target point; NULL: all have target points
@@ -283,7 +283,7 @@ extern "C" {
     /// Aligns features of a map to their targets on the same polycube, with minimum distortion otherwise. The result is certified. Errors:
     /// invalid argument (a target that is not on the polycube, a vertex with two targets); no valid result with the conflicting
     /// features; out of memory; cancelled.
-    pub fn obc_polycube_meet_features(map: *const obc_polycube, options: *const obc_polycube_feature_options, host: *const obc_host, report: *mut obc_polycube_feature_report, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
+    pub fn obc_polycube_align_features(map: *const obc_polycube, options: *const obc_polycube_feature_options, host: *const obc_host, report: *mut obc_polycube_feature_report, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
     /// Returns the number of energies of the optimization that computed a map: one before it and one after each iteration; 0 for NULL and
     /// for maps of other origin.
     pub fn obc_polycube_energy_count(map: *const obc_polycube) -> usize;
@@ -313,17 +313,17 @@ extern "C" {
     pub fn obc_polycube_copy_sources(map: *const obc_polycube, corners: *mut u32, weights: *mut f64, error: *mut obc_error) -> i32;
     /// Maps a surface to a supplied polycube, whose triangles lie in axis-aligned planes. It is traced on the surface as with
     /// OBC\_POLYCUBE\_VOXELS: at its position, with its bounding box stretched to that of the surface, or as the constraints require. The
-    /// polycube of the handle has the same coordinates; the map is smoothed across its edges. places may be NULL. Errors: those of
+    /// polycube of the handle has the same coordinates; the map is smoothed across its edges. constraints may be NULL. Errors: those of
     /// obc\_polycube\_compute; invalid argument for constraints that do not exist or occur twice; unsupported if the second surface is not a
     /// polycube, with the reason; wrong genus if the genera differ.
-    pub fn obc_polycube_compute_on(surface: *const obc_surface, polycube: *const obc_surface, places: *const obc_polycube_places, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
+    pub fn obc_polycube_map_to_domain(surface: *const obc_surface, polycube: *const obc_surface, constraints: *const obc_polycube_constraints, host: *const obc_host, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
     /// Computes one polycube for several shapes of one genus and kind (the dissertation's section 4.5). Several polycubes of each shape are traced on
     /// all others; proportions and maps are optimized for the sum of energies, and the polycube with the minimum sum is returned. Maps between
     /// shapes are compositions: points with the same image on the polycube correspond. options are for the polycubes of single shapes, domain
-    /// for the energy. out is an array of \`count\` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. made\_for
+    /// for the energy. out is an array of \`count\` handles, 1 to 65536, in the order of the surfaces, all NULL after an error. constructed\_from
     /// (or NULL) receives the index of the shape from which the polycube was constructed. obc\_polycube\_copy\_energies of each handle copies
     /// the sums, which never increase. Errors: those of obc\_polycube\_compute, and wrong genus.
-    pub fn obc_polycube_compute_common(surfaces: *const obc_surface, count: usize, options: *const obc_polycube_options, domain: *const obc_polycube_domain_options, host: *const obc_host, made_for: *mut usize, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
+    pub fn obc_polycube_compute_common(surfaces: *const obc_surface, count: usize, options: *const obc_polycube_options, domain: *const obc_polycube_domain_options, host: *const obc_host, constructed_from: *mut usize, out: *mut *mut obc_polycube, error: *mut obc_error) -> i32;
     /// Optimizes the proportions of one polycube for several maps to it: minimizes the sum of their energies, otherwise as
     /// obc\_polycube\_optimize\_domain. out is an array of \`count\` handles, all NULL after an error. Errors: invalid argument (also: maps
     /// to different polycubes), out of memory, cancelled.
@@ -363,7 +363,7 @@ extern "C" {
     pub fn obc_polycube_graph_copy_loops(graph: *const obc_polycube_graph, starts: *mut u32, darts: *mut u32, error: *mut obc_error) -> i32;
     /// Copies the dual graph: the offset of the neighbors of each patch, with one entry more than there are patches, and the patches
     /// that share an edge with it, ascending. Errors: invalid argument.
-    pub fn obc_polycube_graph_copy_dual(graph: *const obc_polycube_graph, starts: *mut u32, neighbours: *mut u32, error: *mut obc_error) -> i32;
+    pub fn obc_polycube_graph_copy_dual(graph: *const obc_polycube_graph, starts: *mut u32, neighbors: *mut u32, error: *mut obc_error) -> i32;
     /// Fills options with the defaults.
     pub fn obc_polycube_quads_options_init(options: *mut obc_polycube_quads_options, struct_size: usize) -> i32;
     /// Creates a grid with integer numbers of cells between neighboring planes and maps its vertices to the surface, each in the triangle
@@ -460,14 +460,14 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_polycube_feature_options.struct_size");
         assert_eq!(unsafe { addr_of!((*start).point_count) } as usize - start as usize, 8, "obc_polycube_feature_options.point_count");
         assert_eq!(unsafe { addr_of!((*start).points) } as usize - start as usize, 16, "obc_polycube_feature_options.points");
-        assert_eq!(unsafe { addr_of!((*start).places) } as usize - start as usize, 24, "obc_polycube_feature_options.places");
+        assert_eq!(unsafe { addr_of!((*start).targets) } as usize - start as usize, 24, "obc_polycube_feature_options.targets");
         assert_eq!(unsafe { addr_of!((*start).point_weights) } as usize - start as usize, 32, "obc_polycube_feature_options.point_weights");
         assert_eq!(unsafe { addr_of!((*start).curve_count) } as usize - start as usize, 40, "obc_polycube_feature_options.curve_count");
         assert_eq!(unsafe { addr_of!((*start).curve_starts) } as usize - start as usize, 48, "obc_polycube_feature_options.curve_starts");
         assert_eq!(unsafe { addr_of!((*start).curve_vertices) } as usize - start as usize, 56, "obc_polycube_feature_options.curve_vertices");
         assert_eq!(unsafe { addr_of!((*start).curve_lines) } as usize - start as usize, 64, "obc_polycube_feature_options.curve_lines");
         assert_eq!(unsafe { addr_of!((*start).curve_weights) } as usize - start as usize, 72, "obc_polycube_feature_options.curve_weights");
-        assert_eq!(unsafe { addr_of!((*start).sharp_angle) } as usize - start as usize, 80, "obc_polycube_feature_options.sharp_angle");
+        assert_eq!(unsafe { addr_of!((*start).feature_angle) } as usize - start as usize, 80, "obc_polycube_feature_options.feature_angle");
         assert_eq!((size_of::<obc_polycube_feature_report>(), align_of::<obc_polycube_feature_report>()), (80, 8));
         let it = MaybeUninit::<obc_polycube_feature_report>::uninit();
         let start = it.as_ptr();
@@ -481,13 +481,13 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).area_mean) } as usize - start as usize, 56, "obc_polycube_feature_report.area_mean");
         assert_eq!(unsafe { addr_of!((*start).angle_weighted_mean) } as usize - start as usize, 64, "obc_polycube_feature_report.angle_weighted_mean");
         assert_eq!(unsafe { addr_of!((*start).area_weighted_mean) } as usize - start as usize, 72, "obc_polycube_feature_report.area_weighted_mean");
-        assert_eq!((size_of::<obc_polycube_places>(), align_of::<obc_polycube_places>()), (32, 8));
-        let it = MaybeUninit::<obc_polycube_places>::uninit();
+        assert_eq!((size_of::<obc_polycube_constraints>(), align_of::<obc_polycube_constraints>()), (32, 8));
+        let it = MaybeUninit::<obc_polycube_constraints>::uninit();
         let start = it.as_ptr();
-        assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 0, "obc_polycube_places.corners");
-        assert_eq!(unsafe { addr_of!((*start).vertices) } as usize - start as usize, 8, "obc_polycube_places.vertices");
-        assert_eq!(unsafe { addr_of!((*start).points) } as usize - start as usize, 16, "obc_polycube_places.points");
-        assert_eq!(unsafe { addr_of!((*start).count) } as usize - start as usize, 24, "obc_polycube_places.count");
+        assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 0, "obc_polycube_constraints.corners");
+        assert_eq!(unsafe { addr_of!((*start).vertices) } as usize - start as usize, 8, "obc_polycube_constraints.vertices");
+        assert_eq!(unsafe { addr_of!((*start).points) } as usize - start as usize, 16, "obc_polycube_constraints.points");
+        assert_eq!(unsafe { addr_of!((*start).count) } as usize - start as usize, 24, "obc_polycube_constraints.count");
         assert_eq!((size_of::<obc_polycube_quads_options>(), align_of::<obc_polycube_quads_options>()), (24, 8));
         let it = MaybeUninit::<obc_polycube_quads_options>::uninit();
         let start = it.as_ptr();

@@ -7,10 +7,10 @@ use std::os::raw::{c_char, c_void};
 /// active face of a quasi-Newton model
 pub const OBC_PROJECTED_GRADIENT_FACE: i32 = 0;
 /// the dissertation's section 4.3.1, for comparison
-pub const OBC_PROJECTED_GRADIENT_SEED: i32 = 1;
+pub const OBC_PROJECTED_GRADIENT_DISSERTATION: i32 = 1;
 
 /// Grippo, Lampariello, Lucidi: below the largest of the last values
-pub const OBC_PROJECTED_GRADIENT_LARGEST_OF_LAST: i32 = 0;
+pub const OBC_PROJECTED_GRADIENT_MAX_OF_LAST: i32 = 0;
 /// Zhang and Hager: below a weighted mean of all values
 pub const OBC_PROJECTED_GRADIENT_AVERAGE: i32 = 1;
 
@@ -100,13 +100,13 @@ pub struct obc_projected_gradient_problem {
 #[derive(Clone, Copy)]
 pub struct obc_projected_gradient_options {
     pub struct_size: u32,
-    /// OBC\_PROJECTED\_GRADIENT\_FACE or SEED. Default: FACE.
+    /// OBC\_PROJECTED\_GRADIENT\_FACE or DISSERTATION. Default: FACE.
     pub method: i32,
-    /// line search of SEED. Default: LARGEST\_OF\_LAST.
+    /// line search of DISSERTATION. Default: MAX\_OF\_LAST.
     pub line_search: i32,
     /// number of pairs in the model of FACE, 1 to 1000. Default: 10.
     pub memory: u32,
-    /// number of values that LARGEST\_OF\_LAST considers. Default: 10.
+    /// number of values that MAX\_OF\_LAST considers. Default: 10.
     pub history: u32,
     /// eta of AVERAGE, 0 (monotone) to 1. Default: 0.85.
     pub average_weight: f64,

@@ -16,7 +16,7 @@ pub const OBC_SPHERE_MAP_STRETCH: i32 = 3;
 /// E\_D alone
 pub const OBC_SPHERE_MAP_CONFORMAL: i32 = 4;
 /// the dissertation's chapter 3 as printed, corrected only where it would fail
-pub const OBC_SPHERE_MAP_SEED: i32 = 5;
+pub const OBC_SPHERE_MAP_DISSERTATION: i32 = 5;
 
 /// number of 1-to-4 subdivisions, 0 to 10; 10 \* 4^n + 2 vertices
 pub const OBC_SPHERE_MAP_ICOSPHERE: i32 = 0;
@@ -45,7 +45,7 @@ pub struct obc_sphere_map_warp {
     _marker: core::marker::PhantomData<(*mut u8, core::marker::PhantomPinned)>,
 }
 
-/// Receives the convergence of OBC\_SPHERE\_MAP\_SEED (the dissertation's Figure 3.2) at the end of a level, and during the last level once for each
+/// Receives the convergence of OBC\_SPHERE\_MAP\_DISSERTATION (the dissertation's Figure 3.2) at the end of a level, and during the last level once for each
 /// vertex\_count iterations: iterations, the number of calls of its Algorithm 2 for one vertex; vertices, the vertex count of the
 /// refined mesh; energy, the energy of that mesh. iterations restarts at 0 when the map restarts. Runs on the thread that called
 /// the library.
@@ -64,7 +64,7 @@ pub struct obc_sphere_map_options {
     pub area_weight: f64,
     /// seed of the order of equally good decimation steps. Default: 0.
     pub seed: u64,
-    /// receives the convergence of OBC\_SPHERE\_MAP\_SEED; NULL: none. Default: NULL.
+    /// receives the convergence of OBC\_SPHERE\_MAP\_DISSERTATION; NULL: none. Default: NULL.
     pub trace: obc_sphere_map_trace_function,
     /// passed to trace. Default: NULL.
     pub trace_user: *mut c_void,
@@ -99,13 +99,13 @@ pub struct obc_sphere_map_report {
     /// angle\_weight E\_D + area\_weight E\_A
     pub energy: f64,
     /// maximum quasi-conformal distortion sigma\_1 / sigma\_2, at least 1
-    pub dilatation_largest: f64,
+    pub max_quasi_conformal: f64,
     /// mean quasi-conformal distortion, weighted by surface area, at least 1
-    pub dilatation_mean: f64,
+    pub mean_quasi_conformal: f64,
     /// minimum and maximum of solid angle / surface area of a triangle
-    pub area_ratio_smallest: f64,
+    pub min_area_ratio: f64,
     /// minimum and maximum of solid angle / surface area of a triangle
-    pub area_ratio_largest: f64,
+    pub max_area_ratio: f64,
     /// 1 / mean of (sigma\_1^-2 + sigma\_2^-2) / 2, weighted by surface area (L2 stretch), at most 1
     pub stretch_efficiency: f64,
     /// mean of (sigma\_1^2 + sigma\_2^2 + sigma\_1^-2 + sigma\_2^-2) / 4, weighted by surface area, at least 1
@@ -124,13 +124,13 @@ pub struct obc_sphere_map_distance {
     /// from the first surface: mean, root mean square, maximum
     pub first_root_mean_square: f64,
     /// from the first surface: mean, root mean square, maximum
-    pub first_largest: f64,
+    pub first_max: f64,
     /// from the second surface
     pub second_mean: f64,
     /// from the second surface
     pub second_root_mean_square: f64,
     /// from the second surface
-    pub second_largest: f64,
+    pub second_max: f64,
 }
 
 extern "C" {
@@ -158,7 +158,7 @@ extern "C" {
     /// Computes the distortion of each triangle: quasi-conformal distortion and area ratio as in the report, triangle\_count
     /// doubles each; either array may be NULL. Degenerate triangles (see obc\_sphere\_map\_report) have an infinite distortion and the ratio
     /// 0. O(n). Errors: as obc\_sphere\_map\_measure.
-    pub fn obc_sphere_map_face_distortion(surface: *const obc_surface, directions: *const f64, host: *const obc_host, dilatation: *mut f64, area_ratio: *mut f64, error: *mut obc_error) -> i32;
+    pub fn obc_sphere_map_face_distortion(surface: *const obc_surface, directions: *const f64, host: *const obc_host, quasi_conformal: *mut f64, area_ratio: *mut f64, error: *mut obc_error) -> i32;
     /// Rounds a map to float32, the precision of GLB and of engines, and moves vertices of triangles that rounding flips to nearby points.
     /// rounded: 3 \* vertex\_count floats; all triangles are positive by exact arithmetic on success. Errors: OBC\_INVALID\_ARGUMENT,
     /// OBC\_NO\_VALID\_RESULT (float32 cannot represent the map), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
@@ -266,10 +266,10 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).energy_angle) } as usize - start as usize, 48, "obc_sphere_map_report.energy_angle");
         assert_eq!(unsafe { addr_of!((*start).energy_area) } as usize - start as usize, 56, "obc_sphere_map_report.energy_area");
         assert_eq!(unsafe { addr_of!((*start).energy) } as usize - start as usize, 64, "obc_sphere_map_report.energy");
-        assert_eq!(unsafe { addr_of!((*start).dilatation_largest) } as usize - start as usize, 72, "obc_sphere_map_report.dilatation_largest");
-        assert_eq!(unsafe { addr_of!((*start).dilatation_mean) } as usize - start as usize, 80, "obc_sphere_map_report.dilatation_mean");
-        assert_eq!(unsafe { addr_of!((*start).area_ratio_smallest) } as usize - start as usize, 88, "obc_sphere_map_report.area_ratio_smallest");
-        assert_eq!(unsafe { addr_of!((*start).area_ratio_largest) } as usize - start as usize, 96, "obc_sphere_map_report.area_ratio_largest");
+        assert_eq!(unsafe { addr_of!((*start).max_quasi_conformal) } as usize - start as usize, 72, "obc_sphere_map_report.max_quasi_conformal");
+        assert_eq!(unsafe { addr_of!((*start).mean_quasi_conformal) } as usize - start as usize, 80, "obc_sphere_map_report.mean_quasi_conformal");
+        assert_eq!(unsafe { addr_of!((*start).min_area_ratio) } as usize - start as usize, 88, "obc_sphere_map_report.min_area_ratio");
+        assert_eq!(unsafe { addr_of!((*start).max_area_ratio) } as usize - start as usize, 96, "obc_sphere_map_report.max_area_ratio");
         assert_eq!(unsafe { addr_of!((*start).stretch_efficiency) } as usize - start as usize, 104, "obc_sphere_map_report.stretch_efficiency");
         assert_eq!(unsafe { addr_of!((*start).isometric_mean) } as usize - start as usize, 112, "obc_sphere_map_report.isometric_mean");
         assert_eq!((size_of::<obc_sphere_map_distance>(), align_of::<obc_sphere_map_distance>()), (56, 8));
@@ -279,9 +279,9 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_sphere_map_distance.reserved");
         assert_eq!(unsafe { addr_of!((*start).first_mean) } as usize - start as usize, 8, "obc_sphere_map_distance.first_mean");
         assert_eq!(unsafe { addr_of!((*start).first_root_mean_square) } as usize - start as usize, 16, "obc_sphere_map_distance.first_root_mean_square");
-        assert_eq!(unsafe { addr_of!((*start).first_largest) } as usize - start as usize, 24, "obc_sphere_map_distance.first_largest");
+        assert_eq!(unsafe { addr_of!((*start).first_max) } as usize - start as usize, 24, "obc_sphere_map_distance.first_max");
         assert_eq!(unsafe { addr_of!((*start).second_mean) } as usize - start as usize, 32, "obc_sphere_map_distance.second_mean");
         assert_eq!(unsafe { addr_of!((*start).second_root_mean_square) } as usize - start as usize, 40, "obc_sphere_map_distance.second_root_mean_square");
-        assert_eq!(unsafe { addr_of!((*start).second_largest) } as usize - start as usize, 48, "obc_sphere_map_distance.second_largest");
+        assert_eq!(unsafe { addr_of!((*start).second_max) } as usize - start as usize, 48, "obc_sphere_map_distance.second_max");
     }
 }

@@ -7,7 +7,7 @@ use std::os::raw::{c_char, c_void};
 pub const OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY: i32 = 0;
 pub const OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: i32 = 1;
 pub const OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: i32 = 2;
-pub const OBC_SPHERE_OPTIMIZER_SEED: i32 = 3;
+pub const OBC_SPHERE_OPTIMIZER_DISSERTATION: i32 = 3;
 
 /// evaluate f and its gradient at x, then call \_tell
 pub const OBC_SPHERE_OPTIMIZER_NEED_FG: i32 = 1;
@@ -63,7 +63,7 @@ pub struct obc_sphere_optimizer_relaxation {
 }
 
 /// Evaluates f at x (count blocks of dimension numbers, consecutive) and its gradient in the same order: the gradient in R^d of each
-/// block, or any vector with the same tangential component. SEED uses the whole gradient; LIMITED\_MEMORY takes the normal component as an
+/// block, or any vector with the same tangential component. DISSERTATION uses the whole gradient; LIMITED\_MEMORY takes the normal component as an
 /// estimate of the stiffness of each block, which saves evaluations. A value or entry that is not finite counts as FAILED. Returns one
 /// of the constants above.
 pub type obc_sphere_optimizer_function = Option<unsafe extern "C" fn(x: *const f64, count: usize, dimension: usize, value: *mut f64, gradient: *mut f64, user: *mut c_void) -> i32>;
@@ -124,9 +124,9 @@ pub struct obc_sphere_optimizer_blocks {
     /// number of blocks, below 4294967295. Default: 0, which must be set.
     pub count: usize,
     /// count + 1 offsets into the array of neighbors. Default: NULL.
-    pub neighbour_start: *const usize,
+    pub neighbor_start: *const usize,
     /// for each block, the blocks whose terms of f contain it. Default: NULL.
-    pub neighbour: *const u32,
+    pub neighbor: *const u32,
 }
 
 /// Options of a relaxation. Fill with \_relaxation\_options\_init.
@@ -134,7 +134,7 @@ pub struct obc_sphere_optimizer_blocks {
 #[derive(Clone, Copy)]
 pub struct obc_sphere_optimizer_relaxation_options {
     pub struct_size: u32,
-    /// GREAT\_CIRCLE, or SEED: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT\_CIRCLE.
+    /// GREAT\_CIRCLE, or DISSERTATION: Algorithm 2 as printed, in the order of eq. 3.6. Default: GREAT\_CIRCLE.
     pub method: i32,
     /// 1: Newton steps, for which f returns Hessians; 0: first-order steps. Default: 0.
     pub second_order: i32,
@@ -280,8 +280,8 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_optimizer_blocks.struct_size");
         assert_eq!(unsafe { addr_of!((*start).dimension) } as usize - start as usize, 4, "obc_sphere_optimizer_blocks.dimension");
         assert_eq!(unsafe { addr_of!((*start).count) } as usize - start as usize, 8, "obc_sphere_optimizer_blocks.count");
-        assert_eq!(unsafe { addr_of!((*start).neighbour_start) } as usize - start as usize, 16, "obc_sphere_optimizer_blocks.neighbour_start");
-        assert_eq!(unsafe { addr_of!((*start).neighbour) } as usize - start as usize, 24, "obc_sphere_optimizer_blocks.neighbour");
+        assert_eq!(unsafe { addr_of!((*start).neighbor_start) } as usize - start as usize, 16, "obc_sphere_optimizer_blocks.neighbor_start");
+        assert_eq!(unsafe { addr_of!((*start).neighbor) } as usize - start as usize, 24, "obc_sphere_optimizer_blocks.neighbor");
         assert_eq!((size_of::<obc_sphere_optimizer_relaxation_options>(), align_of::<obc_sphere_optimizer_relaxation_options>()), (48, 8));
         let it = MaybeUninit::<obc_sphere_optimizer_relaxation_options>::uninit();
         let start = it.as_ptr();

@@ -7,7 +7,7 @@ use std::os::raw::{c_char, c_void};
 /// radius of steps and resolution
 pub const OBC_TRUST_REGION_TWO_RADII: i32 = 0;
 /// the dissertation's radius rule, for comparison
-pub const OBC_TRUST_REGION_SEED: i32 = 1;
+pub const OBC_TRUST_REGION_DISSERTATION: i32 = 1;
 
 /// CROSS for a scalar f with bounds, otherwise CHAIN
 pub const OBC_TRUST_REGION_AUTOMATIC: i32 = 0;
@@ -37,7 +37,7 @@ pub const OBC_TRUST_REGION_NOISE_LIMIT: i32 = 4;
 pub const OBC_TRUST_REGION_STALLED: i32 = 5;
 /// by the host's progress callback or by the callback f
 pub const OBC_TRUST_REGION_CANCELLED: i32 = 6;
-/// no value at x0 of a CHAIN, or more than 80 + 8n (SEED: 20 + 2n) failures in a row
+/// no value at x0 of a CHAIN, or more than 80 + 8n (DISSERTATION: 20 + 2n) failures in a row
 pub const OBC_TRUST_REGION_EVALUATION_FAILED: i32 = 7;
 /// the resolution reached radius\_end at the boundary of the domain of f or where f is not
 /// smooth; the models still have a descent direction
@@ -89,12 +89,12 @@ pub struct obc_trust_region_problem {
 #[derive(Clone, Copy)]
 pub struct obc_trust_region_options {
     pub struct_size: u32,
-    /// OBC\_TRUST\_REGION\_TWO\_RADII or SEED. Default: TWO\_RADII.
+    /// OBC\_TRUST\_REGION\_TWO\_RADII or DISSERTATION. Default: TWO\_RADII.
     pub method: i32,
     /// initial points, OBC\_TRUST\_REGION\_AUTOMATIC, CHAIN or CROSS. Default: AUTOMATIC.
     pub start: i32,
     /// Maximum number of interpolation points, n + 2 to (n+1)(n+2)/2. 0: the larger of 6n + 1 and 45, with residuals of 2n + 1 and
-    /// 91, limited to the number for a full quadratic; SEED 2n + 1. Default: 0.
+    /// 91, limited to the number for a full quadratic; DISSERTATION 2n + 1. Default: 0.
     pub points: u64,
     /// initial radius of steps. 0: a tenth of max(1, |x0 / scale|inf), or of 1 for a scale by boxes. Default: 0.
     pub radius_begin: f64,

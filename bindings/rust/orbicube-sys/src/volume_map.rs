@@ -14,24 +14,24 @@ pub const OBC_VOLUME_MAP_PADDING_WITH: i32 = 1;
 /// the result is bad, it also tries none and all.
 pub const OBC_VOLUME_MAP_PADDING_WITHOUT: i32 = 2;
 
-/// Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+/// Methods. POLYCUBE: cells of a polycube of the surface. GRID (grid-based): inner cells of a grid over the bounding box with a layer
 /// around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
-/// argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed \`distance\` with up to twice as many cells or have a
+/// argument. AUTO: POLYCUBE, and GRID where the hexahedra of the polycube exceed \`max\_hausdorff\_percent\` with up to twice as many cells or have a
 /// scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
 /// POLYCUBE.
 pub const OBC_VOLUME_MAP_METHOD_AUTO: i32 = 0;
-/// Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+/// Methods. POLYCUBE: cells of a polycube of the surface. GRID (grid-based): inner cells of a grid over the bounding box with a layer
 /// around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
-/// argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed \`distance\` with up to twice as many cells or have a
+/// argument. AUTO: POLYCUBE, and GRID where the hexahedra of the polycube exceed \`max\_hausdorff\_percent\` with up to twice as many cells or have a
 /// scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
 /// POLYCUBE.
 pub const OBC_VOLUME_MAP_METHOD_POLYCUBE: i32 = 1;
-/// Methods. POLYCUBE: cells of a polycube of the surface. VOXELS (grid-based): inner cells of a grid over the bounding box with a layer
+/// Methods. POLYCUBE: cells of a polycube of the surface. GRID (grid-based): inner cells of a grid over the bounding box with a layer
 /// around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
-/// argument. AUTO: POLYCUBE, and VOXELS where the hexahedra of the polycube exceed \`distance\` with up to twice as many cells or have a
+/// argument. AUTO: POLYCUBE, and GRID where the hexahedra of the polycube exceed \`max\_hausdorff\_percent\` with up to twice as many cells or have a
 /// scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
 /// POLYCUBE.
-pub const OBC_VOLUME_MAP_METHOD_VOXELS: i32 = 2;
+pub const OBC_VOLUME_MAP_METHOD_GRID: i32 = 2;
 
 /// A bijective map of a solid to a polycube.
 #[repr(C)]
@@ -51,7 +51,7 @@ pub struct obc_volume_map_hexes {
 /// \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct obc_volume_map_tangle {
+pub struct obc_volume_map_untangle_problem {
     pub struct_size: u32,
     pub reserved: i32,
     /// initial positions, x y z a vertex. Default: NULL, which must be set.
@@ -102,9 +102,9 @@ pub struct obc_volume_map_untangle_report {
     /// number of steps taken
     pub polish_steps: u64,
     /// minimum and maximum determinant after
-    pub least_determinant: f64,
+    pub min_determinant: f64,
     /// minimum and maximum determinant after
-    pub greatest_determinant: f64,
+    pub max_determinant: f64,
     /// mean of |J|^2 / D^(2/3) + volume\_weight (1 + D^2) / D; at least 5 with weight 1
     pub energy: f64,
 }
@@ -138,17 +138,17 @@ pub struct obc_volume_map_hexes_options {
     pub seed: u64,
     /// number of smoothing rounds, 0 to 1000. Default: 40.
     pub rounds: i32,
-    /// OBC\_VOLUME\_MAP\_METHOD\_AUTO, POLYCUBE or VOXELS. Default: AUTO.
+    /// OBC\_VOLUME\_MAP\_METHOD\_AUTO, POLYCUBE or GRID. Default: AUTO.
     pub method: i32,
     /// Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume error, in percent, 0 to
-    /// 100. While it is exceeded, the cell count is doubled, up to most\_cells; the closest mesh is returned. 0 disables the check.
+    /// 100. While it is exceeded, the cell count is doubled, up to max\_cells; the closest mesh is returned. 0 disables the check.
     /// Default: 1.
-    pub distance: f64,
+    pub max_hausdorff_percent: f64,
     /// approximate maximum cell count of doubling, up to 10 million; below \`cells\`: no doubling. Default: 100000.
-    pub most_cells: usize,
+    pub max_cells: usize,
     /// Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows sharp edges near an edge of
     /// the polycube, unless hexahedra there would be bad. 0: none. Default: 40.
-    pub sharp_angle: f64,
+    pub feature_angle: f64,
 }
 
 /// Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
@@ -160,7 +160,7 @@ pub struct obc_volume_map_hexes_report {
     /// 1: with a layer along the boundary or parts of it; 0: without
     pub padded: i32,
     /// minimum and mean over the hexahedra
-    pub least_scaled_jacobian: f64,
+    pub min_scaled_jacobian: f64,
     /// minimum and mean over the hexahedra
     pub mean_scaled_jacobian: f64,
     /// total volume of the trilinear hexahedra
@@ -171,14 +171,14 @@ pub struct obc_volume_map_hexes_report {
     pub off_surface: usize,
     /// Hausdorff distance of the boundary (quads split at their first vertex) and the surface, in percent of the bounding-box diagonal,
     /// accurate to half a percent of itself, and volume error in percent, both of the whole solid.
-    pub distance: f64,
+    pub hausdorff_percent: f64,
     /// Hausdorff distance of the boundary (quads split at their first vertex) and the surface, in percent of the bounding-box diagonal,
     /// accurate to half a percent of itself, and volume error in percent, both of the whole solid.
-    pub volume_error: f64,
+    pub volume_error_percent: f64,
     /// 1: the mesh follows the sharp edges for which the polycube has edges; 0: it does not
     pub follows_sharp_edges: i32,
     /// 1: at least one piece is grid-based; 0: none
-    pub by_voxels: i32,
+    pub grid_based: i32,
 }
 
 /// Options of a frame-guided hexahedral mesh. Fill with \_init.
@@ -190,13 +190,13 @@ pub struct obc_volume_map_frame_options {
     pub rounds: i32,
     /// approximate number of hexahedra, 1 to 10 million. Default: 10000.
     pub cells: usize,
-    /// Minimum dihedral angle, in radians, of boundary edges that an axis of the computed frames follows; unused for frames of the
+    /// Minimum dihedral angle, in degrees, of boundary edges that an axis of the computed frames follows; unused for frames of the
     /// caller. 0: none. Default: 0.
     pub feature_angle: f64,
     /// as in obc\_volume\_map\_hexes\_options, relative to the boundary of the solid. Default: 1.
-    pub distance: f64,
+    pub max_hausdorff_percent: f64,
     /// as in obc\_volume\_map\_hexes\_options. Default: 100000.
-    pub most_cells: usize,
+    pub max_cells: usize,
 }
 
 /// Figures of a frame-guided hexahedral mesh. The caller sets struct\_size.
@@ -207,7 +207,7 @@ pub struct obc_volume_map_frame_report {
     /// 1: the search proved the integers optimal; 0: it ended before
     pub integers_optimal: i32,
     /// as in obc\_volume\_map\_hexes\_report
-    pub least_scaled_jacobian: f64,
+    pub min_scaled_jacobian: f64,
     /// as in obc\_volume\_map\_hexes\_report
     pub mean_scaled_jacobian: f64,
     /// total volume of the trilinear hexahedra
@@ -227,19 +227,19 @@ pub struct obc_volume_map_frame_report {
     /// number of Newton steps of untangling and optimization
     pub steps: usize,
     /// as in obc\_volume\_map\_hexes\_report
-    pub distance: f64,
+    pub hausdorff_percent: f64,
     /// as in obc\_volume\_map\_hexes\_report
-    pub volume_error: f64,
+    pub volume_error_percent: f64,
 }
 
 extern "C" {
     /// Fill a mesh with no vertices, options with the defaults, and a report with zeros.
-    pub fn obc_volume_map_tangle_init(tangle: *mut obc_volume_map_tangle, struct_size: usize) -> i32;
+    pub fn obc_volume_map_untangle_problem_init(problem: *mut obc_volume_map_untangle_problem, struct_size: usize) -> i32;
     /// Fill a mesh with no vertices, options with the defaults, and a report with zeros.
     pub fn obc_volume_map_untangle_options_init(options: *mut obc_volume_map_untangle_options, struct_size: usize) -> i32;
     /// Fill a mesh with no vertices, options with the defaults, and a report with zeros.
     pub fn obc_volume_map_untangle_report_init(report: *mut obc_volume_map_untangle_report, struct_size: usize) -> i32;
-    /// Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be tangle-\>positions; fixed coordinates are
+    /// Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem-\>positions; fixed coordinates are
     /// unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
     /// NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
     /// Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
@@ -247,7 +247,7 @@ extern "C" {
     /// not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
     /// malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
     /// tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled.
-    pub fn obc_volume_map_untangle(tangle: *const obc_volume_map_tangle, options: *const obc_volume_map_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_volume_map_untangle_report, error: *mut obc_error) -> i32;
+    pub fn obc_volume_map_untangle(problem: *const obc_volume_map_untangle_problem, options: *const obc_volume_map_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_volume_map_untangle_report, error: *mut obc_error) -> i32;
     /// Fills options with the defaults.
     pub fn obc_volume_map_solid_options_init(options: *mut obc_volume_map_solid_options, struct_size: usize) -> i32;
     /// Computes a polycube of the boundary of a solid and a map of the solid to it. Every tetrahedron is positive on the polycube and in
@@ -289,14 +289,14 @@ extern "C" {
     /// Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
     /// counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
     /// Errors: invalid argument.
-    pub fn obc_volume_map_hexes_copy(hexes: *const obc_volume_map_hexes, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_faces: *mut u32, error: *mut obc_error) -> i32;
+    pub fn obc_volume_map_hexes_copy(hexes: *const obc_volume_map_hexes, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_patches: *mut u32, error: *mut obc_error) -> i32;
     /// Fills options with the defaults.
     pub fn obc_volume_map_frame_options_init(options: *mut obc_volume_map_frame_options, struct_size: usize) -> i32;
     /// Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
     /// Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
     /// \<orbicube/frame\_field.h\>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
     /// until a map follows one. The patch numbers of obc\_volume\_map\_hexes\_copy are those of connected boundary regions in one
-    /// plane of the map. Where the boundary exceeds \`distance\`, it is fixed to the map's surface, then cells are added as in
+    /// plane of the map. Where the boundary exceeds \`max\_hausdorff\_percent\`, it is fixed to the map's surface, then cells are added as in
     /// obc\_volume\_map\_hexes\_compute. options, host and report may be NULL; the allocator of the host must remain valid until \_destroy.
     /// Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
     /// follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with
@@ -314,18 +314,18 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_volume_map_tangle>(), align_of::<obc_volume_map_tangle>()), (64, 8));
-        let it = MaybeUninit::<obc_volume_map_tangle>::uninit();
+        assert_eq!((size_of::<obc_volume_map_untangle_problem>(), align_of::<obc_volume_map_untangle_problem>()), (64, 8));
+        let it = MaybeUninit::<obc_volume_map_untangle_problem>::uninit();
         let start = it.as_ptr();
-        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_tangle.struct_size");
-        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_volume_map_tangle.reserved");
-        assert_eq!(unsafe { addr_of!((*start).positions) } as usize - start as usize, 8, "obc_volume_map_tangle.positions");
-        assert_eq!(unsafe { addr_of!((*start).vertex_count) } as usize - start as usize, 16, "obc_volume_map_tangle.vertex_count");
-        assert_eq!(unsafe { addr_of!((*start).tetrahedra) } as usize - start as usize, 24, "obc_volume_map_tangle.tetrahedra");
-        assert_eq!(unsafe { addr_of!((*start).tetrahedron_count) } as usize - start as usize, 32, "obc_volume_map_tangle.tetrahedron_count");
-        assert_eq!(unsafe { addr_of!((*start).rest) } as usize - start as usize, 40, "obc_volume_map_tangle.rest");
-        assert_eq!(unsafe { addr_of!((*start).fixed) } as usize - start as usize, 48, "obc_volume_map_tangle.fixed");
-        assert_eq!(unsafe { addr_of!((*start).ties) } as usize - start as usize, 56, "obc_volume_map_tangle.ties");
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_untangle_problem.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_volume_map_untangle_problem.reserved");
+        assert_eq!(unsafe { addr_of!((*start).positions) } as usize - start as usize, 8, "obc_volume_map_untangle_problem.positions");
+        assert_eq!(unsafe { addr_of!((*start).vertex_count) } as usize - start as usize, 16, "obc_volume_map_untangle_problem.vertex_count");
+        assert_eq!(unsafe { addr_of!((*start).tetrahedra) } as usize - start as usize, 24, "obc_volume_map_untangle_problem.tetrahedra");
+        assert_eq!(unsafe { addr_of!((*start).tetrahedron_count) } as usize - start as usize, 32, "obc_volume_map_untangle_problem.tetrahedron_count");
+        assert_eq!(unsafe { addr_of!((*start).rest) } as usize - start as usize, 40, "obc_volume_map_untangle_problem.rest");
+        assert_eq!(unsafe { addr_of!((*start).fixed) } as usize - start as usize, 48, "obc_volume_map_untangle_problem.fixed");
+        assert_eq!(unsafe { addr_of!((*start).ties) } as usize - start as usize, 56, "obc_volume_map_untangle_problem.ties");
         assert_eq!((size_of::<obc_volume_map_untangle_options>(), align_of::<obc_volume_map_untangle_options>()), (24, 8));
         let it = MaybeUninit::<obc_volume_map_untangle_options>::uninit();
         let start = it.as_ptr();
@@ -343,8 +343,8 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).inverted) } as usize - start as usize, 16, "obc_volume_map_untangle_report.inverted");
         assert_eq!(unsafe { addr_of!((*start).steps) } as usize - start as usize, 24, "obc_volume_map_untangle_report.steps");
         assert_eq!(unsafe { addr_of!((*start).polish_steps) } as usize - start as usize, 32, "obc_volume_map_untangle_report.polish_steps");
-        assert_eq!(unsafe { addr_of!((*start).least_determinant) } as usize - start as usize, 40, "obc_volume_map_untangle_report.least_determinant");
-        assert_eq!(unsafe { addr_of!((*start).greatest_determinant) } as usize - start as usize, 48, "obc_volume_map_untangle_report.greatest_determinant");
+        assert_eq!(unsafe { addr_of!((*start).min_determinant) } as usize - start as usize, 40, "obc_volume_map_untangle_report.min_determinant");
+        assert_eq!(unsafe { addr_of!((*start).max_determinant) } as usize - start as usize, 48, "obc_volume_map_untangle_report.max_determinant");
         assert_eq!(unsafe { addr_of!((*start).energy) } as usize - start as usize, 56, "obc_volume_map_untangle_report.energy");
         assert_eq!((size_of::<obc_volume_map_solid_options>(), align_of::<obc_volume_map_solid_options>()), (24, 8));
         let it = MaybeUninit::<obc_volume_map_solid_options>::uninit();
@@ -364,23 +364,23 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 32, "obc_volume_map_hexes_options.seed");
         assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 40, "obc_volume_map_hexes_options.rounds");
         assert_eq!(unsafe { addr_of!((*start).method) } as usize - start as usize, 44, "obc_volume_map_hexes_options.method");
-        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_options.distance");
-        assert_eq!(unsafe { addr_of!((*start).most_cells) } as usize - start as usize, 56, "obc_volume_map_hexes_options.most_cells");
-        assert_eq!(unsafe { addr_of!((*start).sharp_angle) } as usize - start as usize, 64, "obc_volume_map_hexes_options.sharp_angle");
+        assert_eq!(unsafe { addr_of!((*start).max_hausdorff_percent) } as usize - start as usize, 48, "obc_volume_map_hexes_options.max_hausdorff_percent");
+        assert_eq!(unsafe { addr_of!((*start).max_cells) } as usize - start as usize, 56, "obc_volume_map_hexes_options.max_cells");
+        assert_eq!(unsafe { addr_of!((*start).feature_angle) } as usize - start as usize, 64, "obc_volume_map_hexes_options.feature_angle");
         assert_eq!((size_of::<obc_volume_map_hexes_report>(), align_of::<obc_volume_map_hexes_report>()), (72, 8));
         let it = MaybeUninit::<obc_volume_map_hexes_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_hexes_report.struct_size");
         assert_eq!(unsafe { addr_of!((*start).padded) } as usize - start as usize, 4, "obc_volume_map_hexes_report.padded");
-        assert_eq!(unsafe { addr_of!((*start).least_scaled_jacobian) } as usize - start as usize, 8, "obc_volume_map_hexes_report.least_scaled_jacobian");
+        assert_eq!(unsafe { addr_of!((*start).min_scaled_jacobian) } as usize - start as usize, 8, "obc_volume_map_hexes_report.min_scaled_jacobian");
         assert_eq!(unsafe { addr_of!((*start).mean_scaled_jacobian) } as usize - start as usize, 16, "obc_volume_map_hexes_report.mean_scaled_jacobian");
         assert_eq!(unsafe { addr_of!((*start).volume) } as usize - start as usize, 24, "obc_volume_map_hexes_report.volume");
         assert_eq!(unsafe { addr_of!((*start).polycube_corners) } as usize - start as usize, 32, "obc_volume_map_hexes_report.polycube_corners");
         assert_eq!(unsafe { addr_of!((*start).off_surface) } as usize - start as usize, 40, "obc_volume_map_hexes_report.off_surface");
-        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 48, "obc_volume_map_hexes_report.distance");
-        assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 56, "obc_volume_map_hexes_report.volume_error");
+        assert_eq!(unsafe { addr_of!((*start).hausdorff_percent) } as usize - start as usize, 48, "obc_volume_map_hexes_report.hausdorff_percent");
+        assert_eq!(unsafe { addr_of!((*start).volume_error_percent) } as usize - start as usize, 56, "obc_volume_map_hexes_report.volume_error_percent");
         assert_eq!(unsafe { addr_of!((*start).follows_sharp_edges) } as usize - start as usize, 64, "obc_volume_map_hexes_report.follows_sharp_edges");
-        assert_eq!(unsafe { addr_of!((*start).by_voxels) } as usize - start as usize, 68, "obc_volume_map_hexes_report.by_voxels");
+        assert_eq!(unsafe { addr_of!((*start).grid_based) } as usize - start as usize, 68, "obc_volume_map_hexes_report.grid_based");
         assert_eq!((size_of::<obc_volume_map_frame_options>(), align_of::<obc_volume_map_frame_options>()), (40, 8));
         let it = MaybeUninit::<obc_volume_map_frame_options>::uninit();
         let start = it.as_ptr();
@@ -388,14 +388,14 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 4, "obc_volume_map_frame_options.rounds");
         assert_eq!(unsafe { addr_of!((*start).cells) } as usize - start as usize, 8, "obc_volume_map_frame_options.cells");
         assert_eq!(unsafe { addr_of!((*start).feature_angle) } as usize - start as usize, 16, "obc_volume_map_frame_options.feature_angle");
-        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 24, "obc_volume_map_frame_options.distance");
-        assert_eq!(unsafe { addr_of!((*start).most_cells) } as usize - start as usize, 32, "obc_volume_map_frame_options.most_cells");
+        assert_eq!(unsafe { addr_of!((*start).max_hausdorff_percent) } as usize - start as usize, 24, "obc_volume_map_frame_options.max_hausdorff_percent");
+        assert_eq!(unsafe { addr_of!((*start).max_cells) } as usize - start as usize, 32, "obc_volume_map_frame_options.max_cells");
         assert_eq!((size_of::<obc_volume_map_frame_report>(), align_of::<obc_volume_map_frame_report>()), (104, 8));
         let it = MaybeUninit::<obc_volume_map_frame_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_volume_map_frame_report.struct_size");
         assert_eq!(unsafe { addr_of!((*start).integers_optimal) } as usize - start as usize, 4, "obc_volume_map_frame_report.integers_optimal");
-        assert_eq!(unsafe { addr_of!((*start).least_scaled_jacobian) } as usize - start as usize, 8, "obc_volume_map_frame_report.least_scaled_jacobian");
+        assert_eq!(unsafe { addr_of!((*start).min_scaled_jacobian) } as usize - start as usize, 8, "obc_volume_map_frame_report.min_scaled_jacobian");
         assert_eq!(unsafe { addr_of!((*start).mean_scaled_jacobian) } as usize - start as usize, 16, "obc_volume_map_frame_report.mean_scaled_jacobian");
         assert_eq!(unsafe { addr_of!((*start).volume) } as usize - start as usize, 24, "obc_volume_map_frame_report.volume");
         assert_eq!(unsafe { addr_of!((*start).off_surface) } as usize - start as usize, 32, "obc_volume_map_frame_report.off_surface");
@@ -405,7 +405,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).tetrahedra) } as usize - start as usize, 64, "obc_volume_map_frame_report.tetrahedra");
         assert_eq!(unsafe { addr_of!((*start).inverted_at_start) } as usize - start as usize, 72, "obc_volume_map_frame_report.inverted_at_start");
         assert_eq!(unsafe { addr_of!((*start).steps) } as usize - start as usize, 80, "obc_volume_map_frame_report.steps");
-        assert_eq!(unsafe { addr_of!((*start).distance) } as usize - start as usize, 88, "obc_volume_map_frame_report.distance");
-        assert_eq!(unsafe { addr_of!((*start).volume_error) } as usize - start as usize, 96, "obc_volume_map_frame_report.volume_error");
+        assert_eq!(unsafe { addr_of!((*start).hausdorff_percent) } as usize - start as usize, 88, "obc_volume_map_frame_report.hausdorff_percent");
+        assert_eq!(unsafe { addr_of!((*start).volume_error_percent) } as usize - start as usize, 96, "obc_volume_map_frame_report.volume_error_percent");
     }
 }

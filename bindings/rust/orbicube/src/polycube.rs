@@ -76,7 +76,7 @@ pub struct Features {
     pub points: Vec<(u32, [f64; 3], f64)>,
     pub curves: Vec<Curve>,
     /// Minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: none.
-    pub sharp_angle: f64,
+    pub feature_angle: f64,
 }
 
 /// Vertices along a curve of the surface, and a line along an axis on the polycube that they are to be on.
@@ -101,7 +101,7 @@ pub struct Graph {
     /// Of each patch its loops, the first around it, each the darts of its edges.
     pub patch_loops: Vec<Vec<Vec<u32>>>,
     /// Of each patch those that share an edge with it.
-    pub neighbours: Vec<Vec<u32>>,
+    pub neighbors: Vec<Vec<u32>>,
 }
 
 impl Polycube {
@@ -114,26 +114,26 @@ impl Polycube {
         Polycube::made(host, |host, out, error| unsafe { obc_polycube_compute(&surface.c, &options.0, host, out, error) })
     }
     /// Maps a surface to the given polycube, which is stretched to its box.
-    pub fn compute_on(surface: Surface, polycube: Surface, host: &mut Host) -> Result<Polycube, Error> {
+    pub fn map_to_domain(surface: Surface, polycube: Surface, host: &mut Host) -> Result<Polycube, Error> {
         Polycube::made(host, |host, out, error| unsafe {
-            obc_polycube_compute_on(&surface.c, &polycube.c, std::ptr::null(), host, out, error)
+            obc_polycube_map_to_domain(&surface.c, &polycube.c, std::ptr::null(), host, out, error)
         })
     }
     /// The same with positions of corners, each a vertex of the given polycube.
-    pub fn compute_on_places(surface: Surface, polycube: Surface, places: &[(u32, Place)], host: &mut Host) -> Result<Polycube, Error> {
-        let corners: Vec<u32> = places.iter().map(|place| place.0).collect();
-        let (vertices, points): (Vec<u32>, Vec<[f64; 3]>) = places.iter().map(|place| match place.1 {
+    pub fn map_to_domain_with_constraints(surface: Surface, polycube: Surface, constraints: &[(u32, Place)], host: &mut Host) -> Result<Polycube, Error> {
+        let corners: Vec<u32> = constraints.iter().map(|place| place.0).collect();
+        let (vertices, points): (Vec<u32>, Vec<[f64; 3]>) = constraints.iter().map(|place| match place.1 {
             Place::Vertex(vertex) => (vertex, [0.0; 3]),
             Place::Near(point) => (u32::MAX, point),
         }).unzip();
-        let places = obc_polycube_places {
+        let c = obc_polycube_constraints {
             corners: pointer(&corners),
             vertices: pointer(&vertices),
             points: pointer(&points) as *const f64,
             count: corners.len(),
         };
         Polycube::made(host, |host, out, error| unsafe {
-            obc_polycube_compute_on(&surface.c, &polycube.c, &places, host, out, error)
+            obc_polycube_map_to_domain(&surface.c, &polycube.c, &c, host, out, error)
         })
     }
     /// A map made elsewhere; an error, with the reason, for what is none.
@@ -147,12 +147,12 @@ impl Polycube {
     pub fn compute_common(surfaces: &[Surface], options: &Options, domain: &DomainOptions,
                           host: &mut Host) -> Result<(Vec<Polycube>, usize), Error> {
         let views: Vec<_> = surfaces.iter().map(|surface| surface.c).collect();
-        let (mut out, mut made_for) = (vec![std::ptr::null_mut(); views.len()], 0);
+        let (mut out, mut constructed_from) = (vec![std::ptr::null_mut(); views.len()], 0);
         call(host, |host, error| unsafe {
-            obc_polycube_compute_common(views.as_ptr(), views.len(), &options.0, &domain.0, host, &mut made_for,
+            obc_polycube_compute_common(views.as_ptr(), views.len(), &options.0, &domain.0, host, &mut constructed_from,
                                         out.as_mut_ptr(), error)
         })?;
-        Ok((out.into_iter().map(Polycube::own).collect(), made_for))
+        Ok((out.into_iter().map(Polycube::own).collect(), constructed_from))
     }
     /// The proportions with the minimum sum of energies of maps to one polycube.
     pub fn optimize_common_domain(maps: &[&Polycube], options: &DomainOptions, host: &mut Host) -> Result<Vec<Polycube>, Error> {
@@ -164,15 +164,15 @@ impl Polycube {
         Ok(out.into_iter().map(Polycube::own).collect())
     }
     /// The same polycube with features at their target positions; an error says what cannot be met.
-    pub fn meet_features(&self, features: &Features, host: &mut Host) -> Result<(Polycube, FeatureReport), Error> {
+    pub fn align_features(&self, features: &Features, host: &mut Host) -> Result<(Polycube, FeatureReport), Error> {
         let mut c: obc_polycube_feature_options = unsafe { std::mem::zeroed() };
         unsafe { obc_polycube_feature_options_init(&mut c, std::mem::size_of::<obc_polycube_feature_options>()) };
         let points: Vec<u32> = features.points.iter().map(|point| point.0).collect();
-        let places: Vec<[f64; 3]> = features.points.iter().map(|point| point.1).collect();
+        let targets: Vec<[f64; 3]> = features.points.iter().map(|point| point.1).collect();
         let point_weights: Vec<f64> = features.points.iter().map(|point| point.2).collect();
         c.point_count = points.len();
         c.points = pointer(&points);
-        c.places = pointer(&places) as *const f64;
+        c.targets = pointer(&targets) as *const f64;
         c.point_weights = pointer(&point_weights);
         let (mut starts, mut vertices) = (vec![0], vec![]);
         for curve in &features.curves {
@@ -186,10 +186,10 @@ impl Polycube {
         c.curve_vertices = vertices.as_ptr(); // not NULL, even of nothing
         c.curve_lines = pointer(&lines) as *const f64;
         c.curve_weights = pointer(&curve_weights);
-        c.sharp_angle = features.sharp_angle;
+        c.feature_angle = features.feature_angle;
         let mut report = FeatureReport::default();
         let map = Polycube::made(host, |host, out, error| unsafe {
-            obc_polycube_meet_features(self.as_ptr(), &c, host, &mut report.0, out, error)
+            obc_polycube_align_features(self.as_ptr(), &c, host, &mut report.0, out, error)
         })?;
         Ok((map, report))
     }
@@ -271,7 +271,7 @@ impl Polycube {
             ..Graph::default()
         };
         let (mut convex, mut loops_of, mut begin, mut darts) = (vec![0u8; edges], vec![0u32; patches + 1], vec![0u32; loops + 1], vec![0u32; 2 * edges]);
-        let (mut dual, mut neighbours) = (vec![0u32; patches + 1], vec![0u32; links]);
+        let (mut dual, mut neighbors) = (vec![0u32; patches + 1], vec![0u32; links]);
         checked(|error| unsafe {
             obc_polycube_graph_copy_corners(out, graph.corner_positions.as_mut_ptr() as *mut f64, graph.corner_vertices.as_mut_ptr(), error)
         })?;
@@ -284,11 +284,11 @@ impl Polycube {
                                             loops_of.as_mut_ptr(), error)
         })?;
         checked(|error| unsafe { obc_polycube_graph_copy_loops(out, begin.as_mut_ptr(), darts.as_mut_ptr(), error) })?;
-        checked(|error| unsafe { obc_polycube_graph_copy_dual(out, dual.as_mut_ptr(), neighbours.as_mut_ptr(), error) })?;
+        checked(|error| unsafe { obc_polycube_graph_copy_dual(out, dual.as_mut_ptr(), neighbors.as_mut_ptr(), error) })?;
         graph.edge_convex = convex.iter().map(|&flag| flag != 0).collect();
         let loops = parts(&begin, &darts);
         graph.patch_loops = loops_of.windows(2).map(|ends| loops[ends[0] as usize..ends[1] as usize].to_vec()).collect();
-        graph.neighbours = parts(&dual, &neighbours);
+        graph.neighbors = parts(&dual, &neighbors);
         Ok(graph)
     }
     /// Of the optimization that it comes from; they never rise.

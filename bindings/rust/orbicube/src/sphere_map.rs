@@ -31,7 +31,7 @@ pub fn compute(surface: Surface, options: &Options, host: &mut Host) -> Result<(
     computed(surface, plain(options), host)
 }
 
-/// The same; `trace` receives the course of the method `OBC_SPHERE_MAP_SEED`: iterations, vertices, energy.
+/// The same; `trace` receives the course of the method `OBC_SPHERE_MAP_DISSERTATION`: iterations, vertices, energy.
 pub fn compute_traced<F: FnMut(u64, u64, f64)>(surface: Surface, options: &Options, trace: F,
                                                host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
     struct Trace<F> {
@@ -95,11 +95,11 @@ pub fn measure(surface: Surface, directions: &[f64], options: &Options, host: &m
 /// Quasi-conformal distortion and area ratio of each triangle.
 pub fn face_distortion(surface: Surface, directions: &[f64], host: &mut Host) -> Result<(Vec<f64>, Vec<f64>), Error> {
     expect_length(directions.len(), 3 * surface.vertex_count(), "directions")?;
-    let (mut dilatation, mut ratio) = (vec![0.0; surface.triangle_count()], vec![0.0; surface.triangle_count()]);
+    let (mut quasi_conformal, mut ratio) = (vec![0.0; surface.triangle_count()], vec![0.0; surface.triangle_count()]);
     call(host, |host, error| unsafe {
-        obc_sphere_map_face_distortion(&surface.c, directions.as_ptr(), host, dilatation.as_mut_ptr(), ratio.as_mut_ptr(), error)
+        obc_sphere_map_face_distortion(&surface.c, directions.as_ptr(), host, quasi_conformal.as_mut_ptr(), ratio.as_mut_ptr(), error)
     })?;
-    Ok((dilatation, ratio))
+    Ok((quasi_conformal, ratio))
 }
 
 /// The map in 32-bit floats, repaired where rounding flips triangles.

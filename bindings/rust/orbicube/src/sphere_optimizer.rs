@@ -123,29 +123,29 @@ struct Blocks {
 }
 
 impl Blocks {
-    fn new(dimension: usize, neighbours: &[Vec<u32>]) -> Result<Blocks, Error> {
+    fn new(dimension: usize, neighbors: &[Vec<u32>]) -> Result<Blocks, Error> {
         let mut start = vec![0];
         let mut flat = vec![];
-        for row in neighbours {
+        for row in neighbors {
             flat.extend_from_slice(row);
             start.push(flat.len());
         }
         let mut filled: obc_sphere_optimizer_blocks = unsafe { std::mem::zeroed() };
         unsafe { obc_sphere_optimizer_blocks_init(&mut filled, std::mem::size_of::<obc_sphere_optimizer_blocks>()) };
         filled.dimension = u32::try_from(dimension).map_err(|_| Error::invalid("dimension"))?;
-        filled.count = neighbours.len();
-        filled.neighbour_start = start.as_ptr();
-        filled.neighbour = pointer(&flat);
+        filled.count = neighbors.len();
+        filled.neighbor_start = start.as_ptr();
+        filled.neighbor = pointer(&flat);
         Ok(Blocks { filled, _start: start, _flat: flat })
     }
 }
 
-/// Lowers f block by block; `neighbours[i]` are the blocks whose part of f contains block i.
+/// Lowers f block by block; `neighbors[i]` are the blocks whose part of f contains block i.
 pub fn relax<E: Into<Evaluation>, F: FnMut(Part<'_>) -> E>(
-    f: F, x: &mut [f64], dimension: usize, neighbours: &[Vec<u32>], options: &RelaxationOptions,
+    f: F, x: &mut [f64], dimension: usize, neighbors: &[Vec<u32>], options: &RelaxationOptions,
 ) -> Result<RelaxationReport, Error> {
-    expect_length(x.len(), neighbours.len() * dimension, "x")?;
-    let blocks = Blocks::new(dimension, neighbours)?;
+    expect_length(x.len(), neighbors.len() * dimension, "x")?;
+    let blocks = Blocks::new(dimension, neighbors)?;
     let mut function = Function { f, dimension, length: x.len(), caught: Caught::default() };
     let mut report = RelaxationReport::default();
     let result = checked(|error| unsafe {
@@ -194,10 +194,10 @@ unsafe impl Send for Relaxation {}
 
 impl Relaxation {
     pub fn new(
-        x0: &[f64], dimension: usize, neighbours: &[Vec<u32>], options: &RelaxationOptions,
+        x0: &[f64], dimension: usize, neighbors: &[Vec<u32>], options: &RelaxationOptions,
     ) -> Result<Relaxation, Error> {
-        expect_length(x0.len(), neighbours.len() * dimension, "x0")?;
-        let blocks = Blocks::new(dimension, neighbours)?;
+        expect_length(x0.len(), neighbors.len() * dimension, "x0")?;
+        let blocks = Blocks::new(dimension, neighbors)?;
         let mut out = std::ptr::null_mut();
         checked(|error| unsafe {
             obc_sphere_optimizer_relaxation_create(&blocks.filled, &options.0, x0.as_ptr(), std::ptr::null(), &mut out, error)
@@ -205,14 +205,14 @@ impl Relaxation {
         Ok(Relaxation { handle: RelaxationHandle::own(out), dimension, length: x0.len() })
     }
     /// Goes on with one that was saved, of the same neighbors.
-    pub fn load(bytes: &[u8], dimension: usize, neighbours: &[Vec<u32>]) -> Result<Relaxation, Error> {
-        let blocks = Blocks::new(dimension, neighbours)?;
+    pub fn load(bytes: &[u8], dimension: usize, neighbors: &[Vec<u32>]) -> Result<Relaxation, Error> {
+        let blocks = Blocks::new(dimension, neighbors)?;
         let mut out = std::ptr::null_mut();
         checked(|error| unsafe {
             obc_sphere_optimizer_relaxation_load(&blocks.filled, bytes.as_ptr() as *const c_void, bytes.len(),
                                                  std::ptr::null(), &mut out, error)
         })?;
-        Ok(Relaxation { handle: RelaxationHandle::own(out), dimension, length: neighbours.len() * dimension })
+        Ok(Relaxation { handle: RelaxationHandle::own(out), dimension, length: neighbors.len() * dimension })
     }
     /// Relaxes up to the given number of further blocks, with `f` as of [`relax`]. Whatever breaks it off, [`Evaluation::Stop`] or a
     /// panic, the next call goes on as if it had not been.

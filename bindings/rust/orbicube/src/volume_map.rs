@@ -6,7 +6,7 @@
 //! let mut options = volume_map::HexesOptions::default();
 //! options.cells = 27;
 //! let (hexes, report) = volume_map::fill_with_hexahedra(cube.surface(), &options, &mut Host::new())?;
-//! assert!(hexes.hexahedra.len() >= 27 && report.least_scaled_jacobian > 0.0);
+//! assert!(hexes.hexahedra.len() >= 27 && report.min_scaled_jacobian > 0.0);
 //! # Ok::<(), orbicube::Error>(())
 //! ```
 
@@ -22,7 +22,7 @@ filled!(/// Figures of a run.
 
 /// A mesh to untangle; empty: none.
 #[derive(Clone, Copy, Debug, Default)]
-pub struct Tangle<'a> {
+pub struct UntangleProblem<'a> {
     pub positions: &'a [f64],
     pub tetrahedra: &'a [u32],
     /// Positions where each tetrahedron has the shape that it should have.
@@ -34,15 +34,15 @@ pub struct Tangle<'a> {
 }
 
 /// Moves vertices until every tetrahedron is positive.
-pub fn untangle(tangle: &Tangle, options: &UntangleOptions, host: &mut Host) -> Result<(Vec<f64>, UntangleReport), Error> {
-    let (result, report, outcome) = best_of(tangle, options, host)?;
+pub fn untangle(problem: &UntangleProblem, options: &UntangleOptions, host: &mut Host) -> Result<(Vec<f64>, UntangleReport), Error> {
+    let (result, report, outcome) = best_of(problem, options, host)?;
     outcome.map(|_| (result, report))
 }
 
 /// The same; where some stay inverted, the best that was found, and the error beside it.
-pub fn untangle_best(tangle: &Tangle, options: &UntangleOptions,
+pub fn untangle_best(problem: &UntangleProblem, options: &UntangleOptions,
                      host: &mut Host) -> Result<(Vec<f64>, UntangleReport, Option<Error>), Error> {
-    match best_of(tangle, options, host)? {
+    match best_of(problem, options, host)? {
         (result, report, Ok(())) => Ok((result, report, None)),
         (result, report, Err(error)) if error.status == OBC_NO_VALID_RESULT => Ok((result, report, Some(error))),
         (_, _, Err(error)) => Err(error),
@@ -51,22 +51,22 @@ pub fn untangle_best(tangle: &Tangle, options: &UntangleOptions,
 
 type Best = (Vec<f64>, UntangleReport, Result<(), Error>);
 
-fn best_of(tangle: &Tangle, options: &UntangleOptions, host: &mut Host) -> Result<Best, Error> {
-    let n = tangle.positions.len();
-    let mut c: obc_volume_map_tangle = unsafe { std::mem::zeroed() };
-    unsafe { obc_volume_map_tangle_init(&mut c, std::mem::size_of::<obc_volume_map_tangle>()) };
-    c.positions = pointer(tangle.positions);
+fn best_of(problem: &UntangleProblem, options: &UntangleOptions, host: &mut Host) -> Result<Best, Error> {
+    let n = problem.positions.len();
+    let mut c: obc_volume_map_untangle_problem = unsafe { std::mem::zeroed() };
+    unsafe { obc_volume_map_untangle_problem_init(&mut c, std::mem::size_of::<obc_volume_map_untangle_problem>()) };
+    c.positions = pointer(problem.positions);
     c.vertex_count = rows(n, 3, "positions")?;
-    c.tetrahedra = pointer(tangle.tetrahedra);
-    c.tetrahedron_count = rows(tangle.tetrahedra.len(), 4, "tetrahedra")?;
-    for (length, what) in [(tangle.rest.len(), "rest"), (tangle.fixed.len(), "fixed"), (tangle.ties.len(), "ties")] {
+    c.tetrahedra = pointer(problem.tetrahedra);
+    c.tetrahedron_count = rows(problem.tetrahedra.len(), 4, "tetrahedra")?;
+    for (length, what) in [(problem.rest.len(), "rest"), (problem.fixed.len(), "fixed"), (problem.ties.len(), "ties")] {
         if length != 0 {
             expect_length(length, n, what)?;
         }
     }
-    c.rest = pointer(tangle.rest);
-    c.fixed = pointer(tangle.fixed);
-    c.ties = pointer(tangle.ties);
+    c.rest = pointer(problem.rest);
+    c.fixed = pointer(problem.fixed);
+    c.ties = pointer(problem.ties);
     let (mut result, mut report) = (vec![0.0; n], UntangleReport::default());
     let outcome = call(host, |host, error| unsafe {
         obc_volume_map_untangle(&c, &options.0, host, result.as_mut_ptr(), &mut report.0, error)
@@ -128,7 +128,7 @@ pub struct Hexes {
     /// Of the boundary, counter-clockwise seen from outside.
     pub quads: Vec<[u32; 4]>,
     /// Of the polycube, or of the map along frames: what each quad lies on.
-    pub quad_faces: Vec<u32>,
+    pub quad_patches: Vec<u32>,
 }
 
 impl Hexes {
@@ -139,10 +139,10 @@ impl Hexes {
             hexes.positions.resize(3 * obc_volume_map_hexes_vertex_count(out), 0.0);
             hexes.hexahedra.resize(obc_volume_map_hexes_count(out), [0; 8]);
             hexes.quads.resize(obc_volume_map_hexes_quad_count(out), [0; 4]);
-            hexes.quad_faces.resize(hexes.quads.len(), 0);
+            hexes.quad_patches.resize(hexes.quads.len(), 0);
             checked(|error| {
                 obc_volume_map_hexes_copy(out, hexes.positions.as_mut_ptr(), hexes.hexahedra.as_mut_ptr() as *mut u32,
-                                          hexes.quads.as_mut_ptr() as *mut u32, hexes.quad_faces.as_mut_ptr(), error)
+                                          hexes.quads.as_mut_ptr() as *mut u32, hexes.quad_patches.as_mut_ptr(), error)
             })?;
         }
         Ok(hexes)

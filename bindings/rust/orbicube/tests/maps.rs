@@ -117,8 +117,8 @@ fn quaternions_frames_and_polycubes() {
     let tetrahedra = [0, 1, 2, 4, 0, 2, 3, 4, 0, 3, 1, 4, 1, 3, 2, 4];
     let mut fixed = vec![1; 12];
     fixed.extend([0; 3]);
-    let tangle = volume_map::Tangle { positions: &positions, tetrahedra: &tetrahedra, fixed: &fixed, ..Default::default() };
-    let (untangled, report) = volume_map::untangle(&tangle, &Default::default(), &mut host()).unwrap();
+    let problem = volume_map::UntangleProblem { positions: &positions, tetrahedra: &tetrahedra, fixed: &fixed, ..Default::default() };
+    let (untangled, report) = volume_map::untangle(&problem, &Default::default(), &mut host()).unwrap();
     assert!(report.inverted_before > 0 && report.inverted == 0);
     assert_eq!(untangled[..12], corners);
     assert!(untangled[12..].iter().all(|&x| x > 0.0) && untangled[12..].iter().sum::<f64>() < 1.0);
@@ -156,7 +156,7 @@ fn all_that_is_known_of_a_polycube() {
     let mut darts: Vec<u32> = graph.patch_loops.iter().flatten().flatten().copied().collect();
     darts.sort_unstable();
     assert_eq!(darts, (0..24).collect::<Vec<u32>>());
-    assert!(graph.neighbours.iter().all(|neighbours| neighbours.len() == 4));
+    assert!(graph.neighbors.iter().all(|neighbors| neighbors.len() == 4));
 
     let sources = map.sources().unwrap();
     for (i, (corners, weights)) in sources.corners.iter().zip(&sources.weights).enumerate() {
@@ -189,13 +189,13 @@ fn all_that_is_known_of_a_polycube() {
     }
     place[kinds.labels[triangle] as usize / 2] = at(inner)[kinds.labels[triangle] as usize / 2]; // in the plane to the bit
     let features = Features { points: vec![(inner, place, 0.0)], ..Default::default() };
-    let (met, report) = map.meet_features(&features, &mut host()).unwrap();
+    let (met, report) = map.align_features(&features, &mut host()).unwrap();
     assert!(report.distance < 1e-12 && report.distance_before > 1e-3);
     assert_eq!(met.corner_count(), 8);
     let there = met.arrays().1;
     assert!((0..3).all(|k| (there[3 * inner as usize + k] - place[k]).abs() < 1e-12));
     let away = Features { points: vec![(inner, [100.0; 3], 0.0)], ..Default::default() };
-    assert_eq!(map.meet_features(&away, &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
+    assert_eq!(map.align_features(&away, &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
     // A curve of an edge of the polycube lies on it already.
     let ends = [graph.corner_positions[graph.edge_corners[0][0] as usize], graph.corner_positions[graph.edge_corners[0][1] as usize]];
     let axis = (0..3).find(|&k| ends[0][k] != ends[1][k]).unwrap();
@@ -203,7 +203,7 @@ fn all_that_is_known_of_a_polycube() {
     along.sort_by(|&v, &w| ((at(v)[axis] - ends[0][axis]).abs()).partial_cmp(&(at(w)[axis] - ends[0][axis]).abs()).unwrap());
     assert!(along.len() > 2);
     let curve = Curve { vertices: along, line: ends, weight: 0.0 };
-    let (_, report) = map.meet_features(&Features { curves: vec![curve], ..Default::default() }, &mut host()).unwrap();
+    let (_, report) = map.align_features(&Features { curves: vec![curve], ..Default::default() }, &mut host()).unwrap();
     assert!(report.distance < 1e-12);
 
     // Given to another surface, with a corner where it was and another near a point.
@@ -213,14 +213,14 @@ fn all_that_is_known_of_a_polycube() {
                                                           positions[3 * graph.corner_vertices[1] as usize + 1],
                                                           positions[3 * graph.corner_vertices[1] as usize + 2]]))];
     let surface = Surface::new(&positions, &triangles).unwrap();
-    let placed = Polycube::compute_on_places(surface, box_, &places, &mut host()).unwrap();
+    let placed = Polycube::map_to_domain_with_constraints(surface, box_, &places, &mut host()).unwrap();
     assert_eq!((placed.corner_count(), placed.construction()), (8, None));
     assert_eq!(placed.graph(&mut host()).unwrap().corner_positions.len(), 8);
     let unknown = [(u32::MAX - 1, Place::Near([0.0; 3]))];
-    assert!(Polycube::compute_on_places(surface, box_, &unknown, &mut host()).is_err());
+    assert!(Polycube::map_to_domain_with_constraints(surface, box_, &unknown, &mut host()).is_err());
 
-    let (maps, made_for) = Polycube::compute_common(&[cube.surface(), cube.surface()], &Default::default(), &Default::default(), &mut host()).unwrap();
-    assert!(made_for < 2);
+    let (maps, constructed_from) = Polycube::compute_common(&[cube.surface(), cube.surface()], &Default::default(), &Default::default(), &mut host()).unwrap();
+    assert!(constructed_from < 2);
     let better = Polycube::optimize_common_domain(&[&maps[0], &maps[1]], &Default::default(), &mut host()).unwrap();
     let energies = better[0].energies().unwrap();
     assert!(energies.windows(2).all(|pair| pair[1] <= pair[0]));
@@ -230,12 +230,12 @@ fn all_that_is_known_of_a_polycube() {
 #[test]
 fn what_stays_tangled_is_handed_out_with_the_error() {
     let positions = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0];
-    let tangle = volume_map::Tangle { positions: &positions, tetrahedra: &[0, 1, 2, 3], fixed: &[1; 12], ..Default::default() };
-    let (best, report, error) = volume_map::untangle_best(&tangle, &Default::default(), &mut host()).unwrap();
+    let problem = volume_map::UntangleProblem { positions: &positions, tetrahedra: &[0, 1, 2, 3], fixed: &[1; 12], ..Default::default() };
+    let (best, report, error) = volume_map::untangle_best(&problem, &Default::default(), &mut host()).unwrap();
     assert_eq!((best, report.inverted), (positions.to_vec(), 1));
     assert_eq!(error.unwrap().status, sys::base::OBC_NO_VALID_RESULT);
-    assert!(volume_map::untangle(&tangle, &Default::default(), &mut host()).is_err());
-    let wrong = volume_map::Tangle { ties: &[7; 3], ..tangle };
+    assert!(volume_map::untangle(&problem, &Default::default(), &mut host()).is_err());
+    let wrong = volume_map::UntangleProblem { ties: &[7; 3], ..problem };
     assert_eq!(volume_map::untangle_best(&wrong, &Default::default(), &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
 }
 
@@ -311,7 +311,7 @@ fn cube_of_tetrahedra() -> (Vec<f64>, Vec<u32>) {
 }
 
 /// The minimum scaled Jacobian, by arithmetic of our own.
-fn least_scaled_jacobian(hexes: &volume_map::Hexes) -> f64 {
+fn min_scaled_jacobian(hexes: &volume_map::Hexes) -> f64 {
     const ENDS: [[usize; 3]; 8] = [[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]];
     let at = |v: u32| -> [f64; 3] { std::array::from_fn(|k| hexes.positions[3 * v as usize + k]) };
     let mut least = f64::INFINITY;
@@ -339,7 +339,7 @@ fn solids_become_hexahedra_and_polycubes() {
     let (hexes, report) = volume_map::fill_along_frames(&corners, &tetrahedra, &[], &options, &mut host()).unwrap();
     assert_eq!((hexes.hexahedra.len(), hexes.positions.len(), hexes.quads.len()), (8, 3 * 27, 24));
     assert!((report.volume - 1.0).abs() < 1e-9 && report.irregular_edges == 0);
-    assert!((least_scaled_jacobian(&hexes) - report.least_scaled_jacobian).abs() < 1e-12 && report.least_scaled_jacobian > 0.99);
+    assert!((min_scaled_jacobian(&hexes) - report.min_scaled_jacobian).abs() < 1e-12 && report.min_scaled_jacobian > 0.99);
     if let Some(program) = std::env::var_os("ORBICUBE_PROBLEMS") {
         let printed = String::from_utf8(std::process::Command::new(program).output().unwrap().stdout).unwrap();
         let line = printed.lines().find(|line| line.starts_with("cube ")).unwrap();
@@ -349,7 +349,7 @@ fn solids_become_hexahedra_and_polycubes() {
     let solid = frame_field::Solid::new(&corners, &tetrahedra).unwrap();
     let (frames, _) = frame_field::compute(solid, &Default::default(), &Default::default(), &[], &mut host()).unwrap();
     let (given, _) = volume_map::fill_along_frames(&corners, &tetrahedra, &frames, &options, &mut host()).unwrap();
-    assert!(given.hexahedra.len() == 8 && least_scaled_jacobian(&given) > 0.99);
+    assert!(given.hexahedra.len() == 8 && min_scaled_jacobian(&given) > 0.99);
     assert!(volume_map::fill_along_frames(&corners, &tetrahedra, &frames[4..], &options, &mut host()).is_err());
 
     let shape = Mesh::make("cube", 300, 0, &mut host()).unwrap();
@@ -357,9 +357,9 @@ fn solids_become_hexahedra_and_polycubes() {
     options.cells = 27;
     options.padding = sys::volume_map::OBC_VOLUME_MAP_PADDING_WITHOUT;
     let (hexes, report) = volume_map::fill_with_hexahedra(shape.surface(), &options, &mut host()).unwrap();
-    assert_eq!((hexes.hexahedra.len(), hexes.positions.len(), hexes.quads.len(), hexes.quad_faces.len()), (27, 3 * 64, 54, 54));
+    assert_eq!((hexes.hexahedra.len(), hexes.positions.len(), hexes.quads.len(), hexes.quad_patches.len()), (27, 3 * 64, 54, 54));
     let volume = mesh::topology(shape.surface(), &mut host()).unwrap().volume;
-    assert!((report.volume - volume).abs() < 1e-9 && least_scaled_jacobian(&hexes) > 0.99);
+    assert!((report.volume - volume).abs() < 1e-9 && min_scaled_jacobian(&hexes) > 0.99);
     let cells: Vec<u32> = hexes.hexahedra.concat();
     Mesh::new(&hexes.positions, &[], &[], &cells).unwrap().check_cells(&mut host()).unwrap();
     let cancelled = volume_map::fill_with_hexahedra(shape.surface(), &options, &mut Host::new().on_progress(|_| false));
@@ -379,7 +379,7 @@ fn pointers_that_safe_code_sets_are_not_followed() {
     }
     let shape = Mesh::make("sphere", 300, 0, &mut host()).unwrap();
     let mut options = sphere_map::Options::default();
-    options.method = sys::sphere_map::OBC_SPHERE_MAP_SEED;
+    options.method = sys::sphere_map::OBC_SPHERE_MAP_DISSERTATION;
     options.trace = Some(never);
     options.trace_user = 1 as *mut _;
     let (directions, _) = sphere_map::compute(shape.surface(), &options, &mut host()).unwrap();

@@ -277,8 +277,8 @@ fn block_by_block_in_parts_that_are_broken_off_saved_and_loaded() {
     }
 
     let saved = relaxation.save().unwrap();
-    let refused = |bytes: &[u8], dimension, neighbours: &[Vec<u32>]| {
-        Relaxation::load(bytes, dimension, neighbours).err().unwrap().status
+    let refused = |bytes: &[u8], dimension, neighbors: &[Vec<u32>]| {
+        Relaxation::load(bytes, dimension, neighbors).err().unwrap().status
     };
     assert_eq!(refused(&saved, 3, &vec![vec![]; 12]), orbicube::sys::base::OBC_INVALID_ARGUMENT); // other neighbors
     assert_eq!(refused(&saved, 4, &others()), orbicube::sys::base::OBC_INVALID_ARGUMENT);

@@ -1,4 +1,4 @@
-#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/hierarchy/normalize.h"
 
 #include <Eigen/Geometry>
 
@@ -30,7 +30,7 @@ Vector3 Placing::direction(const Vector3& p) const {
   return away != Vector3::Zero() ? Vector3(away.stableNormalized()) : Vector3(Vector3::UnitZ());
 }
 
-Array<Vector3> normalised(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+Array<Vector3> normalized(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
                           std::pmr::memory_resource* memory) {
   Array<Vector3> result(positions.size(), Vector3::Zero(), memory);
   const Placing place = placing_of(positions, triangles);

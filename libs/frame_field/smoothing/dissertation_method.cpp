@@ -1,4 +1,4 @@
-#include "frame_field/smoothing/seed_method.h"
+#include "frame_field/smoothing/dissertation_method.h"
 
 #include <utility>
 
@@ -34,7 +34,7 @@ class FrozenEnergy {
     return evaluate(node, points_ + 4 * node, gradient);
   }
   template <class Visit>
-  void for_each_neighbour(std::size_t node, const Visit& visit) const {
+  void for_each_neighbor(std::size_t node, const Visit& visit) const {
     if (!constraints_.is_free(node)) return;
     for (const Index other : graph_.others[node]) {
       if (other != node && constraints_.is_free(other)) visit(other);
@@ -71,8 +71,8 @@ class FrozenEnergy {
 
 }  // namespace
 
-Outcome seed_method(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
-                    const base::Host& host) {
+Outcome dissertation_method(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
+                            const base::Host& host) {
   const std::size_t n = graph.size();
   Field field = constant_start(graph, constraints, axes, host);
   Array<std::array<std::uint8_t, 4>> matchings(n, host.memory);
@@ -89,7 +89,7 @@ Outcome seed_method(const DualGraph& graph, const Constraints& constraints, cons
   auto* points = reinterpret_cast<double*>(field.data());
   const FrozenEnergy frozen(graph, constraints, matchings, points);
   sphere_optimizer::Relaxation relaxation({n, 4},
-                                          {.method = sphere_optimizer::Method::seed,
+                                          {.method = sphere_optimizer::Method::dissertation,
                                            .gradient_tolerance = printed_tolerance,
                                            .relative_gain = printed_gain},
                                           host.memory);

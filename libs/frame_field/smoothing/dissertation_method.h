@@ -12,7 +12,7 @@
 namespace orbicube::frame_field {
 
 // `axes`: those of space in the axes of the graph's solid. The field is by node. Throws Error "cancelled".
-Outcome seed_method(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
-                    const base::Host& host);
+Outcome dissertation_method(const DualGraph& graph, const Constraints& constraints, const Quaternion& axes,
+                            const base::Host& host);
 
 }  // namespace orbicube::frame_field

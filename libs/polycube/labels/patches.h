@@ -13,43 +13,43 @@
 
 namespace orbicube::polycube {
 
-struct Charts {
-  explicit Charts(std::pmr::memory_resource* memory)
-      : chart(memory),
+struct Patches {
+  explicit Patches(std::pmr::memory_resource* memory)
+      : patch(memory),
         labels(memory),
         areas(memory),
         euler(memory),
         valence(memory),
-        loop_chart(memory),
+        loop_patch(memory),
         loop_begin(memory),
         loop_half_edges(memory),
-        chart_loops(memory) {}
+        patch_loops(memory) {}
 
   std::size_t count() const { return labels.size(); }
-  std::size_t loop_count() const { return loop_chart.size(); }
+  std::size_t loop_count() const { return loop_patch.size(); }
   std::span<const Index> loop(std::size_t i) const {
     return {loop_half_edges.data() + loop_begin[i], loop_begin[i + 1] - loop_begin[i]};
   }
-  // Loops of a patch are numbered [chart_loops[c], chart_loops[c + 1]).
-  std::size_t loops_of(std::size_t c) const { return chart_loops[c + 1] - chart_loops[c]; }
+  // Loops of a patch are numbered [patch_loops[c], patch_loops[c + 1]).
+  std::size_t loops_of(std::size_t c) const { return patch_loops[c + 1] - patch_loops[c]; }
   bool has_handles(std::size_t c) const { return euler[c] + static_cast<int>(loops_of(c)) != 2; }
   bool is_corner(Index vertex) const { return valence[vertex] >= 3; }
 
-  Array<Index> chart;       // of each triangle, numbered in the order of their first triangles
+  Array<Index> patch;       // of each triangle, numbered in the order of their first triangles
   Array<AxisLabel> labels;  // of each patch
   Array<double> areas;
   Array<int> euler;             // Euler characteristic of each patch, cut open where it touches itself
   Array<std::uint8_t> valence;  // of each vertex: edges at it that separate patches
-  Array<Index> loop_chart;      // of each loop; in ascending order
+  Array<Index> loop_patch;      // of each loop; in ascending order
   Array<Index> loop_begin;
   Array<Index> loop_half_edges;  // of the patch's own triangles, in their direction
-  Array<Index> chart_loops;
+  Array<Index> patch_loops;
 };
 
-Charts find_charts(const Surface& surface, std::span<const AxisLabel> labels, const base::Host& host);
+Patches find_patches(const Surface& surface, std::span<const AxisLabel> labels, const base::Host& host);
 
 // How often the neighboring patch changes along a loop.
-std::size_t corners_of_loop(const Surface& surface, const Charts& charts, std::size_t loop);
+std::size_t corners_of_loop(const Surface& surface, const Patches& patches, std::size_t loop);
 
 struct LabelFaults {
   std::size_t high_valence = 0;    // vertices where four patches or more meet
@@ -62,6 +62,6 @@ struct LabelFaults {
   std::size_t total() const { return high_valence + opposite_edges + short_loops + handles + missing; }
 };
 
-LabelFaults find_faults(const Surface& surface, const Charts& charts);
+LabelFaults find_faults(const Surface& surface, const Patches& patches);
 
 }  // namespace orbicube::polycube

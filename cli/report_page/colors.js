@@ -16,7 +16,7 @@ function srgbOf([lightness, a, b]) {
 }
 
 // 256 colors through stops of lightness, chroma and hue in degrees.
-function colourMap(stops) {
+function colorMap(stops) {
   const lab = stops.map(([lightness, chroma, hue]) =>
       [lightness, chroma * Math.cos(hue * Math.PI / 180), chroma * Math.sin(hue * Math.PI / 180)]);
   return Array.from({length: 256}, (_, i) => {
@@ -26,7 +26,7 @@ function colourMap(stops) {
   });
 }
 
-const cssColour = ([red, green, blue]) => `rgb(${red},${green},${blue})`;
+const cssColor = ([red, green, blue]) => `rgb(${red},${green},${blue})`;
 
 // The two quantities: a result's shares of area by level, the part of a color scale's range that they use (a range r
 // stands for 1 to r or 1/r to r, in octaves), colors, and what values the levels stand for (packed_mesh.h).
@@ -39,18 +39,18 @@ function quantitiesOf(levels) {
     return {coding, octaves, noLevel: coding.none, ...more};
   };
   return {
-    dilatation: quantity(levels.dilatation, {
+    quasiConformal: quantity(levels.quasiConformal, {
       title: "Quasi-conformal distortion",
-      share: result => result.dilatationShare,
+      share: result => result.quasiConformalShare,
       bounds: range => [0, Math.log2(range)],
-      colours: colourMap([[0.95, 0.025, 110], [0.87, 0.11, 92], [0.74, 0.16, 55], [0.58, 0.19, 20], [0.42, 0.16, 345],
+      colors: colorMap([[0.95, 0.025, 110], [0.87, 0.11, 92], [0.74, 0.16, 55], [0.58, 0.19, 20], [0.42, 0.16, 345],
                           [0.27, 0.1, 300]]),
     }),
     area: quantity(levels.area, {
       title: "Area ratio",
       share: result => result.areaRatioShare,
       bounds: range => [-Math.log2(range), Math.log2(range)],
-      colours: colourMap([[0.33, 0.13, 265], [0.55, 0.13, 250], [0.77, 0.085, 230], [0.955, 0.008, 100],
+      colors: colorMap([[0.33, 0.13, 265], [0.55, 0.13, 250], [0.77, 0.085, 230], [0.955, 0.008, 100],
                           [0.8, 0.11, 70], [0.6, 0.16, 40], [0.36, 0.13, 25]]),
     }),
   };

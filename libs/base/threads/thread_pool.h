@@ -9,13 +9,13 @@ namespace orbicube::base {
 
 // A loop costs about a microsecond while the threads are awake: they look for the next one for some microseconds before
 // they go to sleep. With a host's own executor every loop goes there.
-class Team {
+class ThreadPool {
  public:
-  // `host` must outlive the team. Threads that cannot be had are done without.
-  explicit Team(const Host& host);
-  ~Team();
-  Team(const Team&) = delete;
-  Team& operator=(const Team&) = delete;
+  // `host` must outlive the pool. Threads that cannot be had are done without.
+  explicit ThreadPool(const Host& host);
+  ~ThreadPool();
+  ThreadPool(const ThreadPool&) = delete;
+  ThreadPool& operator=(const ThreadPool&) = delete;
 
   // Calls body(i) for every i in [0, count), on any of the threads and on the caller's. What is computed must not
   // depend on the order. The first exception of a body ends the hand-out of further ones and is rethrown here. Not to

@@ -1,5 +1,5 @@
 // The dissertation's own method: its search against finite differences, and its maps as a whole.
-#include "sphere_map/dissertation/seed.h"
+#include "sphere_map/dissertation/method.h"
 
 #include <doctest/doctest.h>
 
@@ -11,8 +11,8 @@
 
 #include "base/error.h"
 #include "shapes.h"
-#include "sphere_map/dissertation/seed_step.h"
-#include "sphere_map/hierarchy/normalise.h"
+#include "sphere_map/dissertation/step.h"
+#include "sphere_map/hierarchy/normalize.h"
 #include "sphere_map/optimization/measure.h"
 
 using namespace orbicube;
@@ -23,9 +23,9 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-Array<Vector3> seed_map(const Surface& s, const seed::SeedOptions& options = {}) {
+Array<Vector3> dissertation_map(const Surface& s, const dissertation::DissertationOptions& options = {}) {
   const base::Host host;
-  return seed::compute(normalised(s.positions, s.triangles, host.memory), s.triangles, options, host);
+  return dissertation::compute(normalized(s.positions, s.triangles, host.memory), s.triangles, options, host);
 }
 
 Measurement measured(const Surface& s, std::span<const Vector3> directions) {
@@ -71,12 +71,12 @@ TEST_CASE(
     for (int trial = 0; trial < 20; ++trial) {
       const Star s = star(random, radius);
       const Vector3 p = s.directions[0];
-      const seed::PrintedEnergy energy{0.1 + 0.1 * trial, trial == 3 ? 0.0 : 1.0, 1.0, unbounded};
+      const dissertation::PrintedEnergy energy{0.1 + 0.1 * trial, trial == 3 ? 0.0 : 1.0, 1.0, unbounded};
       const TangentBasis basis(p);
       const double h = 1e-5 * radius;
       const auto slope = [&](const Vector3& along) {
         const auto at = [&](double step) {
-          return seed::star_energy(energy, s.triangles, (p + step * along).normalized(), s.directions);
+          return dissertation::star_energy(energy, s.triangles, (p + step * along).normalized(), s.directions);
         };
         return (at(h) - at(-h)) / (2 * h);
       };
@@ -85,7 +85,7 @@ TEST_CASE(
         distance += (s.directions[i] - p).norm() / 5;
       const double expected = std::hypot(slope(basis.first), slope(basis.second)) * distance;
       // Beside the rounding of the differences: an obtuse triangle's energy has a kink, which h may cross.
-      CHECK(seed::priority(energy, 0, s.triangles, s.directions) == doctest::Approx(expected).epsilon(1e-4));
+      CHECK(dissertation::priority(energy, 0, s.triangles, s.directions) == doctest::Approx(expected).epsilon(1e-4));
     }
   }
 }
@@ -96,11 +96,11 @@ TEST_CASE("The great-circle search lowers the energy by what it says, stays on t
   for (const double radius : {1e-6, 0.02, 0.5, 1.2}) {
     for (int trial = 0; trial < 50; ++trial) {
       Star s = star(random, radius);
-      const seed::PrintedEnergy energy{0.1, 1, 4 * radius * radius, unbounded};
+      const dissertation::PrintedEnergy energy{0.1, 1, 4 * radius * radius, unbounded};
       for (int step = 0; step < 20; ++step) {
-        const double before = seed::star_energy(energy, s.triangles, s.directions[0], s.directions);
-        const double gain = seed::great_circle_search(energy, 0, s.triangles, s.directions);
-        const double after = seed::star_energy(energy, s.triangles, s.directions[0], s.directions);
+        const double before = dissertation::star_energy(energy, s.triangles, s.directions[0], s.directions);
+        const double gain = dissertation::great_circle_search(energy, 0, s.triangles, s.directions);
+        const double after = dissertation::star_energy(energy, s.triangles, s.directions[0], s.directions);
         REQUIRE(gain >= 0);
         REQUIRE(before - after == doctest::Approx(gain).epsilon(1e-6));
         REQUIRE(std::abs(s.directions[0].norm() - 1) < 4e-16);
@@ -109,8 +109,8 @@ TEST_CASE("The great-circle search lowers the energy by what it says, stays on t
         moved += gain > 0;
       }
       // Where it ends, the gradient has all but vanished beside that of the first place.
-      CHECK(seed::priority(energy, 0, s.triangles, s.directions) <
-            0.05 * seed::star_energy(energy, s.triangles, s.directions[0], s.directions));
+      CHECK(dissertation::priority(energy, 0, s.triangles, s.directions) <
+            0.05 * dissertation::star_energy(energy, s.triangles, s.directions[0], s.directions));
     }
   }
   CHECK(moved > 500);
@@ -130,14 +130,14 @@ TEST_CASE("The great-circle search does not raise a quasi-conformal distortion a
     };
     const double bound = std::max(1.2, worst());
     // With next to no weight on angles, areas alone would pull the vertex further.
-    seed::great_circle_search({1e-6, 1, 0.09, 1.2}, 0, s.triangles, s.directions);
+    dissertation::great_circle_search({1e-6, 1, 0.09, 1.2}, 0, s.triangles, s.directions);
     CHECK(worst() <= bound);
   }
 }
 
 TEST_CASE("The seed maps every shape to a bijection, from a tetrahedron on") {
   const auto check = [](const Surface& s) {
-    const Measurement m = measured(s, seed_map(s));
+    const Measurement m = measured(s, dissertation_map(s));
     CHECK(m.bijective);
     CHECK(m.radius_error < 4e-16);
   };
@@ -148,7 +148,7 @@ TEST_CASE("The seed maps every shape to a bijection, from a tetrahedron on") {
 
 TEST_CASE("The seed maps a sphere nearly to itself") {
   const Surface s = test::sphere(4);
-  const Measurement m = measured(s, seed_map(s));
+  const Measurement m = measured(s, dissertation_map(s));
   CHECK(m.bijective);
   CHECK(m.energy < 1.002 * measured(s, Array<Vector3>(s.positions.begin(), s.positions.end())).energy);
 }
@@ -159,16 +159,16 @@ TEST_CASE("Surfaces with triangles without area get a map from the seed too") {
     if (p.z() > 0) p.z() = 0;  // flat, with vertices on edges
     if (p.x() > 0.5) p = Vector3(0.5, 0, 0);
   }
-  CHECK(measured(s, seed_map(s)).bijective);
+  CHECK(measured(s, dissertation_map(s)).bijective);
 }
 
 TEST_CASE(
     "The dissertation's trace is the energy of the map that it ends with, and falls while the mesh stays the same") {
   const Surface s = test::creature(4);
-  std::vector<seed::TracePoint> points;
-  seed::SeedOptions options;
-  options.trace = [&](const seed::TracePoint& point) { points.push_back(point); };
-  const Measurement m = measured(s, seed_map(s, options));
+  std::vector<dissertation::TracePoint> points;
+  dissertation::DissertationOptions options;
+  options.trace = [&](const dissertation::TracePoint& point) { points.push_back(point); };
+  const Measurement m = measured(s, dissertation_map(s, options));
   REQUIRE(points.size() > 10);
   CHECK(points.front().vertices < 100);
   CHECK(points.back().vertices == s.positions.size());
@@ -181,16 +181,16 @@ TEST_CASE(
 
 TEST_CASE("The seed gives the same bits each time, and other maps for other numbers of splits and seeds") {
   const Surface s = test::creature(3);
-  const Array<Vector3> first = seed_map(s);
-  CHECK(seed_map(s) == first);
-  CHECK(seed_map(s, {.eta = 7}) != first);
-  CHECK(seed_map(s, {.seed = 5}) != first);
+  const Array<Vector3> first = dissertation_map(s);
+  CHECK(dissertation_map(s) == first);
+  CHECK(dissertation_map(s, {.eta = 7}) != first);
+  CHECK(dissertation_map(s, {.seed = 5}) != first);
 }
 
 TEST_CASE("The dissertation's weights shift its map from areas to angles") {
   const Surface s = test::creature(4);
-  const Measurement areas = measured(s, seed_map(s, {.angle_weight = 0.01}));
-  const Measurement angles = measured(s, seed_map(s, {.angle_weight = 1, .area_weight = 0.01}));
+  const Measurement areas = measured(s, dissertation_map(s, {.angle_weight = 0.01}));
+  const Measurement angles = measured(s, dissertation_map(s, {.angle_weight = 1, .area_weight = 0.01}));
   CHECK(areas.bijective);
   CHECK(angles.bijective);
   CHECK(areas.energy_area < angles.energy_area);
@@ -200,14 +200,15 @@ TEST_CASE("The dissertation's weights shift its map from areas to angles") {
 TEST_CASE("The seed refuses options that mean nothing, and can be cancelled") {
   const Surface s = test::creature(3);
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (const seed::SeedOptions& options : {seed::SeedOptions{.angle_weight = 0}, seed::SeedOptions{.angle_weight = nan},
-                                           seed::SeedOptions{.area_weight = -1}, seed::SeedOptions{.eta = 0}}) {
-    CHECK_THROWS_AS(seed_map(s, options), base::Error);
+  for (const dissertation::DissertationOptions& options :
+       {dissertation::DissertationOptions{.angle_weight = 0}, dissertation::DissertationOptions{.angle_weight = nan},
+        dissertation::DissertationOptions{.area_weight = -1}, dissertation::DissertationOptions{.eta = 0}}) {
+    CHECK_THROWS_AS(dissertation_map(s, options), base::Error);
   }
   base::Host host;
   host.on_progress = [](const base::Progress&) { return false; };
   try {
-    seed::compute(normalised(s.positions, s.triangles, host.memory), s.triangles, {}, host);
+    dissertation::compute(normalized(s.positions, s.triangles, host.memory), s.triangles, {}, host);
     FAIL("not cancelled");
   } catch (const base::Error& e) {
     CHECK(std::string(e.kind()) == "cancelled");

@@ -232,7 +232,7 @@ TEST_CASE("Points and curves in their target positions on the polycube, and what
   REQUIRE(obc_polycube_feature_options_init(&options, sizeof options) == OBC_OK);
   CHECK(options.point_count == 0);
   CHECK(options.curve_count == 0);
-  CHECK(options.sharp_angle == 0);
+  CHECK(options.feature_angle == 0);
   const std::vector<std::uint32_t> points = {vertex_at(0, 0, 1), vertex_at(1, 0, 0)};
   const std::vector<double> places = {0.25, 0.125, 1, 1, 0.25, 0};
   std::vector<double> weights = {0, 10};
@@ -241,7 +241,7 @@ TEST_CASE("Points and curves in their target positions on the polycube, and what
   const std::vector<double> line = {-1, 0.125, -1, 1, 0.125, -1};
   options.point_count = 2;
   options.points = points.data();
-  options.places = places.data();
+  options.targets = places.data();
   options.point_weights = weights.data();
   options.curve_count = 1;
   options.curve_starts = starts.data();
@@ -250,7 +250,7 @@ TEST_CASE("Points and curves in their target positions on the polycube, and what
   obc_polycube_feature_report report{};
   report.struct_size = sizeof report;
   obc_polycube* made = nullptr;
-  REQUIRE(obc_polycube_meet_features(map, &options, nullptr, &report, &made, &error) == OBC_OK);
+  REQUIRE(obc_polycube_align_features(map, &options, nullptr, &report, &made, &error) == OBC_OK);
   CHECK(obc_polycube_corner_count(made) == 8);
   CHECK(obc_polycube_patch_count(made) == 6);
   std::vector<double> polycube(3 * obc_polycube_vertex_count(made));
@@ -268,13 +268,13 @@ TEST_CASE("Points and curves in their target positions on the polycube, and what
   CHECK(report.sharp_length == 0);
   obc_polycube_destroy(made);
 
-  const auto status = [&] { return obc_polycube_meet_features(map, &options, nullptr, nullptr, &made, &error); };
+  const auto status = [&] { return obc_polycube_align_features(map, &options, nullptr, nullptr, &made, &error); };
   const std::vector<double> nowhere = {0, 0, 0, 1, 0.25, 0};
-  options.places = nowhere.data();
+  options.targets = nowhere.data();
   CHECK(status() == OBC_INVALID_ARGUMENT);
   CHECK(made == nullptr);
   CHECK(std::string(error.message).find("not on the polycube") != std::string::npos);
-  options.places = nullptr;
+  options.targets = nullptr;
   CHECK(status() == OBC_INVALID_ARGUMENT);
   // Two vertices of a triangle cannot change places while the third stays.
   const auto is_corner = [&](std::uint32_t v) {
@@ -289,7 +289,7 @@ TEST_CASE("Points and curves in their target positions on the polycube, and what
     swapped.insert(swapped.end(), &ball.polycube[3 * v], &ball.polycube[3 * v] + 3);
   options.point_count = 3;
   options.points = t;
-  options.places = swapped.data();
+  options.targets = swapped.data();
   options.point_weights = nullptr;
   options.curve_count = 0;
   CHECK(status() == OBC_NO_VALID_RESULT);
@@ -298,13 +298,13 @@ TEST_CASE("Points and curves in their target positions on the polycube, and what
   options.curve_lines = nullptr;
   CHECK(status() == OBC_INVALID_ARGUMENT);
   options.curve_count = 0;
-  options.sharp_angle = -1;
+  options.feature_angle = -1;
   CHECK(status() == OBC_INVALID_ARGUMENT);
-  CHECK(obc_polycube_meet_features(nullptr, nullptr, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_polycube_meet_features(map, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_align_features(nullptr, nullptr, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_polycube_align_features(map, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_feature_options_init(nullptr, sizeof options) == OBC_INVALID_ARGUMENT);
   // The map satisfies no target at first.
-  REQUIRE(obc_polycube_meet_features(map, nullptr, nullptr, nullptr, &made, &error) == OBC_OK);
+  REQUIRE(obc_polycube_align_features(map, nullptr, nullptr, nullptr, &made, &error) == OBC_OK);
   std::vector<double> same(ball.polycube.size());
   REQUIRE(obc_polycube_copy(made, nullptr, same.data(), nullptr, &error) == OBC_OK);
   CHECK(same == ball.polycube);
@@ -324,11 +324,11 @@ TEST_CASE("Each allocation for features that fails ends in out of memory, and ea
   const double place[3] = {0.125, 0.25, ball.polycube[3 * middle + 2]};
   options.point_count = 1;
   options.points = &middle;
-  options.places = place;
-  options.sharp_angle = 30;
+  options.targets = place;
+  options.feature_angle = 30;
   check_every_end([&](const obc_host& host) {
     obc_polycube* made = nullptr;
-    const obc_status status = obc_polycube_meet_features(map, &options, &host, nullptr, &made, nullptr);
+    const obc_status status = obc_polycube_align_features(map, &options, &host, nullptr, &made, nullptr);
     obc_polycube_destroy(made);
     return status;
   });

@@ -20,13 +20,13 @@
 
 #include "sphere_map/optimization/vertex_step.h"
 
-namespace orbicube::sphere_map::seed {
+namespace orbicube::sphere_map::dissertation {
 
 // E = angle_weight E_D + area_weight E_A, eq. 3.5, and nothing else.
 struct PrintedEnergy {
   double angle_weight, area_weight;
-  double area_scale;       // surface area times this is 4 pi in all
-  double most_dilatation;  // the bound of mend 2, on (K + 1/K) / 2
+  double area_scale;           // surface area times this is 4 pi in all
+  double max_quasi_conformal;  // the bound of mend 2, on (K + 1/K) / 2
 };
 
 double triangle_energy(const PrintedEnergy& energy, const TriangleShape& shape, const Vector3& p, const Vector3& q,
@@ -44,4 +44,4 @@ double priority(const PrintedEnergy& energy, Index vertex, std::span<const StarT
 double great_circle_search(const PrintedEnergy& energy, Index vertex, std::span<const StarTriangle> star,
                            std::span<Vector3> directions);
 
-}  // namespace orbicube::sphere_map::seed
+}  // namespace orbicube::sphere_map::dissertation

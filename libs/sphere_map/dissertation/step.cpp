@@ -1,4 +1,4 @@
-#include "sphere_map/dissertation/seed_step.h"
+#include "sphere_map/dissertation/step.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,14 +8,14 @@
 #include "sphere_optimizer/great_circle.h"
 #include "sphere_optimizer/spheres.h"
 
-namespace orbicube::sphere_map::seed {
+namespace orbicube::sphere_map::dissertation {
 namespace {
 
 using Dimension = sphere_optimizer::FixedDimension<3>;
 
-constexpr double least_violation = 1e-9;      // epsilon: of rho
+constexpr double min_violation = 1e-9;        // epsilon: of rho
 constexpr double sufficient_decrease = 1e-4;  // delta
-constexpr int most_halvings = 60;
+constexpr int max_halvings = 60;
 
 struct Gradient {
   double value = 0;
@@ -35,8 +35,8 @@ Vector3 distance_square_gradient(const SphericalTriangle& t, const Vector3& p, c
 }
 
 // The largest (K + 1/K) / 2 of the star's triangles, where K is the quasi-conformal distortion.
-double worst_dilatation(std::span<const StarTriangle> star, const Vector3& position,
-                        std::span<const Vector3> directions) {
+double worst_quasi_conformal(std::span<const StarTriangle> star, const Vector3& position,
+                             std::span<const Vector3> directions) {
   double worst = 0;
   for (const StarTriangle& s : star) {
     const SphericalTriangle t(position, directions[s.q], directions[s.r]);
@@ -132,10 +132,10 @@ double great_circle_search(const PrintedEnergy& energy, Index vertex, std::span<
   const Gradient gradient = gradient_of(energy, star, p, directions);
   const Vector3 tangent = tangent_part(gradient.whole, p);
   const double violation = tangent.norm();
-  if (!(violation > least_violation)) return 0;
+  if (!(violation > min_violation)) return 0;
 
   const Vector3 direction = -tangent / violation;
-  const double allowed = std::max(energy.most_dilatation, worst_dilatation(star, p, directions));
+  const double allowed = std::max(energy.max_quasi_conformal, worst_quasi_conformal(star, p, directions));
   const Reach reach = reach_of(p, direction, star, directions);
   const bool first_case = gradient.whole.dot(p) <= 0;
   double angle =
@@ -143,7 +143,7 @@ double great_circle_search(const PrintedEnergy& energy, Index vertex, std::span<
   // (p + u) / |p + u| halves the arc. Points beyond the kernel would be refused, so none is tried.
   while (angle >= reach.kernel)
     angle *= 0.5;
-  for (int trial = 0; trial < most_halvings; ++trial, angle *= 0.5) {
+  for (int trial = 0; trial < max_halvings; ++trial, angle *= 0.5) {
     Vector3 candidate, velocity;
     sphere_optimizer::move(Dimension{}, p.data(), direction.data(), angle, candidate.data(), velocity.data());
     const double value = star_energy(energy, star, candidate, directions);
@@ -152,11 +152,11 @@ double great_circle_search(const PrintedEnergy& energy, Index vertex, std::span<
     const bool inside = std::all_of(star.begin(), star.end(), [&](const StarTriangle& s) {
       return safely_positive(candidate, directions[s.q], directions[s.r]);
     });
-    if (!inside || worst_dilatation(star, candidate, directions) > allowed) continue;
+    if (!inside || worst_quasi_conformal(star, candidate, directions) > allowed) continue;
     directions[vertex] = candidate;
     return gradient.value - value;
   }
   return 0;
 }
 
-}  // namespace orbicube::sphere_map::seed
+}  // namespace orbicube::sphere_map::dissertation

@@ -26,7 +26,7 @@ Placing placing_of(std::span<const Vector3> positions, std::span<const mesh::Tri
 // The positions (finite) moved so that the bounding box of the triangles is round the origin, and scaled so that its
 // diagonal is 1. Vertices in no triangle are zero, all when all triangles are at one point. Scaling the positions by a
 // power of two changes no bit.
-Array<Vector3> normalised(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+Array<Vector3> normalized(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
                           std::pmr::memory_resource* memory);
 
 }  // namespace orbicube::sphere_map

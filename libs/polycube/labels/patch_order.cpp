@@ -1,4 +1,4 @@
-#include "polycube/labels/chart_order.h"
+#include "polycube/labels/patch_order.h"
 
 #include <algorithm>
 
@@ -6,15 +6,15 @@ namespace orbicube::polycube {
 namespace {
 
 // Of the three patches at an end of an arc the one across it.
-Index chart_at_end(const Arc& arc, const Corner& corner) {
-  for (const Index c : corner.chart)
+Index patch_at_end(const Arc& arc, const Corner& corner) {
+  for (const Index c : corner.patch)
     if (c != arc.left && c != arc.right) return c;
   return no_index;
 }
 
 }  // namespace
 
-Array<Index> arcs_without_order(const Charts& charts, const ArcNetwork& network, const ArcSigns& signs,
+Array<Index> arcs_without_order(const Patches& patches, const ArcNetwork& network, const ArcSigns& signs,
                                 const base::Host& host) {
   struct Step {
     Index arc, from, to;
@@ -24,13 +24,13 @@ Array<Index> arcs_without_order(const Charts& charts, const ArcNetwork& network,
     const Arc& arc = network.arcs[a];
     const Index first = network.corner_of_vertex[arc.first], last = network.corner_of_vertex[arc.last];
     if (first == no_index || last == no_index) continue;
-    Step step{a, chart_at_end(arc, network.corners[first]), chart_at_end(arc, network.corners[last])};
+    Step step{a, patch_at_end(arc, network.corners[first]), patch_at_end(arc, network.corners[last])};
     if (step.from == no_index || step.to == no_index) continue;
     if (arc.direction_if_convex * (signs.convex[a] ? 1 : -1) < 0) std::swap(step.from, step.to);
     left.push_back(step);
   }
   // What starts where nothing ends, or ends where nothing starts, is on no cycle.
-  Array<std::uint8_t> starts(charts.count(), 0, host.memory), ends(charts.count(), 0, host.memory);
+  Array<std::uint8_t> starts(patches.count(), 0, host.memory), ends(patches.count(), 0, host.memory);
   for (std::size_t before = left.size() + 1; left.size() < before;) {
     before = left.size();
     std::fill(starts.begin(), starts.end(), std::uint8_t{0});

@@ -1,4 +1,4 @@
-#include "sphere_map/dissertation/seed.h"
+#include "sphere_map/dissertation/method.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -10,12 +10,12 @@
 #include <utility>
 
 #include "base/error.h"
-#include "sphere_map/dissertation/seed_step.h"
+#include "sphere_map/dissertation/step.h"
 #include "sphere_map/hierarchy/decimation.h"
 #include "sphere_map/hierarchy/partial.h"
 #include "sphere_map/hierarchy/spherical_kernel.h"
 
-namespace orbicube::sphere_map::seed {
+namespace orbicube::sphere_map::dissertation {
 namespace {
 
 // Mended of Algorithm 1:
@@ -23,12 +23,12 @@ namespace {
 //      from their best positions. Here the mean gain of the last `window` iterations stands for the gain of one, and
 //      epsilon is a part of E over the number of vertices: work ends when one step for each would gain less than that.
 //   2. When a kernel is empty in double precision all the same, the hierarchy is begun again with another order of
-//      decimation and a stricter bound of the quasi-conformal distortion (mend 2 of seed_step.h).
+//      decimation and a stricter bound of the quasi-conformal distortion (mend 2 of step.h).
 // The limits are not printed. These let a new vertex cost a few steps, and end the final phase where it crawls.
 struct Limits {
   double relative_gain;
-  std::size_t window;           // iterations
-  std::size_t most_iterations;  // Iter_max
+  std::size_t window;          // iterations
+  std::size_t max_iterations;  // Iter_max
 };
 
 Limits level_limits(std::size_t eta) {
@@ -42,7 +42,7 @@ Limits final_limits(std::size_t vertices) {
 class Hierarchy {
  public:
   Hierarchy(Decimation& decimation, std::span<const Vector3> positions, const PrintedEnergy& energy,
-            const RestTriangles& rest, const SeedOptions& options, const base::Host& host)
+            const RestTriangles& rest, const DissertationOptions& options, const base::Host& host)
       : decimation_(decimation),
         rings_(decimation.rings),
         positions_(positions),
@@ -74,7 +74,7 @@ class Hierarchy {
     for (std::size_t k = 4; k < total; ++k) {
       split(decimation_.collapses[total - 1 - k]);
       if (k % options_.eta == 0) {
-        optimise(level_limits(options_.eta), "refinement", k, total);
+        optimize(level_limits(options_.eta), "refinement", k, total);
         while (!queue_.empty())
           pop();
         trace();
@@ -85,7 +85,7 @@ class Hierarchy {
       if (rings_.valence(v) > 0) enqueue(v);
       if (v % 1024 == 0) host_.report("priorities", v, directions_.size());
     }
-    optimise(final_limits(total), "optimisation", 0, 0);
+    optimize(final_limits(total), "optimization", 0, 0);
   }
 
   using Entry = std::pair<double, Index>;
@@ -171,15 +171,15 @@ class Hierarchy {
   }
 
   // The inner loops of Algorithm 1.
-  void optimise(const Limits& limits, const char* phase, std::size_t done, std::size_t total) {
+  void optimize(const Limits& limits, const char* phase, std::size_t done, std::size_t total) {
     double window_gain = 0;
-    for (std::size_t j = 1; j <= limits.most_iterations && !queue_.empty(); ++j) {
+    for (std::size_t j = 1; j <= limits.max_iterations && !queue_.empty(); ++j) {
       const Index v = pop();
       const double gain = improve(v);
       window_gain += gain;
       if (gain > 0) {  // section 3.1.4: only then may the neighbors' best positions have changed
-        for (const Index neighbour : rings_[v])
-          enqueue(neighbour);
+        for (const Index neighbor : rings_[v])
+          enqueue(neighbor);
       }
       if (iterations_ % 1024 == 0) host_.report(phase, done, total, value_);
       if (j % limits.window != 0) continue;
@@ -197,7 +197,7 @@ class Hierarchy {
   Decimation& decimation_;
   VertexRings& rings_;
   std::span<const Vector3> positions_;
-  const SeedOptions& options_;
+  const DissertationOptions& options_;
   const base::Host& host_;
   PrintedEnergy energy_;
   RestTriangles rest_;
@@ -214,7 +214,7 @@ class Hierarchy {
 }  // namespace
 
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                       const SeedOptions& options, const base::Host& host, Partial* partial) {
+                       const DissertationOptions& options, const base::Host& host, Partial* partial) {
   if (!(options.angle_weight > 0 && std::isfinite(options.angle_weight) && options.area_weight >= 0 &&
         std::isfinite(options.area_weight) && options.eta > 0)) {
     throw base::Error("invalid-argument",
@@ -227,18 +227,18 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
 
   // The last attempts are for surfaces with triangles without area, which count as having some, in the end all alike.
   struct Attempt {
-    double most_dilatation, least_area;  // the latter times the mean area
+    double max_quasi_conformal, min_area;  // the latter times the mean area
   };
   constexpr std::array<Attempt, 5> attempts = {{{100, 0}, {20, 0}, {10, 1e-2}, {10, 1}, {10, 1e3}}};
   for (std::size_t i = 0;; ++i) {
     RestTriangles rest = options.rest;
-    rest.least_area = attempts[i].least_area * mean_area;
-    const double area = static_cast<double>(triangles.size()) * (mean_area + rest.least_area);
+    rest.min_area = attempts[i].min_area * mean_area;
+    const double area = static_cast<double>(triangles.size()) * (mean_area + rest.min_area);
     const PrintedEnergy energy{options.angle_weight, options.area_weight, 4 * std::numbers::pi / area,
-                               attempts[i].most_dilatation};
+                               attempts[i].max_quasi_conformal};
     try {
       Decimation decimation = decimate(positions, VertexRings(positions.size(), triangles, host),
-                                       options.seed + 0x1000 * i, host, base::Team(host));
+                                       options.seed + 0x1000 * i, host, base::ThreadPool(host));
       return Hierarchy(decimation, positions, energy, rest, options, host).run(partial);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || i + 1 == attempts.size()) throw;
@@ -247,4 +247,4 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
   }
 }
 
-}  // namespace orbicube::sphere_map::seed
+}  // namespace orbicube::sphere_map::dissertation

@@ -1,4 +1,4 @@
-#include "base/threads/team.h"
+#include "base/threads/thread_pool.h"
 
 #include <algorithm>
 #include <atomic>
@@ -26,7 +26,7 @@ void pause() {
 
 }  // namespace
 
-struct Team::Shared {
+struct ThreadPool::Shared {
   const Host* host;
 
   // The loop at hand. Written by the caller while `open` is false and `active` is zero.
@@ -76,7 +76,7 @@ struct Team::Shared {
 
   // The loop, until all have left it; also when the caller's thread ends there.
   struct Loop {
-    explicit Loop(Shared& team) : shared(team) {
+    explicit Loop(Shared& pool) : shared(pool) {
       shared.open.store(true);
       shared.loops.fetch_add(1);
       shared.loops.notify_all();
@@ -98,7 +98,7 @@ struct Team::Shared {
   }
 };
 
-Team::Team(const Host& host) : shared_(std::make_unique<Shared>()) {
+ThreadPool::ThreadPool(const Host& host) : shared_(std::make_unique<Shared>()) {
   shared_->host = &host;
   if (host.executor) return;
   const unsigned cores = host.thread_count != 0 ? host.thread_count : std::max(1u, std::thread::hardware_concurrency());
@@ -112,7 +112,7 @@ Team::Team(const Host& host) : shared_(std::make_unique<Shared>()) {
   }
 }
 
-Team::~Team() {
+ThreadPool::~ThreadPool() {
   const CancellationOff off;
   shared_->ending.store(true);
   shared_->loops.fetch_add(1);
@@ -120,7 +120,7 @@ Team::~Team() {
   shared_.reset();  // joins
 }
 
-void Team::run(std::size_t count, const void* body, Call call) const {
+void ThreadPool::run(std::size_t count, const void* body, Call call) const {
   Shared& s = *shared_;
   if (s.host->executor) {
     s.host->parallel_for(count, [&](std::size_t i) { call(body, i); });
