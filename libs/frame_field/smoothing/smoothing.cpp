@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/backtracking.h"
 #include "frame_field/graph/graph_solver.h"
 #include "frame_field/smoothing/energy.h"
 #include "quaternion/frame_distance.h"
@@ -203,15 +204,15 @@ SmoothingResult smooth(const DualGraph& graph, std::span<const CoarseGraph> hier
     result.solver_iterations +=
         solver.solve({.mass = mass, .tolerance = 0.1, .max_iterations = 200, .phase = "smoothing"}, force, turn)
             .iterations;
-    double length = 1, lower = result.energy;
-    for (int cut = 0; cut < 6; ++cut, length *= 0.5) {
+    const auto energy_after = [&](double length) {
       turn_all(field, turn, length, constraints, host, trial);
-      lower = energy(graph, trial, host) + pull_energy(constraints, trial);
-      if (lower < result.energy) break;
-    }
+      return energy(graph, trial, host) + pull_energy(constraints, trial);
+    };
+    const base::Backtracking any_decrease{.max_trials = 6, .decrease = 0, .strict = true};
+    const auto taken = base::backtrack(result.energy, 0, any_decrease, energy_after);
     ++result.steps;
-    if (!(lower < result.energy)) break;
-    const double gain = result.energy - lower;
+    if (!taken) break;
+    const double gain = result.energy - taken->value;
     std::swap(field, trial);
     if (options.choose_normals && choose_normals(graph, constraints, field)) {
       const auto changed = axes_of(constraints, host.memory);

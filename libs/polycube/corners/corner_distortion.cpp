@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/backtracking.h"
+
 namespace orbicube::polycube {
 namespace {
 
@@ -202,18 +204,17 @@ double DistortionMinimum::step() {
   if (!solved) x = -gradient_ / std::max(largest, 1e-300);
   const double descent = gradient_.dot(x);
   std::copy(x.begin(), x.end(), direction_.begin());
-  double length = eps_ <= 0 ? longest_positive_step(direction_) : 1;
-  constexpr int max_halvings = 25;
-  for (int halvings = 0; halvings < max_halvings; ++halvings, length *= 0.5) {
+  const double longest = eps_ <= 0 ? longest_positive_step(direction_) : 1;
+  const auto energy_after = [&](double length) {
     host_.report(phase, 0, 0);
     for (std::size_t i = 0; i < free_; ++i)
       trial_[i] = value_[i] + length * direction_[i];
-    const double after = energy_at(trial_);
-    if (!(after <= before + 1e-4 * length * descent)) continue;
-    std::copy_n(trial_.begin(), free_, value_.begin());
-    return (before - after) / std::max(std::abs(before), 1e-300);
-  }
-  return 0;
+    return energy_at(trial_);
+  };
+  const auto taken = base::backtrack(before, descent, {.first_length = longest, .max_trials = 25}, energy_after);
+  if (!taken) return 0;
+  std::copy_n(trial_.begin(), free_, value_.begin());
+  return (before - taken->value) / std::max(std::abs(before), 1e-300);
 }
 
 bool DistortionMinimum::untangle(int steps) {

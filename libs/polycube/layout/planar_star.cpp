@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/backtracking.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::polycube {
@@ -224,19 +225,19 @@ double PlanarStar::improve(const MapView& map) {
   }
   const double slope = gradient.dot(step);
   if (!(slope < 0)) return 0;
-  constexpr int max_halvings = 12;
-  double length = 1;
-  for (int attempt = 0; attempt < max_halvings; ++attempt, length *= 0.5) {
-    Vector3 there = here_;
+  Vector3 there;
+  const auto energy_after = [&](double length) {
+    there = here_;
     coordinate(there, axes_[0]) += length * step.x();
     if (freedoms_ == 2) coordinate(there, axes_[1]) += length * step.y();
-    const double reached = energy_at(there);
-    if (!(reached <= value + 1e-4 * length * slope) || !positive_at(there)) continue;
-    here_ = there;
-    write(map);
-    return value - reached;
-  }
-  return 0;
+    return energy_at(there);
+  };
+  const auto taken =
+      base::backtrack(value, slope, {.max_trials = 12}, energy_after, [&] { return positive_at(there); });
+  if (!taken) return 0;
+  here_ = there;
+  write(map);
+  return value - taken->value;
 }
 
 }  // namespace orbicube::polycube

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/backtracking.h"
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 
@@ -158,16 +159,17 @@ class MapRefinement {
     }
     const Vector3 step = -hessian.ldlt().solve(gradient);
     if (!step.allFinite() || !(gradient.dot(step) < 0)) return;
-    double length = 1;
-    for (int halvings = 0; halvings < 12; ++halvings, length *= 0.5) {
-      Vector3 place = polycube_[vertex];
+    Vector3 place;
+    const auto energy_after = [&](double length) {
+      place = polycube_[vertex];
       for (int axis = 0; axis < 3; ++axis) {
         if (free[static_cast<std::size_t>(axis)]) place[axis] += length * step[axis];
       }
-      if (!(energy(place) < before) || !positive(place)) continue;
+      return energy(place);
+    };
+    const base::Backtracking any_decrease{.max_trials = 12, .decrease = 0, .strict = true};
+    if (base::backtrack(before, 0, any_decrease, energy_after, [&] { return positive(place); }))
       polycube_[vertex] = place;
-      return;
-    }
   }
 
   void insert(const Collapse& c) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/backtracking.h"
+
 namespace orbicube::polycube {
 namespace {
 
@@ -156,24 +158,21 @@ double Untangling::step() {
   if (!solved) x = -gradient_ / std::max(largest, 1e-300);
   const double slope = gradient_.dot(x);
   std::copy(x.begin(), x.end(), direction_.begin());
-  double length = eps_ <= 0 ? longest_positive_step() : 1;
+  const double longest = eps_ <= 0 ? longest_positive_step() : 1;
 
   const auto move = [&](double by, Array<double>& to) {
     for (std::size_t i = 0; i < to.size(); ++i)
       to[i] = map_.value[i] + by * direction_[i];
     return energy(to);
   };
-  constexpr int max_halvings = 30;
-  double after = 0;
-  int halvings = 0;
-  for (; halvings < max_halvings; ++halvings) {
+  const auto energy_after = [&](double by) {
     host_.report(phase, 0, 0);
-    after = move(length, trial_);
-    if (after <= before + 1e-4 * length * slope) break;
-    length *= 0.5;
-  }
-  if (halvings == max_halvings) return 0;
-  for (int k = 0; k < 3 && eps_ > 0 && halvings == 0; ++k) {
+    return move(by, trial_);
+  };
+  const auto taken = base::backtrack(before, slope, {.first_length = longest, .max_trials = 30}, energy_after);
+  if (!taken) return 0;
+  double length = taken->length, after = taken->value;
+  for (int k = 0; k < 3 && eps_ > 0 && taken->trials == 1; ++k) {
     length *= 2;
     const double farther = move(length, longer_);
     if (!(farther < after)) break;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/backtracking.h"
 #include "linear/sparse_system.h"
 #include "polycube/map/positive_step.h"
 
@@ -65,18 +66,16 @@ class System {
     if (!x.allFinite() || !(slope < 0)) return 0;
     for (std::size_t i = 0; i < place_.size(); ++i)
       direction_[i] = x.segment<2>(static_cast<Eigen::Index>(2 * i));
-    constexpr int max_halvings = 20;
-    double length = longest_step();
-    for (int i = 0; i < max_halvings; ++i, length *= 0.5) {
+    const auto energy_after = [&](double length) {
       host_.report(phase, 0, 0);
       for (std::size_t k = 0; k < place_.size(); ++k)
         trial_[k] = place_[k] + length * direction_[k];
-      const double after = energy(trial_);
-      if (!(after <= before + 1e-4 * length * slope)) continue;
-      std::swap(place_, trial_);
-      return (before - after) / before;
-    }
-    return 0;
+      return energy(trial_);
+    };
+    const auto taken = base::backtrack(before, slope, {.first_length = longest_step(), .max_trials = 20}, energy_after);
+    if (!taken) return 0;
+    std::swap(place_, trial_);
+    return (before - taken->value) / before;
   }
 
   std::span<const Vector2d> places() const { return place_; }

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include "base/backtracking.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::polycube {
@@ -89,16 +90,15 @@ Vector2d UnfoldedStar::improved(const Vector2d& place, double& before, double& g
                         determinant;
   const double slope = gradient.dot(step);
   if (!(slope < 0)) return place;
-  constexpr int max_halvings = 12;
-  double length = 1;
-  for (int i = 0; i < max_halvings; ++i, length *= 0.5) {
-    const Vector2d there = place + length * step;
-    const double after = energy(there);
-    if (!(after <= value + 1e-4 * length * slope) || !positive(there)) continue;
-    gain = value - after;
-    return there;
-  }
-  return place;
+  Vector2d there;
+  const auto energy_after = [&](double length) {
+    there = place + length * step;
+    return energy(there);
+  };
+  const auto taken = base::backtrack(value, slope, {.max_trials = 12}, energy_after, [&] { return positive(there); });
+  if (!taken) return place;
+  gain = value - taken->value;
+  return there;
 }
 
 }  // namespace orbicube::polycube

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <atomic>
 
+#include "base/backtracking.h"
 #include "sphere_map/optimization/star_matrix.h"
 #include "sphere_map/optimization/triangle_model.h"
 
@@ -151,17 +152,16 @@ class Newton {
     for (std::size_t i = 0; i < step_.size(); ++i)
       slope -= downhill_[i].dot(step_[i]);
     if (!(slope < 0)) return value;
-    double length = 1;
-    for (int attempt = 0; attempt < 12; ++attempt, length *= 0.5) {
+    const auto energy_after = [&](double length) {
       move(length);
       const double reached = trial_energy();
       host_.report(phase, 0, 0, value);
-      if (reached <= value + 1e-4 * length * slope) {
-        std::swap(points_, trial_);
-        return reached;
-      }
-    }
-    return value;
+      return reached;
+    };
+    const auto taken = base::backtrack(value, slope, {.max_trials = 12}, energy_after);
+    if (!taken) return value;
+    std::swap(points_, trial_);
+    return taken->value;
   }
 
   // Sets trial_ to the points after a part of the step.

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "base/backtracking.h"
+
 namespace orbicube::sphere_map {
 namespace {
 
@@ -106,7 +108,6 @@ double star_energy(const Energy& energy, std::span<const StarTriangle> star, con
 
 StepResult improve_vertex(const Energy& energy, Index vertex, std::span<const StarTriangle> star,
                           std::span<Vector3> directions, StepScratch& scratch) {
-  constexpr double sufficient_decrease = 1e-4;
   constexpr double part_of_kernel = 0.7;
   constexpr double longest_step = 0.5;
   constexpr double negligible_gain = 1e-10;
@@ -124,18 +125,21 @@ StepResult improve_vertex(const Energy& energy, Index vertex, std::span<const St
     if (change < 0) length = std::min(length, part_of_kernel * h.now / -change);
   }
   length = std::min(length, longest_step / direction.norm());
-  for (int attempt = 0; attempt < 6; ++attempt, length *= 0.4) {
-    const Vector3 candidate = (p + length * (direction.x() * basis.first + direction.y() * basis.second)).normalized();
-    const double value = star_energy(energy, star, candidate, directions);
-    if (!(value < model.value + sufficient_decrease * length * slope)) continue;
-    const bool inside = std::all_of(star.begin(), star.end(), [&](const StarTriangle& s) {
+  Vector3 candidate;
+  const auto value_after = [&](double by) {
+    candidate = (p + by * (direction.x() * basis.first + direction.y() * basis.second)).normalized();
+    return star_energy(energy, star, candidate, directions);
+  };
+  const auto inside = [&] {
+    return std::all_of(star.begin(), star.end(), [&](const StarTriangle& s) {
       return safely_positive(candidate, directions[s.q], directions[s.r]);
     });
-    if (!inside) continue;
-    directions[vertex] = candidate;
-    return {model.value, model.value - value, length * direction.norm() / std::sqrt(model.nearest_square)};
-  }
-  return {model.value};
+  };
+  const base::Backtracking rule{.first_length = length, .factor = 0.4, .max_trials = 6, .strict = true};
+  const auto taken = base::backtrack(model.value, slope, rule, value_after, inside);
+  if (!taken) return {model.value};
+  directions[vertex] = candidate;
+  return {model.value, model.value - taken->value, taken->length * direction.norm() / std::sqrt(model.nearest_square)};
 }
 
 }  // namespace orbicube::sphere_map

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/backtracking.h"
+
 namespace orbicube::volume_map {
 Newton::Newton(FoldoverEnergy& energy, std::span<const double> start, const base::Host& host)
     : energy_(energy),
@@ -22,8 +24,6 @@ void Newton::restart(std::span<const double> values) {
 }
 
 double Newton::step(double eps, const NewtonLimits& limits, EnergyValue& now) {
-  constexpr int max_halvings = 30;
-  constexpr double armijo = 1e-4;
   ++steps_;
   energy_.linearise(values_, eps, gradient_);
   energy_.solve(gradient_, limits.products, limits.tolerance, direction_);
@@ -31,18 +31,18 @@ double Newton::step(double eps, const NewtonLimits& limits, EnergyValue& now) {
   for (std::size_t i = 0; i < gradient_.size(); ++i)
     slope += gradient_[i] * direction_[i];
   if (!(slope < 0)) return 0;
-  double length = 1;
-  for (int k = 0; k < max_halvings; ++k, length *= 0.5) {
+  EnergyValue there{};
+  const auto energy_after = [&](double length) {
     for (std::size_t i = 0; i < direction_.size(); ++i)
       trial_[i] = values_[i] + length * direction_[i];
-    const EnergyValue there = energy_.value(trial_, eps);
-    if (there.energy <= now.energy + armijo * length * slope) {
-      std::swap(values_, trial_);
-      now = there;
-      return length;
-    }
-  }
-  return 0;
+    there = energy_.value(trial_, eps);
+    return there.energy;
+  };
+  const auto taken = base::backtrack(now.energy, slope, {.max_trials = 30}, energy_after);
+  if (!taken) return 0;
+  std::swap(values_, trial_);
+  now = there;
+  return taken->length;
 }
 
 bool Newton::untangle(int max_steps, double max_eps, int patience, const NewtonLimits& limits) {
