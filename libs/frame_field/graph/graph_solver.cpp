@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/iterative/conjugate_gradients.h"
+
 namespace orbicube::frame_field {
 namespace {
 
@@ -289,60 +291,73 @@ double GraphSolver<components>::precondition(const Equation& e, std::span<const 
   return sum_chunks();
 }
 
+// What conjugate gradients work on.
+template <std::size_t components>
+struct GraphSolver<components>::System {
+  GraphSolver& own;
+  const Equation& e;
+  std::span<const Value> right;
+  std::span<Value> x;
+  float first_step;  // of the preconditioner: damped when a coarse correction follows
+  std::uint64_t step;
+
+  double start() {
+    own.apply(e, x, own.image_);
+    own.sweep([&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t k = 0; k < stride; ++k)
+          own.residual_[i].at[k] = (right.empty() ? 0.0F : right[i].at[k]) - own.image_[i].at[k];
+      }
+      own.project(own.residual_, begin, end);
+      for (std::size_t i = begin; i < end; ++i) {
+        const float scale = first_step / own.diagonal(e, i);
+        for (std::size_t k = 0; k < stride; ++k)
+          own.correction_[i].at[k] = scale * own.residual_[i].at[k];
+      }
+    });
+    const double product = own.precondition(e, own.residual_, own.correction_);
+    own.search_ = own.correction_;
+    return product;
+  }
+  double multiply() {
+    own.host_.report(e.phase, step++, 0);
+    return own.apply(e, own.search_, own.image_);
+  }
+  double advance(double length) {
+    const auto by = static_cast<float>(length);
+    own.sweep([&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const float scale = first_step / own.diagonal(e, i);
+        for (std::size_t k = 0; k < stride; ++k) {
+          x[i].at[k] += by * own.search_[i].at[k];
+          own.residual_[i].at[k] -= by * own.image_[i].at[k];
+          own.correction_[i].at[k] = scale * own.residual_[i].at[k];
+        }
+      }
+    });
+    return own.precondition(e, own.residual_, own.correction_);
+  }
+  void turn(double share) {
+    const auto keep = static_cast<float>(share);
+    own.sweep([&](std::size_t begin, std::size_t end, std::size_t) {
+      for (std::size_t i = begin; i < end; ++i) {
+        for (std::size_t k = 0; k < stride; ++k)
+          own.search_[i].at[k] = own.correction_[i].at[k] + keep * own.search_[i].at[k];
+      }
+    });
+  }
+};
+
 template <std::size_t components>
 typename GraphSolver<components>::Outcome GraphSolver<components>::solve(const Equation& e,
                                                                          std::span<const Value> right,
                                                                          std::span<Value> x) {
   multigrid_ = !levels_.empty() && (e.mass.empty() || e.tau * 4 > multigrid_from * *std::ranges::min_element(e.mass));
   if (multigrid_) restrict_mass(e);
-  // Of the preconditioner: a damped step when a coarse correction follows.
-  const float first_step = multigrid_ ? damping : 1;
-
-  apply(e, x, image_);
-  sweep([&](std::size_t begin, std::size_t end, std::size_t) {
-    for (std::size_t i = begin; i < end; ++i) {
-      for (std::size_t k = 0; k < stride; ++k)
-        residual_[i].at[k] = (right.empty() ? 0.0F : right[i].at[k]) - image_[i].at[k];
-    }
-    project(residual_, begin, end);
-    for (std::size_t i = begin; i < end; ++i) {
-      const float scale = first_step / diagonal(e, i);
-      for (std::size_t k = 0; k < stride; ++k)
-        correction_[i].at[k] = scale * residual_[i].at[k];
-    }
-  });
-  double product = precondition(e, residual_, correction_);
-  search_ = correction_;
-  const double first = product;
-  Outcome outcome;
-  while (outcome.iterations < e.max_iterations && product > e.tolerance * e.tolerance * first && product > 0) {
-    host_.report(e.phase, outcome.iterations, 0);
-    const double curvature = apply(e, search_, image_);
-    if (!(curvature > 0)) break;
-    const auto step = static_cast<float>(product / curvature);
-    sweep([&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t i = begin; i < end; ++i) {
-        const float scale = first_step / diagonal(e, i);
-        for (std::size_t k = 0; k < stride; ++k) {
-          x[i].at[k] += step * search_[i].at[k];
-          residual_[i].at[k] -= step * image_[i].at[k];
-          correction_[i].at[k] = scale * residual_[i].at[k];
-        }
-      }
-    });
-    const double next = precondition(e, residual_, correction_);
-    const auto keep = static_cast<float>(next / product);
-    sweep([&](std::size_t begin, std::size_t end, std::size_t) {
-      for (std::size_t i = begin; i < end; ++i) {
-        for (std::size_t k = 0; k < stride; ++k)
-          search_[i].at[k] = correction_[i].at[k] + keep * search_[i].at[k];
-      }
-    });
-    product = next;
-    ++outcome.iterations;
-  }
-  outcome.reduction = first > 0 ? std::sqrt(std::max(product, 0.0) / first) : 0;
-  return outcome;
+  System system{*this, e, right, x, multigrid_ ? damping : 1, 0};
+  const auto solved = linear::conjugate_gradients(system, static_cast<int>(e.max_iterations), e.tolerance);
+  return {static_cast<std::uint32_t>(solved.steps),
+          solved.start > 0 ? std::sqrt(std::max(solved.end, 0.0) / solved.start) : 0};
 }
 
 template class GraphSolver<3>;

@@ -50,6 +50,7 @@ class GraphSolver {
   Outcome solve(const Equation& equation, std::span<const Value> right, std::span<Value> x);
 
  private:
+  struct System;
   struct Level {
     explicit Level(std::pmr::memory_resource* memory)
         : penalty_of(memory),

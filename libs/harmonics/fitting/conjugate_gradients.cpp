@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/iterative/conjugate_gradients.h"
+
 namespace orbicube::harmonics {
 namespace {
 
@@ -25,13 +27,14 @@ ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span
                                              const base::Host& host) {
   std::pmr::memory_resource* memory = host.memory;
   Array<double> residual(b.begin(), b.end(), memory), direction(residual, memory), product(b.size(), memory);
-  Array<double> square(channels, memory), start(channels, memory), curvature(channels, memory),
-      next_square(channels, memory);
+  Array<double> square(channels, memory), curvature(channels, memory);
+  Array<linear::ConjugateScalars> scalars(memory);
   Array<char> active(channels, 1, memory);
   Array<double> diagonal(memory), beside(memory);  // Lanczos's matrix, of the first column
   std::fill(x.begin(), x.end(), 0.0);
   dots(residual, residual, channels, square);
-  start = square;
+  for (const double of_column : square)
+    scalars.push_back({of_column, options.tolerance});
 
   ConjugateGradientsReport report;
   double last_alpha = 0, last_beta = 0;
@@ -39,7 +42,7 @@ ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span
     host.report(options.phase, report.iterations, 0);
     bool any = false;
     for (std::size_t c = 0; c < channels; ++c) {
-      active[c] = active[c] && square[c] > options.tolerance * options.tolerance * start[c];
+      active[c] = active[c] && !scalars[c].converged();
       any = any || active[c];
     }
     if (!any) break;
@@ -47,12 +50,12 @@ ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span
     dots(direction, product, channels, curvature);
     for (std::size_t c = 0; c < channels; ++c) {
       if (!active[c]) continue;
-      if (!(curvature[c] > 0)) {
+      if (!linear::ConjugateScalars::positive(curvature[c])) {
         active[c] = 0;
         report.singular = true;
         continue;
       }
-      const double alpha = square[c] / curvature[c];
+      const double alpha = scalars[c].length(curvature[c]);
       for (std::size_t i = c; i < x.size(); i += channels) {
         x[i] += alpha * direction[i];
         residual[i] -= alpha * product[i];
@@ -62,11 +65,10 @@ ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span
         last_alpha = alpha;
       }
     }
-    dots(residual, residual, channels, next_square);
+    dots(residual, residual, channels, square);
     for (std::size_t c = 0; c < channels; ++c) {
       if (!active[c]) continue;
-      const double beta = next_square[c] / square[c];
-      square[c] = next_square[c];
+      const double beta = scalars[c].advance(square[c]);
       for (std::size_t i = c; i < x.size(); i += channels)
         direction[i] = residual[i] + beta * direction[i];
       if (c == 0) {
@@ -75,8 +77,9 @@ ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span
       }
     }
   }
-  for (std::size_t c = 0; c < channels; ++c) {
-    if (start[c] > 0) report.residual = std::max(report.residual, std::sqrt(square[c] / start[c]));
+  for (const linear::ConjugateScalars& of_column : scalars) {
+    if (of_column.start() > 0)
+      report.residual = std::max(report.residual, std::sqrt(of_column.square() / of_column.start()));
   }
   if (!diagonal.empty()) {
     const auto n = static_cast<Eigen::Index>(diagonal.size());

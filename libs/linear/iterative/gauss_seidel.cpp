@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/iterative/conjugate_gradients.h"
+
 namespace orbicube::linear {
 namespace {
 
@@ -152,49 +154,49 @@ int GaussSeidel<block>::solve(std::span<const double> right, int max_steps, doub
                               std::span<double> solution) {
   // With A = L + D + L' and u = (D + L') x the system is (D + L)^-1 A (D + L')^-1 u = (D + L)^-1 b, preconditioned by
   // D.
-  const std::size_t count = right.size();
-  residual_.assign(right.begin(), right.end());
-  search_.resize(count);
-  image_.resize(count);
-  product_.resize(count);
-  forward(residual_);
-  std::fill(solution.begin(), solution.end(), 0.0);
-  const auto dot = [count](std::span<const double> a, std::span<const double> b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      sum += a[i] * b[i];
-    return sum;
+  struct System {
+    GaussSeidel& own;
+    std::span<const double> right;
+    std::span<double> solution;
+
+    double start() {
+      own.residual_.assign(right.begin(), right.end());
+      for (Array<double>* of_size : {&own.search_, &own.image_, &own.product_})
+        of_size->resize(right.size());
+      own.forward(own.residual_);
+      std::fill(solution.begin(), solution.end(), 0.0);
+      own.multiply_diagonal(own.residual_, own.search_);
+      return dot(own.residual_, own.search_);
+    }
+    double multiply() {
+      own.image_ = own.search_;
+      own.backward(own.image_);
+      own.multiply_diagonal(own.image_, own.product_);
+      for (std::size_t i = 0; i < right.size(); ++i)
+        own.product_[i] = own.search_[i] - own.product_[i];
+      own.forward(own.product_);
+      double curvature = 0;
+      for (std::size_t i = 0; i < right.size(); ++i) {
+        own.product_[i] += own.image_[i];
+        curvature += own.search_[i] * own.product_[i];
+      }
+      return curvature;
+    }
+    double advance(double length) {
+      for (std::size_t i = 0; i < right.size(); ++i) {
+        solution[i] += length * own.image_[i];
+        own.residual_[i] -= length * own.product_[i];
+      }
+      own.multiply_diagonal(own.residual_, own.product_);
+      return dot(own.residual_, own.product_);
+    }
+    void turn(double share) {
+      for (std::size_t i = 0; i < right.size(); ++i)
+        own.search_[i] = own.product_[i] + share * own.search_[i];
+    }
   };
-  multiply_diagonal(residual_, search_);
-  double rz = dot(residual_, search_);
-  const double enough = tolerance * tolerance * rz;
-  int k = 0;
-  for (; k < max_steps && rz > enough; ++k) {
-    image_ = search_;
-    backward(image_);
-    multiply_diagonal(image_, product_);
-    for (std::size_t i = 0; i < count; ++i)
-      product_[i] = search_[i] - product_[i];
-    forward(product_);
-    double curvature = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      product_[i] += image_[i];
-      curvature += search_[i] * product_[i];
-    }
-    if (!(curvature > 0) || !std::isfinite(curvature)) break;
-    const double length = rz / curvature;
-    for (std::size_t i = 0; i < count; ++i) {
-      solution[i] += length * image_[i];
-      residual_[i] -= length * product_[i];
-    }
-    multiply_diagonal(residual_, product_);
-    const double next = dot(residual_, product_);
-    const double beta = next / rz;
-    rz = next;
-    for (std::size_t i = 0; i < count; ++i)
-      search_[i] = product_[i] + beta * search_[i];
-  }
-  return k;
+  System system{*this, right, solution};
+  return conjugate_gradients(system, max_steps, tolerance).steps;
 }
 
 template class GaussSeidel<1>;

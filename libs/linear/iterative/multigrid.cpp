@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "linear/iterative/conjugate_gradients.h"
+
 namespace orbicube::linear {
 namespace {
 
@@ -11,13 +13,6 @@ constexpr std::size_t aggregate_size = 8;
 constexpr std::size_t coarsest_rows = 100;
 constexpr std::size_t max_dense = 800;  // unknowns of a matrix that is factored as a whole
 constexpr std::size_t slab = 16384;
-
-double dot(std::span<const double> a, std::span<const double> b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    sum += a[i] * b[i];
-  return sum;
-}
 
 Index find(const Array<Index>& begin, const Array<Index>& columns, Index row, Index column) {
   const auto first = columns.begin() + static_cast<std::ptrdiff_t>(begin[row]);
@@ -331,36 +326,42 @@ void Multigrid<block>::solve_level(std::size_t number) {
 template <int block>
 int Multigrid<block>::solve(std::span<const double> right, int max_steps, double tolerance,
                             std::span<double> solution) {
-  // Conjugate gradients for preconditioners that change.
-  Level& fine = *levels_[0];
-  std::fill(solution.begin(), solution.end(), 0.0);
-  Array<double>& residual = fine.right;
-  Array<double>& search = fine.first;
-  Array<double>& preconditioned = fine.second;
-  Array<double>& image = fine.first_image;
-  residual.assign(right.begin(), right.end());
-  cycle(0, residual, preconditioned);
-  search = preconditioned;
-  double rz = dot(residual, preconditioned);
-  const double enough = tolerance * tolerance * rz;
-  int k = 0;
-  for (; k < max_steps && rz > enough; ++k) {
-    fine.matrix->multiply(search, image, host_);
-    const double curvature = dot(search, image);
-    if (!(curvature > 0) || !std::isfinite(curvature)) break;
-    const double length = dot(search, residual) / curvature;
-    for (std::size_t i = 0; i < solution.size(); ++i) {
-      solution[i] += length * search[i];
-      residual[i] -= length * image[i];
+  // The preconditioner changes from step to step.
+  struct System {
+    Multigrid& own;
+    std::span<const double> right;
+    std::span<double> solution;
+    Array<double>&residual, &search, &preconditioned, &image;
+
+    double start() {
+      std::fill(solution.begin(), solution.end(), 0.0);
+      residual.assign(right.begin(), right.end());
+      own.cycle(0, residual, preconditioned);
+      search = preconditioned;
+      return dot(residual, preconditioned);
     }
-    cycle(0, residual, preconditioned);
-    rz = dot(residual, preconditioned);
-    // The new direction has no part along the last one.
-    const double beta = -dot(preconditioned, image) / curvature;
-    for (std::size_t i = 0; i < solution.size(); ++i)
-      search[i] = preconditioned[i] + beta * search[i];
-  }
-  return k;
+    double multiply() {
+      own.levels_[0]->matrix->multiply(search, image, own.host_);
+      return dot(search, image);
+    }
+    double along() const { return dot(search, residual); }
+    double advance(double length) {
+      for (std::size_t i = 0; i < solution.size(); ++i) {
+        solution[i] += length * search[i];
+        residual[i] -= length * image[i];
+      }
+      own.cycle(0, residual, preconditioned);
+      return dot(residual, preconditioned);
+    }
+    double overlap() const { return dot(preconditioned, image); }
+    void turn(double share) {
+      for (std::size_t i = 0; i < solution.size(); ++i)
+        search[i] = preconditioned[i] + share * search[i];
+    }
+  };
+  Level& fine = *levels_[0];
+  System system{*this, right, solution, fine.right, fine.first, fine.second, fine.first_image};
+  return conjugate_gradients(system, max_steps, tolerance).steps;
 }
 
 template class Multigrid<1>;

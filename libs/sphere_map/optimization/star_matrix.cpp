@@ -3,6 +3,8 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "linear/iterative/conjugate_gradients.h"
+
 namespace orbicube::sphere_map {
 
 StarMatrix::StarMatrix(const Level& level, std::span<const Index> place, const base::Host& host)
@@ -48,46 +50,56 @@ double ConjugateGradients::sum(const Term& term) {
   return total;
 }
 
+struct ConjugateGradients::System {
+  ConjugateGradients& own;
+  const StarMatrix& matrix;
+  std::span<const Vector2d> right_side;
+  std::span<Vector2d> x;
+  int step, max_steps;
+
+  double start() {
+    return own.sum([&](std::size_t i) {
+      const Eigen::Matrix2d& d = matrix.diagonal[i];
+      // Made positive, as the step of a single vertex is.
+      const double mean = 0.5 * d.trace();
+      const double spread = std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
+      const double least = std::max(1e-3 * (std::abs(mean) + spread), std::numeric_limits<double>::min());
+      const double shift = std::max(0.0, least - (mean - spread));
+      own.inverse_[i] = (d + shift * Eigen::Matrix2d::Identity()).inverse();
+      x[i].setZero();
+      own.residual_[i] = right_side[i];
+      own.along_[i] = own.inverse_[i] * own.residual_[i];
+      return own.residual_[i].dot(own.along_[i]);
+    });
+  }
+  double multiply() {
+    return own.sum([&](std::size_t i) {
+      own.product_[i] = matrix.row_times(i, own.along_);
+      return own.along_[i].dot(own.product_[i]);
+    });
+  }
+  double advance(double alpha) {
+    return own.sum([&](std::size_t i) {
+      x[i] += alpha * own.along_[i];
+      own.residual_[i] -= alpha * own.product_[i];
+      own.preconditioned_[i] = own.inverse_[i] * own.residual_[i];
+      return own.residual_[i].dot(own.preconditioned_[i]);
+    });
+  }
+  void turn(double beta) {
+    own.pool_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        own.along_[i] = own.preconditioned_[i] + beta * own.along_[i];
+    });
+    own.host_.report("final optimization", static_cast<std::uint64_t>(step++), static_cast<std::uint64_t>(max_steps));
+  }
+};
+
 void ConjugateGradients::solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance,
                                int max_steps, std::span<Vector2d> x) {
-  double rz = sum([&](std::size_t i) {
-    const Eigen::Matrix2d& d = matrix.diagonal[i];
-    // Made positive, as the step of a single vertex is.
-    const double mean = 0.5 * d.trace();
-    const double spread = std::hypot(0.5 * (d(0, 0) - d(1, 1)), d(0, 1));
-    const double least = std::max(1e-3 * (std::abs(mean) + spread), std::numeric_limits<double>::min());
-    const double shift = std::max(0.0, least - (mean - spread));
-    inverse_[i] = (d + shift * Eigen::Matrix2d::Identity()).inverse();
-    x[i].setZero();
-    residual_[i] = right_side[i];
-    along_[i] = inverse_[i] * residual_[i];
-    return residual_[i].dot(along_[i]);
-  });
-  const double goal = tolerance * tolerance * rz;
-  for (int step = 0; step < max_steps && rz > goal; ++step) {
-    const double curvature = sum([&](std::size_t i) {
-      product_[i] = matrix.row_times(i, along_);
-      return along_[i].dot(product_[i]);
-    });
-    if (!(curvature > 0)) {
-      if (step == 0) std::copy(along_.begin(), along_.end(), x.begin());
-      return;
-    }
-    const double alpha = rz / curvature;
-    const double next = sum([&](std::size_t i) {
-      x[i] += alpha * along_[i];
-      residual_[i] -= alpha * product_[i];
-      preconditioned_[i] = inverse_[i] * residual_[i];
-      return residual_[i].dot(preconditioned_[i]);
-    });
-    const double beta = next / rz;
-    rz = next;
-    pool_.run_pieces(x.size(), vertices_a_piece, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        along_[i] = preconditioned_[i] + beta * along_[i];
-    });
-    host_.report("final optimization", static_cast<std::uint64_t>(step), static_cast<std::uint64_t>(max_steps));
-  }
+  System system{*this, matrix, right_side, x, 0, max_steps};
+  const auto outcome = linear::conjugate_gradients(system, max_steps, tolerance);
+  if (outcome.not_positive && outcome.steps == 0) std::copy(along_.begin(), along_.end(), x.begin());
 }
 
 }  // namespace orbicube::sphere_map

@@ -48,6 +48,7 @@ class ConjugateGradients {
              std::span<Vector2d> x);
 
  private:
+  struct System;
   // Sum of term(i) over all vertices, after work(i) was done for each.
   template <class Term>
   double sum(const Term& term);
