@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/random.h"
 #include "blocks.h"
 #include "mesh/shapes/make_shape.h"
 #include "mesh/topology/topology.h"
@@ -15,7 +16,6 @@
 #include "polycube/map/labelled_target.h"
 #include "polycube/map/untangling.h"
 #include "polycube/surface/distortion.h"
-#include "polycube/surface/random.h"
 #include "polycube/surface/refinement.h"
 
 using namespace orbicube;
@@ -68,7 +68,7 @@ TEST_CASE("Scrambled positions are untangled") {
     const Surface surface(Array<Vector3>(positions), Array<Triangle>(map.triangles), host);
     const Patches patches = find_patches(surface, map.labels, host);
     TiedMap tied(surface, patches, host);
-    Random random(5);
+    base::Random random(5);
     for (Index v = 0; v < positions.size(); ++v) {
       for (std::size_t axis = 0; axis < 3; ++axis)
         tied.value[tied.variable[v][axis]] = positions[v][static_cast<Eigen::Index>(axis)];

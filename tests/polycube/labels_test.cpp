@@ -3,11 +3,11 @@
 
 #include <cmath>
 
+#include "base/random.h"
 #include "blocks.h"
 #include "mesh/shapes/make_shape.h"
 #include "polycube/labels/label_repair.h"
 #include "polycube/map/certificate.h"
-#include "polycube/surface/random.h"
 #include "polycube/surface/refinement.h"
 
 using namespace orbicube;
@@ -65,7 +65,7 @@ TEST_CASE("No expansion of a label improves the labels that expansion ends with"
   const mesh::Mesh m = blocks({{0, 0, 0}});
   const Surface surface = surface_of(m);
   const std::size_t count = m.triangles.size();
-  Random random(3);
+  base::Random random(3);
   for (int round = 0; round < 20; ++round) {
     LabelCosts costs = label_costs(surface, surface.normals, 0, host);
     for (auto& data : costs.data) {

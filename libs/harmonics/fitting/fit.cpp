@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "base/random.h"
 #include "base/sums.h"
 #include "harmonics/fitting/conjugate_gradients.h"
 #include "harmonics/fitting/gram_operator.h"
@@ -181,7 +182,7 @@ Coefficients fit_iterative(const Samples& samples, const FitOptions& options, co
     Array<double> random(unknowns, host.memory), ignored(unknowns, host.memory);
     std::mt19937_64 engine(1);
     for (double& entry : random)
-      entry = static_cast<double>(engine() >> 11U) * 0x1p-53 - 0.5;
+      entry = base::unit_interval(engine()) - 0.5;
     constexpr double tolerance = 1e-4;
     const ConjugateGradientsReport probe =
         conjugate_gradients(multiply, random, 1, ignored,

@@ -5,6 +5,7 @@
 #include <random>
 
 #include "base/host.h"
+#include "base/random.h"
 #include "mesh/mesh.h"
 #include "mesh/shapes/make_shape.h"
 
@@ -27,9 +28,7 @@ class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
 
-  double uniform(double low, double high) {
-    return low + (high - low) * (static_cast<double>(engine_() >> 11U) * 0x1p-53);
-  }
+  double uniform(double low, double high) { return low + (high - low) * base::unit_interval(engine_()); }
   // From low to high, both included.
   int whole(int low, int high) { return low + static_cast<int>(engine_() % static_cast<unsigned>(high - low + 1)); }
 

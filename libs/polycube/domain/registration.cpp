@@ -7,8 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/random.h"
 #include "linear/direct/dense_system.h"
-#include "polycube/surface/random.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -37,7 +37,7 @@ Samples spread_over(const SurfaceSpan& surface, const base::Host& host) {
     const Vector3 &a = surface.positions[t[0]], &b = surface.positions[t[1]], &c = surface.positions[t[2]];
     sums.push_back(area += 0.5 * (b - a).cross(c - a).norm());
   }
-  Random random(1);
+  base::Random random(1);
   Samples all(host.memory), result(host.memory);
   for (std::size_t i = 0; i < samples; ++i) {
     // One in each equal part of the area.

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/random.h"
 #include "mesh/topology/disjoint_sets.h"
-#include "polycube/surface/random.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -42,7 +42,7 @@ class Problem {
   bool satisfied() const { return violation_ < 1e-9; }
 
   void anneal(std::uint64_t seed) {
-    Random random(seed);
+    base::Random random(seed);
     Array<std::uint8_t> best(sign_);
     double best_energy = energy();
     for (int round = 0; round < rounds; ++round) {
@@ -188,7 +188,7 @@ class Problem {
   }
 
   // One group, two at a corner with chi = -1, or all at the corners of a loop: the last turns bumps into pits.
-  void choose_move(Random& random) {
+  void choose_move(base::Random& random) {
     move_.clear();
     const auto add = [&](Index g) {
       if (std::find(move_.begin(), move_.end(), g) == move_.end()) move_.push_back(g);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "polycube/surface/random.h"
+#include "base/random.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -15,7 +15,7 @@ constexpr int refinements = 150;
 constexpr std::size_t max_normals = 4000;
 
 // Uniform over all rotations (Shoemake 1992).
-Eigen::Matrix3d random_rotation(Random& random) {
+Eigen::Matrix3d random_rotation(base::Random& random) {
   const double a = random.unit(), b = 2 * std::numbers::pi * random.unit(), c = 2 * std::numbers::pi * random.unit();
   return Eigen::Quaterniond(std::sqrt(a) * std::cos(c), std::sqrt(1 - a) * std::sin(b), std::sqrt(1 - a) * std::cos(b),
                             std::sqrt(a) * std::sin(c))
@@ -55,7 +55,7 @@ Eigen::Matrix3d best_alignment(const Surface& surface, std::uint64_t seed, const
       sum += (r * n).lpNorm<1>();
     return sum;
   };
-  Random random(seed);
+  base::Random random(seed);
   Eigen::Matrix3d best = Eigen::Matrix3d::Identity();
   double least = 0.99 * sum_of(best);
   for (int i = 0; i < starts; ++i) {

@@ -6,17 +6,15 @@
 #include <limits>
 #include <utility>
 
+#include "base/random.h"
 #include "sphere_map/hierarchy/level.h"
 
 namespace orbicube::sphere_map {
 namespace {
 
-// A number in [0, 1) that depends on vertex and seed only (splitmix64, Steele et al. 2014).
+// A number in [0, 1) that depends on vertex and seed only.
 double random_of(std::uint64_t vertex, std::uint64_t seed) {
-  std::uint64_t z = (seed << 32) + vertex + 0x9E3779B97F4A7C15U;
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return static_cast<double>((z ^ (z >> 31)) >> 11) * 0x1p-53;
+  return base::Random((seed << 32U) + vertex).unit();
 }
 
 }  // namespace

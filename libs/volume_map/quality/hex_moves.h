@@ -5,6 +5,7 @@
 #include <limits>
 #include <random>
 
+#include "base/random.h"
 #include "volume_map/quality/hex_boundary.h"
 #include "volume_map/solid/cells_around.h"
 
@@ -68,7 +69,7 @@ class HexMoves {
   static constexpr double min_gain = 1e-6;  // less is not taken
 
  private:
-  double uniform() { return static_cast<double>(random_() >> 11) * 0x1p-52 - 1; }
+  double uniform() { return 2 * base::unit_interval(random_()) - 1; }
   double corners(Index hexahedron) const;
   double coefficients(Index hexahedron) const;
   double min_edge_length(Index vertex) const;
