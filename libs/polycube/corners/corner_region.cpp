@@ -89,21 +89,9 @@ Array<Index> RegionFinder::edge_middles() const {
   return result;
 }
 
-bool RegionFinder::farther(const Waiting& a, const Waiting& b) {
+bool RegionFinder::Farther::operator()(const Waiting& a, const Waiting& b) const {
   return a.distance != b.distance ? a.distance > b.distance
                                   : std::pair(a.corner, a.vertex) > std::pair(b.corner, b.vertex);
-}
-
-void RegionFinder::push(double distance, Index vertex, Index corner) {
-  heap_.push_back({distance, vertex, corner});
-  std::push_heap(heap_.begin(), heap_.end(), farther);
-}
-
-RegionFinder::Waiting RegionFinder::pop() {
-  const Waiting result = heap_.front();
-  std::pop_heap(heap_.begin(), heap_.end(), farther);
-  heap_.pop_back();
-  return result;
 }
 
 bool RegionFinder::find(Index centre, std::size_t max_vertices, CornerRegion& region) {
@@ -116,9 +104,9 @@ bool RegionFinder::find(Index centre, std::size_t max_vertices, CornerRegion& re
   heap_.clear();
   if (!find_sectors(centre, region)) return false;
   distance_[centre] = 0;
-  push(0, centre, 0);
+  heap_.push({0, centre, 0});
   while (!heap_.empty() && candidates_.size() < max_vertices) {
-    const Waiting w = pop();
+    const Waiting w = heap_.pop();
     if (w.distance > distance_[w.vertex] || !may_move(w.vertex, region)) continue;
     candidates_.push_back(w.vertex);
     map_.surface.for_each_outgoing(w.vertex, [&](Index h) {
@@ -127,7 +115,7 @@ bool RegionFinder::find(Index centre, std::size_t max_vertices, CornerRegion& re
       if (!(there < distance_[v])) return;
       if (distance_[v] == infinity) touched_.push_back(v);
       distance_[v] = there;
-      push(there, v, 0);
+      heap_.push({there, v, 0});
     });
   }
   for (const Index v : touched_)
@@ -147,10 +135,10 @@ Array<CornerRegion> RegionFinder::find_disjoint(std::size_t max_vertices) {
   heap_.clear();
   for (Index c = 0; c < centres.size(); ++c) {
     distance[centres[c]] = 0;
-    push(0, centres[c], c);
+    heap_.push({0, centres[c], c});
   }
   while (!heap_.empty()) {
-    const Waiting w = pop();
+    const Waiting w = heap_.pop();
     if (nearest_[w.vertex] != no_index) continue;
     nearest_[w.vertex] = centres[w.corner];
     own[w.corner].push_back(w.vertex);
@@ -160,7 +148,7 @@ Array<CornerRegion> RegionFinder::find_disjoint(std::size_t max_vertices) {
       const double there = w.distance + (map_.image[v] - map_.image[w.vertex]).norm();
       if (!(there < distance[v])) return;
       distance[v] = there;
-      push(there, v, w.corner);
+      heap_.push({there, v, w.corner});
     });
   }
   Array<CornerRegion> result(host_.memory);

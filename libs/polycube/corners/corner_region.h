@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <span>
 
+#include "base/heap.h"
 #include "base/host.h"
 #include "polycube/surface/editable_surface.h"
 
@@ -109,9 +110,9 @@ class RegionFinder {
     double distance;
     Index vertex, corner;
   };
-  static bool farther(const Waiting& a, const Waiting& b);
-  void push(double distance, Index vertex, Index corner);
-  Waiting pop();
+  struct Farther {
+    bool operator()(const Waiting& a, const Waiting& b) const;
+  };
   bool find_sectors(Index centre, CornerRegion& region) const;
   bool may_move(Index v, const CornerRegion& region) const;
   bool gather(std::span<const Index> candidates, CornerRegion& region);
@@ -125,7 +126,7 @@ class RegionFinder {
   Array<double> distance_;   // of each vertex, to where the search began
   Array<Index> touched_;     // vertices with a distance
   Array<Index> candidates_;  // the nearest first
-  Array<Waiting> heap_;
+  base::Heap<Waiting, Farther> heap_;
 };
 
 }  // namespace orbicube::polycube

@@ -39,8 +39,7 @@ void FeaturePlaces::reach(Index face, double distance, const PlaneMotion& motion
   if (distance_[face] == infinite) reached_.push_back(Index{face});
   distance_[face] = distance;
   motion_[face] = motion;
-  heap_.push_back({distance, face});
-  std::push_heap(heap_.begin(), heap_.end(), [](const Entry& a, const Entry& b) { return a.distance > b.distance; });
+  heap_.push({distance, face});
 }
 
 FeaturePlaces::InPlane FeaturePlaces::find(Index vertex, const Vector3& place, int axis) {
@@ -55,9 +54,7 @@ FeaturePlaces::InPlane FeaturePlaces::find(Index vertex, const Vector3& place, i
   surface.for_each_outgoing(vertex, [&](Index h) { reach(h / 3, (centre(h / 3) - from).norm(), unfolded_.motion[h]); });
   for (std::size_t popped = 0; !heap_.empty(); ++popped) {
     if (popped % 4096 == 0) host_.report("features", 0, 0);
-    std::pop_heap(heap_.begin(), heap_.end(), [](const Entry& a, const Entry& b) { return a.distance > b.distance; });
-    const Entry entry = heap_.back();
-    heap_.pop_back();
+    const Entry entry = heap_.pop();
     const Index f = entry.face;
     if (entry.distance > distance_[f]) continue;
     if (f == target.triangle) break;

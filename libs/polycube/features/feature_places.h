@@ -1,6 +1,7 @@
 // Places on a polycube as they are seen in the planes of vertices of an unfolded map.
 #pragma once
 
+#include "base/heap.h"
 #include "mesh/search/nearest.h"
 #include "polycube/unfolded/unfolded_map.h"
 
@@ -24,6 +25,8 @@ class FeaturePlaces {
   struct Entry {
     double distance;
     Index face;
+
+    bool operator>(const Entry& other) const { return distance > other.distance; }
   };
   Vector3 centre(Index face) const;
   void reach(Index face, double distance, const PlaneMotion& motion);
@@ -36,7 +39,7 @@ class FeaturePlaces {
   Array<double> distance_;
   Array<PlaneMotion> motion_;  // from the vertex's plane
   Array<Index> reached_;       // faces to be forgotten
-  Array<Entry> heap_;
+  base::Heap<Entry> heap_;
 };
 
 }  // namespace orbicube::polycube

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "base/heap.h"
 #include "polycube/surface/editable_surface.h"
 
 namespace orbicube::polycube {
@@ -41,8 +42,7 @@ class PathSearch {
       if (!(length < distance_[state])) return;
       distance_[state] = length;
       parent_[state] = from_state;
-      heap_.push_back({length, state});
-      std::push_heap(heap_.begin(), heap_.end(), later);
+      heap_.push({length, state});
     };
     for (const Index h : starts) {
       const Index v = surface_.end(h);
@@ -58,10 +58,9 @@ class PathSearch {
     }
     for (std::size_t popped = 0; !heap_.empty(); ++popped) {
       if (popped % 4096 == 0) host_.report("tracing", 0, 0);
-      const double length = heap_.front().length;
-      const Index state = heap_.front().state;
-      std::pop_heap(heap_.begin(), heap_.end(), later);
-      heap_.pop_back();
+      const Reached nearest = heap_.pop();
+      const double length = nearest.length;
+      const Index state = nearest.state;
       if (length >= best) break;
       if (length > distance_[state]) continue;
       const auto v = static_cast<Index>(state / sheets), sheet = static_cast<Index>(state % sheets);
@@ -96,16 +95,17 @@ class PathSearch {
   struct Reached {
     double length;
     Index state;
+
+    bool operator>(const Reached& other) const {
+      return length != other.length ? length > other.length : state > other.state;
+    }
   };
-  static bool later(const Reached& a, const Reached& b) {
-    return a.length != b.length ? a.length > b.length : a.state > b.state;
-  }
 
   const EditableSurface& surface_;
   const base::Host& host_;
   Array<double> distance_;
   Array<Index> parent_, arrival_;  // by vertex and sheet; by vertex
-  Array<Reached> heap_;
+  base::Heap<Reached> heap_;
 };
 
 }  // namespace orbicube::polycube

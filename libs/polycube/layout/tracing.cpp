@@ -7,6 +7,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/heap.h"
 #include "mesh/topology/disjoint_sets.h"
 #include "polycube/layout/path_search.h"
 
@@ -67,20 +68,9 @@ class Tracing {
   struct Waiting {
     double cost;
     Index arc;
+
+    bool operator>(const Waiting& other) const { return cost != other.cost ? cost > other.cost : arc > other.arc; }
   };
-  static bool costlier(const Waiting& a, const Waiting& b) {
-    return a.cost != b.cost ? a.cost > b.cost : a.arc > b.arc;
-  }
-  void push(Index arc, double cost) {
-    waiting_.push_back({cost, arc});
-    std::push_heap(waiting_.begin(), waiting_.end(), costlier);
-  }
-  Index pop() {
-    const Index arc = waiting_.front().arc;
-    std::pop_heap(waiting_.begin(), waiting_.end(), costlier);
-    waiting_.pop_back();
-    return arc;
-  }
 
   Index split_edge(Index h) {
     const Index a = surface_.start(h), b = surface_.end(h);
@@ -103,18 +93,12 @@ class Tracing {
     for (Index v = 0; v < surface_.vertices(); ++v)
       used += surface_.outgoing(v) != no_index;
     if (used >= wanted) return;
-    const auto shorter = [](const std::pair<double, Index>& a, const std::pair<double, Index>& b) { return a < b; };
-    Array<std::pair<double, Index>> queue(host_.memory);
-    const auto push = [&](Index h) {
-      queue.emplace_back(surface_.length(h), h);
-      std::push_heap(queue.begin(), queue.end(), shorter);
-    };
+    base::Heap<std::pair<double, Index>, std::less<>> queue(host_.memory);
+    const auto push = [&](Index h) { queue.push({surface_.length(h), h}); };
     for (Index h = 0; h < 3 * surface_.faces(); ++h)
       if (h < surface_.opposite(h)) push(h);
     while (used < wanted) {
-      const auto [length, h] = queue.front();
-      std::pop_heap(queue.begin(), queue.end(), shorter);
-      queue.pop_back();
+      const auto [length, h] = queue.pop();
       if (surface_.length(h) != length) {
         push(h);
         continue;
@@ -259,11 +243,11 @@ class Tracing {
   Index draw_cheapest(bool generators, const Wanted& wanted) {
     while (!waiting_.empty()) {
       host_.report(phase, drawn_count_, layout_.arcs());
-      const Index arc = pop();
+      const Index arc = waiting_.pop().arc;
       if (!wanted(arc)) continue;
       const double cost = route(arc, generators);
-      if (!waiting_.empty() && cost > waiting_.front().cost * (1 + 1e-12)) {
-        push(arc, cost);
+      if (!waiting_.empty() && cost > waiting_.top().cost * (1 + 1e-12)) {
+        waiting_.push({cost, arc});
         continue;
       }
       mark(arc, drawing_.path[arc], true);
@@ -283,7 +267,7 @@ class Tracing {
       reached[node] = 1;
       ++count;
       for (const Index dart : layout_.darts_of(node))
-        if (!reached[layout_.target(dart)]) push(dart / 2, cost_[dart / 2]);
+        if (!reached[layout_.target(dart)]) waiting_.push({cost_[dart / 2], dart / 2});
     };
     // From the cheapest arc's node.
     const auto first = static_cast<Index>(std::min_element(cost_.begin(), cost_.end()) - cost_.begin());
@@ -314,7 +298,7 @@ class Tracing {
     const auto any = [](Index) { return true; };
     for (const bool generator : {true, false}) {
       for (const Index arc : generator ? generators : cotree)
-        push(arc, cost_[arc]);
+        waiting_.push({cost_[arc], arc});
       while (draw_cheapest(generator, any) != no_index) {
       }
     }
@@ -530,7 +514,7 @@ class Tracing {
   Array<std::uint8_t> level_;  // of each vertex: how often edges were halved for it
   Array<std::uint8_t> drawn_;  // of each arc
   Array<double> cost_;         // of each arc, with nothing drawn
-  Array<Waiting> waiting_;
+  base::Heap<Waiting> waiting_;
   std::size_t drawn_count_ = 0;
   Array<Index> starts_, ends_;
   double diagonal_ = 0;

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <queue>
 #include <utility>
 
+#include "base/heap.h"
 #include "polycube/surface/quadric.h"
 
 namespace orbicube::polycube {
@@ -29,7 +29,7 @@ class Decimator {
         best_(surface.positions.size(), no_index, host.memory),
         stamp_(surface.positions.size(), host.memory),
         mark_(surface.positions.size(), host.memory),
-        heap_(std::greater<>(), Array<Entry>(host.memory)) {
+        heap_(host.memory) {
     result_.triangles.assign(surface.triangles.begin(), surface.triangles.end());
     result_.opposite.resize(3 * surface.triangles.size());
     result_.outgoing.resize(surface.positions.size());
@@ -51,8 +51,7 @@ class Decimator {
       if (result_.outgoing[v] != no_index) refresh(v);
     }
     while (alive > target && !heap_.empty()) {
-      const Entry entry = heap_.top();
-      heap_.pop();
+      const Entry entry = heap_.pop();
       const Index v = entry.vertex;
       if (entry.stamp != stamp_[v] || best_[v] == no_index) continue;
       if (!allowed(best_[v])) {  // something changed farther away
@@ -201,7 +200,7 @@ class Decimator {
   Array<Index> stamp_;
   Array<Index> mark_;
   Index round_ = 0;
-  std::priority_queue<Entry, Array<Entry>, std::greater<>> heap_;
+  base::Heap<Entry> heap_;
 };
 
 }  // namespace

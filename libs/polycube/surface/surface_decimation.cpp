@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/heap.h"
 #include "polycube/surface/quadric.h"
 
 namespace orbicube::polycube {
@@ -50,15 +51,12 @@ class Decimation {
     }
     while (left > min_vertices && !queue_.empty()) {
       if (collapsed_.size() % 256 == 0) host_.report(phase, 0, 0);
-      const Candidate top = queue_.front();
-      std::pop_heap(queue_.begin(), queue_.end(), costlier);
-      queue_.pop_back();
+      const Candidate top = queue_.pop();
       if (version_[top.vertex] != top.version || surface_.outgoing(top.vertex) == no_index) continue;
       const Candidate best = cheapest(top.vertex);
       if (best.half_edge == no_index) continue;
       if (best.cost > top.cost * 1.0000001) {
-        queue_.push_back(best);
-        std::push_heap(queue_.begin(), queue_.end(), costlier);
+        queue_.push(best);
         continue;
       }
       apply(best.half_edge);
@@ -72,10 +70,11 @@ class Decimation {
     double cost;
     Index vertex, half_edge;
     std::uint32_t version;
+
+    bool operator>(const Candidate& other) const {
+      return cost != other.cost ? cost > other.cost : vertex > other.vertex;
+    }
   };
-  static bool costlier(const Candidate& a, const Candidate& b) {
-    return a.cost != b.cost ? a.cost > b.cost : a.vertex > b.vertex;
-  }
   Vector3 at(Index v) const { return surface_.position[v] - origin_; }
 
   // What the drawing allows; surface_.can_collapse() is tested as well.
@@ -136,9 +135,7 @@ class Decimation {
 
   void push(Index v) {
     const Candidate best = cheapest(v);
-    if (best.half_edge == no_index) return;
-    queue_.push_back(best);
-    std::push_heap(queue_.begin(), queue_.end(), costlier);
+    if (best.half_edge != no_index) queue_.push(best);
   }
 
   void apply(Index h) {
@@ -160,7 +157,7 @@ class Decimation {
   Array<std::uint8_t> is_node_, is_corner_;
   Array<Quadric> quadrics_;
   Array<std::uint32_t> version_;
-  Array<Candidate> queue_;
+  base::Heap<Candidate> queue_;
   Array<Index> collapsed_;
   Array<Index> around_;
 };

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
 
+#include "base/heap.h"
 #include "mesh/search/predicates.h"
 
 namespace orbicube::polycube {
@@ -111,14 +111,13 @@ class CornerMoves {
     first_.assign(surface_.vertices(), no_index);
     // From the goal, so that the way is known where it ends.
     using Entry = std::pair<double, Index>;
-    std::pmr::vector<Entry> heap(host_.memory);
+    base::Heap<Entry> heap(host_.memory);
     distance_[goal] = 0;
-    heap.push_back({0, goal});
+    heap.push({0, goal});
     while (!heap.empty()) {
-      std::pop_heap(heap.begin(), heap.end(), std::greater<>());
-      const double length = heap.back().first;
-      const Index at = heap.back().second;
-      heap.pop_back();
+      const Entry nearest = heap.pop();
+      const double length = nearest.first;
+      const Index at = nearest.second;
       if (at == v) break;
       if (length > distance_[at]) continue;
       surface_.for_each_outgoing(at, [&](Index h) {
@@ -128,8 +127,7 @@ class CornerMoves {
         if (!(there < distance_[to])) return;
         distance_[to] = there;
         first_[to] = surface_.opposite(h);
-        heap.push_back({there, to});
-        std::push_heap(heap.begin(), heap.end(), std::greater<>());
+        heap.push({there, to});
       });
     }
     return first_[v];

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <queue>
 #include <string>
 #include <utility>
 
 #include "base/error.h"
+#include "base/heap.h"
 #include "sphere_map/dissertation/step.h"
 #include "sphere_map/hierarchy/decimation.h"
 #include "sphere_map/hierarchy/partial.h"
@@ -52,7 +52,7 @@ class Hierarchy {
         rest_(rest),
         directions_(positions.size(), Vector3::Zero(), host.memory),
         queued_(positions.size(), 0, host.memory),
-        queue_(std::less<>(), Array<Entry>(host.memory)),
+        queue_(host.memory),
         star_(host.memory),
         kernel_scratch_(host.memory) {}
 
@@ -164,8 +164,7 @@ class Hierarchy {
   }
 
   Index pop() {
-    const Index v = queue_.top().second;
-    queue_.pop();
+    const Index v = queue_.pop().second;
     queued_[v] = 0;
     return v;
   }
@@ -203,7 +202,7 @@ class Hierarchy {
   RestTriangles rest_;
   Array<Vector3> directions_;
   Array<std::uint8_t> queued_;
-  std::priority_queue<Entry, Array<Entry>, std::less<>> queue_;
+  base::Heap<Entry, std::less<>> queue_;
   Array<StarTriangle> star_;
   KernelPolygon kernel_scratch_;
   std::size_t vertices_ = 0;

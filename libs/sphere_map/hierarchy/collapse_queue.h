@@ -1,19 +1,17 @@
 // The vertices that may be merged into a neighbor, cheapest first, of a whole mesh or of one region of it.
 #pragma once
 
-#include <functional>
-#include <queue>
 #include <span>
 #include <utility>
 
+#include "base/heap.h"
 #include "sphere_map/hierarchy/collapse_costs.h"
 
 namespace orbicube::sphere_map {
 
 class CollapseQueue {
  public:
-  CollapseQueue(CollapseCosts& costs, std::pmr::memory_resource* memory)
-      : costs_(costs), heap_(std::greater<>(), Array<Entry>(memory)) {}
+  CollapseQueue(CollapseCosts& costs, std::pmr::memory_resource* memory) : costs_(costs), heap_(memory) {}
 
   // Fills an empty queue with those of `vertices` that have a target or must be looked at again; the memory for them is
   // all that the queue will ever request.
@@ -25,7 +23,7 @@ class CollapseQueue {
       if (costs_.target(v) == no_index && costs_.is_stale(v)) costs_.set_cost(v, 0);
       if (costs_.target(v) != no_index || costs_.is_stale(v)) entries.push_back({costs_.cost(v), v});
     }
-    heap_ = Heap(std::greater<>(), std::move(entries));
+    heap_.assign(std::move(entries));
   }
 
   bool empty() const { return heap_.empty(); }
@@ -42,8 +40,7 @@ class CollapseQueue {
   template <class Usable>
   Index pop(const Usable& usable, Candidates& candidates) {
     while (!heap_.empty()) {
-      const auto [cost, vertex] = heap_.top();
-      heap_.pop();
+      const auto [cost, vertex] = heap_.pop();
       if (costs_.is_dead(vertex) || cost != costs_.cost(vertex) || !usable(vertex)) continue;  // dead, or replaced
       if (costs_.is_stale(vertex)) {
         refresh(vertex, true, candidates);
@@ -69,7 +66,6 @@ class CollapseQueue {
 
  private:
   using Entry = std::pair<double, Index>;
-  using Heap = std::priority_queue<Entry, Array<Entry>, std::greater<>>;
 
   void push(Index vertex) { heap_.push({costs_.cost(vertex), vertex}); }
 
@@ -82,7 +78,7 @@ class CollapseQueue {
   }
 
   CollapseCosts& costs_;
-  Heap heap_;
+  base::Heap<Entry> heap_;
 };
 
 }  // namespace orbicube::sphere_map

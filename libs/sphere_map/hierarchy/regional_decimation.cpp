@@ -1,10 +1,9 @@
 #include "sphere_map/hierarchy/regional_decimation.h"
 
 #include <algorithm>
-#include <functional>
-#include <queue>
 #include <utility>
 
+#include "base/heap.h"
 #include "mesh/search/hilbert_curve.h"
 #include "sphere_map/hierarchy/collapse_queue.h"
 
@@ -102,7 +101,7 @@ class Region {
 // All collapses by the largest cost that their region had seen, which keeps the order within each region.
 void merge(std::span<const Region> regions, Array<Collapse>& result, std::pmr::memory_resource* memory) {
   using Entry = std::pair<double, std::size_t>;  // cost of the next collapse of a region
-  std::priority_queue<Entry, Array<Entry>, std::greater<>> next(std::greater<>{}, Array<Entry>(memory));
+  base::Heap<Entry> next(memory);
   Array<std::size_t> done(regions.size(), 0, memory);
   const auto push = [&](std::size_t r) {
     if (done[r] < regions[r].collapses().size()) next.push({regions[r].costs()[done[r]], r});
@@ -110,8 +109,7 @@ void merge(std::span<const Region> regions, Array<Collapse>& result, std::pmr::m
   for (std::size_t r = 0; r < regions.size(); ++r)
     push(r);
   while (!next.empty()) {
-    const std::size_t r = next.top().second;
-    next.pop();
+    const std::size_t r = next.pop().second;
     result.push_back(regions[r].collapses()[done[r]++]);
     push(r);
   }

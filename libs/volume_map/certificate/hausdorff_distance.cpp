@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/heap.h"
 #include "base/threads/pieces.h"
 #include "mesh/search/nearest.h"
 
@@ -37,17 +38,13 @@ class OneWay {
   // At least `most`.
   double largest(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles, double most) {
     most_ = most;
-    start(positions, triangles);
+    open_.assign(start(positions, triangles));
     // Where bounds do not close in, as between sheets that are equally far, what was found stands.
     const std::size_t max_halvings = 200'000 + 20 * triangles.size();
-    std::make_heap(open_.begin(), open_.end());
     for (std::size_t halvings = 0; !open_.empty() && halvings < max_halvings; ++halvings) {
       if (halvings % 256 == 0) host_.report(phase, 0, 0);
-      if (!in_doubt(open_.front().bound)) break;
-      std::pop_heap(open_.begin(), open_.end());
-      const Patch patch = open_.back();
-      open_.pop_back();
-      halve(patch);
+      if (!in_doubt(open_.top().bound)) break;
+      halve(open_.pop());
     }
     return most_;
   }
@@ -73,7 +70,8 @@ class OneWay {
     return best;
   }
 
-  void start(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles) {
+  // The triangles that are in doubt.
+  Array<Patch> start(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles) {
     Array<Sample> samples(positions.size(), host_.memory);
     for (const mesh::Triangle& t : triangles) {
       for (const Index v : t)
@@ -90,16 +88,15 @@ class OneWay {
     });
     for (const Sample& s : samples)
       most_ = std::max(most_, s.distance);
+    Array<Patch> doubtful(host_.memory);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
       if (i % 4096 == 0) host_.report(phase, i, triangles.size());
       const mesh::Triangle& t = triangles[i];
-      add({{samples[t[0]], samples[t[1]], samples[t[2]]}});
+      const std::array<Sample, 3> corners{samples[t[0]], samples[t[1]], samples[t[2]]};
+      const double bound = bound_of(corners);
+      if (in_doubt(bound)) doubtful.push_back({corners, bound});
     }
-  }
-
-  void add(const std::array<Sample, 3>& corners) {
-    const double bound = bound_of(corners);
-    if (in_doubt(bound)) open_.push_back({corners, bound});
+    return doubtful;
   }
 
   // The longest edge in two.
@@ -118,16 +115,15 @@ class OneWay {
     const Sample middle = sample(0.5 * (a.position + b.position), a.near);
     most_ = std::max(most_, middle.distance);
     for (const auto& half : {std::array<Sample, 3>{a, middle, c}, std::array<Sample, 3>{middle, b, c}}) {
-      const std::size_t before = open_.size();
-      add(half);
-      if (open_.size() > before) std::push_heap(open_.begin(), open_.end());
+      const double bound = bound_of(half);
+      if (in_doubt(bound)) open_.push({half, bound});
     }
   }
 
   const mesh::SurfaceSearch& other_;
   const double tolerance_, floor_;
   const base::Host& host_;
-  Array<Patch> open_;  // a heap
+  base::Heap<Patch, std::less<>> open_;
   double most_ = 0;
 };
 
