@@ -13,6 +13,7 @@
 
 #include "base/catch_all.h"
 #include "base/error.h"
+#include "base/grouping.h"
 
 namespace orbicube::cli {
 namespace {
@@ -50,17 +51,16 @@ struct Rows {
 class WholeMatrix {
  public:
   WholeMatrix(const BlockMatrix& m, std::span<const double> right)
-      : m_(m), right_(right), shared_blocks_((m.shared() + block - 1) / block), upper_begin_(m.rows() + 1, 0) {
-    for (const Index c : m.column)
-      ++upper_begin_[c + 1];
-    for (std::size_t v = 0; v < m.rows(); ++v)
-      upper_begin_[v + 1] += upper_begin_[v];
-    std::vector<std::size_t> next(upper_begin_.begin(), upper_begin_.end() - 1);
-    upper_.resize(m.column.size());
-    for (Index v = 0; v < m.rows(); ++v) {
-      for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
-        upper_[next[m.column[i]]++] = {v, i};
-    }
+      : m_(m),
+        right_(right),
+        shared_blocks_((m.shared() + block - 1) / block),
+        upper_(std::pmr::get_default_resource()) {
+    upper_.assign(m.rows(), [&](const auto& visit) {
+      for (Index v = 0; v < m.rows(); ++v) {
+        for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
+          visit(m.column[i], Upper{v, i});
+      }
+    });
     // What is shared: entries of its blocks by row and column, sorted.
     for (Index s = 0; s < m.shared(); ++s) {
       for (Index i = m.border_begin[s]; i < m.border_begin[s + 1]; ++i) {
@@ -91,8 +91,8 @@ class WholeMatrix {
         for (Index i = m_.row_begin[v]; i < m_.row_begin[v + 1]; ++i)
           add_block(result, m_.column[i], m_.lower[i]);
         add_block(result, v, m_.diagonal[v]);
-        for (std::size_t i = upper_begin_[v]; i < upper_begin_[v + 1]; ++i)
-          add_block(result, upper_[i].row, m_.lower[upper_[i].place].transpose());
+        for (const Upper& upper : upper_[v])
+          add_block(result, upper.row, m_.lower[upper.place].transpose());
       }
       while (entry != entries_.end() && entry->row / block == v) {
         const std::size_t column = entry->column / block;
@@ -132,8 +132,7 @@ class WholeMatrix {
   const BlockMatrix& m_;
   std::span<const double> right_;
   std::size_t shared_blocks_;
-  std::vector<std::size_t> upper_begin_;
-  std::vector<Upper> upper_;
+  base::Groups<Upper> upper_;
   std::vector<Entry> entries_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/grouping.h"
+
 namespace orbicube::linear {
 namespace {
 
@@ -19,8 +21,7 @@ void make_rows(Array<std::pair<Index, Index>>& places, std::size_t rows, Array<I
     ++begin[row + 1];
     columns.push_back(column);
   }
-  for (std::size_t r = 0; r < rows; ++r)
-    begin[r + 1] += begin[r];
+  base::add_up_counts(std::span(begin));
 }
 
 template <int block>

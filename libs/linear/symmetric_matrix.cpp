@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/grouping.h"
 
 namespace orbicube::linear {
 
@@ -46,21 +47,21 @@ SparseMatrix by_columns(const SymmetricMatrix& matrix, Array<int>& place) {
   SparseMatrix result(static_cast<int>(size), static_cast<int>(size));
   result.resizeNonZeros(static_cast<Eigen::Index>(count));
   int* const begin = result.outerIndexPtr();
-  std::fill(begin, begin + size + 1, 0);
-  for (std::size_t i = 0; i < count; ++i)
-    ++begin[matrix.columns[i] + 1];
-  for (std::size_t c = 0; c < size; ++c)
-    begin[c + 1] += begin[c];
-  Array<int> next(begin, begin + size, place.get_allocator());
   place.resize(count);
-  for (std::size_t row = 0; row < size; ++row) {
-    for (std::size_t i = matrix.row_begin[row]; i < matrix.row_begin[row + 1]; ++i) {
-      const int at = next[matrix.columns[i]]++;
-      place[i] = at;
-      result.innerIndexPtr()[at] = static_cast<int>(row);
-      result.valuePtr()[at] = matrix.values[i];
-    }
-  }
+  base::group_by_key(
+      std::span(begin, size + 1),
+      [&](const auto& visit) {
+        for (std::size_t row = 0; row < size; ++row) {
+          for (std::size_t i = matrix.row_begin[row]; i < matrix.row_begin[row + 1]; ++i)
+            visit(matrix.columns[i], row, i);
+        }
+      },
+      [](int) {},
+      [&](int at, std::size_t row, std::size_t i) {
+        place[i] = at;
+        result.innerIndexPtr()[at] = static_cast<int>(row);
+        result.valuePtr()[at] = matrix.values[i];
+      });
   return result;
 }
 

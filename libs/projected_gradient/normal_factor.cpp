@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/grouping.h"
+
 namespace orbicube::projected_gradient {
 namespace {
 
@@ -62,20 +64,20 @@ NormalFactor::NormalFactor(const SparseRows& rows, std::pmr::memory_resource* me
       }
     }
   }
-  start_.assign(m + 1, 0);
-  for (std::size_t i = 0; i < m; ++i) {
-    for (const std::uint32_t below : later[i])
-      ++start_[position_[below] + 1];
-  }
-  for (std::size_t k = 0; k < m; ++k)
-    start_[k + 1] += start_[k];
-  column_.resize(start_[m]);
-  value_.resize(start_[m]);
-  base::Array<std::size_t> next(start_.begin(), start_.end() - 1, memory);
-  for (std::size_t k = 0; k < m; ++k) {  // by ascending column, so that each row of L is sorted
-    for (const std::uint32_t below : later[order_[k]])
-      column_[next[position_[below]]++] = static_cast<std::uint32_t>(k);
-  }
+  start_.resize(m + 1);
+  base::group_by_key(
+      std::span(start_),
+      [&](const auto& visit) {
+        for (std::size_t k = 0; k < m; ++k) {  // by ascending column, so that each row of L is sorted
+          for (const std::uint32_t below : later[order_[k]])
+            visit(position_[below], static_cast<std::uint32_t>(k));
+        }
+      },
+      [&](std::size_t count) {
+        column_.resize(count);
+        value_.resize(count);
+      },
+      [&](std::size_t at, std::uint32_t column) { column_[at] = column; });
 }
 
 void NormalFactor::factor(const SparseRows& rows, std::span<const std::uint8_t> free, double shift) {

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
@@ -85,20 +86,21 @@ SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory
       throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] over its row is beyond 1e150");
   }
 
-  for (const std::uint32_t j : column_)
-    ++column_start_[j + 1];
-  for (std::size_t j = 0; j < n; ++j)
-    column_start_[j + 1] += column_start_[j];
   column_row_.resize(column_.size());
   column_value_.resize(column_.size());
-  base::Array<std::size_t> next(column_start_.begin(), column_start_.end() - 1, memory);
-  for (std::size_t i = 0; i < m; ++i) {
-    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k) {
-      const std::size_t to = next[column_[k]]++;
-      column_row_[to] = static_cast<std::uint32_t>(i);
-      column_value_[to] = value_[k];
-    }
-  }
+  base::group_by_key(
+      std::span(column_start_),
+      [&](const auto& visit) {
+        for (std::size_t i = 0; i < m; ++i) {
+          for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
+            visit(column_[k], static_cast<std::uint32_t>(i), value_[k]);
+        }
+      },
+      [](std::size_t) {},
+      [&](std::size_t at, std::uint32_t row, double value) {
+        column_row_[at] = row;
+        column_value_[at] = value;
+      });
 }
 
 double SparseRows::residual(std::span<const double> x, std::span<double> out) const {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/search/predicates.h"
 #include "tetrahedra/regions.h"
 
@@ -95,8 +96,8 @@ void add_boundary(std::span<const Triangle> triangles, const TetgenMesh& made, c
   }
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     if (begin[i + 1] == 0) refuse("triangle " + std::to_string(i) + " is not in TetGen's mesh");
-    begin[i + 1] += begin[i];
   }
+  base::add_up_counts(std::span(begin));
   solid.boundary.resize(made.faces.size());
   solid.boundary_source.resize(made.faces.size());
   for (std::size_t f = 0; f < made.faces.size(); ++f) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/grouping.h"
 
 namespace orbicube::tetrahedra {
 namespace {
@@ -20,32 +21,26 @@ Triple sorted(Triple face) {
 // Finds the faces of the surface by their vertices: they are listed by their lowest vertex, which few others have.
 class FaceSearch {
  public:
-  FaceSearch(const TetgenMesh& made, std::pmr::memory_resource* memory)
-      : begin_(made.positions.size() + 1, 0, memory), faces_(made.faces.size(), memory) {
-    for (const Triple& face : made.faces)
-      ++begin_[static_cast<std::size_t>(sorted(face)[0]) + 1];
-    for (std::size_t v = 0; v + 1 < begin_.size(); ++v)
-      begin_[v + 1] += begin_[v];
-    base::Array<std::size_t> next(begin_, memory);
-    for (std::size_t f = 0; f < made.faces.size(); ++f) {
-      const Triple face = sorted(made.faces[f]);
-      faces_[next[static_cast<std::size_t>(face[0])]++] = {face, f};
-    }
+  FaceSearch(const TetgenMesh& made, std::pmr::memory_resource* memory) : faces_(memory) {
+    faces_.assign(made.positions.size(), [&](const auto& visit) {
+      for (std::size_t f = 0; f < made.faces.size(); ++f) {
+        const Triple face = sorted(made.faces[f]);
+        visit(face[0], std::pair(face, f));
+      }
+    });
   }
 
   // Nothing when the face is not in the surface.
   std::optional<std::size_t> find(const Triple& face) const {
     const Triple key = sorted(face);
-    const auto lowest = static_cast<std::size_t>(key[0]);
-    for (std::size_t i = begin_[lowest]; i < begin_[lowest + 1]; ++i) {
-      if (faces_[i].first == key) return faces_[i].second;
+    for (const auto& [corners, number] : faces_[static_cast<std::size_t>(key[0])]) {
+      if (corners == key) return number;
     }
     return {};
   }
 
  private:
-  base::Array<std::size_t> begin_;
-  base::Array<std::pair<Triple, std::size_t>> faces_;
+  base::Groups<std::pair<Triple, std::size_t>> faces_;
 };
 
 // The face opposite to corner k.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/grouping.h"
+
 namespace orbicube::frame_field {
 namespace {
 
@@ -88,15 +90,11 @@ CoarseGraph coarsen(const Links& links, const base::Host& host) {
   coarse.total_weight.assign(groups, 0);
   coarse.begin.assign(groups + std::size_t{1}, 0);
 
-  // Nodes by their group.
-  Array<Index> first(groups + std::size_t{1}, 0, host.memory), nodes(links.size(), host.memory);
-  for (Index i = 0; i < links.size(); ++i)
-    ++first[coarse.group[i] + std::size_t{1}];
-  for (std::size_t g = 0; g < groups; ++g)
-    first[g + 1] += first[g];
-  Array<Index> next(first.begin(), first.end() - 1, host.memory);
-  for (Index i = 0; i < links.size(); ++i)
-    nodes[next[coarse.group[i]]++] = i;
+  const auto for_each_node = [&](const auto& visit) {
+    for (Index i = 0; i < links.size(); ++i)
+      visit(coarse.group[i], i);
+  };
+  const base::Groups<Index, Index> nodes(groups, for_each_node, host.memory);
 
   // Links of one group at a time; slot[h] is where the link to group h stands while its group is at work.
   Array<Index> slot(groups, no_index, host.memory);
@@ -104,9 +102,9 @@ CoarseGraph coarsen(const Links& links, const base::Host& host) {
     if (g % items_between_reports == 0) host.report("coarsening", g, groups);
     const auto begin = static_cast<Index>(coarse.other.size());
     coarse.begin[g] = begin;
-    for (Index n = first[g]; n < first[g + std::size_t{1}]; ++n) {
-      coarse.members[g] += links.members(nodes[n]);
-      links.for_each(nodes[n], [&](Index other, float weight) {
+    for (const Index node : nodes[g]) {
+      coarse.members[g] += links.members(node);
+      links.for_each(node, [&](Index other, float weight) {
         const Index h = coarse.group[other];
         if (h == g) return;
         if (slot[h] == no_index || slot[h] < begin) {

@@ -26,25 +26,11 @@ CurveSearch::CurveSearch(const DualGraph& graph, const Constraints& constraints,
       rings_(rings),
       host_(host),
       relaxation_(graph, constraints, connectivity, host),
-      begin_(connectivity.vertex_count() + 1, 0, host.memory),
-      at_vertex_(4 * graph.size(), host.memory),
+      at_vertex_(base::cells_around(connectivity.tetrahedra(), connectivity.vertex_count(), host.memory)),
       matchings_(host.memory),
       stamp_(graph.size(), 0, host.memory),
       patch_(host.memory),
-      saved_(host.memory) {
-  const auto tetrahedra = connectivity.tetrahedra();
-  for (const Tetrahedron& t : tetrahedra) {
-    for (const Index v : t)
-      ++begin_[v + 1];
-  }
-  for (std::size_t v = 1; v < begin_.size(); ++v)
-    begin_[v] += begin_[v - 1];
-  Array<std::size_t> next(begin_.begin(), begin_.end(), host.memory);
-  for (Index t = 0; t < tetrahedra.size(); ++t) {
-    for (const Index v : tetrahedra[t])
-      at_vertex_[next[v]++] = t;
-  }
-}
+      saved_(host.memory) {}
 
 double CurveSearch::run(std::uint32_t max_passes, Field& field) {
   gain_ = 0;
@@ -131,8 +117,7 @@ void CurveSearch::collect_patch(std::span<const Change> changes) {
   ++patches_;
   patch_.clear();
   const auto add_around = [&](Index vertex) {
-    for (std::size_t i = begin_[vertex]; i < begin_[vertex + 1]; ++i) {
-      const Index t = at_vertex_[i];
+    for (const Index t : at_vertex_[vertex]) {
       if (stamp_[t] == patches_) continue;
       stamp_[t] = patches_;
       patch_.push_back(t);

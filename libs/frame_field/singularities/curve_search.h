@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <span>
 
+#include "base/grouping.h"
 #include "frame_field/graph/constraints.h"
 #include "frame_field/singularities/singularities.h"
 #include "frame_field/smoothing/region_relaxation.h"
@@ -46,8 +47,7 @@ class CurveSearch {
   const mesh::EdgeRings& rings_;
   const base::Host& host_;
   const RegionRelaxation relaxation_;
-  Array<std::size_t> begin_;  // of the tetrahedra at each vertex
-  Array<Index> at_vertex_;
+  base::Groups<Index, Index> at_vertex_;  // tetrahedra
   Array<std::uint8_t> matchings_;
   Array<std::uint32_t> stamp_;  // of the last patch that a tetrahedron was in
   std::uint32_t patches_ = 0;

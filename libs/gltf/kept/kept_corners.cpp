@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/grouping.h"
 
 namespace orbicube::gltf {
 
@@ -79,7 +80,6 @@ class CornerPlacer {
         host_(host),
         corners_(host.memory),
         primitive_of_(host.memory),
-        first_use_(kept_.surface_vertex.size() + 1, 0, host.memory),
         uses_(host.memory) {
     require(
         scene.kept_surface.size() == kept_.triangles.size() && scene.kept_triangles.size() == scene.triangles.size(),
@@ -88,7 +88,7 @@ class CornerPlacer {
       corners_.push_back(corners_in_order(kept_, t, scene.kept_surface[t]));
     for (std::size_t p = 0; p < kept_.primitives.size(); ++p)
       primitive_of_.insert(primitive_of_.end(), kept_.primitives[p].triangle_count, static_cast<Index>(p));
-    count_uses();
+    uses_ = base::cells_around(std::span<const Triangle>(corners_), kept_.surface_vertex.size(), host_.memory);
   }
 
   PlacedCorners place() {
@@ -118,22 +118,6 @@ class CornerPlacer {
   }
 
  private:
-  // The triangles at each vertex.
-  void count_uses() {
-    for (const Triangle& t : corners_) {
-      for (const Index v : t)
-        ++first_use_[v + 1];
-    }
-    for (std::size_t v = 1; v < first_use_.size(); ++v)
-      first_use_[v] += first_use_[v - 1];
-    uses_.resize(3 * corners_.size());
-    base::Array<std::size_t> next(first_use_, host_.memory);
-    for (std::size_t t = 0; t < corners_.size(); ++t) {
-      for (const Index v : corners_[t])
-        uses_[next[v]++] = static_cast<Index>(t);
-    }
-  }
-
   static bool meet(const Triangle& a, const Triangle& b) {
     return std::any_of(a.begin(), a.end(), [&](Index v) { return std::find(b.begin(), b.end(), v) != b.end(); });
   }
@@ -145,9 +129,8 @@ class CornerPlacer {
     if (primitive_of_[a] != primitive_of_[b]) return false;
     if (meet(corners_[a], corners_[b])) return true;
     return std::any_of(corners_[a].begin(), corners_[a].end(), [&](Index v) {
-      const auto first = uses_.begin() + static_cast<std::ptrdiff_t>(first_use_[v]);
-      const auto end = uses_.begin() + static_cast<std::ptrdiff_t>(first_use_[v + 1]);
-      return std::any_of(first, end, [&](Index between) { return meet(corners_[between], corners_[b]); });
+      const std::span<const Index> uses = uses_[v];
+      return std::any_of(uses.begin(), uses.end(), [&](Index between) { return meet(corners_[between], corners_[b]); });
     });
   }
 
@@ -164,9 +147,9 @@ class CornerPlacer {
   Index corner_near(Index triangle, Index surface_vertex) const {
     if (const Index v = corner_at(triangle, surface_vertex); v != mesh::no_index) return v;
     for (const Index corner : corners_[triangle]) {
-      for (std::size_t i = first_use_[corner]; i < first_use_[corner + 1]; ++i) {
-        if (primitive_of_[uses_[i]] != primitive_of_[triangle]) continue;
-        if (const Index v = corner_at(uses_[i], surface_vertex); v != mesh::no_index) return v;
+      for (const Index use : uses_[corner]) {
+        if (primitive_of_[use] != primitive_of_[triangle]) continue;
+        if (const Index v = corner_at(use, surface_vertex); v != mesh::no_index) return v;
       }
     }
     return mesh::no_index;
@@ -214,8 +197,7 @@ class CornerPlacer {
   const base::Host& host_;
   base::Array<Triangle> corners_;  // of what was kept, in the order of the surface's
   base::Array<Index> primitive_of_;
-  base::Array<std::size_t> first_use_;
-  base::Array<Index> uses_;
+  base::Groups<Index, Index> uses_;  // triangles at each vertex
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/grouping.h"
 #include "linear/iterative/conjugate_gradients.h"
 
 namespace orbicube::linear {
@@ -50,27 +51,31 @@ void Multigrid<block>::aggregate(Level& level, std::size_t& count) const {
   constexpr double weak = 0.1;  // of the strongest coupling of the first vertex
   const Matrix& m = *level.matrix;
   const std::size_t rows = m.rows();
-  Array<Index> begin(rows + 1, 0, host_.memory), next(host_.memory), neighbor(2 * m.column.size(), host_.memory);
+  Array<Index> begin(rows + 1, host_.memory), neighbor(2 * m.column.size(), host_.memory);
   Array<float> coupling(neighbor.size(), host_.memory);
-  for (std::size_t v = 0; v < rows; ++v) {
-    begin[v + 1] += m.row_begin[v + 1] - m.row_begin[v];
-    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i)
-      ++begin[m.column[i] + 1];
-  }
-  for (std::size_t v = 0; v < rows; ++v)
-    begin[v + 1] += begin[v];
-  next.assign(begin.begin(), begin.end() - 1);
-  for (Index v = 0; v < rows; ++v) {
-    if (v % slab == 0) host_.report("solve", 0, 0);
-    for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i) {
-      const Index w = m.column[i];
-      // Relative to the diagonal, so that contrasts of the coefficients do not matter by themselves.
-      const double size = std::sqrt(m.diagonal[v].trace() * m.diagonal[w].trace());
-      const auto c = static_cast<float>(size > 0 ? std::max(0.0, -m.lower[i].trace()) / size : 0.0);
-      neighbor[next[v]] = w, coupling[next[v]++] = c;
-      neighbor[next[w]] = v, coupling[next[w]++] = c;
-    }
-  }
+  // Relative to the diagonal, so that contrasts of the coefficients do not matter by themselves.
+  const auto coupling_of = [&](Index v, Index i) {
+    const double size = std::sqrt(m.diagonal[v].trace() * m.diagonal[m.column[i]].trace());
+    return static_cast<float>(size > 0 ? std::max(0.0, -m.lower[i].trace()) / size : 0.0);
+  };
+  base::group_by_key(
+      std::span(begin),
+      [&](const auto& visit) {
+        for (Index v = 0; v < rows; ++v) {
+          if (v % slab == 0) host_.report("solve", 0, 0);
+          for (Index i = m.row_begin[v]; i < m.row_begin[v + 1]; ++i) {
+            const Index w = m.column[i];
+            const float c = coupling_of(v, i);
+            visit(v, w, c);
+            visit(w, v, c);
+          }
+        }
+      },
+      [](Index) {},
+      [&](Index at, Index other, float c) {
+        neighbor[at] = other;
+        coupling[at] = c;
+      });
   level.aggregate.assign(rows, no_index);
   count = 0;
   struct Candidate {

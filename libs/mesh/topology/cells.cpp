@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/search/predicates.h"
 #include "mesh/topology/place_text.h"
 
@@ -66,23 +67,21 @@ template <std::size_t size, class KeyOf>
 Array<Entry<size>> sorted_by_key(std::size_t count, std::size_t vertex_count, const KeyOf& key_of,
                                  const base::Host& host) {
   if (count >= no_index) throw base::Error("unsupported", "more cells than 32-bit numbers of their faces can count");
-  Array<Index> begin(vertex_count + 1, 0, host.memory);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, 0);
-    ++begin[key_of(i)[0] + std::size_t{1}];
-  }
-  for (std::size_t v = 0; v < vertex_count; ++v)
-    begin[v + 1] += begin[v];
+  Array<Index> begin(vertex_count + 1, host.memory);
   Array<Entry<size>> entries(count, host.memory);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i % items_between_reports == 0) host.report(phase, i, 0);
-    const Key<size> key = key_of(i);
-    entries[begin[key[0]]++] = {key, static_cast<Index>(i)};
-  }
-  // Each begin has moved on to the next one.
+  base::group_by_key(
+      std::span(begin),
+      [&](const auto& visit) {
+        for (std::size_t i = 0; i < count; ++i) {
+          if (i % items_between_reports == 0) host.report(phase, i, 0);
+          const Key<size> key = key_of(i);
+          visit(key[0], Entry<size>{key, static_cast<Index>(i)});
+        }
+      },
+      [](Index) {}, [&](Index at, const Entry<size>& entry) { entries[at] = entry; });
   for (std::size_t v = 0; v < vertex_count; ++v) {
     if (v % items_between_reports == 0) host.report(phase, v, 0);
-    std::sort(entries.begin() + (v == 0 ? 0 : begin[v - 1]), entries.begin() + begin[v]);
+    std::sort(entries.begin() + begin[v], entries.begin() + begin[v + 1]);
   }
   return entries;
 }

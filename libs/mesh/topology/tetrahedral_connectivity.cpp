@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/grouping.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -37,23 +38,21 @@ TetrahedralConnectivity::TetrahedralConnectivity(std::size_t vertex_count, std::
   const auto face_count = static_cast<Index>(opposite_.size());
 
   // Faces by their lowest vertex (a counting sort), then those that share it by the other two.
-  Array<Index> begin(vertex_count + 1, 0, host.memory);
   const auto lowest = [&](Index face) { return std::ranges::min(vertices(face)); };
-  for (Index f = 0; f < face_count; ++f) {
-    if (f % items_between_reports == 0) host.report(phase, f / 4, tetrahedra.size());
-    if (f % 4 == 0) {
-      Tetrahedron sorted = tetrahedra[f / 4];
-      std::ranges::sort(sorted);
-      if (std::ranges::adjacent_find(sorted) != sorted.end())
-        throw base::Error("degenerate-cell", "tetrahedron " + std::to_string(f / 4) + " has a repeated vertex");
-    }
-    ++begin[lowest(f) + std::size_t{1}];
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+    if (t % items_between_reports == 0) host.report(phase, t, tetrahedra.size());
+    Tetrahedron sorted = tetrahedra[t];
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) != sorted.end())
+      throw base::Error("degenerate-cell", "tetrahedron " + std::to_string(t) + " has a repeated vertex");
   }
-  for (std::size_t v = 0; v < vertex_count; ++v)
-    begin[v + 1] += begin[v];
-  Array<Index> faces(face_count, host.memory);
-  for (Index f = 0; f < face_count; ++f)
-    faces[begin[lowest(f)]++] = f;  // each begin moves on to the next one
+  const auto for_each_face = [&](const auto& visit) {
+    for (Index f = 0; f < face_count; ++f) {
+      if (f % items_between_reports == 0) host.report(phase, f / 4, tetrahedra.size());
+      visit(lowest(f), f);
+    }
+  };
+  const base::Groups<Index, Index> by_lowest(vertex_count, for_each_face, host.memory);
 
   struct Entry {
     Index middle, highest, face;
@@ -63,10 +62,10 @@ TetrahedralConnectivity::TetrahedralConnectivity(std::size_t vertex_count, std::
   for (std::size_t v = 0; v < vertex_count; ++v) {
     if (v % items_between_reports == 0) host.report(phase, v, vertex_count);
     entries.clear();
-    for (std::size_t i = v == 0 ? 0 : begin[v - 1]; i < begin[v]; ++i) {
-      Triangle face = vertices(faces[i]);
+    for (const Index f : by_lowest[v]) {
+      Triangle face = vertices(f);
       std::ranges::sort(face);
-      entries.push_back({face[1], face[2], faces[i]});
+      entries.push_back({face[1], face[2], f});
     }
     std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
       if (a.middle != b.middle) return a.middle < b.middle;

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/search/measures.h"
 #include "mesh/search/predicates.h"
 #include "mesh/topology/disjoint_sets.h"
@@ -62,30 +63,26 @@ class Examination {
         return middle != o.middle ? middle < o.middle : high != o.high ? high < o.high : face < o.face;
       }
     };
-    Array<Index> begin(positions_.size() + 1, 0, host_.memory);
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       report("comparing faces", t, triangles_.size());
-      if (has_repeated_corner(triangles_[t])) {
-        if (result_.degenerate_faces++ == 0) result_.first_degenerate_face = static_cast<Index>(t);
-        continue;
+      if (has_repeated_corner(triangles_[t]) && result_.degenerate_faces++ == 0)
+        result_.first_degenerate_face = static_cast<Index>(t);
+    }
+    const auto for_each = [&](const auto& visit) {
+      for (std::size_t t = 0; t < triangles_.size(); ++t) {
+        report("comparing faces", t, triangles_.size());
+        if (has_repeated_corner(triangles_[t])) continue;
+        Triangle c = triangles_[t];
+        std::sort(c.begin(), c.end());
+        visit(c[0], Corners{c[1], c[2], static_cast<Index>(t)});
       }
-      ++begin[std::ranges::min(triangles_[t]) + 1];
-    }
-    for (std::size_t v = 0; v < positions_.size(); ++v)
-      begin[v + 1] += begin[v];
-    Array<Corners> sorted(begin[positions_.size()], host_.memory);
-    Array<Index> fill(begin.begin(), begin.end(), host_.memory);
-    for (std::size_t t = 0; t < triangles_.size(); ++t) {
-      report("comparing faces", t, triangles_.size());
-      if (has_repeated_corner(triangles_[t])) continue;
-      Triangle c = triangles_[t];
-      std::sort(c.begin(), c.end());
-      sorted[fill[c[0]]++] = {c[1], c[2], static_cast<Index>(t)};
-    }
+    };
+    base::Groups<Corners, Index> by_lowest(positions_.size(), for_each, host_.memory);
     for (std::size_t v = 0; v < positions_.size(); ++v) {
       report("comparing faces", v, positions_.size());
-      std::sort(sorted.begin() + begin[v], sorted.begin() + begin[v + 1]);
-      for (Index i = begin[v] + 1; i < begin[v + 1]; ++i) {
+      const std::span<Corners> sorted = by_lowest[v];
+      std::sort(sorted.begin(), sorted.end());
+      for (std::size_t i = 1; i < sorted.size(); ++i) {
         if (sorted[i].middle != sorted[i - 1].middle || sorted[i].high != sorted[i - 1].high) continue;
         if (result_.duplicate_faces++ == 0) result_.first_duplicate_faces = {sorted[i - 1].face, sorted[i].face};
       }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/grouping.h"
 #include "base/random.h"
 #include "mesh/topology/disjoint_sets.h"
 
@@ -28,7 +29,6 @@ class Problem {
         group_(network.arcs.size(), host.memory),
         sign_(host.memory),
         cost_(host.memory),
-        saddle_begin_(host.memory),
         saddles_(host.memory),
         loop_at_(network.corners.size(), host.memory),
         turn_(patches.loop_count(), host.memory),
@@ -110,8 +110,7 @@ class Problem {
     for (std::size_t g = 0; g < cost_.size(); ++g)
       sign_[g] = cost_[g][1] <= cost_[g][0];
     // The corners with chi = -1 at the arcs of each group.
-    saddle_begin_.assign(cost_.size() + 1, 0);
-    const auto for_each = [&](const auto& visit) {
+    saddles_.assign(cost_.size(), [&](const auto& visit) {
       for (Index k = 0; k < network_.corners.size(); ++k) {
         if (!is_saddle(k)) continue;
         const auto& arc = network_.corners[k].arc;
@@ -120,13 +119,7 @@ class Problem {
         if (g[1] != g[0]) visit(g[1], k);
         if (g[2] != g[0] && g[2] != g[1]) visit(g[2], k);
       }
-    };
-    for_each([&](Index g, Index) { ++saddle_begin_[g + 1]; });
-    for (std::size_t g = 0; g < cost_.size(); ++g)
-      saddle_begin_[g + 1] += saddle_begin_[g];
-    saddles_.resize(saddle_begin_.back());
-    Array<Index> next(saddle_begin_, host_.memory);
-    for_each([&](Index g, Index k) { saddles_[next[g]++] = k; });
+    });
   }
 
   void find_loops_at_corners(const Surface& surface) {
@@ -194,10 +187,10 @@ class Problem {
       if (std::find(move_.begin(), move_.end(), g) == move_.end()) move_.push_back(g);
     };
     const std::size_t kind = random.below(10);
-    if (kind < 5 || saddles_.empty()) {
+    if (kind < 5 || saddles_.all().empty()) {
       add(static_cast<Index>(random.below(sign_.size())));
     } else if (kind < 8) {
-      const auto& arc = network_.corners[saddles_[random.below(saddles_.size())]].arc;
+      const auto& arc = network_.corners[saddles_.all()[random.below(saddles_.all().size())]].arc;
       const std::size_t i = random.below(3);
       add(group_[arc[i]]);
       add(group_[arc[(i + 1) % 3]]);
@@ -216,8 +209,7 @@ class Problem {
   void flip(std::size_t g) {
     preference_ -= cost_[g][sign_[g] ? 1 : 0];
     const auto count = [&](int way) {
-      for (std::size_t i = saddle_begin_[g]; i < saddle_begin_[g + 1]; ++i) {
-        const std::size_t k = saddles_[i];
+      for (const std::size_t k : saddles_[g]) {
         const std::size_t r = reflex(k);
         if (r == 3) {
           violation_ += way * corner_weight;
@@ -243,7 +235,7 @@ class Problem {
   Array<Index> group_;                   // of each arc
   Array<std::uint8_t> sign_;             // of each group: 1 for convex
   Array<std::array<double, 2>> cost_;    // of each group, of being concave or convex
-  Array<Index> saddle_begin_, saddles_;  // corners with chi = -1 of each group
+  base::Groups<Index, Index> saddles_;   // corners with chi = -1 of each group
   Array<std::array<Index, 3>> loop_at_;  // of each corner: the loop of each of its patches
   Array<int> turn_;                      // of each loop, in quarters
   double violation_ = 0, preference_ = 0;

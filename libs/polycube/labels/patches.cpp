@@ -1,5 +1,7 @@
 #include "polycube/labels/patches.h"
 
+#include "base/grouping.h"
+
 namespace orbicube::polycube {
 namespace {
 
@@ -41,23 +43,20 @@ void grow(const Surface& surface, std::span<const AxisLabel> labels, Patches& pa
 void trace_loops(const Surface& surface, Patches& patches, Array<Index>& by_patch, Array<std::uint8_t>& seen) {
   const auto half_edges = static_cast<Index>(3 * surface.triangles.size());
   const auto on_boundary = [&](Index h) { return patches.patch[h / 3] != patches.patch[surface.neighbor(h)]; };
-  // Half-edges of boundaries, sorted by patch: counted, then placed.
-  patches.patch_loops.assign(patches.count() + 1, 0);
-  std::size_t total = 0;
-  for (Index h = 0; h < half_edges; ++h) {
-    if (!on_boundary(h)) continue;
+  // Half-edges of boundaries, sorted by patch.
+  patches.patch_loops.resize(patches.count() + 1);
+  base::group_by_key(
+      std::span(patches.patch_loops),
+      [&](const auto& visit) {
+        for (Index h = 0; h < half_edges; ++h) {
+          if (on_boundary(h)) visit(patches.patch[h / 3], h);
+        }
+      },
+      [&](Index total) { by_patch.resize(total); }, [&](Index at, Index h) { by_patch[at] = h; });
+  for (const Index h : by_patch)
     ++patches.valence[surface.start(h)];
-    ++patches.patch_loops[patches.patch[h / 3] + 1];
-    ++total;
-  }
-  for (std::size_t c = 0; c < patches.count(); ++c)
-    patches.patch_loops[c + 1] += patches.patch_loops[c];
-  by_patch.resize(total);
-  for (Index h = 0; h < half_edges; ++h) {
-    if (on_boundary(h)) by_patch[patches.patch_loops[patches.patch[h / 3]]++] = h;
-  }
   seen.assign(half_edges, 0);
-  patches.loop_half_edges.reserve(total);
+  patches.loop_half_edges.reserve(by_patch.size());
   Index current = no_index;
   for (const Index first : by_patch) {
     if (seen[first]) continue;

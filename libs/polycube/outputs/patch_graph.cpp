@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/topology/connectivity.h"
 
 namespace orbicube::polycube {
@@ -172,8 +173,7 @@ class Builder {
       ++graph_.neighbor_begin[patch + 1];
       graph_.neighbors.push_back(other);
     }
-    for (std::size_t p = 0; p < graph_.patches(); ++p)
-      graph_.neighbor_begin[p + 1] += graph_.neighbor_begin[p];
+    base::add_up_counts(std::span(graph_.neighbor_begin));
   }
 
   const SurfaceMap& map_;

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "base/sums.h"
 #include "polycube/outputs/inverse_map.h"
 #include "polycube/outputs/patch_rectangles.h"
@@ -105,16 +105,16 @@ using Key = std::array<Index, 3>;  // numbers of lines
 Array<Key> sorted(Array<Key> keys, const std::array<Lines, 3>& lines, const base::Host& host) {
   Array<Key> other(keys.size(), host.memory);
   for (std::size_t axis = 3; axis-- > 0;) {
-    Array<std::size_t> next(lines[axis].at.size() + 1, 0, host.memory);
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (i % items_between_reports == 0) host.report(phase, 0, 0);
-      ++next[keys[i][axis] + std::size_t{1}];
-    }
-    std::partial_sum(next.begin(), next.end(), next.begin());
-    for (std::size_t i = 0; i < keys.size(); ++i) {
-      if (i % items_between_reports == 0) host.report(phase, 0, 0);
-      other[next[keys[i][axis]]++] = keys[i];
-    }
+    Array<std::size_t> begin(lines[axis].at.size() + 1, host.memory);
+    base::group_by_key(
+        std::span(begin),
+        [&](const auto& visit) {
+          for (std::size_t i = 0; i < keys.size(); ++i) {
+            if (i % items_between_reports == 0) host.report(phase, 0, 0);
+            visit(keys[i][axis], keys[i]);
+          }
+        },
+        [](std::size_t) {}, [&](std::size_t at, const Key& key) { other[at] = key; });
     std::swap(keys, other);
   }
   std::size_t count = 0;

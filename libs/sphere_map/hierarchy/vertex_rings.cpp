@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/grouping.h"
+
 namespace orbicube::sphere_map {
 
 VertexRings::VertexRings(std::size_t vertex_count, std::span<const Triangle> triangles, const base::Host& host)
@@ -11,32 +13,27 @@ VertexRings::VertexRings(std::size_t vertex_count, std::span<const Triangle> tri
   };
   std::pmr::memory_resource* const memory = host.memory;
   // For each vertex the pairs (a, b) of its triangles (vertex, a, b), then a walk from each a to its b.
-  Array<std::size_t> begin(vertex_count + 1, 0, memory);
-  for (const Triangle& t : triangles) {
-    for (const Index v : t)
-      ++begin[v + 1];
-  }
-  for (std::size_t v = 0; v < vertex_count; ++v)
-    begin[v + 1] += begin[v];
-  Array<std::array<Index, 2>> pairs(3 * triangles.size(), memory);
-  Array<std::size_t> fill(begin.begin(), begin.end() - 1, memory);
-  for (std::size_t k = 0; k < triangles.size(); ++k) {
-    const Triangle& t = triangles[k];
-    for (std::size_t i = 0; i < 3; ++i)
-      pairs[fill[t[i]]++] = {t[(i + 1) % 3], t[(i + 2) % 3]};
-    report(k);
-  }
-  pool_.resize(pairs.size());
+  const auto for_each_corner = [&](const auto& visit) {
+    for (std::size_t k = 0; k < triangles.size(); ++k) {
+      const Triangle& t = triangles[k];
+      for (std::size_t i = 0; i < 3; ++i)
+        visit(t[i], std::array<Index, 2>{t[(i + 1) % 3], t[(i + 2) % 3]});
+      report(k);
+    }
+  };
+  const base::Groups<std::array<Index, 2>> pairs(vertex_count, for_each_corner, memory);
+  pool_.resize(pairs.all().size());
   Array<Index> successor(vertex_count, memory);
   for (std::size_t v = 0; v < vertex_count; ++v) {
-    places_[v] = {begin[v], static_cast<Index>(begin[v + 1] - begin[v]), static_cast<Index>(begin[v + 1] - begin[v])};
+    const auto valence = static_cast<Index>(pairs.size(v));
+    places_[v] = {pairs.begin(v), valence, valence};
     report(v);
-    if (places_[v].size == 0) continue;
-    for (std::size_t i = begin[v]; i < begin[v + 1]; ++i)
-      successor[pairs[i][0]] = pairs[i][1];
-    Index neighbor = pairs[begin[v]][0];
-    for (std::size_t i = begin[v]; i < begin[v + 1]; ++i, neighbor = successor[neighbor])
-      pool_[i] = neighbor;
+    if (valence == 0) continue;
+    for (const auto& [from, to] : pairs[v])
+      successor[from] = to;
+    Index neighbor = pairs[v].front()[0];
+    for (std::size_t i = 0; i < valence; ++i, neighbor = successor[neighbor])
+      pool_[pairs.begin(v) + i] = neighbor;
   }
 }
 

@@ -1,5 +1,7 @@
 #include "sphere_map/optimization/dependency_levels.h"
 
+#include "base/grouping.h"
+
 namespace orbicube::sphere_map {
 
 std::size_t DependencyLevels::sort() {
@@ -7,17 +9,14 @@ std::size_t DependencyLevels::sort() {
   for (const std::uint32_t dependency_level : wave_)
     end = std::max(end, dependency_level + 1);
   const std::size_t dependency_levels = end - first_;
-  begin_.assign(dependency_levels + 1, 0);
-  for (const std::uint32_t dependency_level : wave_)
-    ++begin_[dependency_level - first_ + 1];
-  for (std::size_t w = 0; w < dependency_levels; ++w)
-    begin_[w + 1] += begin_[w];
-  order_.resize(wave_.size());
-  for (std::size_t step = wave_.size(); step-- > 0;)
-    order_[--begin_[wave_[step] - first_ + 1]] = static_cast<Index>(step);
-  // Each dependency_level's end has become its begin.
-  begin_.erase(begin_.begin());
-  begin_.push_back(wave_.size());
+  begin_.resize(dependency_levels + 1);
+  base::group_by_key(
+      std::span(begin_),
+      [&](const auto& visit) {
+        for (std::size_t step = 0; step < wave_.size(); ++step)
+          visit(wave_[step] - first_, static_cast<Index>(step));
+      },
+      [&](std::size_t count) { order_.resize(count); }, [&](std::size_t at, Index step) { order_[at] = step; });
   wave_.clear();
   first_ = end;
   return dependency_levels;

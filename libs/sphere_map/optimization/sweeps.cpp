@@ -2,6 +2,8 @@
 
 #include <atomic>
 
+#include "base/grouping.h"
+
 namespace orbicube::sphere_map {
 namespace {
 
@@ -24,7 +26,6 @@ class Sweeps {
         awake_(level.vertices.size(), 1, host.memory),
         star_energy_(level.vertices.size(), 0, host.memory),
         order_(host.memory),
-        begin_(host.memory),
         gains_(scratch.size(), host.memory) {
     color();
   }
@@ -34,9 +35,10 @@ class Sweeps {
     double gain = 0;
     for (const Index v : level_.large)
       gain += visit(place_[v], 0);
-    for (std::size_t c = 0; c + 1 < begin_.size(); ++c) {
-      for (std::size_t begin = begin_[c]; begin < begin_[c + 1]; begin += vertices_a_batch) {
-        gain += visit(std::span(order_).subspan(begin, std::min(vertices_a_batch, begin_[c + 1] - begin)));
+    for (std::size_t c = 0; c < order_.keys(); ++c) {
+      const std::span<const Index> places = order_[c];
+      for (std::size_t begin = 0; begin < places.size(); begin += vertices_a_batch) {
+        gain += visit(places.subspan(begin, std::min(vertices_a_batch, places.size() - begin)));
         host_.report("relaxation", 0, 0);
       }
     }
@@ -64,7 +66,7 @@ class Sweeps {
     const std::size_t count = level_.vertices.size();
     Array<std::uint8_t> color(count, none, host_.memory);
     Array<std::size_t> taken_by(none, count, host_.memory);  // the last vertex with a neighbor of that color
-    begin_.assign(1, 0);
+    std::size_t colors = 0;
     for (std::size_t i = 0; i < count; ++i) {
       if (i % 65536 == 0) host_.report("relaxation", 0, 0);
       if (level_.star(i).size() > large_star) continue;
@@ -76,16 +78,13 @@ class Sweeps {
       while (taken_by[c] == i)
         ++c;
       color[i] = c;
-      if (begin_.size() < std::size_t{c} + 2) begin_.resize(std::size_t{c} + 2, 0);
-      ++begin_[std::size_t{c} + 1];
+      colors = std::max(colors, std::size_t{c} + 1);
     }
-    for (std::size_t c = 0; c + 1 < begin_.size(); ++c)
-      begin_[c + 1] += begin_[c];
-    order_.resize(begin_.back());
-    Array<std::size_t> fill(begin_.begin(), begin_.end() - 1, host_.memory);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (color[i] != none) order_[fill[color[i]]++] = static_cast<Index>(i);
-    }
+    order_.assign(colors, [&](const auto& visit) {
+      for (std::size_t i = 0; i < count; ++i) {
+        if (color[i] != none) visit(color[i], static_cast<Index>(i));
+      }
+    });
   }
 
   // Steps of vertices of one color.
@@ -128,9 +127,8 @@ class Sweeps {
   const base::Host& host_;
   const base::ThreadPool& pool_;
   Array<std::uint8_t> awake_;
-  Array<float> star_energy_;  // at the latest look
-  Array<Index> order_;        // places, color by color
-  Array<std::size_t> begin_;
+  Array<float> star_energy_;   // at the latest look
+  base::Groups<Index> order_;  // places, color by color
   Array<double> gains_;
 };
 

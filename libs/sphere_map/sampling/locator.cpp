@@ -8,6 +8,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/search/predicates.h"
 #include "sphere_map/optimization/measure.h"
 
@@ -144,15 +145,15 @@ void Locator::build_cells(const base::Host& host) {
   cells_.assign(cell_count, 0);
 
   // The vertices in the order of their cells.
-  Array<Index> begin(cell_count + 1, 0, host.memory);
-  for (const CubePoint& p : points)
-    ++begin[cell_of(p) + 1];
-  for (std::size_t i = 0; i < cell_count; ++i)
-    begin[i + 1] += begin[i];
+  Array<Index> begin(cell_count + 1, host.memory);
   Array<CubePoint> sorted(points.size(), CubePoint{}, host.memory);
-  Array<Index> next(begin.begin(), begin.end() - 1, host.memory);
-  for (const CubePoint& p : points)
-    sorted[next[cell_of(p)]++] = p;
+  base::group_by_key(
+      std::span(begin),
+      [&](const auto& visit) {
+        for (const CubePoint& p : points)
+          visit(cell_of(p), p);
+      },
+      [](Index) {}, [&](Index at, const CubePoint& p) { sorted[at] = p; });
 
   struct Node {
     Index cell;

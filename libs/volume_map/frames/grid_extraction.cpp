@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/search/predicates.h"
-#include "volume_map/solid/cells_around.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -30,7 +30,8 @@ class Extraction {
       : map_(map),
         host_(host),
         connectivity_(map.solid.positions.size(), map.solid.tetrahedra, host),
-        around_(std::span<const Tetrahedron>(map.solid.tetrahedra), map.solid.positions.size(), host.memory),
+        around_(base::cells_around(std::span<const Tetrahedron>(map.solid.tetrahedra), map.solid.positions.size(),
+                                   host.memory)),
         mesh_(host.memory) {}
 
   HexMesh run() {
@@ -133,7 +134,7 @@ class Extraction {
     for (Index k = 0; k < 4; ++k) {
       if ((faces >> k & 1U) == 0) held[count++] = map_.solid.tetrahedra[t][k];
     }
-    for (const Index near : around_.of(held[0])) {
+    for (const Index near : around_[held[0]]) {
       const Tetrahedron& other = map_.solid.tetrahedra[near];
       bool all = true;
       for (std::size_t k = 1; k < count; ++k)
@@ -316,7 +317,7 @@ class Extraction {
   const FrameMap& map_;
   const base::Host& host_;
   const Connectivity connectivity_;
-  CellsAround around_;
+  base::Groups<Index, Index> around_;
   HexMesh mesh_;
 };
 

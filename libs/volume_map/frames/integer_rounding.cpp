@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/grouping.h"
+
 namespace orbicube::volume_map {
 namespace {
 
@@ -18,22 +20,15 @@ class Search {
         bounds_(bounds),
         host_(host),
         order_(host.memory),
-        bounds_of_(static_cast<std::size_t>(best.size()) + 1, 0, host.memory),
-        bound_list_(host.memory),
+        bounds_of_(host.memory),
         sums_(bounds.size(), 0, host.memory),
         now_(Eigen::VectorXd::Zero(best.size())) {
-    for (const LowerBound& bound : bounds) {
-      for (const IntegerTerm& term : forms.terms(bound.form))
-        ++bounds_of_[term.unknown + 1];
-    }
-    for (std::size_t i = 0; i + 1 < bounds_of_.size(); ++i)
-      bounds_of_[i + 1] += bounds_of_[i];
-    bound_list_.resize(bounds_of_.back());
-    Array<std::size_t> next(bounds_of_, host.memory);
-    for (Index b = 0; b < bounds.size(); ++b) {
-      for (const IntegerTerm& term : forms.terms(bounds[b].form))
-        bound_list_[next[term.unknown]++] = {b, term.factor};
-    }
+    bounds_of_.assign(static_cast<std::size_t>(best.size()), [&](const auto& visit) {
+      for (Index b = 0; b < bounds.size(); ++b) {
+        for (const IntegerTerm& term : forms.terms(bounds[b].form))
+          visit(term.unknown, InBound{b, term.factor});
+      }
+    });
   }
 
   // One after another is rounded, the nearest to an integer first, and the others take their best positions given
@@ -59,9 +54,7 @@ class Search {
       }
       double value = std::round(place[next]);
       // A bound whose last variable this is says what it may be.
-      for (std::size_t k = bounds_of_[static_cast<std::size_t>(next)];
-           k < bounds_of_[static_cast<std::size_t>(next) + 1]; ++k) {
-        const auto [b, factor] = bound_list_[k];
+      for (const auto& [b, factor] : bounds_of_[static_cast<std::size_t>(next)]) {
         if (--open[b] > 0) continue;
         const double rest = bounds_[b].least - sums_[b];
         if (factor > 0)
@@ -167,8 +160,7 @@ class Search {
     const auto account = [&](std::size_t level, int direction) {
       bool met = true;
       const auto variable = static_cast<std::size_t>(at(level));
-      for (std::size_t k = bounds_of_[variable]; k < bounds_of_[variable + 1]; ++k) {
-        const auto [b, times] = bound_list_[k];
+      for (const auto& [b, times] : bounds_of_[variable]) {
         sums_[b] += direction * times * value[level];
         open[b] -= static_cast<std::size_t>(direction);
         met = met && (open[b] > 0 || sums_[b] >= bounds_[b].least);
@@ -241,8 +233,8 @@ class Search {
   };
 
   void set(Eigen::Index i, double value) {
-    for (std::size_t k = bounds_of_[static_cast<std::size_t>(i)]; k < bounds_of_[static_cast<std::size_t>(i) + 1]; ++k)
-      sums_[bound_list_[k].bound] += bound_list_[k].factor * (value - now_[i]);
+    for (const auto& [b, factor] : bounds_of_[static_cast<std::size_t>(i)])
+      sums_[b] += factor * (value - now_[i]);
     now_[i] = value;
   }
   double cost() const { return (now_ - best_).dot(curvature_ * (now_ - best_)); }
@@ -263,15 +255,10 @@ class Search {
     const auto add = [&](Index b, double move) {
       change += std::max(0.0, bounds_[b].least - sums_[b] - move) - std::max(0.0, bounds_[b].least - sums_[b]);
     };
-    for (std::size_t k = bounds_of_[static_cast<std::size_t>(i)]; k < bounds_of_[static_cast<std::size_t>(i) + 1];
-         ++k) {
-      const auto [b, factor] = bound_list_[k];
+    for (const auto& [b, factor] : bounds_of_[static_cast<std::size_t>(i)])
       add(b, factor * by + (j >= 0 ? factor_of(b, j) * then : 0));
-    }
     if (j < 0) return change;
-    for (std::size_t k = bounds_of_[static_cast<std::size_t>(j)]; k < bounds_of_[static_cast<std::size_t>(j) + 1];
-         ++k) {
-      const auto [b, factor] = bound_list_[k];
+    for (const auto& [b, factor] : bounds_of_[static_cast<std::size_t>(j)]) {
       if (factor_of(b, i) == 0) add(b, factor * then);
     }
     return change;
@@ -282,10 +269,9 @@ class Search {
   const IntegerForms& forms_;
   std::span<const LowerBound> bounds_;
   const base::Host& host_;
-  Array<Index> order_;            // in which greedy() rounded
-  Array<std::size_t> bounds_of_;  // of each variable, in the list
-  Array<InBound> bound_list_;
-  Array<double> sums_;  // of each bound
+  Array<Index> order_;               // in which greedy() rounded
+  base::Groups<InBound> bounds_of_;  // of each variable
+  Array<double> sums_;               // of each bound
   Eigen::VectorXd now_;
 };
 

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/topology/disjoint_sets.h"
 #include "mesh/topology/place_text.h"
 #include "volume_map/frames/transitions.h"
@@ -114,8 +115,7 @@ class Builder {
     Array<Index> begin(turn_.size() + 1, 0, host_.memory);
     for (const Link& l : links)
       ++begin[l.from + 1];
-    for (std::size_t i = 0; i + 1 < begin.size(); ++i)
-      begin[i + 1] += begin[i];
+    base::add_up_counts(std::span(begin));
     Array<Index> first(positions_.size(), no_index, host_.memory);
     Array<std::uint8_t> seen(turn_.size(), 0, host_.memory);
     Array<Index> queue(host_.memory);
@@ -223,14 +223,11 @@ class Builder {
 
   // One unknown for all coordinates that are tied to each other.
   void number_nodes() {
-    Array<Index> begin(integer_.size() + 1, 0, host_.memory), order(ties_.size(), host_.memory);
-    for (const Tie& t : ties_)
-      ++begin[t.from + 1];
-    for (std::size_t i = 0; i < integer_.size(); ++i)
-      begin[i + 1] += begin[i];
-    Array<Index> next(begin, host_.memory);
-    for (Index i = 0; i < ties_.size(); ++i)
-      order[next[ties_[i].from]++] = i;
+    const auto for_each_tie = [&](const auto& visit) {
+      for (Index i = 0; i < ties_.size(); ++i)
+        visit(ties_[i].from, i);
+    };
+    const base::Groups<Index, Index> ties_from(integer_.size(), for_each_tie, host_.memory);
     Array<Index> queue(host_.memory);
     for (Index root = 0; root < integer_.size(); ++root) {
       if (integer_[root] == 0 || of_node_[root] != no_index) continue;
@@ -238,8 +235,8 @@ class Builder {
       queue.assign(1, root);
       for (std::size_t i = 0; i < queue.size(); ++i) {
         if (i % 1024 == 0) host_.report("system", root, integer_.size());
-        for (Index k = begin[queue[i]]; k < begin[queue[i] + 1]; ++k) {
-          const Tie& t = ties_[order[k]];
+        for (const Index k : ties_from[queue[i]]) {
+          const Tie& t = ties_[k];
           const Index value = forms_.sum(of_node_[t.from], t.sign, t.form, 1);
           if (of_node_[t.to] == no_index) {
             of_node_[t.to] = value;

@@ -6,8 +6,8 @@
 #include <limits>
 #include <utility>
 
+#include "base/grouping.h"
 #include "mesh/search/intersections.h"
-#include "volume_map/solid/cells_around.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -19,7 +19,7 @@ class GapOpening {
   GapOpening(HexMesh& mesh, const base::Host& host)
       : mesh_(mesh),
         host_(host),
-        around_(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory),
+        around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)),
         meetings_(host.memory),
         deep_(host.memory) {}
 
@@ -161,7 +161,7 @@ class GapOpening {
 
   double worst_around(Index v) const {
     double worst = 1;
-    for (const Index h : around_.of(v))
+    for (const Index h : around_[v])
       worst = std::min({worst, scaled_jacobian(mesh_.positions, mesh_.hexahedra[h]),
                         6 * min_bezier(mesh_.positions, mesh_.hexahedra[h])});
     return worst;
@@ -183,7 +183,7 @@ class GapOpening {
 
   HexMesh& mesh_;
   const base::Host& host_;
-  CellsAround around_;
+  base::Groups<Index, Index> around_;
   Array<Meeting> meetings_, deep_;  // those that are parted, and those that wait
 };
 

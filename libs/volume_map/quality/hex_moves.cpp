@@ -10,7 +10,7 @@ constexpr double lowest_coefficients = -5;
 HexMoves::HexMoves(HexMesh& mesh, const HexBoundary& boundary, const base::Host& host)
     : mesh_(mesh),
       boundary_(boundary),
-      around_(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory) {}
+      around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)) {}
 
 double HexMoves::corners(Index hexahedron) const {
   const double least = scaled_jacobian(mesh_.positions, mesh_.hexahedra[hexahedron]);

@@ -5,9 +5,9 @@
 #include <limits>
 #include <random>
 
+#include "base/grouping.h"
 #include "base/random.h"
 #include "volume_map/quality/hex_boundary.h"
-#include "volume_map/solid/cells_around.h"
 
 namespace orbicube::volume_map {
 
@@ -19,7 +19,7 @@ class HexMoves {
   // Keeps references. About 8 bytes a vertex and 32 a hexahedron.
   HexMoves(HexMesh& mesh, const HexBoundary& boundary, const base::Host& host);
 
-  std::span<const Index> around(Index vertex) const { return around_.of(vertex); }
+  std::span<const Index> around(Index vertex) const { return around_[vertex]; }
 
   // The scaled Jacobian, or what is less: six times the minimum Bernstein coefficient (those of good hexahedra are
   // below the corners', too; they are to be positive, no more), and for an inverted corner 10 less than its own. Not
@@ -76,7 +76,7 @@ class HexMoves {
 
   HexMesh& mesh_;
   const HexBoundary& boundary_;
-  CellsAround around_;
+  base::Groups<Index, Index> around_;
   std::mt19937_64 random_{1};
 };
 

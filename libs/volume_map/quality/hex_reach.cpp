@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/grouping.h"
 #include "mesh/search/nearest.h"
 #include "volume_map/quality/hex_moves.h"
 
@@ -21,7 +22,7 @@ class Reach {
         host_(host),
         moves_(mesh, boundary, host),
         halves_(halves_of(mesh.quads, host.memory)),
-        around_(std::span<const mesh::Triangle>(halves_), mesh.positions.size(), host.memory),
+        around_(base::cells_around(std::span<const mesh::Triangle>(halves_), mesh.positions.size(), host.memory)),
         samples_(host.memory),
         inner_(host.memory),
         saved_(host.memory) {}
@@ -110,7 +111,7 @@ class Reach {
     for (const Ward& ward : wards) {
       const Vector3& x = samples_[ward.sample];
       double least = std::numeric_limits<double>::infinity();
-      for (const Index half : around_.of(v)) {
+      for (const Index half : around_[v]) {
         const mesh::Triangle& t = halves_[half];
         const mesh::TrianglePoint at =
             mesh::nearest_on_triangle(x, mesh_.positions[t[0]], mesh_.positions[t[1]], mesh_.positions[t[2]]);
@@ -194,9 +195,9 @@ class Reach {
   const double distance_;
   const base::Host& host_;
   HexMoves moves_;
-  double floor_ = 0;                    // of the quality of hexahedra
-  const Array<mesh::Triangle> halves_;  // of quads
-  const CellsAround around_;            // of those
+  double floor_ = 0;                         // of the quality of hexahedra
+  const Array<mesh::Triangle> halves_;       // of quads
+  const base::Groups<Index, Index> around_;  // of those
   Array<Vector3> samples_;
   Array<Index> inner_;  // around the vertex that is moved
   Array<Vector3> saved_;

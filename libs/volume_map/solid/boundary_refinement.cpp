@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "base/error.h"
+#include "base/grouping.h"
 #include "mesh/search/predicates.h"
 #include "volume_map/solid/freeing_splits.h"
 
@@ -114,15 +115,11 @@ RefinedSolid refine_boundary(std::span<const Vector3> positions, std::span<const
   for (Index i = 0; i < triangles.size(); ++i)
     faces.push_back({sorted(triangles[i]), i});
   std::sort(faces.begin(), faces.end(), [](const Face& x, const Face& y) { return x.sorted < y.sorted; });
-  // The parts of each triangle.
-  Array<Index> part_begin(triangles.size() + 1, 0, host.memory), parts(map.triangles.size(), 0, host.memory);
-  for (const Index source : map.triangle_sources)
-    ++part_begin[source + 1];
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    part_begin[i + 1] += part_begin[i];
-  Array<Index> next(part_begin, host.memory);
-  for (Index i = 0; i < map.triangles.size(); ++i)
-    parts[next[map.triangle_sources[i]]++] = i;
+  const auto for_each_part = [&](const auto& visit) {
+    for (Index i = 0; i < map.triangles.size(); ++i)
+      visit(map.triangle_sources[i], i);
+  };
+  const base::Groups<Index, Index> parts(triangles.size(), for_each_part, host.memory);
 
   Refinement refinement(solid, host);
   std::size_t found_faces = 0;
@@ -159,8 +156,8 @@ RefinedSolid refine_boundary(std::span<const Vector3> positions, std::span<const
                           "tetrahedron " + std::to_string(i) + " could not be freed of the boundary");
       ++found_faces;
       const Index apex = t[6 - outer[0] - outer[1] - outer[2]];
-      for (Index p = part_begin[at->triangle]; p < part_begin[at->triangle + 1]; ++p) {
-        const Triangle& part = map.triangles[parts[p]];
+      for (const Index p : parts[at->triangle]) {
+        const Triangle& part = map.triangles[p];
         refinement.add({part[0], part[2], part[1], apex});
       }
       continue;

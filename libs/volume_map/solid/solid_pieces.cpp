@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "base/error.h"
 #include "mesh/search/bounding_volume_tree.h"
@@ -191,7 +190,7 @@ SurfacePieces surface_pieces(std::span<const Vector3> positions, std::span<const
                              const base::Host& host) {
   const Pieces found = surface_parts(triangles, positions.size(), host);
   base::Array<Part> parts = parts_of(positions, triangles, found, host);
-  const PieceItems items(found, host);
+  const PieceItems items = items_of(found, host);
   // Boxes first: what lies apart needs no sums.
   base::Array<mesh::Box> boxes(host.memory);
   for (const Part& part : parts)
@@ -207,7 +206,7 @@ SurfacePieces surface_pieces(std::span<const Vector3> positions, std::span<const
     });
     std::sort(near.begin(), near.end());
     for (const Index k : near) {
-      if (std::abs(winding(positions, triangles, items.of(k), positions[parts[i].vertex], host)) > 0.5)
+      if (std::abs(winding(positions, triangles, items[k], positions[parts[i].vertex], host)) > 0.5)
         within.push_back({i, k});
     }
   }
@@ -267,24 +266,22 @@ void require_conforming(std::span<const mesh::Tetrahedron> tetrahedra, std::span
   }
 }
 
-PieceItems::PieceItems(const Pieces& pieces, const base::Host& host)
-    : begin_(pieces.count + 1, 0, host.memory), items_(pieces.of.size(), no_index, host.memory) {
-  for (const Index piece : pieces.of)
-    ++begin_[piece + std::size_t{1}];
-  std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
-  base::Array<std::size_t> next(begin_, host.memory);
-  for (Index i = 0; i < pieces.of.size(); ++i)
-    items_[next[pieces.of[i]]++] = i;
+PieceItems items_of(const Pieces& pieces, const base::Host& host) {
+  const auto for_each = [&](const auto& visit) {
+    for (Index i = 0; i < pieces.of.size(); ++i)
+      visit(pieces.of[i], i);
+  };
+  return {pieces.count, for_each, host.memory};
 }
 
 PieceCutter::PieceCutter(const mesh::Mesh& mesh, const Pieces& pieces, const base::Host& host)
-    : mesh_(mesh), host_(host), items_(pieces, host), number_(mesh.positions.size(), no_index, host.memory) {}
+    : mesh_(mesh), host_(host), items_(items_of(pieces, host)), number_(mesh.positions.size(), no_index, host.memory) {}
 
 mesh::Mesh PieceCutter::piece(std::size_t which) {
   mesh::Mesh result(host_.memory);
   base::Array<Index> vertices(host_.memory);
   const auto take = [&](const auto& cells, auto& taken) {
-    for (const Index i : items_.of(which)) {
+    for (const Index i : items_[which]) {
       for (const Index v : cells[i]) {
         if (number_[v] != no_index) continue;
         number_[v] = 0;
@@ -296,7 +293,7 @@ mesh::Mesh PieceCutter::piece(std::size_t which) {
       number_[v] = static_cast<Index>(result.positions.size());
       result.positions.push_back(mesh_.positions[v]);
     }
-    for (const Index i : items_.of(which)) {
+    for (const Index i : items_[which]) {
       taken.push_back(cells[i]);
       for (Index& v : taken.back())
         v = number_[v];

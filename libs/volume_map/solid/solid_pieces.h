@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <span>
 
+#include "base/grouping.h"
 #include "base/host.h"
 #include "mesh/mesh.h"
 #include "mesh/topology/place_text.h"
@@ -60,18 +61,8 @@ void require_conforming(std::span<const mesh::Tetrahedron> tetrahedra, std::span
                         const base::Host& host);
 
 // The triangles or tetrahedra of each piece, in their order.
-class PieceItems {
- public:
-  PieceItems(const Pieces& pieces, const base::Host& host);
-
-  std::span<const mesh::Index> of(std::size_t piece) const {
-    return std::span(items_).subspan(begin_[piece], begin_[piece + 1] - begin_[piece]);
-  }
-
- private:
-  base::Array<std::size_t> begin_;
-  base::Array<mesh::Index> items_;
-};
+using PieceItems = base::Groups<mesh::Index>;
+PieceItems items_of(const Pieces& pieces, const base::Host& host);
 
 // Cuts a mesh into its pieces, each in time that grows with its own size. Keeps a reference to the mesh.
 class PieceCutter {

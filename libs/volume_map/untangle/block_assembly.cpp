@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
+#include "base/grouping.h"
+
 namespace orbicube::volume_map {
 namespace {
 
@@ -47,24 +49,19 @@ void BlockAssembly::add_places(std::span<const Element> elements, std::span<cons
     }
   };
   // Lower neighbors of each vertex with repetitions, then without.
-  Array<std::size_t> begin(vertices + 1, 0, host.memory);
-  for (const Element& e : elements)
-    for_pairs(e, [&](Index row, Index, std::size_t) { ++begin[row + 1]; });
-  for (std::size_t v = 0; v < vertices; ++v)
-    begin[v + 1] += begin[v];
-  host.report("matrix", 0, vertices);
-  Array<Index> all(begin[vertices], host.memory);
-  Array<std::size_t> next(begin, host.memory);
-  for (const Element& e : elements)
-    for_pairs(e, [&](Index row, Index column, std::size_t) { all[next[row]++] = column; });
+  const auto for_each_pair = [&](const auto& visit) {
+    host.report("matrix", 0, vertices);
+    for (const Element& e : elements)
+      for_pairs(e, [&](Index row, Index column, std::size_t) { visit(row, column); });
+  };
+  base::Groups<Index> lower(vertices, for_each_pair, host.memory);
   matrix_.row_begin.assign(vertices + 1, 0);
   for (std::size_t v = 0; v < vertices; ++v) {
     if (v % 4096 == 0) host.report("matrix", v, vertices);
-    const auto first = all.begin() + static_cast<std::ptrdiff_t>(begin[v]);
-    auto last = all.begin() + static_cast<std::ptrdiff_t>(begin[v + 1]);
-    std::sort(first, last);
-    last = std::unique(first, last);
-    matrix_.column.insert(matrix_.column.end(), first, last);
+    const std::span<Index> columns = lower[v];
+    std::sort(columns.begin(), columns.end());
+    const auto last = std::unique(columns.begin(), columns.end());
+    matrix_.column.insert(matrix_.column.end(), columns.begin(), last);
     matrix_.row_begin[v + 1] = static_cast<Index>(matrix_.column.size());
   }
   for (std::size_t i = 0; i < elements.size(); ++i) {

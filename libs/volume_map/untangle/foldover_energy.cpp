@@ -48,8 +48,7 @@ FoldoverEnergy::FoldoverEnergy(std::span<const Element> elements, const Variable
       pool_(host),
       curvature_(elements.size(), host.memory),
       force_(elements.size(), host.memory),
-      incident_begin_(variables.vertices() + 1, 0, host.memory),
-      incident_(4 * elements.size(), host.memory),
+      incident_(host.memory),
       positions_(variables.vertices(), host.memory),
       forces_(variables.vertices(), host.memory),
       padded_(variables.size(), 0, host.memory),
@@ -58,18 +57,14 @@ FoldoverEnergy::FoldoverEnergy(std::span<const Element> elements, const Variable
       system_(host),
       right_(assembly_.matrix().size(), 0, host.memory),
       solution_(right_, host.memory) {
-  for (const Element& element : elements) {
+  for (const Element& element : elements)
     total_weight_ += element.weight;
-    for (const Index v : element.corner)
-      ++incident_begin_[v + 1];
-  }
-  for (std::size_t v = 0; v < variables.vertices(); ++v)
-    incident_begin_[v + 1] += incident_begin_[v];
-  Array<Index> next(incident_begin_, host.memory);
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    for (std::size_t k = 0; k < 4; ++k)
-      incident_[next[elements[i].corner[k]]++] = static_cast<Index>(4 * i + k);
-  }
+  incident_.assign(variables.vertices(), [&](const auto& visit) {
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      for (std::size_t k = 0; k < 4; ++k)
+        visit(elements[i].corner[k], static_cast<Index>(4 * i + k));
+    }
+  });
 }
 
 template <class Body>
@@ -192,8 +187,8 @@ void FoldoverEnergy::gather(std::span<double> sums, const Own& own) {
     for (std::size_t v = begin; v < end; ++v) {
       Vector3 sum = Vector3::Zero();
       if (!pulls_.empty()) sum = own(v);
-      for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i)
-        sum += force_[incident_[i] / 4][incident_[i] % 4];
+      for (const Index corner : incident_[v])
+        sum += force_[corner / 4][corner % 4];
       forces_[v] = sum;
     }
   });
@@ -210,9 +205,9 @@ void FoldoverEnergy::set_system() {
       for (Index i = matrix.row_begin[v]; i < matrix.row_begin[v + 1]; ++i)
         matrix.lower[i].setZero();
       if (!pulls_.empty()) diagonal = 2 * pulls_[v].square;
-      for (Index i = incident_begin_[v]; i < incident_begin_[v + 1]; ++i) {
-        const Index at = incident_[i] / 4;
-        const std::size_t corner = incident_[i] % 4;
+      for (const Index own : incident_[v]) {
+        const Index at = own / 4;
+        const std::size_t corner = own % 4;
         const Curvature& h = curvature_[at];
         const Element& e = elements_[at];
         const Vector3& g = e.gradient[corner];

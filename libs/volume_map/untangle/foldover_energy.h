@@ -13,6 +13,7 @@
 
 #include <span>
 
+#include "base/grouping.h"
 #include "base/threads/thread_pool.h"
 #include "volume_map/untangle/block_assembly.h"
 #include "volume_map/untangle/elements.h"
@@ -100,10 +101,10 @@ class FoldoverEnergy {
   const base::Host& host_;
   base::ThreadPool pool_;
   Array<Curvature> curvature_;
-  Array<std::array<Vector3, 4>> force_;     // on the corners of each element
-  Array<Index> incident_begin_, incident_;  // of each vertex: 4 element + corner
-  Array<Vector3> positions_, forces_;       // of each vertex
-  Array<double> padded_;                    // a direction, with 0 for what stays
+  Array<std::array<Vector3, 4>> force_;  // on the corners of each element
+  base::Groups<Index, Index> incident_;  // of each vertex: 4 element + corner
+  Array<Vector3> positions_, forces_;    // of each vertex
+  Array<double> padded_;                 // a direction, with 0 for what stays
   Array<EnergyValue> partial_;
   BlockAssembly assembly_;
   BlockSolver system_;

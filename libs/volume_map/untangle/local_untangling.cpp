@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "base/grouping.h"
 #include "volume_map/untangle/newton.h"
 
 namespace orbicube::volume_map {
@@ -19,25 +20,19 @@ class Neighborhoods {
         positions_(positions),
         host_(host),
         pulls_(pulls),
-        incident_begin_(positions.size() + 1, 0, host.memory),
-        incident_(4 * elements.size(), host.memory),
+        incident_(host.memory),
         ring_(positions.size(), no_index, host.memory),
         place_(positions.size(), no_index, host.memory),
         taken_(elements.size(), 0, host.memory),
         region_(host.memory),
         held_(host.memory) {
-    for (const Element& e : elements) {
-      for (const Index v : e.corner)
-        ++incident_begin_[v + 1];
-    }
-    for (std::size_t v = 0; v < positions.size(); ++v)
-      incident_begin_[v + 1] += incident_begin_[v];
-    Array<Index> next(incident_begin_.begin(), incident_begin_.end() - 1, host.memory);
-    for (Index i = 0; i < elements.size(); ++i) {
-      if (i % slab == 0) host.report("untangle", 0, 0);
-      for (const Index v : elements[i].corner)
-        incident_[next[v]++] = i;
-    }
+    incident_.assign(positions.size(), [&](const auto& visit) {
+      for (Index i = 0; i < elements.size(); ++i) {
+        if (i % slab == 0) host.report("untangle", 0, 0);
+        for (const Index v : elements[i].corner)
+          visit(v, i);
+      }
+    });
   }
 
   // Sets the vertices that may move: those of elements that are not positive, and the given number of rings round them.
@@ -88,10 +83,10 @@ class Neighborhoods {
       used.clear();
       for (std::size_t i = 0; i < movable; ++i) {
         const Index v = vertices[i];
-        for (Index k = incident_begin_[v]; k < incident_begin_[v + 1]; ++k) {
-          if (taken_[incident_[k]] != 0) continue;
-          taken_[incident_[k]] = 1;
-          used.push_back(incident_[k]);
+        for (const Index e : incident_[v]) {
+          if (taken_[e] != 0) continue;
+          taken_[e] = 1;
+          used.push_back(e);
         }
       }
       for (const Index i : used) {
@@ -127,8 +122,8 @@ class Neighborhoods {
   }
   template <class Body>
   void for_neighbors(Index v, const Body& body) const {
-    for (Index k = incident_begin_[v]; k < incident_begin_[v + 1]; ++k) {
-      for (const Index w : elements_[incident_[k]].corner)
+    for (const Index i : incident_[v]) {
+      for (const Index w : elements_[i].corner)
         body(w);
     }
   }
@@ -182,12 +177,12 @@ class Neighborhoods {
   std::span<Vector3> positions_;
   const base::Host& host_;
   std::span<const Pull> pulls_;
-  Array<Index> incident_begin_, incident_;  // elements of each vertex
-  Array<Index> ring_;                       // of vertices that may move: how far from what is not positive
-  Array<Index> place_;                      // of a vertex in its part
-  Array<std::uint8_t> taken_;               // elements of a part
-  Array<Index> region_;                     // vertices that may move, by rings
-  Array<Index> held_;                       // vertices of elements that are not positive and of which none may move
+  base::Groups<Index, Index> incident_;  // elements of each vertex
+  Array<Index> ring_;                    // of vertices that may move: how far from what is not positive
+  Array<Index> place_;                   // of a vertex in its part
+  Array<std::uint8_t> taken_;            // elements of a part
+  Array<Index> region_;                  // vertices that may move, by rings
+  Array<Index> held_;                    // vertices of elements that are not positive and of which none may move
 };
 
 }  // namespace
