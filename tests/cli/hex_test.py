@@ -355,7 +355,7 @@ class Hex(InFolder):
             file.write(f"OFF\n{len(vertices)} {len(faces)} 0\n")
             file.writelines("%.17g %.17g %.17g\n" % v for v in vertices)
             file.writelines("3 %d %d %d\n" % f for f in faces)
-        figures, _ = self.made_hexahedra(path, "--cells", 600)
+        figures, _ = self.made_hexahedra(path, "--cells", 1500, "--distance", 2)
         self.assertEqual(figures["intersecting_quads"], 0)
         self.assertEqual(figures["pieces"], 2)
         self.assertLessEqual(figures["hausdorff_percent"], 2)
