@@ -145,6 +145,13 @@ Frame unit_frame(std::span<const Vector3> positions, std::span<const Triangle> t
   return frame;
 }
 
+Surface framed(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Frame& frame,
+               const base::Host& host) {
+  Array<Vector3> seen(positions.size(), host.memory);
+  std::transform(positions.begin(), positions.end(), seen.begin(), frame);
+  return {std::move(seen), Array<Triangle>(triangles.begin(), triangles.end(), host.memory), host};
+}
+
 LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const LabelledMapOptions& options,
                                      std::span<const double> planes, const base::Host& host) {
   base::require(planes.empty() || planes.size() == map.triangles.size(), "planes: one a triangle");
@@ -153,9 +160,7 @@ LabelledMapOutcome make_labelled_map(SurfaceMap& map, const Frame& frame, const 
   // What was cut may lie anywhere; its patch has other triangles.
   if (!plane.empty()) plane.resize(map.triangles.size(), std::numeric_limits<double>::quiet_NaN());
 
-  Array<Vector3> positions(map.positions.size(), host.memory);
-  std::transform(map.positions.begin(), map.positions.end(), positions.begin(), frame);
-  const Surface surface(std::move(positions), Array<Triangle>(map.triangles, host.memory), host);
+  const Surface surface = framed(map.positions, map.triangles, frame, host);
   const Patches patches = find_patches(surface, map.labels, host);
   return LabelledMap(map, surface, patches, frame, options, host).run(plane);
 }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "polycube/map/certificate.h"
+#include "polycube/surface/surface.h"
 
 namespace orbicube::polycube {
 
@@ -19,6 +20,10 @@ struct Frame {
 
 // A frame without rotation for the surface.
 Frame unit_frame(std::span<const Vector3> positions, std::span<const Triangle> triangles);
+
+// The surface as it is seen in the frame. Throws what Surface does.
+Surface framed(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Frame& frame,
+               const base::Host& host);
 
 struct LabelledMapOptions {
   int untangling_steps = 150;
