@@ -7,8 +7,8 @@
 
 #include "base/error.h"
 #include "polycube/features/feature_places.h"
+#include "polycube/features/feature_targets.h"
 #include "polycube/features/sharp_edges.h"
-#include "polycube/outputs/patch_graph.h"
 #include "polycube/surface/unit_size.h"
 #include "polycube/unfolded/polycube_edges.h"
 #include "polycube/unfolded/unfolded_corners.h"
@@ -18,42 +18,13 @@
 namespace orbicube::polycube {
 namespace {
 
-// A vertex and where it is drawn, in its plane.
-struct Pull {
-  Index vertex;
-  Vector2d place = Vector2d::Zero();
-  Vector2d along = Vector2d::Zero();  // of the line that it may slide on, or zero for a point
-  double begin = 0, end = 0;          // of the line, from the place on
-  double weight = 0;                  // 0: it must get there
-  bool optional = false;              // whether that may fail
-  bool pinned = false;
-  Vector3 in_space = Vector3::Zero();  // the place, on the polycube
-  int axis = -1;                       // of the line
-
-  bool on_line() const { return axis >= 0; }
-  // Coordinates that are fixed when it is where it should be.
-  std::uint8_t mask() const {
-    if (!on_line()) return 3;
-    return along.x() != 0 ? 2 : 1;
-  }
-  // The nearest that will do.
-  Vector2d target(const Vector2d& at) const {
-    return on_line() ? Vector2d(place + along.dot(at - place) * along) : place;
-  }
-};
-
 // A sharp edge is not worth a triangle that is as distorted as that, 2 being an isometry.
 constexpr double most_distorted = 3000;
 
 class Fit {
  public:
   Fit(SurfaceMap& map, const FeatureOptions& options, const base::Host& host)
-      : map_(map),
-        options_(options),
-        host_(host),
-        result_(host.memory),
-        pull_of_(map.positions.size(), no_index, host.memory),
-        star_(host.memory) {}
+      : map_(map), options_(options), host_(host), result_(host.memory), star_(host.memory) {}
 
   FeatureFit run() {
     Certificate before = certify(map_.polycube, map_.triangles, host_);
@@ -85,134 +56,20 @@ class Fit {
   }
 
  private:
-  static int axis_between(const Vector3& from, const Vector3& to) {
-    int axis = -1;
-    for (int k = 0; k < 3; ++k) {
-      if (from[k] == to[k]) continue;
-      base::require(axis < 0, "the line of a feature is not along an axis");
-      axis = k;
-    }
-    base::require(axis >= 0, "the line of a feature has no length");
-    return axis;
-  }
-
-  void check_vertex(Index v) const {
-    base::require(v < map_.positions.size(), "the vertex of a feature does not exist");
-  }
-  void check_weight(double weight) const {
-    base::require(std::isfinite(weight) && weight >= 0, "the weight of a feature must not be negative");
-  }
-
-  // Corners walk to their targets; others are ties in planes. Curves first, so that points on them hold them.
+  // Corners walk to their targets; other vertices are tied in planes.
   void gather(UnfoldedMap& unfolded) {
     weights_.emplace(unfolded);
-    Array<std::array<Index, 2>> walks(host_.memory);  // corner and vertex
-    const auto take = [&](Index v) {
-      check_vertex(v);
-      base::require(unfolded.surface.outgoing(v) != no_index, "the vertex of a feature is in no triangle");
-    };
-    for (const FeaturePoint& point : options_.points) {
-      take(point.vertex);
-      check_weight(point.weight);
-      base::require(point.place.allFinite(), "the place of a feature is not finite");
-      base::require(pull_of_[point.vertex] == no_index && !is_walked(walks, point.vertex), "a vertex has two places");
-      add_point(unfolded, point, walks);
-    }
-    for (const FeatureCurve& curve : options_.curves) {
-      check_weight(curve.weight);
-      base::require(curve.vertices.size() >= 2, "the curve of a feature has fewer than two vertices");
-      base::require(curve.from.allFinite() && curve.to.allFinite(), "the line of a feature is not finite");
-      const int axis = axis_between(curve.from, curve.to);
-      double whole = 0, length = 0;
-      for (std::size_t i = 0; i < curve.vertices.size(); ++i) {
-        take(curve.vertices[i]);
-        if (i > 0) whole += (map_.positions[curve.vertices[i]] - map_.positions[curve.vertices[i - 1]]).norm();
-      }
-      base::require(whole > 0, "the curve of a feature has no length");
-      for (std::size_t i = 0; i < curve.vertices.size(); ++i) {
-        if (i > 0) length += (map_.positions[curve.vertices[i]] - map_.positions[curve.vertices[i - 1]]).norm();
-        if (is_walked(walks, curve.vertices[i]) || pull_of_[curve.vertices[i]] != no_index) continue;
-        if (i == 0 || i + 1 == curve.vertices.size()) {
-          add_point(unfolded, {curve.vertices[i], i == 0 ? curve.from : curve.to, curve.weight}, walks);
-          continue;
-        }
-        const double part = length / whole;
-        Pull pull{.vertex = curve.vertices[i], .weight = curve.weight, .in_space = curve.from, .axis = axis};
-        pull.in_space[axis] = curve.from[axis] + part * (curve.to[axis] - curve.from[axis]);
-        pull.begin = curve.from[axis] - pull.in_space[axis];
-        pull.end = curve.to[axis] - pull.in_space[axis];
-        add(pull);
-      }
-    }
-    if (options_.feature_angle > 0) add_sharp(unfolded, walks);
+    FeatureTargets targets = gather_targets(map_, unfolded, options_, host_);
+    pulls_ = std::move(targets.pulls);
+    result_.sharp_length = targets.sharp_length;
     find_places(unfolded);
     tie(unfolded, 0, false);  // corners keep off what is tied
-    for (const auto& [corner, vertex] : walks) {
-      const bool there = walk_corner(unfolded, *weights_, corner, vertex, host_);
-      unfolded.corners[corner].held = there;
-      if (!there && !optional_corner(walks, corner))
+    for (const CornerWalk& walk : targets.walks) {
+      const bool there = walk_corner(unfolded, *weights_, walk.corner, walk.vertex, host_);
+      unfolded.corners[walk.corner].held = there;
+      if (!there && !walk.optional)
         throw base::Error("no-valid-result",
-                          "a corner of the polycube does not come to vertex " + std::to_string(vertex));
-    }
-  }
-
-  void add_point(const UnfoldedMap& unfolded, const FeaturePoint& point, Array<std::array<Index, 2>>& walks) {
-    const Index corner = corner_at(unfolded, point.place);
-    if (corner == no_index || point.weight > 0) {
-      add({.vertex = point.vertex, .weight = point.weight, .in_space = point.place});
-      return;
-    }
-    base::require(std::none_of(walks.begin(), walks.end(), [&](const auto& w) { return w[0] == corner; }),
-                  "a corner of the polycube has two vertices");
-    walks.push_back({corner, point.vertex});
-  }
-
-  static bool is_walked(std::span<const std::array<Index, 2>> walks, Index vertex) {
-    return std::any_of(walks.begin(), walks.end(), [&](const auto& w) { return w[1] == vertex; });
-  }
-  bool optional_corner(std::span<const std::array<Index, 2>> walks, Index corner) const {
-    for (std::size_t i = 0; i < first_optional_walk_ && i < walks.size(); ++i)
-      if (walks[i][0] == corner) return false;
-    return true;
-  }
-
-  static Index corner_at(const UnfoldedMap& unfolded, const Vector3& place) {
-    constexpr double rounding = 1e-9;
-    for (Index c = 0; c < unfolded.corners.size(); ++c)
-      if ((unfolded.corners[c].place - place).norm() <= rounding * (1 + place.norm())) return c;
-    return no_index;
-  }
-
-  void add(const Pull& pull) {
-    base::require(pull_of_[pull.vertex] == no_index, "a vertex has two places");
-    pull_of_[pull.vertex] = static_cast<Index>(pulls_.size());
-    pulls_.push_back(pull);
-  }
-
-  void add_sharp(const UnfoldedMap& unfolded, Array<std::array<Index, 2>>& walks) {
-    const PatchGraph graph = make_patch_graph(map_, host_);
-    const SharpEdges sharp = find_sharp_edges(map_, graph, options_.feature_angle, host_);
-    result_.sharp_length = sharp.length;
-    first_optional_walk_ = walks.size();
-    for (const SharpVertex& s : sharp.vertices) {
-      if (pull_of_[s.vertex] != no_index || is_walked(walks, s.vertex)) continue;
-      if (s.corner == no_index && unfolded.is_corner(s.vertex)) continue;
-      if (s.corner != no_index) {
-        const Index corner = corner_at(unfolded, graph.corners[s.corner]);
-        const bool taken = std::any_of(walks.begin(), walks.end(), [&](const auto& w) { return w[0] == corner; });
-        if (!taken) walks.push_back({corner, s.vertex});
-        continue;
-      }
-      const Vector3 &from = graph.corners[graph.origin(2 * s.edge)], &to = graph.corners[graph.target(2 * s.edge)];
-      const int axis = axis_between(from, to);
-      Pull pull{.vertex = s.vertex, .optional = true, .in_space = from, .axis = axis};
-      const auto [low, high] = std::minmax(from[axis], to[axis]);
-      // At a corner there is no line.
-      const double inset = 1e-3 * (high - low);
-      pull.in_space[axis] = std::clamp(map_.polycube[s.vertex][axis], low + inset, high - inset);
-      pull.begin = from[axis] - pull.in_space[axis];
-      pull.end = to[axis] - pull.in_space[axis];
-      add(pull);
+                          "a corner of the polycube does not come to vertex " + std::to_string(walk.vertex));
     }
   }
 
@@ -221,7 +78,7 @@ class Fit {
     // places are looked for on what it is then.
     bool left = false;
     tie(unfolded, 0, false);  // nor do they go to such vertices
-    for (const Pull& pull : pulls_) {
+    for (const FeaturePull& pull : pulls_) {
       if (!unfolded.is_corner(pull.vertex)) continue;
       if (!leave_vertex(unfolded, *weights_, unfolded.corner_at[pull.vertex], host_))
         throw base::Error("no-valid-result",
@@ -236,7 +93,7 @@ class Fit {
       unfolded = UnfoldedMap(map_, host_);
     }
     FeaturePlaces finder(map_, unfolded, host_);
-    for (Pull& pull : pulls_) {
+    for (FeaturePull& pull : pulls_) {
       Vector3 at = pull.in_space;
       if (pull.axis >= 0) {
         // Within the line, where it is plain in which face it lies.
@@ -255,7 +112,7 @@ class Fit {
   void tie(UnfoldedMap& unfolded, double weight, bool sliding) const {
     unfolded.ties.clear();
     std::fill(unfolded.tie_at.begin(), unfolded.tie_at.end(), no_index);
-    for (const Pull& pull : pulls_) {
+    for (const FeaturePull& pull : pulls_) {
       if (pull.pinned) continue;
       const double w = (pull.weight > 0 ? pull.weight : weight) / weights_->area;
       PlaneTie t{pull.place, {w, w}};
@@ -270,7 +127,7 @@ class Fit {
   // Puts what is near its place there, where triangles stay positive and sound. Returns how many are still to be put.
   std::size_t pin(UnfoldedMap& unfolded, double most_worse, bool optional) {
     std::size_t left = 0;
-    for (Pull& pull : pulls_) {
+    for (FeaturePull& pull : pulls_) {
       if (pull.pinned || pull.weight > 0 || (pull.optional && !optional)) continue;
       const Index v = pull.vertex;
       star_.gather(unfolded, *weights_, v);
@@ -309,7 +166,7 @@ class Fit {
       left = pin(unfolded, 1.5, true);
     }
     if (left > 0) pin(unfolded, 1e3, false);
-    for (const Pull& pull : pulls_) {
+    for (const FeaturePull& pull : pulls_) {
       if (pull.pinned || pull.weight > 0 || pull.optional) continue;
       const Vector2d at = unfolded.image[pull.vertex];
       throw base::Error("no-valid-result", "vertex " + std::to_string(pull.vertex) +
@@ -317,13 +174,13 @@ class Fit {
                                                std::to_string((at - pull.target(at)).norm()));
     }
     // What cannot be met is let go.
-    std::erase_if(pulls_, [](const Pull& p) { return p.optional && !p.pinned; });
+    std::erase_if(pulls_, [](const FeaturePull& p) { return p.optional && !p.pinned; });
     tie(unfolded, 0, true);
   }
 
   // Vertices of sharp edges that have slid past the end of their line belong elsewhere.
   bool let_go(UnfoldedMap& unfolded) {
-    return std::erase_if(pulls_, [&](const Pull& pull) {
+    return std::erase_if(pulls_, [&](const FeaturePull& pull) {
              if (!pull.optional) return false;
              const double part = pull.along.dot(unfolded.image[pull.vertex] - pull.place);
              const auto [low, high] = std::minmax(pull.begin, pull.end);
@@ -350,7 +207,7 @@ class Fit {
     for (std::size_t t = 0; t < made.triangles.size(); ++t)
       for (const Index v : made.triangles[t])
         in_plane[v] |= static_cast<std::uint8_t>(1U << axis_of(made.labels[t]));
-    for (const Pull& pull : pulls_) {
+    for (const FeaturePull& pull : pulls_) {
       // On edges of the polycube folding has put vertices exactly; sharp edges are nowhere else.
       if (!pull.pinned || pull.optional) continue;
       for (int k = 0; k < 3; ++k) {
@@ -370,7 +227,7 @@ class Fit {
   void measure(const SurfaceMap& map, Array<double>& distances) const {
     distances.clear();
     for (const FeaturePoint& point : options_.points) {
-      check_vertex(point.vertex);
+      require_vertex(map_, point.vertex);
       distances.push_back((map.polycube[point.vertex] - point.place).norm());
     }
     for (const FeatureCurve& curve : options_.curves) {
@@ -378,7 +235,7 @@ class Fit {
       const auto [low, high] = std::minmax(curve.from[axis], curve.to[axis]);
       double farthest = 0;
       for (const Index v : curve.vertices) {
-        check_vertex(v);
+        require_vertex(map_, v);
         Vector3 nearest = curve.from;
         nearest[axis] = std::clamp(map.polycube[v][axis], low, high);
         farthest = std::max(farthest, (nearest - map.polycube[v]).norm());
@@ -392,9 +249,7 @@ class Fit {
   const base::Host& host_;
   FeatureFit result_;
   std::optional<TriangleWeights> weights_;
-  Array<Pull> pulls_{host_.memory};
-  Array<Index> pull_of_;  // of each vertex
-  std::size_t first_optional_walk_ = no_index;
+  Array<FeaturePull> pulls_{host_.memory};
   UnfoldedStar star_;
 };
 
