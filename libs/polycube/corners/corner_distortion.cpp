@@ -148,11 +148,36 @@ double DistortionMinimum::longest_positive_step(std::span<const double> directio
   return longest;
 }
 
-// Returns by which part of itself the energy fell; 0 when no step lowers it.
-double DistortionMinimum::step() {
+// Adds the gradient and the block of a triangle, by the entries of its Jacobian, to those of the coordinates.
+void DistortionMinimum::add_triangle(std::size_t t, const Eigen::Vector4d& g, const Eigen::Matrix4d& block) {
+  const double weight = triangles_.weights[t];
+  const auto& v = triangles_.variables[t];
+  const auto& signs = triangles_.signs[t];
+  Eigen::Matrix<double, 4, 6> b = Eigen::Matrix<double, 4, 6>::Zero();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto column = static_cast<Eigen::Index>(2 * k);
+    b.block<2, 1>(0, column) = signs[2 * k] * triangles_.hats[t][k];
+    b.block<2, 1>(2, column + 1) = signs[2 * k + 1] * triangles_.hats[t][k];
+  }
+  const Eigen::Matrix<double, 6, 1> local_gradient = weight * (b.transpose() * g);
+  const Eigen::Matrix<double, 6, 6> local = weight * (b.transpose() * (block * b));
+  std::size_t k = 0;
+  for (std::size_t r = 0; r < 6; ++r) {
+    if (v[r] < free_) gradient_[v[r]] += local_gradient[static_cast<Eigen::Index>(r)];
+    for (std::size_t s = 0; s <= r; ++s, ++k) {
+      if (v[r] >= free_ || v[s] >= free_) continue;
+      // Two corners that share a coordinate stand for two entries of the diagonal.
+      const double entry = local(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(s));
+      system_.values()[places_[t][k]] += r != s && v[r] == v[s] ? 2 * entry : entry;
+    }
+  }
+}
+
+// Sets the gradient and the system; returns the energy.
+double DistortionMinimum::assemble() {
   gradient_.setZero();
   std::fill_n(system_.values(), system_.value_count(), 0.0);
-  double before = 0;
+  double energy = 0;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     if (t % 8192 == 0) host_.report(phase, 0, 0);
     const Eigen::Matrix2d j = triangles_.jacobian(value_, t);
@@ -160,34 +185,20 @@ double DistortionMinimum::step() {
     double derivative = 0;
     const double x = chi(d, &derivative);
     const double slope = derivative / x, squares = j.squaredNorm(), weight = triangles_.weights[t];
-    before += weight * 0.5 * (squares + lambda_ * (d * d + 1)) / x;
+    energy += weight * 0.5 * (squares + lambda_ * (d * d + 1)) / x;
     const Eigen::Vector4d a(j(0, 0), j(0, 1), j(1, 0), j(1, 1));
     const Eigen::Vector4d c(j(1, 1), -j(1, 0), -j(0, 1), j(0, 0));
     const Eigen::Vector4d g = a / x + (lambda_ * d / x - 0.5 * (squares + lambda_ * (d * d + 1)) * slope / x) * c;
     const double q = slope * slope * squares + lambda_ * ((1 - d * slope) * (1 - d * slope) + slope * slope);
     const Eigen::Matrix4d block =
         (Eigen::Matrix4d::Identity() - slope * (c * a.transpose() + a * c.transpose()) + q * c * c.transpose()) / x;
-    const auto& v = triangles_.variables[t];
-    const auto& signs = triangles_.signs[t];
-    Eigen::Matrix<double, 4, 6> b = Eigen::Matrix<double, 4, 6>::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto column = static_cast<Eigen::Index>(2 * k);
-      b.block<2, 1>(0, column) = signs[2 * k] * triangles_.hats[t][k];
-      b.block<2, 1>(2, column + 1) = signs[2 * k + 1] * triangles_.hats[t][k];
-    }
-    const Eigen::Matrix<double, 6, 1> local_gradient = weight * (b.transpose() * g);
-    const Eigen::Matrix<double, 6, 6> local = weight * (b.transpose() * (block * b));
-    std::size_t k = 0;
-    for (std::size_t r = 0; r < 6; ++r) {
-      if (v[r] < free_) gradient_[v[r]] += local_gradient[static_cast<Eigen::Index>(r)];
-      for (std::size_t s = 0; s <= r; ++s, ++k) {
-        if (v[r] >= free_ || v[s] >= free_) continue;
-        // Two corners that share a coordinate stand for two entries of the diagonal.
-        const double entry = local(static_cast<Eigen::Index>(r), static_cast<Eigen::Index>(s));
-        system_.values()[places_[t][k]] += r != s && v[r] == v[s] ? 2 * entry : entry;
-      }
-    }
+    add_triangle(t, g, block);
   }
+  return energy;
+}
+
+// Returns the step of Gauss-Newton, or one against the gradient where it is none that lowers the energy.
+Eigen::VectorXd DistortionMinimum::descent_direction() {
   double largest = 0;
   for (const std::uint32_t place : diagonal_) {
     double& entry = system_.values()[place];
@@ -202,6 +213,13 @@ double DistortionMinimum::step() {
     solved = x.allFinite() && gradient_.dot(x) < 0;
   }
   if (!solved) x = -gradient_ / std::max(largest, 1e-300);
+  return x;
+}
+
+// Returns by which part of itself the energy fell; 0 when no step lowers it.
+double DistortionMinimum::step() {
+  const double before = assemble();
+  const Eigen::VectorXd x = descent_direction();
   const double descent = gradient_.dot(x);
   std::copy(x.begin(), x.end(), direction_.begin());
   const double longest = eps_ <= 0 ? longest_positive_step(direction_) : 1;

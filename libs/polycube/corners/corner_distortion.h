@@ -58,6 +58,9 @@ class DistortionMinimum {
   double energy_at(std::span<const double> value) const;
   double min_determinant(std::size_t* flipped) const;
   double longest_positive_step(std::span<const double> direction) const;
+  void add_triangle(std::size_t t, const Eigen::Vector4d& g, const Eigen::Matrix4d& block);
+  double assemble();
+  Eigen::VectorXd descent_direction();
   double step();
 
   const PlanarTriangles& triangles_;

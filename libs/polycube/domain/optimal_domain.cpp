@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "base/error.h"
 #include "projected_gradient/solver.h"
@@ -142,6 +143,48 @@ DomainMinimum minimise_domain(const LengthEnergy& energy, std::span<const double
   return result;
 }
 
+namespace {
+
+// Moves the polycube to what rounding makes of the best lengths, or, where that is no valid map, of lengths on the way
+// back. Returns the energy there and fills in the certificate; nothing where the polycube stays.
+std::optional<double> move_layers(const DomainEnergy& energy, const CoordinateLayers& layers,
+                                  std::span<const double> best, const DomainOptions& options, SurfaceMap& map,
+                                  double start_energy, Certificate& certificate, const base::Host& host) {
+  constexpr int max_tries = 6;
+  SurfaceMap trial(host.memory);
+  trial.positions = map.positions;
+  trial.triangles = map.triangles;
+  trial.labels = map.labels;
+  trial.polycube.resize(map.polycube.size());
+  std::array<Array<double>, 3> positions{Array<double>(host.memory), Array<double>(host.memory),
+                                         Array<double>(host.memory)};
+  Array<double> lengths(best.begin(), best.end(), host.memory);
+  for (int i = 0; i < max_tries; ++i) {
+    // At the scale at which the polycube has the area that it has.
+    const double scale = std::sqrt(energy.area(energy.lengths()) / energy.area(lengths));
+    if (lay_out(layers, lengths, scale, positions)) {
+      place_vertices(layers, positions, trial.polycube);
+      CoordinateLayers now(host.memory);
+      now.positions = positions;
+      now.places = layers.places;
+      const DomainEnergy after(trial, now, options.measure, options.area_weight, host);
+      const double value = after.evaluate(after.lengths(), {});
+      if (value < start_energy * (1 - min_gain)) {
+        certificate = certify(trial.polycube, trial.triangles, host);
+        if (certificate.valid()) {
+          map.polycube.swap(trial.polycube);
+          return value;
+        }
+      }
+    }
+    for (std::size_t k = 0; k < lengths.size(); ++k)
+      lengths[k] = std::sqrt(lengths[k] * energy.lengths()[k]);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 OptimalDomain optimize_domain(SurfaceMap& map, const DomainOptions& options, const base::Host& host) {
   base::require(map.labels.size() == map.triangles.size() && !map.labels.empty(), "the map is not certified");
   base::require(std::isfinite(options.area_weight) && options.area_weight >= 0, "area_weight must not be negative");
@@ -159,44 +202,11 @@ OptimalDomain optimize_domain(SurfaceMap& map, const DomainOptions& options, con
   result.cells = energy.cells();
   result.crossing = energy.crossing();
 
-  // What rounding makes of the optimum, or, where that is no valid map, of lengths on the way back.
-  constexpr int max_tries = 6;
   const double start_energy = energy.evaluate(energy.lengths(), {});
-  SurfaceMap trial(host.memory);
-  trial.positions = map.positions;
-  trial.triangles = map.triangles;
-  trial.labels = map.labels;
-  trial.polycube.resize(map.polycube.size());
-  std::array<Array<double>, 3> positions{Array<double>(host.memory), Array<double>(host.memory),
-                                         Array<double>(host.memory)};
-  Array<double> lengths(minimum.lengths, host.memory);
-  double final_energy = start_energy;
-  bool moved = false;
-  for (int i = 0; i < max_tries && !moved; ++i) {
-    // At the scale at which the polycube has the area that it has.
-    const double scale = std::sqrt(energy.area(energy.lengths()) / energy.area(lengths));
-    if (lay_out(layers, lengths, scale, positions)) {
-      place_vertices(layers, positions, trial.polycube);
-      CoordinateLayers now(host.memory);
-      now.positions = positions;
-      now.places = layers.places;
-      const DomainEnergy after(trial, now, options.measure, options.area_weight, host);
-      const double value = after.evaluate(after.lengths(), {});
-      if (value < start_energy * (1 - min_gain)) {
-        result.certificate = certify(trial.polycube, trial.triangles, host);
-        if (result.certificate.valid()) {
-          final_energy = value;
-          moved = true;
-        }
-      }
-    }
-    for (std::size_t k = 0; k < lengths.size(); ++k)
-      lengths[k] = std::sqrt(lengths[k] * energy.lengths()[k]);
-  }
-  if (moved)
-    map.polycube.swap(trial.polycube);
-  else
-    result.certificate = certify(map.polycube, map.triangles, host);
+  const std::optional<double> reached =
+      move_layers(energy, layers, minimum.lengths, options, map, start_energy, result.certificate, host);
+  if (!reached) result.certificate = certify(map.polycube, map.triangles, host);
+  const double final_energy = reached.value_or(start_energy);
   base::require(result.certificate.valid(), "the map is not certified");
   // What the result does not reach is not claimed.
   result.energies.push_back(start_energy);

@@ -168,26 +168,23 @@ bool PlanarStar::place(const MapView& map) {
   return placed;
 }
 
-double PlanarStar::improve(const MapView& map) {
-  if (freedoms_ == 0) return 0;
-  // In coordinates (x, y) of space along the free axes.
-  double value = 0;
-  Vector2d gradient = Vector2d::Zero();
-  Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+// Returns nothing where the star is not positive.
+std::optional<PlanarStar::Derivatives> PlanarStar::differentiate() const {
+  Derivatives now;
   for (const StarTriangle& t : triangles_) {
     const Vector2d q = flat(t, here_);
     Eigen::Matrix2d edges;
     edges << t.a - q, t.b - q;
     const Eigen::Matrix2d j = edges * t.inverse;
     const double d = j.determinant();
-    if (!(d > 0)) return 0;
+    if (!(d > 0)) return std::nullopt;
     // A step s of the vertex changes J by -s r'.
     const Vector2d r = t.inverse.colwise().sum().transpose();
     Eigen::Matrix2d cofactors;
     cofactors << j(1, 1), -j(1, 0), -j(0, 1), j(0, 0);
     const Vector2d of_norm = -2 * (j * r), of_determinant = -(cofactors * r);
     const double norm = j.squaredNorm(), inverse = 1 / (d * d);
-    value += t.weight * norm * (1 + inverse);
+    now.value += t.weight * norm * (1 + inverse);
     Vector2d g = t.weight * ((1 + inverse) * of_norm - 2 * norm * inverse / d * of_determinant);
     Eigen::Matrix2d h =
         t.weight * ((1 + inverse) * 2 * r.squaredNorm() * Eigen::Matrix2d::Identity() -
@@ -197,23 +194,28 @@ double PlanarStar::improve(const MapView& map) {
     h(0, 1) *= t.sign;
     h(1, 0) *= t.sign;
     if (freedoms_ == 2) {
-      gradient += g;
-      hessian += h;
+      now.gradient += g;
+      now.hessian += h;
     } else {
       const Eigen::Index k = t.first == axes_[0] ? 0 : 1;
-      gradient.x() += g[k];
-      hessian(0, 0) += h(k, k);
+      now.gradient.x() += g[k];
+      now.hessian(0, 0) += h(k, k);
     }
   }
+  return now;
+}
+
+// Returns nothing where there is no direction to go.
+std::optional<Vector2d> PlanarStar::newton_step(const Vector2d& gradient, Eigen::Matrix2d hessian) const {
   Vector2d step = Vector2d::Zero();
   if (freedoms_ == 1) {
-    if (hessian(0, 0) == 0) return 0;
+    if (hessian(0, 0) == 0) return std::nullopt;
     step.x() = -gradient.x() / std::abs(hessian(0, 0));
   } else {
     // Eigenvalues made positive.
     const double mean = 0.5 * (hessian(0, 0) + hessian(1, 1)), half = 0.5 * (hessian(0, 0) - hessian(1, 1));
     const double radius = std::hypot(half, hessian(0, 1));
-    if (!(mean + radius > 0)) return 0;
+    if (!(mean + radius > 0)) return std::nullopt;
     if (mean - radius < 1e-3 * (mean + radius)) {
       const double shift = std::abs(mean - radius) + 1e-3 * (mean + radius) - (mean - radius);
       hessian += shift * Eigen::Matrix2d::Identity();
@@ -223,21 +225,30 @@ double PlanarStar::improve(const MapView& map) {
                      hessian(0, 0) * gradient.y() - hessian(1, 0) * gradient.x()) /
            determinant;
   }
-  const double slope = gradient.dot(step);
+  return step;
+}
+
+double PlanarStar::improve(const MapView& map) {
+  if (freedoms_ == 0) return 0;
+  const std::optional<Derivatives> now = differentiate();
+  if (!now) return 0;
+  const std::optional<Vector2d> step = newton_step(now->gradient, now->hessian);
+  if (!step) return 0;
+  const double slope = now->gradient.dot(*step);
   if (!(slope < 0)) return 0;
   Vector3 there;
   const auto energy_after = [&](double length) {
     there = here_;
-    coordinate(there, axes_[0]) += length * step.x();
-    if (freedoms_ == 2) coordinate(there, axes_[1]) += length * step.y();
+    coordinate(there, axes_[0]) += length * step->x();
+    if (freedoms_ == 2) coordinate(there, axes_[1]) += length * step->y();
     return energy_at(there);
   };
   const auto taken =
-      base::backtrack(value, slope, {.max_trials = 12}, energy_after, [&] { return positive_at(there); });
+      base::backtrack(now->value, slope, {.max_trials = 12}, energy_after, [&] { return positive_at(there); });
   if (!taken) return 0;
   here_ = there;
   write(map);
-  return value - taken->value;
+  return now->value - taken->value;
 }
 
 }  // namespace orbicube::polycube

@@ -5,6 +5,8 @@
 // vertex within a face has two free coordinates, one on an edge of the polycube one; at a corner it has none.
 #pragma once
 
+#include <optional>
+
 #include "polycube/surface/editable_surface.h"
 
 namespace orbicube::polycube {
@@ -50,6 +52,14 @@ class PlanarStar {
   static Vector2d flat(const StarTriangle& t, const Vector3& p) {
     return {p[static_cast<Eigen::Index>(t.first)], t.sign * p[static_cast<Eigen::Index>(t.second)]};
   }
+  // Of the energy, in coordinates (x, y) of space along the free axes.
+  struct Derivatives {
+    double value = 0;
+    Vector2d gradient = Vector2d::Zero();
+    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero();
+  };
+  std::optional<Derivatives> differentiate() const;
+  std::optional<Vector2d> newton_step(const Vector2d& gradient, Eigen::Matrix2d hessian) const;
   double energy_at(const Vector3& p) const;
   bool positive_at(const Vector3& p) const;
   bool place_in_face();

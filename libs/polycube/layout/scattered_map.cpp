@@ -6,6 +6,21 @@
 #include "linear/direct/dense_system.h"
 
 namespace orbicube::polycube {
+namespace {
+
+bool span_space(std::span<const Vector3> points) {
+  const auto n = static_cast<Eigen::Index>(points.size());
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  Vector3 mean = Vector3::Zero();
+  for (const Vector3& p : points)
+    mean += p / static_cast<double>(n);
+  for (const Vector3& p : points)
+    spread += (p - mean) * (p - mean).transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread, Eigen::EigenvaluesOnly);
+  return n >= 4 && eigen.eigenvalues()[0] > 1e-6 * eigen.eigenvalues()[2];
+}
+
+}  // namespace
 
 ScatteredMap::ScatteredMap(std::span<const Vector3> points, std::span<const Vector3> images, double smoothing,
                            const base::Host& host)
@@ -27,15 +42,7 @@ ScatteredMap::ScatteredMap(std::span<const Vector3> points, std::span<const Vect
     target.push_back(images[i] - points[i]);  // what the identity misses
   }
   const auto n = static_cast<Eigen::Index>(points_.size());
-  // Whether they span the space.
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  Vector3 mean = Vector3::Zero();
-  for (const Vector3& p : points_)
-    mean += p / static_cast<double>(n);
-  for (const Vector3& p : points_)
-    spread += (p - mean) * (p - mean).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(spread, Eigen::EigenvaluesOnly);
-  const bool affine = n >= 4 && eigen.eigenvalues()[0] > 1e-6 * eigen.eigenvalues()[2];
+  const bool affine = span_space(points_);
   const Eigen::Index more = affine ? 4 : 1;
   Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + more, n + more);
   Eigen::MatrixXd rhs = Eigen::MatrixXd::Zero(n + more, 3);
