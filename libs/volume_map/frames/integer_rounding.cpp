@@ -10,6 +10,136 @@
 namespace orbicube::volume_map {
 namespace {
 
+struct InBound {
+  Index bound;
+  int factor;
+};
+
+// The search by branches, depth first: values of each variable in the order of their cost, as long as the cost stays
+// below the best.
+class Branches {
+ public:
+  // Variables are chosen in this order; there must be one. `bounds_of` has the bounds of each.
+  Branches(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& best, std::span<const Index> order,
+           const IntegerForms& forms, std::span<const LowerBound> bounds, const base::Groups<InBound>& bounds_of,
+           const base::Host& host)
+      : order_(order),
+        bounds_(bounds),
+        bounds_of_(bounds_of),
+        host_(host),
+        count_(order.size()),
+        centre_(best.size()),
+        nothing_(1e-5 * curvature.trace() / static_cast<double>(order.size())),
+        value_(count_, 0, host.memory),
+        middle_(count_, 0, host.memory),
+        above_(count_ + 1, 0, host.memory),
+        tried_(count_, 0, host.memory),
+        open_(bounds.size(), 0, host.memory),
+        sums_(bounds.size(), 0, host.memory) {
+    // Of the permuted curvature R' R the last variable is the first to be chosen: the one that was rounded first.
+    Eigen::MatrixXd permuted(best.size(), best.size());
+    for (std::size_t i = 0; i < count_; ++i) {
+      centre_[static_cast<Eigen::Index>(i)] = best[at(i)];
+      for (std::size_t j = 0; j < count_; ++j)
+        permuted(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = curvature(at(i), at(j));
+    }
+    const Eigen::LLT<Eigen::MatrixXd> factor(permuted);
+    factored_ = factor.info() == Eigen::Success;
+    if (factored_) r_ = factor.matrixU();
+    for (std::size_t b = 0; b < bounds.size(); ++b)
+      open_[b] = forms.terms(bounds[b].form).size();
+  }
+
+  // Returns whether the curvature was positive definite in floating point. Otherwise nothing can be searched.
+  bool factored() const { return factored_; }
+
+  // Sets `found` to values that meet all bounds at less cost than `least`, and that to their cost, where it finds some.
+  // Returns whether it came to its end. May be called once.
+  bool search(std::uint64_t max_nodes, double& least, Eigen::VectorXd& found) {
+    std::uint64_t nodes = 0;
+    std::size_t level = count_ - 1;
+    enter(level);
+    while (nodes < max_nodes) {
+      if (++nodes % 256 == 0) host_.report("round", nodes, max_nodes);
+      const int step = choose_next(level);
+      const auto row = static_cast<Eigen::Index>(level);
+      const double off = r_(row, row) * (value_[level] - middle_[level]);
+      const double total = above_[level + 1] + off * off;
+      // Where the whole lies costs nothing: one place is as good as another.
+      const bool idle = step > 0 && r_(row, row) * r_(row, row) < nothing_;
+      if (idle || total >= least * (1 - 1e-12)) {
+        if (++level == count_) return true;
+        account(level, -1);
+        continue;
+      }
+      if (!account(level, 1)) {
+        account(level, -1);
+        // Beyond some cells a bound may rule out one side for ever; the cost ends that.
+        continue;
+      }
+      if (level == 0) {
+        least = total;
+        for (std::size_t i = 0; i < count_; ++i)
+          found[at(i)] = value_[i];
+        account(0, -1);
+        continue;
+      }
+      above_[level] = total;
+      enter(--level);
+    }
+    return false;
+  }
+
+ private:
+  Eigen::Index at(std::size_t level) const { return static_cast<Eigen::Index>(order_[count_ - 1 - level]); }
+
+  void enter(std::size_t level) {
+    double sum = 0;
+    const auto row = static_cast<Eigen::Index>(level);
+    for (std::size_t j = level + 1; j < count_; ++j) {
+      const auto column = static_cast<Eigen::Index>(j);
+      sum += r_(row, column) * (value_[j] - centre_[column]);
+    }
+    middle_[level] = centre_[row] - sum / r_(row, row);
+    tried_[level] = 0;
+  }
+
+  // Sets the next value around the middle: nearest, then on both sides in turn. Returns how many there were before.
+  int choose_next(std::size_t level) {
+    const double nearest = std::round(middle_[level]);
+    const int step = tried_[level]++;
+    const double side = middle_[level] >= nearest ? 1 : -1;
+    value_[level] = nearest + (step % 2 == 1 ? side : -side) * ((step + 1) / 2);
+    return step;
+  }
+
+  // Adds a value to the bounds of its variable, or takes it away. Returns whether those that are complete are met.
+  bool account(std::size_t level, int direction) {
+    bool met = true;
+    const auto variable = static_cast<std::size_t>(at(level));
+    for (const auto& [b, times] : bounds_of_[variable]) {
+      sums_[b] += direction * times * value_[level];
+      open_[b] -= static_cast<std::size_t>(direction);
+      met = met && (open_[b] > 0 || sums_[b] >= bounds_[b].least);
+    }
+    return met;
+  }
+
+  std::span<const Index> order_;
+  std::span<const LowerBound> bounds_;
+  const base::Groups<InBound>& bounds_of_;
+  const base::Host& host_;
+  std::size_t count_;
+  Eigen::VectorXd centre_;
+  Eigen::MatrixXd r_;
+  bool factored_ = false;
+  double nothing_;                        // the curvature of a direction in which all places are as good
+  Array<double> value_, middle_, above_;  // of each level, the last one the first to be chosen
+  Array<int> tried_;
+  Array<std::size_t> open_;  // of each bound: variables that are not chosen
+  Array<double> sums_;
+};
+
 class Search {
  public:
   Search(const Eigen::MatrixXd& curvature, const Eigen::VectorXd& best, const IntegerForms& forms,
@@ -120,94 +250,16 @@ class Search {
     }
   }
 
-  // Depth first, values of each variable in the order of their cost, as long as the cost stays below the best.
+  // Returns whether a search by branches came to its end.
   bool branch(std::uint64_t max_nodes) {
-    const auto count = static_cast<std::size_t>(best_.size());
-    if (count == 0) return true;
-    // Of the permuted curvature R' R the last variable is the first to be chosen: the one that was rounded first.
-    Eigen::MatrixXd permuted(best_.size(), best_.size());
-    Eigen::VectorXd centre(best_.size());
-    const auto at = [&](std::size_t level) { return static_cast<Eigen::Index>(order_[count - 1 - level]); };
-    for (std::size_t i = 0; i < count; ++i) {
-      centre[static_cast<Eigen::Index>(i)] = best_[at(i)];
-      for (std::size_t j = 0; j < count; ++j)
-        permuted(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = curvature_(at(i), at(j));
-    }
-    const Eigen::LLT<Eigen::MatrixXd> factor(permuted);
-    if (factor.info() != Eigen::Success) return false;
-    const Eigen::MatrixXd r = factor.matrixU();
-    const double nothing = 1e-5 * curvature_.trace() / static_cast<double>(count);
+    if (best_.size() == 0) return true;
+    Branches branches(curvature_, best_, order_, forms_, bounds_, bounds_of_, host_);
+    if (!branches.factored()) return false;
     double least = violation() > 0 ? std::numeric_limits<double>::infinity() : cost();
     Eigen::VectorXd found = now_;
-    Array<double> value(count, 0, host_.memory), middle(count, 0, host_.memory), above(count + 1, 0, host_.memory);
-    Array<int> tried(count, 0, host_.memory);
-    Array<std::size_t> open(bounds_.size(), 0, host_.memory);
-    for (std::size_t b = 0; b < bounds_.size(); ++b) {
-      open[b] = forms_.terms(bounds_[b].form).size();
-      sums_[b] = 0;
-    }
-    const auto enter = [&](std::size_t level) {
-      double sum = 0;
-      const auto row = static_cast<Eigen::Index>(level);
-      for (std::size_t j = level + 1; j < count; ++j) {
-        const auto column = static_cast<Eigen::Index>(j);
-        sum += r(row, column) * (value[j] - centre[column]);
-      }
-      middle[level] = centre[row] - sum / r(row, row);
-      tried[level] = 0;
-    };
-    // Adds a value to the bounds of its variable, or takes it away. Returns whether those that are complete are met.
-    const auto account = [&](std::size_t level, int direction) {
-      bool met = true;
-      const auto variable = static_cast<std::size_t>(at(level));
-      for (const auto& [b, times] : bounds_of_[variable]) {
-        sums_[b] += direction * times * value[level];
-        open[b] -= static_cast<std::size_t>(direction);
-        met = met && (open[b] > 0 || sums_[b] >= bounds_[b].least);
-      }
-      return met;
-    };
-    std::uint64_t nodes = 0;
-    std::size_t level = count - 1;
-    enter(level);
-    bool complete = false;
-    while (nodes < max_nodes) {
-      if (++nodes % 256 == 0) host_.report("round", nodes, max_nodes);
-      // The next value around the middle: nearest, then on both sides in turn.
-      const double nearest = std::round(middle[level]);
-      const int step = tried[level]++;
-      const double side = middle[level] >= nearest ? 1 : -1;
-      value[level] = nearest + (step % 2 == 1 ? side : -side) * ((step + 1) / 2);
-      const auto row = static_cast<Eigen::Index>(level);
-      const double off = r(row, row) * (value[level] - middle[level]);
-      const double total = above[level + 1] + off * off;
-      // Where the whole lies costs nothing: one place is as good as another.
-      const bool idle = step > 0 && r(row, row) * r(row, row) < nothing;
-      if (idle || total >= least * (1 - 1e-12)) {
-        if (++level == count) {
-          complete = true;
-          break;
-        }
-        account(level, -1);
-        continue;
-      }
-      if (!account(level, 1)) {
-        account(level, -1);
-        // Beyond some cells a bound may rule out one side for ever; the cost ends that.
-        continue;
-      }
-      if (level == 0) {
-        least = total;
-        for (std::size_t i = 0; i < count; ++i)
-          found[at(i)] = value[i];
-        account(0, -1);
-        continue;
-      }
-      above[level] = total;
-      enter(--level);
-    }
-    for (std::size_t i = 0; i < count; ++i)
-      now_[static_cast<Eigen::Index>(i)] = 0;
+    const bool complete = branches.search(max_nodes, least, found);
+    for (Eigen::Index i = 0; i < found.size(); ++i)
+      now_[i] = 0;
     std::fill(sums_.begin(), sums_.end(), 0.0);
     for (Eigen::Index i = 0; i < found.size(); ++i)
       set(i, found[i]);
@@ -227,11 +279,6 @@ class Search {
   }
 
  private:
-  struct InBound {
-    Index bound;
-    int factor;
-  };
-
   void set(Eigen::Index i, double value) {
     for (const auto& [b, factor] : bounds_of_[static_cast<std::size_t>(i)])
       sums_[b] += factor * (value - now_[i]);

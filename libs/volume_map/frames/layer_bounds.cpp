@@ -46,10 +46,8 @@ class Walk {
     for (int step = 0; step < most; ++step) {
       host_.report("layers", 0, 0);
       const Tetrahedron& corners = connectivity_.tetrahedra()[t];
-      Eigen::Matrix3d edges;
       const Vector3& origin = positions_[corners[0]];
-      edges << positions_[corners[1]] - origin, positions_[corners[2]] - origin, positions_[corners[3]] - origin;
-      const Eigen::Matrix3d inverse = edges.inverse();
+      const Eigen::Matrix3d inverse = inverse_edges(corners);
       const Vector3 d = direction * axis_of(t, axis);
       const Vector3 place = inverse * (x - origin), rate = inverse * d;
       const std::array<double, 4> weights = {1 - place.sum(), place[0], place[1], place[2]};
@@ -70,15 +68,7 @@ class Walk {
         if (along > 0 && (to - along * d).norm() < reach_) met = meet(v) || met;
       }
       if (met) return;
-      Index exit = no_index;
-      double least = std::numeric_limits<double>::infinity();
-      for (Index k = 0; k < 4; ++k) {
-        if (4 * t + k == entered || rates[k] >= 0) continue;
-        const double length = std::max(0.0, weights[k]) / -rates[k];
-        if (length >= least) continue;
-        least = length;
-        exit = 4 * t + k;
-      }
+      const auto [exit, least] = exit_of(t, entered, weights, rates);
       if (exit == no_index) return;
       x += least * d;
       const Index other = connectivity_.opposite(exit);
@@ -145,6 +135,31 @@ class Walk {
     Index form;
     Vector3 from, to;
   };
+
+  // Returns the inverse of the matrix of edges from the first corner.
+  Eigen::Matrix3d inverse_edges(const Tetrahedron& corners) const {
+    const Vector3& origin = positions_[corners[0]];
+    Eigen::Matrix3d edges;
+    edges << positions_[corners[1]] - origin, positions_[corners[2]] - origin, positions_[corners[3]] - origin;
+    return edges.inverse();
+  }
+
+  struct Exit {
+    Index face = no_index;
+    double length = std::numeric_limits<double>::infinity();
+  };
+  // Returns the face by which one leaves a tetrahedron, by barycentric weights and their rates, and how far it is.
+  static Exit exit_of(Index t, Index entered, const std::array<double, 4>& weights,
+                      const std::array<double, 4>& rates) {
+    Exit exit;
+    for (Index k = 0; k < 4; ++k) {
+      if (4 * t + k == entered || rates[k] >= 0) continue;
+      const double length = std::max(0.0, weights[k]) / -rates[k];
+      if (length >= exit.length) continue;
+      exit = {4 * t + k, length};
+    }
+    return exit;
+  }
 
   // The form of one coordinate of the gap beyond a face.
   Index gap_of(Index face, std::size_t axis) {

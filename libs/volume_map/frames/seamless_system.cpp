@@ -91,11 +91,13 @@ class Builder {
     return back;
   }
 
-  // All copies of a vertex by its first one, and what comes of going round.
-  void relate_copies() {
-    struct Link {
-      Index from, to, face;
-    };
+  // From one copy of a vertex to another, across a face that is cut.
+  struct Link {
+    Index from, to, face;
+  };
+
+  // Returns the links of all copies, sorted, one of a kind: with the same ends and the same sheet.
+  Array<Link> find_links() const {
     Array<Link> links(host_.memory);
     for (Index face = 0; face < connectivity_.face_count(); ++face) {
       if (cut_.sheet[face] == no_index) continue;
@@ -104,7 +106,6 @@ class Builder {
         links.push_back({cut_.copies[face / 4][connectivity_.corner_of(face / 4, v)],
                          cut_.copies[other][connectivity_.corner_of(other, v)], face});
     }
-    // One link of a kind: with the same ends and the same sheet.
     const auto key = [&](const Link& l) {
       return std::array{l.from, l.to, cut_.sheet[l.face], Index{cut_.forward[l.face]}};
     };
@@ -112,6 +113,27 @@ class Builder {
               [&](const Link& a, const Link& b) { return std::pair(key(a), a.face) < std::pair(key(b), b.face); });
     links.erase(std::unique(links.begin(), links.end(), [&](const Link& a, const Link& b) { return key(a) == key(b); }),
                 links.end());
+    return links;
+  }
+
+  // A copy that is reached again, with this turn and shift: both ways say the same, (M - M') f + shift - shift' = 0.
+  void add_loop_equations(Index copy, std::uint8_t turn, const Forms3& shift) {
+    for (std::size_t a = 0; a < 3; ++a) {
+      VertexEquation e{cut_.vertex_of_copy[copy], {}, forms_.sum(shift[a], 1, shift_[copy][a], -1)};
+      for (std::size_t b = 0; b < 3; ++b) {
+        e.factor[b] = cube_group.matrix[turn][3 * a + b] - cube_group.matrix[turn_[copy]][3 * a + b];
+        if (e.factor[b] != 0) integer_[3 * e.vertex + b] = 1;
+      }
+      if (e.factor == std::array<int, 3>{})
+        equations_.push_back(e.form);
+      else
+        vertex_equations_.push_back(e);
+    }
+  }
+
+  // All copies of a vertex by its first one, and what comes of going round.
+  void relate_copies() {
+    const Array<Link> links = find_links();
     Array<Index> begin(turn_.size() + 1, 0, host_.memory);
     for (const Link& l : links)
       ++begin[l.from + 1];
@@ -146,18 +168,7 @@ class Builder {
             queue.push_back(to);
             continue;
           }
-          // Both ways say the same: (M - M') f + shift - shift' = 0.
-          for (std::size_t a = 0; a < 3; ++a) {
-            VertexEquation e{cut_.vertex_of_copy[root], {}, forms_.sum(shift[a], 1, shift_[to][a], -1)};
-            for (std::size_t b = 0; b < 3; ++b) {
-              e.factor[b] = cube_group.matrix[turn][3 * a + b] - cube_group.matrix[turn_[to]][3 * a + b];
-              if (e.factor[b] != 0) integer_[3 * e.vertex + b] = 1;
-            }
-            if (e.factor == std::array<int, 3>{})
-              equations_.push_back(e.form);
-            else
-              vertex_equations_.push_back(e);
-          }
+          add_loop_equations(to, turn, shift);
         }
       }
     }

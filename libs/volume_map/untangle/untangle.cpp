@@ -76,6 +76,43 @@ Array<double> values_of(const Variables& variables, std::span<const Vector3> pos
   return values;
 }
 
+// Moves all vertices until nothing is inverted, or to where the fewest elements are. Far from a solution a large eps
+// finds the way, unless all may collapse.
+void untangle_everywhere(Newton& newton, const Variables& variables, int steps, std::pmr::memory_resource* memory) {
+  Array<double> best(newton.values().begin(), newton.values().end(), memory);
+  std::size_t fewest = newton.now().inverted;
+  bool first = true;
+  for (const auto& [max_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
+    if (newton.now().inverted == 0) break;
+    if (!first) newton.restart(variables.start());
+    first = false;
+    newton.untangle(steps, max_eps, patience, {});
+    if (newton.now().inverted < fewest) {
+      fewest = newton.now().inverted;
+      best.assign(newton.values().begin(), newton.values().end());
+    }
+  }
+  if (newton.now().inverted > fewest) newton.restart(best);
+}
+
+// Fills in the energy of the result and the range of its determinants.
+void measure_energy(std::span<const Element> elements, double volume_weight, Untangled& result) {
+  double weights = 0, sum = 0;
+  result.min_determinant = std::numeric_limits<double>::infinity();
+  result.max_determinant = -result.min_determinant;
+  for (const Element& element : elements) {
+    const Eigen::Matrix3d j = element.jacobian(result.positions);
+    const double d = j.determinant();
+    result.min_determinant = std::min(result.min_determinant, d);
+    result.max_determinant = std::max(result.max_determinant, d);
+    weights += element.weight;
+    const double root = std::cbrt(d);
+    sum += d > 0 ? element.weight * (j.squaredNorm() / (root * root) + volume_weight * (1 + d * d) / d)
+                 : std::numeric_limits<double>::infinity();
+  }
+  result.energy = sum / weights;
+}
+
 }  // namespace
 
 InvertedCount count_inverted(std::span<const Tetrahedron> tetrahedra, std::span<const Vector3> positions,
@@ -114,21 +151,8 @@ Untangled untangle(const UntangleProblem& mesh, const UntangleOptions& options, 
   const LocalUntangling local = untangle_locally(elements, held_of(mesh, host.memory), options.volume_weight,
                                                  options.steps, result.positions, host);
   if (local.done) newton.restart(values_of(variables, result.positions, host.memory));
-  // Otherwise everything does. Far from a solution a large eps finds the way, unless all may collapse.
-  Array<double> best(newton.values().begin(), newton.values().end(), host.memory);
-  std::size_t fewest = newton.now().inverted;
-  bool first = true;
-  for (const auto& [max_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
-    if (newton.now().inverted == 0) break;
-    if (!first) newton.restart(variables.start());
-    first = false;
-    newton.untangle(options.steps, max_eps, patience, {});
-    if (newton.now().inverted < fewest) {
-      fewest = newton.now().inverted;
-      best.assign(newton.values().begin(), newton.values().end());
-    }
-  }
-  if (newton.now().inverted > fewest) newton.restart(best);
+  // Otherwise all vertices do.
+  untangle_everywhere(newton, variables, options.steps, host.memory);
   result.steps = newton.steps() + local.steps;
   certify();
   if (newton.now().inverted == 0 && (options.polish_steps > 0 || result.inverted > 0)) {
@@ -145,20 +169,7 @@ Untangled untangle(const UntangleProblem& mesh, const UntangleOptions& options, 
       result.first_inverted = found.first;
     }
   }
-  double weights = 0, sum = 0;
-  result.min_determinant = std::numeric_limits<double>::infinity();
-  result.max_determinant = -result.min_determinant;
-  for (const Element& element : elements) {
-    const Eigen::Matrix3d j = element.jacobian(result.positions);
-    const double d = j.determinant();
-    result.min_determinant = std::min(result.min_determinant, d);
-    result.max_determinant = std::max(result.max_determinant, d);
-    weights += element.weight;
-    const double root = std::cbrt(d);
-    sum += d > 0 ? element.weight * (j.squaredNorm() / (root * root) + options.volume_weight * (1 + d * d) / d)
-                 : std::numeric_limits<double>::infinity();
-  }
-  result.energy = sum / weights;
+  measure_energy(elements, options.volume_weight, result);
   return result;
 }
 
