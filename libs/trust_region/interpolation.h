@@ -96,8 +96,16 @@ class Interpolation {
   void copy_inverse_row(std::size_t row, double* to) const;
   void quadratic(const double* coefficients, double* gradient, double* hessian) const;
   void move_gradient(const double* coefficients, double* gradient) const;
+
+  // interpolation_rebuild.cpp
+  std::size_t other(std::size_t j) const { return j < best_ ? j : j - 1; }  // number of j without the best point
+  bool measure_offsets(double* lengths, double& mean) const;
+  void assemble_system(const double* lengths, double mean);
+  bool invert_system(std::size_t count);
   double residual(std::size_t count);
   bool refine(std::size_t count);
+  void restore_units(const double* inverse, const double* lengths, double mean);
+  void complete_best_row();
 
   std::size_t n_, capacity_ = 0, stride_ = 0;
   std::size_t size_ = 0, best_ = 0;

@@ -161,71 +161,92 @@ void QuadraticStep::reduce(std::size_t size, const double* gradient) {
   tridiagonal_.to_reduced(gradient_.data());
 }
 
-// More and Sorensen 1983, section 3: Newton's iteration for the shift at which |s(shift)| = radius on 1 / |s| - 1 /
-// radius, which is nearly linear, within a bracket; where s stays short although T + shift I is nearly singular (the
-// hard case), the lowest eigenvector is added. The quadratic is multiplied by `sign`.
-void QuadraticStep::minimise_in_ball(double sign, std::size_t size, double radius, double* s) {
-  std::fill_n(s, size, 0.0);
-  if (!tractable_ || !(radius > 0)) return;
-  double* diagonal = diagonal_.data();
-  double* below = below_.data();
-  double* right = rotated_.data();
+// The reduced quadratic, multiplied by `sign`: into diagonal_ and below_ its matrix, into rotated_ minus its gradient.
+void QuadraticStep::take_sign(double sign, std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
-    diagonal[i] = sign * tridiagonal_.diagonal()[i];
-    if (i + 1 < size) below[i] = sign * tridiagonal_.below()[i];
-    right[i] = -sign * gradient_[i];
+    diagonal_[i] = sign * tridiagonal_.diagonal()[i];
+    if (i + 1 < size) below_[i] = sign * tridiagonal_.below()[i];
+    rotated_[i] = -sign * gradient_[i];
   }
-  const double slope = slope_;
+}
 
-  // Gershgorin's bounds of the eigenvalues, and from them of the shift.
+// Gershgorin's bounds of the eigenvalues, and from them of the shift.
+QuadraticStep::Bracket QuadraticStep::bracket_of_shift(std::size_t size, double radius) const {
   double bottom = std::numeric_limits<double>::infinity(), top = -bottom, least = bottom;
   for (std::size_t i = 0; i < size; ++i) {
-    const double reach = (i > 0 ? std::abs(below[i - 1]) : 0.0) + (i + 1 < size ? std::abs(below[i]) : 0.0);
-    bottom = std::min(bottom, diagonal[i] - reach);
-    top = std::max(top, diagonal[i] + reach);
-    least = std::min(least, diagonal[i]);
+    const double reach = (i > 0 ? std::abs(below_[i - 1]) : 0.0) + (i + 1 < size ? std::abs(below_[i]) : 0.0);
+    bottom = std::min(bottom, diagonal_[i] - reach);
+    top = std::max(top, diagonal_[i] + reach);
+    least = std::min(least, diagonal_[i]);
   }
   const double scale = std::max(std::abs(bottom), std::abs(top));
-  double low = std::max({0.0, -least, slope / radius - top});
-  double high = std::max(slope / radius - bottom, 0.0) + 1e-12 * scale + 1e-300;
-  double shift = low;
+  return {.low = std::max({0.0, -least, slope_ / radius - top}),
+          .high = std::max(slope_ / radius - bottom, 0.0) + 1e-12 * scale + 1e-300,
+          .scale = scale};
+}
+
+// The next shift where T + shift I is not positive definite.
+double QuadraticStep::raise_shift(Bracket& bracket, double shift, int iteration) {
+  bracket.low = std::max(bracket.low, shift);
+  shift = bracket.middle();
+  if (shift <= bracket.low || shift > bracket.high)
+    shift = bracket.low + std::max(1e-14 * bracket.scale, 1e-300) * (iteration + 1);
+  bracket.high = std::max(bracket.high, shift);
+  return shift;
+}
+
+// The hard case: s, of a length below the radius, gets t z, with z near the lowest eigenvector, so that it ends on the
+// sphere, if that is good enough; how much worse than the best it can be is known (More and Sorensen, section 3.2).
+// Returns whether it was.
+bool QuadraticStep::add_lowest_direction(const Bracket& bracket, double shift, std::size_t size, double radius,
+                                         double length, double* s) {
+  double* z = derivative_.data();
+  const double curvature = lowest_direction(size, z);
+  const double along = dot(s, z, size), missing = radius * radius - length * length;
+  const double root = std::sqrt(along * along + missing), t = missing / (along + (along < 0 ? -root : root));
+  const double value = shift * radius * radius + dot(s, rotated_.data(), size);  // twice the model's reduction by s
+  if (!(t * t * curvature <= accuracy_of_value * value || bracket.high - bracket.low <= 1e-14 * bracket.scale))
+    return false;
+  add_scaled(s, t, z, size);
+  return true;
+}
+
+// More and Sorensen 1983, section 3: Newton's iteration for the shift at which |s(shift)| = radius on 1 / |s| - 1 /
+// radius, which is nearly linear, within a bracket; where s stays short although T + shift I is nearly singular (the
+// hard case), the lowest eigenvector is added.
+void QuadraticStep::find_shift(std::size_t size, double radius, double* s) {
+  Bracket bracket = bracket_of_shift(size, radius);
+  double shift = bracket.low;
   double* z = derivative_.data();
   for (int iteration = 0; iteration < 100; ++iteration) {
     if (!factorise(size, shift)) {
-      low = std::max(low, shift);
-      shift = std::max(std::sqrt(low * high), low + 0.01 * (high - low));
-      if (shift <= low || shift > high) shift = low + std::max(1e-14 * scale, 1e-300) * (iteration + 1);
-      high = std::max(high, shift);
+      shift = raise_shift(bracket, shift, iteration);
       continue;
     }
-    solve(size, right, s);
+    solve(size, rotated_.data(), s);
     const double length = norm(s, size);
     if (length <= radius && shift == 0) break;
     if (std::abs(length - radius) <= accuracy_of_length * radius) break;
     if (length > radius) {
-      low = shift;
+      bracket.low = shift;
     } else {
-      high = shift;
-      // s + t z on the sphere; how much worse than the best it can be is known (section 3.2 there).
-      const double curvature = lowest_direction(size, z);
-      const double along = dot(s, z, size), missing = radius * radius - length * length;
-      const double root = std::sqrt(along * along + missing), t = missing / (along + (along < 0 ? -root : root));
-      const double value = shift * radius * radius + dot(s, right, size);  // twice the reduction of the model by s
-      if (t * t * curvature <= accuracy_of_value * value || high - low <= 1e-14 * scale) {
-        add_scaled(s, t, z, size);
-        break;
-      }
+      bracket.high = shift;
+      if (add_lowest_direction(bracket, shift, size, radius, length, s)) break;
     }
     solve(size, s, z);
-    const double next = shift + dot(s, s, size) / dot(s, z, size) * (length - radius) / radius;
-    if (next > low && next < high) {
-      shift = next;
-    } else {
-      const double middle = std::max(std::sqrt(low * high), low + 0.01 * (high - low));
-      if (!(middle > low && middle < high)) break;
-      shift = middle;
-    }
+    shift += dot(s, s, size) / dot(s, z, size) * (length - radius) / radius;
+    if (shift > bracket.low && shift < bracket.high) continue;
+    shift = bracket.middle();
+    if (!(shift > bracket.low && shift < bracket.high)) break;
   }
+}
+
+// The quadratic is multiplied by `sign`.
+void QuadraticStep::minimise_in_ball(double sign, std::size_t size, double radius, double* s) {
+  std::fill_n(s, size, 0.0);
+  if (!tractable_ || !(radius > 0)) return;
+  take_sign(sign, size);
+  find_shift(size, radius, s);
   const double length = norm(s, size);
   if (!std::isfinite(length)) {
     std::fill_n(s, size, 0.0);

@@ -3,6 +3,8 @@
 // method: unknowns that the solution on the free ones would take across a bound are fixed there, one at a time.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory_resource>
@@ -24,10 +26,23 @@ class QuadraticStep {
                              const double* upper, double* lowest, double* highest);
 
  private:
+  // Of the shift, and the magnitude of the eigenvalues.
+  struct Bracket {
+    double low, high, scale;
+
+    double middle() const { return std::max(std::sqrt(low * high), low + 0.01 * (high - low)); }
+  };
+
   void minimise_in_box(double sign, const double* gradient, const double* matrix, double radius, const double* lower,
                        const double* upper, double* s);
   void reduce(std::size_t size, const double* gradient);
   void minimise_in_ball(double sign, std::size_t size, double radius, double* s);
+  void take_sign(double sign, std::size_t size);
+  void find_shift(std::size_t size, double radius, double* s);
+  Bracket bracket_of_shift(std::size_t size, double radius) const;
+  static double raise_shift(Bracket& bracket, double shift, int iteration);
+  bool add_lowest_direction(const Bracket& bracket, double shift, std::size_t size, double radius, double length,
+                            double* s);
   bool factorise(std::size_t size, double shift);
   void solve(std::size_t size, const double* right, double* x) const;
   double lowest_direction(std::size_t size, double* z);

@@ -131,7 +131,11 @@ class Solver {
   // start.cpp
   Request begin();
   Request begin_around(std::size_t keep);
+  void exchange_points(std::size_t a, std::size_t b);
+  bool extend_basis(std::size_t& count, double least);
+  std::size_t nearest_point(std::size_t first, double* distance) const;
   void plan_axes();
+  void list_uncovered_axes(std::size_t count);
   Request next_of_start();
   Request take_start();
   double axis_step(const double* center, std::size_t axis, double length) const;
@@ -158,6 +162,12 @@ class Solver {
 
   // geometry.cpp
   Request improve_geometry();
+  Request leave_geometry();
+  void put_candidate(double part);
+  Request ask_geometry();
+  double lagrange_at(const double* s) const;
+  double maximize_lagrange(double radius);
+  double maximize_lagrange_along_lines(double radius, double most);
   Request take_geometry();
 
   // metric.cpp

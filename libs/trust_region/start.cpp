@@ -137,73 +137,88 @@ Request Solver::begin_around(std::size_t keep) {
   return next_of_start();
 }
 
+// Exchanges two points with their values.
+void Solver::exchange_points(std::size_t a, std::size_t b) {
+  if (a == b) return;
+  std::copy_n(interpolation_.point(a), variables_.free_size(), candidate_.data());
+  interpolation_.place(a, interpolation_.point(b));
+  interpolation_.place(b, candidate_.data());
+  std::copy_n(models_.row(a), outputs(), error_.data());
+  models_.move(b, a);
+  models_.store(b, error_.data());
+  std::swap(values_[a], values_[b]);
+}
+
+// Adds the direction in move_ to the `count` orthonormal rows of basis_ when more than `least` of it is new; move_ gets
+// its new part.
+bool Solver::extend_basis(std::size_t& count, double least) {
+  const std::size_t n = variables_.free_size();
+  const double length = norm(move_.data(), n);
+  if (!(length > 0) || count == n) return false;
+  for (int twice = 0; twice < 2; ++twice) {
+    for (std::size_t k = 0; k < count; ++k)
+      add_scaled(move_.data(), -dot(basis_.data() + k * n, move_.data(), n), basis_.data() + k * n, n);
+  }
+  const double rest = norm(move_.data(), n);
+  if (!(rest > least * length)) return false;
+  for (std::size_t i = 0; i < n; ++i)
+    basis_[count * n + i] = move_[i] / rest;
+  ++count;
+  return true;
+}
+
+// The point nearest to the best one of those from `first` on, and its distance.
+std::size_t Solver::nearest_point(std::size_t first, double* distance) const {
+  std::size_t nearest = interpolation_.size();
+  *distance = 0;
+  for (std::size_t j = first; j < interpolation_.size(); ++j) {
+    const double away = interpolation_.distance_to_best(j);
+    if (away >= 0 && (nearest == interpolation_.size() || away < *distance)) {
+      nearest = j;
+      *distance = away;
+    }
+  }
+  return nearest;
+}
+
 // Keeps points near the best whose directions are independent, nearest first, and lists the axes that complete them.
 void Solver::plan_axes() {
   const std::size_t n = variables_.free_size(), size = interpolation_.size();
-  std::size_t kept = 0, count = 0;
-  // The best first.
-  const auto exchange = [&](std::size_t a, std::size_t b) {
-    if (a == b) return;
-    std::copy_n(interpolation_.point(a), n, candidate_.data());
-    interpolation_.place(a, interpolation_.point(b));
-    interpolation_.place(b, candidate_.data());
-    std::copy_n(models_.row(a), outputs(), error_.data());
-    models_.move(b, a);
-    models_.store(b, error_.data());
-    std::swap(values_[a], values_[b]);
-  };
-  exchange(0, interpolation_.best());
+  exchange_points(0, interpolation_.best());
   interpolation_.set_best(0);
-  // Adds the direction to the orthonormal basis when enough of it is new; its new part is in move_.
-  const auto extends = [&](double least) {
-    const double length = norm(move_.data(), n);
-    if (!(length > 0) || count == n) return false;
-    for (int twice = 0; twice < 2; ++twice) {
-      for (std::size_t k = 0; k < count; ++k)
-        add_scaled(move_.data(), -dot(basis_.data() + k * n, move_.data(), n), basis_.data() + k * n, n);
-    }
-    const double rest = norm(move_.data(), n);
-    if (!(rest > least * length)) return false;
-    for (std::size_t i = 0; i < n; ++i)
-      basis_[count * n + i] = move_[i] / rest;
-    ++count;
-    return true;
-  };
-  for (kept = 1; kept < size && count < n;) {
-    std::size_t nearest = size;
-    double least = 0;
-    for (std::size_t j = kept; j < size; ++j) {
-      const double away = interpolation_.distance_to_best(j);
-      if (away >= 0 && (nearest == size || away < least)) {
-        nearest = j;
-        least = away;
-      }
-    }
-    if (least > 10 * state_.radius) break;
+  std::size_t kept = 1, count = 0;
+  while (kept < size && count < n) {
+    double away = 0;
+    const std::size_t nearest = nearest_point(kept, &away);
+    if (away > 10 * state_.radius) break;
     for (std::size_t i = 0; i < n; ++i)
       move_[i] = interpolation_.point(nearest)[i] - interpolation_.point(0)[i];
-    if (extends(0.1)) {
-      exchange(kept, nearest);
+    if (extend_basis(count, 0.1)) {
+      exchange_points(kept, nearest);
       ++kept;
     } else {
       // Too much like the others: it goes behind and is forgotten.
-      exchange(nearest, size - 1);
+      exchange_points(nearest, size - 1);
       interpolation_.resize(size - 1);
       return plan_axes();
     }
   }
   interpolation_.resize(kept);
-  if (kept == 1) {
-    // Nothing is covered: every axis, in order.
-    state_.axes_next = state_.start_tries = 0;
-    state_.axes_end = n;
-    for (std::size_t i = 0; i < n; ++i)
-      axes_[i] = static_cast<std::uint32_t>(i);
-    return;
-  }
-  // The axes with the largest part outside of what is covered.
   state_.axes_next = state_.axes_end = 0;
   state_.start_tries = 0;
+  if (kept > 1) {
+    list_uncovered_axes(count);
+    return;
+  }
+  // Nothing is covered: every axis, in order.
+  state_.axes_end = n;
+  for (std::size_t i = 0; i < n; ++i)
+    axes_[i] = static_cast<std::uint32_t>(i);
+}
+
+// The axes with the largest part outside of the `count` rows of basis_, which they extend.
+void Solver::list_uncovered_axes(std::size_t count) {
+  const std::size_t n = variables_.free_size();
   while (count < n) {
     std::size_t axis = 0;
     double most = -1;
@@ -218,7 +233,7 @@ void Solver::plan_axes() {
     }
     std::fill(move_.begin(), move_.end(), 0.0);
     move_[axis] = 1;
-    if (!extends(0)) break;
+    if (!extend_basis(count, 0)) break;
     axes_[state_.axes_end++] = static_cast<std::uint32_t>(axis);
   }
 }
