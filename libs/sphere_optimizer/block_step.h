@@ -8,9 +8,9 @@
 //   void for_each_neighbor(block, visit) const            visit(other) for each block whose terms contain this one
 // and may have
 //   double value_gradient_and_hessian(block, gradient, hessian) const  d x d: makes each step a Newton step
-//   bool minimizer(block, x) const                         x becomes the best place in closed form; true if there is
-//   one double longest_angle(block, direction) const           how far along the unit tangent the energy may be
-//   evaluated bool valid(block, x) const                             whether x may be taken at all
+//   bool minimizer(block, x) const                x becomes the best place in closed form; true if there is one
+//   double longest_angle(block, direction) const  how far along the unit tangent the energy may be evaluated
+//   bool valid(block, x) const                    whether x may be taken at all
 // Values and gradients that are not finite are taken for places where the block cannot be.
 //
 // The step is the dissertation's Algorithm 2 with its flaws mended: it goes along the tangent gradient (or Newton's
@@ -60,8 +60,8 @@ concept HasHessian = requires(const Energy& energy, double* out) {
   energy.value_gradient_and_hessian(0, out, out);
 };
 template <class Energy>
-concept HasMinimiser = requires(const Energy& energy, double* out) {
-  energy.minimiser(0, out);
+concept HasMinimizer = requires(const Energy& energy, double* out) {
+  energy.minimizer(0, out);
 };
 template <class Energy>
 concept HasLongestAngle = requires(const Energy& energy, const double* v) {
@@ -170,117 +170,159 @@ struct StepRule {
   bool as_printed = false;        // Algorithm 2 as printed
 };
 
+namespace detail {
+
+// The search of one block along its great circle: first differentiate(), then choose_direction(), then the trials.
+template <class Energy>
+class ArcSearch {
+ public:
+  ArcSearch(const Energy& energy, std::size_t block, const StepRule& rule, double* x)
+      : energy_(energy), block_(block), rule_(rule), d_(energy.dimension()), x_(x) {}
+
+  const BlockStep& step() const { return step_; }
+
+  // Value and gradients where the block is, and Newton's direction. Returns whether the block may move.
+  bool differentiate() {
+    step_.evaluations = 1;
+    if constexpr (HasHessian<Energy>) {
+      BlockMatrix<Dimension> hessian;
+      value_ = energy_.value_gradient_and_hessian(block_, whole_.data(), hessian.data());
+      gradient_ = whole_;
+      make_tangent(d_, x_, gradient_.data());
+      newton_ = !rule_.as_printed && std::isfinite(value_) && block_finite(d_, whole_.data()) &&
+                newton_direction(d_, x_, whole_.data(), gradient_.data(), hessian.data(), direction_.data());
+    } else {
+      value_ = energy_.value_and_gradient(block_, whole_.data());
+      gradient_ = whole_;
+      make_tangent(d_, x_, gradient_.data());
+    }
+    step_.failed = !std::isfinite(value_) || !block_finite(d_, whole_.data());
+    if (step_.failed) return false;
+    step_.gradient_norm = std::sqrt(block_dot(d_, gradient_.data(), gradient_.data()));
+    return !(step_.gradient_norm <= rule_.gradient_tolerance);
+  }
+
+  // The unit tangent of the search, its slope, the angle at which a minimum is expected, and the longest one.
+  void choose_direction(double reach) {
+    if constexpr (HasMinimizer<Energy>) {
+      if (!rule_.as_printed && energy_.minimizer(block_, candidate_.data()) && normalize(d_, candidate_.data())) {
+        const double cosine = block_dot(d_, x_, candidate_.data());
+        direction_ = candidate_;
+        make_tangent(d_, x_, direction_.data());
+        target_angle_ = std::atan2(std::sqrt(block_dot(d_, direction_.data(), direction_.data())), cosine);
+      }
+    }
+    double length = std::sqrt(block_dot(d_, direction_.data(), direction_.data()));
+    if (newton_ && target_angle_ == 0) target_angle_ = std::min(length, quarter_circle);
+    if (!(length > 0 && block_dot(d_, gradient_.data(), direction_.data()) < 0)) {
+      direction_ = gradient_;
+      length = -step_.gradient_norm;
+      target_angle_ = reach * step_.gradient_norm;
+    }
+    for (std::size_t k = 0; k < d_; ++k)
+      direction_[k] /= length;
+    longest_ = std::max(quarter_circle, target_angle_);
+    if constexpr (HasLongestAngle<Energy>)
+      longest_ = std::min(longest_, energy_.longest_angle(block_, direction_.data()));
+    slope_ = block_dot(d_, gradient_.data(), direction_.data());
+    best_value_ = value_;
+    std::copy_n(x_, std::size_t{d_}, best_.begin());
+  }
+
+  // Halves the angle until the decrease suffices; else the block stays.
+  void search_as_printed() {
+    double angle = std::min(printed_angle(d_, x_, whole_.data()), longest_);
+    for (int trial = 0; trial < trial_limit; ++trial, angle *= 0.5) {
+      const double new_value = try_at(angle);
+      double chord = 0;
+      for (std::size_t k = 0; k < d_; ++k)
+        chord += (candidate_[k] - x_[k]) * whole_[k];
+      if (new_value <= value_ + decrease * chord && new_value < value_) return take_best();
+    }
+  }
+
+  // Shortens the angle by the parabola through the value and slope here and the value there.
+  void search(double& reach) {
+    double angle = target_angle_ > 0 ? std::min(rule_.over_relaxation * target_angle_, longest_) : 0.25 * longest_;
+    for (int trial = 0; trial < trial_limit; ++trial) {
+      const double new_value = try_at(angle);
+      const double bend = 2 * (new_value - value_ - angle * slope_) / (angle * angle);
+      const double vertex = bend > 0 ? std::min(-slope_ / bend, longest_) : longest_;
+      if (new_value <= value_ + decrease * angle * slope_) {
+        if (std::abs(new_value - value_) > rounding * std::abs(value_)) {
+          // Where nothing was known, the first trial may be far from where the parabola is least.
+          const bool near = angle > 0.5 * vertex && angle < 2 * vertex;
+          if (target_angle_ == 0 && !near) try_at(std::min(rule_.over_relaxation * vertex, longest_));
+          reach = vertex / step_.gradient_norm;
+        }
+        break;
+      }
+      angle = std::clamp(vertex, 0.1 * angle, 0.5 * angle);
+    }
+    take_best();
+  }
+
+ private:
+  using Dimension = DimensionOf<Energy>;
+  static constexpr double decrease = 1e-4, quarter_circle = 0.5 * std::numbers::pi;
+  static constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
+  static constexpr int trial_limit = 40;
+
+  bool allowed() const {
+    if constexpr (HasValid<Energy>) return energy_.valid(block_, candidate_.data());
+    return true;
+  }
+
+  // The value at an angle, which is remembered if it is the best one so far; not a number where the block cannot be.
+  double try_at(double angle) {
+    move(d_, x_, direction_.data(), angle, candidate_.data(), velocity_.data());
+    if (!allowed()) return std::numeric_limits<double>::quiet_NaN();
+    ++step_.evaluations;
+    const double new_value = energy_.value(block_, candidate_.data());
+    if (!std::isfinite(new_value)) return std::numeric_limits<double>::quiet_NaN();
+    if (new_value < best_value_) {
+      best_value_ = new_value;
+      best_angle_ = angle;
+      best_ = candidate_;
+    }
+    return new_value;
+  }
+
+  void take_best() {
+    std::copy_n(best_.begin(), std::size_t{d_}, x_);
+    step_.gain = value_ - best_value_;
+    step_.angle = best_angle_;
+  }
+
+  const Energy& energy_;
+  std::size_t block_;
+  const StepRule& rule_;
+  Dimension d_;
+  double* x_;
+  BlockStep step_;
+  bool newton_ = false;                         // direction_ is Newton's
+  double value_ = 0, slope_ = 0, longest_ = 0;  // where the block is, and along direction_
+  double target_angle_ = 0;                     // where the curvature along direction_ is known
+  double best_value_, best_angle_ = 0;          // of the trials
+  BlockVector<Dimension> whole_{}, gradient_;   // the gradient in space, and its tangent part
+  BlockVector<Dimension> direction_{}, best_;
+  BlockVector<Dimension> candidate_, velocity_;  // of a trial
+};
+
+}  // namespace detail
+
 // Moves `block` from x (d numbers of the caller's, which the energy sees) to a better place if there is one. `reach` is
 // the block's own memory from step to step: the inverse of the curvature that it met along its arc, 0 at first.
 template <class Energy>
 BlockStep improve_block(const Energy& energy, std::size_t block, const StepRule& rule, double* x, double& reach) {
-  const auto d = energy.dimension();
-  using Dimension = detail::DimensionOf<Energy>;
-  constexpr double decrease = 1e-4, quarter_circle = 0.5 * std::numbers::pi;
-  constexpr double rounding = 16 * std::numeric_limits<double>::epsilon();
-  constexpr int trial_limit = 40;
-  BlockVector<Dimension> whole{}, gradient, direction{}, candidate, velocity;
-  BlockStep step;
-  double value;
-  bool newton = false;
-  step.evaluations = 1;
-  if constexpr (detail::HasHessian<Energy>) {
-    BlockMatrix<Dimension> hessian;
-    value = energy.value_gradient_and_hessian(block, whole.data(), hessian.data());
-    gradient = whole;
-    make_tangent(d, x, gradient.data());
-    newton = !rule.as_printed && std::isfinite(value) && detail::block_finite(d, whole.data()) &&
-             detail::newton_direction(d, x, whole.data(), gradient.data(), hessian.data(), direction.data());
-  } else {
-    value = energy.value_and_gradient(block, whole.data());
-    gradient = whole;
-    make_tangent(d, x, gradient.data());
-  }
-  step.failed = !std::isfinite(value) || !detail::block_finite(d, whole.data());
-  if (step.failed) return step;
-  step.gradient_norm = std::sqrt(block_dot(d, gradient.data(), gradient.data()));
-  if (step.gradient_norm <= rule.gradient_tolerance) return step;
-
-  const auto allowed = [&] {
-    if constexpr (detail::HasValid<Energy>) return energy.valid(block, candidate.data());
-    return true;
-  };
-  double best_value = value, best_angle = 0;
-  BlockVector<Dimension> best;
-  std::copy_n(x, std::size_t{d}, best.begin());
-  const auto try_at = [&](double angle) {
-    move(d, x, direction.data(), angle, candidate.data(), velocity.data());
-    if (!allowed()) return std::numeric_limits<double>::quiet_NaN();
-    ++step.evaluations;
-    const double new_value = energy.value(block, candidate.data());
-    if (!std::isfinite(new_value)) return std::numeric_limits<double>::quiet_NaN();
-    if (new_value < best_value) {
-      best_value = new_value;
-      best_angle = angle;
-      best = candidate;
-    }
-    return new_value;
-  };
-  const auto take_best = [&] {
-    std::copy_n(best.begin(), std::size_t{d}, x);
-    step.gain = value - best_value;
-    step.angle = best_angle;
-    return step;
-  };
-
-  double target_angle = 0;  // where the curvature along `direction` is known
-  if constexpr (detail::HasMinimiser<Energy>) {
-    if (!rule.as_printed && energy.minimiser(block, candidate.data()) && normalize(d, candidate.data())) {
-      const double cosine = block_dot(d, x, candidate.data());
-      direction = candidate;
-      make_tangent(d, x, direction.data());
-      target_angle = std::atan2(std::sqrt(block_dot(d, direction.data(), direction.data())), cosine);
-    }
-  }
-  double length = std::sqrt(block_dot(d, direction.data(), direction.data()));
-  if (newton && target_angle == 0) target_angle = std::min(length, quarter_circle);
-  if (!(length > 0 && block_dot(d, gradient.data(), direction.data()) < 0)) {
-    direction = gradient;
-    length = -step.gradient_norm;
-    target_angle = reach * step.gradient_norm;
-  }
-  for (std::size_t k = 0; k < d; ++k)
-    direction[k] /= length;
-  double longest = std::max(quarter_circle, target_angle);
-  if constexpr (detail::HasLongestAngle<Energy>)
-    longest = std::min(longest, energy.longest_angle(block, direction.data()));
-  const double slope = block_dot(d, gradient.data(), direction.data());
-
-  if (rule.as_printed) {
-    double angle = std::min(printed_angle(d, x, whole.data()), longest);
-    for (int trial = 0; trial < trial_limit; ++trial, angle *= 0.5) {
-      const double new_value = try_at(angle);
-      double chord = 0;
-      for (std::size_t k = 0; k < d; ++k)
-        chord += (candidate[k] - x[k]) * whole[k];
-      if (new_value <= value + decrease * chord && new_value < value) return take_best();
-    }
-    return step;
-  }
-
-  double angle = target_angle > 0 ? std::min(rule.over_relaxation * target_angle, longest) : 0.25 * longest;
-  for (int trial = 0; trial < trial_limit; ++trial) {
-    const double new_value = try_at(angle);
-    // The parabola through the value and slope here and the value there.
-    const double bend = 2 * (new_value - value - angle * slope) / (angle * angle);
-    const double vertex = bend > 0 ? std::min(-slope / bend, longest) : longest;
-    if (new_value <= value + decrease * angle * slope) {
-      if (std::abs(new_value - value) > rounding * std::abs(value)) {
-        // Where nothing was known, the first trial may be far from where the parabola is least.
-        const bool near = angle > 0.5 * vertex && angle < 2 * vertex;
-        if (target_angle == 0 && !near) try_at(std::min(rule.over_relaxation * vertex, longest));
-        reach = vertex / step.gradient_norm;
-      }
-      return take_best();
-    }
-    angle = std::clamp(vertex, 0.1 * angle, 0.5 * angle);
-  }
-  return take_best();
+  detail::ArcSearch<Energy> search(energy, block, rule, x);
+  if (!search.differentiate()) return search.step();
+  search.choose_direction(reach);
+  if (rule.as_printed)
+    search.search_as_printed();
+  else
+    search.search(reach);
+  return search.step();
 }
 
 }  // namespace orbicube::sphere_optimizer

@@ -123,7 +123,7 @@ class RingEnergy {
 class ClosedRingEnergy : public RingEnergy<sphere_optimizer::FixedDimension<4>> {
  public:
   explicit ClosedRingEnergy(const std::vector<double>& points) : RingEnergy({}, points) {}
-  bool minimiser(std::size_t block, double* x) const {
+  bool minimizer(std::size_t block, double* x) const {
     const double* a = &points_[(block + 1) % count_ * 4];
     const double* b = &points_[(block + count_ - 1) % count_ * 4];
     const double sign = sphere_optimizer::block_dot(d_, a, b) < 0 ? -1 : 1;
