@@ -47,8 +47,6 @@ class Multigrid {
     Array<double> right, solution, residual, first, second, first_image, second_image;
   };
 
-  void aggregate(Level& level, std::size_t& count) const;
-  void make_coarse(const Level& level, std::size_t count, Matrix& coarse) const;
   void factor_last();
   void cycle(std::size_t level, std::span<const double> right, std::span<double> x);
   // Solves for the right side of that level, roughly.
