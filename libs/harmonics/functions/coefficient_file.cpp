@@ -31,81 +31,105 @@ struct Block {
   std::uint32_t first = 0;                     // degree
   std::vector<std::array<double, 2>> entries;  // C and S of first, 0; first + 1, 0; first + 1, 1; ...
   std::uint32_t l = 0, m = 0;                  // the pair that comes next
+
+  bool incomplete() const { return m != 0; }
+  void add(const std::array<double, 2>& entry) {
+    entries.push_back(entry);
+    m = m == l ? 0 : m + 1;
+    if (m == 0) ++l;
+  }
 };
 
-Coefficients parse_shtools(std::span<const std::byte> bytes, const base::Host& host) {
-  FieldScanner scanner(bytes);
-  std::vector<Block> blocks;
-  constexpr int most_headers = 2;
-  int headers = 0;
-  std::uint64_t lines = 0;
-  const auto incomplete = [](const Block& block) { return block.m != 0; };
-  const auto missing = [](const Block& block) {
-    return "the coefficients of degree " + std::to_string(block.l) + " end before order " + std::to_string(block.m);
-  };
-  while (!scanner.at_end()) {
-    if (++lines % 1024 == 0) host.report("reading", lines, 0);
-    if (scanner.at_end_of_line() || scanner.starts_with('#')) {
-      scanner.next_line();
-      continue;
+class ShtoolsReader {
+ public:
+  explicit ShtoolsReader(std::span<const std::byte> bytes) : scanner_(bytes) {}
+
+  Coefficients read(const base::Host& host) {
+    std::uint64_t lines = 0;
+    while (!scanner_.at_end()) {
+      if (++lines % 1024 == 0) host.report("reading", lines, 0);
+      if (!scanner_.at_end_of_line() && !scanner_.starts_with('#')) read_line();
+      scanner_.next_line();
     }
-    const auto l = scanner.whole_number();
+    if (blocks_.empty()) scanner_.fail("bad-magic", "there are no coefficients");
+    if (const Block& last = blocks_.back(); last.incomplete()) {
+      scanner_.fail("truncated", "the coefficients of degree " + std::to_string(last.l) + " end before order " +
+                                     std::to_string(last.m));
+    }
+    return coefficients(host);
+  }
+
+ private:
+  // A line of degree, order, C and S, or a header before the first of them.
+  void read_line() {
+    const auto l = scanner_.whole_number();
     if (!l) {
-      if (!blocks.empty()) scanner.number("a degree");  // says what is there, if it is no number
-      if (!blocks.empty()) scanner.fail("parse", "a degree is a whole number");
-      if (++headers > most_headers)
-        scanner.fail("bad-magic", "no line of degree, order, C and S, as SHTOOLS writes them");
-      scanner.next_line();
-      continue;
+      if (!blocks_.empty()) scanner_.number("a degree");  // says what is there, if it is no number
+      if (!blocks_.empty()) scanner_.fail("parse", "a degree is a whole number");
+      constexpr int max_headers = 2;
+      if (++headers_ > max_headers)
+        scanner_.fail("bad-magic", "no line of degree, order, C and S, as SHTOOLS writes them");
+      return;
     }
-    scanner.skip_separator();
-    const auto m = scanner.whole_number();
-    if (!m) scanner.number("an order");
-    if (!m) scanner.fail("parse", "an order is a whole number");
-    require_readable_degree(scanner, *l);
-    // A block ends where the next line is the first one of a block again.
-    if (blocks.empty() ||
-        (*m == 0 && *l == blocks.front().first && !incomplete(blocks.back()) && *l != blocks.back().l)) {
-      const auto degree = static_cast<std::uint32_t>(*l);
-      if (*m != 0) scanner.fail("parse", "the first line is of order " + std::to_string(*m) + ", not 0");
-      blocks.push_back({degree, {}, degree, 0});
+    scanner_.skip_separator();
+    const auto m = scanner_.whole_number();
+    if (!m) scanner_.number("an order");
+    if (!m) scanner_.fail("parse", "an order is a whole number");
+    require_readable_degree(scanner_, *l);
+    block_of(*l, *m).add(read_entry());
+  }
+
+  // The block that the next line belongs to: a block ends where this line is the first one of a block again.
+  Block& block_of(std::uint64_t l, std::uint64_t m) {
+    if (blocks_.empty() ||
+        (m == 0 && l == blocks_.front().first && !blocks_.back().incomplete() && l != blocks_.back().l)) {
+      const auto degree = static_cast<std::uint32_t>(l);
+      if (m != 0) scanner_.fail("parse", "the first line is of order " + std::to_string(m) + ", not 0");
+      blocks_.push_back({degree, {}, degree, 0});
     }
-    Block& block = blocks.back();
-    if (*l != block.l || *m != block.m) {
-      scanner.fail("parse", "degree " + std::to_string(block.l) + ", order " + std::to_string(block.m) +
-                                " expected, found " + std::to_string(*l) + ", " + std::to_string(*m));
+    Block& block = blocks_.back();
+    if (l != block.l || m != block.m) {
+      scanner_.fail("parse", "degree " + std::to_string(block.l) + ", order " + std::to_string(block.m) +
+                                 " expected, found " + std::to_string(l) + ", " + std::to_string(m));
     }
+    return block;
+  }
+
+  std::array<double, 2> read_entry() {
     std::array<double, 2> entry;
     for (double& number : entry) {
-      scanner.skip_separator();
-      if (scanner.at_end_of_line())
-        scanner.fail(scanner.at_end() ? "truncated" : "parse", "a line of degree, order, C and S ends early");
-      number = scanner.number("a coefficient");
+      scanner_.skip_separator();
+      if (scanner_.at_end_of_line())
+        scanner_.fail(scanner_.at_end() ? "truncated" : "parse", "a line of degree, order, C and S ends early");
+      number = scanner_.number("a coefficient");
     }
-    block.entries.push_back(entry);
-    block.m = block.m == block.l ? 0 : block.m + 1;
-    if (block.m == 0) ++block.l;
-    scanner.next_line();
+    return entry;
   }
-  if (blocks.empty()) scanner.fail("bad-magic", "there are no coefficients");
-  if (incomplete(blocks.back())) scanner.fail("truncated", missing(blocks.back()));
-  const std::uint32_t degree = blocks.front().l - 1;
-  Coefficients coefficients(degree, blocks.size(), host.memory);
-  for (std::size_t c = 0; c < blocks.size(); ++c) {
-    if (blocks[c].l != blocks.front().l) {
-      scanner.fail("truncated", "block " + std::to_string(c + 1) + " goes to degree " +
-                                    std::to_string(blocks[c].l - 1) + ", the first one to " + std::to_string(degree));
-    }
-    const std::array<double, 2>* entry = blocks[c].entries.data();
-    for (std::uint32_t l = blocks[c].first; l <= degree; ++l) {
-      for (std::int32_t m = 0; m <= static_cast<std::int32_t>(l); ++m, ++entry) {
-        coefficients.at(l, m, c) = (*entry)[0] * four_pi_root;
-        if (m > 0) coefficients.at(l, -m, c) = (*entry)[1] * four_pi_root;
+
+  Coefficients coefficients(const base::Host& host) const {
+    const std::uint32_t degree = blocks_.front().l - 1;
+    Coefficients result(degree, blocks_.size(), host.memory);
+    for (std::size_t c = 0; c < blocks_.size(); ++c) {
+      if (blocks_[c].l != blocks_.front().l) {
+        scanner_.fail("truncated", "block " + std::to_string(c + 1) + " goes to degree " +
+                                       std::to_string(blocks_[c].l - 1) + ", the first one to " +
+                                       std::to_string(degree));
+      }
+      const std::array<double, 2>* entry = blocks_[c].entries.data();
+      for (std::uint32_t l = blocks_[c].first; l <= degree; ++l) {
+        for (std::int32_t m = 0; m <= static_cast<std::int32_t>(l); ++m, ++entry) {
+          result.at(l, m, c) = (*entry)[0] * four_pi_root;
+          if (m > 0) result.at(l, -m, c) = (*entry)[1] * four_pi_root;
+        }
       }
     }
+    return result;
   }
-  return coefficients;
-}
+
+  FieldScanner scanner_;
+  std::vector<Block> blocks_;
+  int headers_ = 0;
+};
 
 std::string format_shtools(const Coefficients& coefficients) {
   std::string text =
@@ -211,7 +235,7 @@ FileFormat format_of_path(const std::filesystem::path& path) {
 }
 
 Coefficients parse_coefficients(std::span<const std::byte> bytes, FileFormat format, const base::Host& host) {
-  return format == FileFormat::spharm_pdm ? parse_spharm(bytes, host) : parse_shtools(bytes, host);
+  return format == FileFormat::spharm_pdm ? parse_spharm(bytes, host) : ShtoolsReader(bytes).read(host);
 }
 
 std::string format_coefficients(const Coefficients& coefficients, FileFormat format) {
