@@ -96,6 +96,36 @@ void turn(std::span<Tetrahedron> tetrahedra) {
     std::swap(t[1], t[2]);
 }
 
+// Replaces a cell's tetrahedra by those around its center, a new vertex, and returns true, if these are positive.
+bool cut_around_center(const CellCutter& cutter, std::span<const Index> corners, bool turned, Mesh& mesh,
+                       Array<Tetrahedron>& made, const base::Host& host) {
+  if (mesh.positions.size() + 1 >= no_index) throw base::Error("unsupported", "more vertices than 32 bits can count");
+  Vector3 center = Vector3::Zero();
+  for (const Index v : corners)
+    center += mesh.positions[v] / static_cast<double>(corners.size());
+  mesh.positions.push_back(center);
+  Array<Tetrahedron> around(host.memory);
+  cutter.around(static_cast<Index>(mesh.positions.size() - 1), around);
+  if (turned) turn(around);
+  if (signs_of(mesh.positions, around).first < around.size()) {
+    mesh.positions.pop_back();
+    return false;
+  }
+  made = std::move(around);
+  return true;
+}
+
+// "2 pyramids, 1 prism".
+std::string text_of_counts(std::span<const std::size_t, rows.size()> cells) {
+  std::string text;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (cells[k] == 0) continue;
+    text.append(text.empty() ? "" : ", ").append(std::to_string(cells[k])).append(" ");
+    text += cells[k] == 1 ? rows[k].one : rows[k].many;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::size_t corner_count(Polyhedron kind) {
@@ -139,32 +169,12 @@ void PolyhedralCells::cut_into_tetrahedra(Mesh& mesh, std::vector<std::string>& 
     const auto k = static_cast<std::size_t>(kind);
     const bool turned = right[k] == 0 && inverted[k] > 0;
     if (turned) turn(made);
-    if (signs_of(mesh.positions, made).first < made.size()) {
-      if (mesh.positions.size() + 1 >= no_index)
-        throw base::Error("unsupported", "more vertices than 32 bits can count");
-      Vector3 center = Vector3::Zero();
-      for (const Index v : corners)
-        center += mesh.positions[v] / static_cast<double>(corners.size());
-      mesh.positions.push_back(center);
-      Array<Tetrahedron> around(host.memory);
-      cutter.around(static_cast<Index>(mesh.positions.size() - 1), around);
-      if (turned) turn(around);
-      if (signs_of(mesh.positions, around).first == around.size()) {
-        made = std::move(around);
-        ++centers;
-      } else {
-        mesh.positions.pop_back();
-      }
-    }
+    if (signs_of(mesh.positions, made).first < made.size())
+      centers += cut_around_center(cutter, corners, turned, mesh, made, host);
     tetrahedra += made.size();
     mesh.tetrahedra.insert(mesh.tetrahedra.end(), made.begin(), made.end());
   });
-  std::string text;
-  for (std::size_t k = 0; k < rows.size(); ++k) {
-    if (cells[k] == 0) continue;
-    text.append(text.empty() ? "" : ", ").append(std::to_string(cells[k])).append(" ");
-    text += cells[k] == 1 ? rows[k].one : rows[k].many;
-  }
+  std::string text = text_of_counts(cells);
   text += (kinds_.size() == 1 ? " was cut into " : " were cut into ") + std::to_string(tetrahedra) + " tetrahedra";
   if (centers > 0) text += ", " + std::to_string(centers) + " of the cells around a vertex of their own";
   notes.push_back(text);

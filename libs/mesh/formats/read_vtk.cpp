@@ -258,72 +258,69 @@ class VtkReader {
                "cells that are not read: " + text + "; without them a part of the shape would be missing");
   }
 
-  // Returns false for points and lines.
+  // Returns false for points and lines. The numbers are those of vtkCellType.h.
   bool add_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
-    const auto require_corners = [&](std::size_t corners) {
-      if (c.size() != corners) {
-        body_.fail("parse", "cell " + std::to_string(number) + " has " + std::to_string(c.size()) +
-                                " corners, where its type has " + std::to_string(corners));
-      }
-    };
+    // An empty cell; a vertex, vertices, a line, lines; curved lines.
+    constexpr std::array<std::int64_t, 8> no_faces{0, 1, 2, 3, 4, 21, 35, 68};
+    if (std::ranges::find(no_faces, cell_type) != no_faces.end()) return false;
+    if (cell_type >= 5 && cell_type <= 9)
+      add_face(cell_type, c, number);
+    else if (cell_type >= 10 && cell_type <= 16)
+      add_solid_cell(cell_type, c, number);
+    else if (unread_.size() < 32 || unread_.contains(cell_type))
+      ++unread_[cell_type];
+    return true;
+  }
+
+  void require_corners(std::size_t corners, std::span<const Index> c, std::uint64_t number) {
+    if (c.size() != corners) {
+      body_.fail("parse", "cell " + std::to_string(number) + " has " + std::to_string(c.size()) +
+                              " corners, where its type has " + std::to_string(corners));
+    }
+  }
+
+  // Triangle, strip of triangles, polygon, pixel (a square by rows) or quadrilateral.
+  void add_face(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
+    if (cell_type == 6) {
+      add_strip(c);
+      return;
+    }
+    if (cell_type != 7) require_corners(cell_type == 5 ? 3 : 4, c, number);
+    if (cell_type == 8)
+      faces_.add(std::array{c[0], c[1], c[3], c[2]}, body_);
+    else
+      faces_.add(c, body_);
+  }
+
+  void add_solid_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
     const auto add_other = [&](Polyhedron kind) {
-      require_corners(corner_count(kind));
+      require_corners(corner_count(kind), c, number);
       others_.add(kind, c);
-      return true;
     };
-    // The numbers of vtkCellType.h.
     switch (cell_type) {
-      case 1:  // vertex, vertices, line, lines
-      case 2:
-      case 3:
-      case 4:
-        return false;
-      case 5:
-        require_corners(3);
-        faces_.add(c, body_);
-        return true;
-      case 6:
-        add_strip(c);
-        return true;
-      case 7:
-        faces_.add(c, body_);
-        return true;
-      case 8:  // pixel: a square by rows
-        require_corners(4);
-        faces_.add(std::array{c[0], c[1], c[3], c[2]}, body_);
-        return true;
-      case 9:
-        require_corners(4);
-        faces_.add(c, body_);
-        return true;
       case 10:
-        require_corners(4);
+        require_corners(4, c, number);
         mesh_.tetrahedra.push_back({c[0], c[1], c[2], c[3]});
-        return true;
+        break;
       case 11:  // voxel: a box by rows
-        require_corners(8);
+        require_corners(8, c, number);
         mesh_.hexahedra.push_back({c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]});
-        return true;
+        break;
       case 12:
-        require_corners(8);
+        require_corners(8, c, number);
         mesh_.hexahedra.push_back({c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]});
-        return true;
+        break;
       case 13:
-        return add_other(Polyhedron::prism);
+        add_other(Polyhedron::prism);
+        break;
       case 14:
-        return add_other(Polyhedron::pyramid);
+        add_other(Polyhedron::pyramid);
+        break;
       case 15:
-        return add_other(Polyhedron::pentagonal_prism);
-      case 16:
-        return add_other(Polyhedron::hexagonal_prism);
-      case 0:   // an empty cell
-      case 21:  // curved lines
-      case 35:
-      case 68:
-        return false;
+        add_other(Polyhedron::pentagonal_prism);
+        break;
       default:
-        if (unread_.size() < 32 || unread_.contains(cell_type)) ++unread_[cell_type];
-        return true;
+        add_other(Polyhedron::hexagonal_prism);
     }
   }
 
