@@ -48,61 +48,94 @@ Triple face_of(const Quadruple& t, std::size_t k) {
   return {t[(k + 1) % 4], t[(k + 2) % 4], t[(k + 3) % 4]};
 }
 
-}  // namespace
+constexpr std::uint8_t unknown = 2;
 
-Regions find_regions(const TetgenMesh& made, const base::Host& host) {
-  constexpr std::uint8_t unknown = 2;
-  const std::size_t count = made.tetrahedra.size();
-  Regions result(host.memory);
-  result.solid.assign(count, unknown);
-  // Bit k: the face opposite to corner k is in the surface.
-  base::Array<std::uint8_t> walls(count, 0, host.memory);
-  const FaceSearch search(made, host.memory);
-  for (std::size_t t = 0; t < count; ++t) {
+// For each tetrahedron, bit k: the face opposite to corner k is in the surface.
+base::Array<std::uint8_t> walls_of(const TetgenMesh& made, const FaceSearch& search, const base::Host& host) {
+  base::Array<std::uint8_t> walls(made.tetrahedra.size(), 0, host.memory);
+  for (std::size_t t = 0; t < walls.size(); ++t) {
     if (t % items_between_reports == 0) host.report(phase, t, 0);
     for (std::size_t k = 0; k < 4; ++k) {
       if (search.find(face_of(made.tetrahedra[t], k))) walls[t] = static_cast<std::uint8_t>(walls[t] | 1U << k);
     }
   }
+  return walls;
+}
+
+// Sets which tetrahedra are solid, region by region.
+class RegionFill {
+ public:
+  RegionFill(const TetgenMesh& made, std::span<const std::uint8_t> walls, Regions& result, const base::Host& host)
+      : made_(made), walls_(walls), result_(result), host_(host), behind_(host.memory), region_(host.memory) {}
+
   // Regions in the order of their depth: those next to the outside first, then those behind their walls.
-  base::Array<std::size_t> here(host.memory), behind(host.memory), region(host.memory);
-  for (std::size_t t = 0; t < count; ++t) {
-    if (std::ranges::min(made.neighbors[t]) < 0) here.push_back(t);
-  }
-  std::size_t visited = 0;
-  for (std::uint8_t solid = 1; !here.empty(); solid = solid == 1 ? 0 : 1) {
-    for (const std::size_t seed : here) {
-      if (result.solid[seed] != unknown) continue;
-      ++(solid == 1 ? result.parts : result.cavities);
-      result.solid[seed] = solid;
-      region.assign(1, seed);
-      while (!region.empty()) {
-        const std::size_t t = region.back();
-        region.pop_back();
-        if (++visited % items_between_reports == 0) host.report(phase, visited, count);
-        for (std::size_t k = 0; k < 4; ++k) {
-          const bool wall = (walls[t] >> k & 1U) != 0;
-          if (made.neighbors[t][k] < 0) {
-            if (!wall || solid == 0) throw base::Error("no-valid-result", "TetGen's mesh is open");
-            continue;
-          }
-          const auto neighbor = static_cast<std::size_t>(made.neighbors[t][k]);
-          if (result.solid[neighbor] != unknown) {
-            if ((result.solid[neighbor] == solid) == wall)
-              throw base::Error("no-valid-result", "the surface in TetGen's mesh is not closed");
-          } else if (wall) {
-            behind.push_back(neighbor);
-          } else {
-            result.solid[neighbor] = solid;
-            region.push_back(neighbor);
-          }
-        }
-      }
+  void fill_all() {
+    base::Array<std::size_t> here(host_.memory);
+    for (std::size_t t = 0; t < walls_.size(); ++t) {
+      if (std::ranges::min(made_.neighbors[t]) < 0) here.push_back(t);
     }
-    std::swap(here, behind);
-    behind.clear();
+    for (std::uint8_t solid = 1; !here.empty(); solid = solid == 1 ? 0 : 1) {
+      for (const std::size_t seed : here) {
+        if (result_.solid[seed] == unknown) fill(seed, solid);
+      }
+      std::swap(here, behind_);
+      behind_.clear();
+    }
+    if (visited_ != walls_.size())
+      throw base::Error("no-valid-result", "TetGen's mesh has parts that nothing leads to");
   }
-  if (visited != count) throw base::Error("no-valid-result", "TetGen's mesh has parts that nothing leads to");
+
+ private:
+  // The region of one tetrahedron, up to its walls.
+  void fill(std::size_t seed, std::uint8_t solid) {
+    ++(solid == 1 ? result_.parts : result_.cavities);
+    result_.solid[seed] = solid;
+    region_.assign(1, seed);
+    while (!region_.empty()) {
+      const std::size_t t = region_.back();
+      region_.pop_back();
+      if (++visited_ % items_between_reports == 0) host_.report(phase, visited_, walls_.size());
+      for (std::size_t k = 0; k < 4; ++k)
+        cross(t, k, solid);
+    }
+  }
+
+  // Goes on through the face opposite to corner k.
+  void cross(std::size_t t, std::size_t k, std::uint8_t solid) {
+    const bool wall = (walls_[t] >> k & 1U) != 0;
+    if (made_.neighbors[t][k] < 0) {
+      if (!wall || solid == 0) throw base::Error("no-valid-result", "TetGen's mesh is open");
+      return;
+    }
+    const auto neighbor = static_cast<std::size_t>(made_.neighbors[t][k]);
+    if (result_.solid[neighbor] != unknown) {
+      if ((result_.solid[neighbor] == solid) == wall)
+        throw base::Error("no-valid-result", "the surface in TetGen's mesh is not closed");
+    } else if (wall) {
+      behind_.push_back(neighbor);
+    } else {
+      result_.solid[neighbor] = solid;
+      region_.push_back(neighbor);
+    }
+  }
+
+  const TetgenMesh& made_;
+  std::span<const std::uint8_t> walls_;
+  Regions& result_;
+  const base::Host& host_;
+  base::Array<std::size_t> behind_, region_;  // tetrahedra behind walls, and of the region that have not been left
+  std::size_t visited_ = 0;
+};
+
+}  // namespace
+
+Regions find_regions(const TetgenMesh& made, const base::Host& host) {
+  const std::size_t count = made.tetrahedra.size();
+  Regions result(host.memory);
+  result.solid.assign(count, unknown);
+  const FaceSearch search(made, host.memory);
+  const base::Array<std::uint8_t> walls = walls_of(made, search, host);
+  RegionFill(made, walls, result, host).fill_all();
   result.inside.assign(made.faces.size(), -1);
   for (std::size_t t = 0; t < count; ++t) {
     if (walls[t] == 0 || result.solid[t] == 0) continue;
