@@ -130,6 +130,14 @@ void Locator::require_bijection(const base::Host& host) {
   }
 }
 
+// The cells of the regular grid, enough of them that one has about one of `count` vertices.
+void Locator::make_grid(std::size_t count) {
+  level_ = 0;
+  while (level_ < 12 && (std::size_t{6} << (2 * level_)) < count)
+    ++level_;
+  cells_.assign(std::size_t{6} << (2 * level_), 0);
+}
+
 // The cells that hold too many vertices get children, and so do these; then the triangle at the middle of each leaf.
 void Locator::build_cells(const base::Host& host) {
   Array<CubePoint> points(host.memory);
@@ -137,12 +145,9 @@ void Locator::build_cells(const base::Host& host) {
   for (Index v = 0; v < directions_.size(); ++v) {
     if (connectivity_.outgoing(v) != mesh::no_index) points.push_back(on_cube(directions_[v]));
   }
-  level_ = 0;
-  while (level_ < 12 && (std::size_t{6} << (2 * level_)) < points.size())
-    ++level_;
-  const std::size_t cell_count = std::size_t{6} << (2 * level_);
+  make_grid(points.size());
+  const std::size_t cell_count = cells_.size();
   const unsigned cell_bits = coordinate_bits - level_;
-  cells_.assign(cell_count, 0);
 
   // The vertices in the order of their cells.
   Array<Index> begin(cell_count + 1, host.memory);
@@ -155,13 +160,7 @@ void Locator::build_cells(const base::Host& host) {
       },
       [](Index) {}, [&](Index at, const CubePoint& p) { sorted[at] = p; });
 
-  struct Node {
-    Index cell;
-    CubePoint corner;
-    unsigned bits;  // the cell is 2^bits wide
-    std::size_t begin, end;
-  };
-  Array<Node> open(host.memory);
+  Array<Cell> open(host.memory);
   Array<Leaf> leaves(host.memory);
   leaves.reserve(cell_count);
   for (std::size_t cell = 0; cell < cell_count; ++cell) {
@@ -172,29 +171,33 @@ void Locator::build_cells(const base::Host& host) {
                            (row & side_mask) << cell_bits};
     open.push_back({static_cast<Index>(cell), corner, cell_bits, begin[cell], begin[cell + 1]});
     while (!open.empty()) {
-      const Node at = open.back();
+      const Cell at = open.back();
       open.pop_back();
-      if (at.end - at.begin <= most_in_cell || at.bits == 0 || cells_.size() + 4 >= has_children) {
-        leaves.push_back({at.cell, middle_of(at.corner, at.bits)});
-        continue;
-      }
-      const auto place = static_cast<Index>(cells_.size());
-      cells_.insert(cells_.end(), 4, 0);
-      cells_[at.cell] = has_children | place;
-      const unsigned bits = at.bits - 1;
-      auto from = sorted.begin() + static_cast<std::ptrdiff_t>(at.begin);
-      const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(at.end);
-      for (Index child = 0; child < 4; ++child) {
-        const auto to = std::partition(from, end, [&](const CubePoint& p) { return child_of(p, bits) == child; });
-        const CubePoint below{at.corner.face, at.corner.x | std::uint64_t{child & 1U} << bits,
-                              at.corner.y | std::uint64_t{child >> 1U} << bits};
-        open.push_back({place + child, below, bits, static_cast<std::size_t>(from - sorted.begin()),
-                        static_cast<std::size_t>(to - sorted.begin())});
-        from = to;
-      }
+      if (at.end - at.begin <= most_in_cell || at.bits == 0 || cells_.size() + 4 >= has_children)
+        leaves.push_back({at.number, middle_of(at.corner, at.bits)});
+      else
+        split(at, sorted, open);
     }
   }
   fill_leaves(leaves, host);
+}
+
+// Gives a cell four children, which go to `open`, and puts its vertices into their order.
+void Locator::split(const Cell& at, std::span<CubePoint> sorted, Array<Cell>& open) {
+  const auto place = static_cast<Index>(cells_.size());
+  cells_.insert(cells_.end(), 4, 0);
+  cells_[at.number] = has_children | place;
+  const unsigned bits = at.bits - 1;
+  auto from = sorted.begin() + static_cast<std::ptrdiff_t>(at.begin);
+  const auto end = sorted.begin() + static_cast<std::ptrdiff_t>(at.end);
+  for (Index child = 0; child < 4; ++child) {
+    const auto to = std::partition(from, end, [&](const CubePoint& p) { return child_of(p, bits) == child; });
+    const CubePoint below{at.corner.face, at.corner.x | std::uint64_t{child & 1U} << bits,
+                          at.corner.y | std::uint64_t{child >> 1U} << bits};
+    open.push_back({place + child, below, bits, static_cast<std::size_t>(from - sorted.begin()),
+                    static_cast<std::size_t>(to - sorted.begin())});
+    from = to;
+  }
 }
 
 // Leaves that follow each other are neighbors, mostly, so that each walk from one to the next is short. The runs of

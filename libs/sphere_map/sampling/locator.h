@@ -74,8 +74,18 @@ class Locator {
     Vector3 middle;
   };
 
+  // A cell 2^bits wide, and which of the sorted vertices it holds.
+  struct Cell {
+    Index number;
+    CubePoint corner;
+    unsigned bits;
+    std::size_t begin, end;
+  };
+
   void require_bijection(const base::Host& host);
+  void make_grid(std::size_t count);
   void build_cells(const base::Host& host);
+  void split(const Cell& at, std::span<CubePoint> sorted, Array<Cell>& open);
   void fill_leaves(std::span<const Leaf> leaves, const base::Host& host);
   std::size_t cell_of(const CubePoint& p) const;
   Index start_near(const Vector3& direction) const;
