@@ -14,6 +14,19 @@ FaceStep::FaceStep(std::size_t n, std::pmr::memory_resource* memory)
       curved_(n, 0.0, memory),
       model_gradient_(n, 0.0, memory) {}
 
+// Moves target along direction_, which ends at projected_ and whose product with B is in curved_, to the model's
+// minimum on [0, 1].
+bool FaceStep::move(const FeasibleSet& set, std::span<double> target) {
+  const double slope = dot(model_gradient_, direction_), bend = dot(direction_, curved_);
+  if (!(slope < 0)) return false;
+  const double length = bend > 0 ? std::min(1.0, -slope / bend) : 1.0;
+  for (std::size_t j = 0; j < target.size(); ++j) {
+    target[j] = length == 1 ? projected_[j] : clip(target[j] + length * direction_[j], set.lower()[j], set.upper()[j]);
+    model_gradient_[j] += length * curved_[j];
+  }
+  return true;
+}
+
 Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const double> x,
                          std::span<const double> gradient, double projected_gradient, std::span<double> target,
                          const base::Host& host) {
@@ -23,18 +36,6 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
   std::copy(x.begin(), x.end(), target.begin());
   std::copy(gradient.begin(), gradient.end(), model_gradient_.begin());
   double curvature = model.sigma();
-
-  // Moves target along direction_, whose product with B is in curved_, to the model's minimum on [0, 1].
-  const auto move = [&](std::span<const double> end) {
-    const double slope = dot(model_gradient_, direction_), bend = dot(direction_, curved_);
-    if (!(slope < 0)) return false;
-    const double length = bend > 0 ? std::min(1.0, -slope / bend) : 1.0;
-    for (std::size_t j = 0; j < n; ++j) {
-      target[j] = length == 1 ? end[j] : clip(target[j] + length * direction_[j], set.lower()[j], set.upper()[j]);
-      model_gradient_[j] += length * curved_[j];
-    }
-    return true;
-  };
 
   for (int round = 0; round < round_limit; ++round) {
     // A projected gradient step. The Rayleigh quotient along it shortens one that is too long for the model and gives
@@ -59,7 +60,7 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
       }
       curvature = std::max(rayleigh, 2 * curvature);
     }
-    if (!move(projected_)) return Projected::done;
+    if (!move(set, target)) return Projected::done;
     if (set.custom()) continue;
 
     host.report("model", static_cast<std::uint64_t>(round), round_limit);
@@ -80,7 +81,7 @@ Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const
         direction_[j] = projected_[j] - target[j];
     }
     model.multiply(direction_, curved_, host);
-    move(projected_);
+    move(set, target);
   }
   return Projected::done;
 }

@@ -24,6 +24,8 @@ class FaceStep {
                  double projected_gradient, std::span<double> target, const base::Host& host);
 
  private:
+  bool move(const FeasibleSet& set, std::span<double> target);
+
   base::Array<double> moved_, projected_, direction_, curved_, model_gradient_;  // n each
 };
 

@@ -161,13 +161,18 @@ Projected FeasibleSet::project_many_rows(std::span<const double> y, std::span<do
     for (std::size_t i = 0; i < m; ++i)
       multiplier_[i] += length * newton_[i];
   }
+  return meet_many_rows(x, step, !(best > resolved));
+}
+
+// The free unknowns meet the rows; says what became of the projection, `converged` or not, and keeps its multipliers.
+Projected FeasibleSet::meet_many_rows(std::span<double> x, double step, bool converged) {
   choose_face(x);
   meet_rows(x);
   passes_ += 3;
-  if (best > resolved || rows_.residual(x, residual_) > acceptable)
+  if (!converged || rows_.residual(x, residual_) > acceptable)
     return certify(residual_) ? Projected::infeasible : Projected::failed;
   if (step > 0) {
-    for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t i = 0; i < rows(); ++i)
       guess_[i] = multiplier_[i] / step;
   }
   return Projected::done;

@@ -80,6 +80,7 @@ class FeasibleSet {
  private:
   Projected project_one_row(std::span<const double> y, std::span<double> x, double step);
   Projected project_many_rows(std::span<const double> y, std::span<double> x, double step, const base::Host& host);
+  Projected meet_many_rows(std::span<double> x, double step, bool converged);
   bool certify(std::span<const double> multipliers);  // changes the marked face
   bool proves_infeasible(std::span<const double> multipliers);
   void mark_free(std::span<const double> x);

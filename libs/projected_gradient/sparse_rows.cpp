@@ -50,48 +50,59 @@ SparseRows::SparseRows(const Problem& problem, std::pmr::memory_resource* memory
   value_.reserve(problem.column.size());
   rhs_.resize(m);
   scale_.resize(m);
-  base::Array<std::size_t> place(n, std::size_t(-1), memory);  // where this row already holds the column
+  base::Array<std::size_t> place(n, std::size_t(-1), memory);
   for (std::size_t i = 0; i < m; ++i) {
-    // Beyond the entries is backwards, too: a later row must come back to where the entries end.
-    if (problem.row_start[i] > problem.row_start[i + 1] || problem.row_start[i + 1] > problem.column.size()) {
-      throw base::Error("invalid-argument", "row_start decreases at row " + std::to_string(i));
-    }
-    for (std::size_t k = problem.row_start[i]; k < problem.row_start[i + 1]; ++k) {
-      const std::uint32_t j = problem.column[k];
-      if (j >= n || !std::isfinite(problem.value[k])) {
-        throw base::Error("invalid-argument", "row " + std::to_string(i) +
-                                                  " of A has a column out of range or a value " + "that is not finite");
-      }
-      if (place[j] != std::size_t(-1) && place[j] >= row_start_[i]) {
-        value_[place[j]] += problem.value[k];
-      } else {
-        place[j] = column_.size();
-        column_.push_back(j);
-        value_.push_back(problem.value[k]);
-      }
-    }
-    row_start_[i + 1] = column_.size();
-    if (!std::isfinite(problem.rhs[i]))
-      throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] is not finite");
-    const double length = length_of({value_.data() + row_start_[i], row_start_[i + 1] - row_start_[i]});
-    // So that neither the row over its length nor squares of what belongs to it leave the range of double.
-    if (length > 0 && !(length >= 1e-150 && length <= 1e150))
-      throw base::Error("invalid-argument",
-                        "row " + std::to_string(i) + " of A is shorter than 1e-150 or longer than 1e150");
-    scale_[i] = length > 0 ? 1 / length : 1;
-    for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
-      value_[k] *= scale_[i];
-    rhs_[i] = problem.rhs[i] * scale_[i];
-    if (!(std::abs(rhs_[i]) <= max_coordinate))
-      throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] over its row is beyond 1e150");
+    add_entries(problem, i, place);
+    scale_row(problem.rhs[i], i);
   }
+  list_columns();
+}
 
+// `place`: of each column, where this row already holds it.
+void SparseRows::add_entries(const Problem& problem, std::size_t i, std::span<std::size_t> place) {
+  // Beyond the entries is backwards, too: a later row must come back to where the entries end.
+  if (problem.row_start[i] > problem.row_start[i + 1] || problem.row_start[i + 1] > problem.column.size()) {
+    throw base::Error("invalid-argument", "row_start decreases at row " + std::to_string(i));
+  }
+  for (std::size_t k = problem.row_start[i]; k < problem.row_start[i + 1]; ++k) {
+    const std::uint32_t j = problem.column[k];
+    if (j >= problem.n || !std::isfinite(problem.value[k])) {
+      throw base::Error("invalid-argument", "row " + std::to_string(i) + " of A has a column out of range or a value " +
+                                                "that is not finite");
+    }
+    if (place[j] != std::size_t(-1) && place[j] >= row_start_[i]) {
+      value_[place[j]] += problem.value[k];
+    } else {
+      place[j] = column_.size();
+      column_.push_back(j);
+      value_.push_back(problem.value[k]);
+    }
+  }
+  row_start_[i + 1] = column_.size();
+}
+
+void SparseRows::scale_row(double rhs, std::size_t i) {
+  if (!std::isfinite(rhs)) throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] is not finite");
+  const double length = length_of({value_.data() + row_start_[i], row_start_[i + 1] - row_start_[i]});
+  // So that neither the row over its length nor squares of what belongs to it leave the range of double.
+  if (length > 0 && !(length >= 1e-150 && length <= 1e150))
+    throw base::Error("invalid-argument",
+                      "row " + std::to_string(i) + " of A is shorter than 1e-150 or longer than 1e150");
+  scale_[i] = length > 0 ? 1 / length : 1;
+  for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
+    value_[k] *= scale_[i];
+  rhs_[i] = rhs * scale_[i];
+  if (!(std::abs(rhs_[i]) <= max_coordinate))
+    throw base::Error("invalid-argument", "b[" + std::to_string(i) + "] over its row is beyond 1e150");
+}
+
+void SparseRows::list_columns() {
   column_row_.resize(column_.size());
   column_value_.resize(column_.size());
   base::group_by_key(
       std::span(column_start_),
       [&](const auto& visit) {
-        for (std::size_t i = 0; i < m; ++i) {
+        for (std::size_t i = 0; i < rows(); ++i) {
           for (std::size_t k = row_start_[i]; k < row_start_[i + 1]; ++k)
             visit(column_[k], static_cast<std::uint32_t>(i), value_[k]);
         }

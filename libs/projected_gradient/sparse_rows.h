@@ -47,6 +47,10 @@ class SparseRows {
   }
 
  private:
+  void add_entries(const Problem& problem, std::size_t row, std::span<std::size_t> place);
+  void scale_row(double rhs, std::size_t row);
+  void list_columns();
+
   base::Array<std::size_t> row_start_, column_start_;
   base::Array<std::uint32_t> column_, column_row_;
   base::Array<double> value_, column_value_, rhs_, scale_;

@@ -145,46 +145,49 @@ Array<Vector3> without_unused(std::span<const Vector3> positions, std::span<cons
 
 }  // namespace
 
-CanonicalSolid make_canonical(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
-                              const base::Host& host) {
-  const auto tetrahedra = connectivity.tetrahedra();
-  CanonicalSolid solid(host.memory);
-  {
-    const Array<Vector3> places = without_unused(positions, tetrahedra, host);
-    const Array<Index> order = mesh::hilbert_order(places, host);
-    Array<Index> rank(positions.size(), host.memory);
-    Array<Vector3> ordered(host.memory);
-    ordered.reserve(positions.size());
-    for (Index i = 0; i < order.size(); ++i) {
-      rank[order[i]] = i;
-      ordered.push_back(places[order[i]]);
-    }
-    Array<std::array<Index, 3>> faces(host.memory);
-    faces.reserve(connectivity.boundary_face_count());
-    for (Index f = 0; f < connectivity.face_count(); ++f) {
-      if (f % items_between_reports == 0) host.report("boundary", f, connectivity.face_count());
-      if (connectivity.on_boundary(f)) faces.push_back(ranked(connectivity.vertices(f), rank));
-    }
-    std::ranges::sort(faces);
-    solid.axes = axes_of(faces, ordered);
-    solid.matrix = quaternion::to_matrix(quaternion::conjugate(solid.axes));
-    for (double& entry : solid.matrix) {
-      if (std::abs(entry - std::round(entry)) < rounding) entry = std::round(entry);
-    }
-    for (Vector3& p : ordered) {
-      const Vector turned = solid.turned(Vector{p[0], p[1], p[2]});
-      p = Vector3(turned.x, turned.y, turned.z);
-    }
-    // Along a curve in the solid's axes; of equal places the first is that which is first in the given axes.
-    const Array<Index> again = mesh::hilbert_order(ordered, host);
-    solid.vertex.reserve(positions.size());
-    solid.positions.reserve(positions.size());
-    for (const Index i : again) {
-      solid.vertex.push_back(order[i]);
-      solid.positions.push_back(ordered[i]);
-    }
+namespace {
+
+// Axes and vertices.
+void order_vertices(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
+                    CanonicalSolid& solid, const base::Host& host) {
+  const Array<Vector3> places = without_unused(positions, connectivity.tetrahedra(), host);
+  const Array<Index> order = mesh::hilbert_order(places, host);
+  Array<Index> rank(positions.size(), host.memory);
+  Array<Vector3> ordered(host.memory);
+  ordered.reserve(positions.size());
+  for (Index i = 0; i < order.size(); ++i) {
+    rank[order[i]] = i;
+    ordered.push_back(places[order[i]]);
   }
-  Array<Index> number(positions.size(), host.memory);
+  Array<std::array<Index, 3>> faces(host.memory);
+  faces.reserve(connectivity.boundary_face_count());
+  for (Index f = 0; f < connectivity.face_count(); ++f) {
+    if (f % items_between_reports == 0) host.report("boundary", f, connectivity.face_count());
+    if (connectivity.on_boundary(f)) faces.push_back(ranked(connectivity.vertices(f), rank));
+  }
+  std::ranges::sort(faces);
+  solid.axes = axes_of(faces, ordered);
+  solid.matrix = quaternion::to_matrix(quaternion::conjugate(solid.axes));
+  for (double& entry : solid.matrix) {
+    if (std::abs(entry - std::round(entry)) < rounding) entry = std::round(entry);
+  }
+  for (Vector3& p : ordered) {
+    const Vector turned = solid.turned(Vector{p[0], p[1], p[2]});
+    p = Vector3(turned.x, turned.y, turned.z);
+  }
+  // Along a curve in the solid's axes; of equal places the first is that which is first in the given axes.
+  const Array<Index> again = mesh::hilbert_order(ordered, host);
+  solid.vertex.reserve(positions.size());
+  solid.positions.reserve(positions.size());
+  for (const Index i : again) {
+    solid.vertex.push_back(order[i]);
+    solid.positions.push_back(ordered[i]);
+  }
+}
+
+// Along the order of the vertices, which come first.
+void order_tetrahedra(std::span<const Tetrahedron> tetrahedra, CanonicalSolid& solid, const base::Host& host) {
+  Array<Index> number(solid.vertex.size(), host.memory);
   for (Index i = 0; i < solid.vertex.size(); ++i)
     number[solid.vertex[i]] = i;
   struct Numbered {
@@ -212,6 +215,15 @@ CanonicalSolid make_canonical(std::span<const Vector3> positions, const mesh::Te
     solid.tetrahedra.push_back(sorted[i].corners);
     solid.tetrahedron.push_back(sorted[i].given);
   }
+}
+
+}  // namespace
+
+CanonicalSolid make_canonical(std::span<const Vector3> positions, const mesh::TetrahedralConnectivity& connectivity,
+                              const base::Host& host) {
+  CanonicalSolid solid(host.memory);
+  order_vertices(positions, connectivity, solid, host);
+  order_tetrahedra(connectivity.tetrahedra(), solid, host);
   return solid;
 }
 

@@ -90,6 +90,36 @@ Quaternion aligned(const Quaternion& frame, const Vector& n) {
   return normalized(multiply(frame, normalized(turn)));
 }
 
+namespace {
+
+// Those of the given frames and axes that are not held, `count` of them, by node.
+void list_pulls(const DualGraph& graph, std::span<const GivenFrame> given_frames, std::span<const GivenAxis> given_axes,
+                std::size_t count, Array<Pull>& pulls, const base::Host& host) {
+  Array<Index> node(graph.size(), host.memory);
+  for (Index i = 0; i < graph.size(); ++i)
+    node[graph.tetrahedron[i]] = i;
+  pulls.reserve(count);
+  for (const GivenFrame& g : given_frames) {
+    if (g.weight < held) pulls.push_back({node[g.tetrahedron], true, normalized(g.frame), {}, g.weight});
+  }
+  for (const GivenAxis& g : given_axes) {
+    if (g.weight < held)
+      pulls.push_back({node[g.tetrahedron], false, aligned({1, 0, 0, 0}, g.direction), g.direction, g.weight});
+  }
+  // Equals stay in the order in which they were given.
+  Array<Index> order(count, host.memory);
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(
+      order, [&](Index a, Index b) { return pulls[a].node != pulls[b].node ? pulls[a].node < pulls[b].node : a < b; });
+  Array<Pull> sorted(host.memory);
+  sorted.reserve(count);
+  for (const Index i : order)
+    sorted.push_back(pulls[i]);
+  std::swap(sorted, pulls);
+}
+
+}  // namespace
+
 Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> positions,
                              const mesh::TetrahedralConnectivity& connectivity, bool align_boundary,
                              std::span<const GivenFrame> given_frames, std::span<const GivenAxis> given_axes,
@@ -110,30 +140,7 @@ Constraints make_constraints(const DualGraph& graph, std::span<const Vector3> po
   };
   table(given_frames, frame_of);
   table(given_axes, axis_of);
-  if (pulls > 0) {
-    Array<Index> node(graph.size(), host.memory);
-    for (Index i = 0; i < graph.size(); ++i)
-      node[graph.tetrahedron[i]] = i;
-    result.pulls.reserve(pulls);
-    for (const GivenFrame& g : given_frames) {
-      if (g.weight < held) result.pulls.push_back({node[g.tetrahedron], true, normalized(g.frame), {}, g.weight});
-    }
-    for (const GivenAxis& g : given_axes) {
-      if (g.weight < held)
-        result.pulls.push_back({node[g.tetrahedron], false, aligned({1, 0, 0, 0}, g.direction), g.direction, g.weight});
-    }
-    // Equals stay in the order in which they were given.
-    Array<Index> order(pulls, host.memory);
-    std::iota(order.begin(), order.end(), Index{0});
-    std::ranges::sort(order, [&](Index a, Index b) {
-      return result.pulls[a].node != result.pulls[b].node ? result.pulls[a].node < result.pulls[b].node : a < b;
-    });
-    Array<Pull> sorted(host.memory);
-    sorted.reserve(pulls);
-    for (const Index i : order)
-      sorted.push_back(result.pulls[i]);
-    std::swap(sorted, result.pulls);
-  }
+  if (pulls > 0) list_pulls(graph, given_frames, given_axes, pulls, result.pulls, host);
   for (Index i = 0; i < graph.size(); ++i) {
     if (i % 16384 == 0) host.report("boundary", i, graph.size());
     const Index t = graph.tetrahedron[i];

@@ -48,45 +48,58 @@ GraphSolver<components>::GraphSolver(const DualGraph& graph, std::span<const Coa
     level.mass.assign(coarse.size(), 0);
     for (Array<Value>* v : {&level.right, &level.x, &level.residual})
       v->resize(coarse.size());
-    const auto rows_of = [&](Index group) {
-      Index& at = level.penalty_of[group];
-      if (at == no_index) {
-        at = static_cast<Index>(level.penalty_size.size());
-        level.penalty_size.push_back(0);
-        level.penalty.resize(level.penalty.size() + components);
-      }
-      return at;
-    };
-    if (l == 0) {
-      for (const Tangent& tangent : tangents) {
-        const Index at = rows_of(coarse.group[tangent.node]);
-        float weight = 0;
-        for (const float w : graph.weights[tangent.node])
-          weight += penalty_share * w;
-        level.penalty_size[at] += weight;
-        for (std::size_t i = 0; i < components; ++i) {
-          for (std::size_t j = 0; j < components; ++j) {
-            float along = 0;
-            for (const Value& d : tangent.direction)
-              along += d.at[i] * d.at[j];
-            level.penalty[at * components + i].at[j] += weight * ((i == j ? 1.0F : 0.0F) - along);
-          }
-        }
-      }
-    } else {
-      const Level& finer = levels_.back();
-      for (Index i = 0; i < finer.penalty_of.size(); ++i) {
-        const Index from = finer.penalty_of[i];
-        if (from == no_index) continue;
-        const Index at = rows_of(coarse.group[i]);
-        level.penalty_size[at] += finer.penalty_size[from];
-        for (std::size_t r = 0; r < components; ++r) {
-          for (std::size_t k = 0; k < stride; ++k)
-            level.penalty[at * components + r].at[k] += finer.penalty[from * components + r].at[k];
-        }
+    if (l == 0)
+      add_tangents(coarse, level);
+    else
+      add_penalties(levels_.back(), coarse, level);
+    levels_.push_back(std::move(level));
+  }
+}
+
+// The rows of a group's penalty, which are made where there are none.
+template <std::size_t components>
+Index GraphSolver<components>::Level::rows_of(Index group) {
+  Index& at = penalty_of[group];
+  if (at == no_index) {
+    at = static_cast<Index>(penalty_size.size());
+    penalty_size.push_back(0);
+    penalty.resize(penalty.size() + components);
+  }
+  return at;
+}
+
+// Penalties of the first level, from the constrained nodes.
+template <std::size_t components>
+void GraphSolver<components>::add_tangents(const CoarseGraph& coarse, Level& level) const {
+  for (const Tangent& tangent : tangents_) {
+    const Index at = level.rows_of(coarse.group[tangent.node]);
+    float weight = 0;
+    for (const float w : graph_.weights[tangent.node])
+      weight += penalty_share * w;
+    level.penalty_size[at] += weight;
+    for (std::size_t i = 0; i < components; ++i) {
+      for (std::size_t j = 0; j < components; ++j) {
+        float along = 0;
+        for (const Value& d : tangent.direction)
+          along += d.at[i] * d.at[j];
+        level.penalty[at * components + i].at[j] += weight * ((i == j ? 1.0F : 0.0F) - along);
       }
     }
-    levels_.push_back(std::move(level));
+  }
+}
+
+// Those of the other levels, from the next finer one.
+template <std::size_t components>
+void GraphSolver<components>::add_penalties(const Level& finer, const CoarseGraph& coarse, Level& level) {
+  for (Index i = 0; i < finer.penalty_of.size(); ++i) {
+    const Index from = finer.penalty_of[i];
+    if (from == no_index) continue;
+    const Index at = level.rows_of(coarse.group[i]);
+    level.penalty_size[at] += finer.penalty_size[from];
+    for (std::size_t r = 0; r < components; ++r) {
+      for (std::size_t k = 0; k < stride; ++k)
+        level.penalty[at * components + r].at[k] += finer.penalty[from * components + r].at[k];
+    }
   }
 }
 

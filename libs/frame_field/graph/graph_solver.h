@@ -60,6 +60,9 @@ class GraphSolver {
           right(memory),
           x(memory),
           residual(memory) {}
+
+    Index rows_of(Index group);
+
     Array<Index> penalty_of;    // by node; no_index where there is none
     Array<Value> penalty;       // `components` rows of a matrix each
     Array<float> penalty_size;  // upper bound of the largest eigenvalue
@@ -67,6 +70,8 @@ class GraphSolver {
     Array<Value> right, x, residual;
   };
 
+  void add_tangents(const CoarseGraph& coarse, Level& level) const;
+  static void add_penalties(const Level& finer, const CoarseGraph& coarse, Level& level);
   void project(std::span<Value> v, std::size_t begin, std::size_t end) const;
   // body(begin, end, chunk), on threads where the graph is large.
   template <class Body>

@@ -20,6 +20,25 @@ void dots(const Array<double>& a, const Array<double>& b, std::size_t channels, 
   }
 }
 
+double largest_residual(const Array<linear::ConjugateScalars>& scalars) {
+  double largest = 0;
+  for (const linear::ConjugateScalars& of_column : scalars) {
+    if (of_column.start() > 0) largest = std::max(largest, std::sqrt(of_column.square() / of_column.start()));
+  }
+  return largest;
+}
+
+// From Lanczos's matrix, if it has a row.
+void estimate_spectrum(const Array<double>& diagonal, const Array<double>& beside, ConjugateGradientsReport& report) {
+  if (diagonal.empty()) return;
+  const auto n = static_cast<Eigen::Index>(diagonal.size());
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
+  solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), n),
+                                Eigen::Map<const Eigen::VectorXd>(beside.data(), n - 1), Eigen::EigenvaluesOnly);
+  report.smallest = solver.eigenvalues()[0];
+  report.largest = solver.eigenvalues()[n - 1];
+}
+
 }  // namespace
 
 ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span<const double> b, std::size_t channels,
@@ -77,18 +96,8 @@ ConjugateGradientsReport conjugate_gradients(const Multiply& multiply, std::span
       }
     }
   }
-  for (const linear::ConjugateScalars& of_column : scalars) {
-    if (of_column.start() > 0)
-      report.residual = std::max(report.residual, std::sqrt(of_column.square() / of_column.start()));
-  }
-  if (!diagonal.empty()) {
-    const auto n = static_cast<Eigen::Index>(diagonal.size());
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
-    solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), n),
-                                  Eigen::Map<const Eigen::VectorXd>(beside.data(), n - 1), Eigen::EigenvaluesOnly);
-    report.smallest = solver.eigenvalues()[0];
-    report.largest = solver.eigenvalues()[n - 1];
-  }
+  report.residual = largest_residual(scalars);
+  estimate_spectrum(diagonal, beside, report);
   return report;
 }
 

@@ -95,62 +95,66 @@ void GramOperator::multiply(std::span<const double> c, std::size_t channels, std
     multiply_group(c, channels, first, std::min(channel_group, channels - first), product);
 }
 
-void GramOperator::multiply_group(std::span<const double> c, std::size_t channels, std::size_t first, std::size_t group,
-                                  std::span<double> product) {
-  PackedCoefficients packed(table_, group, host_.memory);
-  packed.pack(c, degree(), channels, first);
-  const std::size_t length = packed.values().size();
+// What the circles of a block add to the product of `group` channels, into its part.
+void GramOperator::multiply_block(std::size_t b, std::size_t group, const PackedCoefficients& packed) {
   const auto rows = static_cast<Eigen::Index>(group * block_size);
   const auto orders = static_cast<Eigen::Index>(2 * std::size_t{degree()} + 1);
   const auto width = static_cast<Eigen::Index>(longitudes_);
   const Eigen::Map<const Eigen::MatrixXd> waves(waves_.data(), static_cast<Eigen::Index>(waves_.size() / longitudes_),
                                                 width);
-  const auto one_block = [&](std::size_t b) {
-    Work& work = work_[b];
-    to_grid(b, table_, packed, work);
-    for (std::size_t j = 0; j < longitudes_; ++j) {
-      const double* density = density_.data() + (b * longitudes_ + j) * block_size;
-      double* column = work.grid.data() + j * group * block_size;
-      for (std::size_t k = 0; k < group; ++k) {
-        for (std::size_t i = 0; i < block_size; ++i)
-          column[k * block_size + i] *= density[i];
-      }
-    }
-    Matrix(work.orders.data(), rows, orders).noalias() =
-        Matrix(work.grid.data(), rows, width) * waves.topRows(orders).transpose();
-    double* part = parts_.data() + b * length;
-    std::fill_n(part, length, 0.0);
-    GroupLanes cosine, sine;
-    for (Lanes& lanes : sine)
-      lanes.fill(0);
-    Lanes power;
-    power.fill(1);
-    for (std::uint32_t m = 0; m <= degree(); ++m) {
-      const double* even = work.orders.data() + (m > 0 ? 2 * m - 1 : 0) * group * block_size;
-      const double* odd = even + group * block_size;
-      for (std::size_t k = 0; k < group; ++k) {
-        for (std::size_t i = 0; i < block_size; ++i) {
-          cosine[k][i] = even[k * block_size + i] * power[i];
-          if (m > 0) sine[k][i] = odd[k * block_size + i] * power[i];
-        }
-      }
-      table_.analyse(m, height_[b], group, cosine, sine, part + table_.start(m) * 2 * group);
+  Work& work = work_[b];
+  to_grid(b, table_, packed, work);
+  for (std::size_t j = 0; j < longitudes_; ++j) {
+    const double* density = density_.data() + (b * longitudes_ + j) * block_size;
+    double* column = work.grid.data() + j * group * block_size;
+    for (std::size_t k = 0; k < group; ++k) {
       for (std::size_t i = 0; i < block_size; ++i)
-        power[i] *= radius_[b][i];
+        column[k * block_size + i] *= density[i];
     }
-  };
+  }
+  Matrix(work.orders.data(), rows, orders).noalias() =
+      Matrix(work.grid.data(), rows, width) * waves.topRows(orders).transpose();
+  const std::size_t length = table_.pair_count() * 2 * group;
+  double* part = parts_.data() + b * length;
+  std::fill_n(part, length, 0.0);
+  GroupLanes cosine, sine;
+  for (Lanes& lanes : sine)
+    lanes.fill(0);
+  Lanes power;
+  power.fill(1);
+  for (std::uint32_t m = 0; m <= degree(); ++m) {
+    const double* even = work.orders.data() + (m > 0 ? 2 * m - 1 : 0) * group * block_size;
+    const double* odd = even + group * block_size;
+    for (std::size_t k = 0; k < group; ++k) {
+      for (std::size_t i = 0; i < block_size; ++i) {
+        cosine[k][i] = even[k * block_size + i] * power[i];
+        if (m > 0) sine[k][i] = odd[k * block_size + i] * power[i];
+      }
+    }
+    table_.analyse(m, height_[b], group, cosine, sine, part + table_.start(m) * 2 * group);
+    for (std::size_t i = 0; i < block_size; ++i)
+      power[i] *= radius_[b][i];
+  }
+}
+
+void GramOperator::multiply_group(std::span<const double> c, std::size_t channels, std::size_t first, std::size_t group,
+                                  std::span<double> product) {
+  PackedCoefficients packed(table_, group, host_.memory);
+  packed.pack(c, degree(), channels, first);
+  const std::size_t length = packed.values().size();
   // Threads cost more than they bring for a small degree.
   constexpr std::uint32_t threads_from = 24;
   if (degree() < threads_from) {
     for (std::size_t b = 0; b < block_count_; ++b)
-      one_block(b);
+      multiply_block(b, group, packed);
   } else {
     // Number of blocks between two reports, so that a cancel takes effect within 50 ms at any degree.
     constexpr std::size_t work_between_reports = 200'000;
     const std::size_t at_once = std::max<std::size_t>(4, work_between_reports / (std::size_t{degree()} * degree()));
     for (std::size_t b = 0; b < block_count_; b += at_once) {
       if (b > 0) host_.report("fitting", 0, 0);
-      host_.parallel_for(std::min(at_once, block_count_ - b), [&](std::size_t i) { one_block(b + i); });
+      host_.parallel_for(std::min(at_once, block_count_ - b),
+                         [&](std::size_t i) { multiply_block(b + i, group, packed); });
     }
   }
   const std::span<double> sum = packed.values();

@@ -40,6 +40,7 @@ class GramOperator {
 
   void multiply_group(std::span<const double> c, std::size_t channels, std::size_t first, std::size_t group,
                       std::span<double> product);
+  void multiply_block(std::size_t b, std::size_t group, const PackedCoefficients& packed);
   // Values on the circles of a block, in work.grid, of packed coefficients.
   void to_grid(std::size_t block, const LegendreTable& table, const PackedCoefficients& packed, Work& work) const;
 

@@ -90,13 +90,14 @@ Matrix3 best_rotation(const Matrix3& m, double& sum) {
   return Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized().toRotationMatrix();
 }
 
-std::vector<CorrelationPeak> correlation_peaks(const Coefficients& f, const Coefficients& g, std::uint32_t degree,
-                                               bool turn_values, std::size_t most, const base::Host& host) {
-  const std::size_t betas = 2 * std::size_t{degree}, turns = 4 * std::size_t{degree};
-  const double step = std::numbers::pi / static_cast<double>(betas);
+namespace {
+
+constexpr auto better = [](const CorrelationPeak& a, const CorrelationPeak& b) { return a.value > b.value; };
+
+// Cosines and sines of all orders at the angles of one turn, `step` apart.
+Eigen::MatrixXd waves_of(std::uint32_t degree, double step) {
   const auto top = static_cast<Eigen::Index>(degree);
-  const Eigen::Index waves_count = 2 * top + 1;
-  Eigen::MatrixXd waves(waves_count, static_cast<Eigen::Index>(turns));
+  Eigen::MatrixXd waves(2 * top + 1, 4 * top);
   for (Eigen::Index k = 0; k < waves.cols(); ++k) {
     waves(0, k) = 1;
     for (Eigen::Index m = 1; m <= top; ++m) {
@@ -104,45 +105,65 @@ std::vector<CorrelationPeak> correlation_peaks(const Coefficients& f, const Coef
       waves(2 * m, k) = std::sin(static_cast<double>(m * k) * step);
     }
   }
+  return waves;
+}
+
+// Correlations at all alpha and gamma: the sum of all channels, or with turn_values of each pair of coordinates.
+std::vector<Eigen::MatrixXd> grids_at(const Coefficients& f, const Coefficients& g, const AtOneBeta& elements,
+                                      bool turn_values, const Eigen::MatrixXd& waves) {
+  std::vector<Eigen::MatrixXd> grids;
+  const auto add_grid = [&](const Eigen::MatrixXd& x) { grids.emplace_back(waves.transpose() * (x * waves)); };
+  if (turn_values) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      for (std::size_t j = 0; j < 3; ++j) {
+        Eigen::MatrixXd x = Eigen::MatrixXd::Zero(waves.rows(), waves.rows());
+        elements.add(f, i, g, j, x);
+        add_grid(x);
+      }
+    }
+  } else {
+    Eigen::MatrixXd x = Eigen::MatrixXd::Zero(waves.rows(), waves.rows());
+    for (std::size_t c = 0; c < f.channels; ++c)
+      elements.add(f, c, g, c, x);
+    add_grid(x);
+  }
+  return grids;
+}
+
+// The best rotations of one beta.
+std::vector<CorrelationPeak> peaks_at(double beta, double step, const std::vector<Eigen::MatrixXd>& grids) {
+  constexpr std::size_t max_peaks = 64;
+  std::vector<CorrelationPeak> all;
+  for (Eigen::Index p = 0; p < grids[0].rows(); ++p) {
+    for (Eigen::Index q = 0; q < grids[0].cols(); ++q) {
+      double value = grids[0](p, q);
+      if (grids.size() > 1) {
+        Matrix3 m;
+        for (Eigen::Index k = 0; k < 9; ++k)
+          m(k / 3, k % 3) = grids[static_cast<std::size_t>(k)](p, q);
+        best_rotation(m, value);
+      }
+      all.push_back({euler(static_cast<double>(p) * step, beta, static_cast<double>(q) * step), value});
+    }
+  }
+  const std::size_t kept = std::min(all.size(), max_peaks);
+  std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(), better);
+  all.resize(kept);
+  return all;
+}
+
+}  // namespace
+
+std::vector<CorrelationPeak> correlation_peaks(const Coefficients& f, const Coefficients& g, std::uint32_t degree,
+                                               bool turn_values, std::size_t most, const base::Host& host) {
+  const std::size_t betas = 2 * std::size_t{degree};
+  const double step = std::numbers::pi / static_cast<double>(betas);
+  const Eigen::MatrixXd waves = waves_of(degree, step);
   // The best of each beta; then of all.
   std::vector<std::vector<CorrelationPeak>> best(betas);
-  const auto better = [](const CorrelationPeak& a, const CorrelationPeak& b) { return a.value > b.value; };
   const auto search = [&](std::size_t b) {
     const double beta = (static_cast<double>(b) + 0.5) * step;
-    const AtOneBeta elements(beta, degree);
-    std::vector<Eigen::MatrixXd> grids;
-    const auto add_grid = [&](const Eigen::MatrixXd& x) { grids.emplace_back(waves.transpose() * (x * waves)); };
-    if (turn_values) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          Eigen::MatrixXd x = Eigen::MatrixXd::Zero(waves_count, waves_count);
-          elements.add(f, i, g, j, x);
-          add_grid(x);
-        }
-      }
-    } else {
-      Eigen::MatrixXd x = Eigen::MatrixXd::Zero(waves_count, waves_count);
-      for (std::size_t c = 0; c < f.channels; ++c)
-        elements.add(f, c, g, c, x);
-      add_grid(x);
-    }
-    std::vector<CorrelationPeak> all;
-    for (Eigen::Index p = 0; p < waves.cols(); ++p) {
-      for (Eigen::Index q = 0; q < waves.cols(); ++q) {
-        double value = grids[0](p, q);
-        if (turn_values) {
-          Matrix3 m;
-          for (Eigen::Index k = 0; k < 9; ++k)
-            m(k / 3, k % 3) = grids[static_cast<std::size_t>(k)](p, q);
-          best_rotation(m, value);
-        }
-        all.push_back({euler(static_cast<double>(p) * step, beta, static_cast<double>(q) * step), value});
-      }
-    }
-    const std::size_t kept = std::min<std::size_t>(all.size(), 64);
-    std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(kept), all.end(), better);
-    all.resize(kept);
-    best[b] = std::move(all);
+    best[b] = peaks_at(beta, step, grids_at(f, g, AtOneBeta(beta, degree), turn_values, waves));
   };
   constexpr std::size_t wave = 2;
   for (std::size_t b = 0; b < betas; b += wave) {

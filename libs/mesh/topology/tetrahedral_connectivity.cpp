@@ -26,6 +26,16 @@ constexpr auto edge_number = [] {
   return number;
 }();
 
+void require_distinct_corners(std::span<const Tetrahedron> tetrahedra, const base::Host& host) {
+  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
+    if (t % items_between_reports == 0) host.report(phase, t, tetrahedra.size());
+    Tetrahedron sorted = tetrahedra[t];
+    std::ranges::sort(sorted);
+    if (std::ranges::adjacent_find(sorted) != sorted.end())
+      throw base::Error("degenerate-cell", "tetrahedron " + std::to_string(t) + " has a repeated vertex");
+  }
+}
+
 }  // namespace
 
 TetrahedralConnectivity::TetrahedralConnectivity(std::size_t vertex_count, std::span<const Tetrahedron> tetrahedra,
@@ -37,15 +47,10 @@ TetrahedralConnectivity::TetrahedralConnectivity(std::size_t vertex_count, std::
   boundary_faces_ = opposite_.size();
   const auto face_count = static_cast<Index>(opposite_.size());
 
+  require_distinct_corners(tetrahedra, host);
+
   // Faces by their lowest vertex (a counting sort), then those that share it by the other two.
   const auto lowest = [&](Index face) { return std::ranges::min(vertices(face)); };
-  for (std::size_t t = 0; t < tetrahedra.size(); ++t) {
-    if (t % items_between_reports == 0) host.report(phase, t, tetrahedra.size());
-    Tetrahedron sorted = tetrahedra[t];
-    std::ranges::sort(sorted);
-    if (std::ranges::adjacent_find(sorted) != sorted.end())
-      throw base::Error("degenerate-cell", "tetrahedron " + std::to_string(t) + " has a repeated vertex");
-  }
   const auto for_each_face = [&](const auto& visit) {
     for (Index f = 0; f < face_count; ++f) {
       if (f % items_between_reports == 0) host.report(phase, f / 4, tetrahedra.size());

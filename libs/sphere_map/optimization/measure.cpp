@@ -68,6 +68,59 @@ Array<std::uint8_t> checked_use(std::span<const Vector3> positions, std::span<co
   return used;
 }
 
+// The directions of vertices in use at length 1; `radius_error` gets the largest difference to that.
+Array<Vector3> unit_directions(std::span<const Vector3> directions, std::span<const std::uint8_t> used,
+                               double& radius_error, const base::Host& host) {
+  Array<Vector3> unit(directions.begin(), directions.end(), host.memory);
+  for (std::size_t v = 0; v < unit.size(); ++v) {
+    if (used[v] == 0) continue;
+    radius_error = std::max(radius_error, std::abs(unit[v].norm() - 1));
+    unit[v].stableNormalize();
+  }
+  return unit;
+}
+
+// How the triangles of the map cover the sphere.
+void measure_cover(std::span<const Triangle> triangles, std::span<const Vector3> unit, Measurement& m) {
+  std::size_t positive = 0;
+  std::size_t negative = 0;
+  double total_angle = 0;
+  for (const Triangle& t : triangles) {
+    const int sign = mesh::orientation_from_origin(unit[t[0]], unit[t[1]], unit[t[2]]);
+    positive += sign > 0;
+    negative += sign < 0;
+    total_angle += solid_angle(unit[t[0]], unit[t[1]], unit[t[2]]);
+  }
+  m.mirrored = negative > positive;
+  m.flipped = m.mirrored ? positive : negative;
+  m.degenerate = triangles.size() - positive - negative;
+  m.degree = (m.mirrored ? -total_angle : total_angle) / four_pi;
+  m.bijective = !triangles.empty() && m.flipped == 0 && m.degenerate == 0 && std::abs(m.degree - 1) < 1e-6;
+}
+
+// Sums over triangles, by their area on the surface.
+struct DistortionSums {
+  double area = 0;
+  double quasi_conformal = 0;
+  double stretch = 0;
+  double isometric = 0;
+
+  // With a triangle of the surface, its map's singular values, and their quotient.
+  void add(double a, const SingularValues& s, double k) {
+    area += a;
+    quasi_conformal += a * k;
+    stretch += a * 0.5 * (1 / (s.large * s.large) + 1 / (s.small * s.small));
+    isometric += a * 0.25 * (s.large * s.large + s.small * s.small + 1 / (s.large * s.large) + 1 / (s.small * s.small));
+  }
+};
+
+double area_of(std::span<const Triangle> triangles, std::span<const Vector3> surface) {
+  double area = 0;
+  for (const Triangle& t : triangles)
+    area += 0.5 * (surface[t[1]] - surface[t[0]]).cross(surface[t[2]] - surface[t[0]]).norm();
+  return area;
+}
+
 }  // namespace
 
 double solid_angle(const Vector3& p, const Vector3& q, const Vector3& r) {
@@ -86,39 +139,16 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
   const Array<std::uint8_t> used = checked_use(positions, triangles, directions, host);
   const Array<Vector3> surface = normalized(positions, triangles, host.memory);
   const double rounding = mesh::rounding_unit(positions, triangles);
-  Array<Vector3> unit(directions.begin(), directions.end(), host.memory);
   Measurement m;
-  for (std::size_t v = 0; v < unit.size(); ++v) {
-    if (used[v] == 0) continue;
-    m.radius_error = std::max(m.radius_error, std::abs(unit[v].norm() - 1));
-    unit[v].stableNormalize();
-  }
-  double surface_area = 0;
-  std::size_t positive = 0;
-  std::size_t negative = 0;
-  double total_angle = 0;
-  for (const Triangle& t : triangles) {
-    surface_area += 0.5 * (surface[t[1]] - surface[t[0]]).cross(surface[t[2]] - surface[t[0]]).norm();
-    const int sign = mesh::orientation_from_origin(unit[t[0]], unit[t[1]], unit[t[2]]);
-    positive += sign > 0;
-    negative += sign < 0;
-    total_angle += solid_angle(unit[t[0]], unit[t[1]], unit[t[2]]);
-  }
-  m.mirrored = negative > positive;
-  m.flipped = m.mirrored ? positive : negative;
-  m.degenerate = triangles.size() - positive - negative;
-  m.degree = (m.mirrored ? -total_angle : total_angle) / four_pi;
-  m.bijective = !triangles.empty() && m.flipped == 0 && m.degenerate == 0 && std::abs(m.degree - 1) < 1e-6;
+  const Array<Vector3> unit = unit_directions(directions, used, m.radius_error, host);
+  measure_cover(triangles, unit, m);
 
   if (faces != nullptr) {
     faces->quasi_conformal.assign(triangles.size(), std::numeric_limits<double>::infinity());
     faces->area_ratio.assign(triangles.size(), 0);
   }
-  const double length_scale = std::sqrt(four_pi / surface_area);
-  double measured_area = 0;
-  double quasi_conformal = 0;
-  double stretch = 0;
-  double isometric = 0;
+  const double length_scale = std::sqrt(four_pi / area_of(triangles, surface));
+  DistortionSums sums;
   m.min_area_ratio = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < triangles.size(); ++i) {
     const Triangle& t = triangles[i];
@@ -143,11 +173,7 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
     m.max_quasi_conformal = std::max(m.max_quasi_conformal, k);
     m.min_area_ratio = std::min(m.min_area_ratio, ratio);
     m.max_area_ratio = std::max(m.max_area_ratio, ratio);
-    measured_area += area;
-    quasi_conformal += area * k;
-    stretch += area * 0.5 * (1 / (s.large * s.large) + 1 / (s.small * s.small));
-    isometric +=
-        area * 0.25 * (s.large * s.large + s.small * s.small + 1 / (s.large * s.large) + 1 / (s.small * s.small));
+    sums.add(area, s, k);
     if (faces != nullptr) {
       faces->quasi_conformal[i] = k;
       faces->area_ratio[i] = ratio;
@@ -155,13 +181,13 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
     if (i % 65536 == 0) host.report("measurement", i, triangles.size());
   }
   m.energy = angle_weight * m.energy_angle + area_weight * m.energy_area;
-  if (!(measured_area > 0)) {
+  if (!(sums.area > 0)) {
     m.min_area_ratio = 0;
     return m;
   }
-  m.mean_quasi_conformal = quasi_conformal / measured_area;
-  m.stretch_efficiency = measured_area / stretch;
-  m.isometric_mean = isometric / measured_area;
+  m.mean_quasi_conformal = sums.quasi_conformal / sums.area;
+  m.stretch_efficiency = sums.area / sums.stretch;
+  m.isometric_mean = sums.isometric / sums.area;
   return m;
 }
 
