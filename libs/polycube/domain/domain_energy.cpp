@@ -14,6 +14,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr const char* phase = "domain energy";
+constexpr std::uint64_t across_layers = std::numeric_limits<std::uint64_t>::max();
 
 double area_of(const std::array<std::array<double, 2>, 3>& p) {
   return 0.5 * ((p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[2][0] - p[0][0]) * (p[1][1] - p[0][1]));
@@ -32,6 +33,15 @@ double harmonic_of(const std::array<double, 3>& cotangents, const std::array<std
 
 }  // namespace
 
+// What is known of triangles before their cells are.
+struct DomainEnergy::Triangles {
+  explicit Triangles(std::pmr::memory_resource* memory) : by_cell(memory), areas(memory) {}
+
+  Array<std::pair<std::uint64_t, Index>> by_cell;  // the cell's key or across_layers, and the triangle; sorted
+  Array<double> areas;                             // in space; 0 of degenerate ones
+  std::size_t counted = 0;                         // triangles that are not degenerate
+};
+
 DomainEnergy::DomainEnergy(const SurfaceMap& map, const CoordinateLayers& layers, DomainMeasure measure,
                            double area_weight, const base::Host& host)
     : measure_(measure),
@@ -48,19 +58,23 @@ DomainEnergy::DomainEnergy(const SurfaceMap& map, const CoordinateLayers& layers
     axis_start_[axis + 1] = lengths_.size();
   }
   place(lengths_);
-  // Triangles with the cell they are in, ordered by cell.
-  const std::uint64_t all = lengths_.size();
-  Array<std::pair<std::uint64_t, Index>> inside(host.memory);
-  Array<double> areas(map.triangles.size(), host.memory);
+  add_triangles(map, layers, find_cells(map, layers, host), host);
+}
+
+// Triangles with the cell they are in, ordered by cell.
+DomainEnergy::Triangles DomainEnergy::find_cells(const SurfaceMap& map, const CoordinateLayers& layers,
+                                                 const base::Host& host) {
+  Triangles found(host.memory);
+  Array<double>& areas = found.areas;
+  areas.resize(map.triangles.size());
   const double rounding = rounding_of_input(map);
-  std::size_t counted = 0;
   for (Index t = 0; t < map.triangles.size(); ++t) {
     if (t % 4096 == 0) host.report(phase, t, 2 * map.triangles.size());
     const auto& [a, b, c] = map.triangles[t];
     areas[t] = 0.5 * (map.positions[b] - map.positions[a]).cross(map.positions[c] - map.positions[a]).norm();
     surface_area_ += areas[t];
     if (mesh::is_degenerate(map.positions[a], map.positions[b], map.positions[c], rounding)) areas[t] = 0;
-    counted += areas[t] > 0;
+    found.counted += areas[t] > 0;
     const auto axis = static_cast<std::size_t>(axis_of(map.labels[t]));
     std::uint64_t key = axis;
     bool within = true;
@@ -69,39 +83,51 @@ DomainEnergy::DomainEnergy(const SurfaceMap& map, const CoordinateLayers& layers
       const Index least = std::min({place(a).layer, place(b).layer, place(c).layer});
       for (const Index v : {a, b, c})
         within = within && (place(v).layer == least || (place(v).layer == least + 1 && place(v).fraction == 0));
-      key = key * all + axis_start_[along] + least;
+      key = key * lengths_.size() + axis_start_[along] + least;
     }
-    inside.emplace_back(within ? key : std::numeric_limits<std::uint64_t>::max(), t);
+    found.by_cell.emplace_back(within ? key : across_layers, t);
   }
-  std::sort(inside.begin(), inside.end());
+  std::sort(found.by_cell.begin(), found.by_cell.end());
+  return found;
+}
 
-  std::uint64_t last = std::numeric_limits<std::uint64_t>::max();
-  std::size_t done = inside.size();
-  for (const auto& [key, t] : inside) {
-    if (done++ % 4096 == 0) host.report(phase, done, 2 * map.triangles.size());
-    const std::size_t axis = static_cast<std::size_t>(axis_of(map.labels[t]));
-    const std::array<std::size_t, 2> along = {(axis + 1) % 3, (axis + 2) % 3};
-    Crossing triangle{};
-    triangle.area = areas[t];
-    if (areas[t] > 0)
-      triangle.weight =
-          measure == DomainMeasure::face_mean ? 1 / static_cast<double>(counted) : areas[t] / surface_area_;
-    for (std::size_t k = 0; k < 3; ++k) {
-      // Seen from outside the corners go round counter-clockwise.
-      const std::size_t at = sign_of(map.labels[t]) > 0 ? k : 2 - k;
-      const Index v = map.triangles[t][at], next = map.triangles[t][(at + 1) % 3],
-                  previous = map.triangles[t][(at + 2) % 3];
-      if (areas[t] > 0)
-        triangle.cotangents[k] =
-            (map.positions[next] - map.positions[v]).dot(map.positions[previous] - map.positions[v]) / (8 * areas[t]);
-      for (std::size_t i = 0; i < 2; ++i) {
-        const auto [layer, fraction] = layers.places[v][along[i]];
-        const bool end = layer == layers.intervals(along[i]);
-        triangle.corner[k].interval[i] = axis_start_[along[i]] + layer - (end ? 1 : 0);
-        triangle.corner[k].fraction[i] = end ? 1 : fraction;
-      }
+DomainEnergy::Crossing DomainEnergy::crossing(const SurfaceMap& map, const CoordinateLayers& layers, Index t,
+                                              double area, double weight) const {
+  const std::size_t axis = static_cast<std::size_t>(axis_of(map.labels[t]));
+  const std::array<std::size_t, 2> along = {(axis + 1) % 3, (axis + 2) % 3};
+  Crossing triangle{};
+  triangle.area = area;
+  if (area > 0) triangle.weight = weight;
+  for (std::size_t k = 0; k < 3; ++k) {
+    // Seen from outside the corners go round counter-clockwise.
+    const std::size_t at = sign_of(map.labels[t]) > 0 ? k : 2 - k;
+    const Index v = map.triangles[t][at], next = map.triangles[t][(at + 1) % 3],
+                previous = map.triangles[t][(at + 2) % 3];
+    if (area > 0)
+      triangle.cotangents[k] =
+          (map.positions[next] - map.positions[v]).dot(map.positions[previous] - map.positions[v]) / (8 * area);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const auto [layer, fraction] = layers.places[v][along[i]];
+      const bool end = layer == layers.intervals(along[i]);
+      triangle.corner[k].interval[i] = axis_start_[along[i]] + layer - (end ? 1 : 0);
+      triangle.corner[k].fraction[i] = end ? 1 : fraction;
     }
-    if (key == std::numeric_limits<std::uint64_t>::max()) {
+  }
+  return triangle;
+}
+
+void DomainEnergy::add_triangles(const SurfaceMap& map, const CoordinateLayers& layers, const Triangles& found,
+                                 const base::Host& host) {
+  const std::uint64_t all = lengths_.size();
+  std::uint64_t last = across_layers;
+  std::size_t done = found.by_cell.size();
+  for (const auto& [key, t] : found.by_cell) {
+    if (done++ % 4096 == 0) host.report(phase, done, 2 * map.triangles.size());
+    const double area = found.areas[t];
+    const Crossing triangle =
+        crossing(map, layers, t, area,
+                 measure_ == DomainMeasure::face_mean ? 1 / static_cast<double>(found.counted) : area / surface_area_);
+    if (key == across_layers) {
       if (flat(triangle, lengths_).area > 0) crossing_.push_back(triangle);
       continue;
     }
@@ -110,28 +136,32 @@ DomainEnergy::DomainEnergy(const SurfaceMap& map, const CoordinateLayers& layers
       cells_.push_back({.first = static_cast<std::size_t>(first), .second = static_cast<std::size_t>(second)});
       last = key;
     }
-    // Within a cell of unit lengths.
-    Cell& cell = cells_.back();
-    std::array<std::array<double, 2>, 3> at{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      for (std::size_t i = 0; i < 2; ++i) {
-        const std::size_t from = i == 0 ? cell.first : cell.second;
-        at[k][i] = triangle.corner[k].fraction[i] + (triangle.corner[k].interval[i] == from ? 0 : 1);
-      }
-    }
-    const double area = area_of(at);
-    if (!(area > 0)) continue;
-    const double first = harmonic_of(triangle.cotangents, at, 0), second = harmonic_of(triangle.cotangents, at, 1);
-    cell.area += area;
-    if (!(areas[t] > 0)) continue;
-    cell.angle_first += triangle.weight * first / area;
-    cell.angle_second += triangle.weight * second / area;
-    cell.ratio += triangle.weight * area / areas[t];
-    cell.inverse += triangle.weight * areas[t] / area;
-    cell.harmonic_first += first;
-    cell.harmonic_second += second;
-    cell.stretch += area * area / areas[t];
+    cells_.back().add(triangle);
   }
+}
+
+void DomainEnergy::Cell::add(const Crossing& triangle) {
+  // Within a cell of unit lengths.
+  std::array<std::array<double, 2>, 3> at{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    for (std::size_t i = 0; i < 2; ++i) {
+      const std::size_t from = i == 0 ? first : second;
+      at[k][i] = triangle.corner[k].fraction[i] + (triangle.corner[k].interval[i] == from ? 0 : 1);
+    }
+  }
+  const double flat_area = area_of(at);
+  if (!(flat_area > 0)) return;
+  const double along_first = harmonic_of(triangle.cotangents, at, 0),
+               along_second = harmonic_of(triangle.cotangents, at, 1);
+  area += flat_area;
+  if (!(triangle.area > 0)) return;
+  angle_first += triangle.weight * along_first / flat_area;
+  angle_second += triangle.weight * along_second / flat_area;
+  ratio += triangle.weight * flat_area / triangle.area;
+  inverse += triangle.weight * triangle.area / flat_area;
+  harmonic_first += along_first;
+  harmonic_second += along_second;
+  stretch += flat_area * flat_area / triangle.area;
 }
 
 void DomainEnergy::place(std::span<const double> lengths) const {

@@ -44,14 +44,6 @@ class DomainEnergy {
   struct Totals {
     double area = 0, angle = 0, ratio = 0, inverse = 0, harmonic = 0, stretch = 0;
   };
-  // Lengths of a cell: u of interval `first`, v of interval `second`.
-  struct Cell {
-    std::size_t first, second;
-    double angle_first = 0, angle_second = 0;        // of u / v and of v / u
-    double ratio = 0, inverse = 0, area = 0;         // of u v, 1 / (u v) and u v
-    double harmonic_first = 0, harmonic_second = 0;  // of u^2 and v^2
-    double stretch = 0;                              // of (u v)^2
-  };
   struct Corner {
     std::array<std::size_t, 2> interval;  // along the two axes of the face
     std::array<double, 2> fraction;
@@ -61,12 +53,28 @@ class DomainEnergy {
     std::array<double, 3> cotangents;  // a quarter of each in space
     double weight, area;               // in space
   };
+  // Lengths of a cell: u of interval `first`, v of interval `second`.
+  struct Cell {
+    void add(const Crossing& triangle);
+
+    std::size_t first, second;
+    double angle_first = 0, angle_second = 0;        // of u / v and of v / u
+    double ratio = 0, inverse = 0, area = 0;         // of u v, 1 / (u v) and u v
+    double harmonic_first = 0, harmonic_second = 0;  // of u^2 and v^2
+    double stretch = 0;                              // of (u v)^2
+  };
   // A triangle in the plane with what it contributes.
   struct Flat {
     std::array<std::array<double, 2>, 3> at;
     double area, harmonic;
   };
 
+  struct Triangles;
+
+  Triangles find_cells(const SurfaceMap& map, const CoordinateLayers& layers, const base::Host& host);
+  void add_triangles(const SurfaceMap& map, const CoordinateLayers& layers, const Triangles& found,
+                     const base::Host& host);
+  Crossing crossing(const SurfaceMap& map, const CoordinateLayers& layers, Index t, double area, double weight) const;
   Totals totals(std::span<const double> lengths) const;
   double energy(const Totals& t) const;
   // By how much the energy grows with each total.

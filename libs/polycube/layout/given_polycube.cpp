@@ -38,6 +38,35 @@ void require_finite(std::span<const Vector3> positions) {
       throw base::Error("non-finite", "vertex " + std::to_string(i) + " of the polycube is not finite");
 }
 
+// Throws unless an edge of a patch, between two corners, lies in the patch's plane along one axis.
+void require_edge(std::span<const Vector3> corners, const GivenPatch& patch, std::size_t number, Index from, Index to,
+                  Index first_of_loop) {
+  const auto fail = [&](const std::string& what) { refuse("face " + std::to_string(number) + " " + what); };
+  for (const Index corner : {from, to})
+    if (corner >= corners.size())
+      throw base::Error("index-range", "the polycube has no corner " + std::to_string(corner));
+  const int axis = axis_of(patch.label);
+  int different = 0;
+  for (Eigen::Index a = 0; a < 3; ++a)
+    different += corners[from][a] != corners[to][a];
+  const std::string edge = "from corner " + std::to_string(from) + " to " + std::to_string(to);
+  if (different != 1) fail("has an edge along no axis, " + edge);
+  if (corners[from][axis] != corners[to][axis]) fail("has an edge across its plane, " + edge);
+  if (corners[from][axis] != corners[first_of_loop][axis] || corners[from][axis] != corners[patch.corners[0]][axis])
+    fail("has corners in more than one plane");
+}
+
+// Throws unless each edge of a patch is one of another patch in the other direction. Sorts them.
+void require_closed(Array<std::array<Index, 2>>& edges) {
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const std::array<Index, 2> back = {edges[i][1], edges[i][0]};
+    if ((i > 0 && edges[i] == edges[i - 1]) || !std::binary_search(edges.begin(), edges.end(), back))
+      refuse("the edge from corner " + std::to_string(back[1]) + " to " + std::to_string(back[0]) +
+             " is not shared by two faces");
+  }
+}
+
 }  // namespace
 
 TargetPolycube target_of_mesh(std::span<const Vector3> positions, std::span<const Triangle> triangles, double tolerance,
@@ -73,7 +102,6 @@ TargetPolycube target_of_patches(std::span<const Vector3> corners, std::span<con
     const auto fail = [&](const std::string& what) { refuse("face " + std::to_string(p) + " " + what); };
     if (patch.label >= label_count) fail("looks along no axis");
     if (patch.loop_begin.size() < 2) fail("has no corners");
-    const int axis = axis_of(patch.label);
     graph.loops_of_patch.push_back(static_cast<Index>(graph.loop_begin.size() - 1));
     graph.labels.push_back(AxisLabel{patch.label});
     for (std::size_t l = 0; l + 1 < patch.loop_begin.size(); ++l) {
@@ -81,17 +109,7 @@ TargetPolycube target_of_patches(std::span<const Vector3> corners, std::span<con
       if (loop.size() < 4) fail("has a loop of fewer than four corners");
       for (std::size_t i = 0; i < loop.size(); ++i) {
         const Index from = loop[i], to = loop[(i + 1) % loop.size()];
-        if (from >= corners.size())
-          throw base::Error("index-range", "the polycube has no corner " + std::to_string(from));
-        if (to >= corners.size()) throw base::Error("index-range", "the polycube has no corner " + std::to_string(to));
-        int different = 0;
-        for (Eigen::Index a = 0; a < 3; ++a)
-          different += corners[from][a] != corners[to][a];
-        const std::string edge = "from corner " + std::to_string(from) + " to " + std::to_string(to);
-        if (different != 1) fail("has an edge along no axis, " + edge);
-        if (corners[from][axis] != corners[to][axis]) fail("has an edge across its plane, " + edge);
-        if (corners[from][axis] != corners[loop[0]][axis] || corners[from][axis] != corners[patch.corners[0]][axis])
-          fail("has corners in more than one plane");
+        require_edge(corners, patch, p, from, to, loop[0]);
         graph.loops.push_back(static_cast<Index>(graph.dart_origin.size()));
         graph.dart_origin.push_back(Index{from});
         graph.dart_origin.push_back(Index{to});
@@ -99,17 +117,11 @@ TargetPolycube target_of_patches(std::span<const Vector3> corners, std::span<con
       }
       graph.loop_begin.push_back(static_cast<Index>(graph.loops.size()));
     }
-    graph.coordinates.push_back(corners[patch.corners[0]][axis]);
+    graph.coordinates.push_back(corners[patch.corners[0]][axis_of(patch.label)]);
   }
   graph.loops_of_patch.push_back(static_cast<Index>(graph.loop_begin.size() - 1));
   if (patches.empty()) refuse("it has no faces");
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const std::array<Index, 2> back = {sides[i][1], sides[i][0]};
-    if ((i > 0 && sides[i] == sides[i - 1]) || !std::binary_search(sides.begin(), sides.end(), back))
-      refuse("the edge from corner " + std::to_string(back[1]) + " to " + std::to_string(back[0]) +
-             " is not shared by two faces");
-  }
+  require_closed(sides);
   const auto layers = layers_of(graph, host.memory);
   for (std::size_t c = 0; c < corners.size(); ++c)
     for (std::size_t a = 0; a < 3; ++a)

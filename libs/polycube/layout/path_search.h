@@ -28,22 +28,11 @@ class PathSearch {
   double find(Index from, std::span<const Index> starts, Index to, std::span<const Index> ends,
               std::span<const std::uint8_t> odd, const Cost& cost, Array<Index>& path) {
     const std::size_t sheets = odd.empty() ? 1 : 2;
-    distance_.assign(sheets * surface_.vertices(), infinite);
-    parent_.resize(sheets * surface_.vertices());
-    arrival_.assign(surface_.vertices(), no_index);
-    heap_.clear();
+    prepare(sheets, ends);
     const auto crosses = [&](Index h) { return odd.empty() ? Index{0} : Index{odd[h]}; };
-    for (const Index h : ends)
-      arrival_[surface_.end(h)] = h;
     double best = infinite;
     Index last = no_index;
     bool direct = false;
-    const auto reach = [&](Index state, double length, Index from_state) {
-      if (!(length < distance_[state])) return;
-      distance_[state] = length;
-      parent_[state] = from_state;
-      heap_.push({length, state});
-    };
     for (const Index h : starts) {
       const Index v = surface_.end(h);
       if (v == to) {
@@ -100,6 +89,22 @@ class PathSearch {
       return length != other.length ? length > other.length : state > other.state;
     }
   };
+
+  void prepare(std::size_t sheets, std::span<const Index> ends) {
+    distance_.assign(sheets * surface_.vertices(), infinite);
+    parent_.resize(sheets * surface_.vertices());
+    arrival_.assign(surface_.vertices(), no_index);
+    heap_.clear();
+    for (const Index h : ends)
+      arrival_[surface_.end(h)] = h;
+  }
+
+  void reach(Index state, double length, Index from_state) {
+    if (!(length < distance_[state])) return;
+    distance_[state] = length;
+    parent_[state] = from_state;
+    heap_.push({length, state});
+  }
 
   const EditableSurface& surface_;
   const base::Host& host_;

@@ -20,6 +20,48 @@ struct Crossing {
   double z;
 };
 
+// Twice the signed area of (p, q, point), the same but for the sign when p and q change places.
+double side(const Vector3& p, const Vector3& q, double x, double y) {
+  const bool turned = q.x() < p.x() || (q.x() == p.x() && q.y() < p.y());
+  const Vector3 &a = turned ? q : p, &b = turned ? p : q;
+  const double area = (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
+  return turned ? -area : area;
+}
+
+// Where the rays through the cells of a grid cross a surface, by ray and going up.
+Array<Crossing> ray_crossings(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                              const Vector3& low, double size, const std::array<int, 3>& counts,
+                              const base::Host& host) {
+  Array<Crossing> crossings(host.memory);
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (t % 4096 == 0) host.report(phase, t, triangles.size());
+    const std::array<Vector3, 3> p = {positions[triangles[t][0]], positions[triangles[t][1]],
+                                      positions[triangles[t][2]]};
+    const double area = (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[1].y() - p[0].y()) * (p[2].x() - p[0].x());
+    if (area == 0) continue;
+    std::array<int, 2> begin{}, end{};
+    for (std::size_t a = 0; a < 2; ++a) {
+      const auto i = static_cast<Eigen::Index>(a);
+      const double least = std::min({p[0][i], p[1][i], p[2][i]}), most = std::max({p[0][i], p[1][i], p[2][i]});
+      begin[a] = std::max(0, static_cast<int>(std::ceil((least - low[i]) / size - ray_in_cell[a])));
+      end[a] = std::min(counts[a], static_cast<int>(std::floor((most - low[i]) / size - ray_in_cell[a])) + 1);
+    }
+    for (int i = begin[0]; i < end[0]; ++i) {
+      for (int j = begin[1]; j < end[1]; ++j) {
+        const double x = low.x() + (i + ray_in_cell[0]) * size, y = low.y() + (j + ray_in_cell[1]) * size;
+        const std::array<double, 3> w = {side(p[1], p[2], x, y), side(p[2], p[0], x, y), side(p[0], p[1], x, y)};
+        if ((w[0] < 0 || w[1] < 0 || w[2] < 0) && (w[0] > 0 || w[1] > 0 || w[2] > 0)) continue;
+        const double z = (w[0] * p[0].z() + w[1] * p[1].z() + w[2] * p[2].z()) / (w[0] + w[1] + w[2]);
+        crossings.push_back({static_cast<std::uint32_t>(i * counts[1] + j), area > 0 ? 1 : -1, z});
+      }
+    }
+  }
+  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
+    return a.ray != b.ray ? a.ray < b.ray : a.z != b.z ? a.z < b.z : a.sign < b.sign;
+  });
+  return crossings;
+}
+
 }  // namespace
 
 Occupancy::Occupancy(std::span<const Vector3> positions, std::span<const Triangle> triangles, int resolution,
@@ -42,44 +84,7 @@ Occupancy::Occupancy(std::span<const Vector3> positions, std::span<const Triangl
             std::ceil((high[static_cast<Eigen::Index>(a)] - low_[static_cast<Eigen::Index>(a)]) / size_ - 1e-9)),
         1, resolution);
 
-  Array<Crossing> crossings(host.memory);
-  // Twice the signed area of (p, q, point), the same but for the sign when p and q change places.
-  const auto side = [&](const Vector3& p, const Vector3& q, double x, double y) {
-    const bool turned = q.x() < p.x() || (q.x() == p.x() && q.y() < p.y());
-    const Vector3 &a = turned ? q : p, &b = turned ? p : q;
-    const double area = (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
-    return turned ? -area : area;
-  };
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (t % 4096 == 0) host.report(phase, t, triangles.size());
-    const std::array<Vector3, 3> p = {positions[triangles[t][0]], positions[triangles[t][1]],
-                                      positions[triangles[t][2]]};
-    const double area = (p[1].x() - p[0].x()) * (p[2].y() - p[0].y()) - (p[1].y() - p[0].y()) * (p[2].x() - p[0].x());
-    if (area == 0) continue;
-    std::array<int, 2> begin{}, end{};
-    for (std::size_t a = 0; a < 2; ++a) {
-      const auto i = static_cast<Eigen::Index>(a);
-      const double least = std::min({p[0][i], p[1][i], p[2][i]}), most = std::max({p[0][i], p[1][i], p[2][i]});
-      begin[a] = std::max(
-          0, static_cast<int>(std::ceil((least - low_[static_cast<Eigen::Index>(a)]) / size_ - ray_in_cell[a])));
-      end[a] = std::min(
-          counts_[a],
-          static_cast<int>(std::floor((most - low_[static_cast<Eigen::Index>(a)]) / size_ - ray_in_cell[a])) + 1);
-    }
-    for (int i = begin[0]; i < end[0]; ++i) {
-      for (int j = begin[1]; j < end[1]; ++j) {
-        const double x = low_.x() + (i + ray_in_cell[0]) * size_, y = low_.y() + (j + ray_in_cell[1]) * size_;
-        const std::array<double, 3> w = {side(p[1], p[2], x, y), side(p[2], p[0], x, y), side(p[0], p[1], x, y)};
-        if ((w[0] < 0 || w[1] < 0 || w[2] < 0) && (w[0] > 0 || w[1] > 0 || w[2] > 0)) continue;
-        const double z = (w[0] * p[0].z() + w[1] * p[1].z() + w[2] * p[2].z()) / (w[0] + w[1] + w[2]);
-        crossings.push_back({static_cast<std::uint32_t>(i * counts_[1] + j), area > 0 ? 1 : -1, z});
-      }
-    }
-  }
-  std::sort(crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) {
-    return a.ray != b.ray ? a.ray < b.ray : a.z != b.z ? a.z < b.z : a.sign < b.sign;
-  });
-
+  const Array<Crossing> crossings = ray_crossings(positions, triangles, low_, size_, counts_, host);
   sums_.assign(place(counts_[0], counts_[1], counts_[2]) + 1, 0);
   std::size_t next = 0;
   for (int i = 0; i < counts_[0]; ++i) {
