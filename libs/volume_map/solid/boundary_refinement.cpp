@@ -45,6 +45,17 @@ Array<EdgePoint> edge_points(const polycube::SurfaceMap& map, std::size_t given,
   return points;
 }
 
+// The points on one edge, in their order.
+std::span<const EdgePoint> points_on(std::span<const EdgePoint> points, Index a, Index b) {
+  const std::array<Index, 2> edge{std::min(a, b), std::max(a, b)};
+  const auto less = [](const EdgePoint& p, const std::array<Index, 2>& e) { return p.edge < e; };
+  const auto first = std::lower_bound(points.begin(), points.end(), edge, less);
+  auto last = first;
+  while (last != points.end() && last->edge == edge)
+    ++last;
+  return points.subspan(static_cast<std::size_t>(first - points.begin()), static_cast<std::size_t>(last - first));
+}
+
 struct Face {
   Triangle sorted;
   Index triangle;
@@ -53,6 +64,29 @@ struct Face {
 Triangle sorted(Triangle t) {
   std::sort(t.begin(), t.end());
   return t;
+}
+
+Array<Face> sorted_faces(std::span<const Triangle> triangles, std::pmr::memory_resource* memory) {
+  Array<Face> faces(memory);
+  faces.reserve(triangles.size());
+  for (Index i = 0; i < triangles.size(); ++i)
+    faces.push_back({sorted(triangles[i]), i});
+  std::sort(faces.begin(), faces.end(), [](const Face& x, const Face& y) { return x.sorted < y.sorted; });
+  return faces;
+}
+
+// The vertices of the surface that a map was made of: those that are their own source.
+std::size_t given_vertices(const polycube::SurfaceMap& map) {
+  std::size_t given = 0;
+  while (given < map.vertex_sources.size() && map.vertex_sources[given].corner[0] == given &&
+         map.vertex_sources[given].corner[1] == no_index)
+    ++given;
+  return given;
+}
+
+[[noreturn]] void refuse_bound(std::size_t tetrahedron) {
+  throw base::Error("no-valid-result",
+                    "tetrahedron " + std::to_string(tetrahedron) + " could not be freed of the boundary");
 }
 
 class Refinement {
@@ -98,11 +132,7 @@ RefinedSolid refine_boundary(std::span<const Vector3> positions, std::span<const
   Array<Tetrahedron> cells(tetrahedra.begin(), tetrahedra.end(), host.memory);
   split_for_freedom(places, cells, host);
 
-  // The vertices of the surface that the map was made of are those that are their own source.
-  std::size_t given = 0;
-  while (given < map.vertex_sources.size() && map.vertex_sources[given].corner[0] == given &&
-         map.vertex_sources[given].corner[1] == no_index)
-    ++given;
+  const std::size_t given = given_vertices(map);
   base::require(given <= places.size(), "the solid has fewer vertices than its surface");
   const auto shift = static_cast<Index>(map.positions.size() - given);
 
@@ -110,11 +140,7 @@ RefinedSolid refine_boundary(std::span<const Vector3> positions, std::span<const
   solid.positions = map.positions;
   solid.positions.insert(solid.positions.end(), places.begin() + static_cast<std::ptrdiff_t>(given), places.end());
   const Array<EdgePoint> points = edge_points(map, given, host.memory);
-  Array<Face> faces(host.memory);
-  faces.reserve(triangles.size());
-  for (Index i = 0; i < triangles.size(); ++i)
-    faces.push_back({sorted(triangles[i]), i});
-  std::sort(faces.begin(), faces.end(), [](const Face& x, const Face& y) { return x.sorted < y.sorted; });
+  const Array<Face> faces = sorted_faces(triangles, host.memory);
   const auto for_each_part = [&](const auto& visit) {
     for (Index i = 0; i < map.triangles.size(); ++i)
       visit(map.triangle_sources[i], i);
@@ -135,25 +161,14 @@ RefinedSolid refine_boundary(std::span<const Vector3> positions, std::span<const
         t[k] += shift;
     }
     if (count == 2) {
-      const std::size_t a = outer[0], b = outer[1];
-      const std::array<Index, 2> edge{std::min(t[a], t[b]), std::max(t[a], t[b])};
-      const auto less = [](const EdgePoint& p, const std::array<Index, 2>& e) { return p.edge < e; };
-      const auto first = std::lower_bound(points.begin(), points.end(), edge, less);
-      auto last = first;
-      while (last != points.end() && last->edge == edge)
-        ++last;
-      refinement.add_cut(t, a, b,
-                         std::span(points).subspan(static_cast<std::size_t>(first - points.begin()),
-                                                   static_cast<std::size_t>(last - first)));
+      refinement.add_cut(t, outer[0], outer[1], points_on(points, t[outer[0]], t[outer[1]]));
       continue;
     }
     if (count == 3) {
       const Triangle face = sorted({t[outer[0]], t[outer[1]], t[outer[2]]});
       const auto at = std::lower_bound(faces.begin(), faces.end(), face,
                                        [](const Face& f, const Triangle& x) { return f.sorted < x; });
-      if (at == faces.end() || at->sorted != face)
-        throw base::Error("no-valid-result",
-                          "tetrahedron " + std::to_string(i) + " could not be freed of the boundary");
+      if (at == faces.end() || at->sorted != face) refuse_bound(i);
       ++found_faces;
       const Index apex = t[6 - outer[0] - outer[1] - outer[2]];
       for (const Index p : parts[at->triangle]) {
@@ -162,8 +177,7 @@ RefinedSolid refine_boundary(std::span<const Vector3> positions, std::span<const
       }
       continue;
     }
-    if (count == 4)
-      throw base::Error("no-valid-result", "tetrahedron " + std::to_string(i) + " could not be freed of the boundary");
+    if (count == 4) refuse_bound(i);
     refinement.add(t);
   }
   base::require(found_faces == triangles.size(), "the surface is not the boundary of the tetrahedra");
