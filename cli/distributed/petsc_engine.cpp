@@ -184,20 +184,24 @@ PetscErrorCode watch_convergence(KSP ksp, PetscInt step, PetscReal norm, KSPConv
   return static_cast<Watch*>(context)->converged(ksp, step, norm, reason);
 }
 
-// Solves what all processes hold rows of; the solution of these rows goes to `solution`, unless the host stopped it.
-int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<PetscScalar>& solution) {
+struct SystemObjects {
+  Mat matrix = nullptr;
+  Vec right = nullptr, solution = nullptr;
+  KSP solver = nullptr;
+
+  SystemObjects() = default;
+  SystemObjects(const SystemObjects&) = delete;
+  SystemObjects& operator=(const SystemObjects&) = delete;
+  ~SystemObjects() {
+    KSPDestroy(&solver);
+    VecDestroy(&right);
+    VecDestroy(&solution);
+    MatDestroy(&matrix);
+  }
+};
+
+void make_matrix(const Order& order, const Rows& rows, SystemObjects& own) {
   const auto local = static_cast<PetscInt>(rows.right.size());
-  struct Objects {
-    Mat matrix = nullptr;
-    Vec right = nullptr, solution = nullptr;
-    KSP solver = nullptr;
-    ~Objects() {
-      KSPDestroy(&solver);
-      VecDestroy(&right);
-      VecDestroy(&solution);
-      MatDestroy(&matrix);
-    }
-  } own;
   // Rows of numbers.
   std::vector<PetscInt> begin{0}, column;
   std::vector<PetscScalar> values;
@@ -221,11 +225,17 @@ int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<P
   check(MatSeqAIJSetPreallocationCSR(own.matrix, begin.data(), column.data(), values.data()), "the matrix");
   check(MatMPIAIJSetPreallocationCSR(own.matrix, begin.data(), column.data(), values.data()), "the matrix");
   check(MatSetOption(own.matrix, MAT_SPD, PETSC_TRUE), "the matrix");
+}
+
+void make_vectors(const Rows& rows, SystemObjects& own) {
   check(MatCreateVecs(own.matrix, &own.solution, &own.right), "vectors");
   PetscScalar* entries = nullptr;
   check(VecGetArray(own.right, &entries), "vectors");
   std::copy(rows.right.begin(), rows.right.end(), entries);
   check(VecRestoreArray(own.right, &entries), "vectors");
+}
+
+void make_solver(const Order& order, Watch& watch, SystemObjects& own) {
   check(KSPCreate(PETSC_COMM_WORLD, &own.solver), "the solver");
   check(KSPSetOperators(own.solver, own.matrix, own.matrix), "the solver");
   check(KSPSetType(own.solver, KSPCG), "the solver");
@@ -237,6 +247,14 @@ int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<P
   check(KSPConvergedDefaultCreate(&watch.default_context), "the solver");
   check(KSPSetConvergenceTest(own.solver, watch_convergence, &watch, nullptr), "the solver");
   check(KSPSetFromOptions(own.solver), "the options");
+}
+
+// Solves what all processes hold rows of; the solution of these rows goes to `solution`, unless the host stopped it.
+int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<PetscScalar>& solution) {
+  SystemObjects own;
+  make_matrix(order, rows, own);
+  make_vectors(rows, own);
+  make_solver(order, watch, own);
   const PetscErrorCode code = KSPSolve(own.solver, own.right, own.solution);
   KSPConvergedDefaultDestroy(watch.default_context);
   if (watch.stopped) return 0;
@@ -247,7 +265,7 @@ int solve_rows(const Order& order, const Rows& rows, Watch& watch, std::vector<P
     throw base::Error("no-valid-result", "PETSc failed: numbers that are not finite");
   const PetscScalar* answer = nullptr;
   check(VecGetArrayRead(own.solution, &answer), "vectors");
-  solution.assign(answer, answer + local);
+  solution.assign(answer, answer + rows.right.size());
   check(VecRestoreArrayRead(own.solution, &answer), "vectors");
   PetscInt steps = 0;
   check(KSPGetIterationNumber(own.solver, &steps), "the solver");

@@ -137,6 +137,68 @@ Vector3 between(const Vector3& a, const Vector3& b, double share) {
   return std::cos(share * angle) * a + std::sin(share * angle) * across.normalized();
 }
 
+// The map turned and bent by a flow on the whole sphere; the landmarks themselves arrive at their goals to the last
+// bits. `turned`: the landmarks turned.
+Placed bent(const MorphShape& shape, const Eigen::Matrix3d& rotation, std::span<const Vector3> landmarks,
+            const std::vector<Vector3>& turned, const std::vector<Vector3>& goals, const base::Host& host) {
+  const sphere_map::LandmarkFlow flow(turned, goals, host);
+  const auto bend = [&](std::span<Vector3> directions) {
+    const Directions before(directions.begin(), directions.end(), host.memory);
+    turn(rotation, directions);
+    flow.move(directions, host);
+    for (std::size_t v = 0; v < before.size(); ++v) {
+      const auto at = std::find_if(landmarks.begin(), landmarks.end(), [&](const Vector3& landmark) {
+        return (landmark - before[v]).squaredNorm() < 1e-30;  // but for its length
+      });
+      if (at != landmarks.end()) directions[v] = goals[static_cast<std::size_t>(at - landmarks.begin())];
+    }
+  };
+  return placed(shape, bend, host);
+}
+
+void report_bend(MorphShape& shape, const sphere_map::Placement& placement, Json landmark_figures, double share,
+                 Session& session) {
+  shape.figures["landmarks"] = std::move(landmark_figures);
+  const sphere_map::Measurement m =
+      sphere_map::measure(placement.own, placement.triangles, placement.directions, 0.1, 1, session.host());
+  shape.figures["warp"] = {{"vertices", placement.own.size()},
+                           {"flipped", m.flipped + m.degenerate},
+                           {"max_quasi_conformal", m.max_quasi_conformal},
+                           {"min_area_ratio", m.min_area_ratio},
+                           {"max_area_ratio", m.max_area_ratio}};
+  if (share < 1) {
+    session.note(shape.path + ": landmarks go " + number(100 * share) +
+                 " percent of their way; all of it would flip triangles");
+  }
+}
+
+// Turns and bends the map of a shape so that its landmarks come to those of the first one, or as far as triangles stay
+// positive.
+void bend_to_landmarks(MorphShape& shape, const std::vector<Vector3>& landmarks, const std::vector<Vector3>& first,
+                       Session& session) {
+  const base::Host& host = session.host();
+  const Eigen::Matrix3d rotation = sphere_map::best_rotation(landmarks, first);
+  std::vector<Vector3> turned;
+  for (const Vector3& d : landmarks)
+    turned.push_back((rotation * d).normalized());
+  Json figures = {{"count", turned.size()},
+                  {"angle_before", angles_between(landmarks, first)},
+                  {"angle_rotated", angles_between(turned, first)}};
+  for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
+    std::vector<Vector3> goals;
+    for (std::size_t k = 0; k < turned.size(); ++k)
+      goals.push_back(between(turned[k], first[k].normalized(), share));
+    Placed placement = bent(shape, rotation, landmarks, turned, goals, host);
+    if (!placement) continue;
+    figures["share"] = share;
+    figures["angle"] = angles_between(carried(shape, landmarks, placement->directions), first);
+    report_bend(shape, *placement, std::move(figures), share, session);
+    settle(shape, std::move(*placement), rotation, host);
+    return;
+  }
+  throw base::Error("no-valid-result", "the map does not stay one to one when it is turned");
+}
+
 }  // namespace
 
 void align_by_correlation(std::deque<MorphShape>& shapes, bool joint, Session& session) {
@@ -185,55 +247,8 @@ void align_by_landmarks(std::deque<MorphShape>& shapes, const std::string& path,
       require_apart(of_shape);
     return read;
   });
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    MorphShape& shape = shapes[i];
-    about(path, Role::input, [&] {
-      const Eigen::Matrix3d rotation = sphere_map::best_rotation(landmarks[i], landmarks[0]);
-      std::vector<Vector3> turned;
-      for (const Vector3& d : landmarks[i])
-        turned.push_back((rotation * d).normalized());
-      Json figures = {{"count", turned.size()},
-                      {"angle_before", angles_between(landmarks[i], landmarks[0])},
-                      {"angle_rotated", angles_between(turned, landmarks[0])}};
-      for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
-        std::vector<Vector3> goals;
-        for (std::size_t k = 0; k < turned.size(); ++k)
-          goals.push_back(between(turned[k], landmarks[0][k].normalized(), share));
-        // A flow on the whole sphere; the landmarks themselves arrive to the last bits.
-        const sphere_map::LandmarkFlow flow(turned, goals, host);
-        const auto bend = [&](std::span<Vector3> directions) {
-          const Directions before(directions.begin(), directions.end(), host.memory);
-          turn(rotation, directions);
-          flow.move(directions, host);
-          for (std::size_t v = 0; v < before.size(); ++v) {
-            const auto at = std::find_if(landmarks[i].begin(), landmarks[i].end(), [&](const Vector3& landmark) {
-              return (landmark - before[v]).squaredNorm() < 1e-30;  // but for its length
-            });
-            if (at != landmarks[i].end()) directions[v] = goals[static_cast<std::size_t>(at - landmarks[i].begin())];
-          }
-        };
-        Placed placement = placed(shape, bend, host);
-        if (!placement) continue;
-        figures["share"] = share;
-        figures["angle"] = angles_between(carried(shape, landmarks[i], placement->directions), landmarks[0]);
-        shape.figures["landmarks"] = figures;
-        const sphere_map::Measurement m =
-            sphere_map::measure(placement->own, placement->triangles, placement->directions, 0.1, 1, host);
-        shape.figures["warp"] = {{"vertices", placement->own.size()},
-                                 {"flipped", m.flipped + m.degenerate},
-                                 {"max_quasi_conformal", m.max_quasi_conformal},
-                                 {"min_area_ratio", m.min_area_ratio},
-                                 {"max_area_ratio", m.max_area_ratio}};
-        if (share < 1) {
-          session.note(shape.path + ": landmarks go " + number(100 * share) +
-                       " percent of their way; all of it would flip triangles");
-        }
-        settle(shape, std::move(*placement), rotation, host);
-        return;
-      }
-      throw base::Error("no-valid-result", "the map does not stay one to one when it is turned");
-    });
-  }
+  for (std::size_t i = 1; i < shapes.size(); ++i)
+    about(path, Role::input, [&] { bend_to_landmarks(shapes[i], landmarks[i], landmarks[0], session); });
 }
 
 }  // namespace orbicube::cli

@@ -156,6 +156,45 @@ base::Array<gltf::KeptTriangle> on_first_shape(const SharedPolycube& shared, con
   return kept_triangles(shared.meshes.front(), positions, common.triangles, middles, host);
 }
 
+// The common triangles on each shape.
+std::vector<base::Array<Vector3>> states_of(SharedPolycube& shared, const PolycubeTriangles& common,
+                                            const std::vector<std::string>& inputs, const base::Host& host) {
+  std::vector<base::Array<Vector3>> states;
+  for (std::size_t i = 0; i < shared.meshes.size(); ++i) {
+    const polycube::SurfaceMap& map = shared.common.maps[i];
+    const polycube::LocatedPoints located = polycube::locate(map, common.polycube, host);
+    base::Array<Vector3>& state = states.emplace_back(host.memory);
+    for (std::size_t v = 0; v < common.polycube.size(); ++v) {
+      if (located.triangles[v] == mesh::no_index)
+        throw Failure(Exit::no_result, inputs[i], "internal", "a vertex is on no triangle of the polycube");
+      state.push_back(polycube::interpolate(map, located.triangles[v], located.weights[v]));
+    }
+    mesh::Mesh on_shape(host.memory);
+    on_shape.positions = state;
+    on_shape.triangles = common.triangles;
+    shared.figures[i]["distance"] = json_of_distance(shared.meshes[i], on_shape, host);
+  }
+  return states;
+}
+
+void report_shapes(const PolycubeMorphOptions& options, const SharedPolycube& shared, const PolycubeTriangles& common,
+                   std::size_t flipped, Session& session) {
+  session.figures()["output"] = options.output;
+  session.figures()["vertices"] = common.polycube.size();
+  session.figures()["triangles"] = common.triangles.size();
+  session.figures()["flipped"] = flipped;
+  session.figures()["shapes"] = shared.figures;
+  session.say("wrote " + options.output + ": " + std::to_string(options.inputs.size()) + " shapes on " +
+              std::to_string(common.polycube.size()) + " vertices and " + std::to_string(common.triangles.size()) +
+              " triangles");
+  for (std::size_t i = 0; i < options.inputs.size(); ++i)
+    session.say("  " + options.inputs[i] + ": at most " +
+                number(100 * shared.figures[i]["distance"]["from_surface"]["max_of_diagonal"].get<double>()) +
+                " % of its diagonal is lost");
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
 }  // namespace
 
 void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
@@ -175,21 +214,7 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
   if (flipped > 0)
     throw Failure(Exit::no_result, options.output, "no-valid-result",
                   std::to_string(flipped) + " triangles are flipped on the polycube");
-  std::vector<base::Array<Vector3>> states;
-  for (std::size_t i = 0; i < shared.meshes.size(); ++i) {
-    const polycube::SurfaceMap& map = shared.common.maps[i];
-    const polycube::LocatedPoints located = polycube::locate(map, common.polycube, host);
-    base::Array<Vector3>& state = states.emplace_back(host.memory);
-    for (std::size_t v = 0; v < common.polycube.size(); ++v) {
-      if (located.triangles[v] == mesh::no_index)
-        throw Failure(Exit::no_result, options.inputs[i], "internal", "a vertex is on no triangle of the polycube");
-      state.push_back(polycube::interpolate(map, located.triangles[v], located.weights[v]));
-    }
-    mesh::Mesh on_shape(host.memory);
-    on_shape.positions = state;
-    on_shape.triangles = common.triangles;
-    shared.figures[i]["distance"] = json_of_distance(shared.meshes[i], on_shape, host);
-  }
+  std::vector<base::Array<Vector3>> states = states_of(shared, common, options.inputs, host);
   base::Array<gltf::KeptTriangle> on_first(host.memory);
   if (shared.kept_first) on_first = on_first_shape(shared, common, states.front(), host);
   std::vector<Json*> figures;
@@ -208,21 +233,7 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
     morph.names.insert(morph.names.begin() + 1, "polycube");
   }
   write_morph(morph, session);
-
-  session.figures()["output"] = options.output;
-  session.figures()["vertices"] = common.polycube.size();
-  session.figures()["triangles"] = common.triangles.size();
-  session.figures()["flipped"] = flipped;
-  session.figures()["shapes"] = shared.figures;
-  session.say("wrote " + options.output + ": " + std::to_string(options.inputs.size()) + " shapes on " +
-              std::to_string(common.polycube.size()) + " vertices and " + std::to_string(common.triangles.size()) +
-              " triangles");
-  for (std::size_t i = 0; i < options.inputs.size(); ++i)
-    session.say("  " + options.inputs[i] + ": at most " +
-                number(100 * shared.figures[i]["distance"]["from_surface"]["max_of_diagonal"].get<double>()) +
-                " % of its diagonal is lost");
-  for (const std::string& note : session.notes())
-    session.say("  note: " + note);
+  report_shapes(options, shared, common, flipped, session);
 }
 
 }  // namespace orbicube::cli

@@ -104,6 +104,60 @@ void turn_parts(const volume_map::SurfacePieces& pieces, std::span<mesh::Triangl
   if (turned > 0) session.note(std::to_string(turned) + " triangles of parts that looked into the solid were turned");
 }
 
+// The solid and the polycube of one piece. `power`: see volume_map::size_exponent.
+PolycubeSolidInput read_piece(const PolycubeSolidOptions& options, Inside inside, Polycubes polycubes, mesh::Mesh part,
+                              int power, Session& session) {
+  const base::Host& host = session.host();
+  PolycubeSolidInput result{base::Array<mesh::Vector3>(host.memory), base::Array<mesh::Tetrahedron>(host.memory),
+                            base::Array<mesh::Triangle>(host.memory), polycube::Construction(host.memory),
+                            mesh::Mesh(host.memory)};
+  const auto enter_working_space = [&](std::span<mesh::Vector3> positions, std::span<const mesh::Triangle> surface) {
+    if (inside == Inside::tetrahedra) return;
+    result.space = volume_map::WorkingSpace(positions, surface, power);
+    result.space.take(positions);
+  };
+  const bool cells = !part.tetrahedra.empty() || !part.hexahedra.empty();
+  if (!cells) enter_working_space(part.positions, part.triangles);
+  if (cells) {
+    take_tetrahedra(part, result, session);
+    enter_working_space(result.positions, result.surface);
+  } else if (polycubes == Polycubes::none) {
+    result.fine = std::move(part);
+  } else if (inside == Inside::nothing) {
+    take_surface(options, std::move(part), result, session);
+  } else {
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+    fill(options, std::move(part), result, session);
+#endif
+  }
+  return result;
+}
+
+// Of the polycubes of all pieces, if all have one.
+void add_polycube_figures(const std::vector<PolycubeSolidInput>& results, Session& session) {
+  std::size_t corners = 0, patches = 0, triangles = 0;
+  std::int64_t genus = 0;
+  double angles = 0, areas = 0;
+  bool all = true;
+  for (const PolycubeSolidInput& result : results) {
+    all = all && !result.made.map.triangles.empty();
+    corners += result.made.certificate.corners;
+    patches += result.made.certificate.patch_count;
+    genus += result.made.certificate.genus;
+    triangles += result.surface.size();
+    angles += result.made.distortion.angle_mean / static_cast<double>(results.size());
+    areas += result.made.distortion.area_mean / static_cast<double>(results.size());
+  }
+  if (all) {
+    session.figures()["polycube"] = {{"corners", corners},
+                                     {"patches", patches},
+                                     {"genus", genus},
+                                     {"surface_triangles", triangles},
+                                     {"distortion_of_angles", angles},
+                                     {"distortion_of_areas", areas}};
+  }
+}
+
 }  // namespace
 
 void add_polycube_solid_options(CLI::App& verb, PolycubeSolidOptions& options) {
@@ -171,59 +225,18 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
     std::optional<volume_map::PieceCutter> cutter;
     if (pieces.count > 1) cutter.emplace(input.mesh, pieces, host);
     const int power = volume_map::size_exponent(input.mesh.positions);
-    const auto enter_working_space = [&](std::span<mesh::Vector3> positions, std::span<const mesh::Triangle> surface,
-                                         PolycubeSolidInput& result) {
-      if (inside == Inside::tetrahedra) return;
-      result.space = volume_map::WorkingSpace(positions, surface, power);
-      result.space.take(positions);
-    };
     for (std::size_t i = 0; i < pieces.count; ++i) {
       const base::Stage stage(host, 1.0 / static_cast<double>(pieces.count - i));
       const double before = session.seconds();
-      PolycubeSolidInput result{base::Array<mesh::Vector3>(host.memory), base::Array<mesh::Tetrahedron>(host.memory),
-                                base::Array<mesh::Triangle>(host.memory), polycube::Construction(host.memory),
-                                mesh::Mesh(host.memory)};
       mesh::Mesh part = cutter ? cutter->piece(i) : std::move(input.mesh);
-      if (!cells) enter_working_space(part.positions, part.triangles, result);
-      if (cells) {
-        take_tetrahedra(part, result, session);
-        enter_working_space(result.positions, result.surface, result);
-      } else if (polycubes == Polycubes::none) {
-        result.fine = std::move(part);
-      } else if (inside == Inside::nothing) {
-        take_surface(options, std::move(part), result, session);
-      } else {
-#ifdef ORBICUBE_WITH_TETRAHEDRA
-        fill(options, std::move(part), result, session);
-#endif
-      }
+      PolycubeSolidInput result = read_piece(options, inside, polycubes, std::move(part), power, session);
       filling += session.seconds() - before;
       make_polycube(options, polycubes, result, session);
       result.exponent = exponent;
       results.push_back(std::move(result));
     }
   });
-  std::size_t corners = 0, patches = 0, triangles = 0;
-  std::int64_t genus = 0;
-  double angles = 0, areas = 0;
-  bool all = true;
-  for (const PolycubeSolidInput& result : results) {
-    all = all && !result.made.map.triangles.empty();
-    corners += result.made.certificate.corners;
-    patches += result.made.certificate.patch_count;
-    genus += result.made.certificate.genus;
-    triangles += result.surface.size();
-    angles += result.made.distortion.angle_mean / static_cast<double>(results.size());
-    areas += result.made.distortion.area_mean / static_cast<double>(results.size());
-  }
-  if (all) {
-    session.figures()["polycube"] = {{"corners", corners},
-                                     {"patches", patches},
-                                     {"genus", genus},
-                                     {"surface_triangles", triangles},
-                                     {"distortion_of_angles", angles},
-                                     {"distortion_of_areas", areas}};
-  }
+  add_polycube_figures(results, session);
   if (results.size() > 1) session.figures()["pieces"] = results.size();
   session.figures()["seconds_fill"] = filling;
   session.figures()["seconds_polycube"] = session.seconds() - start - filling;

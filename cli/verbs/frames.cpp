@@ -10,12 +10,9 @@
 
 #include "files/surface_file.h"
 #include "frame_field/frames_file.h"
-#include "frame_field/graph/boundary_indices.h"
-#include "frame_field/singularities/measurement.h"
-#include "frame_field/singularities/meshability.h"
-#include "frame_field/singularities/singularities.h"
 #include "mesh/files/file.h"
 #include "mesh/topology/cells.h"
+#include "report/frame_figures.h"
 #include "report/text.h"
 #include "report/unit_size.h"
 #include "scenes/angle_plot.h"
@@ -37,8 +34,6 @@ const std::map<std::string, frame_field::Weighting> weightings = {{"uniform", fr
 const std::map<std::string, frame_field::Method> frame_methods = {{"smooth", frame_field::Method::smooth},
                                                                   {"dissertation", frame_field::Method::dissertation}};
 
-constexpr std::size_t max_places = 1000;  // that a report lists of each kind
-
 struct FramesOptions {
   std::string input;
   std::string output;
@@ -58,97 +53,6 @@ struct FramesOptions {
   std::string glb;
   std::uint32_t crosses = 1000;
 };
-
-Json json_of(const frame_field::AngleStatistics& a) {
-  return {{"mean", a.mean}, {"sd", a.deviation}, {"median", a.median}, {"p99", a.p99}, {"max", a.largest}};
-}
-
-Json json_of(const frame_field::Measurement& m) {
-  Json histogram = Json::array();
-  for (const std::size_t n : m.histogram)
-    histogram.push_back(n);
-  return {{"E", m.energy},
-          {"angle_deg", json_of(m.symmetric)},
-          {"angle_without_symmetry_deg", json_of(m.plain)},
-          {"faces_above_30deg", m.above_30},
-          {"histogram", histogram},
-          {"interior_faces", m.inner_faces},
-          {"boundary_faces", m.boundary_faces},
-          {"norm_error", m.norm_error},
-          {"misalignment_deg",
-           {{"one_face_tets", m.one_face_tetrahedra},
-            {"one_face_max", m.one_face_max},
-            {"one_face_mean", m.one_face_mean},
-            {"several_face_tets", m.several_face_tetrahedra},
-            {"several_best_face_max", m.several_best_max},
-            {"several_worst_face_max", m.several_worst_max}}}};
-}
-
-Json json_of(const frame_field::SingularGraph& g, int exponent) {
-  const auto of = [&](quaternion::CubeClass kind) { return g.by_class[static_cast<std::size_t>(kind)]; };
-  std::size_t closed = 0;
-  for (const std::uint8_t c : g.curve_closed)
-    closed += c;
-  return {{"interior_edges", g.inner_edges},
-          {"singular_edges",
-           {{"total", g.edges.size()},
-            {"90", of(quaternion::CubeClass::face_quarter)},
-            {"180", of(quaternion::CubeClass::face_half)},
-            {"120", of(quaternion::CubeClass::corner_third)},
-            {"other", of(quaternion::CubeClass::edge_half)}}},
-          {"singular_length", unscaled(g.singular_length, -exponent)},
-          {"singular_length_fraction", g.inner_length > 0 ? g.singular_length / g.inner_length : 0},
-          {"curves", g.curves()},
-          {"loops", closed},
-          {"nodes", g.nodes.size()},
-          {"boundary_ends", g.boundary_ends},
-          {"dead_ends", g.dead_ends.size()}};
-}
-
-const char* turn_name(const frame_field::SingularEdge& edge) {
-  switch (edge.kind()) {
-    case quaternion::CubeClass::face_half:
-      return "180";
-    case quaternion::CubeClass::corner_third:
-      return "120";
-    case quaternion::CubeClass::edge_half:
-      return "other";
-    default:
-      return "90";
-  }
-}
-
-// Where no hexahedral mesh could follow: the first edges and vertices of each kind.
-Json improper_places(const mesh::Mesh& solid, const frame_field::SingularGraph& graph,
-                     const frame_field::Meshability& local, int exponent) {
-  const auto point = [&](const mesh::Vector3& p) {
-    return Json{unscaled(p[0], -exponent), unscaled(p[1], -exponent), unscaled(p[2], -exponent)};
-  };
-  Json edges = Json::array(), vertices = Json::array();
-  for (std::size_t i = 0; i < std::min(local.edges.size(), max_places); ++i) {
-    const frame_field::SingularEdge& edge = graph.edges[local.edges[i]];
-    const auto& [a, b] = edge.vertices;
-    edges.push_back({{"vertices", {a, b}},
-                     {"turn", turn_name(edge)},
-                     {"at", point(0.5 * (solid.positions[a] + solid.positions[b]))}});
-  }
-  for (std::size_t i = 0; i < std::min(local.vertices.size(), max_places); ++i) {
-    const mesh::Index v = local.vertices[i];
-    vertices.push_back({{"vertex", v},
-                        {"kind", std::ranges::binary_search(graph.nodes, v) ? "node" : "turning-point"},
-                        {"at", point(solid.positions[v])}});
-  }
-  return {{"edges", edges}, {"vertices", vertices}};
-}
-
-Json json_of(const frame_field::RepairOutcome& r) {
-  const auto faults = [](const frame_field::Faults& f, double energy) {
-    return Json{
-        {"improper_edges", f.edges}, {"improper_vertices", f.vertices}, {"fragments", f.fragments}, {"E", energy}};
-  };
-  return {
-      {"rounds", r.rounds}, {"before", faults(r.before, r.energy_before)}, {"after", faults(r.after, r.energy_after)}};
-}
 
 mesh::Mesh read_solid(const FramesOptions& options, Session& session) {
   InputMesh input = read_input(options.input, false, session);
@@ -226,23 +130,45 @@ void write(const FramesOptions& options, const mesh::Mesh& solid, int exponent, 
         [&] { frame_field::write_vtk(session.stage(options.vtk), positions, solid.tetrahedra, field, host); });
 }
 
+Json json_of(const FramesOptions& options) {
+  return {{"output", options.output},
+          {"start", options.start},
+          {"from", options.from},
+          {"unchanged", options.unchanged},
+          {"boundary", options.boundary},
+          {"method", options.method},
+          {"face_weights", options.weights},
+          {"feature_angle", options.feature_angle},
+          {"rounds", options.rounds},
+          {"align_boundary", !options.free_boundary},
+          {"repair", options.repair},
+          {"single_axis", options.single_axis},
+          {"vtk", options.vtk},
+          {"plot", options.plot},
+          {"glb", options.glb},
+          {"crosses", options.crosses}};
+}
+
+void draw(const FramesOptions& options, const mesh::Mesh& solid, const mesh::TetrahedralConnectivity& connectivity,
+          const frame_field::Field& field, const FieldFindings& found, Session& session) {
+  const base::Host& host = session.host();
+  if (!options.plot.empty()) {
+    about(options.plot, Role::output, [&] {
+      mesh::OutputFile file(session.stage(options.plot));
+      file.write(std::span<const std::byte>(angle_plot(found.measurement.histogram, host.memory)));
+      file.commit();
+    });
+  }
+  if (!options.glb.empty()) {
+    about(options.glb, Role::output, [&] {
+      write_scene(session.stage(options.glb), {solid, connectivity, field, found.graph, found.local}, options.crosses,
+                  host);
+    });
+  }
+}
+
 void run_frames(const FramesOptions& options, Session& session) {
-  session.options() = {{"output", options.output},
-                       {"start", options.start},
-                       {"from", options.from},
-                       {"unchanged", options.unchanged},
-                       {"boundary", options.boundary},
-                       {"method", options.method},
-                       {"face_weights", options.weights},
-                       {"feature_angle", options.feature_angle},
-                       {"rounds", options.rounds},
-                       {"align_boundary", !options.free_boundary},
-                       {"repair", options.repair},
-                       {"single_axis", options.single_axis},
-                       {"vtk", options.vtk},
-                       {"plot", options.plot},
-                       {"glb", options.glb},
-                       {"crosses", options.crosses}};
+  session.options() = json_of(options);
   require_folder(options.output);
   for (const std::string& path : {options.vtk, options.plot, options.glb}) {
     if (!path.empty()) require_folder(path);
@@ -262,13 +188,7 @@ void run_frames(const FramesOptions& options, Session& session) {
   const auto connectivity = about(options.input, Role::input, [&] {
     return mesh::TetrahedralConnectivity(solid.positions.size(), solid.tetrahedra, host);
   });
-  const frame_field::Measurement m = frame_field::measure(solid.positions, connectivity, outcome.field, host);
-  const auto matchings = frame_field::matchings(connectivity, outcome.field, host);
-  const frame_field::SingularGraph graph =
-      frame_field::singular_graph(solid.positions, connectivity, outcome.field, matchings, host);
-  const auto indices = frame_field::boundary_indices(solid.positions, connectivity, outcome.field, host);
-  const frame_field::Meshability local =
-      frame_field::meshability(graph, connectivity.boundary_vertices(host.memory), host.memory);
+  const FieldFindings found(solid, connectivity, outcome.field, host);
   const double measured = session.seconds() - begin - computed;
 
   Json& figures = session.figures();
@@ -276,57 +196,25 @@ void run_frames(const FramesOptions& options, Session& session) {
                   {"vertices", solid.positions.size()},
                   {"tets", solid.tetrahedra.size()},
                   {"start", frame_field::start_name(outcome.start)}});
-  figures.update(json_of(m));
-  figures.update(json_of(graph, exponent));
-  figures.update({{"boundary_index_sum", 0.25 * static_cast<double>(indices.sum_of_quarters)},
-                  {"boundary_singular_vertices", indices.singular_vertices},
-                  {"euler_characteristic", indices.euler_characteristic},
-                  {"locally_meshable", local.locally_meshable()},
-                  {"improper_edges", local.edges.size()},
-                  {"turning_points", local.turning_points},
-                  {"improper_nodes", local.improper_nodes},
-                  {"improper_places", improper_places(solid, graph, local, exponent)},
-                  {"smoothing_steps", outcome.smoothing_steps},
+  figures.update(field_figures(solid, found, exponent));
+  figures.update({{"smoothing_steps", outcome.smoothing_steps},
                   {"solver_iterations", outcome.solver_iterations},
                   {"seconds_compute", computed},
                   {"seconds_measure", measured}});
   const bool repairs = options.repair || options.single_axis;
-  if (repairs) figures["repair"] = json_of(outcome.repair);
+  if (repairs) figures["repair"] = repair_figures(outcome.repair);
   about(options.output, Role::output, [&] {
-    if (!graph.dead_ends.empty())
-      throw base::Error("no-valid-result", std::to_string(graph.dead_ends.size()) + " singular curves end inside");
+    if (const std::size_t ends = found.graph.dead_ends.size(); ends > 0)
+      throw base::Error("no-valid-result", std::to_string(ends) + " singular curves end inside");
   });
   write(options, solid, exponent, outcome.field, session);
-  if (!options.plot.empty()) {
-    about(options.plot, Role::output, [&] {
-      mesh::OutputFile file(session.stage(options.plot));
-      file.write(std::span<const std::byte>(angle_plot(m.histogram, host.memory)));
-      file.commit();
-    });
-  }
-  if (!options.glb.empty()) {
-    about(options.glb, Role::output, [&] {
-      write_scene(session.stage(options.glb), {solid, connectivity, outcome.field, graph, local}, options.crosses,
-                  host);
-    });
-  }
+  draw(options, solid, connectivity, outcome.field, found, session);
   figures["seconds_write"] = session.seconds() - begin - computed - measured;
 
   session.say(options.input + ": " + std::to_string(solid.tetrahedra.size()) + " frames in " + number(computed) +
               " s, from the start " + frame_field::start_name(outcome.start));
-  session.say("  energy " + number(m.energy) + ", angles " + number(m.symmetric.mean) + " degrees on average, " +
-              number(m.symmetric.p99) + " at 99 %, maximum " + number(m.symmetric.largest) + "; at most " +
-              number(m.one_face_max) + " degrees off the normals");
-  session.say("  " + std::to_string(graph.edges.size()) + " singular edges on " + std::to_string(graph.curves()) +
-              " curves with " + std::to_string(graph.nodes.size()) + " nodes; " +
-              (local.locally_meshable() ? "locally meshable"
-                                        : std::to_string(local.edges.size()) + " edges and " +
-                                              std::to_string(local.vertices.size()) + " vertices are not meshable"));
-  if (repairs)
-    session.say("  repaired: " + std::to_string(outcome.repair.before.unmeshable()) +
-                " places that are not meshable became " + std::to_string(outcome.repair.after.unmeshable()) +
-                ", the energy " + number(outcome.repair.energy_before) + " became " +
-                number(outcome.repair.energy_after));
+  say_field(found, session);
+  if (repairs) say_repair(outcome.repair, session);
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }

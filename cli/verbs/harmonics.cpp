@@ -147,63 +147,125 @@ Coefficients aligned(const Coefficients& coefficients, const HarmonicsOptions& o
   });
 }
 
-void fit_surface(const HarmonicsOptions& options, Session& session) {
-  const base::Host& host = session.host();
-  session.options() = {{"sphere", options.sphere},
-                       {"degree", options.degree},
-                       {"output", options.output},
-                       {"reconstruct", options.reconstruction},
-                       {"page", options.page},
-                       {"align_to", options.reference},
-                       {"align", options.align},
-                       {"method", options.method},
-                       {"vertex_weights", options.weights},
-                       {"smoothing", options.smoothing},
-                       {"low", options.low},
-                       {"high", options.high},
-                       {"band", options.band},
-                       {"width", options.width}};
+Json json_of(const HarmonicsOptions& options) {
+  return {{"sphere", options.sphere},
+          {"degree", options.degree},
+          {"output", options.output},
+          {"reconstruct", options.reconstruction},
+          {"page", options.page},
+          {"align_to", options.reference},
+          {"align", options.align},
+          {"method", options.method},
+          {"vertex_weights", options.weights},
+          {"smoothing", options.smoothing},
+          {"low", options.low},
+          {"high", options.high},
+          {"band", options.band},
+          {"width", options.width}};
+}
+
+void require_outputs(const HarmonicsOptions& options) {
   about(options.output, Role::output, [&] { harmonics::format_of_path(options.output); });
   if (!options.reconstruction.empty()) require_writable(options.reconstruction);
   const harmonics::Band band = options.kept();
   if (band.low > band.high) throw Failure(Exit::wrong_input, "", "usage", "the filter keeps no degree");
+}
 
-  const auto read_surface = [&] { return read_input(options.input, options.weld, session).mesh; };
-  mesh::Mesh surface = session.portion(0.03, read_surface);
+mesh::Mesh read_surface(const HarmonicsOptions& options, Session& session) {
+  mesh::Mesh surface = session.portion(0.03, [&] { return read_input(options.input, options.weld, session).mesh; });
   if (surface.triangles.empty())
     throw Failure(Exit::wrong_input, options.input, "empty-mesh", "there are no triangles");
+  return surface;
+}
+
+// The coefficients of a surface, and what is known of them.
+struct Expansion {
+  explicit Expansion(std::pmr::memory_resource* memory) : coefficients(memory) {}
+
+  int exponent = 0;  // of the power of two by which the surface was scaled
+  Coefficients coefficients;
+  std::vector<double> norms;  // by degree
+  harmonics::FitReport fit;
+  double area = 0;  // of the scaled surface
+};
+
+// Fits the surface at a size near 1, where squares neither overflow nor vanish. Powers of two change no bit of the
+// coefficients.
+Expansion expand(const HarmonicsOptions& options, const mesh::Mesh& surface, const mesh::Mesh& map,
+                 const base::Host& host) {
+  Expansion result(host.memory);
+  result.exponent = mesh::unit_scale_exponent(surface.positions, surface.triangles);
+  mesh::Mesh scaled(host.memory);
+  scaled.positions = surface.positions;
+  scaled.triangles = surface.triangles;
+  mesh::scale_by_power(scaled.positions, result.exponent);
+  about(options.sphere, Role::input, [&] {
+    const base::Stage stage(host, 0.8);
+    for (const double a : harmonics::vertex_areas(scaled.positions, scaled.triangles, host))
+      result.area += a;
+    if (!(result.area > 0) || !std::isfinite(result.area))
+      throw Failure(Exit::wrong_input, options.input, "degenerate-geometry", "the surface has no area");
+    result.coefficients = fit_used(options, scaled, map, host, result.fit);
+  });
+  return result;
+}
+
+// Keeps the band of the options; coefficients and norms are those of the surface before it was scaled.
+void filter(const HarmonicsOptions& options, Expansion& made) {
+  harmonics::filter(made.coefficients, options.kept(), true);
+  made.norms.resize(options.degree + std::size_t{1});
+  harmonics::degree_norms(made.coefficients, made.norms);
+  for (double& norm : made.norms)
+    norm = std::ldexp(norm, -made.exponent);
+  for (double& value : made.coefficients.values)
+    value = std::ldexp(value, -made.exponent);
+}
+
+Json figures_of(const HarmonicsOptions& options, const mesh::Mesh& surface, const Expansion& made, double error) {
+  return {{"output", options.output},
+          {"vertices", surface.positions.size()},
+          {"triangles", surface.triangles.size()},
+          {"degree", options.degree},
+          {"unknowns", made.fit.unknowns},
+          {"rank", made.fit.rank},
+          {"condition", made.fit.condition},
+          {"method", made.fit.method == harmonics::FitMethod::dense ? "dense" : "iterative"},
+          {"iterations", made.fit.iterations},
+          {"residual", unscaled(made.fit.residual, -made.exponent)},
+          {"area", unscaled(made.area, -2 * made.exponent)},
+          {"error", error},
+          {"degree_norms", made.norms}};
+}
+
+void say_fit(const HarmonicsOptions& options, const Expansion& made, std::size_t vertices, double seconds, double error,
+             Session& session) {
+  session.say(options.input + ": degree " + std::to_string(options.degree) + ", " + std::to_string(made.fit.unknowns) +
+              " coefficients of each coordinate from " + std::to_string(vertices) + " vertices in " + number(seconds) +
+              " s, in " + options.output);
+  session.say("  reconstruction error " + number(error) + " at area 4 pi, root mean square residual " +
+              number(std::ldexp(made.fit.residual, -made.exponent)) + ", condition " + number(made.fit.condition));
+  if (!options.reconstruction.empty()) session.say("  wrote " + options.reconstruction);
+  if (!options.page.empty()) session.say("  wrote " + options.page + ", open it in a browser");
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+void fit_surface(const HarmonicsOptions& options, Session& session) {
+  const base::Host& host = session.host();
+  session.options() = json_of(options);
+  require_outputs(options);
+  const mesh::Mesh surface = read_surface(options, session);
   mesh::Mesh map = read_map(surface, options.input, options.sphere, session);
   direct_unused(surface, map, host);
   const base::Array<std::uint8_t> used = mesh::used_vertices(surface.positions.size(), surface.triangles, host.memory);
   const auto vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   const double read = session.seconds();
 
-  // At a size near 1, where squares neither overflow nor vanish. Powers of two change no bit of the coefficients.
-  const int exponent = mesh::unit_scale_exponent(surface.positions, surface.triangles);
-  mesh::Mesh scaled(host.memory);
-  scaled.positions = surface.positions;
-  scaled.triangles = surface.triangles;
-  mesh::scale_by_power(scaled.positions, exponent);
-  harmonics::FitReport report;
-  double area = 0;
-  Coefficients coefficients(host.memory);
-  about(options.sphere, Role::input, [&] {
-    const base::Stage stage(host, 0.8);
-    for (const double a : harmonics::vertex_areas(scaled.positions, scaled.triangles, host))
-      area += a;
-    if (!(area > 0) || !std::isfinite(area))
-      throw Failure(Exit::wrong_input, options.input, "degenerate-geometry", "the surface has no area");
-    coefficients = fit_used(options, scaled, map, host, report);
-  });
+  Expansion expansion = expand(options, surface, map, host);
   const double fitted = session.seconds();
-  note_rank(report, vertices, session);
-  harmonics::filter(coefficients, band, true);
-  std::vector<double> norms(options.degree + std::size_t{1});
-  harmonics::degree_norms(coefficients, norms);
-  for (double& norm : norms)
-    norm = std::ldexp(norm, -exponent);
-  for (double& value : coefficients.values)
-    value = std::ldexp(value, -exponent);
+  note_rank(expansion.fit, vertices, session);
+  filter(options, expansion);
+  const Coefficients& coefficients = expansion.coefficients;
 
   mesh::Mesh made = surface_of(coefficients, map, host);
   made.triangles = surface.triangles;
@@ -216,34 +278,56 @@ void fit_surface(const HarmonicsOptions& options, Session& session) {
   });
   if (!options.reconstruction.empty()) write_output(options.reconstruction, made, !options.text, session);
   if (!options.page.empty())
-    write_harmonics_page(options, surface, std::move(map), coefficients, report, error, session);
+    write_harmonics_page(options, surface, std::move(map), coefficients, expansion.fit, error, session);
 
-  session.figures().update({{"output", options.output},
-                            {"vertices", surface.positions.size()},
-                            {"triangles", surface.triangles.size()},
-                            {"degree", options.degree},
-                            {"unknowns", report.unknowns},
-                            {"rank", report.rank},
-                            {"condition", report.condition},
-                            {"method", report.method == harmonics::FitMethod::dense ? "dense" : "iterative"},
-                            {"iterations", report.iterations},
-                            {"residual", unscaled(report.residual, -exponent)},
-                            {"area", unscaled(area, -2 * exponent)},
-                            {"error", error},
-                            {"degree_norms", norms},
-                            {"seconds_read", read},
+  session.figures().update(figures_of(options, surface, expansion, error));
+  session.figures().update({{"seconds_read", read},
                             {"seconds_fit", fitted - read},
                             {"seconds_compare", compared - fitted},
                             {"seconds_write", session.seconds() - compared}});
-  session.say(options.input + ": degree " + std::to_string(options.degree) + ", " + std::to_string(report.unknowns) +
-              " coefficients of each coordinate from " + std::to_string(vertices) + " vertices in " +
-              number(fitted - read) + " s, in " + options.output);
-  session.say("  reconstruction error " + number(error) + " at area 4 pi, root mean square residual " +
-              number(std::ldexp(report.residual, -exponent)) + ", condition " + number(report.condition));
-  if (!options.reconstruction.empty()) session.say("  wrote " + options.reconstruction);
-  if (!options.page.empty()) session.say("  wrote " + options.page + ", open it in a browser");
-  for (const std::string& note : session.notes())
-    session.say("  note: " + note);
+  say_fit(options, expansion, vertices, fitted - read, error, session);
+}
+
+CLI::Validator degree_range() {
+  return unnamed(CLI::Range(0U, harmonics::largest_degree));
+}
+
+void add_filter_options(CLI::App& verb, HarmonicsOptions& options) {
+  const auto degree = degree_range();
+  auto* low = verb.add_option("--low", options.low, "low pass: keep degrees up to N")->check(degree)->type_name("N");
+  auto* high =
+      verb.add_option("--high", options.high, "high pass: keep degrees from N on, and the position of the shape")
+          ->check(degree)
+          ->type_name("N");
+  verb.add_option("--band", options.band, "band pass: keep degrees A to B, and the position of the shape")
+      ->expected(2)
+      ->check(degree)
+      ->excludes(low)
+      ->excludes(high)
+      ->type_name("A B");
+  verb.add_option("--width", options.width, "width of the transition of filters, in degrees [default: 0]")
+      ->check(degree)
+      ->type_name("N");
+}
+
+void add_fit_options(CLI::App& verb, HarmonicsOptions& options) {
+  verb.add_option("--smoothing", options.smoothing,
+                  "weight of the squared Laplacian in the fit, for surfaces that do not determine it [default: 0]")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("S");
+  verb.add_option("--vertex-weights", options.weights,
+                  "weight of a vertex: area (a third of the area of its triangles on the surface, default), sphere "
+                  "(the same on the map), uniform")
+      ->check(unnamed(CLI::IsMember({"area", "sphere", "uniform"})))
+      ->type_name("WHAT");
+  std::vector<std::string> names;
+  for (const auto& [name, method] : fit_methods)
+    names.push_back(name);
+  verb.add_option("--method", options.method,
+                  "dense (QR with column pivoting), iterative (conjugate gradients, refined), or automatic by size "
+                  "[default: automatic]")
+      ->check(unnamed(CLI::IsMember(names)))
+      ->type_name("METHOD");
 }
 
 }  // namespace
@@ -251,7 +335,6 @@ void fit_surface(const HarmonicsOptions& options, Session& session) {
 void add_harmonics(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("harmonics", "expand a mapped surface in spherical harmonics");
   const auto options = std::make_shared<HarmonicsOptions>();
-  const auto degree = unnamed(CLI::Range(0U, harmonics::largest_degree));
   verb->add_option("IN", options->input, std::string("surface to read: ") + surface_endings)->required()->type_name("");
   verb->add_option("--sphere", options->sphere,
                    "map of IN, written by 'orbicube sphere IN -o MAP': the same vertices and faces on the sphere")
@@ -259,7 +342,7 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
       ->type_name("MAP");
   verb->add_option("--degree", options->degree, "maximum degree L: (L + 1)^2 coefficients for each coordinate")
       ->required()
-      ->check(degree)
+      ->check(degree_range())
       ->type_name("L");
   verb->add_option("-o,--output", options->output,
                    "coefficients to write: .sh .shtools .txt in the format of SHTOOLS (one block each for x, y, z), "
@@ -278,37 +361,8 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
   verb->add_option("--page", options->page,
                    "write a page with shape and map, and a slider for the surface of the coefficients to each degree")
       ->type_name("FILE.html");
-  auto* low = verb->add_option("--low", options->low, "low pass: keep degrees up to N")->check(degree)->type_name("N");
-  auto* high =
-      verb->add_option("--high", options->high, "high pass: keep degrees from N on, and the position of the shape")
-          ->check(degree)
-          ->type_name("N");
-  verb->add_option("--band", options->band, "band pass: keep degrees A to B, and the position of the shape")
-      ->expected(2)
-      ->check(degree)
-      ->excludes(low)
-      ->excludes(high)
-      ->type_name("A B");
-  verb->add_option("--width", options->width, "width of the transition of filters, in degrees [default: 0]")
-      ->check(degree)
-      ->type_name("N");
-  verb->add_option("--smoothing", options->smoothing,
-                   "weight of the squared Laplacian in the fit, for surfaces that do not determine it [default: 0]")
-      ->check(unnamed(CLI::NonNegativeNumber))
-      ->type_name("S");
-  verb->add_option("--vertex-weights", options->weights,
-                   "weight of a vertex: area (a third of the area of its triangles on the surface, default), sphere "
-                   "(the same on the map), uniform")
-      ->check(unnamed(CLI::IsMember({"area", "sphere", "uniform"})))
-      ->type_name("WHAT");
-  std::vector<std::string> names;
-  for (const auto& [name, method] : fit_methods)
-    names.push_back(name);
-  verb->add_option("--method", options->method,
-                   "dense (QR with column pivoting), iterative (conjugate gradients, refined), or automatic by size "
-                   "[default: automatic]")
-      ->check(unnamed(CLI::IsMember(names)))
-      ->type_name("METHOD");
+  add_filter_options(*verb, *options);
+  add_fit_options(*verb, *options);
   verb->add_flag("--text", options->text,
                  "write text in place of binary, if the format of OUT has both (PLY, STL, VTK)");
   verb->add_flag("--weld", options->weld, "weld vertices at identical positions, as for the map");

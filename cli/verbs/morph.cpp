@@ -185,30 +185,21 @@ double area_distortion(std::span<const Triangle> triangles, std::span<const Vect
   return std::sqrt(squares.value());
 }
 
-void morph(const MorphOptions& options, Session& session) {
-  session.options() = {{"output", options.output},
-                       {"landmarks", options.landmarks},
-                       {"align", options.align},
-                       {"placement", options.placement},
-                       {"grid", options.grid},
-                       {"tolerance", options.tolerance},
-                       {"intermediates", options.intermediates},
-                       {"seconds", options.seconds},
-                       {"weld", options.weld},
-                       {"polycube", options.polycube},
-                       {"show_polycube", options.show_polycube}};
-  require_writable(options.output);
-  if (!is_gltf(options.output))
-    throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
-#ifdef ORBICUBE_WITH_POLYCUBE
-  if (options.polycube) {
-    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.placement,
-                       options.corners, options.intermediates, options.seconds, options.weld, options.show_polycube},
-                      session);
-    return;
-  }
-#endif
-  if (options.grid != "both" && options.grid != "first") grid_choice(options.grid, "--grid");
+Json json_of(const MorphOptions& options) {
+  return {{"output", options.output},
+          {"landmarks", options.landmarks},
+          {"align", options.align},
+          {"placement", options.placement},
+          {"grid", options.grid},
+          {"tolerance", options.tolerance},
+          {"intermediates", options.intermediates},
+          {"seconds", options.seconds},
+          {"weld", options.weld},
+          {"polycube", options.polycube},
+          {"show_polycube", options.show_polycube}};
+}
+
+std::deque<MorphShape> map_shapes(const MorphOptions& options, Session& session) {
   const base::Host& host = session.host();
   std::deque<MorphShape> shapes;
   for (const std::string& path : options.inputs) {
@@ -216,19 +207,24 @@ void morph(const MorphOptions& options, Session& session) {
     shapes.emplace_back(host.memory).path = path;
     read_and_map(shapes.back(), options, shapes.size() == 1 ? Keep::decoration : Keep::surface, session);
   }
+  return shapes;
+}
+
+void align_shapes(std::deque<MorphShape>& shapes, const MorphOptions& options, Session& session) {
   if (!options.landmarks.empty()) {
-    const base::Stage stage(host, 0.5);
+    const base::Stage stage(session.host(), 0.5);
     align_by_landmarks(shapes, options.landmarks, session);
   } else if (options.align != "none") {
     align_by_correlation(shapes, options.align == "shape", session);
     if (options.placement == "kept") note_turned(shapes, session);
   }
   session.figures()["alignment"] = options.landmarks.empty() ? options.align : "landmarks";
+}
 
-  CommonMesh common = common_mesh(options, shapes, session);
-  remove_unused(common, host);
+// The common mesh on each shape; its triangles on the first one go to `on_first` where that is kept.
+std::vector<base::Array<Vector3>> carry_to_shapes(std::deque<MorphShape>& shapes, const CommonMesh& common,
+                                                  base::Array<gltf::KeptTriangle>& on_first, const base::Host& host) {
   std::vector<base::Array<Vector3>> states;
-  base::Array<gltf::KeptTriangle> on_first(host.memory);
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     MorphShape& shape = shapes[i];
     const base::Stage stage(host, 1.0 / static_cast<double>(shapes.size() + 1 - i));
@@ -245,10 +241,12 @@ void morph(const MorphOptions& options, Session& session) {
       on_first = kept_triangles(*shape.locator, carried.directions, common.triangles, host);
     if (i > 0) shape.figures["area_distortion"] = area_distortion(common.triangles, states[0], states[i]);
   }
-  std::vector<Json*> figures;
-  for (MorphShape& shape : shapes)
-    figures.push_back(&shape.figures);
-  place(options.placement, common.triangles, states, figures);
+  return states;
+}
+
+void write_states(const std::deque<MorphShape>& shapes, const CommonMesh& common,
+                  const std::vector<base::Array<Vector3>>& states, const base::Array<gltf::KeptTriangle>& on_first,
+                  const MorphOptions& options, Session& session) {
   MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.intermediates};
   if (shapes[0].surface.kept) {
     morph.kept = shapes[0].surface.kept.get();
@@ -258,25 +256,29 @@ void morph(const MorphOptions& options, Session& session) {
   for (const MorphShape& shape : shapes)
     morph.names.push_back(std::filesystem::path(shape.path).stem().string());
   write_morph(morph, session);
+}
 
-  session.figures()["output"] = options.output;
+std::string text_of_landmarks(const Json& figures) {
+  if (!figures.contains("landmarks")) return "";
+  const Json& landmarks = figures["landmarks"];
+  return "; landmarks apart by " + number(landmarks["angle_rotated"]["max"].get<double>()) +
+         " rad at most after turning, by " + number(landmarks["angle"]["max"].get<double>()) + " after bending";
+}
+
+void report_shapes(const std::deque<MorphShape>& shapes, const CommonMesh& common, const std::string& output,
+                   Session& session) {
+  session.figures()["output"] = output;
   session.figures()["vertices"] = common.directions.size();
   session.figures()["triangles"] = common.triangles.size();
   session.figures()["shapes"] = Json::array();
-  session.say("wrote " + options.output + ": " + std::to_string(shapes.size()) + " shapes on " +
+  session.say("wrote " + output + ": " + std::to_string(shapes.size()) + " shapes on " +
               std::to_string(common.directions.size()) + " vertices and " + std::to_string(common.triangles.size()) +
               " triangles");
   for (const MorphShape& shape : shapes) {
     session.figures()["shapes"].push_back(shape.figures);
-    const Json& distance = shape.figures["distance"];
-    session.say("  " + shape.path + ": at most " +
-                number(100 * distance["from_surface"]["max_of_diagonal"].get<double>()) + " % of its diagonal is lost" +
-                (shape.figures.contains("landmarks")
-                     ? "; landmarks apart by " +
-                           number(shape.figures["landmarks"]["angle_rotated"]["max"].get<double>()) +
-                           " rad at most after turning, by " +
-                           number(shape.figures["landmarks"]["angle"]["max"].get<double>()) + " after bending"
-                     : ""));
+    const double lost = shape.figures["distance"]["from_surface"]["max_of_diagonal"].get<double>();
+    session.say("  " + shape.path + ": at most " + number(100 * lost) + " % of its diagonal is lost" +
+                text_of_landmarks(shape.figures));
     if (const auto over = shape.figures["flipped"].get<std::size_t>(); over > 0)
       session.note(shape.path + ": " + std::to_string(over) +
                    " triangles of the mesh are flipped or flat on its sphere");
@@ -284,6 +286,49 @@ void morph(const MorphOptions& options, Session& session) {
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }
+
+void morph(const MorphOptions& options, Session& session) {
+  session.options() = json_of(options);
+  require_writable(options.output);
+  if (!is_gltf(options.output))
+    throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
+#ifdef ORBICUBE_WITH_POLYCUBE
+  if (options.polycube) {
+    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.placement,
+                       options.corners, options.intermediates, options.seconds, options.weld, options.show_polycube},
+                      session);
+    return;
+  }
+#endif
+  if (options.grid != "both" && options.grid != "first") grid_choice(options.grid, "--grid");
+  const base::Host& host = session.host();
+  std::deque<MorphShape> shapes = map_shapes(options, session);
+  align_shapes(shapes, options, session);
+  CommonMesh common = common_mesh(options, shapes, session);
+  remove_unused(common, host);
+  base::Array<gltf::KeptTriangle> on_first(host.memory);
+  std::vector<base::Array<Vector3>> states = carry_to_shapes(shapes, common, on_first, host);
+  std::vector<Json*> figures;
+  for (MorphShape& shape : shapes)
+    figures.push_back(&shape.figures);
+  place(options.placement, common.triangles, states, figures);
+  write_states(shapes, common, states, on_first, options, session);
+  report_shapes(shapes, common, options.output, session);
+}
+
+#ifdef ORBICUBE_WITH_POLYCUBE
+void add_polycube_options(CLI::App& verb, MorphOptions& options) {
+  CLI::Option* polycube = verb.add_flag("--polycube", options.polycube,
+                                        "use one polycube in place of spheres, for two to ten shapes of any one "
+                                        "genus; --grid is first or cells:N [default: the maximum triangle count]");
+  verb.add_flag("--show-polycube", options.show_polycube, "add the polycube as a target between consecutive shapes")
+      ->needs(polycube);
+  verb.add_option("--corners", options.corners, "maximum number of polycube corners; 0: no limit [default: 0]")
+      ->check(unnamed(CLI::Range(0, 1'000'000)))
+      ->needs(polycube)
+      ->type_name("N");
+}
+#endif
 
 }  // namespace
 
@@ -299,15 +344,7 @@ void add_morph(CLI::App& app, CommonOptions& common) {
       ->required()
       ->type_name("OUT");
 #ifdef ORBICUBE_WITH_POLYCUBE
-  CLI::Option* polycube = verb->add_flag("--polycube", options->polycube,
-                                         "use one polycube in place of spheres, for two to ten shapes of any one "
-                                         "genus; --grid is first or cells:N [default: the maximum triangle count]");
-  verb->add_flag("--show-polycube", options->show_polycube, "add the polycube as a target between consecutive shapes")
-      ->needs(polycube);
-  verb->add_option("--corners", options->corners, "maximum number of polycube corners; 0: no limit [default: 0]")
-      ->check(unnamed(CLI::Range(0, 1'000'000)))
-      ->needs(polycube)
-      ->type_name("N");
+  add_polycube_options(*verb, *options);
 #endif
   verb->add_option("--landmarks", options->landmarks,
                    "corresponding points: one line each, with a vertex number (from 0) or x y z for each shape")

@@ -5,11 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "files/exact_file.h"
 #include "files/feature_file.h"
 #include "files/given_polycube_file.h"
 #include "files/surface_file.h"
-#include "mesh/files/file.h"
-#include "mesh/files/write.h"
 #include "mesh/topology/degenerate_triangles.h"
 #include "polycube/corners/optimal_corners.h"
 #include "polycube/domain/optimal_domain.h"
@@ -47,29 +46,6 @@ struct PolycubeOptions {
   bool weld = false;
   PolycubeOutputs outputs;
 };
-
-// Formats that keep the order of vertices and every bit of their coordinates.
-void require_exact_format(const std::string& path) {
-  const auto format = is_gltf(path) ? mesh::Format::stl : mesh::format_of_path(path);
-  if (format != mesh::Format::stl) return;
-  throw Failure(Exit::wrong_input, path, "unsupported-format",
-                "patches of a polycube lie exactly in planes; this format rounds coordinates or welds vertices");
-}
-
-// Written beside its place, read again and compared: what was certified is what the file holds.
-void write_exactly(const std::string& path, const base::Array<mesh::Vector3>& positions,
-                   const base::Array<mesh::Triangle>& triangles, bool text, Session& session) {
-  about(path, Role::output, [&] {
-    mesh::Mesh m(session.host().memory);
-    m.positions = positions;
-    m.triangles = triangles;
-    const std::filesystem::path file = session.stage(path);
-    mesh::write_mesh(file, m, {.binary = !text}, session.host());
-    const mesh::Mesh again = mesh::read_mesh(file, {}, session.host());
-    if (again.positions != positions || again.triangles != triangles)
-      throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
-  });
-}
 
 polycube::Method method_named(const std::string& name) {
   if (name == "labels") return polycube::Method::labels;
@@ -140,6 +116,12 @@ std::string numbered(const std::string& path, std::size_t shape) {
 
 // One polycube for all inputs.
 void common_polycube(const PolycubeOptions& options, Session& session) {
+  if (!options.from.empty() || !options.optimize.empty() || !options.features.empty() || options.feature_angle > 0)
+    throw Failure(Exit::wrong_input, "", "usage",
+                  "--from, --optimize, --features and --feature-angle are for one surface; several share a polycube of "
+                  "their own, at its best proportions");
+  session.options()["inputs"] = options.inputs;
+  session.options()["landmarks"] = options.landmarks;
   SharedPolycube shared = share_polycube(
       {.inputs = options.inputs,
        .landmarks = options.landmarks,
@@ -227,40 +209,26 @@ void align_features(const PolycubeOptions& options, polycube::Construction& made
   made.distortion = found.distortion;
 }
 
-void polycube(const PolycubeOptions& options, Session& session) {
-  require_writable(options.output);
-  require_exact_format(options.output);
-  if (!options.surface.empty()) {
-    require_writable(options.surface);
-    require_exact_format(options.surface);
-  }
-  session.options() = {{"output", options.output},
-                       {"surface", options.surface},
-                       {"construct", options.construct},
-                       {"corners", options.corners},
-                       {"text", options.text},
-                       {"weld", options.weld},
-                       {"from", options.from},
-                       {"constraints", options.constraints},
-                       {"optimize", options.optimize},
-                       {"features", options.features},
-                       {"feature_angle", options.feature_angle}};
+Json json_of(const PolycubeOptions& options) {
+  Json result = {{"output", options.output},
+                 {"surface", options.surface},
+                 {"construct", options.construct},
+                 {"corners", options.corners},
+                 {"text", options.text},
+                 {"weld", options.weld},
+                 {"from", options.from},
+                 {"constraints", options.constraints},
+                 {"optimize", options.optimize},
+                 {"features", options.features},
+                 {"feature_angle", options.feature_angle}};
   if (!options.optimize.empty())
-    session.options().update(Json{
+    result.update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
-  check_polycube_outputs(options.outputs, session);
-  if (options.inputs.size() > 1) {
-    if (!options.from.empty() || !options.optimize.empty() || !options.features.empty() || options.feature_angle > 0)
-      throw Failure(
-          Exit::wrong_input, "", "usage",
-          "--from, --optimize, --features and --feature-angle are for one surface; several share a polycube of "
-          "their own, at its best proportions");
-    session.options()["inputs"] = options.inputs;
-    session.options()["landmarks"] = options.landmarks;
-    common_polycube(options, session);
-    return;
-  }
-  const AnyGenusSurface surface =
+  return result;
+}
+
+AnyGenusSurface read_surface(const PolycubeOptions& options, Session& session) {
+  AnyGenusSurface surface =
       session.portion(0.03, [&] { return read_any_genus_surface(options.input, options.weld, session); });
   const mesh::Mesh& input = surface.mesh;
   session.figures()["input"] = surface.figures;
@@ -269,12 +237,27 @@ void polycube(const PolycubeOptions& options, Session& session) {
     require_ordinary_size(input, options.input);
   note_degenerate(mesh::count_degenerate(input.positions, input.triangles), session);
   require_float_range(options.outputs.glb, input.positions, input.triangles);
-  const double start = session.seconds();
-  const double part = options.optimize.empty() ? 0.9 : 0.5;
-  polycube::BestConstruction best = session.portion(part, [&] { return construct(options, input, session); });
-  polycube::Construction& made = best.made;
-  const std::string method = name_of(best.method);
-  const double constructed = session.seconds();
+  return surface;
+}
+
+void say_polycube(const PolycubeOptions& options, const polycube::BestConstruction& best, std::size_t added,
+                  Session& session) {
+  const polycube::Construction& made = best.made;
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+  session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
+              " corners and " + std::to_string(made.certificate.patch_count) + " faces, genus " +
+              std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
+  if (options.from.empty())
+    session.say("  constructed by " + name_of(best.method) + ", " + std::to_string(made.valid) + " valid maps in " +
+                std::to_string(made.tried) + " attempts");
+  session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_weighted_mean) + ", of areas " +
+              std::to_string(made.distortion.area_weighted_mean) + " (over the surface; 1: none)");
+  if (!options.surface.empty()) session.say("wrote " + options.surface);
+}
+
+// Optimizes as the options request; returns the energies on the way.
+base::Array<double> optimize(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
   base::Array<double> energies(session.host().memory);
   if (!options.optimize.empty()) {
     const base::Stage stage(session.host(), 0.8);
@@ -282,12 +265,31 @@ void polycube(const PolycubeOptions& options, Session& session) {
                                             : optimize_corners(options, made, session);
   }
   if (!options.features.empty() || options.feature_angle > 0) align_features(options, made, session);
+  return energies;
+}
+
+void polycube(const PolycubeOptions& options, Session& session) {
+  require_exact_output(options.output);
+  if (!options.surface.empty()) require_exact_output(options.surface);
+  session.options() = json_of(options);
+  check_polycube_outputs(options.outputs, session);
+  if (options.inputs.size() > 1) {
+    common_polycube(options, session);
+    return;
+  }
+  const AnyGenusSurface surface = read_surface(options, session);
+  const double start = session.seconds();
+  const double part = options.optimize.empty() ? 0.9 : 0.5;
+  polycube::BestConstruction best = session.portion(part, [&] { return construct(options, surface.mesh, session); });
+  polycube::Construction& made = best.made;
+  const double constructed = session.seconds();
+  const base::Array<double> energies = optimize(options, made, session);
   const double optimized = session.seconds();
   const polycube::SurfaceMap& map = made.map;
   write_exactly(options.output, map.polycube, map.triangles, options.text, session);
   if (!options.surface.empty()) write_exactly(options.surface, map.positions, map.triangles, options.text, session);
 
-  const std::size_t added = map.positions.size() - input.positions.size();
+  const std::size_t added = map.positions.size() - surface.mesh.positions.size();
   session.figures().update(Json{{"vertices", map.positions.size()},
                                 {"vertices_added", added},
                                 {"triangles", map.triangles.size()},
@@ -295,26 +297,67 @@ void polycube(const PolycubeOptions& options, Session& session) {
                                 {"patches", made.certificate.patch_count},
                                 {"genus", made.certificate.genus},
                                 {"distortion", distortion_figures(made.distortion)},
-                                {"construction", method},
+                                {"construction", name_of(best.method)},
                                 {"polycubes_tried", made.tried},
                                 {"polycubes_valid", made.valid},
                                 {"seconds_construct", constructed - start},
                                 {"seconds_write", session.seconds() - optimized}});
-  for (const std::string& note : session.notes())
-    session.say("note: " + note);
-  session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
-              " corners and " + std::to_string(made.certificate.patch_count) + " faces, genus " +
-              std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
-  if (options.from.empty())
-    session.say("  constructed by " + method + ", " + std::to_string(made.valid) + " valid maps in " +
-                std::to_string(made.tried) + " attempts");
-  session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_weighted_mean) + ", of areas " +
-              std::to_string(made.distortion.area_weighted_mean) + " (over the surface; 1: none)");
-  if (!options.surface.empty()) session.say("wrote " + options.surface);
+  say_polycube(options, best, added, session);
   write_polycube_outputs(options.outputs,
                          {options.input, map, made.certificate.genus, made.certificate.corners,
                           made.certificate.patch_count, made.distortion, energies},
                          session.figures(), session);
+}
+
+void add_construction_options(CLI::App& verb, PolycubeOptions& options) {
+  CLI::Option* construct =
+      verb.add_option("--construct", options.construct,
+                      "construction: labels, voxels (grid-based), or auto, the better of both [default: auto]")
+          ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels"})))
+          ->type_name("METHOD");
+  CLI::Option* corners =
+      verb.add_option("--corners", options.corners, "maximum number of polycube corners; 0: no limit [default: 0]")
+          ->check(unnamed(CLI::Range(0, 1'000'000)))
+          ->type_name("N");
+  CLI::Option* from = verb.add_option("--from", options.from, "map to this polycube: a .json of --domain, or a mesh")
+                          ->excludes(construct)
+                          ->excludes(corners)
+                          ->type_name("POLYCUBE");
+  verb.add_option("--constraints", options.constraints,
+                  "positional constraints of the corners of that polycube on IN: JSON, [{\"corner\": 0, \"vertex\": "
+                  "17}, ...] or \"point\": [x, y, z]")
+      ->needs(from)
+      ->type_name("FILE");
+}
+
+void add_optimization_options(CLI::App& verb, PolycubeOptions& options) {
+  verb.add_option("--optimize", options.optimize,
+                  "optimize domain, the proportions of the polycube; corners, their positions on the surface; or all, "
+                  "both in turn")
+      ->check(unnamed(CLI::IsMember({"domain", "corners", "all"})))
+      ->type_name("WHAT");
+  verb.add_option("--corner-search", options.corner_search,
+                  "corner search: trust-region, derivative-free, or gradient, which needs fewer evaluations [default: "
+                  "trust-region]")
+      ->check(unnamed(CLI::IsMember({"trust-region", "gradient"})))
+      ->type_name("METHOD");
+  verb.add_option("--measure", options.measure,
+                  "distortion that domain minimizes: mean over surface or faces, or harmonic [default: surface]")
+      ->check(unnamed(CLI::IsMember({"surface", "faces", "harmonic"})))
+      ->type_name("MEAN");
+  verb.add_option("--area-weight", options.area_weight, "weight of area relative to angle distortion [default: 1]")
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("W");
+  verb.add_option("--features", options.features,
+                  "target positions of vertices and curves on the polycube: JSON, {\"points\": [{\"vertex\": 17, "
+                  "\"target\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
+                  "y, z]}, ...]}; with a \"weight\" approximately")
+      ->type_name("FILE");
+  verb.add_option("--feature-angle", options.feature_angle,
+                  "minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
+                  "none [default: 0]")
+      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->type_name("DEGREES");
 }
 
 }  // namespace
@@ -333,51 +376,8 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
       ->type_name("OUT");
   verb->add_option("--surface", options->surface, "the surface in space with the vertices and triangles of OUT")
       ->type_name("OUT2");
-  CLI::Option* construct =
-      verb->add_option("--construct", options->construct,
-                       "construction: labels, voxels (grid-based), or auto, the better of both [default: auto]")
-          ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels"})))
-          ->type_name("METHOD");
-  CLI::Option* corners =
-      verb->add_option("--corners", options->corners, "maximum number of polycube corners; 0: no limit [default: 0]")
-          ->check(unnamed(CLI::Range(0, 1'000'000)))
-          ->type_name("N");
-  CLI::Option* from = verb->add_option("--from", options->from, "map to this polycube: a .json of --domain, or a mesh")
-                          ->excludes(construct)
-                          ->excludes(corners)
-                          ->type_name("POLYCUBE");
-  verb->add_option("--constraints", options->constraints,
-                   "positional constraints of the corners of that polycube on IN: JSON, [{\"corner\": 0, \"vertex\": "
-                   "17}, ...] or \"point\": [x, y, z]")
-      ->needs(from)
-      ->type_name("FILE");
-  verb->add_option("--optimize", options->optimize,
-                   "optimize domain, the proportions of the polycube; corners, their positions on the surface; or all, "
-                   "both in turn")
-      ->check(unnamed(CLI::IsMember({"domain", "corners", "all"})))
-      ->type_name("WHAT");
-  verb->add_option("--corner-search", options->corner_search,
-                   "corner search: trust-region, derivative-free, or gradient, which needs fewer evaluations [default: "
-                   "trust-region]")
-      ->check(unnamed(CLI::IsMember({"trust-region", "gradient"})))
-      ->type_name("METHOD");
-  verb->add_option("--measure", options->measure,
-                   "distortion that domain minimizes: mean over surface or faces, or harmonic [default: surface]")
-      ->check(unnamed(CLI::IsMember({"surface", "faces", "harmonic"})))
-      ->type_name("MEAN");
-  verb->add_option("--area-weight", options->area_weight, "weight of area relative to angle distortion [default: 1]")
-      ->check(unnamed(CLI::NonNegativeNumber))
-      ->type_name("W");
-  verb->add_option("--features", options->features,
-                   "target positions of vertices and curves on the polycube: JSON, {\"points\": [{\"vertex\": 17, "
-                   "\"target\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
-                   "y, z]}, ...]}; with a \"weight\" approximately")
-      ->type_name("FILE");
-  verb->add_option("--feature-angle", options->feature_angle,
-                   "minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
-                   "none [default: 0]")
-      ->check(unnamed(CLI::Range(0.0, 179.0)))
-      ->type_name("DEGREES");
+  add_construction_options(*verb, *options);
+  add_optimization_options(*verb, *options);
   verb->add_option("--landmarks", options->landmarks,
                    "corresponding points of several surfaces: one line each, with a vertex number (from 0) or x y z "
                    "for each surface")

@@ -163,21 +163,32 @@ Json json_of(const sphere_map::Measurement& m) {
           {"zero_area_faces", m.zero_area_faces}};
 }
 
+Json json_of(const SphereOptions& options) {
+  return {{"output", options.output},
+          {"method", options.method},
+          {"angle_weight", options.angle_weight},
+          {"area_weight", options.area_weight},
+          {"page", options.page},
+          {"text", options.text},
+          {"weld", options.weld},
+          {"keep_partial", options.keep_partial},
+          {"remesh", options.uses.remesh},
+          {"grid", options.uses.grid},
+          {"image", options.uses.image},
+          {"image_grid", options.uses.image_grid}};
+}
+
+void say_distortion(const sphere_map::Measurement& m, Session& session) {
+  session.say("  energy " + number(m.energy) + " (angles " + number(m.energy_angle) + ", areas " +
+              number(m.energy_area) + "), quasi-conformal distortion " + number(m.mean_quasi_conformal) +
+              " on average and " + "maximum " + number(m.max_quasi_conformal) + ", stretch efficiency " +
+              number(m.stretch_efficiency));
+}
+
 void sphere(const SphereOptions& options, Session& session) {
   require_writable(options.output);
   check_sphere_uses(options.uses);
-  session.options() = {{"output", options.output},
-                       {"method", options.method},
-                       {"angle_weight", options.angle_weight},
-                       {"area_weight", options.area_weight},
-                       {"page", options.page},
-                       {"text", options.text},
-                       {"weld", options.weld},
-                       {"keep_partial", options.keep_partial},
-                       {"remesh", options.uses.remesh},
-                       {"grid", options.uses.grid},
-                       {"image", options.uses.image},
-                       {"image_grid", options.uses.image_grid}};
+  session.options() = json_of(options);
   const ClosedSurface input = session.portion(0.03, [&] {
     return read_closed_surface(options.input, options.weld, session, keep_for(options.output, Keep::decoration));
   });
@@ -221,10 +232,7 @@ void sphere(const SphereOptions& options, Session& session) {
 
   session.say(options.input + ": " + std::to_string(surface.triangles.size()) + " triangles mapped to the sphere in " +
               number(computed) + " s, one to one, checked exactly in " + options.output);
-  session.say("  energy " + number(m.energy) + " (angles " + number(m.energy_angle) + ", areas " +
-              number(m.energy_area) + "), quasi-conformal distortion " + number(m.mean_quasi_conformal) +
-              " on average and " + "maximum " + number(m.max_quasi_conformal) + ", stretch efficiency " +
-              number(m.stretch_efficiency));
+  say_distortion(m, session);
   write_sphere_uses(options.uses, surface, directions, session);
   for (const std::string& note : session.notes())
     session.say("  note: " + note);

@@ -112,37 +112,36 @@ void turn_all(mesh::Mesh& solid, Session& session) {
     session.note(note);
 }
 
-void run_untangle(const UntangleVerb& verb, Session& session) {
-  const std::unique_ptr<volume_map::BlockEngine> engine = start_solver(verb.solver);
-  require_cells_format(verb.output);
-  require_writable(verb.output);
-  session.options() = {{"output", verb.output},
-                       {"rest", verb.rest},
-                       {"free_boundary", verb.free_boundary},
-                       {"steps", verb.options.steps},
-                       {"polish", verb.options.polish_steps},
-                       {"volume_weight", verb.options.volume_weight},
-                       {"solver", verb.solver},
-                       {"keep_partial", verb.keep_partial},
-                       {"text", verb.text}};
-  mesh::Mesh solid = session.portion(0.03, [&] { return read_tetrahedra(verb.input, session); });
-  mesh::Mesh rest(session.host().memory);
-  // Without shapes to have, tetrahedra that are all inverted are those of another order of vertices.
-  if (verb.rest.empty()) about(verb.input, Role::input, [&] { turn_all(solid, session); });
-  if (!verb.rest.empty()) {
-    rest = read_tetrahedra(verb.rest, session);
-    about(verb.rest, Role::input, [&] {
-      if (rest.tetrahedra != solid.tetrahedra || rest.positions.size() != solid.positions.size())
-        throw base::Error("unsupported", "not the same vertices and tetrahedra as " + verb.input);
-      const auto found = volume_map::count_inverted(rest.tetrahedra, rest.positions, session.host());
-      if (found.count > 0) {
-        throw base::Error("inverted-cell", std::to_string(found.count) + " tetrahedra are not positive, the first is " +
-                                               std::to_string(found.first));
-      }
-    });
-  }
-  const double start = session.seconds();
-  const volume_map::Untangled result = about(verb.input, Role::input, [&] {
+Json json_of(const UntangleVerb& verb) {
+  return {{"output", verb.output},
+          {"rest", verb.rest},
+          {"free_boundary", verb.free_boundary},
+          {"steps", verb.options.steps},
+          {"polish", verb.options.polish_steps},
+          {"volume_weight", verb.options.volume_weight},
+          {"solver", verb.solver},
+          {"keep_partial", verb.keep_partial},
+          {"text", verb.text}};
+}
+
+// The same tetrahedra in the shapes to have, all of them positive.
+mesh::Mesh read_rest(const UntangleVerb& verb, const mesh::Mesh& solid, Session& session) {
+  mesh::Mesh rest = read_tetrahedra(verb.rest, session);
+  about(verb.rest, Role::input, [&] {
+    if (rest.tetrahedra != solid.tetrahedra || rest.positions.size() != solid.positions.size())
+      throw base::Error("unsupported", "not the same vertices and tetrahedra as " + verb.input);
+    const auto found = volume_map::count_inverted(rest.tetrahedra, rest.positions, session.host());
+    if (found.count > 0) {
+      throw base::Error("inverted-cell", std::to_string(found.count) + " tetrahedra are not positive, the first is " +
+                                             std::to_string(found.first));
+    }
+  });
+  return rest;
+}
+
+volume_map::Untangled untangle(const UntangleVerb& verb, const mesh::Mesh& solid, const mesh::Mesh& rest,
+                               volume_map::BlockEngine* engine, Session& session) {
+  return about(verb.input, Role::input, [&] {
     const base::Stage stage(session.host(), 0.95);
     base::Array<std::uint8_t> fixed(session.host().memory);
     if (!verb.free_boundary) {
@@ -154,27 +153,29 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
       fixed = boundary_coordinates(solid, session.host());
     }
     volume_map::UntangleOptions with_engine = verb.options;
-    with_engine.engine = engine.get();
+    with_engine.engine = engine;
     return volume_map::untangle(
         {.tetrahedra = solid.tetrahedra, .start = solid.positions, .rest = rest.positions, .fixed = fixed}, with_engine,
         session.host());
   });
-  session.figures().update(Json{{"output", verb.output},
-                                {"vertices", solid.positions.size()},
-                                {"tetrahedra", solid.tetrahedra.size()},
-                                {"inverted_before", result.inverted_before},
-                                {"inverted", result.inverted},
-                                {"steps", result.steps},
-                                {"polish_steps", result.polish_steps},
-                                {"min_determinant", result.min_determinant},
-                                {"max_determinant", result.max_determinant},
-                                {"energy", result.energy},
-                                {"seconds_compute", session.seconds() - start}});
-  if (result.inverted == 0 || verb.keep_partial) {
-    solid.positions = result.positions;
-    write_untangled(verb.output, solid, verb.text, session);
-    if (result.inverted > 0) session.keep();
-  }
+}
+
+Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const volume_map::Untangled& result) {
+  return {{"output", verb.output},
+          {"vertices", solid.positions.size()},
+          {"tetrahedra", solid.tetrahedra.size()},
+          {"inverted_before", result.inverted_before},
+          {"inverted", result.inverted},
+          {"steps", result.steps},
+          {"polish_steps", result.polish_steps},
+          {"min_determinant", result.min_determinant},
+          {"max_determinant", result.max_determinant},
+          {"energy", result.energy}};
+}
+
+// Throws unless all tetrahedra are positive; notes where the boundary intersects itself.
+void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const volume_map::Untangled& result,
+                     Session& session) {
   about(verb.output, Role::output, [&] { volume_map::require_untangled(result, solid.tetrahedra.size()); });
   about(verb.output, Role::output, [&] {
     report_intersections(verb.output, solid.positions, mesh::boundary_triangles(solid, session.host()),
@@ -182,6 +183,30 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
                                             : "the boundary is that of " + verb.input + ", which intersects itself",
                          session.figures(), session);
   });
+}
+
+void run_untangle(const UntangleVerb& verb, Session& session) {
+  const std::unique_ptr<volume_map::BlockEngine> engine = start_solver(verb.solver);
+  require_cells_format(verb.output);
+  require_writable(verb.output);
+  session.options() = json_of(verb);
+  mesh::Mesh solid = session.portion(0.03, [&] { return read_tetrahedra(verb.input, session); });
+  mesh::Mesh rest(session.host().memory);
+  // Without shapes to have, tetrahedra that are all inverted are those of another order of vertices.
+  if (verb.rest.empty())
+    about(verb.input, Role::input, [&] { turn_all(solid, session); });
+  else
+    rest = read_rest(verb, solid, session);
+  const double start = session.seconds();
+  const volume_map::Untangled result = untangle(verb, solid, rest, engine.get(), session);
+  session.figures().update(figures_of(verb, solid, result));
+  session.figures()["seconds_compute"] = session.seconds() - start;
+  if (result.inverted == 0 || verb.keep_partial) {
+    solid.positions = result.positions;
+    write_untangled(verb.output, solid, verb.text, session);
+    if (result.inverted > 0) session.keep();
+  }
+  check_untangled(verb, solid, result, session);
   session.say("wrote " + verb.output + ": " + std::to_string(solid.tetrahedra.size()) + " tetrahedra, all positive; " +
               std::to_string(result.inverted_before) + " were not");
   session.say("  determinants from " + number(result.min_determinant) + " to " + number(result.max_determinant) +
