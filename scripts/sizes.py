@@ -14,22 +14,29 @@ import re
 import sys
 
 FILE_LINES, FUNCTION_LINES, FOLDER_FILES = 400, 60, 25
+# A line that does not belong to the signature below it: the end of something else, a comment, a template's first line.
+NO_SIGNATURE = re.compile(r"[;{}:>]$|^\s*(//|#|})")
 NO_FUNCTION = re.compile(r"\s*(namespace|struct|class|enum|union|if|for|while|switch|else|do|try|catch|return|extern)\b|\s*[})]|.*=\s*\{$")
+
+
+def first_line(lines, last):
+    """The line on which a signature begins whose body opens at the end of line `last`, past its list of initializers."""
+    first = last
+    while first > 0 and lines[first - 1].strip() and not NO_SIGNATURE.search(lines[first - 1]):
+        first -= 1
+    return first
 
 
 def functions(lines):
     """Yields (first line, number of lines, name) of each function with a body, also within classes."""
     i = 0
     while i < len(lines):
-        line = lines[i]
-        indent = len(line) - len(line.lstrip())
-        if not line.endswith("{") or indent > 4 or NO_FUNCTION.match(line) or line.lstrip().startswith(("//", "*")):
+        first = first_line(lines, i) if lines[i].endswith("{") else i
+        indent = len(lines[first]) - len(lines[first].lstrip())
+        if not lines[i].endswith("{") or indent > 4 or NO_FUNCTION.match(lines[first]):
             i += 1
             continue
-        first = i
-        while first > 0 and "(" not in lines[first] and lines[first - 1].strip() and not lines[first - 1].endswith((";", "}", ":")):
-            first -= 1
-        found = re.search(r"([~\w:<>]+(?:operator\S+)?)\s*\(", lines[first])
+        found = re.search(r"([~\w:<>]+(?:operator\S+)?)\s*\(", " ".join(lines[first : i + 1]))
         end = next((j for j in range(i + 1, len(lines)) if lines[j].startswith(" " * indent + "}")), len(lines) - 1)
         if found:
             yield first + 1, end - first + 1, found.group(1)
