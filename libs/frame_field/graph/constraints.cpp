@@ -92,7 +92,7 @@ Quaternion aligned(const Quaternion& frame, const Vector& n) {
 
 namespace {
 
-// Those of the given frames and axes that are not held, `count` of them, by node.
+// The `count` given frames and axes that pull but are not imposed, by node.
 void list_pulls(const DualGraph& graph, std::span<const GivenFrame> given_frames, std::span<const GivenAxis> given_axes,
                 std::size_t count, Array<Pull>& pulls, const base::Host& host) {
   Array<Index> node(graph.size(), host.memory);
