@@ -71,6 +71,13 @@ struct Surface {
   }
 };
 
+// NULL where the number is no format's.
+const mesh::FormatRow* format_row(int32_t format) {
+  const auto rows = mesh::formats();
+  const bool exists = format >= 0 && static_cast<std::size_t>(format) < rows.size();
+  return exists ? &rows[static_cast<std::size_t>(format)] : nullptr;
+}
+
 const mesh::Mesh& checked(const obc_mesh* from) {
   capi::require(from != nullptr, "mesh is NULL");
   return from->mesh;
@@ -347,11 +354,28 @@ obc_status obc_mesh_read(const char* path, const obc_mesh_read_options* options,
 obc_status obc_mesh_read_memory(const void* bytes, size_t size, int32_t format, const obc_mesh_read_options* options,
                                 const obc_host* host, obc_mesh** out, obc_error* error) {
   return make(host, out, error, [&](obc_mesh& made) {
-    capi::require(format >= OBC_MESH_OBJ && format <= OBC_MESH_VTK, "format is none of OBC_MESH_...");
+    capi::require(format_row(format) != nullptr, "format is none of OBC_MESH_...");
     const auto content = view<std::byte>(static_cast<const std::byte*>(bytes), size, "bytes");
     made.mesh = mesh::read_mesh(static_cast<mesh::Format>(format), content, to_read_options(options),
                                 made.adapter.host(), &made.report);
   });
+}
+
+const char* obc_mesh_format_ending(int32_t format) {
+  const mesh::FormatRow* row = format_row(format);
+  return row != nullptr ? row->ending : nullptr;
+}
+
+const char* obc_mesh_format_name(int32_t format) {
+  const mesh::FormatRow* row = format_row(format);
+  return row != nullptr ? row->name : nullptr;
+}
+
+uint32_t obc_mesh_format_contents(int32_t format) {
+  const mesh::FormatRow* row = format_row(format);
+  if (row == nullptr) return 0;
+  return static_cast<uint32_t>(OBC_MESH_HOLDS_SURFACES | (row->polygons ? OBC_MESH_HOLDS_POLYGONS : 0) |
+                               (row->cells ? OBC_MESH_HOLDS_CELLS : 0) | (row->binary ? OBC_MESH_HOLDS_BINARY : 0));
 }
 
 const char* obc_mesh_format(const obc_mesh* mesh) {

@@ -10,8 +10,7 @@ namespace orbicube::cli {
 
 void require_exact_output(const std::string& path) {
   require_writable(path);
-  const auto format = is_gltf(path) ? mesh::Format::stl : mesh::format_of_path(path);
-  if (format != mesh::Format::stl) return;
+  if (mesh::holds(path, mesh::Holds::polygons)) return;
   throw Failure(Exit::wrong_input, path, "unsupported-format",
                 "patches of a polycube lie exactly in planes; this format rounds coordinates or welds vertices");
 }

@@ -1,7 +1,5 @@
 #include "files/surface_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 #include <vector>
 
@@ -43,14 +41,6 @@ void write_gltf(const std::filesystem::path& path, const mesh::Mesh& mesh, const
   gltf::write(path, scene, host);
 }
 
-// In small letters.
-std::string ending_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
 void require_known_ending(const std::filesystem::path& path) {
   if (is_gltf(path) || mesh::format_of_path(path)) return;
   throw Failure(Exit::wrong_input, path.string(), "unsupported-format",
@@ -60,12 +50,11 @@ void require_known_ending(const std::filesystem::path& path) {
 }  // namespace
 
 bool is_gltf(const std::filesystem::path& path) {
-  const std::string ending = ending_of(path);
-  return ending == ".glb" || ending == ".gltf";
+  return gltf::form_of_path(path).has_value();
 }
 
 bool is_json(const std::filesystem::path& path) {
-  return ending_of(path) == ".json";
+  return mesh::ending_of(path) == ".json";
 }
 
 Keep keep_for(const std::filesystem::path& output, Keep wanted) {
@@ -100,6 +89,14 @@ InputMesh read_input(const std::filesystem::path& path, bool weld, Session& sess
 
 void require_writable(const std::filesystem::path& path) {
   require_known_ending(path);
+  require_folder(path);
+}
+
+void require_cells_writable(const std::filesystem::path& path) {
+  if (!mesh::holds(path, mesh::Holds::cells)) {
+    throw Failure(Exit::wrong_input, path.string(), "unsupported-format",
+                  "tetrahedra and hexahedra are written to " + cell_endings);
+  }
   require_folder(path);
 }
 

@@ -7,14 +7,20 @@
 #include <string>
 
 #include "gltf/kept/kept.h"
+#include "gltf/writing/form.h"
 #include "mesh/files/read.h"
+#include "mesh/formats/formats.h"
 #include "mesh/mesh.h"
 #include "session/session.h"
 
 namespace orbicube::cli {
 
-// The endings, for help texts and messages.
-inline const std::string surface_endings = mesh::format_endings() + " .glb .gltf";
+// The endings, for help texts and messages: of all files with surfaces, those of glTF alone, and those of formats that
+// hold cells, or polygons and exact coordinates.
+inline const std::string gltf_endings = gltf::form_endings();
+inline const std::string surface_endings = mesh::format_endings() + " " + gltf_endings;
+inline const std::string cell_endings = mesh::format_endings(mesh::Holds::cells);
+inline const std::string polygon_endings = mesh::format_endings(mesh::Holds::polygons);
 
 bool is_gltf(const std::filesystem::path& path);
 bool is_json(const std::filesystem::path& path);
@@ -40,6 +46,9 @@ InputMesh read_input(const std::filesystem::path& path, bool weld, Session& sess
 // Throws Failure "unsupported-format" unless files with such an ending can be written, and "io" when the folder is not
 // there: before long work, not after it.
 void require_writable(const std::filesystem::path& path);
+
+// The same for a file that is to hold tetrahedra or hexahedra.
+void require_cells_writable(const std::filesystem::path& path);
 
 // Throws Failure "unsupported" if float32, which glTF holds, ends before the size of the positions that triangles have.
 // Does nothing for other formats.

@@ -13,7 +13,7 @@
 namespace orbicube::cli {
 
 struct MorphStates {
-  std::string output;              // .glb or .gltf
+  std::string output;              // a glTF file
   std::vector<std::string> names;  // of the shapes
   std::span<const mesh::Triangle> triangles;
   std::span<const base::Array<mesh::Vector3>> states;  // positions of each shape

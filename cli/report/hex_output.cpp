@@ -51,7 +51,7 @@ void require_hex_output(const HexOutput& output) {
   if (output.glb.empty()) return;
   require_writable(output.glb);
   if (!is_gltf(output.glb))
-    throw Failure(Exit::wrong_input, output.glb, "unsupported-format", "--glb needs .glb or .gltf");
+    throw Failure(Exit::wrong_input, output.glb, "unsupported-format", "--glb needs one of " + gltf_endings);
 }
 
 void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Session& session) {

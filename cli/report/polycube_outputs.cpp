@@ -21,8 +21,8 @@ namespace {
 
 void require_quad_format(const std::string& path) {
   require_writable(path);
-  if (is_gltf(path) || mesh::format_of_path(path) == mesh::Format::stl)
-    throw Failure(Exit::wrong_input, path, "unsupported-format", "quads go to .obj, .off, .ply, .mesh or .vtk");
+  if (!mesh::holds(path, mesh::Holds::polygons))
+    throw Failure(Exit::wrong_input, path, "unsupported-format", "quads are written to " + polygon_endings);
 }
 
 void write_text(const std::string& path, const std::string& text, Session& session) {
@@ -168,7 +168,7 @@ void check_polycube_outputs(const PolycubeOutputs& outputs, Session& session) {
   if (outputs.glb.empty()) return;
   require_folder(outputs.glb);
   if (!is_gltf(outputs.glb))
-    throw Failure(Exit::wrong_input, outputs.glb, "unsupported-format", "--glb writes .glb or .gltf");
+    throw Failure(Exit::wrong_input, outputs.glb, "unsupported-format", "--glb needs one of " + gltf_endings);
 }
 
 void write_polycube_outputs(const PolycubeOutputs& outputs, const PolycubeResult& result, Json& figures,

@@ -255,11 +255,4 @@ void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool 
   });
 }
 
-void require_cells_writable(const std::string& path) {
-  const auto format = mesh::format_of_path(path);
-  if (format != mesh::Format::medit && format != mesh::Format::vtk)
-    throw Failure(Exit::wrong_input, path, "unsupported-format", "cells are written to .mesh and .vtk");
-  require_writable(path);
-}
-
 }  // namespace orbicube::cli

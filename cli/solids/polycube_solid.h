@@ -56,7 +56,5 @@ std::vector<PolycubeSolidInput> read_polycube_solid(const PolycubeSolidOptions& 
 
 // Written beside its place, read again and compared: what was certified is what the file holds.
 void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, Session& session);
-// Throws Failure unless cells can be written to such a file, there.
-void require_cells_writable(const std::string& path);
 
 }  // namespace orbicube::cli

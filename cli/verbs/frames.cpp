@@ -232,7 +232,7 @@ CLI::Validator one_of(const std::map<std::string, Value>& names) {
 void add_frames(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("frames", "compute a smooth frame field on a tetrahedral mesh");
   const auto options = std::make_shared<FramesOptions>();
-  verb->add_option("TETS", options->input, "tetrahedra to read: .mesh .vtk")->required()->type_name("");
+  verb->add_option("TETS", options->input, "tetrahedra to read: " + cell_endings)->required()->type_name("");
   verb->add_option("-o,--output", options->output, "frames to write, one line w x y z for each tetrahedron")
       ->required()
       ->type_name("OUT.frames");

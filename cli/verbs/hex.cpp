@@ -170,7 +170,9 @@ void add_hex(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("hex", "generate a hexahedral mesh of a solid");
   const auto options = std::make_shared<HexVerb>();
   add_polycube_solid_options(*verb, options->solid);
-  verb->add_option("-o,--output", options->output.path, "hexahedra to write: .mesh .vtk")->required()->type_name("OUT");
+  verb->add_option("-o,--output", options->output.path, "hexahedra to write: " + cell_endings)
+      ->required()
+      ->type_name("OUT");
   verb->add_option("--cells", options->cells, "approximate number of hexahedra [default: 10000]")
       ->check(unnamed(CLI::Range(1, 10'000'000)))
       ->type_name("N");

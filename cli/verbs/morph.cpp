@@ -291,7 +291,7 @@ void morph(const MorphOptions& options, Session& session) {
   session.options() = json_of(options);
   require_writable(options.output);
   if (!is_gltf(options.output))
-    throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need .glb or .gltf");
+    throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need one of " + gltf_endings);
 #ifdef ORBICUBE_WITH_POLYCUBE
   if (options.polycube) {
     morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.placement,
@@ -340,7 +340,7 @@ void add_morph(CLI::App& app, CommonOptions& common) {
       ->expected(2, 100)
       ->type_name("A B ...");
   verb->add_option("-o,--output", options->output,
-                   "mesh to write, .glb or .gltf: the first shape, the others as targets")
+                   "mesh to write: " + gltf_endings + "; the first shape, the others as targets")
       ->required()
       ->type_name("OUT");
 #ifdef ORBICUBE_WITH_POLYCUBE

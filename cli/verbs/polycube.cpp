@@ -370,8 +370,7 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
       ->required()
       ->expected(1, 10)
       ->type_name("");
-  verb->add_option("-o,--output", options->output,
-                   "the triangles of the surface on the polycube: .obj .off .ply .mesh .vtk")
+  verb->add_option("-o,--output", options->output, "the triangles of the surface on the polycube: " + polygon_endings)
       ->required()
       ->type_name("OUT");
   verb->add_option("--surface", options->surface, "the surface in space with the vertices and triangles of OUT")

@@ -49,7 +49,7 @@ struct SphereOptions {
 void check_mesh_file(const std::filesystem::path& path, const mesh::Mesh& written, const base::Host& host) {
   const mesh::Mesh read = mesh::read_mesh(path, {}, host);
   // STL has no vertices to compare, only triangles.
-  const bool same = mesh::format_of_path(path) == mesh::Format::stl
+  const bool same = !mesh::holds(path, mesh::Holds::polygons)
                         ? read.triangles.size() == written.triangles.size()
                         : read.positions == written.positions && read.triangles == written.triangles;
   if (!same) throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
@@ -73,7 +73,7 @@ void write_checked(const std::filesystem::path& path, const SphereOptions& optio
       session.note("coordinates of the surface are relative to its bounding box, see the node");
     return;
   }
-  if (mesh::format_of_path(path) == mesh::Format::stl)
+  if (!mesh::holds(path, mesh::Holds::polygons))
     directions = sphere_map::round_to_float(surface.triangles, directions, host);
   mesh::Mesh image(host.memory);
   image.positions = directions;
@@ -98,7 +98,7 @@ std::string write_partial(const SphereOptions& options, const ClosedSurface& inp
   }
   const bool whole = positive == surface.triangles.size();
   const std::string counted = std::to_string(positive) + " of " + std::to_string(surface.triangles.size());
-  if (!whole && (is_gltf(options.output) || mesh::format_of_path(options.output) == mesh::Format::stl)) {
+  if (!whole && !mesh::holds(options.output, mesh::Holds::polygons)) {
     return "the partial map (" + counted + " triangles positive) is not kept: this format only holds whole maps";
   }
   try {
@@ -245,8 +245,8 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
   const auto options = std::make_shared<SphereOptions>();
   verb->add_option("IN", options->input, std::string("surface to read: ") + surface_endings)->required()->type_name("");
   verb->add_option("-o,--output", options->output,
-                   "map to write: the same vertices and faces with unit vectors for positions; .glb and .gltf have the "
-                   "surface with the sphere as a morph target")
+                   "map to write: the same vertices and faces with unit vectors for positions; glTF (" + gltf_endings +
+                       ") has the surface with the sphere as a morph target")
       ->required()
       ->type_name("OUT");
   std::vector<std::string> names;

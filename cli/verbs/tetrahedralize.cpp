@@ -26,12 +26,6 @@ struct TetrahedralizeOptions {
   bool weld = false;
 };
 
-void require_format_of_cells(const std::string& path) {
-  const auto format = mesh::format_of_path(path);
-  if (format == mesh::Format::medit || format == mesh::Format::vtk) return;
-  throw Failure(Exit::wrong_input, path, "unsupported-format", "tetrahedra are written to .mesh and .vtk");
-}
-
 tetrahedra::Solid fill(const mesh::Mesh& surface, TetrahedralizeOptions options, Session& session) {
   base::Array<tetrahedra::SizePoint> sizes(session.host().memory);
   if (!options.sizing.empty()) {
@@ -59,8 +53,7 @@ tetrahedra::Solid fill(const mesh::Mesh& surface, TetrahedralizeOptions options,
 }
 
 void tetrahedralize(TetrahedralizeOptions options, Session& session) {
-  require_format_of_cells(options.output);
-  require_writable(options.output);
+  require_cells_writable(options.output);
   options.filling.keep_surface = !options.cut_surface;
   session.options() = {{"output", options.output},
                        {"quality", options.filling.quality},
@@ -111,7 +104,7 @@ void add_tetrahedralize(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("tetrahedralize", "fill a closed surface with tetrahedra");
   const auto options = std::make_shared<TetrahedralizeOptions>();
   verb->add_option("IN", options->input, std::string("surface to fill: ") + surface_endings)->required()->type_name("");
-  verb->add_option("-o,--output", options->output, "mesh to write: .mesh .vtk")->required()->type_name("OUT");
+  verb->add_option("-o,--output", options->output, "mesh to write: " + cell_endings)->required()->type_name("OUT");
   verb->add_option(
           "--quality", options->filling.quality,
           "maximum ratio of circumradius to shortest edge, at least 1; 0: no vertices for quality [default: 1.4]")

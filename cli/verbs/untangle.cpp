@@ -10,7 +10,6 @@
 
 #include "base/files/file.h"
 #include "files/surface_file.h"
-#include "mesh/files/readers.h"
 #include "mesh/files/write.h"
 #include "mesh/topology/cells.h"
 #include "mesh/topology/tetrahedral_connectivity.h"
@@ -33,21 +32,14 @@ struct UntangleVerb {
   bool text = false;
 };
 
-void require_cells_format(const std::string& path) {
-  const auto format = mesh::format_of_path(path);
-  if (format == mesh::Format::medit || format == mesh::Format::vtk) return;
-  throw Failure(Exit::wrong_input, path, "unsupported-format", "tetrahedra are written to .mesh and .vtk");
-}
-
 // Without checks: read_mesh refuses inverted tetrahedra.
 mesh::Mesh read_tangled(const std::string& path, const base::Host& host, mesh::ReadReport& report) {
   const auto format = mesh::format_of_path(path);
-  const bool medit = format == mesh::Format::medit;
-  if (!medit && format != mesh::Format::vtk)
-    throw base::Error("unsupported-format", "tetrahedra are read from .mesh and .vtk");
+  if (!format || !mesh::holds(*format, mesh::Holds::cells))
+    throw base::Error("unsupported-format", "tetrahedra are read from " + cell_endings);
   const base::Array<std::byte> bytes = base::read_file(path, host);
   if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
-  return medit ? mesh::read_medit(bytes, host, report) : mesh::read_vtk(bytes, host, report);
+  return mesh::row_of(*format).read(bytes, host, report);
 }
 
 mesh::Mesh read_tetrahedra(const std::string& path, Session& session) {
@@ -187,8 +179,7 @@ void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const vo
 
 void run_untangle(const UntangleVerb& verb, Session& session) {
   const std::unique_ptr<volume_map::BlockEngine> engine = start_solver(verb.solver);
-  require_cells_format(verb.output);
-  require_writable(verb.output);
+  require_cells_writable(verb.output);
   session.options() = json_of(verb);
   mesh::Mesh solid = session.portion(0.03, [&] { return read_tetrahedra(verb.input, session); });
   mesh::Mesh rest(session.host().memory);
@@ -220,8 +211,8 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
 void add_untangle(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("untangle", "untangle a tetrahedral mesh");
   const auto options = std::make_shared<UntangleVerb>();
-  verb->add_option("TETS", options->input, "tetrahedra to read: .mesh .vtk")->required()->type_name("");
-  verb->add_option("-o,--output", options->output, "mesh to write: .mesh .vtk")->required()->type_name("OUT");
+  verb->add_option("TETS", options->input, "tetrahedra to read: " + cell_endings)->required()->type_name("");
+  verb->add_option("-o,--output", options->output, "mesh to write: " + cell_endings)->required()->type_name("OUT");
   verb->add_option("--rest", options->rest,
                    "mesh of the same tetrahedra with the target shapes; default: regular tetrahedra")
       ->type_name("REST");

@@ -77,7 +77,7 @@ void add_volume(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("volume", "map a solid to a polycube bijectively");
   const auto options = std::make_shared<VolumeVerb>();
   add_polycube_solid_options(*verb, options->solid);
-  verb->add_option("-o,--output", options->output, "the tetrahedra of the solid on the polycube: .mesh .vtk")
+  verb->add_option("-o,--output", options->output, "the tetrahedra of the solid on the polycube: " + cell_endings)
       ->required()
       ->type_name("OUT");
   verb->add_option("--source", options->source, "the same tetrahedra in space")->type_name("OUT2");

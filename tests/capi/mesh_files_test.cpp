@@ -95,6 +95,18 @@ TEST_CASE("A mesh written to each format is read again to the bit") {
   CHECK_FALSE(std::filesystem::exists(flat.path()));
 }
 
+TEST_CASE("The table of formats: endings, names, contents") {
+  CHECK(std::string(obc_mesh_format_ending(OBC_MESH_PLY)) == ".ply");
+  CHECK(std::string(obc_mesh_format_name(OBC_MESH_MEDIT)) == "MEDIT");
+  CHECK(obc_mesh_format_contents(OBC_MESH_STL) == (OBC_MESH_HOLDS_SURFACES | OBC_MESH_HOLDS_BINARY));
+  CHECK((obc_mesh_format_contents(OBC_MESH_VTK) & OBC_MESH_HOLDS_CELLS) != 0);
+  for (const std::int32_t none : {-1, OBC_MESH_VTK + 1, INT32_MAX}) {
+    CHECK(obc_mesh_format_ending(none) == nullptr);
+    CHECK(obc_mesh_format_name(none) == nullptr);
+    CHECK(obc_mesh_format_contents(none) == 0);
+  }
+}
+
 TEST_CASE("Files in memory: changes are reported, defects are reported with their locations") {
   obc_mesh* made = nullptr;
   obc_error error;

@@ -4,10 +4,12 @@
 #include <doctest/doctest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <random>
 #include <sstream>
 
@@ -184,6 +186,26 @@ TEST_CASE("Reading and writing end when the host wants it, and leave the old fil
     write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host());
     CHECK(cancelled([&] { read_mesh(folder / kind.file, {}, host); }));
   }
+}
+
+TEST_CASE("Each row of the table of formats has its ending, and files that are tried here") {
+  CHECK(format_endings(Holds::cells) == ".mesh .vtk");
+  CHECK(format_endings(Holds::polygons) == ".obj .off .ply .mesh .vtk");
+  for (const FormatRow& row : formats()) {
+    CAPTURE(row.name);
+    CHECK(format_of_path("A" + std::string(row.ending)) == row.format);
+    const auto is_tried = [&](bool binary) {
+      return std::any_of(std::begin(kinds), std::end(kinds), [&](const Kind& kind) {
+        return std::string_view(kind.file).ends_with(row.ending) && kind.binary == binary;
+      });
+    };
+    CHECK(is_tried(false));
+    CHECK(is_tried(true) == row.binary);
+    CHECK(holds("b" + std::string(row.ending), Holds::cells) == row.cells);
+  }
+  CHECK(format_of_path("a.PLY") == Format::ply);
+  CHECK_FALSE(format_of_path("ply"));
+  CHECK_FALSE(holds("a.glb", Holds::surfaces));
 }
 
 TEST_CASE("A file cut short after any byte is refused, or is a mesh all the same") {

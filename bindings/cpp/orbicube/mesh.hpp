@@ -131,6 +131,21 @@ inline int sign(std::int32_t answer) {
 }
 }  // namespace detail
 
+// A file format. Polygons: of shared vertices, whose coordinates read back bit-identically.
+struct Format {
+  std::string name, ending;
+  bool polygons, cells, binary;
+};
+// The formats of Mesh::read and Mesh::write, in the order of OBC_MESH_....
+inline std::vector<Format> formats() {
+  std::vector<Format> found;
+  for (std::int32_t i = 0; const char* name = obc_mesh_format_name(i); ++i) {
+    const std::uint32_t held = obc_mesh_format_contents(i);
+    found.push_back({name, obc_mesh_format_ending(i), (held & OBC_MESH_HOLDS_POLYGONS) != 0,
+                     (held & OBC_MESH_HOLDS_CELLS) != 0, (held & OBC_MESH_HOLDS_BINARY) != 0});
+  }
+  return found;
+}
 inline std::vector<std::string> shape_names() {
   std::vector<std::string> names;
   for (const char* name; (name = obc_mesh_shape_name(names.size())) != nullptr;)

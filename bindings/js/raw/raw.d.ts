@@ -42,6 +42,10 @@ export const constants: {
   readonly OBC_MESH_STL: 3;
   readonly OBC_MESH_MEDIT: 4;
   readonly OBC_MESH_VTK: 5;
+  readonly OBC_MESH_HOLDS_SURFACES: 1;
+  readonly OBC_MESH_HOLDS_POLYGONS: 2;
+  readonly OBC_MESH_HOLDS_CELLS: 4;
+  readonly OBC_MESH_HOLDS_BINARY: 8;
   readonly OBC_POLYCUBE_AUTO: 0;
   readonly OBC_POLYCUBE_LABELS: 1;
   readonly OBC_POLYCUBE_VOXELS: 2;
@@ -258,7 +262,7 @@ export interface RawFunctions {
    * until _surface_destroy. O(n). Errors: io; malformed file (the kind says how: truncated, parse, index-range, accessor-range,
    * unsafe-path, ...); unsupported; degenerate (a transform or welding flattens everything); out of memory; cancelled. */
   obc_gltf_read(path: Pointer, options: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
-  /** Reads a GLB or .gltf file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
+  /** Reads a GLB or JSON file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
    * them. Otherwise as obc_gltf_read. */
   obc_gltf_read_memory(bytes: Pointer, size: number, folder: Pointer, options: Pointer, host: Pointer, out: Pointer, error: Pointer): number;
   /** Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL. */
@@ -278,7 +282,7 @@ export interface RawFunctions {
   obc_gltf_surface_destroy(surface: Pointer): void;
   /** Fills a scene with the defaults and an empty surface. */
   obc_gltf_scene_init(scene: Pointer, struct_size: number): number;
-  /** Writes to `path`: a .gltf with an embedded buffer for this ending, otherwise GLB. The file appears when it is complete; after an error the
+  /** Writes to `path`: JSON with an embedded buffer for the ending "gltf", otherwise GLB. The file appears when it is complete; after an error the
    * previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
    * unsupported (4 GiB or more), io, out of memory, cancelled. */
   obc_gltf_write(path: Pointer, scene: Pointer, host: Pointer, error: Pointer): number;
@@ -395,9 +399,18 @@ export interface RawFunctions {
   obc_mesh_tetrahedron_quality_report_init(report: Pointer, struct_size: number): number;
   /** Measures the tetrahedra of a mesh, valid or not. O(n). Errors: invalid argument, cancelled. */
   obc_mesh_tetrahedron_quality(mesh: Pointer, host: Pointer, report: Pointer, error: Pointer): number;
+  /** Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+   * can hold, bits OBC_MESH_HOLDS_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on. */
+  obc_mesh_format_ending(format: number): Pointer;
+  /** Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+   * can hold, bits OBC_MESH_HOLDS_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on. */
+  obc_mesh_format_name(format: number): Pointer;
+  /** Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+   * can hold, bits OBC_MESH_HOLDS_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on. */
+  obc_mesh_format_contents(format: number): number;
   /** Fills options with the defaults. */
   obc_mesh_read_options_init(options: Pointer, struct_size: number): number;
-  /** Reads the file at `path` (bytes in the encoding of the system) in the format of its ending: .obj .off .ply .stl .mesh .vtk.
+  /** Reads the file at `path` (bytes in the encoding of the system) in the format of its ending, in upper or lower case.
    * Vertices keep their order unless they are welded; polygons are split into triangles; cells are checked as by
    * obc_mesh_check_cells. options and host may be NULL; the allocator of the host must remain valid until _destroy. All contents are
    * checked; memory is bounded by a multiple of the file size. O(size). Errors: io; malformed file (the kind says how:

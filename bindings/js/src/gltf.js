@@ -1,4 +1,4 @@
-// glTF 2.0: surfaces from GLB and .gltf files, and GLB files with morph targets for engines. docs/gltf.md.
+// glTF 2.0: surfaces from GLB files and glTF in JSON, and GLB files with morph targets for engines. docs/gltf.md.
 import { layouts } from './raw/raw.js';
 import { call, make, raw, scratched, setField, text, view, withHost } from './module.js';
 import { written } from './mesh.js';
@@ -46,7 +46,7 @@ export function writeGlb(scene, host = {}) {
   }));
 }
 
-/** The triangles of a GLB or .gltf file as a surface, with notes on what was changed or left out. */
+/** The triangles of a file of GLB or glTF in JSON as a surface, with notes on what was changed or left out. */
 export function readGltf(bytes, { weldIdentical = true, morphTarget, ...host } = {}) {
   const content = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes.buffer ?? bytes);
   return withHost(host, (lent) => scratched((scratch) => {

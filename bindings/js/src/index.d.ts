@@ -167,7 +167,8 @@ export interface Surface {
 }
 
 export type SurfaceLike = Mesh | { positions: Numbers; triangles: Numbers };
-export type Format = 'obj' | 'off' | 'ply' | 'stl' | 'medit' | 'vtk';
+/** A `format` of formats(). */
+export type Format = string;
 
 export class Mesh implements Surface {
   private constructor();
@@ -189,9 +190,11 @@ export class Mesh implements Surface {
   close(): void;
 }
 
+/** The formats of files: `format` for Mesh.read, the `ending`, and whether files hold polygons, cells and binary contents. */
+export function formats(): { format: Format; ending: string; polygons: boolean; cells: boolean; binary: boolean }[];
 /** The format that the name of a file requires. */
 export function formatOf(name: string): Format;
-export function writeMesh(surface: SurfaceLike, ending: 'obj' | 'off' | 'ply' | 'stl' | 'mesh' | 'vtk', options?: { binary?: boolean } & Host): Uint8Array;
+export function writeMesh(surface: SurfaceLike, ending: string, options?: { binary?: boolean } & Host): Uint8Array;
 export function topology(surface: SurfaceLike, host?: Host): Record<string, number> & { low: number[]; high: number[] };
 export function checkClosedGenusZero(surface: SurfaceLike, host?: Host): void;
 export function orient(surface: { positions: Numbers; triangles: Numbers }, host?: Host): Uint32Array;

@@ -12,7 +12,7 @@ export { trustRegion, projectedGradient, sphereOptimizer, harmonics };
 export { TrustRegion } from './trust_region.js';
 export { ProjectedGradient } from './projected_gradient.js';
 export { SphereOptimizer } from './sphere_optimizer.js';
-export { Mesh, checkClosedGenusZero, formatOf, orient, topology, writeMesh } from './mesh.js';
+export { Mesh, checkClosedGenusZero, formatOf, formats, orient, topology, writeMesh } from './mesh.js';
 export { Locator, bestRotation, faceDistortion, grid, measure, overlay, roundToFloat, sphereMap, vertexNormals } from './sphere_map.js';
 export { Polycube, commonPolycube, polycube } from './polycube.js';
 export { frameField, matchings, measureFrames, singularities } from './frame_field.js';

@@ -24,12 +24,27 @@ export function surfaceAt(scratch, surface) {
 export const onSurface = (surface, host, body) =>
   withHost(host, (lent) => scratched((scratch) => body(scratch, surfaceAt(scratch, surface), lent)));
 
+/** The formats of files: `format` for Mesh.read, the `ending`, and whether files hold polygons, cells and binary contents. */
+export function formats() {
+  const found = [];
+  for (let name; (name = text(raw('obc_mesh_format_name', found.length))) !== null;) {
+    const held = raw('obc_mesh_format_contents', found.length);
+    found.push({
+      format: name.toLowerCase(), ending: text(raw('obc_mesh_format_ending', found.length)),
+      polygons: (held & constants.OBC_MESH_HOLDS_POLYGONS) !== 0, cells: (held & constants.OBC_MESH_HOLDS_CELLS) !== 0,
+      binary: (held & constants.OBC_MESH_HOLDS_BINARY) !== 0,
+    });
+  }
+  return found;
+}
+
 /** The format that a file's name requires. */
 export function formatOf(name) {
-  const ending = name.toLowerCase().split('.').pop();
-  const format = { mesh: 'medit' }[ending] ?? ending;
-  if (!(`OBC_MESH_${format.toUpperCase()}` in constants)) throw new TypeError(`files of the kind .${ending} are not read`);
-  return format;
+  const ending = `.${name.toLowerCase().split('.').pop()}`;
+  const known = formats();
+  const format = known.find((one) => one.ending === ending);
+  if (!format) throw new TypeError(`the ending ${ending} is none of ${known.map((one) => one.ending).join(' ')}`);
+  return format.format;
 }
 
 export class Mesh extends Handle {
@@ -37,7 +52,7 @@ export class Mesh extends Handle {
     super(address, 'obc_mesh_destroy');
   }
 
-  /** From the bytes of a file: obj, off, ply, stl, medit or vtk. */
+  /** From the bytes of a file in a `format` of formats(). */
   static read(bytes, format, { weldIdentical, ...host } = {}) {
     const content = bytes instanceof Uint8Array ? bytes : new Uint8Array(bytes.buffer ?? bytes);
     return withHost(host, (lent) => scratched((scratch) => {

@@ -11,7 +11,7 @@ export Run, ask!, tell!, result, multipliers, save, load
 export relax, Relaxation, relax!
 export LinearFactor, solve, refactor!, remove_row!, update!, entry_count, LinearIterations
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
-export Mesh, shape_names, read_mesh, write_mesh, check_cells, boundary, tetrahedron_quality, fill_with_tetrahedra, check_fillable
+export Mesh, formats, shape_names, read_mesh, write_mesh, check_cells, boundary, tetrahedron_quality, fill_with_tetrahedra, check_fillable
 export check_closed_genus_zero, orient, intersections, first_at_same_position, Search, nearest_vertices, nearest_points
 export orientation_2d, orientation_3d, orientation_from_origin, read_gltf, write_gltf
 export Locator, locate, sample, remesh, partial_sphere_map, face_distortion, round_to_float, vertex_normals, sphere_grid, surface_distance

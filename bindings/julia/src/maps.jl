@@ -47,13 +47,13 @@ end
 make_surface(shape, count=10000; seed=0, host...) =
     taken((out, lent, error) -> Raw.obc_mesh_make(shape, count, seed, lent, out, error); host...)
 
-"Reads .obj .off .ply .stl .mesh .vtk; option weld_identical."
+"Reads a surface in the format of the ending (see `formats`); option weld_identical."
 function read_surface(path; threads=0, progress=nothing, options...)
     chosen = filled(Raw.obc_mesh_read_options, Raw.obc_mesh_read_options_init, values(options))
     taken((out, lent, error) -> Raw.obc_mesh_read(path, chosen, lent, out, error); threads=threads, progress=progress)
 end
 
-"Writes .obj .off .ply .stl."
+"Writes a surface in the format of the ending (see `formats`)."
 write_surface(path, surface::Surface; host...) =
     with_surface((view, lent, error) -> Raw.obc_mesh_write_surface(path, view, C_NULL, lent, error), surface; host...)
 

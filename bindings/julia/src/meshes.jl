@@ -13,6 +13,21 @@ end
 shape_names() = texts(Raw.obc_mesh_shape_name)
 
 """
+    formats()
+
+Formats of `read_mesh` and `write_mesh`: `name` and `ending` of each, and whether its files hold `polygons` of shared vertices with exact
+coordinates, `cells`, and `binary` contents.
+"""
+function formats()
+    names, endings = texts(Raw.obc_mesh_format_name), texts(Raw.obc_mesh_format_ending)
+    map(0:length(names)-1, names, endings) do number, name, ending
+        holds(bit) = Raw.obc_mesh_format_contents(number) & UInt32(bit) != 0
+        (name=name, ending=ending, polygons=holds(Raw.OBC_MESH_HOLDS_POLYGONS), cells=holds(Raw.OBC_MESH_HOLDS_CELLS),
+         binary=holds(Raw.OBC_MESH_HOLDS_BINARY))
+    end
+end
+
+"""
     Mesh(positions; triangles, tetrahedra, hexahedra)
 
 Positions (3 by n) and cells of each kind (a column each, from 1, hexahedra as MEDIT and VTK order them); of a `Hexes` or a solid likewise.
@@ -74,7 +89,7 @@ end
     mesh, about = read_mesh(path)
     mesh, about = read_mesh(bytes, :ply)
 
-Reads .obj .off .ply .stl .mesh .vtk with all cells, or bytes of `:obj`, `:off`, `:ply`, `:stl`, `:medit`, `:vtk`. `about` has `format`,
+Reads a file in the format of its ending with all cells, or bytes of a format, a name of `formats()` in lower case. `about` has `format`,
 `polygons` (faces of more than three corners), `welded` vertices, and `notes`. Option: weld_identical.
 """
 function read_mesh(path::AbstractString; threads=0, progress=nothing, options...)
@@ -83,15 +98,16 @@ function read_mesh(path::AbstractString; threads=0, progress=nothing, options...
 end
 
 function read_mesh(bytes::Vector{UInt8}, format::Symbol; threads=0, progress=nothing, options...)
-    format in (:obj, :off, :ply, :stl, :medit, :vtk) || throw(ArgumentError("format :$format: one of :obj, :off, :ply, :stl, :medit, :vtk"))
+    known = [Symbol(lowercase(one.name)) for one in formats()]
+    format in known || throw(ArgumentError("format :$format: one of " * join(repr.(known), ", ")))
     chosen = filled(Raw.obc_mesh_read_options, Raw.obc_mesh_read_options_init, values(options))
-    kind = getfield(Raw, Symbol("OBC_MESH_", uppercase(string(format))))
+    kind = findfirst(==(format), known) - 1
     taken_mesh(threads=threads, progress=progress) do out, lent, error
         Raw.obc_mesh_read_memory(bytes, length(bytes), kind, chosen, lent, out, error)
     end
 end
 
-"Writes triangles to .obj .off .ply .stl, cells too to .mesh and .vtk. Option: binary."
+"Writes a mesh in the format of the ending; those of `formats()` with `cells` hold tetrahedra and hexahedra. Option: binary."
 function write_mesh(path, mesh::Mesh; threads=0, progress=nothing, options...)
     chosen = filled(Raw.obc_mesh_write_options, Raw.obc_mesh_write_options_init, values(options))
     with_mesh(mesh) do handle
@@ -207,7 +223,7 @@ end
     surface, about = read_gltf(path; morph_target=nothing, weld_identical=true)
     surface, about = read_gltf(bytes; folder=nothing)
 
-Reads .glb and .gltf in world coordinates; with the name of a morph target, that shape of it. Of bytes, buffers in files of their own lie in
+Reads GLB and glTF in JSON in world coordinates; with the name of a morph target, that shape of it. Of bytes, buffers in files of their own lie in
 `folder`; without one they are refused. `about` has the number of `welded` vertices, and `notes`.
 """
 read_gltf(path::AbstractString; morph_target=nothing, weld_identical=true, host...) =
@@ -221,7 +237,7 @@ read_gltf(bytes::Vector{UInt8}; folder=nothing, morph_target=nothing, weld_ident
 """
     write_gltf(path, surface; morph_targets=["sphere" => directions], members...)
 
-Writes GLB, or .gltf by the ending, in 32-bit floats. morph_targets: names, and where the vertices are (3 by n). normals (3 by n),
+Writes GLB, or JSON with the ending `gltf`, in 32-bit floats. morph_targets: names, and where the vertices are (3 by n). normals (3 by n),
 texture_coordinates (2 by n), colors (4 by n, 0 to 255), edges (2 by k, from 1), texture (bytes of a PNG or JPEG file), translation, base_color, name,
 extras (JSON); members: smooth_normals (true unless normals are given), scale, checker_texture, morph_normals, morph_seconds.
 """

@@ -47,7 +47,7 @@ def read(path: PathLike, *,
          weld_identical: bool = True, morph_target: Optional[str] = None,
          # end of options
          progress: Progress = None) -> Surface:
-    """Reads .glb and .gltf; with the name of a morph target, that shape of it."""
+    """Reads GLB and glTF in JSON; with the name of a morph target, that shape of it."""
     options = filled(raw.obc_gltf_read_options, raw.obc_gltf_read_options_init, locals())
     handle = Handle(raw.obc_gltf_surface_destroy)
     call(raw.obc_gltf_read, path_bytes(path), byref(options), HOST, byref(handle), progress=progress)
@@ -94,7 +94,7 @@ def write(path: PathLike, surface: Any, *, morph_targets: Optional[Mapping[str, 
           scale: float = 1.0, checker_texture: bool = False, morph_normals: bool = False, morph_seconds: float = 0.0,
           # end of options
           progress: Progress = None) -> None:
-    """Writes a surface as GLB, or as .gltf by the ending. Positions are stored as 32-bit floats. morph_targets: where the
+    """Writes a surface as GLB, or as JSON with the ending "gltf". Positions are stored as 32-bit floats. morph_targets: where the
     vertices are in each. smooth_normals: unless normals are given. extras: whatever JSON can hold."""
     scene = filled(raw.obc_gltf_scene, raw.obc_gltf_scene_init, locals())
     scene.smooth_normals = int(normals is None if smooth_normals is None else smooth_normals)

@@ -12,7 +12,7 @@ from __future__ import annotations
 import ctypes
 import zlib
 from ctypes import byref
-from typing import Any, Literal, Optional
+from typing import Any, NamedTuple, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -23,8 +23,8 @@ from ._checks import PathLike, integer, public, word
 from ._foreign import MANY, parts_of, surface_of
 from .raw import mesh as raw
 
-__all__ = ["Mesh", "Search", "check_cells", "check_closed_genus_zero", "first_at_same_position", "intersections", "make",
-           "orient", "orientation_2d", "orientation_3d", "orientation_from_origin", "read", "read_memory",
+__all__ = ["Format", "Mesh", "Search", "check_cells", "check_closed_genus_zero", "first_at_same_position", "formats", "intersections",
+           "make", "orient", "orientation_2d", "orientation_3d", "orientation_from_origin", "read", "read_memory",
            "shape_names", "tetrahedron_quality", "to_pyvista", "topology", "version", "write"]
 
 
@@ -213,13 +213,34 @@ def shape_names() -> list[str]:
     return found
 
 
+class Format(NamedTuple):
+    """A file format: its word for `read_memory`, the ending of its files, and whether these hold polygons of shared vertices with
+    exact coordinates, cells, and binary contents."""
+    word: str
+    ending: str
+    polygons: bool
+    cells: bool
+    binary: bool
+
+
+def formats() -> list[Format]:
+    """The formats of `read` and `write`."""
+    found: list[Format] = []
+    while (name := text(raw.obc_mesh_format_name(len(found)))) is not None:
+        number = len(found)
+        held = raw.obc_mesh_format_contents(number)
+        found.append(Format(name.lower(), text(raw.obc_mesh_format_ending(number)) or "", bool(held & raw.OBC_MESH_HOLDS_POLYGONS),
+                            bool(held & raw.OBC_MESH_HOLDS_CELLS), bool(held & raw.OBC_MESH_HOLDS_BINARY)))
+    return found
+
+
 @with_options("obc_mesh_read_options")
 def read(path: PathLike, *,
          # options of obc_mesh_read_options, written by scripts/bindings.py
          weld_identical: bool = False,
          # end of options
          progress: Progress = None) -> Mesh:
-    """Reads .obj .off .ply .stl .mesh .vtk."""
+    """Reads a file in the format of its ending; `formats` lists them."""
     chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, locals())
     handle = Handle(raw.obc_mesh_destroy)
     call(raw.obc_mesh_read, path_bytes(path), byref(chosen), HOST, byref(handle), progress=progress)
@@ -227,15 +248,16 @@ def read(path: PathLike, *,
 
 
 @with_options("obc_mesh_read_options")
-def read_memory(data: bytes, format: Literal["obj", "off", "ply", "stl", "medit", "vtk"], *,
+def read_memory(data: bytes, format: str, *,
                 # options of obc_mesh_read_options, written by scripts/bindings.py
                 weld_identical: bool = False,
                 # end of options
                 progress: Progress = None) -> Mesh:
-    """The same from bytes."""
+    """The same from bytes in a format, named by its word in `formats`."""
     chosen = filled(raw.obc_mesh_read_options, raw.obc_mesh_read_options_init, locals())
     handle = Handle(raw.obc_mesh_destroy)
-    call(raw.obc_mesh_read_memory, data, len(data), getattr(raw, "OBC_MESH_" + format.upper()), byref(chosen), HOST,
+    words = [one.word for one in formats()]
+    call(raw.obc_mesh_read_memory, data, len(data), words.index(word(format, "format", words)), byref(chosen), HOST,
          byref(handle), progress=progress)
     return adopt(handle)
 
@@ -246,7 +268,7 @@ def write(path: PathLike, mesh: Any, *,
           binary: bool = True,
           # end of options
           progress: Progress = None) -> None:
-    """Writes triangles to .obj .off .ply .stl, cells too to .mesh and .vtk."""
+    """Writes a mesh in the format of the ending; those of `formats` with `cells` hold tetrahedra and hexahedra."""
     chosen = filled(raw.obc_mesh_write_options, raw.obc_mesh_write_options_init, locals())
     whole = handle_of(mesh)
     call(raw.obc_mesh_write, path_bytes(path), whole._handle, byref(chosen), HOST, progress=progress)

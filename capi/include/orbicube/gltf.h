@@ -1,4 +1,4 @@
-/* Orbicube gltf: surfaces in glTF 2.0 files (Khronos, glTF 2.0 specification, 2021): GLB, and .gltf with buffers embedded as base64 or,
+/* Orbicube gltf: surfaces in glTF 2.0 files (Khronos, glTF 2.0 specification, 2021): GLB, and JSON with buffers embedded as base64 or,
  * for reading, in files of the same folder.
  *
  * Reading returns one triangle mesh in world coordinates, as doubles: all triangles, strips and fans of all meshes of the scene. Strided,
@@ -64,7 +64,7 @@ OBC_API obc_status obc_gltf_read_options_init(obc_gltf_read_options *options, si
 OBC_API obc_status obc_gltf_read(const char *path, const obc_gltf_read_options *options, const obc_host *host,
                                  obc_gltf_surface **out, obc_error *error);
 
-/* Reads a GLB or .gltf file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
+/* Reads a GLB or JSON file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
  * them. Otherwise as obc_gltf_read. */
 OBC_API obc_status obc_gltf_read_memory(const void *bytes, size_t size, const char *folder,
                                         const obc_gltf_read_options *options, const obc_host *host,
@@ -135,7 +135,7 @@ typedef struct obc_gltf_scene {
 /* Fills a scene with the defaults and an empty surface. */
 OBC_API obc_status obc_gltf_scene_init(obc_gltf_scene *scene, size_t struct_size);
 
-/* Writes to `path`: a .gltf with an embedded buffer for this ending, otherwise GLB. The file appears when it is complete; after an error the
+/* Writes to `path`: JSON with an embedded buffer for the ending "gltf", otherwise GLB. The file appears when it is complete; after an error the
  * previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
  * unsupported (4 GiB or more), io, out of memory, cancelled. */
 OBC_API obc_status obc_gltf_write(const char *path, const obc_gltf_scene *scene, const obc_host *host, obc_error *error);

@@ -1,4 +1,4 @@
-/* Orbicube mesh: triangle surfaces and meshes of tetrahedra and hexahedra: files (OBJ, OFF, PLY, STL, MEDIT .mesh, legacy VTK),
+/* Orbicube mesh: triangle surfaces and meshes of tetrahedra and hexahedra: files (OBJ, OFF, PLY, STL, MEDIT, legacy VTK),
  * topology, consistent orientation, search, and exact predicates.
  *
  * Arrays are the caller's. Positions are x y z a vertex (3 * vertex_count finite doubles). Triangles are three vertex indices each
@@ -134,7 +134,7 @@ OBC_API obc_status obc_mesh_tetrahedron_quality(const obc_mesh *mesh, const obc_
 
 /* ---- files ------------------------------------------------------------------------------------------------------------ */
 
-/* Formats of files in memory. */
+/* File formats. */
 enum {
   OBC_MESH_OBJ = 0,   /* text */
   OBC_MESH_OFF = 1,   /* text */
@@ -143,6 +143,20 @@ enum {
   OBC_MESH_MEDIT = 4, /* text */
   OBC_MESH_VTK = 5    /* legacy, text and binary */
 };
+
+/* What files of a format can hold: bits of obc_mesh_format_contents. */
+enum {
+  OBC_MESH_HOLDS_SURFACES = 1, /* triangles; all formats do */
+  OBC_MESH_HOLDS_POLYGONS = 2, /* polygons of shared vertices, whose coordinates read back bit-identically */
+  OBC_MESH_HOLDS_CELLS = 4,    /* tetrahedra and hexahedra */
+  OBC_MESH_HOLDS_BINARY = 8    /* binary contents; all formats may be text */
+};
+
+/* Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+ * can hold, bits OBC_MESH_HOLDS_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on. */
+OBC_API const char *obc_mesh_format_ending(int32_t format);
+OBC_API const char *obc_mesh_format_name(int32_t format);
+OBC_API uint32_t obc_mesh_format_contents(int32_t format);
 
 /* Options of readers. Fill with _init. */
 typedef struct obc_mesh_read_options {
@@ -156,7 +170,7 @@ typedef struct obc_mesh_read_options {
 /* Fills options with the defaults. */
 OBC_API obc_status obc_mesh_read_options_init(obc_mesh_read_options *options, size_t struct_size);
 
-/* Reads the file at `path` (bytes in the encoding of the system) in the format of its ending: .obj .off .ply .stl .mesh .vtk.
+/* Reads the file at `path` (bytes in the encoding of the system) in the format of its ending, in upper or lower case.
  * Vertices keep their order unless they are welded; polygons are split into triangles; cells are checked as by
  * obc_mesh_check_cells. options and host may be NULL; the allocator of the host must remain valid until _destroy. All contents are
  * checked; memory is bounded by a multiple of the file size. O(size). Errors: io; malformed file (the kind says how:

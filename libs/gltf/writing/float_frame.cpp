@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/error.h"
+#include "mesh/formats/formats.h"
 
 namespace orbicube::gltf {
 namespace {
@@ -19,9 +20,9 @@ constexpr double min_scale = 0x1p-125, max_scale = 0x1p126;
   std::array<char, 160> text{};
   std::snprintf(text.data(), text.size(),
                 "coordinates of about %.3g are beyond float32, which glTF holds: from 1e-37 to 1e37; scale the shape, "
-                "or write .ply, .obj or .off",
+                "or write one of ",
                 size);
-  throw base::Error("unsupported", text.data());
+  throw base::Error("unsupported", text.data() + mesh::format_endings(mesh::Holds::polygons));
 }
 
 }  // namespace

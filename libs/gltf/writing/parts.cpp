@@ -99,7 +99,8 @@ void check(std::span<const Part> parts, const base::Host& host) {
 void write_parts(const std::filesystem::path& path, std::span<const Part> parts, const base::Host& host) {
   check(parts, host);
   mesh::OutputFile file(path);
-  emit(parts, form_of(path), host, [&](std::span<const std::byte> bytes) { file.write(bytes); });
+  emit(parts, form_of_path(path).value_or(Form::glb), host,
+       [&](std::span<const std::byte> bytes) { file.write(bytes); });
   file.commit();
 }
 

@@ -133,23 +133,18 @@ void emit(const Kept& kept, Form form, const base::Host& host, const Sink& sink)
 
 }  // namespace
 
-Form form_of(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c; });
-  return ending == ".gltf" ? Form::gltf : Form::glb;
-}
-
 void write(const std::filesystem::path& path, const Scene& scene, const base::Host& host) {
   check(scene, host);
   mesh::OutputFile file(path);
-  emit(scene, form_of(path), host, [&](std::span<const std::byte> bytes) { file.write(bytes); });
+  emit(scene, form_of_path(path).value_or(Form::glb), host,
+       [&](std::span<const std::byte> bytes) { file.write(bytes); });
   file.commit();
 }
 
 void write(const std::filesystem::path& path, const Kept& kept, const base::Host& host) {
   mesh::OutputFile file(path);
-  emit(kept, form_of(path), host, [&](std::span<const std::byte> bytes) { file.write(bytes); });
+  emit(kept, form_of_path(path).value_or(Form::glb), host,
+       [&](std::span<const std::byte> bytes) { file.write(bytes); });
   file.commit();
 }
 

@@ -1,4 +1,4 @@
-// Writes one surface as glTF 2.0 for engines and viewers: GLB, or .gltf with its buffer inside as base64. With morph
+// Writes one surface as glTF 2.0 for engines and viewers: GLB, or JSON with its buffer inside as base64. With morph
 // targets, texture coordinate and texture, colors and edges where they are given.
 #pragma once
 
@@ -11,6 +11,7 @@
 
 #include "base/array.h"
 #include "base/host.h"
+#include "gltf/writing/form.h"
 #include "mesh/mesh.h"
 
 namespace orbicube::gltf {
@@ -63,11 +64,6 @@ struct Scene {
   std::span<const mesh::Triangle> kept_surface;
   std::span<const KeptTriangle> kept_triangles;
 };
-
-enum class Form { glb, gltf };
-
-// What a file of that name is: .gltf when it ends so and GLB otherwise.
-Form form_of(const std::filesystem::path& path);
 
 // Writes to `path`, .gltf when it ends so and GLB otherwise, whole or not at all (mesh/files/file.h).
 // Throws Error: "invalid-argument" when sizes, indices or texts do not fit or numbers are not finite; "unsupported" for

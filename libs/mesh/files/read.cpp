@@ -1,13 +1,9 @@
 #include "mesh/files/read.h"
 
-#include <algorithm>
-#include <array>
-#include <cctype>
 #include <string>
 
 #include "base/error.h"
 #include "mesh/files/file.h"
-#include "mesh/files/readers.h"
 #include "mesh/files/text_scanner.h"
 #include "mesh/topology/cells.h"
 #include "mesh/topology/topology.h"
@@ -15,23 +11,6 @@
 
 namespace orbicube::mesh {
 namespace {
-
-struct FormatRow {
-  Format format;
-  const char* ending;
-  const char* name;
-  Mesh (*read)(std::span<const std::byte>, const base::Host&, ReadReport&);
-};
-
-constexpr std::array formats = {
-    FormatRow{Format::obj, ".obj", "OBJ", read_obj},        FormatRow{Format::off, ".off", "OFF", read_off},
-    FormatRow{Format::ply, ".ply", "PLY", read_ply},        FormatRow{Format::stl, ".stl", "STL", read_stl},
-    FormatRow{Format::medit, ".mesh", "MEDIT", read_medit}, FormatRow{Format::vtk, ".vtk", "VTK", read_vtk},
-};
-
-const FormatRow& row_of(Format format) {
-  return *std::find_if(formats.begin(), formats.end(), [&](const FormatRow& row) { return row.format == format; });
-}
 
 bool has_cells(const Mesh& mesh) {
   return !mesh.tetrahedra.empty() || !mesh.hexahedra.empty();
@@ -50,27 +29,6 @@ void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::
   };
   tell(turned.tetrahedra, "tetrahedra");
   tell(turned.hexahedra, "hexahedra");
-}
-
-std::optional<Format> format_of_path(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  for (const FormatRow& row : formats) {
-    if (ending == row.ending) return row.format;
-  }
-  return std::nullopt;
-}
-
-std::string format_endings() {
-  std::string endings;
-  for (const FormatRow& row : formats)
-    endings.append(endings.empty() ? "" : " ").append(row.ending);
-  return endings;
-}
-
-const char* format_name(Format format) {
-  return row_of(format).name;
 }
 
 Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options, const base::Host& host,
@@ -100,7 +58,7 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   }
   note_turned_cells(mesh, r.notes, host);
   const bool asked = options.weld_identical && (has_cells(mesh) || !is_closed(mesh, host));
-  if (format == Format::stl || asked) {
+  if (!row_of(format).polygons || asked) {
     const WeldReport welded = weld(mesh, host);
     r.welded_vertices = welded.vertices;
     if (mesh.triangles.empty() && !has_cells(mesh)) {

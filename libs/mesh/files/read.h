@@ -3,26 +3,15 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/host.h"
+#include "mesh/formats/formats.h"
 #include "mesh/mesh.h"
 
 namespace orbicube::mesh {
-
-enum class Format { obj, off, ply, stl, medit, vtk };
-
-// The format that a path's ending stands for (.obj .off .ply .stl .mesh .vtk, in any case), if any.
-std::optional<Format> format_of_path(const std::filesystem::path& path);
-
-// All endings, ".obj .off ...", for messages.
-std::string format_endings();
-
-// Its name for reports, as "PLY".
-const char* format_name(Format format);
 
 struct ReadOptions {
   // Welds vertices at identical positions when the surface is not closed as it stands, and those of solids in any case.
@@ -49,5 +38,8 @@ Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options, co
 // The same from bytes in memory.
 Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOptions& options, const base::Host& host,
                ReadReport* report = nullptr);
+
+// turn_inverted_cells (cells.h), with a note of what was turned.
+void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host);
 
 }  // namespace orbicube::mesh

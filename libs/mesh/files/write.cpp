@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "mesh/files/file.h"
 #include "mesh/files/text_scanner.h"
-#include "mesh/files/writers.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -13,9 +12,9 @@ namespace {
 void check(Format format, const Mesh& mesh, const base::Host& host) {
   constexpr std::size_t items_between_reports = 65536;
   const bool has_cells = !mesh.tetrahedra.empty() || !mesh.hexahedra.empty();
-  if (has_cells && format != Format::medit && format != Format::vtk) {
-    throw base::Error("unsupported", std::string(format_name(format)) +
-                                         " files hold surfaces only; .mesh and .vtk hold tetrahedra and hexahedra");
+  if (has_cells && !holds(format, Holds::cells)) {
+    throw base::Error("unsupported", std::string(row_of(format).name) + " files hold surfaces only; " +
+                                         format_endings(Holds::cells) + " hold tetrahedra and hexahedra");
   }
   for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
     if (v % items_between_reports == 0) host.report("checking", v, mesh.positions.size());
@@ -50,26 +49,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Write
   }
   check(*format, mesh, host);
   OutputFile file(path);
-  switch (*format) {
-    case Format::obj:
-      write_obj(file, mesh, host);
-      break;
-    case Format::off:
-      write_off(file, mesh, host);
-      break;
-    case Format::ply:
-      write_ply(file, mesh, options.binary, host);
-      break;
-    case Format::stl:
-      write_stl(file, mesh, options.binary, host);
-      break;
-    case Format::medit:
-      write_medit(file, mesh, host);
-      break;
-    case Format::vtk:
-      write_vtk(file, mesh, options.binary, host);
-      break;
-  }
+  row_of(*format).write(file, mesh, options, host);
   file.commit();
 }
 

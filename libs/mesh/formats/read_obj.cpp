@@ -4,8 +4,8 @@
 #include "base/error.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/polygons.h"
-#include "mesh/files/readers.h"
 #include "mesh/files/text_scanner.h"
+#include "mesh/formats/codecs.h"
 
 namespace orbicube::mesh {
 namespace {

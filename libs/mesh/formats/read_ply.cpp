@@ -6,7 +6,7 @@
 #include "mesh/files/binary_scanner.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/polygons.h"
-#include "mesh/files/readers.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/ply_header.h"
 
 namespace orbicube::mesh {

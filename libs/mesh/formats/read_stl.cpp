@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "mesh/files/binary_scanner.h"
-#include "mesh/files/readers.h"
 #include "mesh/files/text_scanner.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/topology/topology.h"
 #include "mesh/topology/weld.h"
 

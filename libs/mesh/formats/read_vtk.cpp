@@ -12,7 +12,7 @@
 #include "mesh/files/left_out.h"
 #include "mesh/files/polygons.h"
 #include "mesh/files/polyhedral_cells.h"
-#include "mesh/files/readers.h"
+#include "mesh/formats/codecs.h"
 #include "mesh/formats/vtk_body.h"
 
 namespace orbicube::mesh {

@@ -1,9 +1,9 @@
 #include "mesh/files/text_writer.h"
-#include "mesh/files/writers.h"
+#include "mesh/formats/codecs.h"
 
 namespace orbicube::mesh {
 
-void write_medit(OutputFile& file, const Mesh& mesh, const base::Host& host) {
+void write_medit(OutputFile& file, const Mesh& mesh, const WriteOptions& /*options*/, const base::Host& host) {
   TextWriter out(file, mesh.positions.size() + mesh.triangles.size() + mesh.tetrahedra.size() + mesh.hexahedra.size(),
                  host);
   out << "MeshVersionFormatted 2\nDimension 3\nVertices\n" << std::uint64_t{mesh.positions.size()} << '\n';

@@ -1,9 +1,9 @@
 #include "mesh/files/text_writer.h"
-#include "mesh/files/writers.h"
+#include "mesh/formats/codecs.h"
 
 namespace orbicube::mesh {
 
-void write_obj(OutputFile& file, const Mesh& mesh, const base::Host& host) {
+void write_obj(OutputFile& file, const Mesh& mesh, const WriteOptions& /*options*/, const base::Host& host) {
   TextWriter out(file, mesh.positions.size() + mesh.triangles.size(), host);
   for (const Vector3& p : mesh.positions) {
     out << "v " << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
@@ -16,7 +16,7 @@ void write_obj(OutputFile& file, const Mesh& mesh, const base::Host& host) {
   out.flush();
 }
 
-void write_off(OutputFile& file, const Mesh& mesh, const base::Host& host) {
+void write_off(OutputFile& file, const Mesh& mesh, const WriteOptions& /*options*/, const base::Host& host) {
   TextWriter out(file, mesh.positions.size() + mesh.triangles.size(), host);
   out << "OFF\n" << std::uint64_t{mesh.positions.size()} << ' ' << std::uint64_t{mesh.triangles.size()} << " 0\n";
   for (const Vector3& p : mesh.positions) {

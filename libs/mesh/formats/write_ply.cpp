@@ -2,7 +2,7 @@
 
 #include "mesh/files/binary_writer.h"
 #include "mesh/files/text_writer.h"
-#include "mesh/files/writers.h"
+#include "mesh/formats/codecs.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -16,9 +16,9 @@ std::string header(const Mesh& mesh, bool binary) {
 
 }  // namespace
 
-void write_ply(OutputFile& file, const Mesh& mesh, bool binary, const base::Host& host) {
+void write_ply(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host) {
   const std::uint64_t total = mesh.positions.size() + mesh.triangles.size();
-  if (binary) {
+  if (options.binary) {
     BinaryWriter out(file, std::endian::little, total, host);
     out.put_text(header(mesh, true));
     for (const Vector3& p : mesh.positions) {

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "mesh/files/binary_writer.h"
 #include "mesh/files/text_writer.h"
-#include "mesh/files/writers.h"
+#include "mesh/formats/codecs.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -47,8 +47,8 @@ void require_float_resolution(const Mesh& mesh) {
 
 }  // namespace
 
-void write_stl(OutputFile& file, const Mesh& mesh, bool binary, const base::Host& host) {
-  if (binary) {
+void write_stl(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host) {
+  if (options.binary) {
     if (mesh.triangles.size() > UINT32_MAX) throw base::Error("unsupported", "more triangles than STL can count");
     require_float_resolution(mesh);
     BinaryWriter out(file, std::endian::little, mesh.triangles.size(), host);

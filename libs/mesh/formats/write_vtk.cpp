@@ -6,7 +6,7 @@
 #include "base/error.h"
 #include "mesh/files/binary_writer.h"
 #include "mesh/files/text_writer.h"
-#include "mesh/files/writers.h"
+#include "mesh/formats/codecs.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -109,12 +109,12 @@ void write(Out&& out, const Mesh& mesh, bool binary) {
 
 }  // namespace
 
-void write_vtk(OutputFile& file, const Mesh& mesh, bool binary, const base::Host& host) {
+void write_vtk(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host) {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   if (mesh.positions.size() > most) throw base::Error("unsupported", "more vertices than VTK's 32 bits can count");
   const std::uint64_t total =
       mesh.positions.size() + mesh.triangles.size() + 2 * mesh.tetrahedra.size() + 2 * mesh.hexahedra.size();
-  if (binary) {
+  if (options.binary) {
     write(BinaryOut(file, total, host), mesh, true);
   } else {
     write(TextOut(file, total, host), mesh, false);

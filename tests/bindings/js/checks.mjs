@@ -247,6 +247,7 @@ export const checks = {
         again.close();
       }
     }
+    same(o.formats().filter((one) => one.cells).map((one) => one.ending), ['.mesh', '.vtk']);
     const stl = o.Mesh.read(o.writeMesh(mesh, 'stl'), 'stl');
     same([stl.vertexCount, stl.triangleCount], [mesh.vertexCount, mesh.triangleCount]);
     const { genus, closed } = o.topology(stl);

@@ -68,6 +68,11 @@ class Meshes(unittest.TestCase):
             self.assertIsInstance(caught.exception, OSError)
             self.assertIn("none.ply", str(caught.exception))
 
+    def test_the_formats_are_those_of_the_library(self):
+        known = {one.word: one for one in mesh.formats()}
+        self.assertEqual(known["medit"], ("medit", ".mesh", True, True, False))
+        self.assertEqual([one.ending for one in mesh.formats() if not one.polygons], [".stl"])
+
     def test_defects_are_named(self):
         shape = mesh.make("sphere", 500)
         with self.assertRaises(orbicube.UnsuitableSurface) as caught:

@@ -213,7 +213,7 @@ if HAS_TETRAHEDRA:
 
 # Classes of results, which people do not make; what is called for each evaluation, and looks at its arguments alone; and
 # conversions for packages that need not be there.
-NOT_WALKED = {"mesh.Surface", "mesh.adopt", "mesh.handle_of", "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface",
+NOT_WALKED = {"mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of", "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface",
               "polycube.Polycube", "polycube.Quads", "projected_gradient.GradientCheck",
               "projected_gradient.Projection", "sphere_map.SphereMap", "sphere_optimizer.Relaxed",
               "tetrahedra.Solid", "volume_map.Solid", "volume_map.Hexes"}

@@ -7,6 +7,11 @@ const OBC_MESH_STL = Int32(3)
 const OBC_MESH_MEDIT = Int32(4)
 const OBC_MESH_VTK = Int32(5)
 
+const OBC_MESH_HOLDS_SURFACES = Int32(1)
+const OBC_MESH_HOLDS_POLYGONS = Int32(2)
+const OBC_MESH_HOLDS_CELLS = Int32(4)
+const OBC_MESH_HOLDS_BINARY = Int32(8)
+
 struct obc_surface
     positions::Ptr{Float64}
     vertex_count::Csize_t
@@ -168,6 +173,18 @@ obc_mesh_tetrahedron_quality_report_init(report, struct_size) =
 const address_obc_mesh_tetrahedron_quality = Ref(C_NULL)
 obc_mesh_tetrahedron_quality(mesh, host, report, error) =
     ccall(symbol(address_obc_mesh_tetrahedron_quality, :mesh, :obc_mesh_tetrahedron_quality), Int32, (Ptr{Cvoid}, Ptr{obc_host}, Ptr{obc_mesh_tetrahedron_quality_report}, Ptr{obc_error}), mesh, host, report, error)
+
+const address_obc_mesh_format_ending = Ref(C_NULL)
+obc_mesh_format_ending(format) =
+    ccall(symbol(address_obc_mesh_format_ending, :mesh, :obc_mesh_format_ending), Cstring, (Int32,), format)
+
+const address_obc_mesh_format_name = Ref(C_NULL)
+obc_mesh_format_name(format) =
+    ccall(symbol(address_obc_mesh_format_name, :mesh, :obc_mesh_format_name), Cstring, (Int32,), format)
+
+const address_obc_mesh_format_contents = Ref(C_NULL)
+obc_mesh_format_contents(format) =
+    ccall(symbol(address_obc_mesh_format_contents, :mesh, :obc_mesh_format_contents), UInt32, (Int32,), format)
 
 const address_obc_mesh_read_options_init = Ref(C_NULL)
 obc_mesh_read_options_init(options, struct_size) =

@@ -51,7 +51,7 @@ def obc_gltf_read(path: bytes | None, options: Pointer, host: Pointer, out: Poin
     ...
 
 def obc_gltf_read_memory(bytes: Pointer, size: int, folder: bytes | None, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Reads a GLB or .gltf file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
+    """Reads a GLB or JSON file from `size` bytes in memory, which are not kept. `folder` contains buffers in separate files; NULL refuses
     them. Otherwise as obc_gltf_read."""
     ...
 
@@ -89,7 +89,7 @@ def obc_gltf_scene_init(scene: Pointer, struct_size: int) -> int:
     ...
 
 def obc_gltf_write(path: bytes | None, scene: Pointer, host: Pointer, error: Pointer) -> int:
-    """Writes to `path`: a .gltf with an embedded buffer for this ending, otherwise GLB. The file appears when it is complete; after an error the
+    """Writes to `path`: JSON with an embedded buffer for the ending "gltf", otherwise GLB. The file appears when it is complete; after an error the
     previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
     unsupported (4 GiB or more), io, out of memory, cancelled."""
     ...

@@ -11,6 +11,11 @@ OBC_MESH_STL = 3
 OBC_MESH_MEDIT = 4
 OBC_MESH_VTK = 5
 
+OBC_MESH_HOLDS_SURFACES = 1
+OBC_MESH_HOLDS_POLYGONS = 2
+OBC_MESH_HOLDS_CELLS = 4
+OBC_MESH_HOLDS_BINARY = 8
+
 
 class obc_surface(_Struct):
     """A triangle surface: a view of arrays of the caller."""
@@ -145,6 +150,9 @@ _functions = [
     ("obc_mesh_boundary", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_tetrahedron_quality_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_mesh_tetrahedron_quality", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_mesh_format_ending", _c.c_char_p, [_c.c_int32]),
+    ("obc_mesh_format_name", _c.c_char_p, [_c.c_int32]),
+    ("obc_mesh_format_contents", _c.c_uint32, [_c.c_int32]),
     ("obc_mesh_read_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_mesh_read", _c.c_int32, [_c.c_char_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_read_memory", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_int32, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

@@ -10,6 +10,11 @@ OBC_MESH_STL: int
 OBC_MESH_MEDIT: int
 OBC_MESH_VTK: int
 
+OBC_MESH_HOLDS_SURFACES: int
+OBC_MESH_HOLDS_POLYGONS: int
+OBC_MESH_HOLDS_CELLS: int
+OBC_MESH_HOLDS_BINARY: int
+
 class obc_surface(Struct):
     positions: Any
     vertex_count: int
@@ -173,12 +178,27 @@ def obc_mesh_tetrahedron_quality(mesh: Pointer, host: Pointer, report: Pointer, 
     """Measures the tetrahedra of a mesh, valid or not. O(n). Errors: invalid argument, cancelled."""
     ...
 
+def obc_mesh_format_ending(format: int) -> bytes | None:
+    """Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+    can hold, bits OBC_MESH_HOLDS_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on."""
+    ...
+
+def obc_mesh_format_name(format: int) -> bytes | None:
+    """Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+    can hold, bits OBC_MESH_HOLDS_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on."""
+    ...
+
+def obc_mesh_format_contents(format: int) -> int:
+    """Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+    can hold, bits OBC_MESH_HOLDS_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on."""
+    ...
+
 def obc_mesh_read_options_init(options: Pointer, struct_size: int) -> int:
     """Fills options with the defaults."""
     ...
 
 def obc_mesh_read(path: bytes | None, options: Pointer, host: Pointer, out: Pointer, error: Pointer) -> int:
-    """Reads the file at `path` (bytes in the encoding of the system) in the format of its ending: .obj .off .ply .stl .mesh .vtk.
+    """Reads the file at `path` (bytes in the encoding of the system) in the format of its ending, in upper or lower case.
     Vertices keep their order unless they are welded; polygons are split into triangles; cells are checked as by
     obc_mesh_check_cells. options and host may be NULL; the allocator of the host must remain valid until _destroy. All contents are
     checked; memory is bounded by a multiple of the file size. O(size). Errors: io; malformed file (the kind says how:

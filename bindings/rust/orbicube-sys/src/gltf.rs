@@ -92,7 +92,7 @@ extern "C" {
     /// until \_surface\_destroy. O(n). Errors: io; malformed file (the kind says how: truncated, parse, index-range, accessor-range,
     /// unsafe-path, ...); unsupported; degenerate (a transform or welding flattens everything); out of memory; cancelled.
     pub fn obc_gltf_read(path: *const c_char, options: *const obc_gltf_read_options, host: *const obc_host, out: *mut *mut obc_gltf_surface, error: *mut obc_error) -> i32;
-    /// Reads a GLB or .gltf file from \`size\` bytes in memory, which are not kept. \`folder\` contains buffers in separate files; NULL refuses
+    /// Reads a GLB or JSON file from \`size\` bytes in memory, which are not kept. \`folder\` contains buffers in separate files; NULL refuses
     /// them. Otherwise as obc\_gltf\_read.
     pub fn obc_gltf_read_memory(bytes: *const c_void, size: usize, folder: *const c_char, options: *const obc_gltf_read_options, host: *const obc_host, out: *mut *mut obc_gltf_surface, error: *mut obc_error) -> i32;
     /// Return the numbers of vertices, triangles, welded vertices, and notes on changed or omitted contents of a surface; 0 for NULL.
@@ -112,7 +112,7 @@ extern "C" {
     pub fn obc_gltf_surface_destroy(surface: *mut obc_gltf_surface);
     /// Fills a scene with the defaults and an empty surface.
     pub fn obc_gltf_scene_init(scene: *mut obc_gltf_scene, struct_size: usize) -> i32;
-    /// Writes to \`path\`: a .gltf with an embedded buffer for this ending, otherwise GLB. The file appears when it is complete; after an error the
+    /// Writes to \`path\`: JSON with an embedded buffer for the ending "gltf", otherwise GLB. The file appears when it is complete; after an error the
     /// previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
     /// unsupported (4 GiB or more), io, out of memory, cancelled.
     pub fn obc_gltf_write(path: *const c_char, scene: *const obc_gltf_scene, host: *const obc_host, error: *mut obc_error) -> i32;

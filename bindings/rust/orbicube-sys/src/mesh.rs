@@ -17,6 +17,15 @@ pub const OBC_MESH_MEDIT: i32 = 4;
 /// legacy, text and binary
 pub const OBC_MESH_VTK: i32 = 5;
 
+/// triangles; all formats do
+pub const OBC_MESH_HOLDS_SURFACES: i32 = 1;
+/// polygons of shared vertices, whose coordinates read back bit-identically
+pub const OBC_MESH_HOLDS_POLYGONS: i32 = 2;
+/// tetrahedra and hexahedra
+pub const OBC_MESH_HOLDS_CELLS: i32 = 4;
+/// binary contents; all formats may be text
+pub const OBC_MESH_HOLDS_BINARY: i32 = 8;
+
 /// A mesh in memory of the library.
 #[repr(C)]
 pub struct obc_mesh {
@@ -256,9 +265,18 @@ extern "C" {
     pub fn obc_mesh_tetrahedron_quality_report_init(report: *mut obc_mesh_tetrahedron_quality_report, struct_size: usize) -> i32;
     /// Measures the tetrahedra of a mesh, valid or not. O(n). Errors: invalid argument, cancelled.
     pub fn obc_mesh_tetrahedron_quality(mesh: *const obc_mesh, host: *const obc_host, report: *mut obc_mesh_tetrahedron_quality_report, error: *mut obc_error) -> i32;
+    /// Return the ending of files of the format OBC\_MESH\_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+    /// can hold, bits OBC\_MESH\_HOLDS\_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on.
+    pub fn obc_mesh_format_ending(format: i32) -> *const c_char;
+    /// Return the ending of files of the format OBC\_MESH\_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+    /// can hold, bits OBC\_MESH\_HOLDS\_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on.
+    pub fn obc_mesh_format_name(format: i32) -> *const c_char;
+    /// Return the ending of files of the format OBC\_MESH\_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
+    /// can hold, bits OBC\_MESH\_HOLDS\_.... The texts are static. Formats are numbered from 0; NULL and 0 from the number of formats on.
+    pub fn obc_mesh_format_contents(format: i32) -> u32;
     /// Fills options with the defaults.
     pub fn obc_mesh_read_options_init(options: *mut obc_mesh_read_options, struct_size: usize) -> i32;
-    /// Reads the file at \`path\` (bytes in the encoding of the system) in the format of its ending: .obj .off .ply .stl .mesh .vtk.
+    /// Reads the file at \`path\` (bytes in the encoding of the system) in the format of its ending, in upper or lower case.
     /// Vertices keep their order unless they are welded; polygons are split into triangles; cells are checked as by
     /// obc\_mesh\_check\_cells. options and host may be NULL; the allocator of the host must remain valid until \_destroy. All contents are
     /// checked; memory is bounded by a multiple of the file size. O(size). Errors: io; malformed file (the kind says how:

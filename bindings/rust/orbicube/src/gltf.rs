@@ -20,7 +20,7 @@ pub struct Surface {
 
 handle!(Handle, obc_gltf_surface, obc_gltf_surface_destroy);
 
-/// Reads .glb and .gltf; with the name of a morph target, that shape of it.
+/// Reads GLB and glTF in JSON; with the name of a morph target, that shape of it.
 pub fn read(path: impl AsRef<Path>, morph_target: Option<&str>, options: &ReadOptions, host: &mut Host) -> Result<Surface, Error> {
     let path = c_path(path.as_ref())?;
     taken(morph_target, options, host, |options, host, out, error| unsafe { obc_gltf_read(path.as_ptr(), options, host, out, error) })
@@ -83,7 +83,7 @@ pub struct Scene<'a> {
     pub morph_seconds: Option<f64>,
 }
 
-/// Writes GLB, or .gltf by the ending.
+/// Writes GLB, or JSON with the ending `gltf`.
 pub fn write(path: impl AsRef<Path>, scene: &Scene, host: &mut Host) -> Result<(), Error> {
     let path = c_path(path.as_ref())?;
     let n = rows(scene.positions.len(), 3, "positions")?;

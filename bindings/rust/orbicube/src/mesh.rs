@@ -101,7 +101,7 @@ impl Mesh {
         let shape = c_string(shape)?;
         Mesh::made(host, |host, out, error| unsafe { obc_mesh_make(shape.as_ptr(), triangles, seed, host, out, error) })
     }
-    /// Reads .obj .off .ply .stl .mesh .vtk.
+    /// Reads a file in the format of its ending; [`formats`] lists them.
     pub fn read(path: impl AsRef<Path>, options: &ReadOptions, host: &mut Host) -> Result<Mesh, Error> {
         let path = c_path(path.as_ref())?;
         Mesh::made(host, |host, out, error| unsafe { obc_mesh_read(path.as_ptr(), &options.0, host, out, error) })
@@ -172,6 +172,30 @@ impl Mesh {
         call(host, |host, error| unsafe { obc_mesh_tetrahedron_quality(self.as_ptr(), host, &mut report.0, error) })?;
         Ok(report)
     }
+}
+
+/// A file format. Polygons: of shared vertices, whose coordinates read back bit-identically.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Format {
+    pub name: String,
+    pub ending: String,
+    pub polygons: bool,
+    pub cells: bool,
+    pub binary: bool,
+}
+
+/// The formats of [`Mesh::read`] and [`Mesh::write`], in the order of `OBC_MESH_...`.
+pub fn formats() -> Vec<Format> {
+    let name = |i| unsafe { obc_mesh_format_name(i) };
+    (0..)
+        .take_while(|&i| !name(i).is_null())
+        .map(|i| {
+            let held = unsafe { obc_mesh_format_contents(i) };
+            let holds = |bit: i32| held & bit as u32 != 0;
+            Format { name: text(name(i)), ending: text(unsafe { obc_mesh_format_ending(i) }), polygons: holds(OBC_MESH_HOLDS_POLYGONS),
+                     cells: holds(OBC_MESH_HOLDS_CELLS), binary: holds(OBC_MESH_HOLDS_BINARY) }
+        })
+        .collect()
 }
 
 /// What [`Mesh::make`] knows.

@@ -1,14 +1,16 @@
-// The reader of each format: bytes in, mesh out. They check all that a file can get wrong by itself; welding vertices
-// and turning and checking cells is left to read_mesh (read.h), which also says what errors mean. `report` gets the
-// format's variant, the number of polygons and notes: what was passed over, and one of all that decorates a shape.
+// The reader and the writer of each format, as the table of formats (formats.cpp) has them. Readers: bytes in, mesh
+// out. They check all that a file can get wrong by itself; welding vertices and turning and checking cells is left to
+// read_mesh (files/read.h), which also says what errors mean. `report` gets the format's variant, the number of
+// polygons and notes: what was passed over, and one of all that decorates a shape. Writers write what they are given;
+// what a format cannot hold is refused before (files/write.h).
 #pragma once
 
 #include <span>
-#include <string>
-#include <vector>
 
 #include "base/host.h"
+#include "mesh/files/file.h"
 #include "mesh/files/read.h"
+#include "mesh/files/write.h"
 #include "mesh/mesh.h"
 
 namespace orbicube::mesh {
@@ -34,7 +36,18 @@ Mesh read_medit(std::span<const std::byte> bytes, const base::Host& host, ReadRe
 // refused, data on points and cells is passed over.
 Mesh read_vtk(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
-// turn_inverted_cells (cells.h), with a note of what was turned.
-void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host);
+void write_obj(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+void write_off(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// With doubles; binary files are little-endian.
+void write_ply(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// Coordinates rounded to float32; facets with their normals.
+void write_stl(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+void write_medit(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// Version 3.0: PolyData for surfaces, an unstructured grid for meshes with cells; binary files are big-endian.
+void write_vtk(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
 }  // namespace orbicube::mesh
