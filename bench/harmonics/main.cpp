@@ -17,9 +17,10 @@
 
 #include "base/error.h"
 #include "harmonics/fitting/fit.h"
-#include "harmonics/fitting/surface.h"
 #include "mesh/files/read.h"
+#include "mesh/search/distances.h"
 #include "mesh/search/measures.h"
+#include "mesh/search/vertex_measures.h"
 #include "sphere_map/sphere_map.h"
 
 using namespace orbicube;
@@ -67,7 +68,7 @@ Model mapped(const std::filesystem::path& path, sphere_map::Method method, const
   for (Vector3& p : model.surface.positions)
     p *= std::sqrt(4 * std::numbers::pi / area);
   model.directions = sphere_map::compute(model.surface.positions, model.surface.triangles, {.method = method}, host);
-  model.weights = harmonics::vertex_areas(model.surface.positions, model.surface.triangles, host);
+  model.weights = mesh::vertex_areas(model.surface.positions, model.surface.triangles, host);
   return model;
 }
 
@@ -85,7 +86,7 @@ harmonics::Coefficients fitted(const Model& model, std::uint32_t degree, bool by
 double error_of(const Model& model, const harmonics::Coefficients& coefficients, const base::Host& host) {
   base::Array<Vector3> rebuilt(model.surface.positions.size());
   harmonics::synthesise(coefficients, model.directions, {rebuilt.front().data(), 3 * rebuilt.size()}, host);
-  return harmonics::mean_distance(model.surface.positions, rebuilt, host);
+  return mesh::mean_distance(model.surface.positions, rebuilt, host);
 }
 
 void print_errors(const double (&errors)[3]) {

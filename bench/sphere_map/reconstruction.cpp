@@ -14,7 +14,8 @@
 #include <utility>
 
 #include "harmonics/fitting/fit.h"
-#include "harmonics/fitting/surface.h"
+#include "mesh/search/distances.h"
+#include "mesh/search/vertex_measures.h"
 #include "sphere_map/sphere_map.h"
 #include "table_models.h"
 
@@ -44,7 +45,7 @@ void measure(const bench::Model& model, const mesh::Mesh& surface, const char* n
   sphere_map::Options options;
   options.method = method;
   const auto directions = sphere_map::compute(surface.positions, surface.triangles, options, host);
-  const auto weights = harmonics::vertex_areas(surface.positions, surface.triangles, host);
+  const auto weights = mesh::vertex_areas(surface.positions, surface.triangles, host);
   const std::span<const double> values(surface.positions.front().data(), 3 * surface.positions.size());
   for (const std::uint32_t band_count : bands) {
     harmonics::FitOptions fit_options;
@@ -54,7 +55,7 @@ void measure(const bench::Model& model, const mesh::Mesh& surface, const char* n
     base::Array<mesh::Vector3> rebuilt(surface.positions.size());
     harmonics::synthesise(coefficients, directions, {rebuilt.front().data(), 3 * rebuilt.size()}, host);
     std::printf("%s\t%s\t%zu\t%u\t%.6f\t%zu\t%.4g\n", model.name, name, surface.positions.size(), band_count,
-                harmonics::mean_distance(surface.positions, rebuilt, host), report.rank, report.condition);
+                mesh::mean_distance(surface.positions, rebuilt, host), report.rank, report.condition);
     std::fflush(stdout);
   }
 }

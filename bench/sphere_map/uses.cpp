@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "mesh/files/read.h"
+#include "mesh/search/distances.h"
 #include "mesh/search/nearest.h"
 #include "mesh/shapes/make_shape.h"
 #include "sphere_map/correspondence/overlay.h"
@@ -25,7 +26,6 @@
 #include "sphere_map/sampling/grids.h"
 #include "sphere_map/sampling/locator.h"
 #include "sphere_map/sampling/sampling.h"
-#include "sphere_map/sampling/surface_distance.h"
 #include "sphere_map/sphere_map.h"
 
 using namespace orbicube;
@@ -160,7 +160,7 @@ int rest() {
     remeshed.triangles = grid.triangles;
   });
   timed("distance from the surface to it and back", [&](const base::Host& host) {
-    sphere_map::surface_distance(a.positions, a.triangles, remeshed.positions, remeshed.triangles, host);
+    mesh::surface_distance(a.positions, a.triangles, remeshed.positions, remeshed.triangles, host);
   });
   timed("geometry image of 513 x 513 pixels", [&](const base::Host& host) {
     sphere_map::make_geometry_image(locator_a, a.positions, sphere_map::ImageLayout::octahedron, 512, host);

@@ -8,7 +8,6 @@
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "harmonics/fitting/fit.h"
-#include "harmonics/fitting/surface.h"
 #include "harmonics/functions/basis.h"
 #include "harmonics/functions/coefficient_file.h"
 #include "harmonics/functions/spectrum.h"
@@ -140,22 +139,6 @@ obc_status obc_harmonics_synthesize(const double* coefficients, uint32_t degree,
   });
 }
 
-obc_status obc_harmonics_vertex_areas(const double* positions, size_t vertex_count, const uint32_t* triangles,
-                                      size_t triangle_count, const obc_host* host, double* areas, obc_error* error) {
-  return capi::guarded(error, [&] {
-    static_assert(sizeof(harmonics::Triangle) == 3 * sizeof(uint32_t));
-    capi::require(triangles != nullptr || triangle_count == 0, "triangles is NULL");
-    capi::require(areas != nullptr || vertex_count == 0, "areas is NULL");
-    const capi::HostAdapter adapter(host);
-    const auto all = harmonics::vertex_areas(vectors(positions, vertex_count, "positions is NULL"),
-                                             {reinterpret_cast<const harmonics::Triangle*>(triangles), triangle_count},
-                                             adapter.host());
-    for (const double area : all)
-      capi::require(std::isfinite(area), "a position is not finite, or an area beyond the range of double");
-    std::copy(all.begin(), all.end(), areas);
-  });
-}
-
 obc_status obc_harmonics_degree_norms(const double* coefficients, uint32_t degree, size_t channels, double* norms,
                                       obc_error* error) {
   return capi::guarded(error, [&] {
@@ -183,16 +166,6 @@ obc_status obc_harmonics_filter(double* coefficients, uint32_t degree, size_t ch
     Coefficients given = copy_of(coefficients, degree, channels, std::pmr::get_default_resource());
     harmonics::filter(given, {.low = low, .high = high, .width = width}, keep_mean != 0);
     std::copy(given.values.begin(), given.values.end(), coefficients);
-  });
-}
-
-obc_status obc_harmonics_mean_distance(const double* a, size_t a_count, const double* b, size_t b_count,
-                                       const obc_host* host, double* distance, obc_error* error) {
-  return capi::guarded(error, [&] {
-    capi::require(distance != nullptr, "distance is NULL");
-    const capi::HostAdapter adapter(host);
-    *distance =
-        harmonics::mean_distance(vectors(a, a_count, "a is NULL"), vectors(b, b_count, "b is NULL"), adapter.host());
   });
 }
 

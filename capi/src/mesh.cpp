@@ -1,6 +1,7 @@
 #include "orbicube/mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstring>
 #include <memory>
@@ -12,10 +13,12 @@
 #include "mesh/files/read.h"
 #include "mesh/files/write.h"
 #include "mesh/mesh.h"
+#include "mesh/search/distances.h"
 #include "mesh/search/intersections.h"
 #include "mesh/search/nearest.h"
 #include "mesh/search/predicates.h"
 #include "mesh/search/tetrahedron_quality.h"
+#include "mesh/search/vertex_measures.h"
 #include "mesh/shapes/make_shape.h"
 #include "mesh/topology/cells.h"
 #include "mesh/topology/orient.h"
@@ -491,6 +494,61 @@ obc_status obc_mesh_intersections(const obc_surface* surface, const obc_host* ho
     const auto found = mesh::intersecting_triangles(s.positions, s.triangles, adapter.host(), capacity);
     copy(found, pairs);
     *count = found.size();
+  });
+}
+
+obc_status obc_mesh_vertex_normals(const obc_surface* surface, const obc_host* host, double* normals,
+                                   obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface s(surface);
+    capi::require(normals != nullptr || s.positions.empty(), "normals is NULL");
+    const capi::HostAdapter adapter(host);
+    mesh::require_valid_surface(s.positions, s.triangles, adapter.host());
+    copy(mesh::vertex_normals(s.positions, s.triangles, adapter.host()), normals);
+  });
+}
+
+obc_status obc_mesh_vertex_areas(const obc_surface* surface, const obc_host* host, double* areas, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface s(surface);
+    capi::require(areas != nullptr || s.positions.empty(), "areas is NULL");
+    const capi::HostAdapter adapter(host);
+    mesh::require_valid_surface(s.positions, s.triangles, adapter.host());
+    const auto all = mesh::vertex_areas(s.positions, s.triangles, adapter.host());
+    for (const double area : all)
+      capi::require(std::isfinite(area), "an area is beyond the range of double");
+    copy(all, areas);
+  });
+}
+
+obc_status obc_mesh_distance_init(obc_mesh_distance* distance, size_t struct_size) {
+  return capi::init_versioned(distance, struct_size, obc_mesh_distance{});
+}
+
+obc_status obc_mesh_surface_distance(const obc_surface* first, const obc_surface* second, const obc_host* host,
+                                     obc_mesh_distance* distance, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const Surface a(first), b(second);
+    capi::require(distance != nullptr, "distance is NULL");
+    const capi::HostAdapter adapter(host);
+    const auto d = mesh::surface_distance(a.positions, a.triangles, b.positions, b.triangles, adapter.host());
+    obc_mesh_distance result{};
+    result.first_mean = d.from_first.mean;
+    result.first_root_mean_square = d.from_first.root_mean_square;
+    result.first_max = d.from_first.largest;
+    result.second_mean = d.from_second.mean;
+    result.second_root_mean_square = d.from_second.root_mean_square;
+    result.second_max = d.from_second.largest;
+    capi::write_versioned(distance, result);
+  });
+}
+
+obc_status obc_mesh_mean_distance(const double* a, size_t a_count, const double* b, size_t b_count,
+                                  const obc_host* host, double* distance, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(distance != nullptr, "distance is NULL");
+    const capi::HostAdapter adapter(host);
+    *distance = mesh::mean_distance(view<Vector3>(a, a_count, "a"), view<Vector3>(b, b_count, "b"), adapter.host());
   });
 }
 

@@ -10,7 +10,6 @@
 #include "sphere_map/sampling/grids.h"
 #include "sphere_map/sampling/locator.h"
 #include "sphere_map/sampling/sampling.h"
-#include "sphere_map/sampling/surface_distance.h"
 
 using namespace orbicube;
 using capi::Surface;
@@ -104,18 +103,6 @@ obc_status obc_sphere_map_sample(const obc_sphere_map_locator* locator, const do
   });
 }
 
-obc_status obc_sphere_map_vertex_normals(const obc_surface* surface, const obc_host* host, double* normals,
-                                         obc_error* error) {
-  return capi::guarded(error, [&] {
-    const Surface s(surface);
-    const auto result = view<Vector3>(normals, s.positions.size(), "normals is NULL");
-    const capi::HostAdapter adapter(host);
-    mesh::require_valid_surface(s.positions, s.triangles, adapter.host());
-    const auto made = sphere_map::vertex_normals(s.positions, s.triangles, adapter.host());
-    std::copy(made.begin(), made.end(), result.begin());
-  });
-}
-
 obc_status obc_sphere_map_grid(int32_t grid, size_t resolution, const obc_host* host, obc_mesh** out,
                                obc_error* error) {
   return capi::guarded(error, [&] {
@@ -140,28 +127,6 @@ obc_status obc_sphere_map_remesh(const obc_sphere_map_locator* locator, const do
         sphere_map::sample_vectors(in, made.directions, values, sphere_map::Interpolation::linear, adapter.host());
     mesh::require_valid_surface(sampled, made.triangles, adapter.host());
     capi::hand_out(sampled, made.triangles, host, out);
-  });
-}
-
-obc_status obc_sphere_map_distance_init(obc_sphere_map_distance* distance, size_t struct_size) {
-  return capi::init_versioned(distance, struct_size, obc_sphere_map_distance{});
-}
-
-obc_status obc_sphere_map_surface_distance(const obc_surface* first, const obc_surface* second, const obc_host* host,
-                                           obc_sphere_map_distance* distance, obc_error* error) {
-  return capi::guarded(error, [&] {
-    const Surface a(first), b(second);
-    capi::require(distance != nullptr, "distance is NULL");
-    const capi::HostAdapter adapter(host);
-    const auto d = sphere_map::surface_distance(a.positions, a.triangles, b.positions, b.triangles, adapter.host());
-    obc_sphere_map_distance result{};
-    result.first_mean = d.from_first.mean;
-    result.first_root_mean_square = d.from_first.root_mean_square;
-    result.first_max = d.from_first.largest;
-    result.second_mean = d.from_second.mean;
-    result.second_root_mean_square = d.from_second.root_mean_square;
-    result.second_max = d.from_second.largest;
-    capi::write_versioned(distance, result);
   });
 }
 

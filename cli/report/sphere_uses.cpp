@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "files/surface_file.h"
+#include "mesh/search/distances.h"
 #include "mesh/search/measures.h"
 #include "report/embedding.h"
 #include "report/grid_choice.h"
@@ -14,7 +15,6 @@
 #include "sphere_map/sampling/geometry_image.h"
 #include "sphere_map/sampling/locator.h"
 #include "sphere_map/sampling/sampling.h"
-#include "sphere_map/sampling/surface_distance.h"
 
 namespace orbicube::cli {
 namespace {
@@ -26,7 +26,7 @@ sphere_map::ImageLayout layout_of(const GridChoice& choice) {
 }
 
 // Of lengths times 2^exponent.
-Json json_of(const sphere_map::Distances& d, double diagonal, int exponent) {
+Json json_of(const mesh::Distances& d, double diagonal, int exponent) {
   return {{"mean", unscaled(d.mean, -exponent)},
           {"rms", unscaled(d.root_mean_square, -exponent)},
           {"max", unscaled(d.largest, -exponent)},
@@ -104,8 +104,7 @@ Json json_of_distance(const mesh::Mesh& first, const mesh::Mesh& second, const b
   mesh::scale_by_power(other, exponent);
   const mesh::Measures box = mesh::measures(one, first.triangles, host);
   const double diagonal = (box.high - box.low).norm();
-  const sphere_map::SurfaceDistance d =
-      sphere_map::surface_distance(one, first.triangles, other, second.triangles, host);
+  const mesh::SurfaceDistance d = mesh::surface_distance(one, first.triangles, other, second.triangles, host);
   return {{"diagonal", unscaled(diagonal, -exponent)},
           {"from_surface", json_of(d.from_first, diagonal, exponent)},
           {"to_surface", json_of(d.from_second, diagonal, exponent)}};

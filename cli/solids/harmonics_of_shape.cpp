@@ -3,10 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "harmonics/fitting/surface.h"
 #include "harmonics/functions/basis.h"
+#include "mesh/search/distances.h"
 #include "mesh/search/measures.h"
 #include "mesh/search/unit_scale.h"
+#include "mesh/search/vertex_measures.h"
 
 namespace orbicube::cli {
 
@@ -29,7 +30,7 @@ double reconstruction_error(const mesh::Mesh& shape, const mesh::Mesh& made, con
   const int exponent = mesh::unit_scale_exponent(shape.positions, shape.triangles);
   mesh::scale_by_power(scaled, exponent);
   double area = 0;
-  for (const double a : harmonics::vertex_areas(scaled, shape.triangles, host))
+  for (const double a : mesh::vertex_areas(scaled, shape.triangles, host))
     area += a;
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (used[v] == 0) continue;
@@ -37,7 +38,7 @@ double reconstruction_error(const mesh::Mesh& shape, const mesh::Mesh& made, con
     of_made.push_back(made.positions[v]);
   }
   mesh::scale_by_power(of_made, exponent);
-  return std::sqrt(4 * std::numbers::pi / area) * harmonics::mean_distance(of_shape, of_made, host);
+  return std::sqrt(4 * std::numbers::pi / area) * mesh::mean_distance(of_shape, of_made, host);
 }
 
 }  // namespace orbicube::cli

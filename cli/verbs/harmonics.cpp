@@ -13,13 +13,13 @@
 
 #include "files/map_file.h"
 #include "files/surface_file.h"
-#include "harmonics/fitting/surface.h"
 #include "harmonics/functions/coefficient_file.h"
 #include "harmonics/functions/spectrum.h"
 #include "harmonics/rotations/alignment.h"
 #include "harmonics/rotations/rotation.h"
 #include "mesh/search/measures.h"
 #include "mesh/search/unit_scale.h"
+#include "mesh/search/vertex_measures.h"
 #include "report/text.h"
 #include "report/unit_size.h"
 #include "scenes/page_figures.h"
@@ -58,8 +58,7 @@ struct HarmonicsOptions {
 base::Array<double> weights_of(const HarmonicsOptions& options, const mesh::Mesh& surface, const mesh::Mesh& map,
                                const base::Host& host) {
   if (options.weights == "uniform") return base::Array<double>(surface.positions.size(), 1.0, host.memory);
-  return harmonics::vertex_areas(options.weights == "sphere" ? map.positions : surface.positions, surface.triangles,
-                                 host);
+  return mesh::vertex_areas(options.weights == "sphere" ? map.positions : surface.positions, surface.triangles, host);
 }
 
 // The fit of the vertices of triangles.
@@ -201,7 +200,7 @@ Expansion expand(const HarmonicsOptions& options, const mesh::Mesh& surface, con
   mesh::scale_by_power(scaled.positions, result.exponent);
   about(options.sphere, Role::input, [&] {
     const base::Stage stage(host, 0.8);
-    for (const double a : harmonics::vertex_areas(scaled.positions, scaled.triangles, host))
+    for (const double a : mesh::vertex_areas(scaled.positions, scaled.triangles, host))
       result.area += a;
     if (!(result.area > 0) || !std::isfinite(result.area))
       throw Failure(Exit::wrong_input, options.input, "degenerate-geometry", "the surface has no area");

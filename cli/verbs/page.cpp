@@ -8,7 +8,7 @@
 #include "files/map_file.h"
 #include "files/surface_file.h"
 #include "harmonics/fitting/fit.h"
-#include "harmonics/fitting/surface.h"
+#include "mesh/search/vertex_measures.h"
 #include "scenes/page_figures.h"
 #include "solids/harmonics_of_shape.h"
 #include "sphere_map/optimization/measure.h"
@@ -55,7 +55,7 @@ void measure(const std::string& shape_path, const std::string& map_path, const s
     const base::Host& host = session.host();
     harmonics::FitReport fit;
     measured.coefficients =
-        harmonics::fit(measured.map.positions, harmonics::vertex_areas(shape.positions, shape.triangles, host),
+        harmonics::fit(measured.map.positions, mesh::vertex_areas(shape.positions, shape.triangles, host),
                        numbers(shape.positions), 3, {.degree = degree}, host, fit);
     const mesh::Mesh made = surface_of(measured.coefficients, measured.map, host);
     add_harmonics(measured.result, measured.coefficients, fit, reconstruction_error(shape, made, host));

@@ -74,7 +74,7 @@ def spectra(folder, n, shape, result):
     degrees = (2, 6, 12)
     figure, axes = row(len(degrees) + 1)
     draw(axes[0], shape.positions, shape.triangles, title="surface")
-    weights = harmonics.vertex_areas(shape)
+    weights = mesh.vertex_areas(shape)
     for degree, place in zip(degrees, axes[1:]):
         a, _ = harmonics.fit(result.directions, shape.positions, weights, degree=degree)
         draw(place, harmonics.synthesize(a, result.directions), shape.triangles, title=f"degree {degree}")
@@ -84,7 +84,7 @@ def spectra(folder, n, shape, result):
     for seed in range(3):
         other = mesh.make("creature", n, seed=seed)
         at = sphere_map.compute(other).directions
-        a, _ = harmonics.fit(at, other.positions, harmonics.vertex_areas(other), degree=12)
+        a, _ = harmonics.fit(at, other.positions, mesh.vertex_areas(other), degree=12)
         axes.semilogy(range(1, 13), harmonics.degree_norms(a)[1:], ".-", label=f"creature {seed}")
     axes.set(xlabel="degree", ylabel="norm")
     axes.legend()

@@ -88,7 +88,7 @@ TEST_CASE("A fit through C reports what it did, and synthesis gives the values b
   CHECK(obc_harmonics_version() >= 100);
 }
 
-TEST_CASE("The rows of the basis, norms, distance, filter, areas and mean distance are those of the header") {
+TEST_CASE("The rows of the basis, norms, distance and filter are those of the header") {
   const double direction[3] = {0, 0, 2};
   double row[4];
   REQUIRE(obc_harmonics_evaluate(direction, 1, 1, nullptr, row, nullptr) == OBC_OK);
@@ -110,18 +110,6 @@ TEST_CASE("The rows of the basis, norms, distance, filter, areas and mean distan
   CHECK(filtered[0] == 0);
   CHECK(filtered[3] == 4);
   CHECK(obc_harmonics_filter(filtered, 1, 1, 2, 1, 0, 0, nullptr) == OBC_INVALID_ARGUMENT);
-
-  const double square[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
-  const std::uint32_t triangles[] = {0, 1, 2, 0, 2, 3}, wrong[] = {0, 1, 4};
-  double areas[4];
-  REQUIRE(obc_harmonics_vertex_areas(square, 4, triangles, 2, nullptr, areas, nullptr) == OBC_OK);
-  CHECK(areas[0] == doctest::Approx(1 / 3.0));
-  CHECK(areas[1] == doctest::Approx(1 / 6.0));
-  obc_error error;
-  CHECK(obc_harmonics_vertex_areas(square, 4, wrong, 1, nullptr, areas, &error) == OBC_MALFORMED_FILE);
-  CHECK(std::string(error.kind) == "index-range");
-  REQUIRE(obc_harmonics_mean_distance(square, 4, square, 2, nullptr, &distance, nullptr) == OBC_OK);
-  CHECK(distance == doctest::Approx(0.5));
 }
 
 TEST_CASE("Rotation and alignment take and give matrices by rows") {
@@ -210,7 +198,6 @@ TEST_CASE("Each failing allocation ends in out of memory with nothing leaked, an
   align_options.search_degree = 2;
   obc_harmonics_alignment alignment;
   obc_harmonics_alignment_init(&alignment, sizeof alignment);
-  double distance;
   const test::Call calls[] = {
       [&](const obc_host& host) { return fit(s, &host, out, OBC_HARMONICS_DENSE); },
       [&](const obc_host& host) { return fit(s, &host, out, OBC_HARMONICS_ITERATIVE); },
@@ -224,10 +211,6 @@ TEST_CASE("Each failing allocation ends in out of memory with nothing leaked, an
       [&](const obc_host& host) {
         return obc_harmonics_align(coefficients.data(), degree, coefficients.data(), degree, 3, &align_options, &host,
                                    &alignment, nullptr);
-      },
-      [&](const obc_host& host) {
-        return obc_harmonics_mean_distance(s.directions.data(), s.count(), s.values.data(), s.count(), &host, &distance,
-                                           nullptr);
       },
   };
   for (const test::Call& call : calls) {
@@ -254,8 +237,6 @@ TEST_CASE("Arguments that are wrong are refused") {
         OBC_INVALID_ARGUMENT);
   CHECK(obc_harmonics_rotate(out.data(), 1, 1, nullptr, nullptr, out.data(), nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_harmonics_degree_norms(nullptr, 1, 1, out.data(), nullptr) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_harmonics_mean_distance(s.directions.data(), 0, s.directions.data(), 1, nullptr, out.data(), nullptr) ==
-        OBC_INVALID_ARGUMENT);
   CHECK(obc_harmonics_read(nullptr, 0, nullptr, nullptr, nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_harmonics_coefficients_degree(nullptr) == 0);
   CHECK(obc_harmonics_coefficients_channels(nullptr) == 0);

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -233,6 +234,47 @@ TEST_CASE("What is nearest, what is at one place, what intersects") {
   CHECK(count == 2);
 }
 
+TEST_CASE("Normals and areas of vertices, and distances of surfaces and points") {
+  const Cube cube;
+  const obc_surface surface = cube.surface();
+  obc_error error;
+  std::array<double, 24> normals{};
+  REQUIRE(obc_mesh_vertex_normals(&surface, nullptr, normals.data(), &error) == OBC_OK);
+  for (std::size_t i = 0; i < 24; ++i)  // out of the corners, by symmetry
+    CHECK(normals[i] == doctest::Approx((2 * cube.positions[i] - 1) / std::sqrt(3.0)).epsilon(1e-15));
+  std::array<double, 8> areas{};
+  REQUIRE(obc_mesh_vertex_areas(&surface, nullptr, areas.data(), &error) == OBC_OK);
+  CHECK(std::accumulate(areas.begin(), areas.end(), 0.0) == doctest::Approx(6));
+
+  Cube larger;
+  for (double& x : larger.positions)
+    x *= 2;
+  const obc_surface other = larger.surface();
+  obc_mesh_distance distance;
+  REQUIRE(obc_mesh_distance_init(&distance, sizeof distance) == OBC_OK);
+  REQUIRE(obc_mesh_surface_distance(&surface, &other, nullptr, &distance, &error) == OBC_OK);
+  CHECK(distance.second_max == doctest::Approx(std::sqrt(3.0)));
+  CHECK(distance.first_mean <= distance.first_root_mean_square);
+  CHECK(distance.first_max < distance.second_max);
+  double mean = -1;
+  const double square[] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  REQUIRE(obc_mesh_mean_distance(square, 4, square, 2, nullptr, &mean, &error) == OBC_OK);
+  CHECK(mean == doctest::Approx(0.5));
+
+  CHECK(obc_mesh_vertex_normals(nullptr, nullptr, normals.data(), &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_vertex_normals(&surface, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_vertex_areas(&surface, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  larger.positions[2] = HUGE_VAL;
+  CHECK(obc_mesh_vertex_normals(&other, nullptr, normals.data(), &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_vertex_areas(&other, nullptr, areas.data(), &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_surface_distance(&surface, &other, nullptr, &distance, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_surface_distance(&surface, nullptr, nullptr, &distance, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_surface_distance(&surface, &surface, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_distance_init(nullptr, 8) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_mean_distance(square, 0, square, 1, nullptr, &mean, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_mean_distance(nullptr, 1, square, 1, nullptr, &mean, &error) == OBC_INVALID_ARGUMENT);
+}
+
 TEST_CASE("Predicates return exact signs, and 2 where there is none") {
   const double a[3] = {0.1, 0.1, 0.1}, b[3] = {0.2, 0.2, 0.2}, c[3] = {0.3, 0.3, 0.3}, d[3] = {0, 0, 1};
   CHECK(obc_mesh_orientation_from_origin(a, b, d) == 0);
@@ -392,6 +434,14 @@ obc_status use_everything(const obc_host& host) {
   std::array<std::uint32_t, 40> pairs{};
   std::size_t count = 0;
   if (status == OBC_OK) status = obc_mesh_intersections(&meeting, &host, pairs.data(), 20, &count, nullptr);
+  std::array<double, 24> normals{};
+  if (status == OBC_OK) status = obc_mesh_vertex_normals(&surface, &host, normals.data(), nullptr);
+  if (status == OBC_OK) status = obc_mesh_vertex_areas(&surface, &host, normals.data(), nullptr);
+  obc_mesh_distance distance;
+  obc_mesh_distance_init(&distance, sizeof distance);
+  if (status == OBC_OK) status = obc_mesh_surface_distance(&surface, &surface, &host, &distance, nullptr);
+  if (status == OBC_OK)
+    status = obc_mesh_mean_distance(cube.positions.data(), 8, normals.data(), 8, &host, &distance.first_mean, nullptr);
   obc_mesh_search* search = nullptr;
   if (status == OBC_OK) status = obc_mesh_search_create(&surface, &host, &search, nullptr);
   obc_mesh_search_destroy(search);

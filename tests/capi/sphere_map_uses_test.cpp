@@ -91,10 +91,6 @@ TEST_CASE("Through C, the vertices of a map are found, and samples are their own
   for (std::size_t i = 0; i < unit.size(); ++i)
     CHECK(unit[i] == doctest::Approx(ball.directions[i]).epsilon(1e-15));
   const obc_surface surface = ball.surface();
-  std::vector<double> normals(3 * count);
-  REQUIRE(obc_sphere_map_vertex_normals(&surface, nullptr, normals.data(), &error) == OBC_OK);
-  for (std::size_t i = 0; i < 18; ++i)  // the corners of the octahedron, by symmetry
-    CHECK(normals[i] == doctest::Approx(ball.directions[i]).epsilon(1e-15));
   // Only triangles and counts are needed for a locator, and none of its outputs.
   const obc_surface bare{nullptr, surface.vertex_count, surface.triangles, surface.triangle_count};
   obc_sphere_map_locator* other = nullptr;
@@ -148,11 +144,6 @@ TEST_CASE("Wrong arguments of the inverse are refused, not followed") {
   CHECK(sample(ball.positions.data(), 3, 2, out.data()) == OBC_INVALID_ARGUMENT);
   CHECK(sample(ball.positions.data(), 0, 0, out.data()) == OBC_INVALID_ARGUMENT);
   CHECK(sample(&one, std::numeric_limits<std::size_t>::max() / 4, 0, out.data()) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_sphere_map_vertex_normals(nullptr, nullptr, out.data(), &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_sphere_map_vertex_normals(&surface, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  bad.positions[2] = HUGE_VAL;
-  const obc_surface infinite = bad.surface();
-  CHECK(obc_sphere_map_vertex_normals(&infinite, nullptr, out.data(), &error) == OBC_INVALID_ARGUMENT);
 }
 
 TEST_CASE("Each allocation of the inverse fails in turn and nothing is leaked") {
@@ -171,9 +162,6 @@ TEST_CASE("Each allocation of the inverse fails in turn and nothing is leaked") 
   });
   CHECK(outcome.problem == "");
   CHECK(outcome.runs > 5);
-  CHECK(test::fail_each_allocation([&](const obc_host& host) {
-          return obc_sphere_map_vertex_normals(&surface, &host, out.data(), nullptr);
-        }).problem == "");
 }
 
 TEST_CASE("The inverse is cancelled at each of its reports") {
@@ -224,10 +212,10 @@ TEST_CASE("Through C, a surface is resampled on each grid and measured against i
                                   nullptr, &made.mesh, &error) == OBC_OK);
     CHECK(alone.surface().vertex_count == static_cast<std::size_t>(vertices));
     CHECK(made.surface().vertex_count == static_cast<std::size_t>(vertices));
-    obc_sphere_map_distance distance;
-    REQUIRE(obc_sphere_map_distance_init(&distance, sizeof distance) == OBC_OK);
+    obc_mesh_distance distance;
+    REQUIRE(obc_mesh_distance_init(&distance, sizeof distance) == OBC_OK);
     const obc_surface resampled = made.surface();
-    REQUIRE(obc_sphere_map_surface_distance(&original, &resampled, nullptr, &distance, &error) == OBC_OK);
+    REQUIRE(obc_mesh_surface_distance(&original, &resampled, nullptr, &distance, &error) == OBC_OK);
     CHECK(distance.first_max > 0);
     CHECK(distance.first_max < 0.3);
     CHECK(distance.second_root_mean_square <= distance.second_max);
@@ -339,9 +327,6 @@ TEST_CASE("Wrong arguments of remeshing, images, warps and overlays are refused,
   CHECK(obc_sphere_map_remesh(nullptr, x, OBC_SPHERE_MAP_CUBE, 3, nullptr, &mesh, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_map_remesh(locator.get(), nullptr, OBC_SPHERE_MAP_CUBE, 3, nullptr, &mesh, &error) ==
         OBC_INVALID_ARGUMENT);
-  CHECK(obc_sphere_map_surface_distance(&surface, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_sphere_map_surface_distance(&surface, &surface, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_sphere_map_distance_init(nullptr, 8) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_map_image_size(OBC_SPHERE_MAP_LATITUDE, 4, &size, &size, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_map_image_size(OBC_SPHERE_MAP_CUBE, 4097, &size, &size, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_sphere_map_image_size(OBC_SPHERE_MAP_CUBE, 4, nullptr, &size, &error) == OBC_INVALID_ARGUMENT);
@@ -393,11 +378,6 @@ TEST_CASE("Each allocation of remeshing, images, warps and overlays fails in tur
         }).problem == "");
   CHECK(with_mesh([&](const obc_host& host, obc_mesh** out) {
           return obc_sphere_map_image_surface(pixels.data(), OBC_SPHERE_MAP_CUBE, 4, &host, out, nullptr, nullptr);
-        }).problem == "");
-  CHECK(test::fail_each_allocation([&](const obc_host& host) {
-          obc_sphere_map_distance distance;
-          obc_sphere_map_distance_init(&distance, sizeof distance);
-          return obc_sphere_map_surface_distance(&surface, &surface, &host, &distance, nullptr);
         }).problem == "");
 }
 

@@ -16,9 +16,9 @@
 
 #include "base/error.h"
 #include "mesh/search/bounding_volume_tree.h"
+#include "mesh/search/distances.h"
 #include "mesh/topology/topology.h"
 #include "sphere_map/sampling/grids.h"
-#include "sphere_map/sampling/surface_distance.h"
 #include "uneven_maps.h"
 
 using namespace orbicube;
@@ -77,8 +77,8 @@ TEST_CASE("An image of a surface gives a closed surface back, near the original,
     CHECK_NOTHROW(mesh::require_closed_genus_zero(facts));
     const mesh::Topology of_shape = mesh::topology(shape.surface.positions, shape.surface.triangles, base::Host());
     CHECK(facts.volume == doctest::Approx(of_shape.volume).epsilon(0.01));
-    const auto distance = sphere_map::surface_distance(shape.surface.positions, shape.surface.triangles,
-                                                       back.mesh.positions, back.mesh.triangles, base::Host());
+    const auto distance = mesh::surface_distance(shape.surface.positions, shape.surface.triangles, back.mesh.positions,
+                                                 back.mesh.triangles, base::Host());
     // Samples are on the surface; it is as round as a sphere of 128 x 128 quads round its thickest part.
     CHECK(distance.from_second.root_mean_square < 1e-3 * diagonal(shape.surface));
     CHECK(distance.from_first.largest < 0.01 * diagonal(shape.surface));
@@ -203,15 +203,15 @@ TEST_CASE("The distance between surfaces is that of a sphere and a larger one") 
   std::vector<mesh::Vector3> larger;
   for (const mesh::Vector3& d : grid.directions)
     larger.push_back(1.25 * d);
-  const auto d = sphere_map::surface_distance(grid.directions, grid.triangles, larger, grid.triangles, base::Host());
+  const auto d = mesh::surface_distance(grid.directions, grid.triangles, larger, grid.triangles, base::Host());
   // The flat triangles are inside of the spheres by up to the square of half an edge over two: 0.0012.
-  for (const sphere_map::Distances& way : {d.from_first, d.from_second}) {
+  for (const mesh::Distances& way : {d.from_first, d.from_second}) {
     CHECK(way.mean == doctest::Approx(0.25).epsilon(0.01));
     CHECK(way.root_mean_square >= way.mean);
     CHECK(way.largest < 0.2535);
     CHECK(way.largest >= way.root_mean_square);
   }
   const auto none =
-      sphere_map::surface_distance(grid.directions, grid.triangles, grid.directions, grid.triangles, base::Host());
+      mesh::surface_distance(grid.directions, grid.triangles, grid.directions, grid.triangles, base::Host());
   CHECK(none.from_first.largest < 1e-15);
 }

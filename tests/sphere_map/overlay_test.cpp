@@ -10,10 +10,10 @@
 
 #include "base/error.h"
 #include "mesh/search/bounding_volume_tree.h"
+#include "mesh/search/distances.h"
 #include "mesh/topology/topology.h"
 #include "shapes.h"
 #include "sphere_map/correspondence/correspondence.h"
-#include "sphere_map/sampling/surface_distance.h"
 #include "uneven_maps.h"
 
 using namespace orbicube;
@@ -65,8 +65,8 @@ TEST_CASE("An overlay has the vertices of all maps, is a positive sphere, and ke
   const auto carried = sphere_map::carry_over(locator, a.surface.positions, sphere_map::Alignment(), o.directions,
                                               o.triangles, {}, base::Host());
   CHECK(carried.flipped == 0);
-  const auto d = sphere_map::surface_distance(a.surface.positions, a.surface.triangles, carried.positions, o.triangles,
-                                              base::Host());
+  const auto d =
+      mesh::surface_distance(a.surface.positions, a.surface.triangles, carried.positions, o.triangles, base::Host());
   CHECK(d.from_first.largest < 1e-12);
   CHECK(d.from_second.largest < 1e-12);
 }
@@ -89,12 +89,11 @@ TEST_CASE("Refinement brings the other shape as near as is requested and leaves 
         sphere_map::carry_over(locator_a, a.surface.positions, still, o.directions, o.triangles, {}, base::Host());
     const auto of_b =
         sphere_map::carry_over(locator_b, b.surface.positions, still, o.directions, o.triangles, {}, base::Host());
-    const auto d = sphere_map::surface_distance(a.surface.positions, a.surface.triangles, of_a.positions, o.triangles,
-                                                base::Host());
+    const auto d =
+        mesh::surface_distance(a.surface.positions, a.surface.triangles, of_a.positions, o.triangles, base::Host());
     CHECK(d.from_first.largest < 1e-12);
     CHECK(d.from_second.largest < 1e-12);
-    return sphere_map::surface_distance(b.surface.positions, b.surface.triangles, of_b.positions, o.triangles,
-                                        base::Host());
+    return mesh::surface_distance(b.surface.positions, b.surface.triangles, of_b.positions, o.triangles, base::Host());
   };
   const std::size_t vertices = a.directions.size() + b.directions.size();
   mesh::Box box;

@@ -62,32 +62,3 @@ TEST_CASE("Sizes that do not fit are refused") {
   CHECK_THROWS_AS(sphere_map::sample(locator, queries, values, 2, Interpolation::linear, sampled, base::Host()),
                   base::Error);
 }
-
-TEST_CASE("Normals of a sphere are its directions, at any size, and zero triangles have none") {
-  const test::Surface sphere = test::sphere(4);
-  for (const double size : {1.0, 1e200, 1e-200}) {
-    std::vector<mesh::Vector3> positions;
-    for (const mesh::Vector3& p : sphere.positions)
-      positions.push_back(size * p);
-    const auto normals = sphere_map::vertex_normals(positions, sphere.triangles, base::Host());
-    for (std::size_t v = 0; v < positions.size(); ++v) {
-      CHECK(normals[v].norm() == doctest::Approx(1).epsilon(1e-14));
-      // Edges are 0.1 long, and where they are not symmetric round a vertex a normal is off by a part of that.
-      CHECK((normals[v] - sphere.positions[v]).norm() < 0.02);
-    }
-  }
-  const std::vector<mesh::Vector3> point(3, mesh::Vector3(1, 2, 3));
-  const std::vector<mesh::Triangle> flat{{0, 1, 2}};
-  CHECK(sphere_map::vertex_normals(point, flat, base::Host())[1] == mesh::Vector3::UnitZ());
-}
-
-TEST_CASE("Normals do not depend on how a face is cut") {
-  // A cube's corner between three faces, one of them cut into two triangles at the corner and then not.
-  const std::vector<mesh::Vector3> x{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 0}};
-  const std::vector<mesh::Triangle> whole{{0, 2, 1}, {0, 3, 2}, {0, 1, 3}};
-  const std::vector<mesh::Triangle> cut{{0, 2, 4}, {0, 4, 1}, {0, 3, 2}, {0, 1, 3}};
-  const auto a = sphere_map::vertex_normals(x, whole, base::Host());
-  const auto b = sphere_map::vertex_normals(x, cut, base::Host());
-  CHECK((a[0] - b[0]).norm() < 1e-15);
-  CHECK((a[0] - mesh::Vector3(-1, -1, -1).normalized()).norm() < 1e-15);
-}

@@ -37,15 +37,6 @@ inline std::vector<double> evaluate(Doubles directions, std::uint32_t degree, Ho
   });
   return found;
 }
-// The reconstruction error e(A, B) between points.
-inline double mean_distance(Doubles a, Doubles b, Host* host = nullptr) {
-  double distance = 0;
-  detail::call(host, [&](obc_error* error) {
-    return obc_harmonics_mean_distance(a.data(), detail::rows(a.size(), 3, "a"), b.data(),
-                                       detail::rows(b.size(), 3, "b"), detail::c(host), &distance, error);
-  });
-  return distance;
-}
 inline Coefficients fit(Doubles directions, Doubles values, std::size_t channels, Doubles weights = {},
                         const FitOptions& options = {}, FitReport* report = nullptr, Host* host = nullptr) {
   const std::size_t n = detail::rows(directions.size(), 3, "directions");
@@ -69,16 +60,6 @@ inline std::vector<double> synthesize(const Coefficients& of, Doubles directions
                                     values.data(), gradients == nullptr ? nullptr : gradients->data(), error);
   });
   return values;
-}
-// The usual weights of a fit.
-inline std::vector<double> vertex_areas(Doubles positions, Indices triangles, Host* host = nullptr) {
-  std::vector<double> areas(detail::rows(positions.size(), 3, "positions"));
-  detail::call(host, [&](obc_error* error) {
-    return obc_harmonics_vertex_areas(positions.data(), areas.size(), triangles.data(),
-                                      detail::rows(triangles.size(), 3, "triangles"), detail::c(host), areas.data(),
-                                      error);
-  });
-  return areas;
 }
 inline std::vector<double> degree_norms(const Coefficients& of) {
   of.check();

@@ -190,6 +190,38 @@ inline std::vector<std::uint32_t> intersections(const Surface& surface, std::siz
   return pairs;
 }
 
+// Unit normals, the triangles' weighted by their angles.
+inline std::vector<double> vertex_normals(const Surface& surface, Host* host = nullptr) {
+  std::vector<double> normals(3 * surface.vertex_count);
+  detail::call(host, [&](obc_error* error) {
+    return obc_mesh_vertex_normals(&surface, detail::c(host), normals.data(), error);
+  });
+  return normals;
+}
+// A third of the area of its triangles for each vertex: the usual weights of a fit by harmonics.
+inline std::vector<double> vertex_areas(const Surface& surface, Host* host = nullptr) {
+  std::vector<double> areas(surface.vertex_count);
+  detail::call(host,
+               [&](obc_error* error) { return obc_mesh_vertex_areas(&surface, detail::c(host), areas.data(), error); });
+  return areas;
+}
+inline obc_mesh_distance surface_distance(const Surface& first, const Surface& second, Host* host = nullptr) {
+  detail::Filled<obc_mesh_distance, obc_mesh_distance_init> distance;
+  detail::call(host, [&](obc_error* error) {
+    return obc_mesh_surface_distance(&first, &second, detail::c(host), &distance, error);
+  });
+  return distance;
+}
+// The mean distance from points to the nearest of the others, the greater of both ways: the reconstruction error.
+inline double mean_distance(Doubles a, Doubles b, Host* host = nullptr) {
+  double distance = 0;
+  detail::call(host, [&](obc_error* error) {
+    return obc_mesh_mean_distance(a.data(), detail::rows(a.size(), 3, "a"), b.data(), detail::rows(b.size(), 3, "b"),
+                                  detail::c(host), &distance, error);
+  });
+  return distance;
+}
+
 // For each vertex the lowest one at its very position.
 inline std::vector<std::uint32_t> first_at_same_position(Doubles positions, Host* host = nullptr) {
   std::vector<std::uint32_t> first(detail::rows(positions.size(), 3, "positions"));

@@ -81,13 +81,6 @@ inline Distortion face_distortion(const Surface& surface, Doubles directions, Ho
   });
   return found;
 }
-inline obc_sphere_map_distance surface_distance(const Surface& first, const Surface& second, Host* host = nullptr) {
-  detail::Filled<obc_sphere_map_distance, obc_sphere_map_distance_init> distance;
-  detail::call(host, [&](obc_error* error) {
-    return obc_sphere_map_surface_distance(&first, &second, detail::c(host), &distance, error);
-  });
-  return distance;
-}
 inline std::vector<float> round_to_float(const Surface& surface, Doubles directions, Host* host = nullptr) {
   detail::check_size(directions.size(), 3 * surface.vertex_count, "directions");
   std::vector<float> rounded(directions.size());
@@ -95,13 +88,6 @@ inline std::vector<float> round_to_float(const Surface& surface, Doubles directi
     return obc_sphere_map_round_to_float(&surface, directions.data(), detail::c(host), rounded.data(), error);
   });
   return rounded;
-}
-inline std::vector<double> vertex_normals(const Surface& surface, Host* host = nullptr) {
-  std::vector<double> normals(3 * surface.vertex_count);
-  detail::call(host, [&](obc_error* error) {
-    return obc_sphere_map_vertex_normals(&surface, detail::c(host), normals.data(), error);
-  });
-  return normals;
 }
 // grid: OBC_SPHERE_MAP_ICOSPHERE, ...
 inline Mesh grid(std::int32_t grid, std::size_t resolution, Host* host = nullptr) {

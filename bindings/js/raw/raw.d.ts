@@ -167,6 +167,7 @@ export const layouts: {
   readonly obc_mesh_write_options: Layout;
   readonly obc_mesh_topology_report: Layout;
   readonly obc_mesh_orient_report: Layout;
+  readonly obc_mesh_distance: Layout;
   readonly obc_polycube_certificate: Layout;
   readonly obc_polycube_options: Layout;
   readonly obc_polycube_domain_options: Layout;
@@ -183,7 +184,6 @@ export const layouts: {
   readonly obc_projected_gradient_check: Layout;
   readonly obc_sphere_map_options: Layout;
   readonly obc_sphere_map_report: Layout;
-  readonly obc_sphere_map_distance: Layout;
   readonly obc_sphere_optimizer_options: Layout;
   readonly obc_sphere_optimizer_result: Layout;
   readonly obc_sphere_optimizer_blocks: Layout;
@@ -306,16 +306,13 @@ export interface RawFunctions {
    * O(count * degree^2). Errors: OBC_INVALID_ARGUMENT (NULL, not finite, zero length, degree), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
   obc_harmonics_evaluate(directions: Pointer, count: number, degree: number, host: Pointer, rows: Pointer, error: Pointer): number;
   /** Fits coefficients to values at scattered directions by weighted least squares. weights: one nonnegative number a direction, or NULL
-   * for ones; those of obc_harmonics_vertex_areas, the usual choice for a surface, weight each piece by its area. options, host and
+   * for ones; those of obc_mesh_vertex_areas, the usual choice for a surface, weight each piece by its area. options, host and
    * report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report->rank. Errors: as
    * obc_harmonics_evaluate. */
   obc_harmonics_fit(directions: Pointer, weights: Pointer, values: Pointer, count: number, channels: number, options: Pointer, host: Pointer, coefficients: Pointer, report: Pointer, error: Pointer): number;
   /** Evaluates the functions at directions: values, count * channels doubles, and unless gradients is NULL their tangential gradients on the unit
    * sphere, 3 * count * channels doubles. O(count * degree^2 * channels). Errors: as obc_harmonics_evaluate. */
   obc_harmonics_synthesize(coefficients: Pointer, degree: number, channels: number, directions: Pointer, count: number, host: Pointer, values: Pointer, gradients: Pointer, error: Pointer): number;
-  /** Computes a third of the area of the adjacent triangles for each vertex: areas, vertex_count doubles. Triangles are three vertex indices
-   * each. O(n). Errors: OBC_INVALID_ARGUMENT, OBC_MALFORMED_FILE (kind index-range), OBC_OUT_OF_MEMORY. */
-  obc_harmonics_vertex_areas(positions: Pointer, vertex_count: number, triangles: Pointer, triangle_count: number, host: Pointer, areas: Pointer, error: Pointer): number;
   /** Computes the norm of each degree, the square root of the sum of squares over m and the channels: norms, degree + 1 doubles. It is
    * invariant under rotations of the sphere, and of the values of three channels. Errors: OBC_INVALID_ARGUMENT, OBC_OUT_OF_MEMORY. */
   obc_harmonics_degree_norms(coefficients: Pointer, degree: number, channels: number, norms: Pointer, error: Pointer): number;
@@ -326,10 +323,6 @@ export interface RawFunctions {
   /** Filters in place: keeps degrees from low to high and sets the others to zero, with a raised-cosine transition over `width` degrees
    * outside each end (0: none). keep_mean 1 preserves degree 0, the position of a shape. Errors: as obc_harmonics_degree_norms. */
   obc_harmonics_filter(coefficients: Pointer, degree: number, channels: number, low: number, high: number, width: number, keep_mean: number, error: Pointer): number;
-  /** Computes the reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
-   * distance to the nearest point of B. O(n log n). Errors: OBC_INVALID_ARGUMENT (NULL, no points, not finite), OBC_CANCELLED,
-   * OBC_OUT_OF_MEMORY. */
-  obc_harmonics_mean_distance(a: Pointer, a_count: number, b: Pointer, b_count: number, host: Pointer, distance: Pointer, error: Pointer): number;
   /** Rotates the functions with the sphere: the value at v moves to R v. rotation: the matrix R by rows, 9 doubles. turned may be
    * coefficients. The values are not rotated: for a rotation of a shape in space, multiply the three coefficients of each Y_lm by the
    * matrix. O(degree^3). Errors: OBC_INVALID_ARGUMENT (also: not a rotation), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
@@ -466,6 +459,23 @@ export interface RawFunctions {
    * are left out. Uses the threads of the host. O(n log n + pairs of overlapping boxes). Errors: invalid argument, out of memory,
    * cancelled. */
   obc_mesh_intersections(surface: Pointer, host: Pointer, pairs: Pointer, capacity: number, count: Pointer, error: Pointer): number;
+  /** Computes unit vertex normals, 3 * vertex_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998); 0 0 1 where
+   * they cancel and for vertices of no triangle. O(n). Errors: invalid argument, out of memory, cancelled. */
+  obc_mesh_vertex_normals(surface: Pointer, host: Pointer, normals: Pointer, error: Pointer): number;
+  /** Computes a third of the area of the adjacent triangles for each vertex: areas, vertex_count doubles, in the square of the surface's unit.
+   * They sum up to the area. O(n). Errors: invalid argument (also: an area beyond the range of double), out of memory,
+   * cancelled. */
+  obc_mesh_vertex_areas(surface: Pointer, host: Pointer, areas: Pointer, error: Pointer): number;
+  /** Fills a result with zeros and its size. */
+  obc_mesh_distance_init(distance: Pointer, struct_size: number): number;
+  /** Measures the distances between two surfaces (as Metro: Cignoni, Rocchini and Scopigno 1998). Uses the threads of the host.
+   * O(n log n). Errors: invalid argument (also: no triangles), out of memory, cancelled. */
+  obc_mesh_surface_distance(first: Pointer, second: Pointer, host: Pointer, distance: Pointer, error: Pointer): number;
+  /** Computes the distance of two point sets (3 * a_count and 3 * b_count doubles), e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the
+   * points of A of the distance to the nearest point of B: the reconstruction error of the dissertation's section 3.3.2. Uses the
+   * threads of the host. O(n log n). Errors: invalid argument (also: no points, a coordinate beyond 1e150), out of memory,
+   * cancelled. */
+  obc_mesh_mean_distance(a: Pointer, a_count: number, b: Pointer, b_count: number, host: Pointer, distance: Pointer, error: Pointer): number;
   /** Creates a search structure from a copy of the surface. host may be NULL; its allocator must remain valid until _destroy.
    * O(n log n), about 200 bytes a triangle. Errors: invalid argument (also: a coordinate beyond 1e150, here and in points),
    * out of memory, cancelled. */
@@ -816,20 +826,12 @@ export interface RawFunctions {
    * doubles; sampled: components * count. unit 1 scales each result to length 1 (for normals), 0 does not. The direction of a vertex
    * returns the values of the vertex. Errors: as obc_sphere_map_locate. */
   obc_sphere_map_sample(locator: Pointer, directions: Pointer, count: number, values: Pointer, components: number, unit: number, host: Pointer, sampled: Pointer, error: Pointer): number;
-  /** Computes unit vertex normals, 3 * vertex_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998). O(n).
-   * Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
-  obc_sphere_map_vertex_normals(surface: Pointer, host: Pointer, normals: Pointer, error: Pointer): number;
   /** Creates a regular triangulation with unit vectors for positions. *out is destroyed with obc_mesh_destroy; the allocator of the host is
    * used until then. O(size). Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
   obc_sphere_map_grid(grid: number, resolution: number, host: Pointer, out: Pointer, error: Pointer): number;
   /** Resamples a surface on a regular triangulation: positions (3 * vertex_count doubles) interpolated at its directions. Otherwise as
    * obc_sphere_map_grid. */
   obc_sphere_map_remesh(locator: Pointer, positions: Pointer, grid: number, resolution: number, host: Pointer, out: Pointer, error: Pointer): number;
-  /** Fills a result with zeros and its size. */
-  obc_sphere_map_distance_init(distance: Pointer, struct_size: number): number;
-  /** Measures the distances between two surfaces. Uses the threads of the host. O(n log n). Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED,
-   * OBC_OUT_OF_MEMORY. */
-  obc_sphere_map_surface_distance(first: Pointer, second: Pointer, host: Pointer, distance: Pointer, error: Pointer): number;
   /** Computes the size of a geometry image (Gu, Gortler and Hoppe 2002; Praun and Hoppe 2003): the surface as pixels x y z, 3 * width *
    * height doubles, row by row from the top. OBC_SPHERE_MAP_OCTAHEDRON is a square of (resolution + 1)^2 pixels, OBC_SPHERE_MAP_CUBE
    * six tiles of that size, 3 by 2: +x -x +y, below -y +z -z. Pixels on both sides of a cut are equal. resolution: up to

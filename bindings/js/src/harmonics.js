@@ -2,7 +2,7 @@
 //
 // Coefficients are an array of (degree + 1)^2 rows, Y_lm in row l*l + l + m, with a column a channel: for a shape x, y and z.
 import { call, object, options, raw, scratched, view, withHost } from './module.js';
-import { onSurface, written } from './mesh.js';
+import { written } from './mesh.js';
 
 const split = ({ onProgress, signal, ...chosen }) => [{ onProgress, signal }, chosen];
 
@@ -60,14 +60,6 @@ export function synthesize(coefficients, directions, given = {}) {
   }));
 }
 
-/** A third of the area of its triangles for each vertex: the usual weights of a fit. */
-export const vertexAreas = (surface, host = {}) => onSurface(surface, host, (scratch, at, lent) => {
-  const [positions, vertices, triangles, count] = view('u32', at, 4).slice();
-  const areas = scratch.room('f64', vertices);
-  call('obc_harmonics_vertex_areas', positions, vertices, triangles, count, lent, areas);
-  return answer(areas, vertices);
-});
-
 /** The norm of each degree, which rotations do not change. */
 export function degreeNorms(coefficients, channels = 3) {
   const degree = degreeOf(coefficients, channels);
@@ -99,14 +91,6 @@ export function filter(coefficients, low, high, { channels = 3, width = 0, keepM
     return answer(kept, coefficients.length);
   });
 }
-
-/** The reconstruction error between points: the mean distance to the nearest, the greater of both ways. */
-export const meanDistance = (a, b, host = {}) => withHost(host, (lent) => scratched((scratch) => {
-  const distance = scratch.room('f64', 1);
-  call('obc_harmonics_mean_distance', scratch.array('f64', a, a.length), a.length / 3, scratch.array('f64', b, b.length), b.length / 3, lent,
-    distance);
-  return view('f64', distance, 1)[0];
-}));
 
 /** The functions turned with the sphere by a matrix (nine numbers, row by row). */
 export const rotate = (coefficients, rotation, { channels = 3, ...host } = {}) => withHost(host, (lent) => scratched((scratch) => {

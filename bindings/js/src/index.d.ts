@@ -195,6 +195,9 @@ export function formats(): { format: Format; ending: string; polygons: boolean; 
 /** The format that the name of a file requires. */
 export function formatOf(name: string): Format;
 export function writeMesh(surface: SurfaceLike, ending: string, options?: { binary?: boolean } & Host): Uint8Array;
+export function vertexNormals(surface: SurfaceLike, host?: Host): Float64Array;
+export function vertexAreas(surface: SurfaceLike, host?: Host): Float64Array;
+export function meanDistance(a: Numbers, b: Numbers, host?: Host): number;
 export function topology(surface: SurfaceLike, host?: Host): Record<string, number> & { low: number[]; high: number[] };
 export function checkClosedGenusZero(surface: SurfaceLike, host?: Host): void;
 export function orient(surface: { positions: Numbers; triangles: Numbers }, host?: Host): Uint32Array;
@@ -244,7 +247,6 @@ export function sphereMap(surface: SurfaceLike, options?: SphereMapOptions & Hos
 export function measure(surface: SurfaceLike, directions: Numbers, options?: SphereMapOptions & Host): SphereMapReport;
 export function faceDistortion(surface: SurfaceLike, directions: Numbers, host?: Host): { quasiConformal: Float64Array; areaRatio: Float64Array };
 export function roundToFloat(surface: SurfaceLike, directions: Numbers, host?: Host): Float32Array;
-export function vertexNormals(surface: SurfaceLike, host?: Host): Float64Array;
 export function bestRotation(from: Numbers, to: Numbers): Float64Array;
 
 export type Grid = 'icosphere' | 'cube' | 'latitude' | 'octahedron';
@@ -317,11 +319,9 @@ export namespace harmonics {
   function fit(directions: Numbers, values: Numbers, options?: FitOptions & Host): { coefficients: Float64Array; report: FitReport };
   function synthesize(coefficients: Numbers, directions: Numbers, options?: Channels & { gradients?: boolean } & Host):
     { values: Float64Array; gradients: Float64Array | null };
-  function vertexAreas(surface: SurfaceLike, host?: Host): Float64Array;
   function degreeNorms(coefficients: Numbers, channels?: number): Float64Array;
   function shapeDistance(f: Numbers, g: Numbers, options?: Channels & { first?: number; last?: number }): number;
   function filter(coefficients: Numbers, low: number, high: number, options?: Channels & { width?: number; keepMean?: boolean }): Float64Array;
-  function meanDistance(a: Numbers, b: Numbers, host?: Host): number;
   function rotate(coefficients: Numbers, rotation: Numbers, options?: Channels & Host): Float64Array;
   function align(fixed: Numbers, moving: Numbers, options?: Channels & { turnValues?: boolean; searchDegree?: number } & Host):
     { rotation: number[]; values: number[]; correlation: number };

@@ -137,6 +137,30 @@ export class Mesh extends Handle {
   }
 }
 
+const lengthOf = (surface) => (surface instanceof Mesh ? 3 * surface.vertexCount : surface.positions.length);
+
+/** Unit normals of the vertices. */
+export const vertexNormals = (surface, host = {}) => onSurface(surface, host, (scratch, at, lent) => {
+  const normals = scratch.room('f64', lengthOf(surface));
+  call('obc_mesh_vertex_normals', at, lent, normals);
+  return view('f64', normals, lengthOf(surface)).slice();
+});
+
+/** A third of the area of its triangles for each vertex: the usual weights of a fit by harmonics. */
+export const vertexAreas = (surface, host = {}) => onSurface(surface, host, (scratch, at, lent) => {
+  const areas = scratch.room('f64', lengthOf(surface) / 3);
+  call('obc_mesh_vertex_areas', at, lent, areas);
+  return view('f64', areas, lengthOf(surface) / 3).slice();
+});
+
+/** The mean distance from points to the nearest of the others, the greater of both ways: the reconstruction error. */
+export const meanDistance = (a, b, host = {}) => withHost(host, (lent) => scratched((scratch) => {
+  const distance = scratch.room('f64', 1);
+  call('obc_mesh_mean_distance', scratch.array('f64', a, a.length), a.length / 3, scratch.array('f64', b, b.length), b.length / 3, lent,
+    distance);
+  return view('f64', distance, 1)[0];
+}));
+
 /** Runs body(path) on a file of its own in the module's memory, and returns what it wrote. */
 export function written(ending, body) {
   const { FS } = module();

@@ -65,15 +65,6 @@ export function roundToFloat(surface, directions, host = {}) {
   });
 }
 
-/** Unit normals of the vertices. */
-export function vertexNormals(surface, host = {}) {
-  return onSurface(surface, host, (scratch, at, lent) => {
-    const normals = scratch.room('f64', lengthOf(surface));
-    call('obc_sphere_map_vertex_normals', at, lent, normals);
-    return view('f64', normals, lengthOf(surface)).slice();
-  });
-}
-
 /** The inverse of a map: which triangle of the surface a direction lies in, and what the surface has there. */
 export class Locator extends Handle {
   constructor(surface, directions, host = {}) {

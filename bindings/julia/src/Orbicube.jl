@@ -13,11 +13,12 @@ export LinearFactor, solve, refactor!, remove_row!, update!, entry_count, Linear
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
 export Mesh, formats, shape_names, read_mesh, write_mesh, check_cells, boundary, tetrahedron_quality, fill_with_tetrahedra, check_fillable
 export check_closed_genus_zero, orient, intersections, first_at_same_position, Search, nearest_vertices, nearest_points
+export vertex_normals, vertex_areas, surface_distance, mean_distance
 export orientation_2d, orientation_3d, orientation_from_origin, read_gltf, write_gltf
-export Locator, locate, sample, remesh, partial_sphere_map, face_distortion, round_to_float, vertex_normals, sphere_grid, surface_distance
+export Locator, locate, sample, remesh, partial_sphere_map, face_distortion, round_to_float, sphere_grid
 export image_size, geometry_image, image_surface, write_image, read_image, best_rotation, Warp, overlay
-export fit_harmonics, synthesize, evaluate_harmonics, harmonic_gradients, vertex_areas, degree_norms, shape_distance, filter_harmonics
-export mean_distance, rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
+export fit_harmonics, synthesize, evaluate_harmonics, harmonic_gradients, degree_norms, shape_distance, filter_harmonics
+export rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
 export frame_field, measure_frames, frame_matchings, singularities, Quaternions
 export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, align_features
 export energies, polycube_graph, polycube_quads

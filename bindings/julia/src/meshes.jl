@@ -123,6 +123,41 @@ check_cells(mesh::Mesh; host...) =
 boundary(mesh::Mesh; host...) =
     with_mesh(handle -> taken((out, lent, error) -> Raw.obc_mesh_boundary(handle, lent, out, error); host...), mesh)
 
+"Unit normals of the vertices."
+function vertex_normals(surface::Surface; host...)
+    normals = similar(surface.positions)
+    with_surface((view, lent, error) -> Raw.obc_mesh_vertex_normals(view, lent, normals, error), surface; host...)
+    normals
+end
+
+"A third of the area of its triangles for each vertex: the usual weights of a fit by harmonics."
+function vertex_areas(surface::Surface; host...)
+    areas = Vector{Float64}(undef, vertex_count(surface))
+    with_surface((view, lent, error) -> Raw.obc_mesh_vertex_areas(view, lent, areas, error), surface; host...)
+    areas
+end
+
+# f(first, second, host, error) with pointers to two obc_surfaces.
+function with_surfaces(f, first::Surface, second::Surface; host...)
+    a, b = Ref(viewed(first)), Ref(viewed(second))
+    GC.@preserve first second a b hosted((lent, error) -> f(struct_pointer(a), struct_pointer(b), lent, error); host...)
+end
+
+"Distances between two surfaces, both ways: an obc_mesh_distance."
+function surface_distance(first::Surface, second::Surface; host...)
+    distance = filled(Raw.obc_mesh_distance, Raw.obc_mesh_distance_init, NamedTuple())
+    with_surfaces((a, b, lent, error) -> Raw.obc_mesh_surface_distance(a, b, lent, distance, error), first, second; host...)
+    distance
+end
+
+"The reconstruction error e(A, B) between points (3 by n)."
+function mean_distance(a::AbstractMatrix, b::AbstractMatrix; host...)
+    n, m, distance = columns(a, 3, "a"), columns(b, 3, "b"), Ref(0.0)
+    one, other = doubles(a), doubles(b)
+    hosted((lent, error) -> Raw.obc_mesh_mean_distance(one, n, other, m, lent, distance, error); host...)
+    distance[]
+end
+
 "How well shaped tetrahedra are: an obc_mesh_tetrahedron_quality_report."
 function tetrahedron_quality(mesh::Mesh; host...)
     report = filled(Raw.obc_mesh_tetrahedron_quality_report, Raw.obc_mesh_tetrahedron_quality_report_init, NamedTuple())

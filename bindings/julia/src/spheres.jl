@@ -37,13 +37,6 @@ function round_to_float(surface::Surface, directions::AbstractMatrix; host...)
     rounded
 end
 
-"Unit normals of the vertices."
-function vertex_normals(surface::Surface; host...)
-    normals = similar(surface.positions)
-    with_surface((view, lent, error) -> Raw.obc_sphere_map_vertex_normals(view, lent, normals, error), surface; host...)
-    normals
-end
-
 const grids = [:icosphere => Raw.OBC_SPHERE_MAP_ICOSPHERE, :cube => Raw.OBC_SPHERE_MAP_CUBE,
                :latitude => Raw.OBC_SPHERE_MAP_LATITUDE, :octahedron => Raw.OBC_SPHERE_MAP_OCTAHEDRON]
 
@@ -52,19 +45,6 @@ grid_of(name::Symbol) = chosen_word(:grid, name, grids)
 "A regular triangulation of the sphere: :icosphere, :cube, :latitude or :octahedron."
 sphere_grid(grid::Symbol, resolution::Integer; host...) =
     taken((out, lent, error) -> Raw.obc_sphere_map_grid(grid_of(grid), resolution, lent, out, error); host...)
-
-# f(first, second, host, error) with pointers to two obc_surfaces.
-function with_surfaces(f, first::Surface, second::Surface; host...)
-    a, b = Ref(viewed(first)), Ref(viewed(second))
-    GC.@preserve first second a b hosted((lent, error) -> f(struct_pointer(a), struct_pointer(b), lent, error); host...)
-end
-
-"Distances between two surfaces, both ways: an obc_sphere_map_distance."
-function surface_distance(first::Surface, second::Surface; host...)
-    distance = filled(Raw.obc_sphere_map_distance, Raw.obc_sphere_map_distance_init, NamedTuple())
-    with_surfaces((a, b, lent, error) -> Raw.obc_sphere_map_surface_distance(a, b, lent, distance, error), first, second; host...)
-    distance
-end
 
 "Width and height of a geometry image, :octahedron or :cube."
 function image_size(layout::Symbol, resolution::Integer)
@@ -175,15 +155,6 @@ function harmonic_gradients(a::AbstractMatrix, directions::AbstractArray; host..
     slopes
 end
 
-"A third of the area of its triangles for each vertex: the usual weights of a fit."
-function vertex_areas(surface::Surface; host...)
-    n, areas = vertex_count(surface), Vector{Float64}(undef, vertex_count(surface))
-    hosted(; host...) do lent, error
-        Raw.obc_harmonics_vertex_areas(surface.positions, n, surface.triangles, size(surface.triangles, 2), lent, areas, error)
-    end
-    areas
-end
-
 "The norm of each degree from 0, which rotations do not change."
 function degree_norms(a::AbstractMatrix)
     given, norms = coefficients(a), Vector{Float64}(undef, degree_of(a) + 1)
@@ -204,14 +175,6 @@ function filter_harmonics(a::AbstractMatrix, low::Integer, high::Integer; width=
     kept = copy(coefficients(a))
     checked(error -> Raw.obc_harmonics_filter(kept, degree_of(a), size(a, 1), low, high, width, keep_mean, error))
     kept
-end
-
-"The reconstruction error e(A, B) between points (3 by n)."
-function mean_distance(a::AbstractMatrix, b::AbstractMatrix; host...)
-    n, m, distance = columns(a, 3, "a"), columns(b, 3, "b"), Ref(0.0)
-    one, other = doubles(a), doubles(b)
-    hosted((lent, error) -> Raw.obc_harmonics_mean_distance(one, n, other, m, lent, distance, error); host...)
-    distance[]
 end
 
 "The functions turned with the sphere by a matrix."

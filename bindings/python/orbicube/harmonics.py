@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, address, doubles
 from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, with_options
 from ._checks import PathLike, integer, public
-from ._foreign import surface_of
 from .raw import harmonics as raw
 
 
@@ -107,16 +106,6 @@ def _synthesized(coefficients: ArrayLike, directions: ArrayLike, wanted: bool, t
 
 
 @public
-def vertex_areas(surface: Any) -> Doubles:
-    """A third of the area of its triangles for each vertex: the usual weights of a fit."""
-    positions, triangles = surface_of(surface)
-    areas = np.empty(len(positions))
-    call(raw.obc_harmonics_vertex_areas, address(positions), len(positions), address(triangles), len(triangles), HOST,
-         address(areas))
-    return areas
-
-
-@public
 def degree_norms(coefficients: ArrayLike) -> Doubles:
     """The norm of each degree, which rotations do not change."""
     a = _coefficients(coefficients, "coefficients")
@@ -142,15 +131,6 @@ def filter(coefficients: ArrayLike, low: int, high: int, width: int = 0, keep_me
     a = _coefficients(coefficients, "coefficients").copy()
     call(raw.obc_harmonics_filter, address(a), degree_of(a), a.shape[1], low, high, width, int(keep_mean))
     return a
-
-
-@public
-def mean_distance(a: ArrayLike, b: ArrayLike, *, progress: Progress = None) -> float:
-    """The reconstruction error e(A, B) between points."""
-    first, second, distance = doubles(a, 3, name="a"), doubles(b, 3, name="b"), ctypes.c_double()
-    call(raw.obc_harmonics_mean_distance, address(first), len(first), address(second), len(second), HOST, byref(distance),
-         progress=progress)
-    return distance.value
 
 
 @public

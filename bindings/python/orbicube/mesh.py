@@ -24,8 +24,9 @@ from ._foreign import MANY, parts_of, surface_of
 from .raw import mesh as raw
 
 __all__ = ["Format", "Mesh", "Search", "check_cells", "check_closed_genus_zero", "first_at_same_position", "formats", "intersections",
-           "make", "orient", "orientation_2d", "orientation_3d", "orientation_from_origin", "read", "read_memory",
-           "shape_names", "tetrahedron_quality", "to_pyvista", "topology", "version", "write"]
+           "make", "mean_distance", "orient", "orientation_2d", "orientation_3d", "orientation_from_origin", "read", "read_memory",
+           "shape_names", "surface_distance", "tetrahedron_quality", "to_pyvista", "topology", "version", "vertex_areas",
+           "vertex_normals", "write"]
 
 
 class Surface:
@@ -335,6 +336,44 @@ def intersections(surface: Any, capacity: int = 1000, *, threads: int = 0, progr
     call(raw.obc_mesh_intersections, given.pointer, HOST, address(pairs), capacity, byref(count), progress=progress,
          threads=threads)
     return pairs[:count.value].copy()
+
+
+@public
+def vertex_normals(surface: Any, *, progress: Progress = None) -> Doubles:
+    """Unit normals, the triangles' weighted by their angles."""
+    given = Surface(surface)
+    normals = np.empty((len(given.positions), 3))
+    call(raw.obc_mesh_vertex_normals, given.pointer, HOST, address(normals), progress=progress)
+    return normals
+
+
+@public
+def vertex_areas(surface: Any, *, progress: Progress = None) -> Doubles:
+    """A third of the area of its triangles for each vertex: the usual weights of a fit by harmonics."""
+    given = Surface(surface)
+    areas = np.empty(len(given.positions))
+    call(raw.obc_mesh_vertex_areas, given.pointer, HOST, address(areas), progress=progress)
+    return areas
+
+
+@public
+def surface_distance(first: Any, second: Any, *, threads: int = 0,
+                     progress: Progress = None) -> raw.obc_mesh_distance:
+    """Distances from points of one surface to the other, and back."""
+    a, b, distance = Surface(first, "first"), Surface(second, "second"), raw.obc_mesh_distance()
+    call_init(raw.obc_mesh_distance_init, distance)
+    call(raw.obc_mesh_surface_distance, a.pointer, b.pointer, HOST, byref(distance), threads=threads,
+         progress=progress)
+    return distance
+
+
+@public
+def mean_distance(a: ArrayLike, b: ArrayLike, *, threads: int = 0, progress: Progress = None) -> float:
+    """The mean distance from points to the nearest of the others, the greater of both ways: the reconstruction error e(A, B)."""
+    first, second, distance = doubles(a, 3, name="a"), doubles(b, 3, name="b"), ctypes.c_double()
+    call(raw.obc_mesh_mean_distance, address(first), len(first), address(second), len(second), HOST, byref(distance),
+         threads=threads, progress=progress)
+    return distance.value
 
 
 class Search:

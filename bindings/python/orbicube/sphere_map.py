@@ -184,31 +184,11 @@ def _grid(name: str) -> int:
 
 
 @public
-def vertex_normals(surface: Any, *, progress: Progress = None) -> Doubles:
-    """Unit normals, the triangles' weighted by their angles."""
-    given = Surface(surface)
-    normals = np.empty((len(given.positions), 3))
-    call(raw.obc_sphere_map_vertex_normals, given.pointer, HOST, address(normals), progress=progress)
-    return normals
-
-
-@public
 def grid(name: Literal["icosphere", "cube", "latitude", "octahedron"], resolution: int, *, progress: Progress = None) -> Mesh:
     """A regular triangulation of the sphere."""
     handle = Handle(raw_mesh.obc_mesh_destroy)
     call(raw.obc_sphere_map_grid, _grid(name), resolution, HOST, byref(handle), progress=progress)
     return adopt(handle)
-
-
-@public
-def surface_distance(first: Any, second: Any, *, threads: int = 0,
-                     progress: Progress = None) -> raw.obc_sphere_map_distance:
-    """Distances from points of one surface to the other, and back."""
-    a, b, distance = Surface(first, "first"), Surface(second, "second"), raw.obc_sphere_map_distance()
-    call_init(raw.obc_sphere_map_distance_init, distance)
-    call(raw.obc_sphere_map_surface_distance, a.pointer, b.pointer, HOST, byref(distance), threads=threads,
-         progress=progress)
-    return distance
 
 
 @public

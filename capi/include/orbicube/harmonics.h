@@ -93,7 +93,7 @@ OBC_API obc_status obc_harmonics_evaluate(const double *directions, size_t count
                                           double *rows, obc_error *error);
 
 /* Fits coefficients to values at scattered directions by weighted least squares. weights: one nonnegative number a direction, or NULL
- * for ones; those of obc_harmonics_vertex_areas, the usual choice for a surface, weight each piece by its area. options, host and
+ * for ones; those of obc_mesh_vertex_areas, the usual choice for a surface, weight each piece by its area. options, host and
  * report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report->rank. Errors: as
  * obc_harmonics_evaluate. */
 OBC_API obc_status obc_harmonics_fit(const double *directions, const double *weights, const double *values, size_t count,
@@ -107,12 +107,6 @@ OBC_API obc_status obc_harmonics_fit(const double *directions, const double *wei
 OBC_API obc_status obc_harmonics_synthesize(const double *coefficients, uint32_t degree, size_t channels,
                                             const double *directions, size_t count, const obc_host *host, double *values,
                                             double *gradients, obc_error *error);
-
-/* Computes a third of the area of the adjacent triangles for each vertex: areas, vertex_count doubles. Triangles are three vertex indices
- * each. O(n). Errors: OBC_INVALID_ARGUMENT, OBC_MALFORMED_FILE (kind index-range), OBC_OUT_OF_MEMORY. */
-OBC_API obc_status obc_harmonics_vertex_areas(const double *positions, size_t vertex_count, const uint32_t *triangles,
-                                              size_t triangle_count, const obc_host *host, double *areas,
-                                              obc_error *error);
 
 /* Computes the norm of each degree, the square root of the sum of squares over m and the channels: norms, degree + 1 doubles. It is
  * invariant under rotations of the sphere, and of the values of three channels. Errors: OBC_INVALID_ARGUMENT, OBC_OUT_OF_MEMORY. */
@@ -130,12 +124,6 @@ OBC_API obc_status obc_harmonics_shape_distance(const double *f, uint32_t f_degr
  * outside each end (0: none). keep_mean 1 preserves degree 0, the position of a shape. Errors: as obc_harmonics_degree_norms. */
 OBC_API obc_status obc_harmonics_filter(double *coefficients, uint32_t degree, size_t channels, uint32_t low,
                                         uint32_t high, uint32_t width, int32_t keep_mean, obc_error *error);
-
-/* Computes the reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
- * distance to the nearest point of B. O(n log n). Errors: OBC_INVALID_ARGUMENT (NULL, no points, not finite), OBC_CANCELLED,
- * OBC_OUT_OF_MEMORY. */
-OBC_API obc_status obc_harmonics_mean_distance(const double *a, size_t a_count, const double *b, size_t b_count,
-                                               const obc_host *host, double *distance, obc_error *error);
 
 /* ---- rotation and alignment ------------------------------------------------------------------------------------------ */
 

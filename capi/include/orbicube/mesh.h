@@ -299,6 +299,43 @@ OBC_API obc_status obc_mesh_first_at_same_position(const double *positions, size
 OBC_API obc_status obc_mesh_intersections(const obc_surface *surface, const obc_host *host, uint32_t *pairs,
                                           size_t capacity, size_t *count, obc_error *error);
 
+/* ---- vertices and distances -------------------------------------------------------------------------------------------- */
+
+/* Computes unit vertex normals, 3 * vertex_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998); 0 0 1 where
+ * they cancel and for vertices of no triangle. O(n). Errors: invalid argument, out of memory, cancelled. */
+OBC_API obc_status obc_mesh_vertex_normals(const obc_surface *surface, const obc_host *host, double *normals,
+                                           obc_error *error);
+
+/* Computes a third of the area of the adjacent triangles for each vertex: areas, vertex_count doubles, in the square of the surface's unit.
+ * They sum up to the area. O(n). Errors: invalid argument (also: an area beyond the range of double), out of memory,
+ * cancelled. */
+OBC_API obc_status obc_mesh_vertex_areas(const obc_surface *surface, const obc_host *host, double *areas,
+                                         obc_error *error);
+
+/* Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
+ * unit of the surfaces. */
+typedef struct obc_mesh_distance {
+  uint32_t struct_size;
+  uint32_t reserved;
+  double first_mean, first_root_mean_square, first_max;    /* from the first surface: mean, root mean square, maximum */
+  double second_mean, second_root_mean_square, second_max; /* from the second surface */
+} obc_mesh_distance;
+
+/* Fills a result with zeros and its size. */
+OBC_API obc_status obc_mesh_distance_init(obc_mesh_distance *distance, size_t struct_size);
+
+/* Measures the distances between two surfaces (as Metro: Cignoni, Rocchini and Scopigno 1998). Uses the threads of the host.
+ * O(n log n). Errors: invalid argument (also: no triangles), out of memory, cancelled. */
+OBC_API obc_status obc_mesh_surface_distance(const obc_surface *first, const obc_surface *second, const obc_host *host,
+                                             obc_mesh_distance *distance, obc_error *error);
+
+/* Computes the distance of two point sets (3 * a_count and 3 * b_count doubles), e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the
+ * points of A of the distance to the nearest point of B: the reconstruction error of the dissertation's section 3.3.2. Uses the
+ * threads of the host. O(n log n). Errors: invalid argument (also: no points, a coordinate beyond 1e150), out of memory,
+ * cancelled. */
+OBC_API obc_status obc_mesh_mean_distance(const double *a, size_t a_count, const double *b, size_t b_count,
+                                          const obc_host *host, double *distance, obc_error *error);
+
 /* ---- search ---------------------------------------------------------------------------------------------------------- */
 
 /* Trees of bounding boxes over the vertices and triangles of a surface. */

@@ -175,11 +175,6 @@ OBC_API obc_status obc_sphere_map_sample(const obc_sphere_map_locator *locator, 
                                          const double *values, size_t components, int32_t unit, const obc_host *host,
                                          double *sampled, obc_error *error);
 
-/* Computes unit vertex normals, 3 * vertex_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998). O(n).
- * Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
-OBC_API obc_status obc_sphere_map_vertex_normals(const obc_surface *surface, const obc_host *host, double *normals,
-                                                 obc_error *error);
-
 /* ---- remeshing and geometry images ----------------------------------------------------------------------------------- */
 
 /* Regular triangulations of the sphere, with the meaning of their resolution. */
@@ -199,24 +194,6 @@ OBC_API obc_status obc_sphere_map_grid(int32_t grid, size_t resolution, const ob
  * obc_sphere_map_grid. */
 OBC_API obc_status obc_sphere_map_remesh(const obc_sphere_map_locator *locator, const double *positions, int32_t grid,
                                          size_t resolution, const obc_host *host, obc_mesh **out, obc_error *error);
-
-/* Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
- * unit of the surfaces. */
-typedef struct obc_sphere_map_distance {
-  uint32_t struct_size;
-  uint32_t reserved;
-  double first_mean, first_root_mean_square, first_max;    /* from the first surface: mean, root mean square, maximum */
-  double second_mean, second_root_mean_square, second_max; /* from the second surface */
-} obc_sphere_map_distance;
-
-/* Fills a result with zeros and its size. */
-OBC_API obc_status obc_sphere_map_distance_init(obc_sphere_map_distance *distance, size_t struct_size);
-
-/* Measures the distances between two surfaces. Uses the threads of the host. O(n log n). Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED,
- * OBC_OUT_OF_MEMORY. */
-OBC_API obc_status obc_sphere_map_surface_distance(const obc_surface *first, const obc_surface *second,
-                                                   const obc_host *host, obc_sphere_map_distance *distance,
-                                                   obc_error *error);
 
 /* Computes the size of a geometry image (Gu, Gortler and Hoppe 2002; Praun and Hoppe 2003): the surface as pixels x y z, 3 * width *
  * height doubles, row by row from the top. OBC_SPHERE_MAP_OCTAHEDRON is a square of (resolution + 1)^2 pixels, OBC_SPHERE_MAP_CUBE

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "base/error.h"
-#include "sphere_map/hierarchy/normalize.h"
 
 namespace orbicube::sphere_map {
 
@@ -46,28 +45,6 @@ Array<Vector3> sample_vectors(const Locator& locator, std::span<const Vector3> q
   };
   sample(locator, queries, numbers(vectors), 3, interpolation, numbers(std::span(result)), host);
   return result;
-}
-
-Array<Vector3> vertex_normals(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                              const base::Host& host) {
-  const Array<Vector3> x = normalized(positions, triangles, host.memory);
-  Array<Vector3> normals(positions.size(), Vector3::Zero(), host.memory);
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (t % 65536 == 0) host.report("normals", t, triangles.size());
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector3& p = x[triangles[t][k]];
-      const Vector3 e = x[triangles[t][(k + 1) % 3]] - p;
-      const Vector3 f = x[triangles[t][(k + 2) % 3]] - p;
-      const Vector3 normal = e.cross(f);
-      const double size = normal.stableNorm();
-      if (size > 0) normals[triangles[t][k]] += std::atan2(size, e.dot(f)) / size * normal;
-    }
-  }
-  for (Vector3& n : normals) {
-    const double length = n.norm();
-    n = length > 0 ? Vector3(n / length) : Vector3(Vector3::UnitZ());
-  }
-  return normals;
 }
 
 }  // namespace orbicube::sphere_map

@@ -24,10 +24,4 @@ void sample(const Locator& locator, std::span<const Vector3> queries, std::span<
 Array<Vector3> sample_vectors(const Locator& locator, std::span<const Vector3> queries,
                               std::span<const Vector3> vectors, Interpolation interpolation, const base::Host& host);
 
-// Unit normals of the vertices of a surface: of its triangles' normals, each weighted by the angle at the vertex
-// (Thuermer and Wuethrich, Computing vertex normals from polygonal facets, 1998), which does not depend on how faces
-// are cut. (0, 0, 1) where they cancel and for vertices in no triangle. Throws Error "cancelled". O(n).
-Array<Vector3> vertex_normals(std::span<const Vector3> positions, std::span<const Triangle> triangles,
-                              const base::Host& host);
-
 }  // namespace orbicube::sphere_map

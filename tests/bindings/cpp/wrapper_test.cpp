@@ -268,7 +268,7 @@ TEST_CASE("a mesh to the sphere, to files, to harmonics") {
   CHECK(locator.remesh(mesh.positions(), OBC_SPHERE_MAP_ICOSPHERE, 2).vertex_count() == 162);
   const auto rounded = sphere_map::round_to_float(mesh, map.directions);
 
-  const auto areas = harmonics::vertex_areas(mesh.positions(), mesh.triangles());
+  const auto areas = mesh::vertex_areas(mesh);
   harmonics::FitOptions options;
   options.degree = 4;
   const auto fitted = harmonics::fit(map.directions, mesh.positions(), 3, areas, options);
@@ -455,7 +455,7 @@ TEST_CASE("images, overlays and partial maps") {
   const auto distortion = sphere_map::face_distortion(shape, map.directions);
   CHECK(*std::max_element(distortion.quasi_conformal.begin(), distortion.quasi_conformal.end()) ==
         doctest::Approx(map.report.max_quasi_conformal));
-  CHECK(sphere_map::surface_distance(shape, shape).first_max < 1e-12);
+  CHECK(mesh::surface_distance(shape, shape).first_max < 1e-12);
 
   const sphere_map::Locator locator(shape, map.directions);
   const sphere_map::Image image(locator, shape.positions(), OBC_SPHERE_MAP_OCTAHEDRON, 16);
@@ -490,7 +490,7 @@ TEST_CASE("images, overlays and partial maps") {
   for (std::size_t k = 0; k < rows.size(); ++k)
     sum += rows[k] * fitted.values[3 * k];
   CHECK(sum == doctest::Approx(harmonics::synthesize(fitted, pole)[0]));
-  CHECK(harmonics::mean_distance(shape.positions(), shape.positions()) == 0);
+  CHECK(mesh::mean_distance(shape.positions(), shape.positions()) == 0);
 }
 
 TEST_CASE("the graph of a polycube, exact signs, and glTF from memory") {

@@ -361,7 +361,7 @@ export const checks = {
       const [x, y, z] = at.subarray(3 * i, 3 * i + 3);
       [Math.sqrt(0.25 / Math.PI), c * y, c * z, c * x].forEach((value, j) => assert(Math.abs(rows[4 * i + j] - value) < 1e-14));
     }
-    const weights = h.vertexAreas({ positions: at, triangles });
+    const weights = o.vertexAreas({ positions: at, triangles });
     assert(Math.abs(weights.reduce((sum, area) => sum + area) - o.topology({ positions: at, triangles }).area) < 1e-12);
     const { coefficients, report } = h.fit(at, at, { degree: 4, weights });
     same([report.unknowns, report.rank, h.degreeOf(coefficients, 3)], [25, 25, 4]);
@@ -379,7 +379,7 @@ export const checks = {
     assert(found.correlation > 1 - 1e-9, `correlation ${found.correlation}`);
     found.rotation.forEach((value, i) => assert(Math.abs(value - turn[i]) < 1e-6));
     assert(h.filter(shape, 1, 2).every((value, i) => value === (i < 3 || i >= 27 ? 0 : shape[i])));
-    same(h.meanDistance(at, at), 0);
+    same(o.meanDistance(at, at), 0);
     assert(new TextDecoder().decode(h.writeCoefficients(shape, 'coef')).startsWith('{ 25,'));
     same(failure(() => h.fit(at, at, { degree: 1001 })).status, -1);
   },

@@ -1,5 +1,5 @@
 // Compiled, not run: the types say what the package does.
-import { Mesh, OrbicubeError, OrbicubeWorker, Polycube, SphereMapResult, TrustRegion, c, commonPolycube, ready, sphereMap, trustRegion,
+import { Mesh, OrbicubeError, OrbicubeWorker, Polycube, SphereMapResult, TrustRegion, c, commonPolycube, ready, sphereMap, trustRegion, vertexAreas,
   projectedGradient, writeGlb, HeapArray, Hexahedra, Solid, frameField, harmonics, hexahedra, singularities, solidMap, untangle } from 'orbicube';
 import { constants, layouts } from 'orbicube/raw.js';
 
@@ -18,7 +18,7 @@ async function use(): Promise<number> {
   const { directions } = await worker.run('sphereMap', { surface: mesh.arrays }, { signal: new AbortController().signal });
   const { bytes } = await worker.run('glb', { scene: { positions: directions, triangles: mesh.triangles } });
   writeGlb({ positions: directions, triangles: mesh.triangles, morphTargets: [{ name: 'a', positions: directions }] });
-  const { coefficients } = harmonics.fit(directions, mesh.positions, { degree: 8, method: 'dense', weights: harmonics.vertexAreas(mesh) });
+  const { coefficients } = harmonics.fit(directions, mesh.positions, { degree: 8, method: 'dense', weights: vertexAreas(mesh) });
   const turned: Float64Array = harmonics.rotate(coefficients, harmonics.align(coefficients, coefficients, { turnValues: true }).rotation);
   const solid: Solid = mesh.solid;
   const { frames } = frameField(solid, { start: 'harmonic', repair: 'singleAxis', heldAxes: { tetrahedra: [0], axes: [0, 0, 1] } });

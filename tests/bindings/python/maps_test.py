@@ -142,10 +142,9 @@ class Meshes(unittest.TestCase):
             from orbicube import mesh
             positions = np.ones((10_000_000, 3))
             triangles = np.zeros((1, 3), dtype=np.uint32); triangles[0] = 0, 1, 2
-            from orbicube import harmonics
-            harmonics.vertex_areas((positions[:3], triangles))  # the library is loaded
+            mesh.vertex_areas((positions[:3], triangles))  # the library is loaded
             before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
-            areas = harmonics.vertex_areas((positions, triangles))
+            areas = mesh.vertex_areas((positions, triangles))
             after = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
             assert areas.nbytes == 80_000_000 and after - before < 200_000, (before, after)  # KiB; a copy: over 312_000
         """
@@ -234,7 +233,7 @@ class Maps(unittest.TestCase):
         np.testing.assert_allclose(weights.sum(axis=1), 1, atol=1e-15)
         regular = locator.remesh(self.shape.positions, "icosphere", 4)
         self.assertEqual(len(regular), 10 * 4**4 + 2)
-        self.assertLess(sphere_map.surface_distance(self.shape, regular).first_mean, 0.05)
+        self.assertLess(mesh.surface_distance(self.shape, regular).first_mean, 0.05)
         pixels = locator.image(self.shape.positions, "octahedron", 32)
         self.assertEqual(pixels.shape, (33, 33, 3))
         surface, gap = sphere_map.image_surface(pixels, "octahedron", 32)
@@ -265,7 +264,7 @@ class Maps(unittest.TestCase):
         self.assertAlmostEqual(quasi_conformal.max(), self.map.report.max_quasi_conformal, places=12)
 
     def test_harmonics_of_the_shape(self):
-        areas = harmonics.vertex_areas(self.shape)
+        areas = mesh.vertex_areas(self.shape)
         a, report = harmonics.fit(self.map.directions, self.shape.positions, areas, degree=6)
         self.assertEqual((a.shape, report.rank), ((49, 3), 49))
         values = harmonics.evaluate(self.map.directions, 6) @ a

@@ -53,9 +53,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                                 e);
   });
   ok([&](obc_error* e) {
-    return obc_harmonics_mean_distance(directions.data(), n, matrix.data(), 3, host.c(), &distance, e);
-  });
-  ok([&](obc_error* e) {
     return obc_harmonics_rotate(f.data(), degree, channels, matrix.data(), host.c(), found.data(), e);
   });
   obc_harmonics_align_options aligning;
@@ -70,14 +67,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         return obc_harmonics_align(f.data(), degree, g.data(), other, channels, &aligning, host.c(), &alignment, e);
       }))
     require_finite(alignment.rotation, "a rotation that is not finite");
-  const Shape shape = surface(in);
-  std::vector<double> areas(shape.vertex_count());
-  if (ok([&](obc_error* e) {
-        return obc_harmonics_vertex_areas(shape.positions.data(), shape.vertex_count(), shape.cells.data(),
-                                          shape.cell_count(), host.c(), areas.data(), e);
-      }))
-    require(std::all_of(areas.begin(), areas.end(), [](double area) { return area >= 0; }), "an area below zero");
-
   if (!in.one_in(4)) return 0;
   const Scratch file(in.one_in(2) ? ".coef" : in.one_in(2) ? ".shtools" : ".txt");
   if (in.one_in(2)) {

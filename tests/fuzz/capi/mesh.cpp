@@ -1,4 +1,6 @@
 // Meshes: bytes of files in every format, cells of any kind, topology, orientation, searches, exact signs.
+#include <algorithm>
+
 #include "scratch.h"
 #include "shapes.h"
 
@@ -95,6 +97,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::size_t count = 0;
   if (ok([&](obc_error* e) { return obc_mesh_intersections(&given, host.c(), pairs, 5, &count, e); }))
     require(count <= 5, "more pairs than there is room for");
+  std::vector<double> normals(3 * shape.vertex_count()), areas(shape.vertex_count());
+  if (ok([&](obc_error* e) { return obc_mesh_vertex_normals(&given, host.c(), normals.data(), e); }))
+    require_finite(normals, "a normal that is not finite");
+  if (ok([&](obc_error* e) { return obc_mesh_vertex_areas(&given, host.c(), areas.data(), e); }))
+    require(std::all_of(areas.begin(), areas.end(), [](double area) { return area >= 0; }), "an area below zero");
+  obc_mesh_distance distance;
+  obc_mesh_distance_init(&distance, sizeof distance);
+  ok([&](obc_error* e) { return obc_mesh_surface_distance(&given, &given, host.c(), &distance, e); });
+  const auto cloud = in.numbers(9);
+  double mean = 0;
+  if (ok([&](obc_error* e) {
+        return obc_mesh_mean_distance(shape.positions.data(), shape.vertex_count(), cloud.data(), 3, host.c(), &mean,
+                                      e);
+      }))
+    require(mean >= 0, "a distance below zero");
   obc_mesh_search* search = nullptr;
   if (ok([&](obc_error* e) { return obc_mesh_search_create(&given, host.c(), &search, e); })) {
     const auto points = in.numbers(9);

@@ -35,7 +35,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(placed <= n, "more vertices have places than there are");
   }
   ok([&](obc_error* e) { return obc_sphere_map_measure(&given, directions.data(), &options, host.c(), &report, e); });
-  std::vector<double> quasi_conformal(shape.cell_count()), ratio(shape.cell_count()), normals(3 * n);
+  std::vector<double> quasi_conformal(shape.cell_count()), ratio(shape.cell_count());
   ok([&](obc_error* e) {
     return obc_sphere_map_face_distortion(&given, directions.data(), host.c(), quasi_conformal.data(), ratio.data(), e);
   });
@@ -43,11 +43,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ok([&](obc_error* e) {
     return obc_sphere_map_round_to_float(&given, directions.data(), host.c(), rounded.data(), e);
   });
-  if (ok([&](obc_error* e) { return obc_sphere_map_vertex_normals(&given, host.c(), normals.data(), e); }))
-    require_finite(normals, "a normal that is not finite");
-  obc_sphere_map_distance distance;
-  obc_sphere_map_distance_init(&distance, sizeof distance);
-  ok([&](obc_error* e) { return obc_sphere_map_surface_distance(&given, &also, host.c(), &distance, e); });
 
   const std::int32_t grid = in.choice(4);
   const std::size_t resolution = in.one_in(20) ? in.bits() : in.below(grid == OBC_SPHERE_MAP_ICOSPHERE ? 3 : 9);

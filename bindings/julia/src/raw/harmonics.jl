@@ -69,10 +69,6 @@ const address_obc_harmonics_synthesize = Ref(C_NULL)
 obc_harmonics_synthesize(coefficients, degree, channels, directions, count, host, values, gradients, error) =
     ccall(symbol(address_obc_harmonics_synthesize, :harmonics, :obc_harmonics_synthesize), Int32, (Ptr{Float64}, UInt32, Csize_t, Ptr{Float64}, Csize_t, Ptr{obc_host}, Ptr{Float64}, Ptr{Float64}, Ptr{obc_error}), coefficients, degree, channels, directions, count, host, values, gradients, error)
 
-const address_obc_harmonics_vertex_areas = Ref(C_NULL)
-obc_harmonics_vertex_areas(positions, vertex_count, triangles, triangle_count, host, areas, error) =
-    ccall(symbol(address_obc_harmonics_vertex_areas, :harmonics, :obc_harmonics_vertex_areas), Int32, (Ptr{Float64}, Csize_t, Ptr{UInt32}, Csize_t, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), positions, vertex_count, triangles, triangle_count, host, areas, error)
-
 const address_obc_harmonics_degree_norms = Ref(C_NULL)
 obc_harmonics_degree_norms(coefficients, degree, channels, norms, error) =
     ccall(symbol(address_obc_harmonics_degree_norms, :harmonics, :obc_harmonics_degree_norms), Int32, (Ptr{Float64}, UInt32, Csize_t, Ptr{Float64}, Ptr{obc_error}), coefficients, degree, channels, norms, error)
@@ -84,10 +80,6 @@ obc_harmonics_shape_distance(f, f_degree, g, g_degree, channels, first, last, di
 const address_obc_harmonics_filter = Ref(C_NULL)
 obc_harmonics_filter(coefficients, degree, channels, low, high, width, keep_mean, error) =
     ccall(symbol(address_obc_harmonics_filter, :harmonics, :obc_harmonics_filter), Int32, (Ptr{Float64}, UInt32, Csize_t, UInt32, UInt32, UInt32, Int32, Ptr{obc_error}), coefficients, degree, channels, low, high, width, keep_mean, error)
-
-const address_obc_harmonics_mean_distance = Ref(C_NULL)
-obc_harmonics_mean_distance(a, a_count, b, b_count, host, distance, error) =
-    ccall(symbol(address_obc_harmonics_mean_distance, :harmonics, :obc_harmonics_mean_distance), Int32, (Ptr{Float64}, Csize_t, Ptr{Float64}, Csize_t, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), a, a_count, b, b_count, host, distance, error)
 
 const address_obc_harmonics_rotate = Ref(C_NULL)
 obc_harmonics_rotate(coefficients, degree, channels, rotation, host, turned, error) =

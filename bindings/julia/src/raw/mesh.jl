@@ -114,6 +114,18 @@ mutable struct obc_mesh_orient_report <: CStruct
     obc_mesh_orient_report() = zeroed!(new())
 end
 
+mutable struct obc_mesh_distance <: CStruct
+    struct_size::UInt32
+    reserved::UInt32
+    first_mean::Float64
+    first_root_mean_square::Float64
+    first_max::Float64
+    second_mean::Float64
+    second_root_mean_square::Float64
+    second_max::Float64
+    obc_mesh_distance() = zeroed!(new())
+end
+
 const address_obc_mesh_cells_init = Ref(C_NULL)
 obc_mesh_cells_init(cells, struct_size) =
     ccall(symbol(address_obc_mesh_cells_init, :mesh, :obc_mesh_cells_init), Int32, (Ptr{obc_mesh_cells}, Csize_t), cells, struct_size)
@@ -253,6 +265,26 @@ obc_mesh_first_at_same_position(positions, vertex_count, host, first, error) =
 const address_obc_mesh_intersections = Ref(C_NULL)
 obc_mesh_intersections(surface, host, pairs, capacity, count, error) =
     ccall(symbol(address_obc_mesh_intersections, :mesh, :obc_mesh_intersections), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{UInt32}, Csize_t, Ptr{Csize_t}, Ptr{obc_error}), surface, host, pairs, capacity, count, error)
+
+const address_obc_mesh_vertex_normals = Ref(C_NULL)
+obc_mesh_vertex_normals(surface, host, normals, error) =
+    ccall(symbol(address_obc_mesh_vertex_normals, :mesh, :obc_mesh_vertex_normals), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), surface, host, normals, error)
+
+const address_obc_mesh_vertex_areas = Ref(C_NULL)
+obc_mesh_vertex_areas(surface, host, areas, error) =
+    ccall(symbol(address_obc_mesh_vertex_areas, :mesh, :obc_mesh_vertex_areas), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), surface, host, areas, error)
+
+const address_obc_mesh_distance_init = Ref(C_NULL)
+obc_mesh_distance_init(distance, struct_size) =
+    ccall(symbol(address_obc_mesh_distance_init, :mesh, :obc_mesh_distance_init), Int32, (Ptr{obc_mesh_distance}, Csize_t), distance, struct_size)
+
+const address_obc_mesh_surface_distance = Ref(C_NULL)
+obc_mesh_surface_distance(first, second, host, distance, error) =
+    ccall(symbol(address_obc_mesh_surface_distance, :mesh, :obc_mesh_surface_distance), Int32, (Ptr{obc_surface}, Ptr{obc_surface}, Ptr{obc_host}, Ptr{obc_mesh_distance}, Ptr{obc_error}), first, second, host, distance, error)
+
+const address_obc_mesh_mean_distance = Ref(C_NULL)
+obc_mesh_mean_distance(a, a_count, b, b_count, host, distance, error) =
+    ccall(symbol(address_obc_mesh_mean_distance, :mesh, :obc_mesh_mean_distance), Int32, (Ptr{Float64}, Csize_t, Ptr{Float64}, Csize_t, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), a, a_count, b, b_count, host, distance, error)
 
 const address_obc_mesh_search_create = Ref(C_NULL)
 obc_mesh_search_create(surface, host, out, error) =

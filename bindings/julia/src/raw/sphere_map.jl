@@ -44,18 +44,6 @@ mutable struct obc_sphere_map_report <: CStruct
     obc_sphere_map_report() = zeroed!(new())
 end
 
-mutable struct obc_sphere_map_distance <: CStruct
-    struct_size::UInt32
-    reserved::UInt32
-    first_mean::Float64
-    first_root_mean_square::Float64
-    first_max::Float64
-    second_mean::Float64
-    second_root_mean_square::Float64
-    second_max::Float64
-    obc_sphere_map_distance() = zeroed!(new())
-end
-
 const address_obc_sphere_map_options_init = Ref(C_NULL)
 obc_sphere_map_options_init(options, struct_size) =
     ccall(symbol(address_obc_sphere_map_options_init, :sphere_map, :obc_sphere_map_options_init), Int32, (Ptr{obc_sphere_map_options}, Csize_t), options, struct_size)
@@ -100,10 +88,6 @@ const address_obc_sphere_map_sample = Ref(C_NULL)
 obc_sphere_map_sample(locator, directions, count, values, components, unit, host, sampled, error) =
     ccall(symbol(address_obc_sphere_map_sample, :sphere_map, :obc_sphere_map_sample), Int32, (Ptr{Cvoid}, Ptr{Float64}, Csize_t, Ptr{Float64}, Csize_t, Int32, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), locator, directions, count, values, components, unit, host, sampled, error)
 
-const address_obc_sphere_map_vertex_normals = Ref(C_NULL)
-obc_sphere_map_vertex_normals(surface, host, normals, error) =
-    ccall(symbol(address_obc_sphere_map_vertex_normals, :sphere_map, :obc_sphere_map_vertex_normals), Int32, (Ptr{obc_surface}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), surface, host, normals, error)
-
 const address_obc_sphere_map_grid = Ref(C_NULL)
 obc_sphere_map_grid(grid, resolution, host, out, error) =
     ccall(symbol(address_obc_sphere_map_grid, :sphere_map, :obc_sphere_map_grid), Int32, (Int32, Csize_t, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), grid, resolution, host, out, error)
@@ -111,14 +95,6 @@ obc_sphere_map_grid(grid, resolution, host, out, error) =
 const address_obc_sphere_map_remesh = Ref(C_NULL)
 obc_sphere_map_remesh(locator, positions, grid, resolution, host, out, error) =
     ccall(symbol(address_obc_sphere_map_remesh, :sphere_map, :obc_sphere_map_remesh), Int32, (Ptr{Cvoid}, Ptr{Float64}, Int32, Csize_t, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), locator, positions, grid, resolution, host, out, error)
-
-const address_obc_sphere_map_distance_init = Ref(C_NULL)
-obc_sphere_map_distance_init(distance, struct_size) =
-    ccall(symbol(address_obc_sphere_map_distance_init, :sphere_map, :obc_sphere_map_distance_init), Int32, (Ptr{obc_sphere_map_distance}, Csize_t), distance, struct_size)
-
-const address_obc_sphere_map_surface_distance = Ref(C_NULL)
-obc_sphere_map_surface_distance(first, second, host, distance, error) =
-    ccall(symbol(address_obc_sphere_map_surface_distance, :sphere_map, :obc_sphere_map_surface_distance), Int32, (Ptr{obc_surface}, Ptr{obc_surface}, Ptr{obc_host}, Ptr{obc_sphere_map_distance}, Ptr{obc_error}), first, second, host, distance, error)
 
 const address_obc_sphere_map_image_size = Ref(C_NULL)
 obc_sphere_map_image_size(layout, resolution, width, height, error) =

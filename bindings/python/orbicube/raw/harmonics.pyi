@@ -63,7 +63,7 @@ def obc_harmonics_evaluate(directions: Pointer, count: int, degree: int, host: P
 
 def obc_harmonics_fit(directions: Pointer, weights: Pointer, values: Pointer, count: int, channels: int, options: Pointer, host: Pointer, coefficients: Pointer, report: Pointer, error: Pointer) -> int:
     """Fits coefficients to values at scattered directions by weighted least squares. weights: one nonnegative number a direction, or NULL
-    for ones; those of obc_harmonics_vertex_areas, the usual choice for a surface, weight each piece by its area. options, host and
+    for ones; those of obc_mesh_vertex_areas, the usual choice for a surface, weight each piece by its area. options, host and
     report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report->rank. Errors: as
     obc_harmonics_evaluate."""
     ...
@@ -71,11 +71,6 @@ def obc_harmonics_fit(directions: Pointer, weights: Pointer, values: Pointer, co
 def obc_harmonics_synthesize(coefficients: Pointer, degree: int, channels: int, directions: Pointer, count: int, host: Pointer, values: Pointer, gradients: Pointer, error: Pointer) -> int:
     """Evaluates the functions at directions: values, count * channels doubles, and unless gradients is NULL their tangential gradients on the unit
     sphere, 3 * count * channels doubles. O(count * degree^2 * channels). Errors: as obc_harmonics_evaluate."""
-    ...
-
-def obc_harmonics_vertex_areas(positions: Pointer, vertex_count: int, triangles: Pointer, triangle_count: int, host: Pointer, areas: Pointer, error: Pointer) -> int:
-    """Computes a third of the area of the adjacent triangles for each vertex: areas, vertex_count doubles. Triangles are three vertex indices
-    each. O(n). Errors: OBC_INVALID_ARGUMENT, OBC_MALFORMED_FILE (kind index-range), OBC_OUT_OF_MEMORY."""
     ...
 
 def obc_harmonics_degree_norms(coefficients: Pointer, degree: int, channels: int, norms: Pointer, error: Pointer) -> int:
@@ -92,12 +87,6 @@ def obc_harmonics_shape_distance(f: Pointer, f_degree: int, g: Pointer, g_degree
 def obc_harmonics_filter(coefficients: Pointer, degree: int, channels: int, low: int, high: int, width: int, keep_mean: int, error: Pointer) -> int:
     """Filters in place: keeps degrees from low to high and sets the others to zero, with a raised-cosine transition over `width` degrees
     outside each end (0: none). keep_mean 1 preserves degree 0, the position of a shape. Errors: as obc_harmonics_degree_norms."""
-    ...
-
-def obc_harmonics_mean_distance(a: Pointer, a_count: int, b: Pointer, b_count: int, host: Pointer, distance: Pointer, error: Pointer) -> int:
-    """Computes the reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
-    distance to the nearest point of B. O(n log n). Errors: OBC_INVALID_ARGUMENT (NULL, no points, not finite), OBC_CANCELLED,
-    OBC_OUT_OF_MEMORY."""
     ...
 
 def obc_harmonics_rotate(coefficients: Pointer, degree: int, channels: int, rotation: Pointer, host: Pointer, turned: Pointer, error: Pointer) -> int:

@@ -134,6 +134,21 @@ class obc_mesh_orient_report(_Struct):
     ]
 
 
+class obc_mesh_distance(_Struct):
+    """Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
+    unit of the surfaces."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("reserved", _c.c_uint32),
+        ("first_mean", _c.c_double),
+        ("first_root_mean_square", _c.c_double),
+        ("first_max", _c.c_double),
+        ("second_mean", _c.c_double),
+        ("second_root_mean_square", _c.c_double),
+        ("second_max", _c.c_double),
+    ]
+
+
 _functions = [
     ("obc_mesh_cells_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_mesh_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
@@ -170,6 +185,11 @@ _functions = [
     ("obc_mesh_orient", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_first_at_same_position", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_intersections", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
+    ("obc_mesh_vertex_normals", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_mesh_vertex_areas", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_mesh_distance_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_mesh_surface_distance", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_mesh_mean_distance", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_search_create", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_search_destroy", None, [_c.c_void_p]),
     ("obc_mesh_search_vertices", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p]),

@@ -111,6 +111,17 @@ class obc_mesh_orient_report(Struct):
     triangles_turned: int
     def __init__(self, struct_size: int = ..., turned_outward: int = ..., triangles_turned: int = ...) -> None: ...
 
+class obc_mesh_distance(Struct):
+    struct_size: int
+    reserved: int
+    first_mean: float
+    first_root_mean_square: float
+    first_max: float
+    second_mean: float
+    second_root_mean_square: float
+    second_max: float
+    def __init__(self, struct_size: int = ..., reserved: int = ..., first_mean: float = ..., first_root_mean_square: float = ..., first_max: float = ..., second_mean: float = ..., second_root_mean_square: float = ..., second_max: float = ...) -> None: ...
+
 def obc_mesh_cells_init(cells: Pointer, struct_size: int) -> int:
     """Fills cells with an empty mesh."""
     ...
@@ -282,6 +293,33 @@ def obc_mesh_intersections(surface: Pointer, host: Pointer, pairs: Pointer, capa
     """Finds pairs of triangles that intersect in more than their shared vertices, by exact predicates: the first `capacity` pairs in
     ascending order, two entries each, the lower triangle first. *count receives the number of pairs written. Triangles of zero area
     are left out. Uses the threads of the host. O(n log n + pairs of overlapping boxes). Errors: invalid argument, out of memory,
+    cancelled."""
+    ...
+
+def obc_mesh_vertex_normals(surface: Pointer, host: Pointer, normals: Pointer, error: Pointer) -> int:
+    """Computes unit vertex normals, 3 * vertex_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998); 0 0 1 where
+    they cancel and for vertices of no triangle. O(n). Errors: invalid argument, out of memory, cancelled."""
+    ...
+
+def obc_mesh_vertex_areas(surface: Pointer, host: Pointer, areas: Pointer, error: Pointer) -> int:
+    """Computes a third of the area of the adjacent triangles for each vertex: areas, vertex_count doubles, in the square of the surface's unit.
+    They sum up to the area. O(n). Errors: invalid argument (also: an area beyond the range of double), out of memory,
+    cancelled."""
+    ...
+
+def obc_mesh_distance_init(distance: Pointer, struct_size: int) -> int:
+    """Fills a result with zeros and its size."""
+    ...
+
+def obc_mesh_surface_distance(first: Pointer, second: Pointer, host: Pointer, distance: Pointer, error: Pointer) -> int:
+    """Measures the distances between two surfaces (as Metro: Cignoni, Rocchini and Scopigno 1998). Uses the threads of the host.
+    O(n log n). Errors: invalid argument (also: no triangles), out of memory, cancelled."""
+    ...
+
+def obc_mesh_mean_distance(a: Pointer, a_count: int, b: Pointer, b_count: int, host: Pointer, distance: Pointer, error: Pointer) -> int:
+    """Computes the distance of two point sets (3 * a_count and 3 * b_count doubles), e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the
+    points of A of the distance to the nearest point of B: the reconstruction error of the dissertation's section 3.3.2. Uses the
+    threads of the host. O(n log n). Errors: invalid argument (also: no points, a coordinate beyond 1e150), out of memory,
     cancelled."""
     ...
 

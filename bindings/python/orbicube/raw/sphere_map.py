@@ -59,21 +59,6 @@ class obc_sphere_map_report(_Struct):
     ]
 
 
-class obc_sphere_map_distance(_Struct):
-    """Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
-    unit of the surfaces."""
-    _fields_ = [
-        ("struct_size", _c.c_uint32),
-        ("reserved", _c.c_uint32),
-        ("first_mean", _c.c_double),
-        ("first_root_mean_square", _c.c_double),
-        ("first_max", _c.c_double),
-        ("second_mean", _c.c_double),
-        ("second_root_mean_square", _c.c_double),
-        ("second_max", _c.c_double),
-    ]
-
-
 _functions = [
     ("obc_sphere_map_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_sphere_map_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
@@ -86,11 +71,8 @@ _functions = [
     ("obc_sphere_map_locator_destroy", None, [_c.c_void_p]),
     ("obc_sphere_map_locate", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_map_sample", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_int32, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
-    ("obc_sphere_map_vertex_normals", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_map_grid", _c.c_int32, [_c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_map_remesh", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
-    ("obc_sphere_map_distance_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
-    ("obc_sphere_map_surface_distance", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_map_image_size", _c.c_int32, [_c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_map_image", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_map_image_surface", _c.c_int32, [_c.c_void_p, _c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

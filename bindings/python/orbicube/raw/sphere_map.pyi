@@ -47,17 +47,6 @@ class obc_sphere_map_report(Struct):
     isometric_mean: float
     def __init__(self, struct_size: int = ..., bijective: int = ..., mirrored: int = ..., reserved: int = ..., flipped: int = ..., degenerate: int = ..., zero_area_faces: int = ..., degree: float = ..., energy_angle: float = ..., energy_area: float = ..., energy: float = ..., max_quasi_conformal: float = ..., mean_quasi_conformal: float = ..., min_area_ratio: float = ..., max_area_ratio: float = ..., stretch_efficiency: float = ..., isometric_mean: float = ...) -> None: ...
 
-class obc_sphere_map_distance(Struct):
-    struct_size: int
-    reserved: int
-    first_mean: float
-    first_root_mean_square: float
-    first_max: float
-    second_mean: float
-    second_root_mean_square: float
-    second_max: float
-    def __init__(self, struct_size: int = ..., reserved: int = ..., first_mean: float = ..., first_root_mean_square: float = ..., first_max: float = ..., second_mean: float = ..., second_root_mean_square: float = ..., second_max: float = ...) -> None: ...
-
 def obc_sphere_map_options_init(options: Pointer, struct_size: int) -> int:
     """Fills options with the defaults."""
     ...
@@ -126,11 +115,6 @@ def obc_sphere_map_sample(locator: Pointer, directions: Pointer, count: int, val
     returns the values of the vertex. Errors: as obc_sphere_map_locate."""
     ...
 
-def obc_sphere_map_vertex_normals(surface: Pointer, host: Pointer, normals: Pointer, error: Pointer) -> int:
-    """Computes unit vertex normals, 3 * vertex_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998). O(n).
-    Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY."""
-    ...
-
 def obc_sphere_map_grid(grid: int, resolution: int, host: Pointer, out: Pointer, error: Pointer) -> int:
     """Creates a regular triangulation with unit vectors for positions. *out is destroyed with obc_mesh_destroy; the allocator of the host is
     used until then. O(size). Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED, OBC_OUT_OF_MEMORY."""
@@ -139,15 +123,6 @@ def obc_sphere_map_grid(grid: int, resolution: int, host: Pointer, out: Pointer,
 def obc_sphere_map_remesh(locator: Pointer, positions: Pointer, grid: int, resolution: int, host: Pointer, out: Pointer, error: Pointer) -> int:
     """Resamples a surface on a regular triangulation: positions (3 * vertex_count doubles) interpolated at its directions. Otherwise as
     obc_sphere_map_grid."""
-    ...
-
-def obc_sphere_map_distance_init(distance: Pointer, struct_size: int) -> int:
-    """Fills a result with zeros and its size."""
-    ...
-
-def obc_sphere_map_surface_distance(first: Pointer, second: Pointer, host: Pointer, distance: Pointer, error: Pointer) -> int:
-    """Measures the distances between two surfaces. Uses the threads of the host. O(n log n). Errors: OBC_INVALID_ARGUMENT, OBC_CANCELLED,
-    OBC_OUT_OF_MEMORY."""
     ...
 
 def obc_sphere_map_image_size(layout: int, resolution: int, width: Pointer, height: Pointer, error: Pointer) -> int:

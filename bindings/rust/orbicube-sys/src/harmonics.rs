@@ -99,16 +99,13 @@ extern "C" {
     /// O(count \* degree^2). Errors: OBC\_INVALID\_ARGUMENT (NULL, not finite, zero length, degree), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_evaluate(directions: *const f64, count: usize, degree: u32, host: *const obc_host, rows: *mut f64, error: *mut obc_error) -> i32;
     /// Fits coefficients to values at scattered directions by weighted least squares. weights: one nonnegative number a direction, or NULL
-    /// for ones; those of obc\_harmonics\_vertex\_areas, the usual choice for a surface, weight each piece by its area. options, host and
+    /// for ones; those of obc\_mesh\_vertex\_areas, the usual choice for a surface, weight each piece by its area. options, host and
     /// report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report-\>rank. Errors: as
     /// obc\_harmonics\_evaluate.
     pub fn obc_harmonics_fit(directions: *const f64, weights: *const f64, values: *const f64, count: usize, channels: usize, options: *const obc_harmonics_fit_options, host: *const obc_host, coefficients: *mut f64, report: *mut obc_harmonics_fit_report, error: *mut obc_error) -> i32;
     /// Evaluates the functions at directions: values, count \* channels doubles, and unless gradients is NULL their tangential gradients on the unit
     /// sphere, 3 \* count \* channels doubles. O(count \* degree^2 \* channels). Errors: as obc\_harmonics\_evaluate.
     pub fn obc_harmonics_synthesize(coefficients: *const f64, degree: u32, channels: usize, directions: *const f64, count: usize, host: *const obc_host, values: *mut f64, gradients: *mut f64, error: *mut obc_error) -> i32;
-    /// Computes a third of the area of the adjacent triangles for each vertex: areas, vertex\_count doubles. Triangles are three vertex indices
-    /// each. O(n). Errors: OBC\_INVALID\_ARGUMENT, OBC\_MALFORMED\_FILE (kind index-range), OBC\_OUT\_OF\_MEMORY.
-    pub fn obc_harmonics_vertex_areas(positions: *const f64, vertex_count: usize, triangles: *const u32, triangle_count: usize, host: *const obc_host, areas: *mut f64, error: *mut obc_error) -> i32;
     /// Computes the norm of each degree, the square root of the sum of squares over m and the channels: norms, degree + 1 doubles. It is
     /// invariant under rotations of the sphere, and of the values of three channels. Errors: OBC\_INVALID\_ARGUMENT, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_degree_norms(coefficients: *const f64, degree: u32, channels: usize, norms: *mut f64, error: *mut obc_error) -> i32;
@@ -119,10 +116,6 @@ extern "C" {
     /// Filters in place: keeps degrees from low to high and sets the others to zero, with a raised-cosine transition over \`width\` degrees
     /// outside each end (0: none). keep\_mean 1 preserves degree 0, the position of a shape. Errors: as obc\_harmonics\_degree\_norms.
     pub fn obc_harmonics_filter(coefficients: *mut f64, degree: u32, channels: usize, low: u32, high: u32, width: u32, keep_mean: i32, error: *mut obc_error) -> i32;
-    /// Computes the reconstruction error of section 3.3.2: e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the points of A of the
-    /// distance to the nearest point of B. O(n log n). Errors: OBC\_INVALID\_ARGUMENT (NULL, no points, not finite), OBC\_CANCELLED,
-    /// OBC\_OUT\_OF\_MEMORY.
-    pub fn obc_harmonics_mean_distance(a: *const f64, a_count: usize, b: *const f64, b_count: usize, host: *const obc_host, distance: *mut f64, error: *mut obc_error) -> i32;
     /// Rotates the functions with the sphere: the value at v moves to R v. rotation: the matrix R by rows, 9 doubles. turned may be
     /// coefficients. The values are not rotated: for a rotation of a shape in space, multiply the three coefficients of each Y\_lm by the
     /// matrix. O(degree^3). Errors: OBC\_INVALID\_ARGUMENT (also: not a rotation), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.

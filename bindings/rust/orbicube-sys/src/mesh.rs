@@ -227,6 +227,27 @@ pub struct obc_mesh_orient_report {
     pub triangles_turned: u64,
 }
 
+/// Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
+/// unit of the surfaces.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_mesh_distance {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// from the first surface: mean, root mean square, maximum
+    pub first_mean: f64,
+    /// from the first surface: mean, root mean square, maximum
+    pub first_root_mean_square: f64,
+    /// from the first surface: mean, root mean square, maximum
+    pub first_max: f64,
+    /// from the second surface
+    pub second_mean: f64,
+    /// from the second surface
+    pub second_root_mean_square: f64,
+    /// from the second surface
+    pub second_max: f64,
+}
+
 extern "C" {
     /// Fills cells with an empty mesh.
     pub fn obc_mesh_cells_init(cells: *mut obc_mesh_cells, struct_size: usize) -> i32;
@@ -332,6 +353,23 @@ extern "C" {
     /// are left out. Uses the threads of the host. O(n log n + pairs of overlapping boxes). Errors: invalid argument, out of memory,
     /// cancelled.
     pub fn obc_mesh_intersections(surface: *const obc_surface, host: *const obc_host, pairs: *mut u32, capacity: usize, count: *mut usize, error: *mut obc_error) -> i32;
+    /// Computes unit vertex normals, 3 \* vertex\_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998); 0 0 1 where
+    /// they cancel and for vertices of no triangle. O(n). Errors: invalid argument, out of memory, cancelled.
+    pub fn obc_mesh_vertex_normals(surface: *const obc_surface, host: *const obc_host, normals: *mut f64, error: *mut obc_error) -> i32;
+    /// Computes a third of the area of the adjacent triangles for each vertex: areas, vertex\_count doubles, in the square of the surface's unit.
+    /// They sum up to the area. O(n). Errors: invalid argument (also: an area beyond the range of double), out of memory,
+    /// cancelled.
+    pub fn obc_mesh_vertex_areas(surface: *const obc_surface, host: *const obc_host, areas: *mut f64, error: *mut obc_error) -> i32;
+    /// Fills a result with zeros and its size.
+    pub fn obc_mesh_distance_init(distance: *mut obc_mesh_distance, struct_size: usize) -> i32;
+    /// Measures the distances between two surfaces (as Metro: Cignoni, Rocchini and Scopigno 1998). Uses the threads of the host.
+    /// O(n log n). Errors: invalid argument (also: no triangles), out of memory, cancelled.
+    pub fn obc_mesh_surface_distance(first: *const obc_surface, second: *const obc_surface, host: *const obc_host, distance: *mut obc_mesh_distance, error: *mut obc_error) -> i32;
+    /// Computes the distance of two point sets (3 \* a\_count and 3 \* b\_count doubles), e(A, B) = max(d(A, B), d(B, A)), d(A, B) the mean over the
+    /// points of A of the distance to the nearest point of B: the reconstruction error of the dissertation's section 3.3.2. Uses the
+    /// threads of the host. O(n log n). Errors: invalid argument (also: no points, a coordinate beyond 1e150), out of memory,
+    /// cancelled.
+    pub fn obc_mesh_mean_distance(a: *const f64, a_count: usize, b: *const f64, b_count: usize, host: *const obc_host, distance: *mut f64, error: *mut obc_error) -> i32;
     /// Creates a search structure from a copy of the surface. host may be NULL; its allocator must remain valid until \_destroy.
     /// O(n log n), about 200 bytes a triangle. Errors: invalid argument (also: a coordinate beyond 1e150, here and in points),
     /// out of memory, cancelled.
@@ -459,5 +497,16 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_mesh_orient_report.struct_size");
         assert_eq!(unsafe { addr_of!((*start).turned_outward) } as usize - start as usize, 4, "obc_mesh_orient_report.turned_outward");
         assert_eq!(unsafe { addr_of!((*start).triangles_turned) } as usize - start as usize, 8, "obc_mesh_orient_report.triangles_turned");
+        assert_eq!((size_of::<obc_mesh_distance>(), align_of::<obc_mesh_distance>()), (56, 8));
+        let it = MaybeUninit::<obc_mesh_distance>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_mesh_distance.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_mesh_distance.reserved");
+        assert_eq!(unsafe { addr_of!((*start).first_mean) } as usize - start as usize, 8, "obc_mesh_distance.first_mean");
+        assert_eq!(unsafe { addr_of!((*start).first_root_mean_square) } as usize - start as usize, 16, "obc_mesh_distance.first_root_mean_square");
+        assert_eq!(unsafe { addr_of!((*start).first_max) } as usize - start as usize, 24, "obc_mesh_distance.first_max");
+        assert_eq!(unsafe { addr_of!((*start).second_mean) } as usize - start as usize, 32, "obc_mesh_distance.second_mean");
+        assert_eq!(unsafe { addr_of!((*start).second_root_mean_square) } as usize - start as usize, 40, "obc_mesh_distance.second_root_mean_square");
+        assert_eq!(unsafe { addr_of!((*start).second_max) } as usize - start as usize, 48, "obc_mesh_distance.second_max");
     }
 }

@@ -126,15 +126,6 @@ pub fn evaluate(directions: &[f64], degree: u32, host: &mut Host) -> Result<Vec<
     Ok(found)
 }
 
-/// The reconstruction error e(A, B) between points.
-pub fn mean_distance(a: &[[f64; 3]], b: &[[f64; 3]], host: &mut Host) -> Result<f64, Error> {
-    let mut distance = 0.0;
-    call(host, |host, error| unsafe {
-        obc_harmonics_mean_distance(a.as_ptr() as *const f64, a.len(), b.as_ptr() as *const f64, b.len(), host, &mut distance, error)
-    })?;
-    Ok(distance)
-}
-
 /// The coefficients that fit values at scattered directions best. weights: one a direction, or none.
 pub fn fit(directions: &[f64], weights: &[f64], values: &[f64], channels: usize, options: &FitOptions,
            host: &mut Host) -> Result<(Coefficients, FitReport), Error> {
@@ -149,16 +140,6 @@ pub fn fit(directions: &[f64], weights: &[f64], values: &[f64], channels: usize,
                           fitted.values.as_mut_ptr(), &mut report.0, error)
     })?;
     Ok((fitted, report))
-}
-
-/// A third of the area of its triangles for each vertex: the usual weights of a fit.
-pub fn vertex_areas(positions: &[f64], triangles: &[u32], host: &mut Host) -> Result<Vec<f64>, Error> {
-    let mut areas = vec![0.0; rows(positions.len(), 3, "positions")?];
-    let count = rows(triangles.len(), 3, "triangles")?;
-    call(host, |host, error| unsafe {
-        obc_harmonics_vertex_areas(positions.as_ptr(), areas.len(), triangles.as_ptr(), count, host, areas.as_mut_ptr(), error)
-    })?;
-    Ok(areas)
 }
 
 /// The distance D_n, over the degrees from first to last.

@@ -66,6 +66,8 @@ filled!(/// What kind of surface it is.
     Topology, obc_mesh_topology_report, obc_mesh_topology_report_init);
 filled!(/// How well shaped tetrahedra are.
     TetrahedronQuality, obc_mesh_tetrahedron_quality_report, obc_mesh_tetrahedron_quality_report_init);
+filled!(/// Distances between two surfaces.
+    Distance, obc_mesh_distance, obc_mesh_distance_init);
 filled!(/// What was turned.
     Oriented, obc_mesh_orient_report, obc_mesh_orient_report_init);
 
@@ -207,6 +209,38 @@ pub fn topology(surface: Surface, host: &mut Host) -> Result<Topology, Error> {
     let mut report = Topology::default();
     call(host, |host, error| unsafe { obc_mesh_topology(&surface.c, host, &mut report.0, error) })?;
     Ok(report)
+}
+
+/// Unit normals of the vertices, the triangles' weighted by their angles.
+pub fn vertex_normals(surface: Surface, host: &mut Host) -> Result<Vec<f64>, Error> {
+    let mut normals = vec![0.0; 3 * surface.vertex_count()];
+    call(host, |host, error| unsafe { obc_mesh_vertex_normals(&surface.c, host, normals.as_mut_ptr(), error) })?;
+    Ok(normals)
+}
+
+/// A third of the area of its triangles for each vertex: the usual weights of a fit by harmonics.
+pub fn vertex_areas(surface: Surface, host: &mut Host) -> Result<Vec<f64>, Error> {
+    let mut areas = vec![0.0; surface.vertex_count()];
+    call(host, |host, error| unsafe { obc_mesh_vertex_areas(&surface.c, host, areas.as_mut_ptr(), error) })?;
+    Ok(areas)
+}
+
+/// Distances from points of one surface to the other, and back.
+pub fn surface_distance(first: Surface, second: Surface, host: &mut Host) -> Result<Distance, Error> {
+    let mut distance = Distance::default();
+    call(host, |host, error| unsafe {
+        obc_mesh_surface_distance(&first.c, &second.c, host, &mut distance.0, error)
+    })?;
+    Ok(distance)
+}
+
+/// The mean distance from points to the nearest of the others, the greater of both ways: the reconstruction error e(A, B).
+pub fn mean_distance(a: &[[f64; 3]], b: &[[f64; 3]], host: &mut Host) -> Result<f64, Error> {
+    let mut distance = 0.0;
+    call(host, |host, error| unsafe {
+        obc_mesh_mean_distance(a.as_ptr() as *const f64, a.len(), b.as_ptr() as *const f64, b.len(), host, &mut distance, error)
+    })?;
+    Ok(distance)
 }
 
 /// An error, with the place, unless the surface is what sphere maps need.

@@ -23,8 +23,6 @@ filled!(/// Options, with their defaults.
     Options, obc_sphere_map_options, obc_sphere_map_options_init);
 filled!(/// Figures of a map.
     Report, obc_sphere_map_report, obc_sphere_map_report_init);
-filled!(/// Distances between two surfaces.
-    Distance, obc_sphere_map_distance, obc_sphere_map_distance_init);
 
 /// Unit vectors, x y z a vertex, and the figures of the map. The member `trace` of the options is not used: [`compute_traced`].
 pub fn compute(surface: Surface, options: &Options, host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
@@ -112,24 +110,9 @@ pub fn round_to_float(surface: Surface, directions: &[f64], host: &mut Host) -> 
     Ok(rounded)
 }
 
-pub fn vertex_normals(surface: Surface, host: &mut Host) -> Result<Vec<f64>, Error> {
-    let mut normals = vec![0.0; 3 * surface.vertex_count()];
-    call(host, |host, error| unsafe { obc_sphere_map_vertex_normals(&surface.c, host, normals.as_mut_ptr(), error) })?;
-    Ok(normals)
-}
-
 /// A regular triangulation of the sphere: `OBC_SPHERE_MAP_ICOSPHERE`, ...
 pub fn grid(grid: i32, resolution: usize, host: &mut Host) -> Result<Mesh, Error> {
     Mesh::made(host, |host, out, error| unsafe { obc_sphere_map_grid(grid, resolution, host, out, error) })
-}
-
-/// Distances from points of one surface to the other, and back.
-pub fn surface_distance(first: Surface, second: Surface, host: &mut Host) -> Result<Distance, Error> {
-    let mut distance = Distance::default();
-    call(host, |host, error| unsafe {
-        obc_sphere_map_surface_distance(&first.c, &second.c, host, &mut distance.0, error)
-    })?;
-    Ok(distance)
 }
 
 handle!(Handle, obc_sphere_map_locator, obc_sphere_map_locator_destroy);

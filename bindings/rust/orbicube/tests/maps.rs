@@ -69,7 +69,7 @@ fn a_map_of_a_creature() {
     let regular = locator.remesh(shape.positions(), sys::sphere_map::OBC_SPHERE_MAP_ICOSPHERE, 3, &mut host()).unwrap();
     assert_eq!(regular.positions().len(), 3 * 642);
 
-    let areas = harmonics::vertex_areas(shape.positions(), shape.triangles(), &mut host()).unwrap();
+    let areas = mesh::vertex_areas(shape.surface(), &mut host()).unwrap();
     let mut options = harmonics::FitOptions::default();
     options.degree = 5;
     let (a, fit) = harmonics::fit(&directions, &areas, shape.positions(), 3, &options, &mut host()).unwrap();
@@ -281,7 +281,7 @@ fn what_maps_to_the_sphere_are_for() {
     let near = a.synthesize(&[f64::sin(step), 0.0, f64::cos(step)], &mut host()).unwrap();
     assert!((0..3).all(|k| ((near[k] - pole[k]) / step - slopes[3 * k]).abs() < 1e-4));
     let points: Vec<[f64; 3]> = shape.positions().chunks(3).map(|p| [p[0], p[1], p[2]]).collect();
-    assert_eq!(harmonics::mean_distance(&points, &points, &mut host()).unwrap(), 0.0);
+    assert_eq!(mesh::mean_distance(&points, &points, &mut host()).unwrap(), 0.0);
 
     let positions: Vec<f32> = shape.positions().iter().map(|&x| x as f32).collect();
     let colors = vec![[255, 0, 0, 255]; positions.len() / 3];

@@ -1,18 +1,18 @@
-#include "sphere_map/hierarchy/normalize.h"
+#include "mesh/search/placing.h"
 
 #include <Eigen/Geometry>
 
 #include "mesh/search/measures.h"
 
-namespace orbicube::sphere_map {
+namespace orbicube::mesh {
 
-Placing placing_of(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles) {
+Placing placing_of(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
   Placing result;
   if (triangles.empty()) return result;
   Vector3 low = positions[triangles[0][0]];
   Vector3 high = low;
-  for (const mesh::Triangle& t : triangles) {
-    for (const mesh::Index v : t) {
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) {
       low = low.cwiseMin(positions[v]);
       high = high.cwiseMax(positions[v]);
     }
@@ -30,16 +30,16 @@ Vector3 Placing::direction(const Vector3& p) const {
   return away != Vector3::Zero() ? Vector3(away.stableNormalized()) : Vector3(Vector3::UnitZ());
 }
 
-Array<Vector3> normalized(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+Array<Vector3> normalized(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                           std::pmr::memory_resource* memory) {
   Array<Vector3> result(positions.size(), Vector3::Zero(), memory);
   const Placing place = placing_of(positions, triangles);
   if (!(place.half_size > 0)) return result;
-  const Array<std::uint8_t> used = mesh::used_vertices(positions.size(), triangles, memory);
+  const Array<std::uint8_t> used = used_vertices(positions.size(), triangles, memory);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     if (used[i] != 0) result[i] = place(positions[i]);
   }
   return result;
 }
 
-}  // namespace orbicube::sphere_map
+}  // namespace orbicube::mesh
