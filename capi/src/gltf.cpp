@@ -12,6 +12,8 @@
 
 #include "base/version.h"
 #include "capi/src/entry.h"
+#include "gltf/kept/kept.h"
+#include "gltf/kept/kept_nearest.h"
 #include "gltf/reading/read.h"
 #include "gltf/writing/checker.h"
 #include "gltf/writing/morph.h"
@@ -24,6 +26,7 @@ struct obc_gltf_surface {
   capi::HostAdapter adapter;
   mesh::Mesh mesh;
   mesh::ReadReport report;
+  std::unique_ptr<gltf::Kept> kept;  // null: nothing is
 };
 
 namespace {
@@ -43,6 +46,13 @@ gltf::ReadOptions to_read_options(const obc_gltf_read_options* given) {
   return options;
 }
 
+// Where the handle keeps the rest of a file; null: nowhere.
+std::unique_ptr<gltf::Kept>* place_to_keep(const obc_gltf_read_options* given, obc_gltf_surface& surface) {
+  const int32_t keep = capi::copy_versioned(given, default_read_options()).keep;
+  capi::require(keep == 0 || keep == 1, "keep is neither 0 nor 1");
+  return keep == 1 ? &surface.kept : nullptr;
+}
+
 // Runs `read` with a new handle and hands it out when that succeeds.
 template <class Read>
 obc_status read_surface(const obc_host* host, obc_gltf_surface** out, obc_error* error, const Read& read) {
@@ -50,7 +60,7 @@ obc_status read_surface(const obc_host* host, obc_gltf_surface** out, obc_error*
     capi::require(out != nullptr, "out is NULL");
     *out = nullptr;
     auto surface = std::make_unique<obc_gltf_surface>(host);
-    surface->mesh = read(surface->adapter.host(), &surface->report);
+    surface->mesh = read(surface->adapter.host(), *surface);
     *out = surface.release();
   });
 }
@@ -75,12 +85,48 @@ std::span<const Element> view(const Number* numbers, std::size_t count) {
 
 // What a gltf::Scene points at besides the caller's arrays.
 struct SceneStorage {
-  explicit SceneStorage(std::pmr::memory_resource* memory) : texture(memory) {}
+  explicit SceneStorage(std::pmr::memory_resource* memory) : texture(memory), kept_triangles(memory) {}
   std::vector<gltf::MorphTarget> targets;
   base::Array<std::byte> texture;
+  base::Array<gltf::KeptTriangle> kept_triangles;
 };
 
-gltf::Scene to_scene(const obc_gltf_scene* given, SceneStorage& storage) {
+const gltf::Kept& checked_kept(const obc_gltf_surface* surface) {
+  capi::require(surface != nullptr, "surface is NULL");
+  capi::require(surface->kept != nullptr,
+                "the surface keeps nothing of its file: it was read without `keep`, or a note gives the reason");
+  return *surface->kept;
+}
+
+// Adds what a surface keeps, and where the triangles of the scene lie on it.
+void add_kept(const obc_gltf_scene& from, gltf::Scene& scene, SceneStorage& storage, const base::Host& host) {
+  if (from.kept == nullptr) {
+    capi::require(from.kept_positions == nullptr, "kept_positions needs kept");
+    return;
+  }
+  scene.kept = &checked_kept(from.kept);
+  if (from.kept_positions == nullptr) return;
+  const mesh::Mesh& surface = from.kept->mesh;
+  constexpr double max_coordinate = 1e150;  // squares are in the range of double
+  const auto require_range = [&](std::span<const mesh::Vector3> positions, const char* message) {
+    for (const mesh::Vector3& p : positions)
+      capi::require(p.cwiseAbs().maxCoeff() <= max_coordinate && p.allFinite(), message);
+  };
+  require_range(surface.positions, "a coordinate of the surface that was read is beyond 1e150");
+  const auto positions = view<mesh::Vector3>(from.kept_positions, from.vertex_count);
+  require_range(positions, "kept_positions is not finite, or beyond 1e150");
+  base::Array<mesh::Vector3> middles(host.memory);
+  middles.reserve(scene.triangles.size());
+  for (const auto& [a, b, c] : scene.triangles) {
+    capi::require(std::max({a, b, c}) < positions.size(), "a triangle has a vertex that does not exist");
+    middles.push_back((positions[a] + positions[b] + positions[c]) / 3);
+  }
+  storage.kept_triangles = gltf::nearest_kept_triangles(surface, positions, scene.triangles, middles, host);
+  scene.kept_surface = surface.triangles;
+  scene.kept_triangles = storage.kept_triangles;
+}
+
+gltf::Scene to_scene(const obc_gltf_scene* given, SceneStorage& storage, const base::Host& host) {
   capi::require(given != nullptr, "scene is NULL");
   const obc_gltf_scene from = capi::copy_versioned(given, default_scene());
   const std::size_t n = from.vertex_count;
@@ -116,6 +162,7 @@ gltf::Scene to_scene(const obc_gltf_scene* given, SceneStorage& storage) {
   }
   if (from.name != nullptr) scene.name = from.name;
   if (from.extras != nullptr) scene.extras = from.extras;
+  add_kept(from, scene, storage, host);
   return scene;
 }
 
@@ -127,9 +174,10 @@ obc_status obc_gltf_read_options_init(obc_gltf_read_options* options, size_t str
 
 obc_status obc_gltf_read(const char* path, const obc_gltf_read_options* options, const obc_host* host,
                          obc_gltf_surface** out, obc_error* error) {
-  return read_surface(host, out, error, [&](const base::Host& adapted, mesh::ReadReport* report) {
+  return read_surface(host, out, error, [&](const base::Host& adapted, obc_gltf_surface& made) {
     mesh::Mesh surface(adapted.memory);
-    capi::on_file(path, [&] { surface = gltf::read(path, to_read_options(options), adapted, report); });
+    std::unique_ptr<gltf::Kept>* const kept = place_to_keep(options, made);
+    capi::on_file(path, [&] { surface = gltf::read(path, to_read_options(options), adapted, &made.report, kept); });
     return surface;
   });
 }
@@ -137,12 +185,12 @@ obc_status obc_gltf_read(const char* path, const obc_gltf_read_options* options,
 obc_status obc_gltf_read_memory(const void* bytes, size_t size, const char* folder,
                                 const obc_gltf_read_options* options, const obc_host* host, obc_gltf_surface** out,
                                 obc_error* error) {
-  return read_surface(host, out, error, [&](const base::Host& adapted, mesh::ReadReport* report) {
+  return read_surface(host, out, error, [&](const base::Host& adapted, obc_gltf_surface& made) {
     capi::require(bytes != nullptr || size == 0, "bytes is NULL");
     std::optional<std::filesystem::path> where;
     if (folder != nullptr) where = folder;
     const std::span<const std::byte> content(static_cast<const std::byte*>(bytes), size);
-    return gltf::read(content, where, to_read_options(options), adapted, report);
+    return gltf::read(content, where, to_read_options(options), adapted, &made.report, place_to_keep(options, made));
   });
 }
 
@@ -156,6 +204,10 @@ size_t obc_gltf_surface_triangle_count(const obc_gltf_surface* surface) {
 
 size_t obc_gltf_surface_welded_vertex_count(const obc_gltf_surface* surface) {
   return surface != nullptr ? surface->report.welded_vertices : 0;
+}
+
+int32_t obc_gltf_surface_keeps(const obc_gltf_surface* surface) {
+  return surface != nullptr && surface->kept != nullptr ? 1 : 0;
 }
 
 size_t obc_gltf_surface_note_count(const obc_gltf_surface* surface) {
@@ -190,8 +242,17 @@ obc_status obc_gltf_write(const char* path, const obc_gltf_scene* scene, const o
   return capi::guarded(error, [&] {
     const capi::HostAdapter adapter(host);
     SceneStorage storage(adapter.host().memory);
-    const gltf::Scene checked = to_scene(scene, storage);
+    const gltf::Scene checked = to_scene(scene, storage, adapter.host());
     capi::on_file(path, [&] { gltf::write(path, checked, adapter.host()); });
+  });
+}
+
+obc_status obc_gltf_write_kept(const char* path, const obc_gltf_surface* surface, const obc_host* host,
+                               obc_error* error) {
+  return capi::guarded(error, [&] {
+    const gltf::Kept& kept = checked_kept(surface);
+    const capi::HostAdapter adapter(host);
+    capi::on_file(path, [&] { gltf::write(path, kept, adapter.host()); });
   });
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "gltf/kept/kept_nearest.h"
 #include "mesh/search/predicates.h"
 #include "morphs/morph_placement.h"
 #include "morphs/morph_states.h"
@@ -13,7 +14,6 @@
 #include "polycube/outputs/quad_mesh.h"
 #include "report/sphere_uses.h"
 #include "report/text.h"
-#include "solids/kept_surface.h"
 #include "solids/shared_polycube.h"
 
 namespace orbicube::cli {
@@ -153,7 +153,7 @@ base::Array<gltf::KeptTriangle> on_first_shape(const SharedPolycube& shared, con
                      ? Vector3((positions[a] + positions[b] + positions[c]) / 3)
                      : polycube::interpolate(map, located.triangles[t], located.weights[t]);
   }
-  return kept_triangles(shared.meshes.front(), positions, common.triangles, middles, host);
+  return gltf::nearest_kept_triangles(shared.meshes.front(), positions, common.triangles, middles, host);
 }
 
 // The common triangles on each shape.

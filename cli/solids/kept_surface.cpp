@@ -3,8 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
-#include "mesh/search/nearest.h"
-
 namespace orbicube::cli {
 namespace {
 
@@ -21,10 +19,6 @@ std::array<double, 3> nearest_weights(const sphere_map::Locator& shape, mesh::In
   const double sum = weights.sum();
   if (!(sum > 0) || !weights.allFinite()) return {1, 0, 0};
   weights /= sum;
-  return {weights[0], weights[1], weights[2]};
-}
-
-std::array<double, 3> as_array(const Vector3& weights) {
   return {weights[0], weights[1], weights[2]};
 }
 
@@ -49,35 +43,9 @@ base::Array<gltf::KeptTriangle> kept_triangles(const sphere_map::Locator& shape,
     on.middle = shape.locate(middle).triangle;
     for (std::size_t k = 0; k < 3; ++k) {
       const mesh::Index v = triangles[t][k];
-      on.corners[k] = {at[v].triangle, as_array(at[v].weights), nearest_weights(shape, on.middle, directions[v])};
-    }
-    result.push_back(on);
-  }
-  return result;
-}
-
-base::Array<gltf::KeptTriangle> kept_triangles(const mesh::Mesh& shape, std::span<const Vector3> positions,
-                                               std::span<const mesh::Triangle> triangles,
-                                               std::span<const Vector3> middles, const base::Host& host) {
-  const mesh::SurfaceSearch search(shape.positions, shape.triangles, host);
-  base::Array<mesh::SurfacePoint> at(host.memory);
-  at.reserve(positions.size());
-  for (std::size_t v = 0; v < positions.size(); ++v) {
-    if (v % triangles_between_reports == 0) host.report("placing vertices", v, positions.size());
-    at.push_back(search.nearest(positions[v], at.empty() ? mesh::no_index : at.back().triangle));
-  }
-  base::Array<gltf::KeptTriangle> result(host.memory);
-  result.reserve(triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t) {
-    if (t % triangles_between_reports == 0) host.report("placing corners", t, triangles.size());
-    gltf::KeptTriangle on{};
-    on.middle = search.nearest(middles[t], at[triangles[t][0]].triangle).triangle;
-    const auto& [a, b, c] = shape.triangles[on.middle];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const mesh::SurfacePoint& corner = at[triangles[t][k]];
-      const mesh::TrianglePoint nearest = mesh::nearest_on_triangle(positions[triangles[t][k]], shape.positions[a],
-                                                                    shape.positions[b], shape.positions[c]);
-      on.corners[k] = {corner.triangle, as_array(corner.weights), as_array(nearest.weights)};
+      on.corners[k] = {at[v].triangle,
+                       {at[v].weights[0], at[v].weights[1], at[v].weights[2]},
+                       nearest_weights(shape, on.middle, directions[v])};
     }
     result.push_back(on);
   }

@@ -16,10 +16,4 @@ base::Array<gltf::KeptTriangle> kept_triangles(const sphere_map::Locator& shape,
                                                std::span<const mesh::Vector3> directions,
                                                std::span<const mesh::Triangle> triangles, const base::Host& host);
 
-// The same where each vertex and the middle of each triangle has a position on the shape. O(log n) a triangle on
-// average.
-base::Array<gltf::KeptTriangle> kept_triangles(const mesh::Mesh& shape, std::span<const mesh::Vector3> positions,
-                                               std::span<const mesh::Triangle> triangles,
-                                               std::span<const mesh::Vector3> middles, const base::Host& host);
-
 }  // namespace orbicube::cli

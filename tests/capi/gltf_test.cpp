@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -110,6 +111,111 @@ TEST_CASE("A surface goes to a file and comes back through C, with its morph tar
   REQUIRE(obc_gltf_read(fixture.path.c_str(), nullptr, nullptr, &plain, nullptr) == OBC_OK);
   CHECK(obc_gltf_surface_note_count(plain) == 1);
   obc_gltf_surface_destroy(plain);
+}
+
+TEST_CASE("What a file has besides its surface is kept for another shape, for other triangles, and as it is") {
+  const Fixture fixture;
+  obc_error error;
+  REQUIRE(obc_gltf_write(fixture.path.c_str(), &fixture.scene, nullptr, &error) == OBC_OK);
+  obc_gltf_read_options options;
+  REQUIRE(obc_gltf_read_options_init(&options, sizeof options) == OBC_OK);
+  CHECK(options.keep == 0);
+  options.keep = 1;
+  const auto read = [&](const std::string& path) {
+    obc_gltf_surface* surface = nullptr;
+    REQUIRE(obc_gltf_read(path.c_str(), &options, nullptr, &surface, &error) == OBC_OK);
+    return Handle(surface);
+  };
+  const Handle kept = read(fixture.path);
+  CHECK(obc_gltf_surface_keeps(kept.get()) == 1);
+  CHECK(obc_gltf_surface_keeps(nullptr) == 0);
+
+  const auto has_texture = [&](const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string content{std::istreambuf_iterator<char>(file), {}};
+    return content.find("TEXCOORD_0") != std::string::npos && content.find("\x89PNG") != std::string::npos &&
+           content.find("COLOR_0") != std::string::npos;
+  };
+  const std::string path = (fixture.folder / "kept.glb").string();
+  obc_gltf_scene scene;
+  REQUIRE(obc_gltf_scene_init(&scene, sizeof scene) == OBC_OK);
+  scene.positions = fixture.sphere.data();
+  scene.vertex_count = 6;
+  scene.triangles = fixture.triangles.data();
+  scene.triangle_count = 8;
+  scene.kept = kept.get();
+  REQUIRE(obc_gltf_write(path.c_str(), &scene, nullptr, &error) == OBC_OK);
+  CHECK(has_texture(path));
+  const Handle moved = read(path);
+  std::array<double, 18> positions{};
+  REQUIRE(obc_gltf_surface_copy(moved.get(), positions.data(), nullptr, &error) == OBC_OK);
+  for (std::size_t i = 0; i < 18; ++i)
+    CHECK(positions[i] == double{fixture.sphere[i]});
+
+  // Half of the triangles, each at its place.
+  scene.triangle_count = 4;
+  CHECK(obc_gltf_write(path.c_str(), &scene, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  std::array<double, 18> places{};
+  std::copy(fixture.positions.begin(), fixture.positions.end(), places.begin());
+  scene.kept_positions = places.data();
+  REQUIRE(obc_gltf_write(path.c_str(), &scene, nullptr, &error) == OBC_OK);
+  CHECK(has_texture(path));
+  CHECK(obc_gltf_surface_triangle_count(read(path).get()) == 4);
+
+  REQUIRE(obc_gltf_write_kept(path.c_str(), kept.get(), nullptr, &error) == OBC_OK);
+  CHECK(has_texture(path));
+
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), 1e200}) {
+    places[7] = bad;
+    CHECK(obc_gltf_write(path.c_str(), &scene, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  }
+  const std::array<std::uint32_t, 3> beyond{0, 1, 6};
+  places[7] = 1;
+  scene.triangles = beyond.data();
+  scene.triangle_count = 1;
+  CHECK(obc_gltf_write(path.c_str(), &scene, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  scene.triangles = fixture.triangles.data();
+  scene.kept = nullptr;
+  CHECK(obc_gltf_write(path.c_str(), &scene, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  options.keep = 0;
+  const Handle plain = read(fixture.path);
+  CHECK(obc_gltf_surface_keeps(plain.get()) == 0);
+  scene.kept = plain.get();
+  CHECK(obc_gltf_write(path.c_str(), &scene, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_gltf_write_kept(path.c_str(), plain.get(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_gltf_write_kept(path.c_str(), nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  options.keep = 2;
+  obc_gltf_surface* none = nullptr;
+  CHECK(obc_gltf_read(fixture.path.c_str(), &options, nullptr, &none, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(none == nullptr);
+}
+
+TEST_CASE("Each allocation of keeping the rest of a file fails in turn and nothing is leaked") {
+  const Fixture fixture;
+  const std::string bytes = fixture.write_and_load(fixture.path), path = (fixture.folder / "kept.glb").string();
+  obc_gltf_read_options options;
+  obc_gltf_read_options_init(&options, sizeof options);
+  options.keep = 1;
+  std::array<double, 18> places{};
+  std::copy(fixture.positions.begin(), fixture.positions.end(), places.begin());
+  const test::Outcome outcome = test::fail_each_allocation([&](const obc_host& host) {
+    obc_gltf_surface* surface = nullptr;
+    obc_status status = obc_gltf_read_memory(bytes.data(), bytes.size(), nullptr, &options, &host, &surface, nullptr);
+    obc_gltf_scene scene;
+    obc_gltf_scene_init(&scene, sizeof scene);
+    scene.positions = fixture.sphere.data();
+    scene.vertex_count = 6;
+    scene.triangles = fixture.triangles.data();
+    scene.triangle_count = 8;
+    scene.kept = surface;
+    scene.kept_positions = places.data();
+    if (status == OBC_OK) status = obc_gltf_write(path.c_str(), &scene, &host, nullptr);
+    if (status == OBC_OK) status = obc_gltf_write_kept(path.c_str(), surface, &host, nullptr);
+    obc_gltf_surface_destroy(surface);
+    return status;
+  });
+  CHECK(outcome.problem == "");
+  CHECK(outcome.runs > 20);
 }
 
 TEST_CASE("Each allocation of reading and writing fails in turn and nothing is leaked") {

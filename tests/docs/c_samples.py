@@ -21,6 +21,7 @@ COMMON = "obc_error error; "
 ARRAYS = "double *positions = 0; uint32_t *triangles = 0, *tetrahedra = 0; size_t vertex_count = 0, triangle_count = 0, tetrahedron_count = 0; "
 NAMES = {
     "frame_field": ARRAYS + "double *frames = 0; ",
+    "gltf": "float *moved = 0; obc_gltf_surface *surface; obc_gltf_scene scene; obc_gltf_read_options options; ",
     "harmonics": ARRAYS + "double *areas = 0, *directions = 0, *coefficients = 0; ",
     "linear": "double *b = 0, *x = 0; obc_linear_matrix matrix = {0}; ",
     "mesh": ARRAYS,

@@ -2,6 +2,8 @@
 #ifndef ORBICUBE_GLTF_HPP
 #define ORBICUBE_GLTF_HPP
 
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include <orbicube/gltf.h>
@@ -19,13 +21,15 @@ struct Surface {
   std::vector<std::uint32_t> triangles;
   std::size_t welded_vertex_count = 0;
   std::vector<std::string> notes;
+  // Read with the option `keep`: what Scene::kept takes, and write_kept. Empty where the file does not allow it.
+  std::shared_ptr<const obc_gltf_surface> kept;
 };
 
 namespace detail {
 using namespace orbicube::detail;
 template <class F>
 Surface surface(Host* host, F&& f) {
-  const auto handle = take<obc_gltf_surface, obc_gltf_surface_destroy>(host, std::forward<F>(f));
+  auto handle = take<obc_gltf_surface, obc_gltf_surface_destroy>(host, std::forward<F>(f));
   const obc_gltf_surface* const out = handle.get();
   Surface surface;
   surface.positions.resize(3 * obc_gltf_surface_vertex_count(out));
@@ -36,6 +40,7 @@ Surface surface(Host* host, F&& f) {
   call(nullptr, [&](obc_error* error) {
     return obc_gltf_surface_copy(out, surface.positions.data(), surface.triangles.data(), error);
   });
+  if (obc_gltf_surface_keeps(out) != 0) surface.kept = std::move(handle);
   return surface;
 }
 }  // namespace detail
@@ -54,6 +59,12 @@ inline Surface read(View<const unsigned char> bytes, const char* folder = nullpt
 }
 inline void write(const std::string& path, const Scene& scene, Host* host = nullptr) {
   detail::call(host, [&](obc_error* error) { return obc_gltf_write(path.c_str(), &scene, detail::c(host), error); });
+}
+// The file of a surface read with the option `keep` again, with all that it has.
+inline void write_kept(const std::string& path, const Surface& surface, Host* host = nullptr) {
+  detail::call(host, [&](obc_error* error) {
+    return obc_gltf_write_kept(path.c_str(), surface.kept.get(), detail::c(host), error);
+  });
 }
 // A surface alone, with smooth normals.
 inline void write(const std::string& path, View<const float> positions, Indices triangles, Host* host = nullptr) {

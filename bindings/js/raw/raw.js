@@ -261,11 +261,13 @@ export const layouts = {
     },
   },
   obc_gltf_read_options: {
-    size: 12,
+    size: 20,
     fields: {
       struct_size: ['u32', 0],
       weld_identical: ['i32', 4],
       morph_target: ['u32', 8],
+      keep: ['i32', 12],
+      reserved: ['i32', 16],
     },
   },
   obc_gltf_morph_target: {
@@ -276,7 +278,7 @@ export const layouts = {
     },
   },
   obc_gltf_scene: {
-    size: 152,
+    size: 160,
     fields: {
       struct_size: ['u32', 0],
       smooth_normals: ['i32', 4],
@@ -301,6 +303,8 @@ export const layouts = {
       name: ['u32', 136],
       extras: ['u32', 140],
       morph_seconds: ['f64', 144],
+      kept: ['u32', 152],
+      kept_positions: ['u32', 156],
     },
   },
   obc_harmonics_fit_options: {
@@ -939,10 +943,12 @@ export const functions = {
   obc_gltf_surface_welded_vertex_count: 'ii',
   obc_gltf_surface_note_count: 'ii',
   obc_gltf_surface_note: 'iii',
+  obc_gltf_surface_keeps: 'ii',
   obc_gltf_surface_copy: 'iiiii',
   obc_gltf_surface_destroy: 'vi',
   obc_gltf_scene_init: 'iii',
   obc_gltf_write: 'iiiii',
+  obc_gltf_write_kept: 'iiiii',
   obc_gltf_write_surface: 'iiiiiiii',
   obc_gltf_delta: 'fff',
   obc_gltf_reconstructed: 'fff',

@@ -33,6 +33,9 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("morph_target", "text", None,
                doc="Name of a morph target to apply with weight 1 (base + delta, added as doubles); NULL: none. Default: "
                    "NULL."),
+        Option("keep", "bool", False,
+               doc="1: keeps what the file has besides the surface in the handle, for obc_gltf_scene.kept and "
+                   "obc_gltf_write_kept; 0: leaves it out, with a note that counts it. Default: 0."),
     ),
     "obc_gltf_scene": (
         Option("smooth_normals", "bool", False,

@@ -2,14 +2,16 @@
  * for reading, in files of the same folder.
  *
  * Reading returns one triangle mesh in world coordinates, as doubles: all triangles, strips and fans of all meshes of the scene. Strided,
- * sparse and quantized accessors (KHR_mesh_quantization) are supported; points, lines, materials and skins are left out; Draco and
- * meshopt compression are refused. Each index and each range is checked before use, no file outside the folder of the input is opened,
+ * sparse and quantized accessors (KHR_mesh_quantization) are supported; points and lines are left out; Draco and meshopt compression
+ * are refused. Materials, textures, texture coordinates, colors, nodes, skins, animations and extras are left out, or kept beside the
+ * surface (option `keep`) for the file of another shape of it. Each index and each range is checked before use, no file outside the folder of the input is opened,
  * and memory is bounded by a multiple of the file size.
  *
  * Writing stores 32-bit floats bit for bit, with morph targets, texture coordinates, a checker texture, colors, normals and edges. A
  * file is complete or does not appear.
  *
- * Thread safety: all functions may be called at the same time; several threads may read one surface. All work is done on the calling
+ * Thread safety: all functions may be called at the same time; several threads may read one surface, one at a time may write with
+ * what it keeps. All work is done on the calling
  * thread.
  *
  * Example: writes a tetrahedron to a GLB file and reads it.
@@ -53,6 +55,11 @@ typedef struct obc_gltf_read_options {
 
   /* Name of a morph target to apply with weight 1 (base + delta, added as doubles); NULL: none. Default: NULL. */
   const char *morph_target;
+
+  /* 1: keeps what the file has besides the surface in the handle, for obc_gltf_scene.kept and obc_gltf_write_kept; 0: leaves it out, with a note
+   * that counts it. Default: 0. */
+  int32_t keep;
+  int32_t reserved;
 } obc_gltf_read_options;
 
 /* Fills options with the defaults. */
@@ -78,6 +85,10 @@ OBC_API size_t obc_gltf_surface_note_count(const obc_gltf_surface *surface);
 
 /* Returns the index-th note, UTF-8, valid until the surface is destroyed; NULL from the number of notes on. */
 OBC_API const char *obc_gltf_surface_note(const obc_gltf_surface *surface, size_t index);
+
+/* Returns 1 if the handle keeps what the file has besides the surface, 0 otherwise: without the option `keep`, for NULL, and where the file does
+ * not allow it; a note gives the reason then. */
+OBC_API int32_t obc_gltf_surface_keeps(const obc_gltf_surface *surface);
 
 /* Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices, or NULL; counter-clockwise seen from outside)
  * to arrays of the caller. Errors: invalid argument. */
@@ -130,6 +141,18 @@ typedef struct obc_gltf_scene {
   /* Duration, in seconds, from one shape to the next of an animation from the surface to each morph target in turn and back; 0: no
    * animation. Default: 0. */
   double morph_seconds;
+
+  /* Surface that keeps the rest of its file (obc_gltf_surface_keeps), with which the scene is written: materials, textures, texture
+   * coordinates, colors, nodes, skins, animations, extras. It is not changed and must remain valid during the call. The scene has no
+   * normals, colors, edges or extras of its own then, and its texture and base_color apply to parts without a material. Without
+   * kept_positions, the triangles are those of the surface in their order, and the positions at least its vertices. NULL: none.
+   * Default: NULL. */
+  const obc_gltf_surface *kept;
+
+  /* For other triangles than those of `kept`: the place of each vertex on the surface that was read, 3 * vertex_count, of which the nearest
+   * point of the surface counts. Each triangle takes its material from the place of its centroid. NULL: the triangles of `kept`.
+   * Default: NULL. */
+  const double *kept_positions;
 } obc_gltf_scene;
 
 /* Fills a scene with the defaults and an empty surface. */
@@ -139,6 +162,11 @@ OBC_API obc_status obc_gltf_scene_init(obc_gltf_scene *scene, size_t struct_size
  * previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
  * unsupported (4 GiB or more), io, out of memory, cancelled. */
 OBC_API obc_status obc_gltf_write(const char *path, const obc_gltf_scene *scene, const obc_host *host, obc_error *error);
+
+/* Writes the file of a surface that keeps it again, with all that it has; buffers and images of separate files come into this one. Otherwise as
+ * obc_gltf_write. Errors: also invalid argument (the surface keeps nothing). */
+OBC_API obc_status obc_gltf_write_kept(const char *path, const obc_gltf_surface *surface, const obc_host *host,
+                                       obc_error *error);
 
 /* Writes a surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count. Otherwise as obc_gltf_write. */
 OBC_API obc_status obc_gltf_write_surface(const char *path, const float *positions, size_t vertex_count,

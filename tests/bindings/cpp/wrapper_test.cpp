@@ -294,6 +294,13 @@ TEST_CASE("a mesh to the sphere, to files, to harmonics") {
   scene.morph_target_count = 1;
   gltf::write((folder / "a.glb").string(), scene);
   CHECK(gltf::read((folder / "a.glb").string()).triangles.size() == mesh.triangles().size());
+  gltf::ReadOptions keeping;
+  keeping.keep = 1;
+  const gltf::Surface surface = gltf::read((folder / "a.glb").string(), keeping);
+  REQUIRE(surface.kept != nullptr);
+  gltf::write_kept((folder / "kept.glb").string(), surface);
+  CHECK(gltf::read((folder / "kept.glb").string()).positions == surface.positions);
+  CHECK(gltf::read((folder / "a.glb").string()).kept == nullptr);
   std::filesystem::remove_all(folder);
 }
 

@@ -63,6 +63,7 @@ CALLS = {
     "frame_field.Singularities": (frame_field.Singularities, {"solid": SOLID, "frames": FRAMES}),
     "gltf.read": (gltf.read, {"path": path("a.glb")}),
     "gltf.read_memory": (gltf.read_memory, {"data": contents("a.glb"), "folder": FOLDER.name}),
+    "gltf.write_kept": (gltf.write_kept, {"path": path("c.glb"), "surface": gltf.read(path("a.glb"), keep=True)}),
     "gltf.write": (gltf.write, {
         "path": path("b.glb"), "surface": SURFACE, "morph_targets": {"sphere": DIRECTIONS}, "normals": DIRECTIONS,
         "texture_coordinates": DIRECTIONS[:, :2], "colors": np.full((len(DIRECTIONS), 4), 9), "edges": [[0, 1]],
@@ -213,10 +214,10 @@ if HAS_TETRAHEDRA:
 
 # Classes of results, which people do not make; what is called for each evaluation, and looks at its arguments alone; and
 # conversions for packages that need not be there.
-NOT_WALKED = {"mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of", "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface",
-              "polycube.Polycube", "polycube.Quads", "projected_gradient.GradientCheck",
-              "projected_gradient.Projection", "sphere_map.SphereMap", "sphere_optimizer.Relaxed",
-              "tetrahedra.Solid", "volume_map.Solid", "volume_map.Hexes"}
+NOT_WALKED = {"mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
+              "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
+              "projected_gradient.GradientCheck", "projected_gradient.Projection", "sphere_map.SphereMap",
+              "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.Solid", "volume_map.Hexes"}
 EACH_EVALUATION = ("ask", "ask_all", "tell", "save", "close")
 NO_MISTAKE = object()
 

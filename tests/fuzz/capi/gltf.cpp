@@ -1,4 +1,5 @@
 // glTF: scenes of any arrays are written, and read again with changed bytes; and any bytes are read.
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -15,6 +16,7 @@ void read(std::span<const std::uint8_t> bytes, Input& in, Host& host) {
   obc_gltf_read_options_init(&options, sizeof options);
   options.weld_identical = in.choice(2);
   if (in.one_in(3)) options.morph_target = "sphere";
+  options.keep = in.choice(2);
   obc_gltf_surface* surface = nullptr;
   if (!ok([&](obc_error* e) {
         return obc_gltf_read_memory(bytes.data(), bytes.size(), nullptr, &options, host.c(), &surface, e);
@@ -30,6 +32,22 @@ void read(std::span<const std::uint8_t> bytes, Input& in, Host& host) {
   for (std::size_t i = 0; i < obc_gltf_surface_note_count(surface); ++i)
     require(obc_gltf_surface_note(surface, i) != nullptr, "no note");
   require(obc_gltf_surface_note(surface, SIZE_MAX) == nullptr, "a note too many");
+  if (obc_gltf_surface_keeps(surface) == 1 && in.one_in(2)) {
+    const Scratch file(".kept.glb");
+    std::vector<float> moved;
+    for (const double x : positions)
+      moved.push_back(static_cast<float>(std::clamp(x, -1e30, 1e30)));
+    obc_gltf_scene scene;
+    obc_gltf_scene_init(&scene, sizeof scene);
+    scene.positions = moved.data();
+    scene.vertex_count = vertices;
+    scene.triangles = triangles.data();
+    scene.triangle_count = triangles.size() / 3;
+    scene.kept = surface;
+    if (in.one_in(2)) scene.kept_positions = positions.data();
+    ok([&](obc_error* e) { return obc_gltf_write(file.path(), &scene, host.c(), e); });
+    ok([&](obc_error* e) { return obc_gltf_write_kept(file.path(), surface, host.c(), e); });
+  }
   obc_gltf_surface_destroy(surface);
 }
 

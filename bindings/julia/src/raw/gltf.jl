@@ -4,6 +4,8 @@ mutable struct obc_gltf_read_options <: CStruct
     struct_size::UInt32
     weld_identical::Int32
     morph_target::Cstring
+    keep::Int32
+    reserved::Int32
     obc_gltf_read_options() = zeroed!(new())
 end
 
@@ -36,6 +38,8 @@ mutable struct obc_gltf_scene <: CStruct
     name::Cstring
     extras::Cstring
     morph_seconds::Float64
+    kept::Ptr{Cvoid}
+    kept_positions::Ptr{Float64}
     obc_gltf_scene() = zeroed!(new())
 end
 
@@ -71,6 +75,10 @@ const address_obc_gltf_surface_note = Ref(C_NULL)
 obc_gltf_surface_note(surface, index) =
     ccall(symbol(address_obc_gltf_surface_note, :gltf, :obc_gltf_surface_note), Cstring, (Ptr{Cvoid}, Csize_t), surface, index)
 
+const address_obc_gltf_surface_keeps = Ref(C_NULL)
+obc_gltf_surface_keeps(surface) =
+    ccall(symbol(address_obc_gltf_surface_keeps, :gltf, :obc_gltf_surface_keeps), Int32, (Ptr{Cvoid},), surface)
+
 const address_obc_gltf_surface_copy = Ref(C_NULL)
 obc_gltf_surface_copy(surface, positions, triangles, error) =
     ccall(symbol(address_obc_gltf_surface_copy, :gltf, :obc_gltf_surface_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{obc_error}), surface, positions, triangles, error)
@@ -86,6 +94,10 @@ obc_gltf_scene_init(scene, struct_size) =
 const address_obc_gltf_write = Ref(C_NULL)
 obc_gltf_write(path, scene, host, error) =
     ccall(symbol(address_obc_gltf_write, :gltf, :obc_gltf_write), Int32, (Cstring, Ptr{obc_gltf_scene}, Ptr{obc_host}, Ptr{obc_error}), path, scene, host, error)
+
+const address_obc_gltf_write_kept = Ref(C_NULL)
+obc_gltf_write_kept(path, surface, host, error) =
+    ccall(symbol(address_obc_gltf_write_kept, :gltf, :obc_gltf_write_kept), Int32, (Cstring, Ptr{Cvoid}, Ptr{obc_host}, Ptr{obc_error}), path, surface, host, error)
 
 const address_obc_gltf_write_surface = Ref(C_NULL)
 obc_gltf_write_surface(path, positions, vertex_count, triangles, triangle_count, host, error) =

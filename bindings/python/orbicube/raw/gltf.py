@@ -11,6 +11,8 @@ class obc_gltf_read_options(_Struct):
         ("struct_size", _c.c_uint32),
         ("weld_identical", _c.c_int32),
         ("morph_target", _c.c_char_p),
+        ("keep", _c.c_int32),
+        ("reserved", _c.c_int32),
     ]
 
 
@@ -48,6 +50,8 @@ class obc_gltf_scene(_Struct):
         ("name", _c.c_char_p),
         ("extras", _c.c_char_p),
         ("morph_seconds", _c.c_double),
+        ("kept", _c.c_void_p),
+        ("kept_positions", _c.c_void_p),
     ]
 
 
@@ -60,10 +64,12 @@ _functions = [
     ("obc_gltf_surface_welded_vertex_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_gltf_surface_note_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_gltf_surface_note", _c.c_char_p, [_c.c_void_p, _c.c_size_t]),
+    ("obc_gltf_surface_keeps", _c.c_int32, [_c.c_void_p]),
     ("obc_gltf_surface_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_gltf_surface_destroy", None, [_c.c_void_p]),
     ("obc_gltf_scene_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_gltf_write", _c.c_int32, [_c.c_char_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_gltf_write_kept", _c.c_int32, [_c.c_char_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_gltf_write_surface", _c.c_int32, [_c.c_char_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
     ("obc_gltf_delta", _c.c_float, [_c.c_float, _c.c_float]),
     ("obc_gltf_reconstructed", _c.c_float, [_c.c_float, _c.c_float]),

@@ -7,7 +7,9 @@ class obc_gltf_read_options(Struct):
     struct_size: int
     weld_identical: int
     morph_target: bytes | None
-    def __init__(self, struct_size: int = ..., weld_identical: int = ..., morph_target: bytes | None = ...) -> None: ...
+    keep: int
+    reserved: int
+    def __init__(self, struct_size: int = ..., weld_identical: int = ..., morph_target: bytes | None = ..., keep: int = ..., reserved: int = ...) -> None: ...
 
 class obc_gltf_morph_target(Struct):
     name: bytes | None
@@ -38,7 +40,9 @@ class obc_gltf_scene(Struct):
     name: bytes | None
     extras: bytes | None
     morph_seconds: float
-    def __init__(self, struct_size: int = ..., smooth_normals: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., normals: Any = ..., texture_coordinates: Any = ..., colors: Any = ..., morph_targets: Any = ..., morph_target_count: int = ..., edges: Any = ..., edge_count: int = ..., translation: Any = ..., scale: float = ..., base_color: Any = ..., texture: Any = ..., texture_size: int = ..., checker_texture: int = ..., morph_normals: int = ..., name: bytes | None = ..., extras: bytes | None = ..., morph_seconds: float = ...) -> None: ...
+    kept: Any
+    kept_positions: Any
+    def __init__(self, struct_size: int = ..., smooth_normals: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., normals: Any = ..., texture_coordinates: Any = ..., colors: Any = ..., morph_targets: Any = ..., morph_target_count: int = ..., edges: Any = ..., edge_count: int = ..., translation: Any = ..., scale: float = ..., base_color: Any = ..., texture: Any = ..., texture_size: int = ..., checker_texture: int = ..., morph_normals: int = ..., name: bytes | None = ..., extras: bytes | None = ..., morph_seconds: float = ..., kept: Any = ..., kept_positions: Any = ...) -> None: ...
 
 def obc_gltf_read_options_init(options: Pointer, struct_size: int) -> int:
     """Fills options with the defaults."""
@@ -75,6 +79,11 @@ def obc_gltf_surface_note(surface: Pointer, index: int) -> bytes | None:
     """Returns the index-th note, UTF-8, valid until the surface is destroyed; NULL from the number of notes on."""
     ...
 
+def obc_gltf_surface_keeps(surface: Pointer) -> int:
+    """Returns 1 if the handle keeps what the file has besides the surface, 0 otherwise: without the option `keep`, for NULL, and where the file does
+    not allow it; a note gives the reason then."""
+    ...
+
 def obc_gltf_surface_copy(surface: Pointer, positions: Pointer, triangles: Pointer, error: Pointer) -> int:
     """Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices, or NULL; counter-clockwise seen from outside)
     to arrays of the caller. Errors: invalid argument."""
@@ -92,6 +101,11 @@ def obc_gltf_write(path: bytes | None, scene: Pointer, host: Pointer, error: Poi
     """Writes to `path`: JSON with an embedded buffer for the ending "gltf", otherwise GLB. The file appears when it is complete; after an error the
     previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
     unsupported (4 GiB or more), io, out of memory, cancelled."""
+    ...
+
+def obc_gltf_write_kept(path: bytes | None, surface: Pointer, host: Pointer, error: Pointer) -> int:
+    """Writes the file of a surface that keeps it again, with all that it has; buffers and images of separate files come into this one. Otherwise as
+    obc_gltf_write. Errors: also invalid argument (the surface keeps nothing)."""
     ...
 
 def obc_gltf_write_surface(path: bytes | None, positions: Pointer, vertex_count: int, triangles: Pointer, triangle_count: int, host: Pointer, error: Pointer) -> int:

@@ -21,6 +21,10 @@ pub struct obc_gltf_read_options {
     pub weld_identical: i32,
     /// Name of a morph target to apply with weight 1 (base + delta, added as doubles); NULL: none. Default: NULL.
     pub morph_target: *const c_char,
+    /// 1: keeps what the file has besides the surface in the handle, for obc\_gltf\_scene.kept and obc\_gltf\_write\_kept; 0: leaves it out, with a note
+    /// that counts it. Default: 0.
+    pub keep: i32,
+    pub reserved: i32,
 }
 
 /// Another shape of the same surface, for obc\_gltf\_scene.
@@ -83,6 +87,16 @@ pub struct obc_gltf_scene {
     /// Duration, in seconds, from one shape to the next of an animation from the surface to each morph target in turn and back; 0: no
     /// animation. Default: 0.
     pub morph_seconds: f64,
+    /// Surface that keeps the rest of its file (obc\_gltf\_surface\_keeps), with which the scene is written: materials, textures, texture
+    /// coordinates, colors, nodes, skins, animations, extras. It is not changed and must remain valid during the call. The scene has no
+    /// normals, colors, edges or extras of its own then, and its texture and base\_color apply to parts without a material. Without
+    /// kept\_positions, the triangles are those of the surface in their order, and the positions at least its vertices. NULL: none.
+    /// Default: NULL.
+    pub kept: *const obc_gltf_surface,
+    /// For other triangles than those of \`kept\`: the place of each vertex on the surface that was read, 3 \* vertex\_count, of which the nearest
+    /// point of the surface counts. Each triangle takes its material from the place of its centroid. NULL: the triangles of \`kept\`.
+    /// Default: NULL.
+    pub kept_positions: *const f64,
 }
 
 extern "C" {
@@ -105,6 +119,9 @@ extern "C" {
     pub fn obc_gltf_surface_note_count(surface: *const obc_gltf_surface) -> usize;
     /// Returns the index-th note, UTF-8, valid until the surface is destroyed; NULL from the number of notes on.
     pub fn obc_gltf_surface_note(surface: *const obc_gltf_surface, index: usize) -> *const c_char;
+    /// Returns 1 if the handle keeps what the file has besides the surface, 0 otherwise: without the option \`keep\`, for NULL, and where the file does
+    /// not allow it; a note gives the reason then.
+    pub fn obc_gltf_surface_keeps(surface: *const obc_gltf_surface) -> i32;
     /// Copies positions (3 \* vertex\_count, or NULL) and triangles (3 \* triangle\_count indices, or NULL; counter-clockwise seen from outside)
     /// to arrays of the caller. Errors: invalid argument.
     pub fn obc_gltf_surface_copy(surface: *const obc_gltf_surface, positions: *mut f64, triangles: *mut u32, error: *mut obc_error) -> i32;
@@ -116,6 +133,9 @@ extern "C" {
     /// previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
     /// unsupported (4 GiB or more), io, out of memory, cancelled.
     pub fn obc_gltf_write(path: *const c_char, scene: *const obc_gltf_scene, host: *const obc_host, error: *mut obc_error) -> i32;
+    /// Writes the file of a surface that keeps it again, with all that it has; buffers and images of separate files come into this one. Otherwise as
+    /// obc\_gltf\_write. Errors: also invalid argument (the surface keeps nothing).
+    pub fn obc_gltf_write_kept(path: *const c_char, surface: *const obc_gltf_surface, host: *const obc_host, error: *mut obc_error) -> i32;
     /// Writes a surface alone, with smooth normals: positions 3 \* vertex\_count, triangles 3 \* triangle\_count. Otherwise as obc\_gltf\_write.
     pub fn obc_gltf_write_surface(path: *const c_char, positions: *const f32, vertex_count: usize, triangles: *const u32, triangle_count: usize, host: *const obc_host, error: *mut obc_error) -> i32;
     /// Compute exact morph targets of finite numbers. \_delta returns the stored delta for a base and a target coordinate; \_reconstructed returns
@@ -136,18 +156,20 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_gltf_read_options>(), align_of::<obc_gltf_read_options>()), (16, 8));
+        assert_eq!((size_of::<obc_gltf_read_options>(), align_of::<obc_gltf_read_options>()), (24, 8));
         let it = MaybeUninit::<obc_gltf_read_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_gltf_read_options.struct_size");
         assert_eq!(unsafe { addr_of!((*start).weld_identical) } as usize - start as usize, 4, "obc_gltf_read_options.weld_identical");
         assert_eq!(unsafe { addr_of!((*start).morph_target) } as usize - start as usize, 8, "obc_gltf_read_options.morph_target");
+        assert_eq!(unsafe { addr_of!((*start).keep) } as usize - start as usize, 16, "obc_gltf_read_options.keep");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 20, "obc_gltf_read_options.reserved");
         assert_eq!((size_of::<obc_gltf_morph_target>(), align_of::<obc_gltf_morph_target>()), (16, 8));
         let it = MaybeUninit::<obc_gltf_morph_target>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).name) } as usize - start as usize, 0, "obc_gltf_morph_target.name");
         assert_eq!(unsafe { addr_of!((*start).positions) } as usize - start as usize, 8, "obc_gltf_morph_target.positions");
-        assert_eq!((size_of::<obc_gltf_scene>(), align_of::<obc_gltf_scene>()), (208, 8));
+        assert_eq!((size_of::<obc_gltf_scene>(), align_of::<obc_gltf_scene>()), (224, 8));
         let it = MaybeUninit::<obc_gltf_scene>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_gltf_scene.struct_size");
@@ -173,5 +195,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).name) } as usize - start as usize, 184, "obc_gltf_scene.name");
         assert_eq!(unsafe { addr_of!((*start).extras) } as usize - start as usize, 192, "obc_gltf_scene.extras");
         assert_eq!(unsafe { addr_of!((*start).morph_seconds) } as usize - start as usize, 200, "obc_gltf_scene.morph_seconds");
+        assert_eq!(unsafe { addr_of!((*start).kept) } as usize - start as usize, 208, "obc_gltf_scene.kept");
+        assert_eq!(unsafe { addr_of!((*start).kept_positions) } as usize - start as usize, 216, "obc_gltf_scene.kept_positions");
     }
 }

@@ -9,16 +9,19 @@ use crate::sys::gltf::*;
 filled!(/// Options of reading; a morph target is named in [`read`].
     ReadOptions, obc_gltf_read_options, obc_gltf_read_options_init);
 
-/// What was read.
-#[derive(Clone, Debug, Default)]
+/// What was read. `kept`: with the option `keep`, the rest of the file, for [`Scene::kept`] and [`write_kept`]; none where the file
+/// does not allow it, with a note.
+#[derive(Clone, Default)]
 pub struct Surface {
     pub positions: Vec<f64>,
     pub triangles: Vec<u32>,
     pub welded_vertex_count: usize,
     pub notes: Vec<String>,
+    pub kept: Option<std::rc::Rc<Kept>>,
 }
 
-handle!(Handle, obc_gltf_surface, obc_gltf_surface_destroy);
+handle!(/// What a file has besides its surface: materials, textures, texture coordinates, nodes, skins, animations, extras.
+    Kept, obc_gltf_surface, obc_gltf_surface_destroy);
 
 /// Reads GLB and glTF in JSON; with the name of a morph target, that shape of it.
 pub fn read(path: impl AsRef<Path>, morph_target: Option<&str>, options: &ReadOptions, host: &mut Host) -> Result<Surface, Error> {
@@ -43,7 +46,7 @@ fn taken(morph_target: Option<&str>, options: &ReadOptions, host: &mut Host,
     options.morph_target = target.as_ref().map_or(std::ptr::null(), |name| name.as_ptr());
     let mut out = std::ptr::null_mut();
     call(host, |host, error| f(&options, host, &mut out, error))?;
-    let handle = Handle::own(out);
+    let handle = Kept::own(out);
     let out = handle.as_ptr();
     let mut surface = Surface::default();
     unsafe {
@@ -53,11 +56,14 @@ fn taken(morph_target: Option<&str>, options: &ReadOptions, host: &mut Host,
         surface.notes = (0..obc_gltf_surface_note_count(out)).map(|i| text(obc_gltf_surface_note(out, i))).collect();
         checked(|error| obc_gltf_surface_copy(out, surface.positions.as_mut_ptr(), surface.triangles.as_mut_ptr(), error))?;
     }
+    if unsafe { obc_gltf_surface_keeps(out) } != 0 {
+        surface.kept = Some(std::rc::Rc::new(handle));
+    }
     Ok(surface)
 }
 
 /// What to write: arrays, and what engines show besides. Empty: none.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Copy, Default)]
 pub struct Scene<'a> {
     pub positions: &'a [f32],
     pub triangles: &'a [u32],
@@ -81,6 +87,10 @@ pub struct Scene<'a> {
     pub morph_normals: bool,
     /// So long an animation to the first target and back takes.
     pub morph_seconds: Option<f64>,
+    /// The rest of a file that was read, with which this surface is written.
+    pub kept: Option<&'a Kept>,
+    /// Where the vertices lie on the surface that was read, for other triangles than its own.
+    pub kept_positions: &'a [f64],
 }
 
 /// Writes GLB, or JSON with the ending `gltf`.
@@ -132,5 +142,16 @@ pub fn write(path: impl AsRef<Path>, scene: &Scene, host: &mut Host) -> Result<(
     c.morph_seconds = scene.morph_seconds.unwrap_or(c.morph_seconds);
     c.smooth_normals = i32::from(scene.smooth_normals);
     c.checker_texture = i32::from(scene.checker_texture);
+    c.kept = scene.kept.map_or(std::ptr::null(), |kept| kept.as_ptr() as *const _);
+    if !scene.kept_positions.is_empty() {
+        expect_length(scene.kept_positions.len(), 3 * n, "kept_positions")?;
+        c.kept_positions = scene.kept_positions.as_ptr();
+    }
     call(host, |host, error| unsafe { obc_gltf_write(path.as_ptr(), &c, host, error) })
+}
+
+/// Writes the file of a surface read with the option `keep` again, with all that it has.
+pub fn write_kept(path: impl AsRef<Path>, kept: &Kept, host: &mut Host) -> Result<(), Error> {
+    let path = c_path(path.as_ref())?;
+    call(host, |host, error| unsafe { obc_gltf_write_kept(path.as_ptr(), kept.as_ptr(), host, error) })
 }

@@ -86,8 +86,16 @@ fn a_map_of_a_creature() {
     let scene = gltf::Scene { positions: &positions, triangles: shape.triangles(), morph_targets: &[("sphere", &sphere)],
                               smooth_normals: true, ..Default::default() };
     gltf::write(&path, &scene, &mut host()).unwrap();
+    let keeping = gltf::ReadOptions(sys::gltf::obc_gltf_read_options { keep: 1, ..gltf::ReadOptions::default().0 });
+    let surface = gltf::read(&path, None, &keeping, &mut host()).unwrap();
+    let again = path.with_extension("kept.glb");
+    gltf::write(&again, &gltf::Scene { positions: &positions, triangles: &surface.triangles, kept: surface.kept.as_deref(), ..Default::default() },
+                &mut host()).unwrap();
+    gltf::write_kept(&again, surface.kept.as_ref().unwrap(), &mut host()).unwrap();
+    assert_eq!(gltf::read(&again, None, &Default::default(), &mut host()).unwrap().positions, surface.positions);
     let read = gltf::read(&path, Some("sphere"), &Default::default(), &mut host()).unwrap();
     assert!(read.positions.chunks(3).all(|p| (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] - 1.0).abs() < 1e-5)); // float32
+    std::fs::remove_file(&again).unwrap();
     std::fs::remove_file(&path).unwrap();
 }
 
