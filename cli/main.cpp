@@ -74,8 +74,10 @@ int run(int argc, char** argv) {
 #ifdef ORBICUBE_WITH_TETRAHEDRA
   orbicube::cli::add_tetrahedralize(app, common);
 #endif
-#ifdef ORBICUBE_WITH_VOLUME_MAP
+#ifdef ORBICUBE_WITH_HEXMESH
   orbicube::cli::add_hex(app, common);
+#endif
+#ifdef ORBICUBE_WITH_VOLUME_MAP
   orbicube::cli::add_untangle(app, common);
   orbicube::cli::add_volume(app, common);
 #endif

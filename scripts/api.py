@@ -76,8 +76,10 @@ def breaches(name, header, headers):
                 check_signature(f"{what}: {entry['name']}", entry["function"]["returns"],
                                 entry["function"]["parameters"], line, True)
         errors = [i for i, p in enumerate(parameters) if p.get("type") == "obc_error *"]
-        if errors and errors != [len(parameters) - 1]:
-            breach(line, f"{what}: obc_error * is the last parameter")
+        # Callbacks, and functions that are such, have user after it.
+        has_user = bool(parameters) and (parameters[-1].get("type"), parameters[-1].get("name")) == ("void *", "user")
+        if errors and errors != [len(parameters) - 1 - has_user]:
+            breach(line, f"{what}: obc_error * is the last parameter, or stands before user")
         if callback and (not parameters or parameters[-1].get("type") != "void *"):
             breach(line, f"{what}: a callback takes void *user last")
 

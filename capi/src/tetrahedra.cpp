@@ -6,6 +6,7 @@
 #include <memory>
 #include <span>
 
+#include "base/known_kind.h"
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "capi/src/surface_view.h"
@@ -83,6 +84,27 @@ obc_status obc_tetrahedra_fill(const obc_surface* surface, const obc_tetrahedra_
                                     .keep_surface = o.keep_surface != 0},
                                    made->adapter.host());
     *out = made.release();
+  });
+}
+
+obc_status obc_tetrahedra_fill_mesh(const obc_surface* surface, double max_volume, const obc_host* host, obc_mesh** out,
+                                    obc_error* error, void* /*user*/) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    const capi::SurfaceView s(surface);
+    const capi::HostAdapter adapter(host);
+    const tetrahedra::Solid solid =
+        tetrahedra::fill(s.positions, s.triangles, {.max_volume = max_volume}, adapter.host());
+    obc_mesh_cells cells{};
+    obc_mesh_cells_init(&cells, sizeof cells);
+    cells.positions = reinterpret_cast<const double*>(solid.positions.data());
+    cells.vertex_count = solid.positions.size();
+    cells.tetrahedra = reinterpret_cast<const std::uint32_t*>(solid.tetrahedra.data());
+    cells.tetrahedron_count = solid.tetrahedra.size();
+    obc_error failed{};
+    if (obc_mesh_create(&cells, host, out, &failed) != OBC_OK)
+      throw base::Error(base::known_kind(failed.kind, static_cast<base::Status>(failed.status)), failed.message);
   });
 }
 

@@ -1,15 +1,14 @@
 #include "report/hex_output.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <utility>
 
 #include "files/surface_file.h"
-#include "mesh/search/unit_scale.h"
 #include "mesh/topology/place_text.h"
 #include "report/text.h"
-#include "report/unit_size.h"
-#include "solids/polycube_solid.h"
+#include "solids/solid_input.h"
 
 namespace orbicube::cli {
 
@@ -18,7 +17,7 @@ namespace {
 // Beyond this multiple of --distance there is no result.
 constexpr double far = 2;
 
-Json json_of(const volume_map::HexPiece& piece, const Json& method) {
+Json json_of(const hexmesh::HexPiece& piece, const Json& method) {
   return {{"place", {piece.place[0], piece.place[1], piece.place[2]}},
           {"hexahedra", piece.hexahedra},
           {"hausdorff_percent", piece.distance},
@@ -28,14 +27,52 @@ Json json_of(const volume_map::HexPiece& piece, const Json& method) {
                                         : method}};
 }
 
-std::string figures_text(const volume_map::HexResult& result) {
+// How they were made.
+Json figures_of(const hexmesh::Hexahedra& made) {
+  if (!made.along_frames) {
+    return {{"method", made.method == hexmesh::Method::grid ? "grid" : "polycube"},
+            {"padded", made.result.padded},
+            {"follows_sharp_edges", made.result.follows_sharp_edges},
+            {"seconds_compute", made.compute_seconds}};
+  }
+  const hexmesh::FrameFigures& frames = *made.along_frames;
+  return {{"inner_irregular_edges", frames.inner_irregular_edges},
+          {"tetrahedra", frames.tetrahedra},
+          {"singular_edges", frames.singular_edges},
+          {"cut_faces", frames.cut_faces},
+          {"integers", frames.integers},
+          {"layer_bounds", frames.layer_bounds},
+          {"integers_optimal", frames.integers_optimal},
+          {"inverted_at_start", frames.inverted_at_start},
+          {"steps", frames.steps},
+          {"fields", frames.fields},
+          {"seconds_fill", frames.fill_seconds},
+          {"seconds_frames", frames.field_seconds},
+          {"seconds_compute", made.compute_seconds},
+          {"method", "frames"}};
+}
+
+// What people may want to know besides scaled Jacobians.
+std::string besides(const hexmesh::Hexahedra& made) {
+  if (made.along_frames)
+    return std::to_string(made.along_frames->inner_irregular_edges) + " inner edges with other than four hexahedra";
+  if (made.method == hexmesh::Method::grid) return "cells of a grid in space";
+  return std::to_string(made.polycube_corners) + " corners of the polycube";
+}
+
+// Null where the unit of the input takes it out of the range of double.
+Json in_range(double volume) {
+  return std::isfinite(volume) && volume != 0 ? Json(volume) : Json();
+}
+
+std::string figures_text(const hexmesh::HexResult& result) {
   return "at most " + number(result.distance) + " % of the diagonal from the surface, volume off by " +
          number(result.volume_error) + " %";
 }
 
 // The piece that is worst by itself.
-std::string worst_piece_text(const volume_map::HexResult& result) {
-  const auto off = [](const volume_map::HexPiece& piece) { return std::max(piece.distance, piece.volume_error); };
+std::string worst_piece_text(const hexmesh::HexResult& result) {
+  const auto off = [](const hexmesh::HexPiece& piece) { return std::max(piece.distance, piece.volume_error); };
   const auto worst = std::max_element(result.pieces.begin(), result.pieces.end(),
                                       [&](const auto& a, const auto& b) { return off(a) < off(b); });
   return "of " + std::to_string(result.pieces.size()) + " pieces the worst is that at " +
@@ -54,28 +91,27 @@ void require_hex_output(const HexOutput& output) {
     throw Failure(Exit::wrong_input, output.glb, "unsupported-format", "--glb needs one of " + gltf_endings);
 }
 
-void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Session& session) {
+void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double asked, Session& session) {
   const base::Host& host = session.host();
-  volume_map::HexResult& result = made.result;
-  const volume_map::HexQuality& quality = result.quality;
-  mesh::scale_by_power(result.mesh.positions, -made.exponent);
-  for (volume_map::HexPiece& piece : result.pieces)
-    piece.place = volume_map::times_power_of_two(piece.place, -made.exponent);
-  session.figures().update(made.figures);
-  if (!made.note.empty()) session.note(made.note);
+  hexmesh::HexResult& result = made.result;
+  const hexmesh::HexQuality& quality = result.quality;
+  session.figures().update(figures_of(made));
+  if (made.along_frames && made.along_frames->fields > 1)
+    session.note("no map follows the smoothest field; that of the hexahedra is number " +
+                 std::to_string(made.along_frames->fields));
   session.figures().update(Json{{"output", output.path},
                                 {"vertices", result.mesh.positions.size()},
                                 {"hexahedra", result.mesh.hexahedra.size()},
                                 {"boundary_quads", result.mesh.quads.size()},
                                 {"min_scaled_jacobian", quality.min_scaled_jacobian},
                                 {"mean_scaled_jacobian", quality.mean_scaled_jacobian},
-                                {"volume", unscaled(quality.volume, -3 * made.exponent)},
+                                {"volume", in_range(quality.volume)},
                                 {"off_surface", result.off_surface},
                                 {"intersecting_quads", quality.intersections},
                                 {"hausdorff_percent", result.distance},
                                 {"volume_error_percent", result.volume_error}});
   Json& pieces = session.figures()["by_piece"] = Json::array();
-  for (const volume_map::HexPiece& piece : result.pieces)
+  for (const hexmesh::HexPiece& piece : result.pieces)
     pieces.push_back(json_of(piece, session.figures()["method"]));
   const double off = std::max(result.distance, result.volume_error);
   const bool too_far = asked > 0 && !(off <= far * asked);
@@ -99,7 +135,7 @@ void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Ses
   session.say("wrote " + output.path + ": " + std::to_string(cells.hexahedra.size()) +
               " hexahedra, certified: each is positive, and the boundary does not meet itself");
   session.say("  scaled Jacobians at least " + number(quality.min_scaled_jacobian) + ", " +
-              number(quality.mean_scaled_jacobian) + " on average; " + made.besides);
+              number(quality.mean_scaled_jacobian) + " on average; " + besides(made));
   session.say("  " + figures_text(result));
   if (result.pieces.size() > 1) session.say("  " + worst_piece_text(result));
   if (too_far) {

@@ -3,9 +3,9 @@
 
 #include <string>
 
+#include "hexmesh/hexmesh.h"
 #include "scenes/hex_scene.h"
 #include "session/session.h"
-#include "volume_map/meshing/hex_draft.h"
 
 namespace orbicube::cli {
 
@@ -17,19 +17,10 @@ struct HexOutput {
   Cut cut = Cut::quarter;
 };
 
-// Hexahedra, figures of how they were made, what people may want to know besides scaled Jacobians, and a note or none.
-struct HexOutcome {
-  volume_map::HexResult result;
-  Json figures;
-  std::string besides;
-  std::string note;
-  int exponent = 0;  // lengths are those of the file times 2^exponent (unit_size.h)
-};
-
 // Throws Failure where one of the files could not be written, by its name.
 void require_hex_output(const HexOutput& output);
 
 // `asked` is the distance that was, in percent.
-void write_hexahedra(const HexOutput& output, HexOutcome made, double asked, Session& session);
+void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double asked, Session& session);
 
 }  // namespace orbicube::cli

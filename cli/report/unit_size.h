@@ -11,25 +11,6 @@
 
 namespace orbicube::cli {
 
-// Scales the mesh by 2^exponent, which is returned, to a size of 1 to 2; 0 where the exponent would be `ordinary` at
-// most (20: sizes of 1e-6 to 1e6): it stays as it is. Exact but for what is below the smallest normal number.
-inline int bring_to_unit_size(mesh::Mesh& m, int ordinary = 20) {
-  int exponent = 0;
-  if (!m.tetrahedra.empty()) {
-    base::Array<mesh::Triangle> corners(m.positions.get_allocator().resource());
-    for (const mesh::Tetrahedron& t : m.tetrahedra) {
-      corners.push_back({t[0], t[1], t[2]});
-      corners.push_back({t[1], t[2], t[3]});
-    }
-    exponent = mesh::unit_scale_exponent(m.positions, corners);
-  } else {
-    exponent = mesh::unit_scale_exponent(m.positions, m.triangles);
-  }
-  if (std::abs(exponent) <= ordinary) return 0;
-  mesh::scale_by_power(m.positions, exponent);
-  return exponent;
-}
-
 // Throws Failure for a shape that is compared with others in its own unit, and too small or large for products of
 // lengths.
 inline void require_ordinary_size(const mesh::Mesh& m, const std::string& path) {

@@ -14,10 +14,10 @@ namespace orbicube::cli {
 namespace {
 
 using base::Array;
+using hexmesh::Hexahedron;
+using hexmesh::Quad;
 using mesh::Index;
 using mesh::Vector3;
-using volume_map::Hexahedron;
-using volume_map::Quad;
 
 constexpr std::size_t items_between_reports = std::size_t{1} << 14U;
 using Color = std::array<double, 3>;  // linear
@@ -31,7 +31,7 @@ struct Face {
   bool kept;
 };
 
-Array<Face> faces_of(const volume_map::HexMesh& mesh, const std::vector<bool>& kept, const base::Host& host) {
+Array<Face> faces_of(const hexmesh::HexMesh& mesh, const std::vector<bool>& kept, const base::Host& host) {
   Array<Face> faces(host.memory);
   faces.reserve(6 * mesh.hexahedra.size());
   for (Index h = 0; h < mesh.hexahedra.size(); ++h) {
@@ -39,7 +39,7 @@ Array<Face> faces_of(const volume_map::HexMesh& mesh, const std::vector<bool>& k
     for (std::uint8_t f = 0; f < 6; ++f) {
       Quad face{};
       for (std::size_t k = 0; k < 4; ++k)
-        face[k] = mesh.hexahedra[h][volume_map::hexahedron_faces[f][k]];
+        face[k] = mesh.hexahedra[h][hexmesh::hexahedron_faces[f][k]];
       std::sort(face.begin(), face.end());
       faces.push_back({face, h, f, kept[h]});
     }
@@ -88,8 +88,8 @@ Color color_of(double scaled_jacobian) {
 
 }  // namespace
 
-Json write_hex_scene(const std::filesystem::path& path, const volume_map::HexMesh& mesh, Cut cut,
-                     const std::string& name, const base::Host& host) {
+Json write_hex_scene(const std::filesystem::path& path, const hexmesh::HexMesh& mesh, Cut cut, const std::string& name,
+                     const base::Host& host) {
   Vector3 low = mesh.positions.front(), high = low;
   for (const Vector3& p : mesh.positions) {
     low = low.cwiseMin(p);
@@ -117,8 +117,8 @@ Json write_hex_scene(const std::filesystem::path& path, const volume_map::HexMes
     const Hexahedron& cell = mesh.hexahedra[face.hexahedron];
     std::array<Vector3, 4> corners;
     for (std::size_t k = 0; k < 4; ++k)
-      corners[k] = frame.stored(mesh.positions[cell[volume_map::hexahedron_faces[face.number][k]]]);
-    shown.add(corners, inner ? color_of(volume_map::scaled_jacobian(mesh.positions, cell)) : outside);
+      corners[k] = frame.stored(mesh.positions[cell[hexmesh::hexahedron_faces[face.number][k]]]);
+    shown.add(corners, inner ? color_of(hexmesh::scaled_jacobian(mesh.positions, cell)) : outside);
     cut_quads += inner;
   }
   gltf::Scene scene;

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <string>
 
+#include "hexmesh/certificate/hex_mesh.h"
 #include "session/session.h"
-#include "volume_map/quality/hex_mesh.h"
 
 namespace orbicube::cli {
 
@@ -18,7 +18,7 @@ enum class Cut { quarter, half, none };
 // lines. COLOR_0 of the surface is light brown, that of quads inside goes from red (scaled Jacobian of their hexahedron
 // 0.5 or less) to blue (1). Coordinates are rounded to float32. Returns figures for the report. Throws what gltf::write
 // throws. O(n log n).
-Json write_hex_scene(const std::filesystem::path& path, const volume_map::HexMesh& mesh, Cut cut,
-                     const std::string& name, const base::Host& host);
+Json write_hex_scene(const std::filesystem::path& path, const hexmesh::HexMesh& mesh, Cut cut, const std::string& name,
+                     const base::Host& host);
 
 }  // namespace orbicube::cli

@@ -11,6 +11,7 @@
 #include "files/surface_file.h"
 #include "frame_field/frames_file.h"
 #include "mesh/files/file.h"
+#include "mesh/search/unit_scale.h"
 #include "mesh/topology/cells.h"
 #include "report/frame_figures.h"
 #include "report/text.h"
@@ -176,7 +177,7 @@ void run_frames(const FramesOptions& options, Session& session) {
   mesh::Mesh solid = session.portion(0.05, [&] { return read_solid(options, session); });
   // Frames know nothing of sizes.
   constexpr int ordinary = 100;
-  const int exponent = bring_to_unit_size(solid, ordinary);
+  const int exponent = mesh::bring_to_unit_size(solid, ordinary);
   if (exponent != 0 && !options.glb.empty())
     throw Failure(Exit::wrong_input, options.input, "unsupported",
                   "--glb is for solids of a size between 1e-30 and 1e30; scale it first");

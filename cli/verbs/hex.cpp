@@ -4,135 +4,61 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "files/surface_file.h"
+#include "frame_field/frames_file.h"
+#include "hexmesh/hexmesh.h"
 #include "report/hex_output.h"
-#include "report/unit_size.h"
-#include "solids/frame_hex.h"
-#include "solids/machined_shape.h"
-#include "solids/polycube_solid.h"
+#include "solids/solid_input.h"
 #include "verbs/verbs.h"
-#include "volume_map/meshing/hex_pieces.h"
-#include "volume_map/solid/solid_boundary.h"
 
 namespace orbicube::cli {
 namespace {
 
-const std::map<std::string, volume_map::Padding> paddings = {{"auto", volume_map::Padding::automatic},
-                                                             {"with", volume_map::Padding::with},
-                                                             {"without", volume_map::Padding::without}};
+const std::map<std::string, hexmesh::Method> hex_methods = {{"auto", hexmesh::Method::automatic},
+                                                            {"polycube", hexmesh::Method::polycube},
+                                                            {"frames", hexmesh::Method::frames},
+                                                            {"grid", hexmesh::Method::grid}};
+
+const std::map<std::string, hexmesh::Padding> paddings = {
+    {"auto", hexmesh::Padding::automatic}, {"with", hexmesh::Padding::with}, {"without", hexmesh::Padding::without}};
 
 const std::map<std::string, Cut> cuts = {{"quarter", Cut::quarter}, {"half", Cut::half}, {"none", Cut::none}};
 
-constexpr double aligned_angle = volume_map::HexOptions{}.feature_angle;
-
 struct HexVerb {
-  PolycubeSolidOptions solid;
+  SolidOptions solid;
   HexOutput output;
-  std::size_t cells = 10000;
+  std::size_t cells = hexmesh::Options{}.cells;
   std::string padding = "auto";
   std::string cut = "quarter";
-  double distance = 1;
-  std::size_t max_cells = 100'000;
-  // In degrees; not set: aligned_angle, and none with --method frames.
-  std::optional<double> feature_angle;
+  double distance = hexmesh::Options{}.distance;
+  std::size_t max_cells = hexmesh::Options{}.max_cells;
+  std::optional<double> feature_angle;  // in degrees
   std::string method = "auto";
   std::string frames;
 };
 
-HexOutcome hexahedra_of_cells(const HexVerb& verb, volume_map::HexMethod method, Session& session) {
-  using volume_map::HexMethod;
-  const Polycubes polycubes = method == HexMethod::polycube ? Polycubes::needed
-                              : method == HexMethod::grid   ? Polycubes::none
-                                                            : Polycubes::where_there_are;
-  PolycubeSolidOptions solid = verb.solid;
-  solid.max_pieces = verb.cells;
-  const std::vector<PolycubeSolidInput> pieces =
-      session.portion(0.3, [&] { return read_polycube_solid(solid, Inside::nothing, polycubes, session); });
-  const double start = session.seconds();
-  std::vector<volume_map::PolycubeSurface> boundaries;
-  std::size_t corners = 0;
-  for (const PolycubeSolidInput& piece : pieces) {
-    corners += piece.made.certificate.corners;
-    boundaries.push_back(piece.boundary());
-  }
-  HexOutcome made{volume_map::HexResult(session.host().memory), Json::object(),
-                  std::to_string(corners) + " corners of the polycube", ""};
-  about(verb.output.path, Role::output, [&] {
-    const base::Stage stage(session.host(), 0.95);
-    made.result = volume_map::make_hexahedra_of_pieces(boundaries,
-                                                       {.method = method,
-                                                        .cells = verb.cells,
-                                                        .padding = paddings.at(verb.padding),
-                                                        .distance = verb.distance,
-                                                        .max_cells = verb.max_cells,
-                                                        .feature_angle = verb.feature_angle.value_or(aligned_angle)},
-                                                       session.host());
+hexmesh::Options options_of(const HexVerb& verb, const Session& session) {
+  hexmesh::Options options;
+  options.method = verb.frames.empty() || verb.method != "auto" ? hex_methods.at(verb.method) : hexmesh::Method::frames;
+  options.padding = paddings.at(verb.padding);
+  options.cells = verb.cells;
+  options.corners = verb.solid.corners;
+  options.triangles = verb.solid.triangles;
+  options.seed = session.seed();
+  options.distance = verb.distance;
+  options.max_cells = verb.max_cells;
+  options.feature_angle = verb.feature_angle;
+  options.fill = fill_by_tetgen();
+  return options;
+}
+
+frame_field::Field read_given_frames(const HexVerb& verb, const mesh::Mesh& solid, const base::Host& host) {
+  about(verb.solid.input, Role::input, [&] {
+    if (solid.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra; --frames has a frame for each");
   });
-  made.besides =
-      made.result.grid_based ? "cells of a grid in space" : std::to_string(corners) + " corners of the polycube";
-  if (!pieces.empty()) made.exponent = pieces.front().exponent;
-  made.figures = {{"method", made.result.grid_based ? "grid" : "polycube"},
-                  {"padded", made.result.padded},
-                  {"follows_sharp_edges", made.result.follows_sharp_edges},
-                  {"seconds_compute", session.seconds() - start}};
-  return made;
-}
-
-HexOutcome hexahedra_by_frames(const HexVerb& verb, double feature_angle, std::size_t max_fields, Session& session) {
-  HexOutcome made = hexahedra_along_frames(
-      {verb.solid, verb.output.path, verb.frames, verb.cells, verb.distance, verb.max_cells, feature_angle, max_fields},
-      session);
-  made.figures["method"] = "frames";
-  return made;
-}
-
-bool looks_machined(const PolycubeSolidOptions& solid, Session& session) {
-  const base::Host& host = session.host();
-  InputMesh input = read_input(solid.input, solid.weld, session);
-  bring_to_unit_size(input.mesh);
-  try {
-    if (input.mesh.tetrahedra.empty()) return is_machined(input.mesh.positions, input.mesh.triangles, host);
-    const volume_map::BoundaryFirst first = volume_map::boundary_first(input.mesh, host);
-    return is_machined(first.positions, first.surface, host);
-  } catch (const base::Error& error) {
-    if (error.status() == base::Status::cancelled) throw;
-    return false;  // no surface of a solid; what is wrong is said by who wants one
-  }
-}
-
-// Of machined parts by frames, which know of other than right angles and of round edges; of others, and where frames do
-// not do, by polycubes; by frames again where there is no other way. The better one, if there are two.
-HexOutcome best_hexahedra(const HexVerb& verb, Session& session) {
-  constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
-  // Each takes long, and what has a map at all has one along the first or the second most often.
-  constexpr std::size_t few_fields = 3;
-  // Layers are those of a polycube.
-  const bool frames_may = verb.padding == "auto", machined = frames_may && looks_machined(verb.solid, session);
-  std::optional<HexOutcome> made;
-  const auto take = [&](HexOutcome now) {
-    if (!made || volume_map::better(now.result, made->result, verb.distance)) made = std::move(now);
-  };
-  const auto try_frames = [&] {
-    try {
-      take(hexahedra_by_frames(verb, verb.feature_angle.value_or(aligned_angle), few_fields, session));
-    } catch (const Failure& failure) {
-      if (failure.kind() == "cancelled") throw;
-    }
-  };
-  if (machined) try_frames();
-  if (made && made->result.quality.min_scaled_jacobian > poor && volume_map::excess(made->result, verb.distance) <= 1)
-    return std::move(*made);
-  try {
-    take(hexahedra_of_cells(verb, frames_may ? volume_map::HexMethod::automatic : volume_map::HexMethod::polycube,
-                            session));
-  } catch (const Failure& failure) {
-    if (failure.kind() == "cancelled") throw;
-    if (!made && !machined && frames_may && failure.kind() == "no-valid-result") try_frames();
-    if (!made) throw;
-  }
-  return std::move(*made);
+  return about(verb.frames, Role::input,
+               [&] { return frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host); });
 }
 
 void run_hex(const HexVerb& verb, Session& session) {
@@ -154,13 +80,16 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"keep_partial", output.keep_partial},
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
-  const bool by_frames = verb.method == "frames" || (verb.method == "auto" && !verb.frames.empty());
-  session.options()["feature_angle"] = verb.feature_angle.value_or(by_frames ? 0 : aligned_angle);
-  HexOutcome made = by_frames
-                        ? hexahedra_by_frames(verb, verb.feature_angle.value_or(0), FrameHexVerb{}.max_fields, session)
-                    : verb.method == "polycube" ? hexahedra_of_cells(verb, volume_map::HexMethod::polycube, session)
-                    : verb.method == "grid"     ? hexahedra_of_cells(verb, volume_map::HexMethod::grid, session)
-                                                : best_hexahedra(verb, session);
+  hexmesh::Options options = options_of(verb, session);
+  session.options()["feature_angle"] = hexmesh::feature_angle_of(options);
+  const InputMesh input = session.portion(0.01, [&] { return read_input(verb.solid.input, verb.solid.weld, session); });
+  frame_field::Field frames(session.host().memory);
+  if (!verb.frames.empty() && hexmesh::by_frames(options)) frames = read_given_frames(verb, input.mesh, session.host());
+  options.frames = frames;
+  volume_map::InputFindings findings = findings_of(session);
+  hexmesh::Hexahedra made =
+      about_solid(verb.solid.input, verb.output.path, input.report.format, findings, session,
+                  [&] { return hexmesh::make_hexahedra(input.mesh, options, findings, session.host()); });
   write_hexahedra(output, std::move(made), verb.distance, session);
 }
 
@@ -169,7 +98,7 @@ void run_hex(const HexVerb& verb, Session& session) {
 void add_hex(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("hex", "generate a hexahedral mesh of a solid");
   const auto options = std::make_shared<HexVerb>();
-  add_polycube_solid_options(*verb, options->solid);
+  add_solid_options(*verb, options->solid);
   verb->add_option("-o,--output", options->output.path, "hexahedra to write: " + cell_endings)
       ->required()
       ->type_name("OUT");

@@ -1,6 +1,7 @@
 // orbicube volume: a one-to-one map of a solid to a polycube.
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "files/surface_file.h"
@@ -8,19 +9,31 @@
 #include "mesh/topology/cells.h"
 #include "report/embedding.h"
 #include "report/solver_choice.h"
-#include "solids/polycube_solid.h"
+#include "solids/solid_input.h"
 #include "verbs/verbs.h"
 
 namespace orbicube::cli {
 namespace {
 
 struct VolumeVerb {
-  PolycubeSolidOptions solid;
+  SolidOptions solid;
   std::string output;
   std::string source;
   std::string solver = "own";
   bool text = false;
 };
+
+// The pieces of the input, times 2^exponent.
+std::vector<volume_map::PolycubePiece> read_pieces(const SolidOptions& options, volume_map::InputFindings& findings,
+                                                   int& exponent, Session& session) {
+  InputMesh input = session.portion(0.03, [&] { return read_input(options.input, options.weld, session); });
+  exponent = mesh::bring_to_unit_size(input.mesh);
+  const volume_map::PieceOptions of_pieces = {
+      .corners = options.corners, .triangles = options.triangles, .seed = session.seed(), .fill = fill_by_tetgen()};
+  return about_solid(options.input, options.input, input.report.format, findings, session, [&] {
+    return volume_map::polycube_pieces(std::move(input.mesh), of_pieces, findings, session.host());
+  });
+}
 
 void run_volume(const VolumeVerb& verb, Session& session) {
   const std::unique_ptr<volume_map::BlockEngine> engine = start_solver(verb.solver);
@@ -28,15 +41,14 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   if (!verb.source.empty()) require_cells_writable(verb.source);
   session.options() = {{"output", verb.output}, {"source", verb.source}, {"solver", verb.solver}, {"text", verb.text}};
   session.options().update(json_of(verb.solid));
-  const std::vector<PolycubeSolidInput> pieces = session.portion(
-      0.4, [&] { return read_polycube_solid(verb.solid, Inside::tetrahedra, Polycubes::needed, session); });
+  int exponent = 0;
+  volume_map::InputFindings findings = findings_of(session);
+  const std::vector<volume_map::PolycubePiece> pieces =
+      session.portion(0.4, [&] { return read_pieces(verb.solid, findings, exponent, session); });
   const double start = session.seconds();
-  std::size_t corners = 0;
   std::vector<volume_map::PolycubeSolid> solids;
-  for (const PolycubeSolidInput& piece : pieces) {
-    corners += piece.made.certificate.corners;
+  for (const volume_map::PolycubePiece& piece : pieces)
     solids.push_back(piece.solid());
-  }
   volume_map::VolumeMap map = about(verb.output, Role::output, [&] {
     const base::Stage stage(session.host(), 0.95);
     return volume_map::map_pieces_to_polycubes(solids, session.host(), engine.get());
@@ -51,7 +63,6 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   mesh::Mesh cells(session.host().memory);
   cells.tetrahedra = std::move(map.tetrahedra);
   cells.positions = std::move(map.source);
-  const int exponent = pieces.empty() ? 0 : pieces.front().exponent;
   mesh::scale_by_power(cells.positions, -exponent);
   about(verb.solid.input, Role::input, [&] {
     report_intersections(verb.source.empty() ? verb.solid.input : verb.source, cells.positions,
@@ -66,8 +77,8 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   for (const std::string& note : session.notes())
     session.say("note: " + note);
   session.say("wrote " + verb.output + ": " + std::to_string(cells.tetrahedra.size()) +
-              " tetrahedra on a polycube with " + std::to_string(corners) + " corners, one to one; " +
-              std::to_string(map.inverted_at_start) + " were inverted at the start");
+              " tetrahedra on a polycube with " + std::to_string(findings.polycube->corners) +
+              " corners, one to one; " + std::to_string(map.inverted_at_start) + " were inverted at the start");
   if (!verb.source.empty()) session.say("wrote " + verb.source);
 }
 
@@ -76,7 +87,7 @@ void run_volume(const VolumeVerb& verb, Session& session) {
 void add_volume(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("volume", "map a solid to a polycube bijectively");
   const auto options = std::make_shared<VolumeVerb>();
-  add_polycube_solid_options(*verb, options->solid);
+  add_solid_options(*verb, options->solid);
   verb->add_option("-o,--output", options->output, "the tetrahedra of the solid on the polycube: " + cell_endings)
       ->required()
       ->type_name("OUT");

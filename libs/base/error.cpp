@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "base/known_kind.h"
+
 namespace orbicube::base {
 namespace {
 
@@ -88,6 +90,16 @@ const char* status_name(Status status) {
       return "internal error";
   }
   return "unknown status";
+}
+
+const char* known_kind(std::string_view kind, Status status) {
+  for (const auto& entry : kinds) {
+    if (entry.first == kind) return entry.first;
+  }
+  for (const auto& entry : kinds) {
+    if (entry.second == status) return entry.first;
+  }
+  return "internal";
 }
 
 Status status_of_kind(std::string_view kind) {

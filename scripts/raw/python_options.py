@@ -48,8 +48,8 @@ WORDS = {
     "obc_sphere_optimizer_relaxation_options.order": "OBC_SPHERE_OPTIMIZER_AUTOMATIC",
     "obc_trust_region_options.method": "OBC_TRUST_REGION_TWO_RADII",
     "obc_trust_region_options.start": "OBC_TRUST_REGION_AUTOMATIC",
-    "obc_volume_map_hexes_options.padding": "OBC_VOLUME_MAP_PADDING_AUTO",
-    "obc_volume_map_hexes_options.method": "OBC_VOLUME_MAP_METHOD_AUTO",
+    "obc_hexmesh_options.padding": "OBC_HEXMESH_PADDING_AUTO",
+    "obc_hexmesh_options.method": "OBC_HEXMESH_METHOD_AUTO",
 }
 OTHERS = ["obc_gltf_scene"]  # filled like options
 

@@ -5,12 +5,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include <orbicube/hexmesh.h>
 #include <orbicube/mesh.h>
 #include <orbicube/projected_gradient.h>
 #include <orbicube/sphere_map.h>
 #include <orbicube/sphere_optimizer.h>
 #include <orbicube/trust_region.h>
-#include <orbicube/volume_map.h>
 
 enum { UNKNOWNS = 3, MEASUREMENTS = 8, FEEDS = 5, POINTS = 12, COORDINATES = 3 * POINTS };
 
@@ -171,20 +171,20 @@ static void creature(void) {
 static void cube(void) {
   const double corners[24] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
   const uint32_t tetrahedra[24] = {0, 1, 3, 7, 0, 3, 2, 7, 0, 2, 6, 7, 0, 6, 4, 7, 0, 4, 5, 7, 0, 5, 1, 7};
-  obc_volume_map_frame_options options;
-  obc_volume_map_hexes* hexes = NULL;
+  obc_hexmesh_options options;
+  obc_hexmesh* hexes = NULL;
   obc_error error;
   double* positions;
-  obc_volume_map_frame_options_init(&options, sizeof options);
+  obc_hexmesh_options_init(&options, sizeof options);
+  options.method = OBC_HEXMESH_METHOD_FRAMES;
   options.cells = 8;
-  check(obc_volume_map_frame_hexes_compute(corners, 8, tetrahedra, 6, NULL, &options, NULL, NULL, &hexes, &error),
-        &error);
-  positions = malloc(3 * obc_volume_map_hexes_vertex_count(hexes) * sizeof *positions);
+  check(obc_hexmesh_compute_solid(corners, 8, tetrahedra, 6, NULL, &options, NULL, NULL, &hexes, &error), &error);
+  positions = malloc(3 * obc_hexmesh_vertex_count(hexes) * sizeof *positions);
   if (positions == NULL) exit(1);
-  check(obc_volume_map_hexes_copy(hexes, positions, NULL, NULL, NULL, &error), &error);
-  print_result("cube", obc_volume_map_hexes_count(hexes), positions, 3 * obc_volume_map_hexes_vertex_count(hexes));
+  check(obc_hexmesh_copy(hexes, positions, NULL, NULL, NULL, &error), &error);
+  print_result("cube", obc_hexmesh_count(hexes), positions, 3 * obc_hexmesh_vertex_count(hexes));
   free(positions);
-  obc_volume_map_hexes_destroy(hexes);
+  obc_hexmesh_destroy(hexes);
 }
 
 int main(void) {

@@ -345,7 +345,7 @@ class Hex(InFolder):
     def test_a_ball_in_a_bowl_stays_off_it(self):
         # Its gap is much narrower than a cell: walls that are fitted each by itself would meet across it.
         spec = importlib.util.spec_from_file_location(
-            "gap_shapes", os.path.join(os.path.dirname(__file__), "..", "..", "bench", "volume_map", "gap_shapes.py"))
+            "gap_shapes", os.path.join(os.path.dirname(__file__), "..", "..", "bench", "hexmesh", "gap_shapes.py"))
         shapes = importlib.util.module_from_spec(spec)
         spec.loader.exec_module(shapes)
         family, _, vertices, faces = shapes.shape(49)

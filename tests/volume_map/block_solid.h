@@ -8,7 +8,6 @@
 
 #include "polycube/map/certificate.h"
 #include "tangled_cases.h"
-#include "volume_map/meshing/hex_meshing.h"
 #include "volume_map/solid/volume_map.h"
 
 namespace orbicube::volume_map::test {

@@ -1,5 +1,5 @@
 // What no map can be made of is refused with its kind, its number and where it is; pieces are distinguished.
-#include "volume_map/solid/solid_pieces.h"
+#include "volume_map/input/solid_pieces.h"
 
 #include <doctest/doctest.h>
 
@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "box_surface.h"
 #include "tangled_cases.h"
-#include "volume_map/solid/solid_boundary.h"
+#include "volume_map/input/solid_boundary.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;

@@ -36,6 +36,13 @@ export const constants: {
   readonly OBC_HARMONICS_BY_ENDING: 0;
   readonly OBC_HARMONICS_SHTOOLS: 1;
   readonly OBC_HARMONICS_SPHARM_PDM: 2;
+  readonly OBC_HEXMESH_PADDING_AUTO: 0;
+  readonly OBC_HEXMESH_PADDING_WITH: 1;
+  readonly OBC_HEXMESH_PADDING_WITHOUT: 2;
+  readonly OBC_HEXMESH_METHOD_AUTO: 0;
+  readonly OBC_HEXMESH_METHOD_POLYCUBE: 1;
+  readonly OBC_HEXMESH_METHOD_GRID: 2;
+  readonly OBC_HEXMESH_METHOD_FRAMES: 3;
   readonly OBC_MESH_OBJ: 0;
   readonly OBC_MESH_OFF: 1;
   readonly OBC_MESH_PLY: 2;
@@ -133,12 +140,6 @@ export const constants: {
   readonly OBC_TRUST_REGION_CONTINUE: 0;
   readonly OBC_TRUST_REGION_STOP: 1;
   readonly OBC_TRUST_REGION_FAILED: 2;
-  readonly OBC_VOLUME_MAP_PADDING_AUTO: 0;
-  readonly OBC_VOLUME_MAP_PADDING_WITH: 1;
-  readonly OBC_VOLUME_MAP_PADDING_WITHOUT: 2;
-  readonly OBC_VOLUME_MAP_METHOD_AUTO: 0;
-  readonly OBC_VOLUME_MAP_METHOD_POLYCUBE: 1;
-  readonly OBC_VOLUME_MAP_METHOD_GRID: 2;
 };
 
 export interface Layout {
@@ -160,6 +161,8 @@ export const layouts: {
   readonly obc_harmonics_fit_report: Layout;
   readonly obc_harmonics_align_options: Layout;
   readonly obc_harmonics_alignment: Layout;
+  readonly obc_hexmesh_options: Layout;
+  readonly obc_hexmesh_report: Layout;
   readonly obc_surface: Layout;
   readonly obc_mesh_cells: Layout;
   readonly obc_mesh_tetrahedron_quality_report: Layout;
@@ -196,10 +199,6 @@ export const layouts: {
   readonly obc_volume_map_untangle_options: Layout;
   readonly obc_volume_map_untangle_report: Layout;
   readonly obc_volume_map_solid_options: Layout;
-  readonly obc_volume_map_hexes_options: Layout;
-  readonly obc_volume_map_hexes_report: Layout;
-  readonly obc_volume_map_frame_options: Layout;
-  readonly obc_volume_map_frame_report: Layout;
 };
 export const callbacks: Readonly<Record<string, string>>;
 export const functions: Readonly<Record<keyof RawFunctions, string>>;
@@ -361,6 +360,40 @@ export interface RawFunctions {
   obc_harmonics_coefficients_destroy(coefficients: Pointer): void;
   /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
   obc_harmonics_version(): number;
+  /** Fills options with the defaults. */
+  obc_hexmesh_options_init(options: Pointer, struct_size: number): number;
+  /** Fills a closed surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the cells are divided by
+   * volume; components within a piece bound cavities. Triangles are turned where neighbors disagree and where components are oriented
+   * into their solid; the log of the host says so. A few triangles may intersect others of their component, up to a twentieth of them. The
+   * volume of the result is infinite or 0 where the unit of the surface takes it out of the range of double. options, host and report
+   * may be NULL; the allocator of the host must remain valid until _destroy. Takes from a second to many minutes.
+   * Errors: invalid argument (also: more pieces than cells); not closed; not manifold (kinds self-intersection: components intersect;
+   * non-orientable); degenerate; malformed file; not connected (method FRAMES: several pieces); unsupported (method FRAMES without
+   * `fill`); no valid result with the obstacle; those of `fill`; out of memory; cancelled. */
+  obc_hexmesh_compute(surface: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
+  /** Fills a solid of tetrahedra with hexahedra. positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: NULL,
+   * or for the methods AUTO, which then is FRAMES, and FRAMES w x y z a tetrahedron as in <orbicube/frame_field.h>, with an axis along the
+   * normal at the boundary. For method FRAMES without frames several smooth fields are computed and repaired until a map
+   * follows one. The patch numbers of obc_hexmesh_copy are then those of connected boundary regions in one plane of the map. options, host
+   * and report may be NULL; the allocator of the host must remain valid until _destroy.
+   * Errors: as obc_hexmesh_compute for the boundary; malformed file (index-range); degenerate; not manifold; no valid result for a field
+   * that no such map follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted,
+   * with the location. */
+  obc_hexmesh_compute_solid(positions: Pointer, vertex_count: number, tetrahedra: Pointer, tetrahedron_count: number, frames: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
+  /** Destroys a mesh; NULL is allowed. */
+  obc_hexmesh_destroy(hexes: Pointer): void;
+  /** Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
+  obc_hexmesh_vertex_count(hexes: Pointer): number;
+  /** Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
+  obc_hexmesh_count(hexes: Pointer): number;
+  /** Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
+  obc_hexmesh_quad_count(hexes: Pointer): number;
+  /** Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
+   * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
+   * Errors: invalid argument. */
+  obc_hexmesh_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_patches: Pointer, error: Pointer): number;
+  /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
+  obc_hexmesh_version(): number;
   /** Fills cells with an empty mesh. */
   obc_mesh_cells_init(cells: Pointer, struct_size: number): number;
   /** Creates a mesh with copies of the arrays. host may be NULL; its allocator must remain valid until _destroy. O(n). Errors: invalid
@@ -1028,41 +1061,6 @@ export interface RawFunctions {
   /** Copies positions in space and on the polycube (x y z a vertex) and tetrahedra (four vertices each); each may be NULL.
    * Errors: invalid argument. */
   obc_volume_map_solid_copy(solid: Pointer, positions: Pointer, polycube: Pointer, tetrahedra: Pointer, error: Pointer): number;
-  /** Fills options with the defaults. */
-  obc_volume_map_hexes_options_init(options: Pointer, struct_size: number): number;
-  /** Fills a closed, outward-oriented surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the
-   * cells are divided by volume; inward-oriented components within a piece bound cavities. Hexahedra are conforming, the
-   * boundary has the components and the genus of the surface, each hexahedron has positive corners by exact signs and a
-   * trilinear map with proven positive determinant. options, host and report may be NULL; the allocator of the host must remain valid
-   * until _destroy.
-   * Errors: invalid argument (also: more pieces than cells); not closed; not manifold (kinds self-intersection: components
-   * intersect; inconsistent-orientation: components oriented into the solid); degenerate; malformed file; no valid result with the
-   * obstacle; out of memory; cancelled. */
-  obc_volume_map_hexes_compute(surface: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
-  /** Destroys a mesh; NULL is allowed. */
-  obc_volume_map_hexes_destroy(hexes: Pointer): void;
-  /** Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
-  obc_volume_map_hexes_vertex_count(hexes: Pointer): number;
-  /** Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
-  obc_volume_map_hexes_count(hexes: Pointer): number;
-  /** Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
-  obc_volume_map_hexes_quad_count(hexes: Pointer): number;
-  /** Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
-   * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
-   * Errors: invalid argument. */
-  obc_volume_map_hexes_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_patches: Pointer, error: Pointer): number;
-  /** Fills options with the defaults. */
-  obc_volume_map_frame_options_init(options: Pointer, struct_size: number): number;
-  /** Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
-   * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
-   * <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
-   * until a map follows one. The patch numbers of obc_volume_map_hexes_copy are those of connected boundary regions in one
-   * plane of the map. Where the boundary exceeds `max_hausdorff_percent`, it is fixed to the map's surface, then cells are added as in
-   * obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must remain valid until _destroy.
-   * Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
-   * follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with
-   * the location; out of memory; cancelled. */
-  obc_volume_map_frame_hexes_compute(positions: Pointer, vertex_count: number, tetrahedra: Pointer, tetrahedron_count: number, frames: Pointer, options: Pointer, host: Pointer, report: Pointer, out: Pointer, error: Pointer): number;
   /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
   obc_volume_map_version(): number;
 }

@@ -388,7 +388,7 @@ export function solidMap(solid: SolidLike, options?: { corners?: number; seed?: 
 
 export interface HexahedraOptions {
   /** Cells of a polycube, of a grid in space, or of that where the polycube's are far from the surface or poor. Default auto. */
-  method?: 'auto' | 'polycube' | 'grid';
+  method?: 'auto' | 'polycube' | 'grid' | 'frames';
   cells?: number;
   padding?: 'auto' | 'with' | 'without';
   corners?: number;

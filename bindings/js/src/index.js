@@ -16,7 +16,8 @@ export { Mesh, checkClosedGenusZero, formatOf, formats, meanDistance, orient, to
 export { Locator, bestRotation, faceDistortion, grid, measure, overlay, roundToFloat, sphereMap } from './sphere_map.js';
 export { Polycube, commonPolycube, polycube } from './polycube.js';
 export { frameField, matchings, measureFrames, singularities } from './frame_field.js';
-export { hexahedra, solidMap, untangle } from './volume_map.js';
+export { hexahedra } from './hexmesh.js';
+export { solidMap, untangle } from './volume_map.js';
 export { readGltf, writeGlb } from './gltf.js';
 export { boxOf, facing, morph, normalized, octahedronCoordinates, sphereGlb } from './morph.js';
 export { OrbicubeWorker } from './client.js';

@@ -1,8 +1,7 @@
-// Maps of solids without inverted tetrahedra, and hexahedral meshes: docs/volume_map.md.
+// Maps of solids without inverted tetrahedra: docs/volume_map.md.
 import { call, make, object, options, raw, scratched, view, withHost } from './module.js';
-import { onSurface } from './mesh.js';
 
-const split = ({ onProgress, signal, ...chosen }) => [{ onProgress, signal }, chosen];
+export const split = ({ onProgress, signal, ...chosen }) => [{ onProgress, signal }, chosen];
 
 /**
  * Moves vertices until every tetrahedron is positive: `positions`, and a `report`. `rest`: positions where each has the shape that it
@@ -33,31 +32,6 @@ export function untangle({ positions, tetrahedra }, given = {}) {
     }
     return found();
   }));
-}
-
-/**
- * Fills a closed surface with hexahedra, certified: `positions`, `hexahedra` (eight vertices each, as VTK orders them), the `quads` of
- * the boundary, of each the patch of the polycube that it lies on, and a `report`. Options: method ("auto", "polycube",
- * "grid"), cells, padding ("auto", "with", "without"), maxHausdorffPercent (more cells where a mesh is farther), maxCells, featureAngle, corners, triangles, seed, rounds.
- */
-export function hexahedra(surface, given = {}) {
-  const [host, chosen] = split(given);
-  return onSurface(surface, host, (scratch, at, lent) => {
-    const picked = options(scratch, 'obc_volume_map_hexes_options', chosen);
-    const report = scratch.struct('obc_volume_map_hexes_report');
-    const hexes = make('obc_volume_map_hexes_compute', at, picked, lent, report);
-    try {
-      const count = (of) => raw(`obc_volume_map_hexes_${of}count`, hexes);
-      const [vertices, cells, quads] = ['vertex_', '', 'quad_'].map(count);
-      const parts = { positions: ['f64', 3 * vertices], hexahedra: ['u32', 8 * cells], quads: ['u32', 4 * quads], quadPatches: ['u32', quads] };
-      const rooms = Object.values(parts).map(([type, length]) => scratch.room(type, length));
-      call('obc_volume_map_hexes_copy', hexes, ...rooms);
-      return { ...Object.fromEntries(Object.entries(parts).map(([name, [type, length]], i) => [name, view(type, rooms[i], length).slice()])),
-        report: object('obc_volume_map_hexes_report', report) };
-    } finally {
-      raw('obc_volume_map_hexes_destroy', hexes);
-    }
-  });
 }
 
 /**

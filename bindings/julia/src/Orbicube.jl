@@ -22,7 +22,7 @@ export rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
 export frame_field, measure_frames, frame_matchings, singularities, Quaternions
 export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, align_features
 export energies, polycube_graph, polycube_quads
-export untangle, map_to_polycube, fill_with_hexahedra, fill_along_frames
+export untangle, map_to_polycube, fill_with_hexahedra
 
 using SparseArrays
 

@@ -90,49 +90,49 @@ function hexes(f, report)
     out = Ref(C_NULL)
     f(out)
     try
-        k = Raw.obc_volume_map_hexes_quad_count(out[])
-        places = Matrix{Float64}(undef, 3, Raw.obc_volume_map_hexes_vertex_count(out[]))
-        cells = Matrix{UInt32}(undef, 8, Raw.obc_volume_map_hexes_count(out[]))
+        k = Raw.obc_hexmesh_quad_count(out[])
+        places = Matrix{Float64}(undef, 3, Raw.obc_hexmesh_vertex_count(out[]))
+        cells = Matrix{UInt32}(undef, 8, Raw.obc_hexmesh_count(out[]))
         quads, faces = Matrix{UInt32}(undef, 4, k), Vector{UInt32}(undef, k)
-        checked(error -> Raw.obc_volume_map_hexes_copy(out[], places, cells, quads, faces, error))
+        checked(error -> Raw.obc_hexmesh_copy(out[], places, cells, quads, faces, error))
         Hexes(places, Int.(cells) .+ 1, Int.(quads) .+ 1, Int.(faces) .+ 1, report)
     finally
-        Raw.obc_volume_map_hexes_destroy(out[])
+        Raw.obc_hexmesh_destroy(out[])
     end
 end
 
 """
     fill_with_hexahedra(surface; options...)
 
-Fills a closed surface: a `Hexes`. Options: method (`:auto`, `:polycube`, `:grid`), cells, padding (`:auto`, `:with`, `:without`), corners,
+Fills a closed surface: a `Hexes`. Options: method (`:auto`, `:polycube`, `:grid`, `:frames`), cells, padding (`:auto`, `:with`, `:without`), corners,
 triangles, seed, rounds, max_hausdorff_percent, max_cells, feature_angle.
 """
 function fill_with_hexahedra(surface::Surface; threads=0, progress=nothing, options...)
-    chosen = filled(Raw.obc_volume_map_hexes_options, Raw.obc_volume_map_hexes_options_init, values(options), "OBC_VOLUME_MAP_")
-    report = sized(Raw.obc_volume_map_hexes_report)
+    chosen = filled(Raw.obc_hexmesh_options, Raw.obc_hexmesh_options_init, values(options), "OBC_HEXMESH_")
+    report = sized(Raw.obc_hexmesh_report)
     hexes(report) do out
         with_surface(surface; threads=threads, progress=progress) do view, lent, error
-            Raw.obc_volume_map_hexes_compute(view, chosen, lent, report, out, error)
+            Raw.obc_hexmesh_compute(view, chosen, lent, report, out, error)
         end
     end
 end
 
 """
-    fill_along_frames(positions, tetrahedra, frames=nothing; options...)
+    fill_with_hexahedra(positions, tetrahedra, frames=nothing; options...)
 
-Fills a solid of tetrahedra with hexahedra that follow frames (quaternions w x y z, 4 by m, as of `frame_field`): a `Hexes`. Without frames a
-smooth field is made, and repaired. Options: cells, feature_angle, rounds.
+Fills a solid of tetrahedra: a `Hexes`. The hexahedra follow the frames (quaternions w x y z, 4 by m, as of `frame_field`), if there are any;
+with the method `:frames` and without frames a smooth field is made, and repaired. Options as for a surface.
 """
-function fill_along_frames(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}, frames=nothing; threads=0, progress=nothing,
-                           options...)
-    chosen = filled(Raw.obc_volume_map_frame_options, Raw.obc_volume_map_frame_options_init, values(options))
-    report = sized(Raw.obc_volume_map_frame_report)
+function fill_with_hexahedra(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}, frames=nothing; threads=0, progress=nothing,
+                             options...)
+    chosen = filled(Raw.obc_hexmesh_options, Raw.obc_hexmesh_options_init, values(options), "OBC_HEXMESH_")
+    report = sized(Raw.obc_hexmesh_report)
     places, n, cells, m = solid_arrays(positions, tetrahedra)
     frames === nothing || expect(columns(frames, 4, "frames"), m, "columns of frames")
     field = frames === nothing ? C_NULL : doubles(frames)
     hexes(report) do out
         hosted(threads=threads, progress=progress) do lent, error
-            Raw.obc_volume_map_frame_hexes_compute(places, n, cells, m, field, chosen, lent, report, out, error)
+            Raw.obc_hexmesh_compute_solid(places, n, cells, m, field, chosen, lent, report, out, error)
         end
     end
 end

@@ -14,6 +14,8 @@ const layouts = [
     (Orbicube.Raw.obc_harmonics_fit_report, 48, [0, 4, 8, 16, 24, 32, 40]),
     (Orbicube.Raw.obc_harmonics_align_options, 16, [0, 4, 8, 12]),
     (Orbicube.Raw.obc_harmonics_alignment, 160, [0, 4, 8, 80, 152]),
+    (Orbicube.Raw.obc_hexmesh_options, 88, [0, 4, 8, 16, 24, 32, 40, 44, 48, 56, 64, 72, 80]),
+    (Orbicube.Raw.obc_hexmesh_report, 136, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 68, 72, 76, 80, 88, 96, 104, 112, 120, 128]),
     (Orbicube.Raw.obc_linear_matrix, 32, [0, 8, 16, 24]),
     (Orbicube.Raw.obc_linear_direct_options, 8, [0, 4]),
     (Orbicube.Raw.obc_linear_iterative_options, 24, [0, 4, 8, 12, 16]),
@@ -55,8 +57,4 @@ const layouts = [
     (Orbicube.Raw.obc_volume_map_untangle_options, 24, [0, 4, 8, 12, 16]),
     (Orbicube.Raw.obc_volume_map_untangle_report, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
     (Orbicube.Raw.obc_volume_map_solid_options, 24, [0, 4, 8, 16]),
-    (Orbicube.Raw.obc_volume_map_hexes_options, 72, [0, 4, 8, 16, 24, 32, 40, 44, 48, 56, 64]),
-    (Orbicube.Raw.obc_volume_map_hexes_report, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 68]),
-    (Orbicube.Raw.obc_volume_map_frame_options, 40, [0, 4, 8, 16, 24, 32]),
-    (Orbicube.Raw.obc_volume_map_frame_report, 104, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96]),
 ]

@@ -339,16 +339,16 @@ end
     corners = Float64[i >> k & 1 for k in 0:2, i in 0:7]
     ring = [2, 4, 3, 7, 5, 6]
     cells = reduce(hcat, [[1, ring[i], ring[i%6+1], 8] for i in 1:6])
-    mesh = fill_along_frames(corners, cells; cells=8)
+    mesh = fill_with_hexahedra(corners, cells; method=:frames, cells=8)
     @test (size(mesh.hexahedra), size(mesh.positions), size(mesh.quads)) == ((8, 8), (3, 27), (4, 24))
     @test minimum(scaled_jacobians(mesh)) ≈ mesh.report.min_scaled_jacobian > 0.99
     @test mesh.report.volume ≈ 1 && mesh.report.irregular_edges == 0
     expected = from_c()
     expected === nothing || @test expected["cube"] == (8, bits(mesh.positions))
     frames, = frame_field(corners, cells)
-    @test minimum(scaled_jacobians(fill_along_frames(corners, cells, frames; cells=8))) > 0.99
-    @test_throws DimensionMismatch fill_along_frames(corners, cells, frames[:, 2:end])
-    @test_throws OrbicubeError fill_along_frames(corners, cells; cells=0)
+    @test minimum(scaled_jacobians(fill_with_hexahedra(corners, cells, frames; cells=8))) > 0.99
+    @test_throws DimensionMismatch fill_with_hexahedra(corners, cells, frames[:, 2:end])
+    @test_throws OrbicubeError fill_with_hexahedra(corners, cells; cells=0)
 
     shape = make_surface("cube", 300)
     mesh = fill_with_hexahedra(shape; cells=27, padding=:without)

@@ -65,6 +65,35 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("search_degree", "int", 12, low=0, high=4294967295,
                doc="degree of the search over all rotations, 1 to 64. Default: 12."),
     ),
+    "obc_hexmesh_options": (
+        Option("padding", "word", None, words={"auto": 0, "with": 1, "without": 2},
+               doc="OBC_HEXMESH_PADDING_AUTO, WITH or WITHOUT. Default: AUTO."),
+        Option("cells", "int", None, low=0, high=18446744073709551615,
+               doc="approximate number of hexahedra, 1 to 10 million. Default: 10000."),
+        Option("corners", "int", None, low=0, high=18446744073709551615,
+               doc="maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. "
+                   "Default: 100."),
+        Option("triangles", "int", None, low=0, high=18446744073709551615,
+               doc="a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: "
+                   "never. Default: 6000."),
+        Option("seed", "int", None, low=0, high=18446744073709551615,
+               doc="seed of random choices of the polycube. Default: 0."),
+        Option("rounds", "int", None, low=-2147483648, high=2147483647,
+               doc="number of smoothing rounds, 0 to 1000. Default: 40."),
+        Option("method", "word", None, words={"auto": 0, "polycube": 1, "grid": 2, "frames": 3},
+               doc="OBC_HEXMESH_METHOD_AUTO, POLYCUBE, GRID or FRAMES. Default: AUTO."),
+        Option("max_hausdorff_percent", "float", None,
+               doc="Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume "
+                   "error, in percent, 0 to 100. While it is exceeded, the cell count is doubled, up to max_cells; the "
+                   "closest mesh is returned. 0 disables the check. Default: 1."),
+        Option("max_cells", "int", None, low=0, high=18446744073709551615,
+               doc="approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: "
+                   "100000."),
+        Option("feature_angle", "float", None,
+               doc="Minimum dihedral angle, in degrees, 0 to below 180, of surface edges that the mesh follows: those near "
+                   "an edge of the polycube, unless hexahedra there would be bad, or those along which an axis of computed "
+                   "frames lies. 0: none. -1: 40, but 0 for method FRAMES and for frames of the caller. Default: -1."),
+    ),
     "obc_linear_direct_options": (
         Option("method", "word", "auto", words={"auto": 0, "eigen": 1, "cholmod-simplicial": 2, "cholmod-supernodal": 3},
                doc="Engine, OBC_LINEAR_AUTO to OBC_LINEAR_CHOLMOD_SUPERNODAL. Default: OBC_LINEAR_AUTO."),
@@ -244,46 +273,5 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                    "Default: 100."),
         Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="seed of random choices. Default: 0."),
-    ),
-    "obc_volume_map_hexes_options": (
-        Option("padding", "word", "auto", words={"auto": 0, "with": 1, "without": 2},
-               doc="OBC_VOLUME_MAP_PADDING_AUTO, WITH or WITHOUT. Default: AUTO."),
-        Option("cells", "int", 10000, low=0, high=18446744073709551615,
-               doc="approximate number of hexahedra, 1 to 10 million. Default: 10000."),
-        Option("corners", "int", 100, low=0, high=18446744073709551615,
-               doc="maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. "
-                   "Default: 100."),
-        Option("triangles", "int", 6000, low=0, high=18446744073709551615,
-               doc="a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: "
-                   "never. Default: 6000."),
-        Option("seed", "int", 0, low=0, high=18446744073709551615,
-               doc="seed of random choices of the polycube. Default: 0."),
-        Option("rounds", "int", 40, low=-2147483648, high=2147483647,
-               doc="number of smoothing rounds, 0 to 1000. Default: 40."),
-        Option("method", "word", "auto", words={"auto": 0, "polycube": 1, "grid": 2},
-               doc="OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or GRID. Default: AUTO."),
-        Option("max_hausdorff_percent", "float", 1.0,
-               doc="Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume "
-                   "error, in percent, 0 to 100. While it is exceeded, the cell count is doubled, up to max_cells; the "
-                   "closest mesh is returned. 0 disables the check. Default: 1."),
-        Option("max_cells", "int", 100000, low=0, high=18446744073709551615,
-               doc="approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: "
-                   "100000."),
-        Option("feature_angle", "float", 40.0,
-               doc="Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows "
-                   "sharp edges near an edge of the polycube, unless hexahedra there would be bad. 0: none. Default: 40."),
-    ),
-    "obc_volume_map_frame_options": (
-        Option("rounds", "int", 40, low=-2147483648, high=2147483647,
-               doc="number of smoothing rounds, 0 to 1000. Default: 40."),
-        Option("cells", "int", 10000, low=0, high=18446744073709551615,
-               doc="approximate number of hexahedra, 1 to 10 million. Default: 10000."),
-        Option("feature_angle", "float", 0.0,
-               doc="Minimum dihedral angle, in degrees, of boundary edges that an axis of the computed frames follows; "
-                   "unused for frames of the caller. 0: none. Default: 0."),
-        Option("max_hausdorff_percent", "float", 1.0,
-               doc="as in obc_volume_map_hexes_options, relative to the boundary of the solid. Default: 1."),
-        Option("max_cells", "int", 100000, low=0, high=18446744073709551615,
-               doc="as in obc_volume_map_hexes_options. Default: 100000."),
     ),
 }

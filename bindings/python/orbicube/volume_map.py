@@ -1,25 +1,24 @@
-"""Maps of tetrahedral meshes without inverted tetrahedra, and meshes of hexahedra.
+"""Maps of tetrahedral meshes without inverted tetrahedra.
 
     positions, report = untangle((positions, tetrahedra), rest=rest_positions, fixed=fixed)
-    mesh.write("shape.vtk", fill_with_hexahedra(shape, cells=5000))
+    solid = map_to_polycube((positions, tetrahedra))
 """
 
 from __future__ import annotations
 
 from ctypes import byref
-from typing import Any, Literal, Optional
+from typing import Any, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, Indices, address, doubles, indices, numbers
-from ._call import HOST, Handle, NoValidResult, Progress, call, call_init, filled, sized, with_options
+from ._call import HOST, Handle, NoValidResult, Progress, call, call_init, filled, with_options
 from ._foreign import solid_of
 from ._records import Record
-from .mesh import Surface
 from .raw import volume_map as raw
 
-__all__ = ["Hexes", "Solid", "fill_along_frames", "fill_with_hexahedra", "map_to_polycube", "untangle", "version"]
+__all__ = ["Solid", "map_to_polycube", "untangle", "version"]
 
 
 @with_options("obc_volume_map_untangle_options")
@@ -90,63 +89,6 @@ def map_to_polycube(solid: Any, *,
         cells = np.empty((raw.obc_volume_map_solid_tetrahedron_count(handle), 4), dtype=np.uint32)
         call(raw.obc_volume_map_solid_copy, handle, address(places), address(on_polycube), address(cells))
         return Solid(places, on_polycube, cells)
-    finally:
-        handle.close()
-
-
-class Hexes(Record):
-    """A certified mesh of hexahedra: positions, hexahedra (eight vertices each, as MEDIT and VTK order them), quads of the
-    boundary, counter-clockwise seen from outside, quad_patches (the patch of the polycube that each lies on), and the report."""
-
-    def __init__(self, handle: Handle, report: Any) -> None:
-        self.positions: Doubles = np.empty((raw.obc_volume_map_hexes_vertex_count(handle), 3))
-        self.hexahedra: Indices = np.empty((raw.obc_volume_map_hexes_count(handle), 8), dtype=np.uint32)
-        self.quads: Indices = np.empty((raw.obc_volume_map_hexes_quad_count(handle), 4), dtype=np.uint32)
-        self.quad_patches: Indices = np.empty(len(self.quads), dtype=np.uint32)
-        self.report = report
-        call(raw.obc_volume_map_hexes_copy, handle, address(self.positions), address(self.hexahedra), address(self.quads),
-             address(self.quad_patches))
-
-
-@with_options("obc_volume_map_hexes_options")
-def fill_with_hexahedra(surface: Any, *,
-                        # options of obc_volume_map_hexes_options, written by scripts/bindings.py
-                        padding: Literal["auto", "with", "without"] = "auto", cells: int = 10000, corners: int = 100,
-                        triangles: int = 6000, seed: int = 0, rounds: int = 40,
-                        method: Literal["auto", "polycube", "grid"] = "auto", max_hausdorff_percent: float = 1.0,
-                        max_cells: int = 100000, feature_angle: float = 40.0,
-                        # end of options
-                        threads: int = 0, progress: Progress = None) -> Hexes:
-    """Fills a closed surface. The report has min_scaled_jacobian, mean_scaled_jacobian, volume, hausdorff_percent, ..."""
-    chosen = filled(raw.obc_volume_map_hexes_options, raw.obc_volume_map_hexes_options_init, locals())
-    given, report = Surface(surface), sized(raw.obc_volume_map_hexes_report)
-    handle = Handle(raw.obc_volume_map_hexes_destroy)
-    call(raw.obc_volume_map_hexes_compute, given.pointer, byref(chosen), HOST, byref(report), byref(handle), threads=threads,
-         progress=progress)
-    try:
-        return Hexes(handle, report)
-    finally:
-        handle.close()
-
-
-@with_options("obc_volume_map_frame_options")
-def fill_along_frames(solid: Any, frames: Optional[ArrayLike] = None, *,
-                      # options of obc_volume_map_frame_options, written by scripts/bindings.py
-                      rounds: int = 40, cells: int = 10000, feature_angle: float = 0.0, max_hausdorff_percent: float = 1.0,
-                      max_cells: int = 100000,
-                      # end of options
-                      threads: int = 0, progress: Progress = None) -> Hexes:
-    """Fills a solid of tetrahedra with hexahedra that follow frames, w x y z a tetrahedron as of frame_field.compute; without any
-    a smooth field is made, and repaired."""
-    chosen = filled(raw.obc_volume_map_frame_options, raw.obc_volume_map_frame_options_init, locals())
-    positions, tetrahedra = solid_of(solid)
-    field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames", each="tetrahedron")
-    report = sized(raw.obc_volume_map_frame_report)
-    handle = Handle(raw.obc_volume_map_hexes_destroy)
-    call(raw.obc_volume_map_frame_hexes_compute, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
-         address(field), byref(chosen), HOST, byref(report), byref(handle), threads=threads, progress=progress)
-    try:
-        return Hexes(handle, report)
     finally:
         handle.close()
 

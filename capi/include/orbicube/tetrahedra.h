@@ -81,6 +81,12 @@ OBC_API obc_status obc_tetrahedra_options_init(obc_tetrahedra_options *options, 
 OBC_API obc_status obc_tetrahedra_fill(const obc_surface *surface, const obc_tetrahedra_options *options,
                                        const obc_host *host, obc_tetrahedra **out, obc_error *error);
 
+/* Fills a closed surface as obc_tetrahedra_fill does with the options max_volume and else the defaults, into a mesh of <orbicube/mesh.h>: the
+ * function for options.fill of <orbicube/hexmesh.h>. user is unused and may be NULL; host may be NULL, its allocator must remain valid until
+ * obc_mesh_destroy. Errors: as obc_tetrahedra_fill. */
+OBC_API obc_status obc_tetrahedra_fill_mesh(const obc_surface *surface, double max_volume, const obc_host *host,
+                                            obc_mesh **out, obc_error *error, void *user);
+
 /* Destroys a mesh; NULL is allowed. */
 OBC_API void obc_tetrahedra_destroy(obc_tetrahedra *solid);
 

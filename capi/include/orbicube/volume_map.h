@@ -1,33 +1,28 @@
-/* Orbicube volume map: maps of tetrahedral meshes without inverted tetrahedra, and hexahedral meshes.
+/* Orbicube volume map: maps of tetrahedral meshes without inverted tetrahedra.
  *
  * Method. Untangling follows Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov (2021, "Foldover-free maps in 50 lines of
  * code", ACM Transactions on Graphics 40(4)): Newton's method lowers an energy that is finite for inverted tetrahedra, while a
  * parameter forces their determinants to become positive; see docs/volume_map.md. Every result is certified: each tetrahedron has
- * positive volume by exact arithmetic, and each hexahedron has a trilinear map whose determinant is proven positive everywhere.
+ * positive volume by exact arithmetic. Hexahedral meshes are in <orbicube/hexmesh.h>.
  *
  * Arrays: as in <orbicube/mesh.h>. No function keeps its inputs.
  *
  * Thread safety: all functions may be called at the same time. Results are the same bits for any number of threads.
  *
- * Example: fills an L-shaped bar with about 1000 hexahedra.
+ * Example: maps a tetrahedron to a box.
  *
  *   #include <orbicube/volume_map.h>
  *   #include <stdio.h>
  *
  *   int main(void) {
- *     obc_mesh *mesh = NULL;
- *     obc_surface surface;
- *     obc_volume_map_hexes_options options;
- *     obc_volume_map_hexes *hexes = NULL;
+ *     const double positions[] = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1};
+ *     const uint32_t tetrahedron[] = {0, 1, 2, 3};
+ *     obc_volume_map_solid *solid = NULL;
  *     obc_error error;
- *     obc_volume_map_hexes_options_init(&options, sizeof options);
- *     options.cells = 1000, options.max_hausdorff_percent = 0;
- *     if (obc_mesh_make("l-shape", 1000, 0, NULL, &mesh, &error) != OBC_OK) return 1;
- *     if (obc_mesh_surface(mesh, &surface, &error) != OBC_OK) return 1;
- *     if (obc_volume_map_hexes_compute(&surface, &options, NULL, NULL, &hexes, &error) != OBC_OK) return puts(error.message), 1;
- *     printf("%zu hexahedra\n", obc_volume_map_hexes_count(hexes));
- *     obc_volume_map_hexes_destroy(hexes);
- *     obc_mesh_destroy(mesh);
+ *     if (obc_volume_map_solid_compute(positions, 4, tetrahedron, 1, NULL, NULL, &solid, &error) != OBC_OK)
+ *       return puts(error.message), 1;
+ *     printf("%zu tetrahedra\n", obc_volume_map_solid_tetrahedron_count(solid));
+ *     obc_volume_map_solid_destroy(solid);
  *     return 0;
  *   }
  */
@@ -138,143 +133,6 @@ OBC_API size_t obc_volume_map_solid_tetrahedron_count(const obc_volume_map_solid
  * Errors: invalid argument. */
 OBC_API obc_status obc_volume_map_solid_copy(const obc_volume_map_solid *solid, double *positions, double *polycube,
                                              uint32_t *tetrahedra, obc_error *error);
-
-/* ---- hexahedra ------------------------------------------------------------------------------------------------------- */
-
-/* A certified hexahedral mesh. */
-typedef struct obc_volume_map_hexes obc_volume_map_hexes;
-
-/* Layers of hexahedra along the boundary. AUTO decides by the angles at the edges of the polycube: on all, some or none of its patches; where
- * the result is bad, it also tries none and all. */
-enum { OBC_VOLUME_MAP_PADDING_AUTO = 0, OBC_VOLUME_MAP_PADDING_WITH = 1, OBC_VOLUME_MAP_PADDING_WITHOUT = 2 };
-
-/* Methods. POLYCUBE: cells of a polycube of the surface. GRID (grid-based): inner cells of a grid over the bounding box with a layer
- * around them, which suits any shape but has more irregular edges; requires a layer, so that padding WITHOUT is an invalid
- * argument. AUTO: POLYCUBE, and GRID where the hexahedra of the polycube exceed `max_hausdorff_percent` with up to twice as many cells or have a
- * scaled Jacobian of 0.3 or less, or where there is no polycube or one with twofold angle distortion; with padding WITHOUT it is
- * POLYCUBE. */
-enum { OBC_VOLUME_MAP_METHOD_AUTO = 0, OBC_VOLUME_MAP_METHOD_POLYCUBE = 1, OBC_VOLUME_MAP_METHOD_GRID = 2 };
-
-/* Options of a hexahedral mesh. Fill with _init. */
-typedef struct obc_volume_map_hexes_options {
-  uint32_t struct_size;
-
-  int32_t padding;  /* OBC_VOLUME_MAP_PADDING_AUTO, WITH or WITHOUT. Default: AUTO. */
-  size_t cells;     /* approximate number of hexahedra, 1 to 10 million. Default: 10000. */
-  size_t corners;   /* maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. Default: 100. */
-  size_t triangles; /* a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: never. Default: 6000. */
-  uint64_t seed;    /* seed of random choices of the polycube. Default: 0. */
-  int32_t rounds;   /* number of smoothing rounds, 0 to 1000. Default: 40. */
-  int32_t method;   /* OBC_VOLUME_MAP_METHOD_AUTO, POLYCUBE or GRID. Default: AUTO. */
-
-  /* Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume error, in percent, 0 to
-   * 100. While it is exceeded, the cell count is doubled, up to max_cells; the closest mesh is returned. 0 disables the check.
-   * Default: 1. */
-  double max_hausdorff_percent;
-
-  size_t max_cells; /* approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: 100000. */
-
-  /* Minimum dihedral angle of a sharp edge of the surface, in degrees, 0 to below 180. The mesh follows sharp edges near an edge of
-   * the polycube, unless hexahedra there would be bad. 0: none. Default: 40. */
-  double feature_angle;
-} obc_volume_map_hexes_options;
-
-/* Fills options with the defaults. */
-OBC_API obc_status obc_volume_map_hexes_options_init(obc_volume_map_hexes_options *options, size_t struct_size);
-
-/* Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
- * three edges there over the product of their lengths: 1 for a box. The caller sets struct_size. */
-typedef struct obc_volume_map_hexes_report {
-  uint32_t struct_size;
-  int32_t padded; /* 1: with a layer along the boundary or parts of it; 0: without */
-  double min_scaled_jacobian, mean_scaled_jacobian; /* minimum and mean over the hexahedra */
-  double volume;           /* total volume of the trilinear hexahedra */
-  size_t polycube_corners; /* number of corners of the polycubes of all boundary components; 0: no polycube */
-  size_t off_surface;      /* number of boundary vertices that could not be placed on the surface */
-
-  /* Hausdorff distance of the boundary (quads split at their first vertex) and the surface, in percent of the bounding-box diagonal,
-   * accurate to half a percent of itself, and volume error in percent, both of the whole solid. */
-  double hausdorff_percent, volume_error_percent;
-
-  int32_t follows_sharp_edges; /* 1: the mesh follows the sharp edges for which the polycube has edges; 0: it does not */
-  int32_t grid_based;           /* 1: at least one piece is grid-based; 0: none */
-} obc_volume_map_hexes_report;
-
-/* Fills a closed, outward-oriented surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the
- * cells are divided by volume; inward-oriented components within a piece bound cavities. Hexahedra are conforming, the
- * boundary has the components and the genus of the surface, each hexahedron has positive corners by exact signs and a
- * trilinear map with proven positive determinant. options, host and report may be NULL; the allocator of the host must remain valid
- * until _destroy.
- * Errors: invalid argument (also: more pieces than cells); not closed; not manifold (kinds self-intersection: components
- * intersect; inconsistent-orientation: components oriented into the solid); degenerate; malformed file; no valid result with the
- * obstacle; out of memory; cancelled. */
-OBC_API obc_status obc_volume_map_hexes_compute(const obc_surface *surface, const obc_volume_map_hexes_options *options,
-                                                const obc_host *host, obc_volume_map_hexes_report *report,
-                                                obc_volume_map_hexes **out, obc_error *error);
-
-/* Destroys a mesh; NULL is allowed. */
-OBC_API void obc_volume_map_hexes_destroy(obc_volume_map_hexes *hexes);
-
-/* Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
-OBC_API size_t obc_volume_map_hexes_vertex_count(const obc_volume_map_hexes *hexes);
-OBC_API size_t obc_volume_map_hexes_count(const obc_volume_map_hexes *hexes);
-OBC_API size_t obc_volume_map_hexes_quad_count(const obc_volume_map_hexes *hexes);
-
-/* Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
- * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
- * Errors: invalid argument. */
-OBC_API obc_status obc_volume_map_hexes_copy(const obc_volume_map_hexes *hexes, double *positions, uint32_t *hexahedra,
-                                             uint32_t *quads, uint32_t *quad_patches, obc_error *error);
-
-/* ---- hexahedra along frames ------------------------------------------------------------------------------------------ */
-
-/* Options of a frame-guided hexahedral mesh. Fill with _init. */
-typedef struct obc_volume_map_frame_options {
-  uint32_t struct_size;
-  int32_t rounds; /* number of smoothing rounds, 0 to 1000. Default: 40. */
-  size_t cells;   /* approximate number of hexahedra, 1 to 10 million. Default: 10000. */
-
-  /* Minimum dihedral angle, in degrees, of boundary edges that an axis of the computed frames follows; unused for frames of the
-   * caller. 0: none. Default: 0. */
-  double feature_angle;
-
-  double max_hausdorff_percent; /* as in obc_volume_map_hexes_options, relative to the boundary of the solid. Default: 1. */
-  size_t max_cells;             /* as in obc_volume_map_hexes_options. Default: 100000. */
-} obc_volume_map_frame_options;
-
-/* Fills options with the defaults. */
-OBC_API obc_status obc_volume_map_frame_options_init(obc_volume_map_frame_options *options, size_t struct_size);
-
-/* Figures of a frame-guided hexahedral mesh. The caller sets struct_size. */
-typedef struct obc_volume_map_frame_report {
-  uint32_t struct_size;
-  int32_t integers_optimal; /* 1: the search proved the integers optimal; 0: it ended before */
-  double min_scaled_jacobian, mean_scaled_jacobian; /* as in obc_volume_map_hexes_report */
-  double volume;            /* total volume of the trilinear hexahedra */
-  size_t off_surface;       /* number of boundary vertices that could not be placed on the surface */
-  size_t singular_edges;    /* number of singular inner edges of the tetrahedra */
-  size_t irregular_edges;   /* number of inner edges of the mesh with other than four hexahedra */
-  size_t integers;          /* number of integer unknowns of the map */
-  size_t tetrahedra;        /* number of tetrahedra of the map, after splits */
-  size_t inverted_at_start; /* number of inverted tetrahedra after the choice of integers; the final map has none */
-  size_t steps;             /* number of Newton steps of untangling and optimization */
-  double hausdorff_percent, volume_error_percent; /* as in obc_volume_map_hexes_report */
-} obc_volume_map_frame_report;
-
-/* Fills a solid with hexahedra that follow a frame field, with its singular edges inside (CubeCover: Nieser, Reitebuch and
- * Polthier 2011). positions: x y z a vertex; tetrahedra: four vertices each, positive, conforming; frames: w x y z a tetrahedron as in
- * <orbicube/frame_field.h>, with an axis along the normal at the boundary, or NULL: several smooth fields are computed and repaired
- * until a map follows one. The patch numbers of obc_volume_map_hexes_copy are those of connected boundary regions in one
- * plane of the map. Where the boundary exceeds `max_hausdorff_percent`, it is fixed to the map's surface, then cells are added as in
- * obc_volume_map_hexes_compute. options, host and report may be NULL; the allocator of the host must remain valid until _destroy.
- * Errors: invalid argument; malformed file (index-range); degenerate; not manifold; no valid result for a field that no such map
- * follows, with the singular edge and its curve or the layer that would collapse, and for maps that remain inverted, with
- * the location; out of memory; cancelled. */
-OBC_API obc_status obc_volume_map_frame_hexes_compute(const double *positions, size_t vertex_count,
-                                                      const uint32_t *tetrahedra, size_t tetrahedron_count,
-                                                      const double *frames, const obc_volume_map_frame_options *options,
-                                                      const obc_host *host, obc_volume_map_frame_report *report,
-                                                      obc_volume_map_hexes **out, obc_error *error);
 
 /* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_volume_map_version(void);

@@ -1,6 +1,7 @@
 #include "mesh/search/unit_scale.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 
 namespace orbicube::mesh {
@@ -25,6 +26,23 @@ void scale_by_power(std::span<Vector3> positions, int exponent) {
   const double first = std::ldexp(1.0, exponent / 2), second = std::ldexp(1.0, exponent - exponent / 2);
   for (Vector3& p : positions)
     p = p * first * second;
+}
+
+int bring_to_unit_size(Mesh& m, int ordinary) {
+  int exponent = 0;
+  if (!m.tetrahedra.empty()) {
+    base::Array<Triangle> corners(m.positions.get_allocator().resource());
+    for (const Tetrahedron& t : m.tetrahedra) {
+      corners.push_back({t[0], t[1], t[2]});
+      corners.push_back({t[1], t[2], t[3]});
+    }
+    exponent = unit_scale_exponent(m.positions, corners);
+  } else {
+    exponent = unit_scale_exponent(m.positions, m.triangles);
+  }
+  if (std::abs(exponent) <= ordinary) return 0;
+  scale_by_power(m.positions, exponent);
+  return exponent;
 }
 
 }  // namespace orbicube::mesh

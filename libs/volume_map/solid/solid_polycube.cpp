@@ -8,9 +8,9 @@
 #include "base/error.h"
 #include "mesh/search/measures.h"
 #include "mesh/topology/place_text.h"
-#include "volume_map/quality/gap_widening.h"
+#include "volume_map/input/solid_pieces.h"
 #include "volume_map/solid/cavity_placement.h"
-#include "volume_map/solid/solid_pieces.h"
+#include "volume_map/solid/gap_widening.h"
 
 namespace orbicube::volume_map {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "mesh/search/predicates.h"
-#include "volume_map/solid/solid_pieces.h"
+#include "volume_map/input/solid_pieces.h"
 
 namespace orbicube::volume_map {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "base/error.h"
 #include "mesh/search/predicates.h"
-#include "volume_map/solid/solid_pieces.h"
+#include "volume_map/input/solid_pieces.h"
 #include "volume_map/untangle/local_untangling.h"
 #include "volume_map/untangle/newton.h"
 

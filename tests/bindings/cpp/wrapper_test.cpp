@@ -18,6 +18,7 @@
 #include <orbicube/frame_field.hpp>
 #include <orbicube/gltf.hpp>
 #include <orbicube/harmonics.hpp>
+#include <orbicube/hexmesh.hpp>
 #include <orbicube/linear.hpp>
 #include <orbicube/polycube.hpp>
 #include <orbicube/projected_gradient.hpp>
@@ -402,10 +403,10 @@ TEST_CASE("a cube is filled with hexahedra, and a tetrahedral cube goes to its p
   const std::vector<double> corners = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2, 1, 1, 1};
   const std::vector<std::uint32_t> triangles = {0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
                                                 1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
-  volume_map::HexesOptions options;
+  hexmesh::Options options;
   options.cells = 27;
-  options.padding = OBC_VOLUME_MAP_PADDING_WITHOUT;
-  const auto hexes = volume_map::fill_with_hexahedra(Surface(Doubles(corners.data(), 24), triangles), options);
+  options.padding = OBC_HEXMESH_PADDING_WITHOUT;
+  const auto hexes = hexmesh::fill_with_hexahedra(Surface(Doubles(corners.data(), 24), triangles), options);
   CHECK(hexes.hexahedra.size() == 8 * 27);
   CHECK(hexes.positions.size() == 3 * 64);
   CHECK(hexes.quads.size() == 4 * 54);
@@ -430,14 +431,14 @@ TEST_CASE("frames to start from are one a tetrahedron") {
 TEST_CASE("hexahedra follow the frames of a tetrahedral cube") {
   const std::vector<double> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1};
   const std::vector<std::uint32_t> cells = {0, 1, 3, 7, 0, 3, 2, 7, 0, 2, 6, 7, 0, 6, 4, 7, 0, 4, 5, 7, 0, 5, 1, 7};
-  volume_map::FrameOptions options;
+  hexmesh::Options options;
+  options.method = OBC_HEXMESH_METHOD_FRAMES;
   options.cells = 8;
-  volume_map::FrameReport report;
-  const auto hexes = volume_map::fill_along_frames(corners, cells, {}, options, nullptr, &report);
+  const auto hexes = hexmesh::fill_with_hexahedra(corners, cells, {}, options);
   CHECK(hexes.hexahedra.size() == 8 * 8);
   CHECK(hexes.positions.size() == 3 * 27);
   CHECK(hexes.quads.size() == 4 * 24);
-  CHECK(report.volume == doctest::Approx(1));
+  CHECK(hexes.report.volume == doctest::Approx(1));
   CHECK(hexes.report.min_scaled_jacobian > 0.99);
   Mesh::Cells given;
   given.positions = hexes.positions.data();
@@ -447,7 +448,7 @@ TEST_CASE("hexahedra follow the frames of a tetrahedral cube") {
   Mesh(given).check_cells();
   Host host;
   host.on_progress([](const Progress&) { return false; });
-  CHECK_THROWS_AS(volume_map::fill_along_frames(corners, cells, {}, options, &host), Error);
+  CHECK_THROWS_AS(hexmesh::fill_with_hexahedra(corners, cells, {}, options, &host), Error);
 }
 
 TEST_CASE("images, overlays and partial maps") {

@@ -15,8 +15,8 @@ import sys, threading, time
 import numpy as np
 sys.path.insert(0, sys.argv[1])
 from maps_test import box_of_tetrahedra
-from orbicube import (frame_field, harmonics, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, tetrahedra,
-                      trust_region, volume_map)
+from orbicube import (frame_field, harmonics, hexmesh, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, tetrahedra,
+                      trust_region)
 shape = mesh.make("creature", 8000)
 solid = box_of_tetrahedra(8)
 def slow(x):
@@ -32,7 +32,7 @@ WORKS = {
     "sphere map on two threads, with progress": "sphere_map.compute(shape, threads=2, progress=quietly)",
     "sphere map with a trace": "sphere_map.compute(shape, trace=quietly)",
     "polycube": "polycube.compute(shape)",
-    "hexahedra": "volume_map.fill_with_hexahedra(shape)",
+    "hexahedra": "hexmesh.fill_with_hexahedra(shape)",
     "frames": "frame_field.compute(solid)",
     "tetrahedra": "tetrahedra.fill(shape)",
     "search of a shared handle": "search.vertices(points)",

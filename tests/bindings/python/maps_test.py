@@ -14,7 +14,7 @@ import unittest
 
 import numpy as np
 import orbicube
-from orbicube import frame_field, gltf, harmonics, mesh, polycube, quaternion, sphere_map, volume_map
+from orbicube import frame_field, gltf, harmonics, hexmesh, mesh, polycube, quaternion, sphere_map, volume_map
 from solvers_test import from_c
 
 HAS_TETRAHEDRA = importlib.util.find_spec("orbicube.tetrahedra") is not None
@@ -400,16 +400,16 @@ class Cubes(unittest.TestCase):
     def test_a_surface_is_filled_with_hexahedra(self):
         shape = mesh.make("cube", 300)
         volume = mesh.topology(shape).volume
-        hexes = volume_map.fill_with_hexahedra(shape, cells=27, padding="without")
+        hexes = hexmesh.fill_with_hexahedra(shape, cells=27, padding="without")
         self.assertEqual((len(hexes.hexahedra), len(hexes.positions), len(hexes.quads)), (27, 64, 54))
         self.assertEqual(len(np.unique(hexes.quad_patches)), 6)
         self.check_hexes(hexes, volume)
-        smooth = volume_map.fill_with_hexahedra(shape, cells=27, padding="without", feature_angle=0)
+        smooth = hexmesh.fill_with_hexahedra(shape, cells=27, padding="without", feature_angle=0)
         self.assertEqual((hexes.report.follows_sharp_edges, smooth.report.follows_sharp_edges), (1, 0))
-        padded = volume_map.fill_with_hexahedra(shape, cells=27, padding="with")
+        padded = hexmesh.fill_with_hexahedra(shape, cells=27, padding="with")
         self.assertEqual(padded.report.padded, 1)
         self.check_hexes(padded, volume, 0.01 * volume)  # what `max_hausdorff_percent` requires
-        grid = volume_map.fill_with_hexahedra(mesh.make("sphere", 800), method="grid", cells=500)
+        grid = hexmesh.fill_with_hexahedra(mesh.make("sphere", 800), method="grid", cells=500)
         self.assertEqual((grid.report.grid_based, hexes.report.grid_based), (1, 0))
         self.assertEqual(grid.report.polycube_corners, 0)
         with tempfile.TemporaryDirectory() as folder:
@@ -417,35 +417,35 @@ class Cubes(unittest.TestCase):
             mesh.write(path, hexes)
             np.testing.assert_array_equal(mesh.read(path).hexahedra, hexes.hexahedra)
         with self.assertRaises(orbicube.Cancelled):
-            volume_map.fill_with_hexahedra(shape, cells=27, progress=lambda *_: True)
+            hexmesh.fill_with_hexahedra(shape, cells=27, progress=lambda *_: True)
         with self.assertRaises(ValueError):
-            volume_map.fill_with_hexahedra(shape, padding="thick")
+            hexmesh.fill_with_hexahedra(shape, padding="thick")
         with self.assertRaises(ValueError):
-            volume_map.fill_with_hexahedra(shape, method="with")
+            hexmesh.fill_with_hexahedra(shape, method="with")
         with self.assertRaises(orbicube.UnsuitableSurface):
-            volume_map.fill_with_hexahedra((shape.positions, shape.triangles[1:]))
+            hexmesh.fill_with_hexahedra((shape.positions, shape.triangles[1:]))
 
     def test_hexahedra_along_frames(self):
         count, bits = from_c()["cube"]
         corners = np.array([(i & 1, i >> 1 & 1, i >> 2) for i in range(8)], dtype=float)
         ring = [1, 3, 2, 6, 4, 5]
         tetrahedra = [[0, a, b, 7] for a, b in zip(ring, ring[1:] + ring[:1])]
-        hexes = volume_map.fill_along_frames((corners, tetrahedra), cells=8)
+        hexes = hexmesh.fill_with_hexahedra((corners, tetrahedra), method="frames", cells=8)
         self.assertEqual(len(hexes.hexahedra), count)
         self.assertEqual(hexes.positions.tobytes(), bits.tobytes())
         self.check_hexes(hexes, 1)
 
         solid = box_of_tetrahedra(3)
         frames, _ = frame_field.compute(solid)
-        hexes = volume_map.fill_along_frames(solid, frames, cells=27)
+        hexes = hexmesh.fill_with_hexahedra(solid, frames, cells=27)
         self.assertEqual((len(hexes.hexahedra), len(hexes.positions), len(hexes.quads)), (27, 64, 54))
         self.assertEqual((hexes.report.singular_edges, hexes.report.irregular_edges), (0, 0))
         self.assertEqual(hexes.report.integers_optimal, 1)
         self.check_hexes(hexes, 1)
         with self.assertRaises(ValueError):
-            volume_map.fill_along_frames(solid, frames[1:])
+            hexmesh.fill_with_hexahedra(solid, frames[1:])
         with self.assertRaises(orbicube.InvalidArgument):
-            volume_map.fill_along_frames(solid, cells=0)
+            hexmesh.fill_with_hexahedra(solid, cells=0)
 
     def test_a_solid_goes_to_its_polycube(self):
         positions, tetrahedra = box_of_tetrahedra(2)

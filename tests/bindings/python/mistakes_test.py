@@ -11,7 +11,7 @@ import unittest
 import numpy as np
 import orbicube
 from maps_test import HAS_TETRAHEDRA, box_of_tetrahedra
-from orbicube import (frame_field, gltf, harmonics, linear, mesh, polycube, projected_gradient, quaternion, sphere_map,
+from orbicube import (frame_field, gltf, harmonics, hexmesh, linear, mesh, polycube, projected_gradient, quaternion, sphere_map,
                       sphere_optimizer, trust_region, volume_map)
 from orbicube._options import OPTIONS
 
@@ -186,8 +186,7 @@ CALLS = {
         "solid": SOLID, "rest": SOLID[0], "fixed": np.ones(len(SOLID[0]), bool),
         "ties": np.full((len(SOLID[0]), 3), 2**32 - 1)}),
     "volume_map.map_to_polycube": (volume_map.map_to_polycube, {"solid": SOLID}),
-    "volume_map.fill_with_hexahedra": (volume_map.fill_with_hexahedra, {"surface": SURFACE, "cells": 8}),
-    "volume_map.fill_along_frames": (volume_map.fill_along_frames, {"solid": SOLID, "frames": FRAMES, "cells": 8}),
+    "hexmesh.fill_with_hexahedra": (hexmesh.fill_with_hexahedra, {"shape": SOLID, "frames": FRAMES, "cells": 8}),
 }
 for name in ("inverse", "normalize", "exponential", "logarithm", "to_axis_angle", "to_rotation_vector", "to_matrix", "average"):
     CALLS["quaternion." + name] = getattr(quaternion, name), {"q": Q}
@@ -217,7 +216,7 @@ if HAS_TETRAHEDRA:
 NOT_WALKED = {"mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
               "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "sphere_map.SphereMap",
-              "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.Solid", "volume_map.Hexes"}
+              "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.Solid", "hexmesh.Hexes"}
 EACH_EVALUATION = ("ask", "ask_all", "tell", "save", "close")
 NO_MISTAKE = object()
 

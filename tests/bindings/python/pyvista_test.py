@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 import orbicube
-from orbicube import mesh, polycube, sphere_map, volume_map
+from orbicube import hexmesh, mesh, polycube, sphere_map, volume_map
 
 try:
     import pyvista
@@ -104,7 +104,7 @@ class Given(unittest.TestCase):
 
     def test_a_solid_of_either_kind(self):
         for solid in (mesh.Mesh(CORNERS, tetrahedra=KUHN), mesh.Mesh(CORNERS, hexahedra=HEXAHEDRON),
-                      volume_map.fill_with_hexahedra(mesh.make("cube", 100), cells=8)):
+                      hexmesh.fill_with_hexahedra(mesh.make("cube", 100), cells=8)):
             given = mesh.to_pyvista(solid)
             self.assertIsInstance(given, pyvista.UnstructuredGrid)
             self.assertEqual(mesh.handle_of(given), mesh.handle_of(solid))

@@ -9,7 +9,7 @@ import unittest
 import numpy as np
 import orbicube
 from maps_test import box_of_tetrahedra
-from orbicube import gltf, mesh, polycube, sphere_map, trust_region, volume_map
+from orbicube import gltf, hexmesh, mesh, polycube, sphere_map, trust_region, volume_map
 
 
 class Meshes(unittest.TestCase):
@@ -59,7 +59,7 @@ class Results(unittest.TestCase):
             surface = gltf.read(os.path.join(folder, "a.glb"))
         map = polycube.compute(shape)
         for result in (sphere_map.compute(shape), surface, volume_map.map_to_polycube(solid), map.graph(), map.quads(quads=50),
-                       volume_map.fill_with_hexahedra(shape, cells=8), mesh.topology(shape)):
+                       hexmesh.fill_with_hexahedra(shape, cells=8), mesh.topology(shape)):
             again = pickle.loads(pickle.dumps(result))
             self.assertEqual(again, result)
             self.assertEqual(copy.deepcopy(result), result)

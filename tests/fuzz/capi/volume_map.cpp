@@ -1,5 +1,4 @@
-// Inverted tetrahedra: meshes, target shapes, fixed and tied coordinates, and options of any kind; solids on polycubes
-// and hexahedra of small shapes with faults, along frames of any kind too.
+// Inverted tetrahedra: meshes, target shapes, fixed and tied coordinates, and options of any kind; solids on polycubes.
 #include "orbicube/volume_map.h"
 
 #include <algorithm>
@@ -50,81 +49,6 @@ void map_solid(Input& in, Host& host) {
     require(volume_of(polycube, &tetrahedra[4 * t]) > -1e-12 * scale * scale * scale, "an inverted tetrahedron");
 }
 
-void fill_with_hexahedra(Input& in, Host& host) {
-  const Shape shape = surface(in);
-  const obc_surface given = shape.surface();
-  obc_volume_map_hexes_options options;
-  obc_volume_map_hexes_options_init(&options, sizeof options);
-  options.cells = in.one_in(20) ? in.bits() : 1 + in.below(60);
-  if (options.cells > 1000 && options.cells <= 10'000'000) return;  // must end
-  options.padding = in.choice(3);
-  options.method = in.choice(3);
-  options.corners = in.one_in(3) ? 8 : in.byte();
-  options.triangles = in.one_in(3) ? in.byte() : 0;
-  options.seed = in.byte();
-  options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(5));
-  options.max_hausdorff_percent = in.one_in(20) ? -1 : static_cast<double>(in.below(20));
-  options.max_cells = in.one_in(20) ? in.bits() : in.below(200);
-  if (options.max_hausdorff_percent > 0 && options.max_cells > 1000 && options.max_cells <= 10'000'000) return;
-  options.feature_angle = in.one_in(20) ? -1 : static_cast<double>(in.below(180));
-  obc_volume_map_hexes_report report;
-  report.struct_size = sizeof report;
-  obc_volume_map_hexes* hexes = nullptr;
-  if (!ok([&](obc_error* e) { return obc_volume_map_hexes_compute(&given, &options, host.c(), &report, &hexes, e); }))
-    return;
-  const std::size_t n = obc_volume_map_hexes_vertex_count(hexes), m = obc_volume_map_hexes_count(hexes),
-                    q = obc_volume_map_hexes_quad_count(hexes);
-  std::vector<double> positions(3 * n);
-  std::vector<std::uint32_t> hexahedra(8 * m), quads(4 * q), faces(q);
-  require(ok([&](obc_error* e) {
-            return obc_volume_map_hexes_copy(hexes, positions.data(), hexahedra.data(), quads.data(), faces.data(), e);
-          }),
-          "hexahedra cannot be copied");
-  obc_volume_map_hexes_destroy(hexes);
-  require_finite(positions, "a vertex of hexahedra that is not finite");
-  require_below(hexahedra, n, "a hexahedron with a vertex that does not exist");
-  require_below(quads, n, "a quad with a vertex that does not exist");
-  require(m > 0 && q > 0 && report.min_scaled_jacobian > 0 && report.mean_scaled_jacobian <= 1 && report.volume > 0,
-          "certified hexahedra with figures that are none");
-}
-
-void fill_along_frames(Input& in, Host& host) {
-  const Shape mesh = solid(in);
-  std::vector<double> frames(4 * mesh.cell_count());
-  const bool one = in.one_in(2);
-  for (std::size_t i = 0; i < frames.size(); ++i)
-    frames[i] = one && i >= 4 ? frames[i - 4] : in.one_in(30) ? in.number() : in.moderate();
-  obc_volume_map_frame_options options;
-  obc_volume_map_frame_options_init(&options, sizeof options);
-  options.cells = in.one_in(20) ? in.bits() : 1 + in.below(60);
-  if (options.cells > 1000 && options.cells <= 10'000'000) return;  // must end
-  options.rounds = in.one_in(20) ? -1 : static_cast<std::int32_t>(in.below(4));
-  if (in.one_in(3)) options.feature_angle = in.number();
-  if (in.one_in(3)) options.max_hausdorff_percent = in.number();
-  options.max_cells = in.below(200);
-  obc_volume_map_frame_report report;
-  report.struct_size = sizeof report;
-  obc_volume_map_hexes* hexes = nullptr;
-  if (!ok([&](obc_error* e) {
-        return obc_volume_map_frame_hexes_compute(mesh.positions.data(), mesh.vertex_count(), mesh.cells.data(),
-                                                  mesh.cell_count(), in.one_in(3) ? nullptr : frames.data(), &options,
-                                                  host.c(), &report, &hexes, e);
-      }))
-    return;
-  const std::size_t n = obc_volume_map_hexes_vertex_count(hexes), m = obc_volume_map_hexes_count(hexes);
-  std::vector<double> positions(3 * n);
-  std::vector<std::uint32_t> hexahedra(8 * m);
-  require(ok([&](obc_error* e) {
-            return obc_volume_map_hexes_copy(hexes, positions.data(), hexahedra.data(), nullptr, nullptr, e);
-          }),
-          "hexahedra along frames cannot be copied");
-  obc_volume_map_hexes_destroy(hexes);
-  require_finite(positions, "a vertex of hexahedra that is not finite");
-  require_below(hexahedra, n, "a hexahedron with a vertex that does not exist");
-  require(m > 0 && report.min_scaled_jacobian > 0 && report.volume > 0,
-          "certified hexahedra with figures that are none");
-}
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -132,14 +56,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Host host(in);
   if (in.one_in(40)) {
     map_solid(in, host);
-    return 0;
-  }
-  if (in.one_in(40)) {
-    fill_with_hexahedra(in, host);
-    return 0;
-  }
-  if (in.one_in(40)) {
-    fill_along_frames(in, host);
     return 0;
   }
   Shape mesh = solid(in, in.one_in(2));

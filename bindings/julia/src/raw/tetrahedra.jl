@@ -21,6 +21,10 @@ const address_obc_tetrahedra_fill = Ref(C_NULL)
 obc_tetrahedra_fill(surface, options, host, out, error) =
     ccall(symbol(address_obc_tetrahedra_fill, :tetrahedra, :obc_tetrahedra_fill), Int32, (Ptr{obc_surface}, Ptr{obc_tetrahedra_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surface, options, host, out, error)
 
+const address_obc_tetrahedra_fill_mesh = Ref(C_NULL)
+obc_tetrahedra_fill_mesh(surface, max_volume, host, out, error, user) =
+    ccall(symbol(address_obc_tetrahedra_fill_mesh, :tetrahedra, :obc_tetrahedra_fill_mesh), Int32, (Ptr{obc_surface}, Float64, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}, Ptr{Cvoid}), surface, max_volume, host, out, error, user)
+
 const address_obc_tetrahedra_destroy = Ref(C_NULL)
 obc_tetrahedra_destroy(solid) =
     ccall(symbol(address_obc_tetrahedra_destroy, :tetrahedra, :obc_tetrahedra_destroy), Cvoid, (Ptr{Cvoid},), solid)

@@ -1,13 +1,5 @@
 # What <orbicube/volume_map.h> declares. Written by scripts/bindings.py; not to be edited.
 
-const OBC_VOLUME_MAP_PADDING_AUTO = Int32(0)
-const OBC_VOLUME_MAP_PADDING_WITH = Int32(1)
-const OBC_VOLUME_MAP_PADDING_WITHOUT = Int32(2)
-
-const OBC_VOLUME_MAP_METHOD_AUTO = Int32(0)
-const OBC_VOLUME_MAP_METHOD_POLYCUBE = Int32(1)
-const OBC_VOLUME_MAP_METHOD_GRID = Int32(2)
-
 mutable struct obc_volume_map_untangle_problem <: CStruct
     struct_size::UInt32
     reserved::Int32
@@ -51,64 +43,6 @@ mutable struct obc_volume_map_solid_options <: CStruct
     obc_volume_map_solid_options() = zeroed!(new())
 end
 
-mutable struct obc_volume_map_hexes_options <: CStruct
-    struct_size::UInt32
-    padding::Int32
-    cells::Csize_t
-    corners::Csize_t
-    triangles::Csize_t
-    seed::UInt64
-    rounds::Int32
-    method::Int32
-    max_hausdorff_percent::Float64
-    max_cells::Csize_t
-    feature_angle::Float64
-    obc_volume_map_hexes_options() = zeroed!(new())
-end
-
-mutable struct obc_volume_map_hexes_report <: CStruct
-    struct_size::UInt32
-    padded::Int32
-    min_scaled_jacobian::Float64
-    mean_scaled_jacobian::Float64
-    volume::Float64
-    polycube_corners::Csize_t
-    off_surface::Csize_t
-    hausdorff_percent::Float64
-    volume_error_percent::Float64
-    follows_sharp_edges::Int32
-    grid_based::Int32
-    obc_volume_map_hexes_report() = zeroed!(new())
-end
-
-mutable struct obc_volume_map_frame_options <: CStruct
-    struct_size::UInt32
-    rounds::Int32
-    cells::Csize_t
-    feature_angle::Float64
-    max_hausdorff_percent::Float64
-    max_cells::Csize_t
-    obc_volume_map_frame_options() = zeroed!(new())
-end
-
-mutable struct obc_volume_map_frame_report <: CStruct
-    struct_size::UInt32
-    integers_optimal::Int32
-    min_scaled_jacobian::Float64
-    mean_scaled_jacobian::Float64
-    volume::Float64
-    off_surface::Csize_t
-    singular_edges::Csize_t
-    irregular_edges::Csize_t
-    integers::Csize_t
-    tetrahedra::Csize_t
-    inverted_at_start::Csize_t
-    steps::Csize_t
-    hausdorff_percent::Float64
-    volume_error_percent::Float64
-    obc_volume_map_frame_report() = zeroed!(new())
-end
-
 const address_obc_volume_map_untangle_problem_init = Ref(C_NULL)
 obc_volume_map_untangle_problem_init(problem, struct_size) =
     ccall(symbol(address_obc_volume_map_untangle_problem_init, :volume_map, :obc_volume_map_untangle_problem_init), Int32, (Ptr{obc_volume_map_untangle_problem}, Csize_t), problem, struct_size)
@@ -148,42 +82,6 @@ obc_volume_map_solid_tetrahedron_count(solid) =
 const address_obc_volume_map_solid_copy = Ref(C_NULL)
 obc_volume_map_solid_copy(solid, positions, polycube, tetrahedra, error) =
     ccall(symbol(address_obc_volume_map_solid_copy, :volume_map, :obc_volume_map_solid_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{Float64}, Ptr{UInt32}, Ptr{obc_error}), solid, positions, polycube, tetrahedra, error)
-
-const address_obc_volume_map_hexes_options_init = Ref(C_NULL)
-obc_volume_map_hexes_options_init(options, struct_size) =
-    ccall(symbol(address_obc_volume_map_hexes_options_init, :volume_map, :obc_volume_map_hexes_options_init), Int32, (Ptr{obc_volume_map_hexes_options}, Csize_t), options, struct_size)
-
-const address_obc_volume_map_hexes_compute = Ref(C_NULL)
-obc_volume_map_hexes_compute(surface, options, host, report, out, error) =
-    ccall(symbol(address_obc_volume_map_hexes_compute, :volume_map, :obc_volume_map_hexes_compute), Int32, (Ptr{obc_surface}, Ptr{obc_volume_map_hexes_options}, Ptr{obc_host}, Ptr{obc_volume_map_hexes_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), surface, options, host, report, out, error)
-
-const address_obc_volume_map_hexes_destroy = Ref(C_NULL)
-obc_volume_map_hexes_destroy(hexes) =
-    ccall(symbol(address_obc_volume_map_hexes_destroy, :volume_map, :obc_volume_map_hexes_destroy), Cvoid, (Ptr{Cvoid},), hexes)
-
-const address_obc_volume_map_hexes_vertex_count = Ref(C_NULL)
-obc_volume_map_hexes_vertex_count(hexes) =
-    ccall(symbol(address_obc_volume_map_hexes_vertex_count, :volume_map, :obc_volume_map_hexes_vertex_count), Csize_t, (Ptr{Cvoid},), hexes)
-
-const address_obc_volume_map_hexes_count = Ref(C_NULL)
-obc_volume_map_hexes_count(hexes) =
-    ccall(symbol(address_obc_volume_map_hexes_count, :volume_map, :obc_volume_map_hexes_count), Csize_t, (Ptr{Cvoid},), hexes)
-
-const address_obc_volume_map_hexes_quad_count = Ref(C_NULL)
-obc_volume_map_hexes_quad_count(hexes) =
-    ccall(symbol(address_obc_volume_map_hexes_quad_count, :volume_map, :obc_volume_map_hexes_quad_count), Csize_t, (Ptr{Cvoid},), hexes)
-
-const address_obc_volume_map_hexes_copy = Ref(C_NULL)
-obc_volume_map_hexes_copy(hexes, positions, hexahedra, quads, quad_patches, error) =
-    ccall(symbol(address_obc_volume_map_hexes_copy, :volume_map, :obc_volume_map_hexes_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), hexes, positions, hexahedra, quads, quad_patches, error)
-
-const address_obc_volume_map_frame_options_init = Ref(C_NULL)
-obc_volume_map_frame_options_init(options, struct_size) =
-    ccall(symbol(address_obc_volume_map_frame_options_init, :volume_map, :obc_volume_map_frame_options_init), Int32, (Ptr{obc_volume_map_frame_options}, Csize_t), options, struct_size)
-
-const address_obc_volume_map_frame_hexes_compute = Ref(C_NULL)
-obc_volume_map_frame_hexes_compute(positions, vertex_count, tetrahedra, tetrahedron_count, frames, options, host, report, out, error) =
-    ccall(symbol(address_obc_volume_map_frame_hexes_compute, :volume_map, :obc_volume_map_frame_hexes_compute), Int32, (Ptr{Float64}, Csize_t, Ptr{UInt32}, Csize_t, Ptr{Float64}, Ptr{obc_volume_map_frame_options}, Ptr{obc_host}, Ptr{obc_volume_map_frame_report}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), positions, vertex_count, tetrahedra, tetrahedron_count, frames, options, host, report, out, error)
 
 const address_obc_volume_map_version = Ref(C_NULL)
 obc_volume_map_version() =

@@ -5,6 +5,8 @@ const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
     (:obc_frame_field_options, :weighting) => [:uniform => 0, :geometric => 1],
     (:obc_frame_field_options, :repair) => [:no_repair => 0, :repair => 1, :single_axis => 2],
     (:obc_harmonics_fit_options, :method) => [:automatic => 0, :dense => 1, :iterative => 2],
+    (:obc_hexmesh_options, :padding) => [:auto => 0, :with => 1, :without => 2],
+    (:obc_hexmesh_options, :method) => [:auto => 0, :polycube => 1, :grid => 2, :frames => 3],
     (:obc_linear_direct_options, :method) => [:auto => 0, :eigen => 1, :cholmod_simplicial => 2, :cholmod_supernodal => 3],
     (:obc_linear_iterative_options, :method) => [:auto => 0, :gauss_seidel => 1, :multigrid => 2],
     (:obc_polycube_options, :construction) => [:auto => 0, :labels => 1, :voxels => 2],
@@ -18,6 +20,4 @@ const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
     (:obc_sphere_optimizer_relaxation_options, :order) => [:automatic => 0, :queue => 1, :sweeps => 2],
     (:obc_trust_region_options, :method) => [:two_radii => 0, :dissertation => 1],
     (:obc_trust_region_options, :start) => [:automatic => 0, :chain => 1, :cross => 2],
-    (:obc_volume_map_hexes_options, :padding) => [:auto => 0, :with => 1, :without => 2],
-    (:obc_volume_map_hexes_options, :method) => [:auto => 0, :polycube => 1, :grid => 2],
 )

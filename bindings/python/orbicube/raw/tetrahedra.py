@@ -24,6 +24,7 @@ class obc_tetrahedra_options(_Struct):
 _functions = [
     ("obc_tetrahedra_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_tetrahedra_fill", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_tetrahedra_fill_mesh", _c.c_int32, [_c.c_void_p, _c.c_double, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_tetrahedra_destroy", None, [_c.c_void_p]),
     ("obc_tetrahedra_vertex_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_tetrahedra_count", _c.c_size_t, [_c.c_void_p]),

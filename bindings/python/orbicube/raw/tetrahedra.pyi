@@ -30,6 +30,12 @@ def obc_tetrahedra_fill(surface: Pointer, options: Pointer, host: Pointer, out: 
     result (TetGen failed, with its reason, or its mesh failed the checks), unsupported, out of memory, cancelled."""
     ...
 
+def obc_tetrahedra_fill_mesh(surface: Pointer, max_volume: float, host: Pointer, out: Pointer, error: Pointer, user: Pointer) -> int:
+    """Fills a closed surface as obc_tetrahedra_fill does with the options max_volume and else the defaults, into a mesh of <orbicube/mesh.h>: the
+    function for options.fill of <orbicube/hexmesh.h>. user is unused and may be NULL; host may be NULL, its allocator must remain valid until
+    obc_mesh_destroy. Errors: as obc_tetrahedra_fill."""
+    ...
+
 def obc_tetrahedra_destroy(solid: Pointer) -> None:
     """Destroys a mesh; NULL is allowed."""
     ...

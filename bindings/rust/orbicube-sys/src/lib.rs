@@ -8,6 +8,8 @@ pub mod frame_field;
 pub mod gltf;
 #[cfg(feature = "harmonics")]
 pub mod harmonics;
+#[cfg(feature = "hexmesh")]
+pub mod hexmesh;
 #[cfg(feature = "linear")]
 pub mod linear;
 #[cfg(feature = "mesh")]

@@ -2,7 +2,8 @@
 #![allow(non_camel_case_types, non_upper_case_globals)]
 
 use crate::base::{obc_error, obc_host};
-use crate::mesh::obc_surface;
+use crate::mesh::{obc_mesh, obc_surface};
+use std::os::raw::{c_void};
 
 /// A tetrahedral mesh.
 #[repr(C)]
@@ -49,6 +50,10 @@ extern "C" {
     /// degenerate (kinds degenerate-face, degenerate-geometry); malformed file (kind empty-mesh: no triangles). Others: no valid
     /// result (TetGen failed, with its reason, or its mesh failed the checks), unsupported, out of memory, cancelled.
     pub fn obc_tetrahedra_fill(surface: *const obc_surface, options: *const obc_tetrahedra_options, host: *const obc_host, out: *mut *mut obc_tetrahedra, error: *mut obc_error) -> i32;
+    /// Fills a closed surface as obc\_tetrahedra\_fill does with the options max\_volume and else the defaults, into a mesh of \<orbicube/mesh.h\>: the
+    /// function for options.fill of \<orbicube/hexmesh.h\>. user is unused and may be NULL; host may be NULL, its allocator must remain valid until
+    /// obc\_mesh\_destroy. Errors: as obc\_tetrahedra\_fill.
+    pub fn obc_tetrahedra_fill_mesh(surface: *const obc_surface, max_volume: f64, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error, user: *mut c_void) -> i32;
     /// Destroys a mesh; NULL is allowed.
     pub fn obc_tetrahedra_destroy(solid: *mut obc_tetrahedra);
     /// Return the numbers of vertices (those of the surface, then inserted ones), tetrahedra, boundary triangles (those of the surface if

@@ -49,5 +49,7 @@ pub mod sphere_optimizer;
 pub mod tetrahedra;
 #[cfg(feature = "trust_region")]
 pub mod trust_region;
+#[cfg(feature = "hexmesh")]
+pub mod hexmesh;
 #[cfg(feature = "volume_map")]
 pub mod volume_map;

@@ -1,17 +1,14 @@
-//! Maps of tetrahedral meshes without inverted tetrahedra, and meshes of hexahedra.
+//! Maps of tetrahedral meshes without inverted tetrahedra.
 //!
 //! ```
-//! use orbicube::{mesh::Mesh, volume_map, Host};
-//! let cube = Mesh::make("cube", 300, 0, &mut Host::new())?;
-//! let mut options = volume_map::HexesOptions::default();
-//! options.cells = 27;
-//! let (hexes, report) = volume_map::fill_with_hexahedra(cube.surface(), &options, &mut Host::new())?;
-//! assert!(hexes.hexahedra.len() >= 27 && report.min_scaled_jacobian > 0.0);
+//! use orbicube::{volume_map, Host};
+//! let corners = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0];
+//! let solid = volume_map::map_to_polycube(&corners, &[0, 1, 2, 3], &Default::default(), &mut Host::new())?;
+//! assert!(solid.tetrahedra.len() >= 4);
 //! # Ok::<(), orbicube::Error>(())
 //! ```
 
 use crate::call::{call, checked, expect_length, pointer, rows, Error, Host};
-use crate::mesh::Surface;
 use crate::sys::base::OBC_NO_VALID_RESULT;
 use crate::sys::volume_map::*;
 
@@ -76,15 +73,6 @@ fn best_of(problem: &UntangleProblem, options: &UntangleOptions, host: &mut Host
 
 filled!(/// Options of the map to a polycube, with their defaults.
     SolidOptions, obc_volume_map_solid_options, obc_volume_map_solid_options_init);
-filled!(/// Options of hexahedra, with their defaults.
-    HexesOptions, obc_volume_map_hexes_options, obc_volume_map_hexes_options_init);
-filled!(/// Options of hexahedra along frames, with their defaults.
-    FrameOptions, obc_volume_map_frame_options, obc_volume_map_frame_options_init);
-sized!(/// What was made of hexahedra.
-    HexesReport, obc_volume_map_hexes_report);
-sized!(/// What was made of hexahedra along frames.
-    FrameReport, obc_volume_map_frame_report);
-
 /// A solid, and the same on the polycube of its boundary.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Solid {
@@ -95,7 +83,6 @@ pub struct Solid {
 }
 
 handle!(SolidHandle, obc_volume_map_solid, obc_volume_map_solid_destroy);
-handle!(HexesHandle, obc_volume_map_hexes, obc_volume_map_hexes_destroy);
 
 /// Maps positive tetrahedra one to one to a polycube, splitting them where that is needed.
 pub fn map_to_polycube(positions: &[f64], tetrahedra: &[u32], options: &SolidOptions, host: &mut Host) -> Result<Solid, Error> {
@@ -117,59 +104,4 @@ pub fn map_to_polycube(positions: &[f64], tetrahedra: &[u32], options: &SolidOpt
         })?;
     }
     Ok(solid)
-}
-
-/// A certified mesh of hexahedra.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Hexes {
-    pub positions: Vec<f64>,
-    /// As MEDIT and VTK order their vertices.
-    pub hexahedra: Vec<[u32; 8]>,
-    /// Of the boundary, counter-clockwise seen from outside.
-    pub quads: Vec<[u32; 4]>,
-    /// Of the polycube, or of the map along frames: what each quad lies on.
-    pub quad_patches: Vec<u32>,
-}
-
-impl Hexes {
-    fn taken(handle: HexesHandle) -> Result<Hexes, Error> {
-        let out = handle.as_ptr();
-        let mut hexes = Hexes::default();
-        unsafe {
-            hexes.positions.resize(3 * obc_volume_map_hexes_vertex_count(out), 0.0);
-            hexes.hexahedra.resize(obc_volume_map_hexes_count(out), [0; 8]);
-            hexes.quads.resize(obc_volume_map_hexes_quad_count(out), [0; 4]);
-            hexes.quad_patches.resize(hexes.quads.len(), 0);
-            checked(|error| {
-                obc_volume_map_hexes_copy(out, hexes.positions.as_mut_ptr(), hexes.hexahedra.as_mut_ptr() as *mut u32,
-                                          hexes.quads.as_mut_ptr() as *mut u32, hexes.quad_patches.as_mut_ptr(), error)
-            })?;
-        }
-        Ok(hexes)
-    }
-}
-
-/// Fills a closed surface with hexahedra.
-pub fn fill_with_hexahedra(surface: Surface, options: &HexesOptions, host: &mut Host) -> Result<(Hexes, HexesReport), Error> {
-    let (mut out, mut report) = (std::ptr::null_mut(), HexesReport::default());
-    call(host, |host, error| unsafe {
-        obc_volume_map_hexes_compute(&surface.c, &options.0, host, &mut report.0, &mut out, error)
-    })?;
-    Ok((Hexes::taken(HexesHandle::own(out))?, report))
-}
-
-/// Fills a solid of tetrahedra with hexahedra that follow frames, w x y z a tetrahedron; empty: a smooth field is made, and
-/// repaired.
-pub fn fill_along_frames(positions: &[f64], tetrahedra: &[u32], frames: &[f64], options: &FrameOptions,
-                         host: &mut Host) -> Result<(Hexes, FrameReport), Error> {
-    let (vertices, cells) = (rows(positions.len(), 3, "positions")?, rows(tetrahedra.len(), 4, "tetrahedra")?);
-    if !frames.is_empty() {
-        expect_length(frames.len(), 4 * cells, "frames")?;
-    }
-    let (mut out, mut report) = (std::ptr::null_mut(), FrameReport::default());
-    call(host, |host, error| unsafe {
-        obc_volume_map_frame_hexes_compute(pointer(positions), vertices, pointer(tetrahedra), cells, pointer(frames),
-                                           &options.0, host, &mut report.0, &mut out, error)
-    })?;
-    Ok((Hexes::taken(HexesHandle::own(out))?, report))
 }

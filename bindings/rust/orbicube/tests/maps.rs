@@ -3,7 +3,7 @@
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
 use orbicube::mesh::{self, Mesh, Surface};
-use orbicube::{frame_field, gltf, harmonics, polycube::Polycube, quaternion, sphere_map, sys, volume_map, Host};
+use orbicube::{frame_field, gltf, harmonics, hexmesh, polycube::Polycube, quaternion, sphere_map, sys, volume_map, Host};
 
 fn host() -> Host<'static> {
     Host::new()
@@ -321,7 +321,7 @@ fn cube_of_tetrahedra() -> (Vec<f64>, Vec<u32>) {
 }
 
 /// The minimum scaled Jacobian, by arithmetic of our own.
-fn min_scaled_jacobian(hexes: &volume_map::Hexes) -> f64 {
+fn min_scaled_jacobian(hexes: &hexmesh::Hexes) -> f64 {
     const ENDS: [[usize; 3]; 8] = [[1, 3, 4], [2, 0, 5], [3, 1, 6], [0, 2, 7], [7, 5, 0], [4, 6, 1], [5, 7, 2], [6, 4, 3]];
     let at = |v: u32| -> [f64; 3] { std::array::from_fn(|k| hexes.positions[3 * v as usize + k]) };
     let mut least = f64::INFINITY;
@@ -344,9 +344,10 @@ fn min_scaled_jacobian(hexes: &volume_map::Hexes) -> f64 {
 #[test]
 fn solids_become_hexahedra_and_polycubes() {
     let (corners, tetrahedra) = cube_of_tetrahedra();
-    let mut options = volume_map::FrameOptions::default();
+    let mut options = hexmesh::Options::default();
+    options.method = sys::hexmesh::OBC_HEXMESH_METHOD_FRAMES;
     options.cells = 8;
-    let (hexes, report) = volume_map::fill_along_frames(&corners, &tetrahedra, &[], &options, &mut host()).unwrap();
+    let (hexes, report) = hexmesh::fill_solid_with_hexahedra(&corners, &tetrahedra, &[], &options, &mut host()).unwrap();
     assert_eq!((hexes.hexahedra.len(), hexes.positions.len(), hexes.quads.len()), (8, 3 * 27, 24));
     assert!((report.volume - 1.0).abs() < 1e-9 && report.irregular_edges == 0);
     assert!((min_scaled_jacobian(&hexes) - report.min_scaled_jacobian).abs() < 1e-12 && report.min_scaled_jacobian > 0.99);
@@ -358,21 +359,21 @@ fn solids_become_hexahedra_and_polycubes() {
     }
     let solid = frame_field::Solid::new(&corners, &tetrahedra).unwrap();
     let (frames, _) = frame_field::compute(solid, &Default::default(), &Default::default(), &[], &mut host()).unwrap();
-    let (given, _) = volume_map::fill_along_frames(&corners, &tetrahedra, &frames, &options, &mut host()).unwrap();
+    let (given, _) = hexmesh::fill_solid_with_hexahedra(&corners, &tetrahedra, &frames, &options, &mut host()).unwrap();
     assert!(given.hexahedra.len() == 8 && min_scaled_jacobian(&given) > 0.99);
-    assert!(volume_map::fill_along_frames(&corners, &tetrahedra, &frames[4..], &options, &mut host()).is_err());
+    assert!(hexmesh::fill_solid_with_hexahedra(&corners, &tetrahedra, &frames[4..], &options, &mut host()).is_err());
 
     let shape = Mesh::make("cube", 300, 0, &mut host()).unwrap();
-    let mut options = volume_map::HexesOptions::default();
+    let mut options = hexmesh::Options::default();
     options.cells = 27;
-    options.padding = sys::volume_map::OBC_VOLUME_MAP_PADDING_WITHOUT;
-    let (hexes, report) = volume_map::fill_with_hexahedra(shape.surface(), &options, &mut host()).unwrap();
+    options.padding = sys::hexmesh::OBC_HEXMESH_PADDING_WITHOUT;
+    let (hexes, report) = hexmesh::fill_with_hexahedra(shape.surface(), &options, &mut host()).unwrap();
     assert_eq!((hexes.hexahedra.len(), hexes.positions.len(), hexes.quads.len(), hexes.quad_patches.len()), (27, 3 * 64, 54, 54));
     let volume = mesh::topology(shape.surface(), &mut host()).unwrap().volume;
     assert!((report.volume - volume).abs() < 1e-9 && min_scaled_jacobian(&hexes) > 0.99);
     let cells: Vec<u32> = hexes.hexahedra.concat();
     Mesh::new(&hexes.positions, &[], &[], &cells).unwrap().check_cells(&mut host()).unwrap();
-    let cancelled = volume_map::fill_with_hexahedra(shape.surface(), &options, &mut Host::new().on_progress(|_| false));
+    let cancelled = hexmesh::fill_with_hexahedra(shape.surface(), &options, &mut Host::new().on_progress(|_| false));
     assert!(cancelled.err().unwrap().is_cancelled());
 
     let mapped = volume_map::map_to_polycube(&corners, &tetrahedra, &Default::default(), &mut host()).unwrap();

@@ -1,0 +1,92 @@
+"""Hexahedral meshes of closed surfaces and of tetrahedral solids.
+
+    mesh.write("shape.vtk", fill_with_hexahedra(shape, cells=5000))
+    fill_with_hexahedra(part, fill=orbicube.tetrahedra.fill)  # machined parts along frames, as `orbicube hex` fills them
+"""
+
+from __future__ import annotations
+
+import ctypes
+from ctypes import byref
+from typing import Any, Literal, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Doubles, Indices, address, doubles
+from ._call import HOST, Handle, Progress, call, filled, sized, with_options
+from ._foreign import parts_of, solid_of
+from ._records import Record
+from .mesh import Surface
+from .raw import hexmesh as raw
+
+__all__ = ["Hexes", "fill_with_hexahedra", "version"]
+
+
+class Hexes(Record):
+    """A certified mesh of hexahedra: positions, hexahedra (eight vertices each, as MEDIT and VTK order them), quads of the
+    boundary, counter-clockwise seen from outside, quad_patches (the patch of the polycube that each lies on), and the report."""
+
+    def __init__(self, handle: Handle, report: Any) -> None:
+        self.positions: Doubles = np.empty((raw.obc_hexmesh_vertex_count(handle), 3))
+        self.hexahedra: Indices = np.empty((raw.obc_hexmesh_count(handle), 8), dtype=np.uint32)
+        self.quads: Indices = np.empty((raw.obc_hexmesh_quad_count(handle), 4), dtype=np.uint32)
+        self.quad_patches: Indices = np.empty(len(self.quads), dtype=np.uint32)
+        self.report = report
+        call(raw.obc_hexmesh_copy, handle, address(self.positions), address(self.hexahedra), address(self.quads),
+             address(self.quad_patches))
+
+
+def _is_solid(shape: Any) -> bool:
+    """Whether it has tetrahedra."""
+    if isinstance(shape, (tuple, list)) and len(shape) == 2:
+        return np.shape(shape[1])[1:] == (4,)
+    parts = parts_of(shape, "shape")
+    return parts is not None and parts.count("tetrahedra") > 0
+
+
+def _set_fill(chosen: raw.obc_hexmesh_options, fill: Any) -> None:
+    if fill is None:
+        return
+    from . import tetrahedra
+    from .raw import tetrahedra as raw_tetrahedra
+
+    if fill is not tetrahedra.fill:
+        raise TypeError("fill: orbicube.tetrahedra.fill is needed, or None")
+    chosen.fill = ctypes.cast(raw_tetrahedra.obc_tetrahedra_fill_mesh, raw.obc_hexmesh_fill_function)
+
+
+@with_options("obc_hexmesh_options")
+def fill_with_hexahedra(shape: Any, frames: Optional[ArrayLike] = None, *,
+                        # options of obc_hexmesh_options, written by scripts/bindings.py
+                        padding: Optional[Literal["auto", "with", "without"]] = None, cells: Optional[int] = None,
+                        corners: Optional[int] = None, triangles: Optional[int] = None, seed: Optional[int] = None,
+                        rounds: Optional[int] = None, method: Optional[Literal["auto", "polycube", "grid", "frames"]] = None,
+                        max_hausdorff_percent: Optional[float] = None, max_cells: Optional[int] = None,
+                        feature_angle: Optional[float] = None,
+                        # end of options
+                        fill: Any = None, threads: int = 0, progress: Progress = None) -> Hexes:
+    """Fills a closed surface, or a solid of tetrahedra, with the bits of `orbicube hex`. frames: of a solid, w x y z a tetrahedron as of
+    frame_field.compute, which the hexahedra follow. fill: None, or orbicube.tetrahedra.fill (TetGen, AGPL), by which surfaces go along
+    frames too. The report has min_scaled_jacobian, mean_scaled_jacobian, volume, hausdorff_percent, method, ..."""
+    chosen = filled(raw.obc_hexmesh_options, raw.obc_hexmesh_options_init, locals())
+    _set_fill(chosen, fill)
+    report, handle = sized(raw.obc_hexmesh_report), Handle(raw.obc_hexmesh_destroy)
+    if frames is not None or _is_solid(shape):
+        positions, tetrahedra = solid_of(shape, "shape")
+        field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames", each="tetrahedron")
+        call(raw.obc_hexmesh_compute_solid, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
+             address(field), byref(chosen), HOST, byref(report), byref(handle), threads=threads, progress=progress)
+    else:
+        given = Surface(shape, "shape")
+        call(raw.obc_hexmesh_compute, given.pointer, byref(chosen), HOST, byref(report), byref(handle), threads=threads,
+             progress=progress)
+    try:
+        return Hexes(handle, report)
+    finally:
+        handle.close()
+
+
+def version() -> int:
+    """major * 10000 + minor * 100 + patch."""
+    return raw.obc_hexmesh_version()

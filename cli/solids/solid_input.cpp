@@ -1,0 +1,92 @@
+#include "solids/solid_input.h"
+
+#include <filesystem>
+#include <span>
+#include <utility>
+
+#include "mesh/files/file.h"
+#include "mesh/files/read.h"
+#include "mesh/files/write.h"
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+#include "tetrahedra/tetrahedra.h"
+#endif
+
+namespace orbicube::cli {
+
+void add_solid_options(CLI::App& verb, SolidOptions& options) {
+  verb.add_option("IN", options.input, std::string("closed surface, or a tetrahedral mesh: ") + surface_endings)
+      ->required()
+      ->type_name("");
+  verb.add_option("--corners", options.corners,
+                  "maximum number of polycube corners per boundary component; 0: no limit [default: 100]")
+      ->check(unnamed(CLI::Range(0, 1'000'000)))
+      ->type_name("N");
+  verb.add_option(
+          "--triangles", options.triangles,
+          "a surface of more than twice as many triangles is mapped through a coarser one of about N [default: 6000]")
+      ->check(unnamed(CLI::Range(100, 10'000'000)))
+      ->type_name("N");
+  verb.add_flag("--weld", options.weld, "weld vertices at identical positions if the surface is not closed");
+}
+
+Json json_of(const SolidOptions& options) {
+  return {{"corners", options.corners}, {"triangles", options.triangles}, {"weld", options.weld}};
+}
+
+volume_map::FillSurface fill_by_tetgen() {
+#ifdef ORBICUBE_WITH_TETRAHEDRA
+  return [](std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles, double max_volume,
+            const base::Host& host) {
+    tetrahedra::Solid filled = tetrahedra::fill(positions, triangles, {.max_volume = max_volume}, host);
+    mesh::Mesh solid(host.memory);
+    solid.positions = std::move(filled.positions);
+    solid.tetrahedra = std::move(filled.tetrahedra);
+    return solid;
+  };
+#else
+  return {};
+#endif
+}
+
+volume_map::InputFindings findings_of(Session& session) {
+  volume_map::InputFindings findings;
+  findings.on_note = [&session](const std::string& text) { session.note(text); };
+  return findings;
+}
+
+void report_findings(const volume_map::InputFindings& findings, const std::string& format, Session& session) {
+  Json& figures = session.figures();
+  if (findings.surface) {
+    figures["input"] = {{"format", format},
+                        {"vertices", findings.surface->vertices},
+                        {"triangles", findings.surface->triangles},
+                        {"genus", findings.surface->genus},
+                        {"cavities", findings.surface->cavities}};
+  }
+  if (findings.pieces == 0) return;
+  if (findings.polycube) {
+    figures["polycube"] = {{"corners", findings.polycube->corners},
+                           {"patches", findings.polycube->patches},
+                           {"genus", findings.polycube->genus},
+                           {"surface_triangles", findings.polycube->surface_triangles},
+                           {"distortion_of_angles", findings.polycube->angles},
+                           {"distortion_of_areas", findings.polycube->areas}};
+  }
+  if (findings.pieces > 1) figures["pieces"] = findings.pieces;
+  figures["seconds_fill"] = findings.fill_seconds;
+  figures["seconds_polycube"] = findings.polycube_seconds;
+}
+
+void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, Session& session) {
+  const base::Host& host = session.host();
+  about(path, Role::output, [&] {
+    const std::filesystem::path file = session.stage(path);
+    mesh::write_mesh(file, cells, {.binary = !text}, host);
+    const mesh::Mesh again = mesh::read_mesh(file, {}, host);
+    if (again.positions != cells.positions || again.tetrahedra != cells.tetrahedra ||
+        again.hexahedra != cells.hexahedra)
+      throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
+  });
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,51 @@
+// A solid, given by its surface or by tetrahedra, as the verbs hex and volume take it.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "files/surface_file.h"
+#include "mesh/mesh.h"
+#include "session/session.h"
+#include "volume_map/input/polycube_pieces.h"
+
+namespace orbicube::cli {
+
+struct SolidOptions {
+  std::string input;
+  std::size_t corners = volume_map::PieceOptions{}.corners;
+  std::size_t triangles = volume_map::PieceOptions{}.triangles;
+  bool weld = false;
+};
+
+void add_solid_options(CLI::App& verb, SolidOptions& options);
+Json json_of(const SolidOptions& options);
+
+// TetGen's, in builds that have it.
+volume_map::FillSurface fill_by_tetgen();
+
+// Findings whose notes go to the session.
+volume_map::InputFindings findings_of(Session& session);
+// Their figures go to the session.
+void report_findings(const volume_map::InputFindings& findings, const std::string& format, Session& session);
+
+// Does `work` on a solid; its figures go to the session also where it fails, which is about the input or, once that is
+// examined, about the output.
+template <class Work>
+auto about_solid(const std::string& input, const std::string& output, const std::string& format,
+                 const volume_map::InputFindings& findings, Session& session, const Work& work) -> decltype(work()) {
+  try {
+    auto made = work();
+    report_findings(findings, format, session);
+    return made;
+  } catch (...) {
+    report_findings(findings, format, session);
+    return about(findings.examined ? output : input, findings.examined ? Role::output : Role::input,
+                 []() -> decltype(work()) { throw; });
+  }
+}
+
+// Written beside its place, read again and compared: what was certified is what the file holds.
+void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, Session& session);
+
+}  // namespace orbicube::cli

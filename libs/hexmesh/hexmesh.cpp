@@ -1,0 +1,267 @@
+#include "hexmesh/hexmesh.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/error.h"
+#include "hexmesh/strategies/hex_pieces.h"
+#include "hexmesh/strategies/machined_shape.h"
+#include "mesh/search/unit_scale.h"
+#include "mesh/topology/cells.h"
+#include "mesh/topology/place_text.h"
+#include "volume_map/input/solid_boundary.h"
+
+namespace orbicube::hexmesh {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using volume_map::InputFindings;
+using volume_map::Inside;
+using volume_map::PolycubePiece;
+using volume_map::Polycubes;
+
+// What a strategy works on.
+struct Work {
+  const mesh::Mesh& input;  // of a size near 1
+  const Options& options;
+  InputFindings& findings;
+  const base::Host& host;
+};
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+mesh::Mesh copy_of(const mesh::Mesh& from, const base::Host& host) {
+  mesh::Mesh copy(host.memory);
+  copy.positions.assign(from.positions.begin(), from.positions.end());
+  copy.triangles.assign(from.triangles.begin(), from.triangles.end());
+  copy.tetrahedra.assign(from.tetrahedra.begin(), from.tetrahedra.end());
+  copy.hexahedra.assign(from.hexahedra.begin(), from.hexahedra.end());
+  return copy;
+}
+
+PolycubeSurface surface_of(const PolycubePiece& piece) {
+  return {piece.made.map, piece.fine.positions, piece.fine.triangles, &piece.space};
+}
+
+Hexahedra hexahedra_of_cells(const Work& work, HexMethod method) {
+  const Options& o = work.options;
+  const base::Host& host = work.host;
+  work.findings.examined = false;
+  const std::vector<PolycubePiece> pieces = [&] {
+    const base::Stage stage(host, 0.3);
+    return volume_map::polycube_pieces(copy_of(work.input, host),
+                                       {.corners = o.corners,
+                                        .triangles = o.triangles,
+                                        .seed = o.seed,
+                                        .max_pieces = o.cells,
+                                        .inside = Inside::nothing,
+                                        .polycubes = method == HexMethod::polycube ? Polycubes::needed
+                                                     : method == HexMethod::grid   ? Polycubes::none
+                                                                                   : Polycubes::where_there_are},
+                                       work.findings, host);
+  }();
+  const auto start = Clock::now();
+  Hexahedra made(host.memory);
+  Array<PolycubeSurface> boundaries(host.memory);
+  for (const PolycubePiece& piece : pieces) {
+    made.polycube_corners += piece.made.certificate.corners;
+    boundaries.push_back(surface_of(piece));
+  }
+  const base::Stage stage(host, 0.95);
+  made.result = make_hexahedra_of_pieces(boundaries,
+                                         {.method = method,
+                                          .cells = o.cells,
+                                          .padding = o.padding,
+                                          .rounds = o.rounds,
+                                          .distance = o.distance,
+                                          .max_cells = o.max_cells,
+                                          .feature_angle = feature_angle_of(o)},
+                                         host);
+  made.method = made.result.grid_based ? Method::grid : Method::polycube;
+  made.compute_seconds = seconds_since(start);
+  return made;
+}
+
+// A solid for frames, and the surface that counts.
+struct Framed {
+  explicit Framed(std::pmr::memory_resource* memory) : solid(memory), fine(memory) {}
+
+  volume_map::FramedSolid solid;
+  mesh::Mesh fine;  // the surface, where what is filled is a coarser one
+};
+
+void fill_surface(const Work& work, Framed& result) {
+  if (!work.options.fill)
+    throw base::Error("unsupported", "there is no TetGen to fill a surface; give a mesh of tetrahedra");
+  mesh::Mesh surface = copy_of(work.input, work.host);
+  const volume_map::SurfacePieces pieces =
+      volume_map::pieces_of_surface(surface, Inside::tetrahedra, 0, work.findings, work.host);
+  if (pieces.count > 1) {
+    const auto second = std::find(pieces.of.begin(), pieces.of.end(), 1U) - pieces.of.begin();
+    const Index v = surface.triangles[static_cast<std::size_t>(second)][0];
+    throw base::Error("not-connected", std::to_string(pieces.count) +
+                                           " pieces, and a frame field has one; the second has vertex " +
+                                           std::to_string(v) + ", at " + mesh::place_text(surface.positions[v]));
+  }
+  volume_map::FilledSolid filled =
+      volume_map::filled_solid(surface, work.options.triangles, work.options.fill, work.host);
+  result.solid.positions = std::move(filled.solid.positions);
+  result.solid.tetrahedra = std::move(filled.solid.tetrahedra);
+  if (filled.surface.size() < surface.triangles.size()) result.fine = std::move(surface);
+}
+
+void take_tetrahedra(const Work& work, Framed& result) {
+  const mesh::Mesh& input = work.input;
+  if (input.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra, which frames are for");
+  mesh::require_valid_cells(input, work.host);
+  if (!input.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
+  result.solid.positions.assign(input.positions.begin(), input.positions.end());
+  result.solid.tetrahedra.assign(input.tetrahedra.begin(), input.tetrahedra.end());
+  base::require(work.options.frames.empty() || work.options.frames.size() == input.tetrahedra.size(),
+                "frames must have one for each tetrahedron");
+  result.solid.frames.assign(work.options.frames.begin(), work.options.frames.end());
+}
+
+FrameFigures figures_of(const FrameHexes& made) {
+  FrameFigures figures;
+  figures.inner_irregular_edges = made.inner_irregular_edges;
+  figures.tetrahedra = made.map.solid.tetrahedra.size();
+  figures.singular_edges = made.map.singular_edges;
+  figures.cut_faces = made.map.cut_faces;
+  figures.integers = made.map.integers;
+  figures.layer_bounds = made.map.bounds;
+  figures.integers_optimal = made.map.integers_optimal;
+  figures.inverted_at_start = made.map.inverted_at_start;
+  figures.steps = made.map.steps;
+  figures.fields = made.fields;
+  figures.field_seconds = made.field_seconds;
+  return figures;
+}
+
+Hexahedra hexahedra_along_frames(const Work& work, double feature_angle, std::size_t max_fields) {
+  const Options& o = work.options;
+  const auto begin = Clock::now();
+  work.findings.examined = false;
+  Framed framed(work.host.memory);
+  const bool surface = work.input.tetrahedra.empty() && work.input.hexahedra.empty() && o.frames.empty();
+  surface ? fill_surface(work, framed) : take_tetrahedra(work, framed);
+  work.findings.examined = true;
+  const double fill_seconds = seconds_since(begin);
+  const auto start = Clock::now();
+  const FrameHexOptions options = {.cells = o.cells,
+                                   .rounds = o.rounds,
+                                   .distance = o.distance,
+                                   .max_cells = o.max_cells,
+                                   .fine_positions = framed.fine.positions,
+                                   .fine_triangles = framed.fine.triangles,
+                                   .max_fields = max_fields};
+  FrameHexes found = o.frames.empty()
+                         ? make_hexahedra_along_frames(framed.solid.positions, framed.solid.tetrahedra,
+                                                       feature_angle * std::numbers::pi / 180, options, work.host)
+                         : make_hexahedra_by_frames(framed.solid, options, work.host);
+  Hexahedra made(work.host.memory);
+  made.method = Method::frames;
+  made.along_frames = figures_of(found);
+  made.along_frames->fill_seconds = fill_seconds;
+  made.compute_seconds = seconds_since(start) - found.field_seconds;
+  made.result = std::move(found.result);
+  return made;
+}
+
+bool looks_machined(const Work& work) {
+  try {
+    if (work.input.tetrahedra.empty()) return is_machined(work.input.positions, work.input.triangles, work.host);
+    const volume_map::BoundaryFirst first = volume_map::boundary_first(work.input, work.host);
+    return is_machined(first.positions, first.surface, work.host);
+  } catch (const base::Error& error) {
+    if (error.status() == base::Status::cancelled) throw;
+    return false;  // no surface of a solid; what is wrong is said by who wants one
+  }
+}
+
+bool must_end(const base::Error& error) {
+  return error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory;
+}
+
+Hexahedra best_hexahedra(const Work& work) {
+  constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
+  // Each takes long, and what has a map at all has one along the first or the second most often.
+  constexpr std::size_t few_fields = 3;
+  // Layers are those of a polycube.
+  const bool frames_may = work.options.padding == Padding::automatic, machined = frames_may && looks_machined(work);
+  const double distance = work.options.distance;
+  std::optional<Hexahedra> made;
+  const auto take = [&](Hexahedra now) {
+    if (!made || better(now.result, made->result, distance)) made = std::move(now);
+  };
+  const auto try_frames = [&] {
+    try {
+      take(hexahedra_along_frames(work, feature_angle_of(work.options), few_fields));
+    } catch (const base::Error& error) {
+      if (must_end(error)) throw;
+      work.host.log(std::string("no hexahedra along frames: ") + error.what());
+    }
+  };
+  if (machined) try_frames();
+  if (made && made->result.quality.min_scaled_jacobian > poor && excess(made->result, distance) <= 1)
+    return std::move(*made);
+  try {
+    take(hexahedra_of_cells(work, frames_may ? HexMethod::automatic : HexMethod::polycube));
+  } catch (const base::Error& error) {
+    if (must_end(error)) throw;
+    const bool examined = work.findings.examined;
+    if (!made && !machined && frames_may && std::string_view(error.kind()) == "no-valid-result") try_frames();
+    work.findings.examined = examined;
+    if (!made) throw;
+  }
+  return std::move(*made);
+}
+
+Hexahedra by_strategy(const Work& work) {
+  if (by_frames(work.options))
+    return hexahedra_along_frames(work, feature_angle_of(work.options), FrameHexOptions{}.max_fields);
+  if (work.options.method == Method::polycube) return hexahedra_of_cells(work, HexMethod::polycube);
+  if (work.options.method == Method::grid) return hexahedra_of_cells(work, HexMethod::grid);
+  return best_hexahedra(work);
+}
+
+void scale_back(HexResult& result, int exponent) {
+  mesh::scale_by_power(result.mesh.positions, -exponent);
+  for (HexPiece& piece : result.pieces)
+    piece.place = volume_map::times_power_of_two(piece.place, -exponent);
+  result.quality.volume = std::ldexp(result.quality.volume, -3 * exponent);
+}
+
+}  // namespace
+
+bool by_frames(const Options& options) {
+  return options.method == Method::frames || (options.method == Method::automatic && !options.frames.empty());
+}
+
+double feature_angle_of(const Options& options) {
+  return options.feature_angle.value_or(by_frames(options) ? 0 : HexOptions{}.feature_angle);
+}
+
+Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume_map::InputFindings& findings,
+                         const base::Host& host) {
+  base::require(options.method >= Method::automatic && options.method <= Method::frames, "the method is unknown");
+  base::require(options.padding >= Padding::automatic && options.padding <= Padding::without, "the padding is unknown");
+  base::require(feature_angle_of(options) >= 0 && feature_angle_of(options) < 180,
+                "the feature angle must be from 0 to below 180 degrees");
+  base::require(options.frames.empty() || by_frames(options), "frames are for the method frames");
+  mesh::Mesh near_unit = copy_of(input, host);
+  const int exponent = mesh::bring_to_unit_size(near_unit);
+  Hexahedra made = by_strategy({near_unit, options, findings, host});
+  scale_back(made.result, exponent);
+  return made;
+}
+
+}  // namespace orbicube::hexmesh

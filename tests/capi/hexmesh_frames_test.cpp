@@ -1,0 +1,143 @@
+// The C function of hexmesh for hexahedra along frames: arguments, memory and cancelling. What the meshes are worth
+// is tested in tests/hexmesh/.
+#include <doctest/doctest.h>
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "orbicube/hexmesh.h"
+#include "promises.h"
+
+using namespace orbicube;
+
+namespace {
+
+// 2 x 2 x 1 cubes, each of six tetrahedra, with the frame of the axes.
+struct FramedBox {
+  std::vector<double> positions, frames;
+  std::vector<std::uint32_t> tetrahedra;
+
+  FramedBox() {
+    const auto at = [](const int* p) { return static_cast<std::uint32_t>((p[0] * 3 + p[1]) * 2 + p[2]); };
+    for (int x = 0; x <= 2; ++x) {
+      for (int y = 0; y <= 2; ++y) {
+        for (int z = 0; z <= 1; ++z) {
+          for (const int c : {x, y, z})
+            positions.push_back(c);
+          if (x == 2 || y == 2 || z == 1) continue;
+          const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+          for (int o = 0; o < 6; ++o) {
+            int p[3] = {x, y, z};
+            std::uint32_t t[4] = {at(p), 0, 0, 0};
+            for (int k = 0; k < 3; ++k) {
+              ++p[orders[o][k]];
+              t[k + 1] = at(p);
+            }
+            if (o >= 3) std::swap(t[2], t[3]);
+            tetrahedra.insert(tetrahedra.end(), t, t + 4);
+            frames.insert(frames.end(), {2, 0, 0, 0});  // lengths do not matter
+          }
+        }
+      }
+    }
+  }
+
+  obc_status hexes(const double* of, const obc_hexmesh_options* options, const obc_host* host,
+                   obc_hexmesh_report* report, obc_hexmesh** out, obc_error* error) const {
+    return obc_hexmesh_compute_solid(positions.data(), positions.size() / 3, tetrahedra.data(), tetrahedra.size() / 4,
+                                     of, options, host, report, out, error);
+  }
+};
+
+obc_hexmesh_options few() {
+  obc_hexmesh_options options;
+  REQUIRE(obc_hexmesh_options_init(&options, sizeof options) == OBC_OK);
+  options.method = OBC_HEXMESH_METHOD_FRAMES;
+  options.cells = 4;
+  options.rounds = 1;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("A box with the frames of the axes becomes its cubes, and so it does without frames") {
+  const FramedBox box;
+  const obc_hexmesh_options options = few();
+  for (const double* frames : {box.frames.data(), static_cast<const double*>(nullptr)}) {
+    obc_hexmesh_report report{};
+    report.struct_size = sizeof report;
+    obc_hexmesh* hexes = nullptr;
+    obc_error error;
+    REQUIRE(box.hexes(frames, &options, nullptr, &report, &hexes, &error) == OBC_OK);
+    CHECK(obc_hexmesh_count(hexes) == 4);
+    CHECK(obc_hexmesh_vertex_count(hexes) == 18);
+    CHECK(obc_hexmesh_quad_count(hexes) == 16);
+    CHECK(report.volume == doctest::Approx(4).epsilon(1e-9));
+    CHECK(report.min_scaled_jacobian == doctest::Approx(1).epsilon(1e-6));
+    CHECK(report.singular_edges == 0);
+    CHECK(report.irregular_edges == 0);
+    CHECK(report.integers == 6);
+    CHECK(report.integers_optimal == 1);
+    CHECK(report.hausdorff_percent < 1e-6);
+    CHECK(report.volume_error_percent < 1e-6);
+    CHECK(report.inverted_at_start == 0);
+    CHECK(report.tetrahedra >= box.tetrahedra.size() / 4);
+    obc_hexmesh_destroy(hexes);
+  }
+}
+
+TEST_CASE("Wrong arguments of hexahedra along frames are refused") {
+  const FramedBox box;
+  obc_hexmesh* hexes = nullptr;
+  obc_error error;
+  CHECK(box.hexes(nullptr, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  obc_hexmesh_options options = few();
+  options.cells = 0;
+  CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  options = few();
+  options.rounds = -1;
+  CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  options = few();
+  options.feature_angle = std::numeric_limits<double>::quiet_NaN();
+  CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  for (const double distance : {-1.0, 101.0, std::numeric_limits<double>::quiet_NaN()}) {
+    options = few();
+    options.max_hausdorff_percent = distance;
+    CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  }
+  options = few();
+  options.max_cells = 20'000'000;
+  CHECK(box.hexes(box.frames.data(), &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  FramedBox wrong = box;
+  wrong.frames[5] = std::numeric_limits<double>::infinity();
+  CHECK(wrong.hexes(wrong.frames.data(), nullptr, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  wrong = box;
+  wrong.frames[0] = 0;
+  CHECK(wrong.hexes(wrong.frames.data(), nullptr, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  wrong = box;
+  wrong.positions[7] = std::numeric_limits<double>::quiet_NaN();
+  CHECK(wrong.hexes(wrong.frames.data(), nullptr, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT);
+  wrong = box;
+  wrong.tetrahedra[3] = 1000;
+  CHECK(wrong.hexes(wrong.frames.data(), nullptr, nullptr, nullptr, &hexes, &error) == OBC_MALFORMED_FILE);
+  wrong = box;
+  std::swap(wrong.tetrahedra[0], wrong.tetrahedra[1]);
+  CHECK(wrong.hexes(wrong.frames.data(), nullptr, nullptr, nullptr, &hexes, &error) == OBC_DEGENERATE);
+  CHECK(std::string(error.kind) == "inverted-cell");
+  CHECK(obc_hexmesh_compute_solid(nullptr, 4, box.tetrahedra.data(), 1, nullptr, nullptr, nullptr, nullptr, &hexes,
+                                  &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_hexmesh_compute_solid(box.positions.data(), 18, nullptr, 0, nullptr, nullptr, nullptr, nullptr, &hexes,
+                                  &error) == OBC_INVALID_ARGUMENT);
+  CHECK(hexes == nullptr);
+}
+
+TEST_CASE("Each allocation that fails, and each report that cancels, ends the making of hexahedra along frames") {
+  const FramedBox box;
+  const obc_hexmesh_options options = few();
+  const test::Call call = test::destroying(obc_hexmesh_destroy, [&](const obc_host* host, obc_hexmesh** out) {
+    return box.hexes(box.frames.data(), &options, host, nullptr, out, nullptr);
+  });
+  test::check_failing_allocations(call, 50);
+  test::check_cancelling(call);
+}
