@@ -66,30 +66,30 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="degree of the search over all rotations, 1 to 64. Default: 12."),
     ),
     "obc_hexmesh_options": (
-        Option("padding", "word", None, words={"auto": 0, "with": 1, "without": 2},
+        Option("padding", "word", "auto", words={"auto": 0, "with": 1, "without": 2},
                doc="OBC_HEXMESH_PADDING_AUTO, WITH or WITHOUT. Default: AUTO."),
-        Option("cells", "int", None, low=0, high=18446744073709551615,
+        Option("cells", "int", 10000, low=0, high=18446744073709551615,
                doc="approximate number of hexahedra, 1 to 10 million. Default: 10000."),
-        Option("corners", "int", None, low=0, high=18446744073709551615,
+        Option("corners", "int", 100, low=0, high=18446744073709551615,
                doc="maximum number of polycube corners per boundary component, as in obc_polycube_options; 0: no limit. "
                    "Default: 100."),
-        Option("triangles", "int", None, low=0, high=18446744073709551615,
+        Option("triangles", "int", 6000, low=0, high=18446744073709551615,
                doc="a surface of more than twice as many triangles is mapped through a coarse one of about that many; 0: "
                    "never. Default: 6000."),
-        Option("seed", "int", None, low=0, high=18446744073709551615,
+        Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="seed of random choices of the polycube. Default: 0."),
-        Option("rounds", "int", None, low=-2147483648, high=2147483647,
+        Option("rounds", "int", 40, low=-2147483648, high=2147483647,
                doc="number of smoothing rounds, 0 to 1000. Default: 40."),
-        Option("method", "word", None, words={"auto": 0, "polycube": 1, "grid": 2, "frames": 3},
+        Option("method", "word", "auto", words={"auto": 0, "polycube": 1, "grid": 2, "frames": 3},
                doc="OBC_HEXMESH_METHOD_AUTO, POLYCUBE, GRID or FRAMES. Default: AUTO."),
-        Option("max_hausdorff_percent", "float", None,
+        Option("max_hausdorff_percent", "float", 1.0,
                doc="Maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum volume "
                    "error, in percent, 0 to 100. While it is exceeded, the cell count is doubled, up to max_cells; the "
                    "closest mesh is returned. 0 disables the check. Default: 1."),
-        Option("max_cells", "int", None, low=0, high=18446744073709551615,
+        Option("max_cells", "int", 100000, low=0, high=18446744073709551615,
                doc="approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: "
                    "100000."),
-        Option("feature_angle", "float", None,
+        Option("feature_angle", "float", -1.0,
                doc="Minimum dihedral angle, in degrees, 0 to below 180, of surface edges that the mesh follows: those near "
                    "an edge of the polycube, unless hexahedra there would be bad, or those along which an axis of computed "
                    "frames lies. 0: none. -1: 40, but 0 for method FRAMES and for frames of the caller. Default: -1."),

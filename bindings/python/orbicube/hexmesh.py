@@ -59,11 +59,10 @@ def _set_fill(chosen: raw.obc_hexmesh_options, fill: Any) -> None:
 @with_options("obc_hexmesh_options")
 def fill_with_hexahedra(shape: Any, frames: Optional[ArrayLike] = None, *,
                         # options of obc_hexmesh_options, written by scripts/bindings.py
-                        padding: Optional[Literal["auto", "with", "without"]] = None, cells: Optional[int] = None,
-                        corners: Optional[int] = None, triangles: Optional[int] = None, seed: Optional[int] = None,
-                        rounds: Optional[int] = None, method: Optional[Literal["auto", "polycube", "grid", "frames"]] = None,
-                        max_hausdorff_percent: Optional[float] = None, max_cells: Optional[int] = None,
-                        feature_angle: Optional[float] = None,
+                        padding: Literal["auto", "with", "without"] = "auto", cells: int = 10000, corners: int = 100,
+                        triangles: int = 6000, seed: int = 0, rounds: int = 40,
+                        method: Literal["auto", "polycube", "grid", "frames"] = "auto", max_hausdorff_percent: float = 1.0,
+                        max_cells: int = 100000, feature_angle: float = -1.0,
                         # end of options
                         fill: Any = None, threads: int = 0, progress: Progress = None) -> Hexes:
     """Fills a closed surface, or a solid of tetrahedra, with the bits of `orbicube hex`. frames: of a solid, w x y z a tetrahedron as of
