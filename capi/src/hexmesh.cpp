@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/catch_all.h"
 #include "base/error.h"
 #include "base/known_kind.h"
 #include "base/version.h"
@@ -84,14 +85,15 @@ class Filler {
 
   static std::int32_t pass_on(const char* /*phase*/, std::uint64_t done, std::uint64_t total, double best, void* user) {
     auto* const report = static_cast<Report*>(user);
-    try {
+    const auto outcome = [&]() -> std::int32_t {
       // The words of others may not outlive the call.
       report->host->report("tetrahedra", done, total, best);
       return 0;
-    } catch (...) {
+    };
+    return base::catch_all(outcome, [&]() -> std::int32_t {
       report->stop = std::current_exception();
       return 1;
-    }
+    });
   }
 
   static mesh::Mesh checked(const obc_mesh* made, std::span<const mesh::Vector3> positions, const base::Host& host) {

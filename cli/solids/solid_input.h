@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <string>
 
+#include "base/catch_all.h"
 #include "files/surface_file.h"
 #include "mesh/mesh.h"
 #include "session/session.h"
@@ -34,15 +35,15 @@ void report_findings(const volume_map::InputFindings& findings, const std::strin
 template <class Work>
 auto about_solid(const std::string& input, const std::string& output, const std::string& format,
                  const volume_map::InputFindings& findings, Session& session, const Work& work) -> decltype(work()) {
-  try {
-    auto made = work();
+  using Made = decltype(work());
+  const auto rethrow = []() -> Made { throw; };
+  const auto failed = [&]() -> Made {
     report_findings(findings, format, session);
-    return made;
-  } catch (...) {
-    report_findings(findings, format, session);
-    return about(findings.examined ? output : input, findings.examined ? Role::output : Role::input,
-                 []() -> decltype(work()) { throw; });
-  }
+    return findings.examined ? about(output, Role::output, rethrow) : about(input, Role::input, rethrow);
+  };
+  Made made = base::catch_all(work, failed);
+  report_findings(findings, format, session);
+  return made;
 }
 
 // Written beside its place, read again and compared: what was certified is what the file holds.

@@ -53,7 +53,8 @@ def _set_fill(chosen: raw.obc_hexmesh_options, fill: Any) -> None:
 
     if fill is not tetrahedra.fill:
         raise TypeError("fill: orbicube.tetrahedra.fill is needed, or None")
-    chosen.fill = ctypes.cast(raw_tetrahedra.obc_tetrahedra_fill_mesh, raw.obc_hexmesh_fill_function)
+    function: Any = raw_tetrahedra.obc_tetrahedra_fill_mesh
+    chosen.fill = ctypes.cast(function, raw.obc_hexmesh_fill_function)
 
 
 @with_options("obc_hexmesh_options")
