@@ -89,6 +89,33 @@ TEST_CASE("A solid has the surface's vertices first and its triangles as they ar
   obc_tetrahedra_destroy(solid);
 }
 
+TEST_CASE("A surface is filled into a mesh as with the options of that volume") {
+  const Shape shape = two(0.25, 0.1);
+  const obc_surface surface = shape.surface();
+  obc_tetrahedra_options options;
+  REQUIRE(obc_tetrahedra_options_init(&options, sizeof options) == OBC_OK);
+  options.max_volume = 0.02;
+  obc_tetrahedra* solid = nullptr;
+  obc_mesh* mesh = nullptr;
+  obc_error error;
+  REQUIRE(obc_tetrahedra_fill(&surface, &options, nullptr, &solid, &error) == OBC_OK);
+  REQUIRE(obc_tetrahedra_fill_mesh(&surface, options.max_volume, nullptr, &mesh, &error, nullptr) == OBC_OK);
+  std::vector<double> x(3 * obc_tetrahedra_vertex_count(solid)), y(3 * obc_mesh_vertex_count(mesh));
+  std::vector<std::uint32_t> s(4 * obc_tetrahedra_count(solid)), t(4 * obc_mesh_tetrahedron_count(mesh));
+  REQUIRE(obc_tetrahedra_copy(solid, x.data(), s.data(), nullptr, nullptr, &error) == OBC_OK);
+  REQUIRE(obc_mesh_copy(mesh, y.data(), nullptr, t.data(), nullptr, &error) == OBC_OK);
+  CHECK(x == y);
+  CHECK(s == t);
+  obc_tetrahedra_destroy(solid);
+  obc_mesh_destroy(mesh);
+  CHECK(obc_tetrahedra_fill_mesh(&surface, 0.02, nullptr, nullptr, &error, nullptr) == OBC_INVALID_ARGUMENT);
+  const Shape crossing = two(1, 0.5);
+  const obc_surface crossed = crossing.surface();
+  CHECK(obc_tetrahedra_fill_mesh(&crossed, 0.02, nullptr, &mesh, &error, nullptr) == OBC_NOT_MANIFOLD);
+  CHECK(std::string(error.kind) == "self-intersection");
+  CHECK(mesh == nullptr);
+}
+
 TEST_CASE("Faces that meet come back as pairs, as many as there is room for, and in the refusal") {
   const Shape shape = two(1, 0.5);
   const obc_surface surface = shape.surface();

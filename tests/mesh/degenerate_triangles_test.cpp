@@ -85,6 +85,21 @@ TEST_CASE("A power of two brings the box of the triangles to a size of 1 to 2") 
   CHECK(unit_scale_exponent({}, {}) == 0);
 }
 
+TEST_CASE("A mesh of extreme size is brought to a size of 1 to 2, and others stay as they are") {
+  for (const double size : {1e-30, 1e-5, 1.0, 1e5, 1e30}) {
+    for (const bool solid : {false, true}) {
+      Mesh m;
+      m.positions = {{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
+      solid ? m.tetrahedra.push_back({0, 1, 2, 3}) : m.triangles.push_back({0, 1, 2});
+      const bool extreme = size < 1e-6 || size > 1e6;
+      const int exponent = bring_to_unit_size(m);
+      CHECK((exponent != 0) == extreme);
+      CHECK(m.positions[1].x() == std::ldexp(size, exponent));
+      if (extreme) CHECK((m.positions[1].x() >= 1 && m.positions[1].x() < 2));
+    }
+  }
+}
+
 TEST_CASE("Volumes too small for double keep their sign, and too large ones are infinite") {
   const std::vector<Triangle> triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
   for (const double size : {1e-300, 1e-160, 1.0, 1e160, 1e300}) {
