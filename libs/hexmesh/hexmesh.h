@@ -20,7 +20,7 @@ struct Options {
   Method method = Method::automatic;
   Padding padding = Padding::automatic;  // other than automatic: frames are not tried, nor cells of a grid
   std::size_t cells = 10000;             // about
-  std::size_t corners = 100;             // of a polycube, at most; 0: no limit
+  std::size_t corners = 100;             // maximum number of corners of a polycube; 0: no limit
   std::size_t triangles = 6000;          // larger surfaces are mapped through a coarser one (volume_map/input)
   std::uint64_t seed = 0;
   int rounds = 40;  // of smoothing
@@ -63,7 +63,8 @@ struct Hexahedra {
 // out of the solid. By the method automatic machined parts (machined_shape.h) go along frames, which know of other than
 // right angles and of round edges; others, and where frames are not near or poor, on polycubes, and grid-based where
 // these are; along frames again where there is no other way. The better one, if there are two. The result is the same
-// for any number of threads. Throws what the strategies do; findings.examined tells whether that is about the input.
+// for any number of threads. Throws what the strategies do; findings.examined is false while an error is about the
+// input.
 Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume_map::InputFindings& findings,
                          const base::Host& host);
 

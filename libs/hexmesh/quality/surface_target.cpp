@@ -19,6 +19,51 @@ Vector3 twice_area(std::span<const Vector3> positions, const mesh::Triangle& t) 
   return (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]);
 }
 
+// Each triangle belongs to the face that the coarse surface has beside its center; lines are where faces meet that have
+// a sharp edge in common there.
+Array<Index> faces_beside(const polycube::SurfaceMap& map, std::span<const Vector3> positions,
+                          std::span<const mesh::Triangle> triangles, const base::Host& host) {
+  Array<Index> patches(triangles.size(), host.memory);
+  const mesh::SurfaceSearch search(map.positions, map.triangles, host);
+  constexpr std::size_t piece = 256;
+  host.parallel_for((triangles.size() + piece - 1) / piece, [&](std::size_t p) {
+    for (std::size_t i = p * piece; i < std::min(triangles.size(), (p + 1) * piece); ++i) {
+      const mesh::Triangle& t = triangles[i];
+      patches[i] = map.patches[search.nearest((positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3).triangle];
+    }
+  });
+  return patches;
+}
+
+// Normals of vertices: of all triangles around, or of those of the same face where faces are kept apart by `patches`.
+void set_corner_normals(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                        std::span<const Index> patches, Array<std::array<Vector3, 3>>& normals,
+                        const base::Host& host) {
+  normals.resize(triangles.size());
+  struct Corner {
+    Index vertex, patch, triangle, corner;
+  };
+  Array<Corner> corners(host.memory);
+  for (Index i = 0; i < triangles.size(); ++i) {
+    for (Index k = 0; k < 3; ++k)
+      corners.push_back({triangles[i][k], patches.empty() ? 0 : patches[i], i, k});
+  }
+  std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) {
+    return std::array{x.vertex, x.patch, x.triangle, x.corner} < std::array{y.vertex, y.patch, y.triangle, y.corner};
+  });
+  host.report("target", 0, 0);
+  for (std::size_t i = 0; i < corners.size();) {
+    std::size_t end = i;
+    Vector3 sum = Vector3::Zero();
+    for (; end < corners.size() && corners[end].vertex == corners[i].vertex && corners[end].patch == corners[i].patch;
+         ++end)
+      sum += twice_area(positions, triangles[corners[end].triangle]);
+    const Vector3 normal = sum.norm() > 0 ? Vector3(sum.normalized()) : Vector3(Vector3::UnitX());
+    for (; i < end; ++i)
+      normals[corners[i].triangle][corners[i].corner] = normal;
+  }
+}
+
 }  // namespace
 
 SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Vector3> fine_positions,
@@ -45,19 +90,7 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
   Array<Index> patches(map.patches, host.memory);
   find_lines(map.positions, map.triangles, patches, scale, host);
   if (fine && has_sharp_edges()) {
-    // Each triangle belongs to the face that the coarse surface has beside its center; lines are where faces meet that
-    // have a sharp edge in common there.
-    patches.resize(triangles_.size());
-    const mesh::SurfaceSearch search(map.positions, map.triangles, host);
-    constexpr std::size_t piece = 256;
-    host.parallel_for((triangles_.size() + piece - 1) / piece, [&](std::size_t p) {
-      for (std::size_t i = p * piece; i < std::min(triangles_.size(), (p + 1) * piece); ++i) {
-        const mesh::Triangle& t = fine_triangles[i];
-        patches[i] =
-            map.patches[search.nearest((fine_positions[t[0]] + fine_positions[t[1]] + fine_positions[t[2]]) / 3)
-                            .triangle];
-      }
-    });
+    patches = faces_beside(map, fine_positions, fine_triangles, host);
     host.report("target", 0, 0);
     const Array<Line> coarse(lines_, host.memory);
     find_lines(fine_positions, fine_triangles, patches, scale, host);
@@ -70,31 +103,9 @@ SurfaceTarget::SurfaceTarget(const polycube::SurfaceMap& map, std::span<const Ve
     const Vector3 n = twice_area(positions_, t);
     flat_normals_.push_back(n.norm() > 0 ? Vector3(n.normalized()) : Vector3(Vector3::Zero()));
   }
-  // Normals of vertices: of all triangles around, or of those of the same face where faces are kept apart.
   const bool apart = has_sharp_edges();
-  normals_.resize(triangles_.size());
-  struct Corner {
-    Index vertex, patch, triangle, corner;
-  };
-  Array<Corner> corners(host.memory);
-  for (Index i = 0; i < triangles_.size(); ++i) {
-    for (Index k = 0; k < 3; ++k)
-      corners.push_back({triangles_[i][k], apart ? patches[i] : 0, i, k});
-  }
-  std::sort(corners.begin(), corners.end(), [](const Corner& x, const Corner& y) {
-    return std::array{x.vertex, x.patch, x.triangle, x.corner} < std::array{y.vertex, y.patch, y.triangle, y.corner};
-  });
-  host.report("target", 0, 0);
-  for (std::size_t i = 0; i < corners.size();) {
-    std::size_t end = i;
-    Vector3 sum = Vector3::Zero();
-    for (; end < corners.size() && corners[end].vertex == corners[i].vertex && corners[end].patch == corners[i].patch;
-         ++end)
-      sum += twice_area(positions_, triangles_[corners[end].triangle]);
-    const Vector3 normal = sum.norm() > 0 ? Vector3(sum.normalized()) : Vector3(Vector3::UnitX());
-    for (; i < end; ++i)
-      normals_[corners[i].triangle][corners[i].corner] = normal;
-  }
+  set_corner_normals(positions_, triangles_, apart ? std::span<const Index>(patches) : std::span<const Index>(),
+                     normals_, host);
   whole_.triangles = triangles_;
   whole_.search = std::make_unique<mesh::SurfaceSearch>(positions_, whole_.triangles, host);
   if (!apart) return;
