@@ -1,6 +1,8 @@
 // Histograms of distortion whose bars carry the colors of the scale, the legend beside the views, and the table.
 
-function element(name, attributes = {}, ...children) {
+import {cssColor, ticksOf} from "./colors.js";
+
+export function element(name, attributes = {}, ...children) {
   const svg = ["svg", "rect", "line", "text", "g", "polyline"].includes(name);
   const node = svg ? document.createElementNS("http://www.w3.org/2000/svg", name) : document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) node.setAttribute(key, value);
@@ -8,8 +10,8 @@ function element(name, attributes = {}, ...children) {
   return node;
 }
 
-const percent = part => `${(100 * part).toLocaleString("en", {maximumSignificantDigits: 3})} %`;
-const figure = octaves => (2 ** octaves).toLocaleString("en", {maximumSignificantDigits: 3});
+export const percent = part => `${(100 * part).toLocaleString("en", {maximumSignificantDigits: 3})} %`;
+export const figure = octaves => (2 ** octaves).toLocaleString("en", {maximumSignificantDigits: 3});
 
 // Shares of area in bins of equal width over the range; what lies beyond it counts in the first and last bin.
 function binned(quantity, result, range, count) {
@@ -40,7 +42,7 @@ function sentenceOf(quantity, result) {
   return `Median ${at(0.5)}; 90 % of the shape's area is between ${at(0.05)} and ${at(0.95)}.` + without;
 }
 
-function drawChart(holder, quantity, result, range) {
+export function drawChart(holder, quantity, result, range) {
   const width = Math.min(640, Math.max(280, holder.clientWidth)), height = 170, base = 140, top = 10, count = 52;
   const [low, high] = quantity.bounds(range);
   const bins = binned(quantity, result, range, count), most = Math.max(...bins, 1e-12);
@@ -74,7 +76,7 @@ function drawChart(holder, quantity, result, range) {
 }
 
 // Energies of an optimization by iteration, on a scale from the minimum to the maximum.
-function drawCurve(holder, card, energies) {
+export function drawCurve(holder, card, energies) {
   card.hidden = energies.length < 2;
   if (card.hidden) return;
   const width = Math.min(640, Math.max(280, holder.clientWidth)), height = 170, base = 140, top = 14, left = 64, right = 20;
@@ -97,7 +99,7 @@ function drawCurve(holder, card, energies) {
   holder.replaceChildren(svg, element("p", {class: "chart-text"}, sentence));
 }
 
-function drawLegend(quantity, range) {
+export function drawLegend(quantity, range) {
   const [low, high] = quantity.bounds(range);
   document.getElementById("legend-title").textContent = quantity.title;
   document.getElementById("legend-bar").style.background =
@@ -110,7 +112,7 @@ function drawLegend(quantity, range) {
 }
 
 // One column a result, one row a figure that any of them has.
-function drawTable(results, chosen) {
+export function drawTable(results, chosen) {
   const table = document.getElementById("figures");
   const names = [...new Set(results.flatMap(result => result.figures.map(([name]) => name)))];
   document.getElementById("figures-card").hidden = names.length === 0;

@@ -26,11 +26,11 @@ function colorMap(stops) {
   });
 }
 
-const cssColor = ([red, green, blue]) => `rgb(${red},${green},${blue})`;
+export const cssColor = ([red, green, blue]) => `rgb(${red},${green},${blue})`;
 
 // The two quantities: a result's shares of area by level, the part of a color scale's range that they use (a range r
 // stands for 1 to r or 1/r to r, in octaves), colors, and what values the levels stand for (packed_mesh.h).
-function quantitiesOf(levels) {
+export function quantitiesOf(levels) {
   const quantity = (coding, more) => {
     const octaves = level => {
       const part = (level - coding.zero) / coding.span;
@@ -56,7 +56,7 @@ function quantitiesOf(levels) {
   };
 }
 
-const scaleRanges = [1.25, 1.5, 2, 3, 4, 6, 8, 12, 16, 32, 64, 128];
+export const scaleRanges = [1.25, 1.5, 2, 3, 4, 6, 8, 12, 16, 32, 64, 128];
 
 // The minimum number of octaves that `part` of the result's area stays below.
 function quantile(quantity, result, part) {
@@ -72,13 +72,13 @@ function quantile(quantity, result, part) {
 }
 
 // The smallest range that shows all but the last hundredths of the result.
-function automaticRange(quantity, result) {
+export function automaticRange(quantity, result) {
   const needed = Math.max(quantile(quantity, result, 0.98), -quantile(quantity, result, 0.02));
   return scaleRanges.find(range => Math.log2(range) >= needed) ?? scaleRanges.at(-1);
 }
 
 // Round values on a scale, far enough from each other to be written side by side.
-function ticksOf(quantity, range) {
+export function ticksOf(quantity, range) {
   const [low, high] = quantity.bounds(range), least = (high - low) / 7.5;
   const text = value => String(Math.round(100 * value) / 100);
   const above = [1];

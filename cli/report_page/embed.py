@@ -4,7 +4,10 @@
     embed.py OUT.cpp page.html STYLE.css SCRIPT.js ...
 
 The HTML has one line `@STYLE@` and one line `@SCRIPT@`; `@TITLE@` and `@RESULTS@` are left for the program to fill.
+The scripts are modules, each after those that it imports. They become one module, since a page that stands alone has no
+addresses to import from: their imports and the word `export` are left out, and no two may declare the same name.
 """
+import re
 import sys
 
 
@@ -13,9 +16,29 @@ def read(path):
         return file.read()
 
 
+def bare(script, known):
+    """The text of a module without imports and exports; adds the names that it declares to `known`."""
+    text = read(script)
+    for names in re.findall(r"^import \{([^}]*)\} from .*;$", text, re.M):
+        missing = [name for name in names.split(", ") if not known.get(name)]
+        if missing:
+            sys.exit(f"embed.py: {script} imports {', '.join(missing)}, which no script before it exports")
+    text = re.sub(r"^import \{.*\} from .*;\n", "", text, flags=re.M)
+    declared = re.findall(r"^(export )?(?:async )?(?:function|class|const|let) (\w+)", text, re.M)
+    for exported, name in declared:
+        if name in known:
+            sys.exit(f"embed.py: {script} declares {name}, as a script before it does")
+        known[name] = bool(exported)
+    text = re.sub(r"^export (?=function|class|const)", "", text, flags=re.M)
+    if re.search(r"^\s*(import|export)\b", text, re.M):
+        sys.exit(f"embed.py: {script} has an import or export in a form that is not known here")
+    return text.strip()
+
+
 def main(out, html, style, *scripts):
+    known = {}
     page = read(html).replace("@STYLE@", read(style).strip())
-    page = page.replace("@SCRIPT@", "\n".join(read(script).strip() for script in scripts))
+    page = page.replace("@SCRIPT@", "\n".join(bare(script, known) for script in scripts))
     for mark in ("@TITLE@", "@RESULTS@"):
         if page.count(mark) < 1:
             sys.exit(f"embed.py: {html} has no {mark}")

@@ -1,6 +1,8 @@
 // Reads the results as packed_mesh.cpp wrote them.
 
-function bytesOf(base64) {
+import {frameOf, framed, normalsOf} from "./viewer/surface.js";
+
+export function bytesOf(base64) {
   const binary = atob(base64);
   const bytes = new Uint8Array(binary.length);
   for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
@@ -52,29 +54,13 @@ function trianglesOf(codes, triangleCount) {
   return triangles;
 }
 
-const shapeRadius = 1.15;  // of the shape's bounding sphere in the page
-
-// Four floats a vertex, as a texture takes them, and the frame: position = scale * (steps - center). The shape's bounding sphere is a little larger than the
-// unit sphere, which no shape fills so well.
+// Four floats a vertex, as a texture takes them, and the frame.
 function positionsOf(result) {
   const bytes = bytesOf(result.positions);
   const raw = new Float64Array(3 * result.vertices);
   for (let i = 0; i < raw.length; ++i) raw[i] = bytes[2 * i] | bytes[2 * i + 1] << 8;
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  for (let i = 0; i < raw.length; ++i) {
-    low[i % 3] = Math.min(low[i % 3], raw[i]);
-    high[i % 3] = Math.max(high[i % 3], raw[i]);
-  }
-  const centre = low.map((value, k) => (value + high[k]) / 2);
-  let radius = 0;
-  for (let i = 0; i < raw.length; i += 3) {
-    radius = Math.max(radius, Math.hypot(raw[i] - centre[0], raw[i + 1] - centre[1], raw[i + 2] - centre[2]));
-  }
-  const positions = new Float32Array(4 * result.vertices), scale = shapeRadius / (radius || 1);
-  for (let i = 0; i < raw.length; ++i) {
-    positions[4 * Math.floor(i / 3) + i % 3] = scale * (raw[i] - centre[i % 3]);
-  }
-  return {positions, frame: {centre, scale}};
+  const frame = frameOf(raw);
+  return {positions: framed(raw, frame), frame};
 }
 
 function directionsOf(result) {
@@ -107,29 +93,7 @@ function polycubeOf({positions, facing}, vertices) {
   return turned;
 }
 
-// Normals of the vertices, the mean over their triangles weighted by area.
-function normalsOf(positions, triangles) {
-  const normals = new Float32Array(positions.length);
-  for (let i = 0; i < triangles.length; i += 3) {
-    const a = 4 * triangles[i], b = 4 * triangles[i + 1], c = 4 * triangles[i + 2];
-    const ux = positions[b] - positions[a], uy = positions[b + 1] - positions[a + 1];
-    const uz = positions[b + 2] - positions[a + 2];
-    const vx = positions[c] - positions[a], vy = positions[c + 1] - positions[a + 1];
-    const vz = positions[c + 2] - positions[a + 2];
-    for (const v of [a, b, c]) {
-      normals[v] += uy * vz - uz * vy;
-      normals[v + 1] += uz * vx - ux * vz;
-      normals[v + 2] += ux * vy - uy * vx;
-    }
-  }
-  for (let v = 0; v < normals.length; v += 4) {
-    const length = Math.hypot(normals[v], normals[v + 1], normals[v + 2]) || 1;
-    for (let k = 0; k < 3; ++k) normals[v + k] /= length;
-  }
-  return normals;
-}
-
-function meshOf(result) {
+export function meshOf(result) {
   const triangles = trianglesOf(bytesOf(result.connections), result.triangles);
   const {positions, frame} = positionsOf(result);
   const quasiConformal = bytesOf(result.quasiConformal), area = bytesOf(result.areaRatio);

@@ -2,7 +2,10 @@
 //   Y_lm = P_l|m|(z) { sqrt 2 Re, 1, sqrt 2 Im } (x + iy)^|m|    for m > 0, m = 0, m < 0
 // with the normalized P_lm of the recurrence in z (as in libs/harmonics), the factor sin^m put with x + iy.
 
-class Reconstruction {
+import {bytesOf} from "./mesh_data.js";
+import {shapeRadius} from "./viewer/surface.js";
+
+export class Reconstruction {
   // `mesh` as meshOf() makes it; result.harmonics: degree, coefficients (float32; x, y, z for each l, m) and facing, the
   // rotation by columns that the directions of the page have been turned by.
   constructor(result, mesh) {

@@ -1,13 +1,20 @@
 // The page: a mesh goes to the worker, its map comes back, the viewer shows the way between, and a GLB can be had of it.
 import { OrbicubeWorker } from './orbicube/client.js';
-import { Viewer } from './viewer.js';
+import { Camera, product, rotation } from './viewer/camera.js';
+import { framed, frameOf, normalsOf } from './viewer/surface.js';
+import { Viewer } from './viewer/viewer.js';
 
 const find = (id) => document.getElementById(id);
 const number = new Intl.NumberFormat('en', { maximumFractionDigits: 3 });
 const worker = new OrbicubeWorker();
-const viewer = new Viewer(find('view'));
+const camera = new Camera(product(rotation([1, 0, 0], 0.25), rotation([0, 1, 0], 0.45)), 0.86, [0, 0.1]);
+const look = { morph: 0, mode: 'checker', edges: false };
+const viewer = new Viewer(find('view'), camera, look, {
+  keys: { ' ': () => find('play').click() },
+  onLost: () => say('The graphics unit was lost; load the page again.', true),
+});
 
-let shape = null; // {name, surface, box, sphere, polycube}
+let shape = null; // {name, surface, frame, sphere, polycube}
 let control = null; // of the work at hand
 let playing = 0;
 
@@ -69,19 +76,7 @@ async function working(title, body) {
 
 const chosen = (name) => document.querySelector(`input[name="${name}"]:checked`).value;
 
-/** The middle of the box, and half its longest side or more, so that all of it is seen from everywhere. */
-function boxOf(positions) {
-  const low = [Infinity, Infinity, Infinity];
-  const high = [-Infinity, -Infinity, -Infinity];
-  positions.forEach((x, i) => {
-    low[i % 3] = Math.min(low[i % 3], x);
-    high[i % 3] = Math.max(high[i % 3], x);
-  });
-  const sides = high.map((x, k) => x - low[k]);
-  return { centre: low.map((x, k) => (x + high[k]) / 2), half: Math.max(...sides, 0.75 * Math.hypot(...sides)) / 2 || 1 };
-}
-
-const placed = (positions, { centre, half }) => Float32Array.from(positions, (x, i) => (x - centre[i % 3]) / half);
+const placed = (positions, { centre, scale }) => Float32Array.from(positions, (x, i) => scale * (x - centre[i % 3]));
 
 function ready(on) {
   for (const id of ['slider', 'play', 'download']) find(id).disabled = !on;
@@ -94,9 +89,16 @@ function shown() {
   const map = shape?.[chosen('target')];
   if (!map) return null;
   if (chosen('target') === 'sphere') {
-    return { from: placed(shape.surface.positions, shape.box), to: map.directions, triangles: shape.surface.triangles, kind: 1 };
+    return { from: placed(shape.surface.positions, shape.frame), to: map.directions, triangles: shape.surface.triangles };
   }
-  return { from: placed(map.positions, shape.box), to: placed(map.polycube, boxOf(map.polycube)), triangles: map.triangles, kind: 2 };
+  return { from: placed(map.positions, shape.frame), to: placed(map.polycube, frameOf(map.polycube)), triangles: map.triangles };
+}
+
+/** Gives the viewer a surface and where it goes; to a polycube's axes, the checker follows them. */
+function draw({ from, to, triangles }, polycube) {
+  const positions = framed(from);
+  viewer.setMesh({ positions, directions: framed(to), normals: normalsOf(positions, triangles), triangles,
+    ...(polycube && { facing: [1, 0, 0, 0, 1, 0, 0, 0, 1] }) });
 }
 
 function tell() {
@@ -124,11 +126,11 @@ async function show() {
   if (!shape[target]) {
     const { surface } = shape;
     // Until there is a map, the shape alone.
-    const alone = placed(surface.positions, shape.box);
-    viewer.pattern = 0;
-    viewer.show(alone, alone, surface.triangles, 1);
+    const alone = placed(surface.positions, shape.frame);
+    look.mode = 'plain';
+    draw({ from: alone, to: alone, triangles: surface.triangles }, false);
     tell();
-    say(target === 'sphere' ? 'The sphere is on its way.' : 'A polycube is looked for; that can take a minute.');
+    say(target === 'sphere' ? 'Computing the sphere map.' : 'Computing a polycube; this can take a minute.');
     const began = performance.now();
     const of = shape;
     const map = await working(target === 'sphere' ? 'Sphere map' : 'Polycube',
@@ -138,9 +140,8 @@ async function show() {
     if (chosen('target') !== target) return;
     say(`${of.name}: every triangle has its place on the ${target}, none is flipped; ${number.format((performance.now() - began) / 1000)} s.`);
   }
-  const { from, to, triangles, kind } = shown();
-  viewer.pattern = chosen('pattern') === 'checker' ? 1 : 0;
-  viewer.show(from, to, triangles, kind);
+  look.mode = chosen('pattern');
+  draw(shown(), target === 'polycube');
   tell();
   ready(true);
   if (!matchMedia('(prefers-reduced-motion: reduce)').matches) play();
@@ -152,7 +153,7 @@ async function take(name, work, given, transfer) {
   if (!surface) return;
   find('hint').hidden = true;
   viewer.reset();
-  shape = { name, surface, box: boxOf(surface.positions) };
+  shape = { name, surface, frame: frameOf(surface.positions) };
   await show();
 }
 
@@ -165,9 +166,9 @@ async function open(file) {
 // ---- the way between -------------------------------------------------------------------------------------------------------
 
 function setShare(share) {
-  viewer.share = share;
+  look.morph = share;
   find('slider').value = Math.round(1000 * share);
-  viewer.draw();
+  viewer.redraw();
 }
 
 function stop() {
@@ -178,7 +179,7 @@ function stop() {
 /** To the other end, softly. */
 function play() {
   const began = performance.now();
-  const from = viewer.share;
+  const from = look.morph;
   const to = from < 0.5 ? 1 : 0;
   const mine = playing = began;
   find('play').setAttribute('aria-pressed', 'true');
@@ -226,14 +227,13 @@ find('download').addEventListener('click', download);
 for (const each of document.querySelectorAll('input[name="target"]')) each.addEventListener('change', show);
 for (const each of document.querySelectorAll('input[name="pattern"]')) {
   each.addEventListener('change', () => {
-    viewer.pattern = chosen('pattern') === 'checker' && shown() ? 1 : 0;
-    viewer.draw();
+    if (shown()) look.mode = chosen('pattern');
+    viewer.redraw();
   });
 }
-find('view').addEventListener('keydown', (event) => {
-  if (event.key !== ' ' || find('play').disabled) return;
-  event.preventDefault();
-  find('play').click();
+find('edges').addEventListener('change', (event) => {
+  look.edges = event.target.checked;
+  viewer.redraw();
 });
 for (const [name, over] of [['dragover', true], ['dragleave', false], ['drop', false]]) {
   document.addEventListener(name, (event) => {

@@ -194,10 +194,12 @@ def browse(browser, folder, address, *options):
     return done.stdout, [line for line in done.stderr.splitlines() if "CONSOLE" in line]
 
 
-# Put at the end of a copy of the page: what its script reads from the results.
-READ_BACK = """<script>document.documentElement.dataset.meshes = JSON.stringify(
+# Put at the end of the script in a copy of the page: what it reads from the results.
+READ_BACK = """
+document.documentElement.dataset.meshes = JSON.stringify(
     JSON.parse(document.getElementById("results").textContent).results.map(meshOf).map(mesh =>
-        Object.fromEntries(Object.entries(mesh).map(([name, values]) => [name, Array.from(values)]))))</script></body>"""
+        Object.fromEntries(Object.entries(mesh).map(([name, values]) => [name, Array.from(values)]))));
+"""
 
 
 def check_read_back(meshes, results):
@@ -290,7 +292,7 @@ def check_in_browser(folder, path, results):
         page = file.read()
     tried = os.path.join(folder, "tried.html")
     with open(tried, "w", encoding="utf-8") as file:
-        file.write(page.replace("</body>", READ_BACK))
+        file.write(page.replace("\n</script>\n</body>", READ_BACK + "</script>\n</body>"))
     document, console = browse(browser, folder, f"file://{tried}#check", "--use-angle=swiftshader",
                                "--enable-unsafe-swiftshader")
     check(not console, f"console: {console}")
