@@ -43,7 +43,7 @@ export class Reconstruction {
   // Positions as positionsOf() makes them.
   at(degree) {
     if (this.known.has(degree)) return this.known.get(degree);
-    const table = this.table(degree), {centre, scale} = this.frame, count = this.directions.length / 3;
+    const table = this.table(degree), {center, scale} = this.frame, count = this.directions.length / 3;
     const positions = new Float32Array(4 * count), diagonal = [Math.sqrt(0.25 / Math.PI)];
     for (let m = 1; m <= degree; ++m) diagonal.push(diagonal[m - 1] * Math.sqrt((2 * m + 1) / (2 * m)));
     for (let v = 0; v < count; ++v) {
@@ -71,9 +71,9 @@ export class Reconstruction {
         imaginary = real * y + imaginary * x;
         real = turned;
       }
-      positions[4 * v] = scale * (sx - centre[0]);
-      positions[4 * v + 1] = scale * (sy - centre[1]);
-      positions[4 * v + 2] = scale * (sz - centre[2]);
+      positions[4 * v] = scale * (sx - center[0]);
+      positions[4 * v + 1] = scale * (sy - center[1]);
+      positions[4 * v + 2] = scale * (sz - center[2]);
     }
     if (positions.length * (this.known.size + 1) > 1.6e7) this.known.clear();  // 64 MB
     this.known.set(degree, positions);

@@ -1,4 +1,4 @@
-// The page: a mesh goes to the worker, its map comes back, the viewer shows the way between, and a GLB can be had of it.
+// The page: a worker maps a mesh, the viewer shows the morph from it to its map, and a GLB of both can be downloaded.
 import { OrbicubeWorker } from './orbicube/client.js';
 import { Camera, product, rotation } from './viewer/camera.js';
 import { framed, frameOf, normalsOf } from './viewer/surface.js';
@@ -18,7 +18,7 @@ let shape = null; // {name, surface, frame, sphere, polycube}
 let control = null; // of the work at hand
 let playing = 0;
 
-// ---- what is said --------------------------------------------------------------------------------------------------------
+// ---- messages ------------------------------------------------------------------------------------------------------------
 
 function say(text, bad = false) {
   find('status').textContent = text;
@@ -35,12 +35,12 @@ function figures(rows) {
 }
 
 const causes = {
-  'wrong-genus': 'It has handles, and only surfaces without any go to a sphere. A polycube takes it.',
+  'wrong-genus': 'The surface has handles, and only surfaces of genus 0 have a sphere map; choose a polycube.',
   boundary: 'The surface has holes: only closed ones have a sphere map.',
   'not-closed': 'The surface has holes: only closed ones have a sphere map.',
 };
 
-/** Runs one piece of work with progress and a way to end it; null when that was taken. */
+/** Runs one task with progress and a button that cancels it; returns null when it was cancelled or failed. */
 async function working(title, body) {
   control?.abort();
   const mine = control = new AbortController();
@@ -76,7 +76,7 @@ async function working(title, body) {
 
 const chosen = (name) => document.querySelector(`input[name="${name}"]:checked`).value;
 
-const placed = (positions, { centre, scale }) => Float32Array.from(positions, (x, i) => scale * (x - centre[i % 3]));
+const placed = (positions, { center, scale }) => Float32Array.from(positions, (x, i) => scale * (x - center[i % 3]));
 
 function ready(on) {
   for (const id of ['slider', 'play', 'download']) find(id).disabled = !on;
@@ -84,7 +84,7 @@ function ready(on) {
   find('to').textContent = chosen('target');
 }
 
-/** What is shown now: positions of the shape, where they go, and the triangles of both. */
+/** Returns positions of the shape and of its map, and the triangles of both; null before there is a map. */
 function shown() {
   const map = shape?.[chosen('target')];
   if (!map) return null;
@@ -94,7 +94,7 @@ function shown() {
   return { from: placed(map.positions, shape.frame), to: placed(map.polycube, frameOf(map.polycube)), triangles: map.triangles };
 }
 
-/** Gives the viewer a surface and where it goes; to a polycube's axes, the checker follows them. */
+/** Shows a shape and its map; the checker of a polycube follows its axes. */
 function draw({ from, to, triangles }, polycube) {
   const positions = framed(from);
   viewer.setMesh({ positions, directions: framed(to), normals: normalsOf(positions, triangles), triangles,
@@ -138,7 +138,7 @@ async function show() {
     if (!map || shape !== of) return;
     of[target] = map;
     if (chosen('target') !== target) return;
-    say(`${of.name}: every triangle has its place on the ${target}, none is flipped; ${number.format((performance.now() - began) / 1000)} s.`);
+    say(`${of.name}: all triangles mapped to the ${target}, none is flipped; ${number.format((performance.now() - began) / 1000)} s.`);
   }
   look.mode = chosen('pattern');
   draw(shown(), target === 'polycube');
@@ -163,7 +163,7 @@ async function open(file) {
   await take(file.name, 'read', { bytes, name: file.name, weldIdentical: true }, [bytes.buffer]);
 }
 
-// ---- the way between -------------------------------------------------------------------------------------------------------
+// ---- the morph -------------------------------------------------------------------------------------------------------------
 
 function setShare(share) {
   look.morph = share;
@@ -176,7 +176,7 @@ function stop() {
   find('play').setAttribute('aria-pressed', 'false');
 }
 
-/** To the other end, softly. */
+/** Morphs to the other end. */
 function play() {
   const began = performance.now();
   const from = look.morph;
@@ -209,7 +209,7 @@ async function download() {
   say(`${link.download}: ${number.format(made.bytes.length / 1e6)} MB, with the ${target} as a morph target.`);
 }
 
-// ---- what is done on the page ----------------------------------------------------------------------------------------------
+// ---- controls --------------------------------------------------------------------------------------------------------------
 
 find('file').addEventListener('change', (event) => {
   open(event.target.files[0]);

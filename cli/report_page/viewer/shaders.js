@@ -12,7 +12,7 @@ precision highp usampler2D;
 uniform usampler2D corners, levels;
 uniform highp sampler2D positions, directions, normals;
 uniform mat3 turn;
-uniform vec2 lens, shift;  // of the picture: scale and place of its centre, from -1 to 1
+uniform vec2 lens, shift;  // of the picture: scale and place of its center, from -1 to 1
 uniform float morph;
 uniform bool polycube;  // the map is one to a polycube, and directions are positions on it
 flat out uint triangle;

@@ -2,26 +2,26 @@
 
 export const shapeRadius = 1.15;  // of a shape's bounding sphere: a little larger than the unit sphere, which no shape fills so well
 
-/** Returns the frame of positions, three numbers a vertex: framed position = scale * (position - centre). */
+/** Returns the frame of positions, three numbers a vertex: framed position = scale * (position - center). */
 export function frameOf(positions) {
   const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
   for (let i = 0; i < positions.length; ++i) {
     low[i % 3] = Math.min(low[i % 3], positions[i]);
     high[i % 3] = Math.max(high[i % 3], positions[i]);
   }
-  const centre = low.map((value, k) => (value + high[k]) / 2);
+  const center = low.map((value, k) => (value + high[k]) / 2);
   let radius = 0;
   for (let i = 0; i < positions.length; i += 3) {
-    radius = Math.max(radius, Math.hypot(...centre.map((value, k) => positions[i + k] - value)));
+    radius = Math.max(radius, Math.hypot(...center.map((value, k) => positions[i + k] - value)));
   }
-  return {centre, scale: shapeRadius / (radius || 1)};
+  return {center, scale: shapeRadius / (radius || 1)};
 }
 
 /** Returns positions, three numbers a vertex, in a frame; four floats a vertex. */
-export function framed(positions, {centre, scale} = {centre: [0, 0, 0], scale: 1}) {
+export function framed(positions, {center, scale} = {center: [0, 0, 0], scale: 1}) {
   const made = new Float32Array(positions.length / 3 * 4);
   for (let i = 0, at = 0; i < positions.length; i += 3, at += 4) {
-    for (let k = 0; k < 3; ++k) made[at + k] = scale * (positions[i + k] - centre[k]);
+    for (let k = 0; k < 3; ++k) made[at + k] = scale * (positions[i + k] - center[k]);
   }
   return made;
 }
