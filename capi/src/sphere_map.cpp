@@ -27,6 +27,12 @@ obc_sphere_map_options default_options() {
   o.method = OBC_SPHERE_MAP_BALANCED;
   o.angle_weight = 0.1;
   o.area_weight = 1;
+  const sphere_map::AlgorithmLimits limits;
+  o.level_splits = limits.level_splits;
+  o.level_tolerance = limits.level_tolerance;
+  o.final_tolerance = limits.final_tolerance;
+  o.max_level_iterations = limits.max_level_iterations;
+  o.max_final_iterations = limits.max_final_iterations;
   return o;
 }
 
@@ -47,6 +53,10 @@ void write_report(const sphere_map::Measurement& m, obc_sphere_map_report* to) {
   r.max_area_ratio = m.max_area_ratio;
   r.stretch_efficiency = m.stretch_efficiency;
   r.isometric_mean = m.isometric_mean;
+  r.equation_3_1 = m.equation_3_1;
+  r.equation_3_2 = m.equation_3_2;
+  r.equation_3_3 = m.equation_3_3;
+  r.equation_3_4 = m.equation_3_4;
   capi::write_versioned(to, r);
 }
 
@@ -72,6 +82,8 @@ void compute_map(const obc_surface* surface, const obc_sphere_map_options* optio
   settings.angle_weight = o.angle_weight;
   settings.area_weight = o.area_weight;
   settings.seed = o.seed;
+  settings.limits = {o.level_splits, o.level_tolerance, o.final_tolerance, o.max_level_iterations,
+                     o.max_final_iterations};
   if (o.trace != nullptr) {
     settings.trace = [call = o.trace, user = o.trace_user](const sphere_map::TracePoint& point) {
       call(point.iterations, point.vertices, point.energy, user);

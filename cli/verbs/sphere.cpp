@@ -1,4 +1,5 @@
 // orbicube sphere: a closed surface of genus 0 mapped to the unit sphere, one to one, as it is in the file.
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
@@ -15,6 +16,7 @@
 #include "report/sphere_uses.h"
 #include "report/text.h"
 #include "scenes/page_figures.h"
+#include "session/unused_options.h"
 #include "solids/closed_surface.h"
 #include "sphere_map/optimization/measure.h"
 #include "sphere_map/sampling/rounding.h"
@@ -38,6 +40,7 @@ struct SphereOptions {
   std::string method = "balanced";
   double angle_weight = sphere_map::Options{}.angle_weight;
   double area_weight = sphere_map::Options{}.area_weight;
+  sphere_map::AlgorithmLimits limits;
   std::string page;
   bool text = false;
   bool weld = false;
@@ -126,17 +129,40 @@ std::string write_partial(const SphereOptions& options, const ClosedSurface& inp
          std::to_string(flipped) + " flipped, the others without area";
 }
 
+// Energy by iteration of the method `dissertation`, its Figure 3.2.
+struct Convergence {
+  std::vector<std::uint64_t> iterations, vertices;
+  std::vector<double> energies;
+  std::size_t restarts = 0;
+
+  void add(const sphere_map::TracePoint& point) {
+    if (!iterations.empty() && point.iterations < iterations.back()) *this = {{}, {}, {}, restarts + 1};
+    iterations.push_back(point.iterations);
+    vertices.push_back(point.vertices);
+    energies.push_back(point.energy);
+  }
+  Json json() const {
+    return {{"iterations", iterations}, {"vertices", vertices}, {"energies", energies}, {"restarts", restarts}};
+  }
+};
+
 // The map, or its failure with a word on what was kept.
 Directions compute(const SphereOptions& options, const ClosedSurface& input, Session& session) {
   const mesh::Mesh& surface = input.mesh;
   sphere_map::Partial partial(session.host().memory);
+  Convergence convergence;
   try {
-    return sphere_map::compute(surface.positions, surface.triangles,
-                               {.method = map_methods.at(options.method),
-                                .angle_weight = options.angle_weight,
-                                .area_weight = options.area_weight,
-                                .seed = session.seed()},
-                               session.host(), options.keep_partial ? &partial : nullptr);
+    Directions directions =
+        sphere_map::compute(surface.positions, surface.triangles,
+                            {.method = map_methods.at(options.method),
+                             .angle_weight = options.angle_weight,
+                             .area_weight = options.area_weight,
+                             .seed = session.seed(),
+                             .limits = options.limits,
+                             .trace = [&](const sphere_map::TracePoint& point) { convergence.add(point); }},
+                            session.host(), options.keep_partial ? &partial : nullptr);
+    if (!convergence.iterations.empty()) session.figures()["convergence"] = convergence.json();
+    return directions;
   } catch (const base::Error& error) {
     const bool unfinished =
         error.status() == base::Status::no_valid_result || error.status() == base::Status::cancelled;
@@ -160,22 +186,34 @@ Json json_of(const sphere_map::Measurement& m) {
           {"max_area_ratio", m.max_area_ratio},
           {"stretch_efficiency", m.stretch_efficiency},
           {"isometric_mean", m.isometric_mean},
+          {"equation_3_1", m.equation_3_1},
+          {"equation_3_2", m.equation_3_2},
+          {"equation_3_3", m.equation_3_3},
+          {"equation_3_4", m.equation_3_4},
           {"zero_area_faces", m.zero_area_faces}};
 }
 
 Json json_of(const SphereOptions& options) {
-  return {{"output", options.output},
-          {"method", options.method},
-          {"angle_weight", options.angle_weight},
-          {"area_weight", options.area_weight},
-          {"page", options.page},
-          {"text", options.text},
-          {"weld", options.weld},
-          {"keep_partial", options.keep_partial},
-          {"remesh", options.uses.remesh},
-          {"grid", options.uses.grid},
-          {"image", options.uses.image},
-          {"image_grid", options.uses.image_grid}};
+  Json result = {{"output", options.output},
+                 {"method", options.method},
+                 {"angle_weight", options.angle_weight},
+                 {"area_weight", options.area_weight},
+                 {"page", options.page},
+                 {"text", options.text},
+                 {"weld", options.weld},
+                 {"keep_partial", options.keep_partial},
+                 {"remesh", options.uses.remesh},
+                 {"grid", options.uses.grid},
+                 {"image", options.uses.image},
+                 {"image_grid", options.uses.image_grid}};
+  if (map_methods.at(options.method) == sphere_map::Method::dissertation) {
+    result.update(Json{{"level_splits", options.limits.level_splits},
+                       {"level_tolerance", options.limits.level_tolerance},
+                       {"final_tolerance", options.limits.final_tolerance},
+                       {"max_level_iterations", options.limits.max_level_iterations},
+                       {"max_final_iterations", options.limits.max_final_iterations}});
+  }
+  return result;
 }
 
 void say_distortion(const sphere_map::Measurement& m, Session& session) {
@@ -238,6 +276,31 @@ void sphere(const SphereOptions& options, Session& session) {
     session.say("  note: " + note);
 }
 
+// Parameters of Algorithm 1.
+void add_limits(CLI::App& verb, sphere_map::AlgorithmLimits& limits) {
+  const std::string only = "; method dissertation only";
+  verb.add_option("--level-splits", limits.level_splits,
+                  "eta: vertex splits between two optimizations [default: 40]" + only)
+      ->check(unnamed(CLI::Range(std::uint64_t{1}, sphere_map::max_level_splits)))
+      ->type_name("N");
+  verb.add_option("--level-tolerance", limits.level_tolerance,
+                  "epsilon^eta: mean gain of an iteration, times the vertex count over the energy, that ends the "
+                  "optimization of a level; 0: none [default: 1e-4]" +
+                      only)
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("GAIN");
+  verb.add_option("--final-tolerance", limits.final_tolerance,
+                  "epsilon^F: the same for the final optimization [default: 1e-4]" + only)
+      ->check(unnamed(CLI::NonNegativeNumber))
+      ->type_name("GAIN");
+  verb.add_option("--max-level-iterations", limits.max_level_iterations,
+                  "Iter_max^eta: maximum number of iterations on a level; 0: 50 * eta [default: 0]" + only)
+      ->type_name("N");
+  verb.add_option("--max-final-iterations", limits.max_final_iterations,
+                  "Iter_max^F: maximum number of final iterations; 0: 100 * vertex count [default: 0]" + only)
+      ->type_name("N");
+}
+
 }  // namespace
 
 void add_sphere(CLI::App& app, CommonOptions& common) {
@@ -259,11 +322,12 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::IsMember(names)))
       ->type_name("METHOD");
   verb->add_option("--angle-weight", options->angle_weight, "weight of the angle energy [default: 0.1]")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(unnamed(CLI::NonNegativeNumber))
       ->type_name("W");
   verb->add_option("--area-weight", options->area_weight, "weight of the area energy [default: 1]")
       ->check(unnamed(CLI::NonNegativeNumber))
       ->type_name("W");
+  add_limits(*verb, options->limits);
   verb->add_option("--page", options->page, "write a page with shape and map side by side, and the figures")
       ->type_name("FILE.html");
   add_sphere_uses(*verb, options->uses);
@@ -276,9 +340,12 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
   verb->footer(
       "Inward-oriented faces are reversed. The file is read back and checked by exact arithmetic before it replaces "
       "OUT;\na map that the format cannot represent is refused (no-valid-result).");
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     Session session(common, "sphere", options->input);
-    session.run([&] { sphere(*options, session); });
+    session.run([&] {
+      refuse_unused_sphere_options(*verb);
+      sphere(*options, session);
+    });
   });
 }
 

@@ -102,6 +102,15 @@ void check_exactly(std::span<const Triangle> triangles, std::span<const Vector3>
 
 }  // namespace
 
+void require_weights(double angle_weight, double area_weight) {
+  const bool usable = std::isfinite(angle_weight) && std::isfinite(area_weight) && angle_weight >= 0 &&
+                      area_weight >= 0 && angle_weight + area_weight > 0;
+  if (!usable) {
+    throw base::Error("invalid-argument",
+                      "angle_weight and area_weight must be nonnegative and finite, and one of them positive");
+  }
+}
+
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
                        const base::Host& host, Partial* partial) {
   const Schedule schedule = schedule_of(options);
@@ -124,6 +133,7 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
             ? dissertation::compute(unit, outward,
                                     {.angle_weight = options.angle_weight,
                                      .area_weight = options.area_weight,
+                                     .limits = options.limits,
                                      .seed = options.seed,
                                      .rest = rest,
                                      .trace = options.trace},

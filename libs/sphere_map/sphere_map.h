@@ -39,11 +39,25 @@ struct TracePoint {
   double energy;             // E of that mesh, eq. 3.5
 };
 
+// Parameters of the dissertation's Algorithm 1 (section 3.1.3). Its stop reads: the mean gain of the last iterations,
+// as many as eta on a level and as there are vertices at the end, is below the tolerance times E over the number of
+// vertices. The dissertation prints no value but eta; the others let a new vertex cost a few steps, and end the final
+// phase where it crawls.
+struct AlgorithmLimits {
+  std::uint64_t level_splits = 40;         // eta, vertex splits between two optimizations: 1 to max_level_splits
+  double level_tolerance = 1e-4;           // epsilon^eta; not negative, 0 disables the stop
+  double final_tolerance = 1e-4;           // epsilon^F; not negative, 0 disables the stop
+  std::uint64_t max_level_iterations = 0;  // Iter_max^eta; 0: 50 times level_splits
+  std::uint64_t max_final_iterations = 0;  // Iter_max^F; 0: 100 times the number of vertices
+};
+inline constexpr std::uint64_t max_level_splits = 1000000000;
+
 struct Options {
   Method method = Method::balanced;
-  double angle_weight = 0.1;  // lambda of eq. 3.5; positive
-  double area_weight = 1.0;   // mu of eq. 3.5; not negative
-  std::uint64_t seed = 0;     // varies the order of equally good decimation steps
+  double angle_weight = 0.1;    // lambda of eq. 3.5; not negative
+  double area_weight = 1.0;     // mu of eq. 3.5; not negative; one of the two is positive
+  std::uint64_t seed = 0;       // varies the order of equally good decimation steps
+  AlgorithmLimits limits = {};  // of method `dissertation`
   // Method `dissertation` calls it when a level ends, and once in as many iterations as there are vertices at the end;
   // iterations count from zero again when a kernel was empty and the map is begun again. May be empty.
   std::function<void(const TracePoint&)> trace = nullptr;
@@ -57,6 +71,9 @@ struct Partial {
   Array<Vector3> directions;  // unit vectors, one a vertex; empty when the work did not come so far
   std::size_t placed = 0;     // vertices of triangles that have a place of their own
 };
+
+// Throws Error invalid-argument unless both weights are finite and not negative, and one is positive.
+void require_weights(double angle_weight, double area_weight);
 
 // Maps the vertices of a closed, connected, consistently oriented surface of genus 0 to unit vectors, one a vertex in
 // the order of `positions`. Vertices in no triangle get the direction from the bounding box's center. Orientation is

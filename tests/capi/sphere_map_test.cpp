@@ -242,6 +242,55 @@ TEST_CASE("The method seed reports its course") {
   CHECK(silent == directions);
 }
 
+TEST_CASE("Parameters of Algorithm 1 and a weight of zero come through C") {
+  const Shape shape = stretched_octahedron(3);
+  const obc_surface surface = shape.surface();
+  obc_sphere_map_options options;
+  REQUIRE(obc_sphere_map_options_init(&options, sizeof options) == OBC_OK);
+  CHECK(options.level_splits == 40);
+  CHECK(options.level_tolerance == 1e-4);
+  CHECK(options.final_tolerance == 1e-4);
+  CHECK(options.max_level_iterations == 0);
+  CHECK(options.max_final_iterations == 0);
+  options.method = OBC_SPHERE_MAP_DISSERTATION;
+  obc_sphere_map_report report;
+  obc_sphere_map_report_init(&report, sizeof report);
+  const auto map = [&] {
+    std::vector<double> directions(shape.positions.size());
+    REQUIRE(obc_sphere_map_compute(&surface, &options, nullptr, directions.data(), &report, nullptr) == OBC_OK);
+    CHECK(report.bijective == 1);
+    CHECK(report.equation_3_4 == report.energy_area);
+    CHECK(report.equation_3_1 > 0);
+    CHECK(report.equation_3_1 < report.equation_3_3);
+    CHECK(report.equation_3_2 < report.equation_3_4);
+    return directions;
+  };
+  const std::vector<double> usual = map();
+  options.level_splits = 10;
+  CHECK(map() != usual);
+  options.angle_weight = 0;
+  map();
+  CHECK(report.energy == report.energy_area);
+  options.struct_size = offsetof(obc_sphere_map_options, level_splits);  // a program with an older header
+  options.angle_weight = 0.1;
+  CHECK(map() == usual);
+
+  options.struct_size = sizeof options;
+  obc_error error;
+  for (int wrong = 0; wrong < 5; ++wrong) {
+    obc_sphere_map_options_init(&options, sizeof options);
+    options.method = OBC_SPHERE_MAP_DISSERTATION;
+    if (wrong == 0) options.level_splits = 0;
+    if (wrong == 1) options.level_splits = std::numeric_limits<std::uint64_t>::max();
+    if (wrong == 2) options.level_tolerance = -1;
+    if (wrong == 3) options.final_tolerance = std::numeric_limits<double>::quiet_NaN();
+    if (wrong == 4) options.angle_weight = options.area_weight = 0;
+    std::vector<double> directions(shape.positions.size());
+    CHECK(obc_sphere_map_compute(&surface, &options, nullptr, directions.data(), nullptr, &error) ==
+          OBC_INVALID_ARGUMENT);
+  }
+}
+
 TEST_CASE("Each allocation of a map fails in turn and nothing is leaked") {
   const Shape shape = stretched_octahedron(1);
   const obc_surface surface = shape.surface();

@@ -91,7 +91,10 @@ class CommandLine(InFolder):
                 (("make", "cube", "-o", out, "--resolution", "many"), "--resolution"),
                 (("make", "cube", "-o", out, "--seed", "-1"), "--seed"),
                 (("sphere", cube, "-o", out, "--method", "magic"), "magic"),
-                (("sphere", cube, "-o", out, "--angle-weight", "0"), "--angle-weight"),
+                (("sphere", cube, "-o", out, "--angle-weight", "-1"), "--angle-weight"),
+                (("sphere", cube, "-o", out, "--angle-weight", "0", "--area-weight", "0"), "--angle-weight"),
+                (("sphere", cube, "-o", out, "--level-splits", "0", "--method", "dissertation"), "--level-splits"),
+                (("sphere", cube, "-o", out, "--level-splits", "20"), "--method dissertation"),
                 (("sphere", cube, "-o", out, "--threads", "-1"), "--threads"),
                 (("sphere", cube, "-o", out, "--time-limit", "0"), "--time-limit")):
             done = run(*arguments)
@@ -301,6 +304,43 @@ class Reports(InFolder):
         self.assertGreater(figures["peak_memory_bytes"], 1e6)
         self.assertIn("version", figures)
         self.assertEqual(figures["options"]["method"], "balanced")
+
+    def test_the_report_of_the_dissertations_method_has_its_energy_by_iteration(self):
+        shape, out, report = self.made("creature", 1000), self.path("map.ply"), self.path("report.json")
+        figures = {}
+        for splits in (40, 10):
+            self.assertEqual(run("sphere", shape, "-o", out, "--method", "dissertation", "--level-splits", splits,
+                                 "--final-tolerance", 0, "--max-final-iterations", 3000, "--report", report).returncode, 0)
+            with open(report, encoding="utf-8") as file:
+                figures[splits] = json.load(file)
+        for splits, found in figures.items():
+            course = found["convergence"]
+            self.assertEqual(found["options"]["level_splits"], splits)
+            self.assertEqual(len(course["iterations"]), len(course["energies"]))
+            self.assertEqual(sorted(course["iterations"]), course["iterations"])
+            self.assertEqual(course["vertices"][-1], found["vertices"])
+            whole = [e for e, n in zip(course["energies"], course["vertices"]) if n == found["vertices"]]
+            self.assertEqual(sorted(whole, reverse=True), whole)
+            self.assertAlmostEqual(whole[-1], found["energy"], delta=2e-2 * found["energy"])
+        self.assertGreater(len(figures[10]["convergence"]["vertices"]), 2 * len(figures[40]["convergence"]["vertices"]))
+        self.assertNotEqual(figures[10]["energy"], figures[40]["energy"])
+
+    def test_areas_alone_can_be_optimized(self):
+        shape, out, report = self.made("creature", 1000), self.path("map.ply"), self.path("report.json")
+        areas = {}
+        for weight in (0, 1):
+            for method in ("balanced", "angle-area", "dissertation"):
+                done = run("sphere", shape, "-o", out, "--method", method, "--angle-weight", weight, "--report", report)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                with open(report, encoding="utf-8") as file:
+                    figures = json.load(file)
+                self.assertTrue(figures["bijective"])
+                self.assertEqual(figures["equation_3_4"], figures["energy_area"])
+                self.assertLess(figures["equation_3_2"], figures["equation_3_4"])
+                self.assertLess(figures["equation_3_1"], figures["equation_3_3"])
+                areas[weight, method] = figures["energy_area"]
+        for method in ("balanced", "angle-area", "dissertation"):
+            self.assertLess(areas[0, method], areas[1, method])
 
     def test_a_failure_is_reported_too(self):
         torus, report = self.made("torus"), self.path("report.json")

@@ -4,7 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <vector>
@@ -71,7 +74,8 @@ TEST_CASE(
     for (int trial = 0; trial < 20; ++trial) {
       const Star s = star(random, radius);
       const Vector3 p = s.directions[0];
-      const dissertation::PrintedEnergy energy{0.1 + 0.1 * trial, trial == 3 ? 0.0 : 1.0, 1.0, unbounded};
+      const double angle_weight = trial == 4 ? 0.0 : 0.1 + 0.1 * trial;
+      const dissertation::PrintedEnergy energy{angle_weight, trial == 3 ? 0.0 : 1.0, 1.0, unbounded};
       const TangentBasis basis(p);
       const double h = 1e-5 * radius;
       const auto slope = [&](const Vector3& along) {
@@ -183,7 +187,15 @@ TEST_CASE("The seed gives the same bits each time, and other maps for other numb
   const Surface s = test::creature(3);
   const Array<Vector3> first = dissertation_map(s);
   CHECK(dissertation_map(s) == first);
-  CHECK(dissertation_map(s, {.eta = 7}) != first);
+  CHECK(dissertation_map(s, {.limits = {.level_splits = 7}}) != first);
+  CHECK(dissertation_map(s, {.limits = {.level_tolerance = 1}}) != first);
+  CHECK(dissertation_map(s, {.limits = {.max_level_iterations = 3}}) != first);
+  // What the defaults stand for.
+  CHECK(dissertation_map(s, {.limits = {.level_splits = 40,
+                                        .level_tolerance = 1e-4,
+                                        .final_tolerance = 1e-4,
+                                        .max_level_iterations = 2000,
+                                        .max_final_iterations = 100 * s.positions.size()}}) == first);
   CHECK(dissertation_map(s, {.seed = 5}) != first);
 }
 
@@ -197,12 +209,41 @@ TEST_CASE("The dissertation's weights shift its map from areas to angles") {
   CHECK(angles.energy_angle < areas.energy_angle);
 }
 
+TEST_CASE("The dissertation's final phase goes on for as long as it may") {
+  const Surface s = test::creature(4);
+  double last = std::numeric_limits<double>::infinity();
+  for (const std::uint64_t rounds : {1, 4, 16}) {
+    std::vector<TracePoint> trace;
+    dissertation::DissertationOptions options;
+    options.limits = {.final_tolerance = 0, .max_final_iterations = rounds * s.positions.size()};
+    options.trace = [&](const TracePoint& point) { trace.push_back(point); };
+    CHECK(measured(s, dissertation_map(s, options)).bijective);
+    const auto whole = std::count_if(trace.begin(), trace.end(),
+                                     [&](const TracePoint& point) { return point.vertices == s.positions.size(); });
+    CHECK(whole >= static_cast<std::ptrdiff_t>(rounds));
+    CHECK(trace.back().energy < last);
+    last = trace.back().energy;
+  }
+}
+
+TEST_CASE("The dissertation's method optimizes areas alone, to a bijection") {
+  const Surface s = test::creature(4);
+  const Measurement both = measured(s, dissertation_map(s));
+  const Measurement areas = measured(s, dissertation_map(s, {.angle_weight = 0}));
+  CHECK(areas.bijective);
+  CHECK(areas.energy_area < both.energy_area);
+}
+
 TEST_CASE("The seed refuses options that mean nothing, and can be cancelled") {
   const Surface s = test::creature(3);
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const dissertation::DissertationOptions& options :
-       {dissertation::DissertationOptions{.angle_weight = 0}, dissertation::DissertationOptions{.angle_weight = nan},
-        dissertation::DissertationOptions{.area_weight = -1}, dissertation::DissertationOptions{.eta = 0}}) {
+       {dissertation::DissertationOptions{.angle_weight = 0, .area_weight = 0},
+        dissertation::DissertationOptions{.angle_weight = nan}, dissertation::DissertationOptions{.area_weight = -1},
+        dissertation::DissertationOptions{.limits = {.level_splits = 0}},
+        dissertation::DissertationOptions{.limits = {.level_splits = max_level_splits + 1}},
+        dissertation::DissertationOptions{.limits = {.level_tolerance = -1}},
+        dissertation::DissertationOptions{.limits = {.final_tolerance = nan}}}) {
     CHECK_THROWS_AS(dissertation_map(s, options), base::Error);
   }
   base::Host host;

@@ -42,6 +42,45 @@ TEST_CASE("The identity of a fine sphere has no distortion") {
   CHECK(faces.quasi_conformal.size() == s.triangles.size());
 }
 
+TEST_CASE("Eq. 3.1 to 3.4 of maps small enough to compute by hand") {
+  // A tetrahedron on itself: D = 8 / sqrt 3, area(t) = 2 / sqrt 3, area(T) = pi, d = 1/3.
+  const double pi = std::numbers::pi;
+  const test::Surface tetrahedron = test::tetrahedron();
+  Measurement m = measured(tetrahedron, tetrahedron.positions);
+  CHECK(m.equation_3_1 == doctest::Approx(64.0 / 3).epsilon(1e-14));
+  CHECK(m.equation_3_2 == doctest::Approx(16 / (3 * pi)).epsilon(1e-14));
+  CHECK(m.equation_3_3 == doctest::Approx(192).epsilon(1e-14));
+  CHECK(m.equation_3_4 == doctest::Approx(48 / pi).epsilon(1e-14));
+  CHECK(m.energy_angle == doctest::Approx(288 / std::sqrt(3)).epsilon(1e-14));
+
+  // An octahedron of twice the height: cot = 4/3, 1/3, 1/3, so D = 4; area(t) = sqrt 3 / 2, area(T) = pi / 2, d^2 =
+  // 1/3.
+  test::Surface high = test::sphere(0);
+  const std::vector<Vector3> directions = high.positions;
+  for (Vector3& p : high.positions)
+    p.z() *= 2;
+  m = measured(high, directions);
+  CHECK(m.equation_3_1 == doctest::Approx(16 * std::sqrt(3)).epsilon(1e-14));
+  CHECK(m.equation_3_2 == doctest::Approx(12 / pi).epsilon(1e-14));
+  CHECK(m.equation_3_3 == doctest::Approx(48 * std::sqrt(3)).epsilon(1e-14));
+  CHECK(m.equation_3_4 == doctest::Approx(36 / pi).epsilon(1e-14));
+  CHECK(m.equation_3_4 == m.energy_area);
+  CHECK(m.energy_angle == doctest::Approx(96).epsilon(1e-14));
+}
+
+TEST_CASE("Eq. 3.1 and 3.3 vanish under refinement as printed, and 3.2 and 3.4 do not") {
+  double last = std::numeric_limits<double>::infinity();
+  for (int levels = 2; levels < 5; ++levels) {
+    const test::Surface s = test::sphere(levels);
+    const Measurement m = measured(s, s.positions);
+    CHECK(m.equation_3_1 <= m.equation_3_3);
+    CHECK(m.equation_3_3 < 0.3 * last);
+    CHECK(m.equation_3_2 == doctest::Approx(4 * std::numbers::pi).epsilon(0.2));
+    CHECK(m.equation_3_4 == doctest::Approx(4 * std::numbers::pi).epsilon(0.02));
+    last = m.equation_3_3;
+  }
+}
+
 TEST_CASE("The normalized positions of an ellipsoid have the quasi-conformal distortion that its axes say") {
   // Seen from the poles, the ellipsoid x^2 + y^2 + (z / 2)^2 = 1 is round; at the equator z is stretched by 2.
   test::Surface s = test::sphere(5);

@@ -209,10 +209,28 @@ TEST_CASE("What is no closed surface of genus 0, and options without a meaning, 
   not_finite.positions[5].x() = std::nan("");
   CHECK(refusal(not_finite) == "invalid-argument");
   CHECK(refusal(Surface{}) == "empty-mesh");
-  for (const auto& [angle, area] : {std::pair{0.0, 1.0}, {-1.0, 1.0}, {0.1, -1.0}, {std::nan(""), 1.0}}) {
+  for (const auto& [angle, area] : {std::pair{0.0, 0.0}, {-1.0, 1.0}, {0.1, -1.0}, {std::nan(""), 1.0}}) {
     Options options;
     options.angle_weight = angle;
     options.area_weight = area;
     CHECK(refusal(test::creature(2), options) == "invalid-argument");
+  }
+}
+
+TEST_CASE("Angles may have no weight: areas are preserved better, by a map that is still a bijection") {
+  const Surface s = test::creature(4);
+  for (const Method method : {Method::balanced, Method::angle_area}) {
+    Options options;
+    options.method = method;
+    const auto measured = [&] {
+      return measure(s.positions, s.triangles, compute(s.positions, s.triangles, options, base::Host()), 0, 1,
+                     base::Host());
+    };
+    const Measurement both = measured();
+    options.angle_weight = 0;
+    const Measurement areas = measured();
+    CHECK(areas.bijective);
+    CHECK(areas.energy_area < both.energy_area);
+    CHECK(areas.energy == areas.energy_area);
   }
 }

@@ -696,7 +696,7 @@ export const layouts = {
     },
   },
   obc_sphere_map_options: {
-    size: 40,
+    size: 80,
     fields: {
       struct_size: ['u32', 0],
       method: ['i32', 4],
@@ -705,10 +705,15 @@ export const layouts = {
       seed: ['u64', 24],
       trace: ['u32', 32],
       trace_user: ['u32', 36],
+      level_splits: ['u64', 40],
+      level_tolerance: ['f64', 48],
+      final_tolerance: ['f64', 56],
+      max_level_iterations: ['u64', 64],
+      max_final_iterations: ['u64', 72],
     },
   },
   obc_sphere_map_report: {
-    size: 120,
+    size: 152,
     fields: {
       struct_size: ['u32', 0],
       bijective: ['i32', 4],
@@ -727,6 +732,10 @@ export const layouts = {
       max_area_ratio: ['f64', 96],
       stretch_efficiency: ['f64', 104],
       isometric_mean: ['f64', 112],
+      equation_3_1: ['f64', 120],
+      equation_3_2: ['f64', 128],
+      equation_3_3: ['f64', 136],
+      equation_3_4: ['f64', 144],
     },
   },
   obc_sphere_optimizer_options: {

@@ -217,6 +217,12 @@ export interface SphereMapOptions {
   angleWeight?: number;
   areaWeight?: number;
   seed?: number;
+  /** Of the method `dissertation`, as the next four. */
+  levelSplits?: number;
+  levelTolerance?: number;
+  finalTolerance?: number;
+  maxLevelIterations?: number;
+  maxFinalIterations?: number;
 }
 
 export interface SphereMapReport {
@@ -235,6 +241,10 @@ export interface SphereMapReport {
   maxAreaRatio: number;
   stretchEfficiency: number;
   isometricMean: number;
+  equation31: number;
+  equation32: number;
+  equation33: number;
+  equation34: number;
 }
 
 export interface SphereMapResult {

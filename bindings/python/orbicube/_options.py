@@ -179,11 +179,25 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                words={"balanced": 0, "angle-area": 1, "isometric": 2, "stretch": 3, "conformal": 4, "dissertation": 5},
                doc="OBC_SPHERE_MAP_BALANCED or another. Default: BALANCED."),
         Option("angle_weight", "float", 0.1,
-               doc="weight of E_D, positive. Default: 0.1."),
+               doc="weight of E_D (lambda of the dissertation's eq. 3.5), nonnegative. Default: 0.1."),
         Option("area_weight", "float", 1.0,
-               doc="weight of E_A, nonnegative. Default: 1."),
+               doc="weight of E_A (mu of eq. 3.5), nonnegative; one of the two weights is positive. Default: 1."),
         Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="seed of the order of equally good decimation steps. Default: 0."),
+        Option("level_splits", "int", None, low=0, high=18446744073709551615,
+               doc="Parameters of the dissertation's Algorithm 1, which OBC_SPHERE_MAP_DISSERTATION uses and the other "
+                   "methods do not. An optimization ends when the mean gain of its last iterations (level_splits of them "
+                   "on a level, vertex_count at the end) is below tolerance * E / vertices, or at its maximum number of "
+                   "iterations. The dissertation prints the first default only. eta: vertex splits between two "
+                   "optimizations, 1 to 1000000000. Default: 40."),
+        Option("level_tolerance", "float", None,
+               doc="epsilon^eta, of the optimization of a level, nonnegative; 0: no such end. Default: 1e-4."),
+        Option("final_tolerance", "float", None,
+               doc="epsilon^F, of the final optimization, nonnegative; 0: no such end. Default: 1e-4."),
+        Option("max_level_iterations", "int", None, low=0, high=18446744073709551615,
+               doc="Iter_max^eta, on a level; 0: 50 * level_splits. Default: 0."),
+        Option("max_final_iterations", "int", None, low=0, high=18446744073709551615,
+               doc="Iter_max^F, at the end; 0: 100 * vertex_count. Default: 0."),
     ),
     "obc_sphere_optimizer_options": (
         Option("method", "word", "limited-memory",

@@ -62,12 +62,21 @@ typedef void (*obc_sphere_map_trace_function)(uint64_t iterations, uint64_t vert
 typedef struct obc_sphere_map_options {
   uint32_t struct_size;
   int32_t method;      /* OBC_SPHERE_MAP_BALANCED or another. Default: BALANCED. */
-  double angle_weight; /* weight of E_D, positive. Default: 0.1. */
-  double area_weight;  /* weight of E_A, nonnegative. Default: 1. */
+  double angle_weight; /* weight of E_D (lambda of the dissertation's eq. 3.5), nonnegative. Default: 0.1. */
+  double area_weight;  /* weight of E_A (mu of eq. 3.5), nonnegative; one of the two weights is positive. Default: 1. */
   uint64_t seed;       /* seed of the order of equally good decimation steps. Default: 0. */
 
   obc_sphere_map_trace_function trace; /* receives the convergence of OBC_SPHERE_MAP_DISSERTATION; NULL: none. Default: NULL. */
   void *trace_user;                    /* passed to trace. Default: NULL. */
+
+  /* Parameters of the dissertation's Algorithm 1, which OBC_SPHERE_MAP_DISSERTATION uses and the other methods do not. An optimization
+   * ends when the mean gain of its last iterations (level_splits of them on a level, vertex_count at the end) is below tolerance * E
+   * / vertices, or at its maximum number of iterations. The dissertation prints the first default only. */
+  uint64_t level_splits;         /* eta: vertex splits between two optimizations, 1 to 1000000000. Default: 40. */
+  double level_tolerance;        /* epsilon^eta, of the optimization of a level, nonnegative; 0: no such end. Default: 1e-4. */
+  double final_tolerance;        /* epsilon^F, of the final optimization, nonnegative; 0: no such end. Default: 1e-4. */
+  uint64_t max_level_iterations; /* Iter_max^eta, on a level; 0: 50 * level_splits. Default: 0. */
+  uint64_t max_final_iterations; /* Iter_max^F, at the end; 0: 100 * vertex_count. Default: 0. */
 } obc_sphere_map_options;
 
 /* Figures of a map, for a surface scaled to the area of the unit sphere, 4 pi. sigma_1 >= sigma_2 are the singular values of the affine
@@ -88,7 +97,7 @@ typedef struct obc_sphere_map_report {
   double degree;            /* sum of the signed solid angles / 4 pi */
 
   double energy_angle; /* E_D = sum d^-2 (cot a |a|^2 + cot b |b|^2 + cot c |c|^2); at least 16 pi */
-  double energy_area;  /* E_A = sum d^-2 area(t)^2 / area(T); at least 4 pi */
+  double energy_area;  /* E_A = sum d^-2 area(t)^2 / area(T); at least 4 pi in the limit of fine meshes, on coarse ones a little less */
   double energy;       /* angle_weight E_D + area_weight E_A */
 
   double max_quasi_conformal; /* maximum quasi-conformal distortion sigma_1 / sigma_2, at least 1 */
@@ -96,6 +105,14 @@ typedef struct obc_sphere_map_report {
   double min_area_ratio, max_area_ratio; /* minimum and maximum of solid angle / surface area of a triangle */
   double stretch_efficiency; /* 1 / mean of (sigma_1^-2 + sigma_2^-2) / 2, weighted by surface area (L2 stretch), at most 1 */
   double isometric_mean;     /* mean of (sigma_1^2 + sigma_2^2 + sigma_1^-2 + sigma_2^-2) / 4, weighted by surface area, at least 1 */
+
+  /* Energies of the dissertation as printed, with D = cot a |a|^2 + cot b |b|^2 + cot c |c|^2 for the angles a, b, c of T and the
+   * opposite edges of t, and area(t) the area of the flat triangle t. Eq. 3.1 and 3.3 vanish under refinement, since D is an integral
+   * over t already: energy_angle is eq. 3.3 with D as E_D(T) area(t), a density. */
+  double equation_3_1; /* sum D area(t) */
+  double equation_3_2; /* sum area(t)^2 / area(T) */
+  double equation_3_3; /* sum d^-2 D area(t) */
+  double equation_3_4; /* sum d^-2 area(t)^2 / area(T); equal to energy_area */
 } obc_sphere_map_report;
 
 /* Fills options with the defaults. */

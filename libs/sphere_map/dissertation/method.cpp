@@ -24,19 +24,29 @@ namespace {
 //      epsilon is a part of E over the number of vertices: work ends when one step for each would gain less than that.
 //   2. When a kernel is empty in double precision all the same, the hierarchy is begun again with another order of
 //      decimation and a stricter bound of the quasi-conformal distortion (mend 2 of step.h).
-// The limits are not printed. These let a new vertex cost a few steps, and end the final phase where it crawls.
 struct Limits {
-  double relative_gain;
-  std::size_t window;          // iterations
-  std::size_t max_iterations;  // Iter_max
+  double relative_gain;          // 0: not by gain
+  std::uint64_t window;          // iterations
+  std::uint64_t max_iterations;  // Iter_max
 };
 
-Limits level_limits(std::size_t eta) {
-  return {1e-4, eta, 50 * eta};
+Limits level_limits(const AlgorithmLimits& of) {
+  return {of.level_tolerance, of.level_splits,
+          of.max_level_iterations > 0 ? of.max_level_iterations : 50 * of.level_splits};
 }
 
-Limits final_limits(std::size_t vertices) {
-  return {1e-4, vertices, 100 * vertices};
+Limits final_limits(const AlgorithmLimits& of, std::size_t vertices) {
+  return {of.final_tolerance, vertices, of.max_final_iterations > 0 ? of.max_final_iterations : 100 * vertices};
+}
+
+void require_limits(const AlgorithmLimits& of) {
+  if (of.level_splits == 0 || of.level_splits > max_level_splits) {
+    throw base::Error("invalid-argument", "level_splits must be from 1 to " + std::to_string(max_level_splits));
+  }
+  const auto usable = [](double tolerance) { return tolerance >= 0 && std::isfinite(tolerance); };
+  if (!usable(of.level_tolerance) || !usable(of.final_tolerance)) {
+    throw base::Error("invalid-argument", "level_tolerance and final_tolerance must be nonnegative and finite");
+  }
 }
 
 class Hierarchy {
@@ -73,8 +83,8 @@ class Hierarchy {
     place_tetrahedron();
     for (std::size_t k = 4; k < total; ++k) {
       split(decimation_.collapses[total - 1 - k]);
-      if (k % options_.eta == 0) {
-        optimize(level_limits(options_.eta), "refinement", k, total);
+      if (k % options_.limits.level_splits == 0) {
+        optimize(level_limits(options_.limits), "refinement", k, total);
         while (!queue_.empty())
           pop();
         trace();
@@ -85,7 +95,7 @@ class Hierarchy {
       if (rings_.valence(v) > 0) enqueue(v);
       if (v % 1024 == 0) host_.report("priorities", v, directions_.size());
     }
-    optimize(final_limits(total), "optimization", 0, 0);
+    optimize(final_limits(options_.limits, total), "optimization", 0, 0);
   }
 
   using Entry = std::pair<double, Index>;
@@ -172,7 +182,7 @@ class Hierarchy {
   // The inner loops of Algorithm 1.
   void optimize(const Limits& limits, const char* phase, std::size_t done, std::size_t total) {
     double window_gain = 0;
-    for (std::size_t j = 1; j <= limits.max_iterations && !queue_.empty(); ++j) {
+    for (std::uint64_t j = 1; j <= limits.max_iterations && !queue_.empty(); ++j) {
       const Index v = pop();
       const double gain = improve(v);
       window_gain += gain;
@@ -214,11 +224,8 @@ class Hierarchy {
 
 Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                        const DissertationOptions& options, const base::Host& host, Partial* partial) {
-  if (!(options.angle_weight > 0 && std::isfinite(options.angle_weight) && options.area_weight >= 0 &&
-        std::isfinite(options.area_weight) && options.eta > 0)) {
-    throw base::Error("invalid-argument",
-                      "angle_weight and eta must be positive and area_weight not negative, all finite");
-  }
+  require_weights(options.angle_weight, options.area_weight);
+  require_limits(options.limits);
   double twice_area = 0;
   for (const Triangle& t : triangles)
     twice_area += (positions[t[1]] - positions[t[0]]).cross(positions[t[2]] - positions[t[0]]).norm();

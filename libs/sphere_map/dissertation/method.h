@@ -21,11 +21,11 @@ namespace orbicube::sphere_map::dissertation {
 using sphere_map::TracePoint;
 
 struct DissertationOptions {
-  double angle_weight = 0.1;  // lambda of eq. 3.5; positive
-  double area_weight = 1.0;   // mu of eq. 3.5; not negative
-  std::size_t eta = 40;       // vertex splits between two optimizations, section 3.1.3; at least 1
-  std::uint64_t seed = 0;     // varies the order of equally good decimation steps
-  RestTriangles rest = {};    // without min_area
+  double angle_weight = 0.1;    // lambda of eq. 3.5; not negative
+  double area_weight = 1.0;     // mu of eq. 3.5; not negative; one of the two is positive
+  AlgorithmLimits limits = {};  // of Algorithm 1
+  std::uint64_t seed = 0;       // varies the order of equally good decimation steps
+  RestTriangles rest = {};      // without min_area
   // As in sphere_map.h.
   std::function<void(const TracePoint&)> trace = nullptr;
 };

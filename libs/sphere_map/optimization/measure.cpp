@@ -114,6 +114,16 @@ struct DistortionSums {
   }
 };
 
+// Those of a triangle, as eq. 3.1 to 3.4 and their readings in measure.h.
+void add_energies(const SphericalTriangle& image, const TriangleShape& shape, Measurement& m) {
+  m.energy_angle += image.inverse_d_square() * image.D(shape);
+  m.energy_area += image.inverse_d_square() * image.N / (4 * shape.area);
+  const double angle_integral = image.D(shape) * 0.5 * std::sqrt(image.N);
+  m.equation_3_1 += angle_integral;
+  m.equation_3_2 += image.N / (4 * shape.area);
+  m.equation_3_3 += image.inverse_d_square() * angle_integral;
+}
+
 double area_of(std::span<const Triangle> triangles, std::span<const Vector3> surface) {
   double area = 0;
   for (const Triangle& t : triangles)
@@ -164,8 +174,7 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
     const SphericalTriangle image(unit[t[0]], unit[t[1]], unit[t[2]]);
     const TriangleShape shape{(q - p).dot(r - p) / twice_area, (p - q).dot(r - q) / twice_area,
                               (p - r).dot(q - r) / twice_area, area};
-    m.energy_angle += image.inverse_d_square() * image.D(shape);
-    m.energy_area += image.inverse_d_square() * image.N / (4 * area);
+    add_energies(image, shape, m);
 
     const SingularValues s = singular_values(p, q, r, unit[t[0]], unit[t[1]], unit[t[2]]);
     const double k = s.small > 0 ? s.large / s.small : std::numeric_limits<double>::infinity();
@@ -181,6 +190,7 @@ Measurement measure(std::span<const Vector3> positions, std::span<const Triangle
     if (i % 65536 == 0) host.report("measurement", i, triangles.size());
   }
   m.energy = angle_weight * m.energy_angle + area_weight * m.energy_area;
+  m.equation_3_4 = m.energy_area;
   if (!(sums.area > 0)) {
     m.min_area_ratio = 0;
     return m;

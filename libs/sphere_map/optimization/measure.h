@@ -20,13 +20,18 @@ using mesh::Vector3;
 struct Measurement {
   bool mirrored = false;    // more triangles are negative than positive: the map of a surface that is inward-oriented
   std::size_t flipped = 0;  // triangles with det[p q r] < 0, exactly (> 0 when mirrored)
-  std::size_t degenerate = 0;       // triangles with det[p q r] = 0, exactly
-  double degree = 0;                // sum of the signed solid angles / 4 pi: 1 for a bijection
-  bool bijective = false;           // no flipped and no degenerate triangle, and degree 1
-  double radius_error = 0;          // largest | |p| - 1 | of a vertex of a triangle
-  double energy_angle = 0;          // E_D, eq. 3.3 with E_D(T) read as a density; at least 16 pi
-  double energy_area = 0;           // E_A, eq. 3.4; at least 4 pi
-  double energy = 0;                // angle_weight E_D + area_weight E_A, eq. 3.5
+  std::size_t degenerate = 0;  // triangles with det[p q r] = 0, exactly
+  double degree = 0;           // sum of the signed solid angles / 4 pi: 1 for a bijection
+  bool bijective = false;      // no flipped and no degenerate triangle, and degree 1
+  double radius_error = 0;     // largest | |p| - 1 | of a vertex of a triangle
+  double energy_angle = 0;     // E_D, eq. 3.3 with E_D(T) read as a density; at least 16 pi
+  double energy_area = 0;      // E_A, eq. 3.4; at least 4 pi in the limit of fine meshes
+  double energy = 0;           // angle_weight E_D + area_weight E_A, eq. 3.5
+  // Eq. 3.1 to 3.4 to the letter, with E_D(T) = D (distortion.h) and E_A(T) = area(t) / area(T).
+  double equation_3_1 = 0;          // sum D area(t)
+  double equation_3_2 = 0;          // sum area(t)^2 / area(T)
+  double equation_3_3 = 0;          // sum d^-2 D area(t)
+  double equation_3_4 = 0;          // sum d^-2 area(t)^2 / area(T): E_A
   double max_quasi_conformal = 0;   // sigma_max / sigma_min
   double mean_quasi_conformal = 0;  // weighted by surface area
   double min_area_ratio = 0;        // solid angle over surface area of a triangle

@@ -39,10 +39,7 @@ Schedule Schedule::with_stronger_barrier(std::size_t attempt) const {
 }
 
 Schedule schedule_of(const Options& options) {
-  if (!(options.angle_weight > 0 && std::isfinite(options.angle_weight) && options.area_weight >= 0 &&
-        std::isfinite(options.area_weight))) {
-    throw base::Error("invalid-argument", "angle_weight must be positive and area_weight not negative, both finite");
-  }
+  require_weights(options.angle_weight, options.area_weight);
   Schedule schedule;
   switch (options.method) {
     case Method::balanced:

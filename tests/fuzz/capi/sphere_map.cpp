@@ -17,6 +17,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (in.one_in(3)) options.angle_weight = in.number();
   if (in.one_in(3)) options.area_weight = in.number();
   options.seed = in.byte();
+  if (in.one_in(3)) options.level_splits = in.byte();
+  if (in.one_in(3)) options.level_tolerance = in.number();
+  if (in.one_in(3)) options.final_tolerance = in.number();
+  if (in.one_in(3)) options.max_level_iterations = in.byte();
+  if (in.one_in(3)) options.max_final_iterations = in.byte();
   obc_sphere_map_report report;
   obc_sphere_map_report_init(&report, sizeof report);
   std::vector<double> directions = in.one_in(2) ? in.numbers(3 * n) : shape.positions;

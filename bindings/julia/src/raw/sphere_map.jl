@@ -20,6 +20,11 @@ mutable struct obc_sphere_map_options <: CStruct
     seed::UInt64
     trace::Ptr{Cvoid}
     trace_user::Ptr{Cvoid}
+    level_splits::UInt64
+    level_tolerance::Float64
+    final_tolerance::Float64
+    max_level_iterations::UInt64
+    max_final_iterations::UInt64
     obc_sphere_map_options() = zeroed!(new())
 end
 
@@ -41,6 +46,10 @@ mutable struct obc_sphere_map_report <: CStruct
     max_area_ratio::Float64
     stretch_efficiency::Float64
     isometric_mean::Float64
+    equation_3_1::Float64
+    equation_3_2::Float64
+    equation_3_3::Float64
+    equation_3_4::Float64
     obc_sphere_map_report() = zeroed!(new())
 end
 

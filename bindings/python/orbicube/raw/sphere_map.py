@@ -29,6 +29,11 @@ class obc_sphere_map_options(_Struct):
         ("seed", _c.c_uint64),
         ("trace", obc_sphere_map_trace_function),
         ("trace_user", _c.c_void_p),
+        ("level_splits", _c.c_uint64),
+        ("level_tolerance", _c.c_double),
+        ("final_tolerance", _c.c_double),
+        ("max_level_iterations", _c.c_uint64),
+        ("max_final_iterations", _c.c_uint64),
     ]
 
 
@@ -56,6 +61,10 @@ class obc_sphere_map_report(_Struct):
         ("max_area_ratio", _c.c_double),
         ("stretch_efficiency", _c.c_double),
         ("isometric_mean", _c.c_double),
+        ("equation_3_1", _c.c_double),
+        ("equation_3_2", _c.c_double),
+        ("equation_3_3", _c.c_double),
+        ("equation_3_4", _c.c_double),
     ]
 
 

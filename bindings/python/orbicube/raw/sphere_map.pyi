@@ -25,7 +25,12 @@ class obc_sphere_map_options(Struct):
     seed: int
     trace: Any
     trace_user: Any
-    def __init__(self, struct_size: int = ..., method: int = ..., angle_weight: float = ..., area_weight: float = ..., seed: int = ..., trace: Any = ..., trace_user: Any = ...) -> None: ...
+    level_splits: int
+    level_tolerance: float
+    final_tolerance: float
+    max_level_iterations: int
+    max_final_iterations: int
+    def __init__(self, struct_size: int = ..., method: int = ..., angle_weight: float = ..., area_weight: float = ..., seed: int = ..., trace: Any = ..., trace_user: Any = ..., level_splits: int = ..., level_tolerance: float = ..., final_tolerance: float = ..., max_level_iterations: int = ..., max_final_iterations: int = ...) -> None: ...
 
 class obc_sphere_map_report(Struct):
     struct_size: int
@@ -45,7 +50,11 @@ class obc_sphere_map_report(Struct):
     max_area_ratio: float
     stretch_efficiency: float
     isometric_mean: float
-    def __init__(self, struct_size: int = ..., bijective: int = ..., mirrored: int = ..., reserved: int = ..., flipped: int = ..., degenerate: int = ..., zero_area_faces: int = ..., degree: float = ..., energy_angle: float = ..., energy_area: float = ..., energy: float = ..., max_quasi_conformal: float = ..., mean_quasi_conformal: float = ..., min_area_ratio: float = ..., max_area_ratio: float = ..., stretch_efficiency: float = ..., isometric_mean: float = ...) -> None: ...
+    equation_3_1: float
+    equation_3_2: float
+    equation_3_3: float
+    equation_3_4: float
+    def __init__(self, struct_size: int = ..., bijective: int = ..., mirrored: int = ..., reserved: int = ..., flipped: int = ..., degenerate: int = ..., zero_area_faces: int = ..., degree: float = ..., energy_angle: float = ..., energy_area: float = ..., energy: float = ..., max_quasi_conformal: float = ..., mean_quasi_conformal: float = ..., min_area_ratio: float = ..., max_area_ratio: float = ..., stretch_efficiency: float = ..., isometric_mean: float = ..., equation_3_1: float = ..., equation_3_2: float = ..., equation_3_3: float = ..., equation_3_4: float = ...) -> None: ...
 
 def obc_sphere_map_options_init(options: Pointer, struct_size: int) -> int:
     """Fills options with the defaults."""

@@ -58,9 +58,9 @@ pub struct obc_sphere_map_options {
     pub struct_size: u32,
     /// OBC\_SPHERE\_MAP\_BALANCED or another. Default: BALANCED.
     pub method: i32,
-    /// weight of E\_D, positive. Default: 0.1.
+    /// weight of E\_D (lambda of the dissertation's eq. 3.5), nonnegative. Default: 0.1.
     pub angle_weight: f64,
-    /// weight of E\_A, nonnegative. Default: 1.
+    /// weight of E\_A (mu of eq. 3.5), nonnegative; one of the two weights is positive. Default: 1.
     pub area_weight: f64,
     /// seed of the order of equally good decimation steps. Default: 0.
     pub seed: u64,
@@ -68,6 +68,19 @@ pub struct obc_sphere_map_options {
     pub trace: obc_sphere_map_trace_function,
     /// passed to trace. Default: NULL.
     pub trace_user: *mut c_void,
+    /// Parameters of the dissertation's Algorithm 1, which OBC\_SPHERE\_MAP\_DISSERTATION uses and the other methods do not. An optimization
+    /// ends when the mean gain of its last iterations (level\_splits of them on a level, vertex\_count at the end) is below tolerance \* E
+    /// / vertices, or at its maximum number of iterations. The dissertation prints the first default only.
+    /// eta: vertex splits between two optimizations, 1 to 1000000000. Default: 40.
+    pub level_splits: u64,
+    /// epsilon^eta, of the optimization of a level, nonnegative; 0: no such end. Default: 1e-4.
+    pub level_tolerance: f64,
+    /// epsilon^F, of the final optimization, nonnegative; 0: no such end. Default: 1e-4.
+    pub final_tolerance: f64,
+    /// Iter\_max^eta, on a level; 0: 50 \* level\_splits. Default: 0.
+    pub max_level_iterations: u64,
+    /// Iter\_max^F, at the end; 0: 100 \* vertex\_count. Default: 0.
+    pub max_final_iterations: u64,
 }
 
 /// Figures of a map, for a surface scaled to the area of the unit sphere, 4 pi. sigma\_1 \>= sigma\_2 are the singular values of the affine
@@ -94,7 +107,7 @@ pub struct obc_sphere_map_report {
     pub degree: f64,
     /// E\_D = sum d^-2 (cot a |a|^2 + cot b |b|^2 + cot c |c|^2); at least 16 pi
     pub energy_angle: f64,
-    /// E\_A = sum d^-2 area(t)^2 / area(T); at least 4 pi
+    /// E\_A = sum d^-2 area(t)^2 / area(T); at least 4 pi in the limit of fine meshes, on coarse ones a little less
     pub energy_area: f64,
     /// angle\_weight E\_D + area\_weight E\_A
     pub energy: f64,
@@ -110,6 +123,38 @@ pub struct obc_sphere_map_report {
     pub stretch_efficiency: f64,
     /// mean of (sigma\_1^2 + sigma\_2^2 + sigma\_1^-2 + sigma\_2^-2) / 4, weighted by surface area, at least 1
     pub isometric_mean: f64,
+    /// Energies of the dissertation as printed, with D = cot a |a|^2 + cot b |b|^2 + cot c |c|^2 for the angles a, b, c of T and the
+    /// opposite edges of t, and area(t) the area of the flat triangle t. Eq. 3.1 and 3.3 vanish under refinement, since D is an integral
+    /// over t already: energy\_angle is eq. 3.3 with D as E\_D(T) area(t), a density.
+    /// sum D area(t)
+    pub equation_3_1: f64,
+    /// sum area(t)^2 / area(T)
+    pub equation_3_2: f64,
+    /// sum d^-2 D area(t)
+    pub equation_3_3: f64,
+    /// sum d^-2 area(t)^2 / area(T); equal to energy\_area
+    pub equation_3_4: f64,
+}
+
+/// Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
+/// unit of the surfaces.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_sphere_map_distance {
+    pub struct_size: u32,
+    pub reserved: u32,
+    /// from the first surface: mean, root mean square, maximum
+    pub first_mean: f64,
+    /// from the first surface: mean, root mean square, maximum
+    pub first_root_mean_square: f64,
+    /// from the first surface: mean, root mean square, maximum
+    pub first_max: f64,
+    /// from the second surface
+    pub second_mean: f64,
+    /// from the second surface
+    pub second_root_mean_square: f64,
+    /// from the second surface
+    pub second_max: f64,
 }
 
 extern "C" {
@@ -159,12 +204,20 @@ extern "C" {
     /// doubles; sampled: components \* count. unit 1 scales each result to length 1 (for normals), 0 does not. The direction of a vertex
     /// returns the values of the vertex. Errors: as obc\_sphere\_map\_locate.
     pub fn obc_sphere_map_sample(locator: *const obc_sphere_map_locator, directions: *const f64, count: usize, values: *const f64, components: usize, unit: i32, host: *const obc_host, sampled: *mut f64, error: *mut obc_error) -> i32;
+    /// Computes unit vertex normals, 3 \* vertex\_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998). O(n).
+    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    pub fn obc_sphere_map_vertex_normals(surface: *const obc_surface, host: *const obc_host, normals: *mut f64, error: *mut obc_error) -> i32;
     /// Creates a regular triangulation with unit vectors for positions. \*out is destroyed with obc\_mesh\_destroy; the allocator of the host is
     /// used until then. O(size). Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_sphere_map_grid(grid: i32, resolution: usize, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
     /// Resamples a surface on a regular triangulation: positions (3 \* vertex\_count doubles) interpolated at its directions. Otherwise as
     /// obc\_sphere\_map\_grid.
     pub fn obc_sphere_map_remesh(locator: *const obc_sphere_map_locator, positions: *const f64, grid: i32, resolution: usize, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
+    /// Fills a result with zeros and its size.
+    pub fn obc_sphere_map_distance_init(distance: *mut obc_sphere_map_distance, struct_size: usize) -> i32;
+    /// Measures the distances between two surfaces. Uses the threads of the host. O(n log n). Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED,
+    /// OBC\_OUT\_OF\_MEMORY.
+    pub fn obc_sphere_map_surface_distance(first: *const obc_surface, second: *const obc_surface, host: *const obc_host, distance: *mut obc_sphere_map_distance, error: *mut obc_error) -> i32;
     /// Computes the size of a geometry image (Gu, Gortler and Hoppe 2002; Praun and Hoppe 2003): the surface as pixels x y z, 3 \* width \*
     /// height doubles, row by row from the top. OBC\_SPHERE\_MAP\_OCTAHEDRON is a square of (resolution + 1)^2 pixels, OBC\_SPHERE\_MAP\_CUBE
     /// six tiles of that size, 3 by 2: +x -x +y, below -y +z -z. Pixels on both sides of a cut are equal. resolution: up to
@@ -213,7 +266,7 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_sphere_map_options>(), align_of::<obc_sphere_map_options>()), (48, 8));
+        assert_eq!((size_of::<obc_sphere_map_options>(), align_of::<obc_sphere_map_options>()), (88, 8));
         let it = MaybeUninit::<obc_sphere_map_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_map_options.struct_size");
@@ -223,7 +276,12 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 24, "obc_sphere_map_options.seed");
         assert_eq!(unsafe { addr_of!((*start).trace) } as usize - start as usize, 32, "obc_sphere_map_options.trace");
         assert_eq!(unsafe { addr_of!((*start).trace_user) } as usize - start as usize, 40, "obc_sphere_map_options.trace_user");
-        assert_eq!((size_of::<obc_sphere_map_report>(), align_of::<obc_sphere_map_report>()), (120, 8));
+        assert_eq!(unsafe { addr_of!((*start).level_splits) } as usize - start as usize, 48, "obc_sphere_map_options.level_splits");
+        assert_eq!(unsafe { addr_of!((*start).level_tolerance) } as usize - start as usize, 56, "obc_sphere_map_options.level_tolerance");
+        assert_eq!(unsafe { addr_of!((*start).final_tolerance) } as usize - start as usize, 64, "obc_sphere_map_options.final_tolerance");
+        assert_eq!(unsafe { addr_of!((*start).max_level_iterations) } as usize - start as usize, 72, "obc_sphere_map_options.max_level_iterations");
+        assert_eq!(unsafe { addr_of!((*start).max_final_iterations) } as usize - start as usize, 80, "obc_sphere_map_options.max_final_iterations");
+        assert_eq!((size_of::<obc_sphere_map_report>(), align_of::<obc_sphere_map_report>()), (152, 8));
         let it = MaybeUninit::<obc_sphere_map_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_map_report.struct_size");
@@ -243,5 +301,20 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).max_area_ratio) } as usize - start as usize, 96, "obc_sphere_map_report.max_area_ratio");
         assert_eq!(unsafe { addr_of!((*start).stretch_efficiency) } as usize - start as usize, 104, "obc_sphere_map_report.stretch_efficiency");
         assert_eq!(unsafe { addr_of!((*start).isometric_mean) } as usize - start as usize, 112, "obc_sphere_map_report.isometric_mean");
+        assert_eq!(unsafe { addr_of!((*start).equation_3_1) } as usize - start as usize, 120, "obc_sphere_map_report.equation_3_1");
+        assert_eq!(unsafe { addr_of!((*start).equation_3_2) } as usize - start as usize, 128, "obc_sphere_map_report.equation_3_2");
+        assert_eq!(unsafe { addr_of!((*start).equation_3_3) } as usize - start as usize, 136, "obc_sphere_map_report.equation_3_3");
+        assert_eq!(unsafe { addr_of!((*start).equation_3_4) } as usize - start as usize, 144, "obc_sphere_map_report.equation_3_4");
+        assert_eq!((size_of::<obc_sphere_map_distance>(), align_of::<obc_sphere_map_distance>()), (56, 8));
+        let it = MaybeUninit::<obc_sphere_map_distance>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_map_distance.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_sphere_map_distance.reserved");
+        assert_eq!(unsafe { addr_of!((*start).first_mean) } as usize - start as usize, 8, "obc_sphere_map_distance.first_mean");
+        assert_eq!(unsafe { addr_of!((*start).first_root_mean_square) } as usize - start as usize, 16, "obc_sphere_map_distance.first_root_mean_square");
+        assert_eq!(unsafe { addr_of!((*start).first_max) } as usize - start as usize, 24, "obc_sphere_map_distance.first_max");
+        assert_eq!(unsafe { addr_of!((*start).second_mean) } as usize - start as usize, 32, "obc_sphere_map_distance.second_mean");
+        assert_eq!(unsafe { addr_of!((*start).second_root_mean_square) } as usize - start as usize, 40, "obc_sphere_map_distance.second_root_mean_square");
+        assert_eq!(unsafe { addr_of!((*start).second_max) } as usize - start as usize, 48, "obc_sphere_map_distance.second_max");
     }
 }

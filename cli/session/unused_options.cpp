@@ -1,0 +1,61 @@
+#include "session/unused_options.h"
+
+#include <string>
+
+#include "session/failure.h"
+
+namespace orbicube::cli {
+namespace {
+
+// The text of an option, or what stands for it by default.
+std::string given_or(const CLI::App& verb, const std::string& option, const std::string& otherwise) {
+  return verb.count(option) > 0 ? verb.get_option(option)->as<std::string>() : otherwise;
+}
+
+// `use`: what the option is for.
+void refuse_if(bool unused, const std::string& option, const std::string& use) {
+  if (unused) throw Failure(Exit::wrong_input, "", "usage", option + " is for " + use);
+}
+
+}  // namespace
+
+void refuse_unused_sphere_options(const CLI::App& verb) {
+  const auto is_zero = [&](const char* option) {
+    return verb.count(option) > 0 && !(verb.get_option(option)->as<double>() > 0);
+  };
+  if (is_zero("--angle-weight") && is_zero("--area-weight"))
+    throw Failure(Exit::wrong_input, "", "usage", "--angle-weight and --area-weight: one of them must be positive");
+  const std::string method = given_or(verb, "--method", "balanced");
+  if (method == "dissertation" || method == "seed") return;
+  for (const char* option :
+       {"--level-splits", "--level-tolerance", "--final-tolerance", "--max-level-iterations", "--max-final-iterations"})
+    refuse_if(verb.count(option) > 0, option, "--method dissertation");
+}
+
+void refuse_unused_frames_options(const CLI::App& verb) {
+  for (const char* option :
+       {"--boundary", "--method", "--face-weights", "--feature-angle", "--rounds", "--no-align-boundary"})
+    refuse_if(verb.count("--unchanged") > 0 && verb.count(option) > 0, option,
+              "a computation; --unchanged reports and draws a field only");
+  const bool dissertation = given_or(verb, "--method", "smooth") == "dissertation";
+  const std::string start = given_or(verb, "--start", "auto");
+  const std::string own_start = "--method smooth; --method dissertation starts from identity";
+  refuse_if(dissertation && start != "auto" && start != "identity", "--start " + start, own_start);
+  refuse_if(dissertation && verb.count("--from") > 0, "--from", own_start);
+  refuse_if(verb.count("--rounds") > 0 && (dissertation || start != "auto" || verb.count("--from") > 0), "--rounds",
+            "--start auto of --method smooth");
+}
+
+void refuse_unused_polycube_options(const CLI::App& verb) {
+  const bool common = verb.count("IN") > 1;
+  const std::string optimize = given_or(verb, "--optimize", "");
+  refuse_if(verb.count("--measure") > 0 && optimize != "domain" && !common, "--measure",
+            "--optimize domain and for several surfaces; corners minimize the mean over the surface");
+  refuse_if(verb.count("--area-weight") > 0 && optimize.empty() && !common, "--area-weight",
+            "--optimize and for several surfaces");
+  refuse_if(verb.count("--corner-search") > 0 && optimize != "corners" && optimize != "all", "--corner-search",
+            "--optimize corners and --optimize all");
+  refuse_if(verb.count("--landmarks") > 0 && !common, "--landmarks", "several surfaces");
+}
+
+}  // namespace orbicube::cli
