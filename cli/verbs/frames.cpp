@@ -18,6 +18,7 @@
 #include "report/unit_size.h"
 #include "scenes/angle_plot.h"
 #include "scenes/frame_scene.h"
+#include "session/unused_options.h"
 #include "verbs/verbs.h"
 
 namespace orbicube::cli {
@@ -228,6 +229,17 @@ CLI::Validator one_of(const std::map<std::string, Value>& names) {
   return unnamed(CLI::IsMember(list));
 }
 
+void add_drawings(CLI::App& verb, FramesOptions& options) {
+  verb.add_option("--vtk", options.vtk, "also write the tetrahedra with the axes as vectors")->type_name("FILE.vtk");
+  verb.add_option("--plot", options.plot, "draw the distribution of angles between neighbors")->type_name("FILE.png");
+  CLI::Option* glb = verb.add_option("--glb", options.glb, "draw the singular curves in the surface, and some frames")
+                         ->type_name("FILE.glb");
+  verb.add_option("--crosses", options.crosses, "approximate number of frames in --glb [default: 1000]")
+      ->needs(glb)
+      ->check(unnamed(CLI::Range(0, 1000000)))
+      ->type_name("N");
+}
+
 }  // namespace
 
 void add_frames(CLI::App& app, CommonOptions& common) {
@@ -237,13 +249,16 @@ void add_frames(CLI::App& app, CommonOptions& common) {
   verb->add_option("-o,--output", options->output, "frames to write, one line w x y z for each tetrahedron")
       ->required()
       ->type_name("OUT.frames");
-  verb->add_option("--start", options->start,
-                   "initial field: auto (default), the best of all; identity, the coordinate axes; propagated, the "
-                   "nearest boundary frame; harmonic, harmonics of degree 4; diffusion, these, diffused and projected")
-      ->check(one_of(starts))
-      ->type_name("START");
-  CLI::Option* from =
-      verb->add_option("--from", options->from, "smooth the field of this file")->type_name("FILE.frames");
+  CLI::Option* start =
+      verb->add_option(
+              "--start", options->start,
+              "initial field: auto (default), the best of all; identity, the coordinate axes; propagated, the "
+              "nearest boundary frame; harmonic, harmonics of degree 4; diffusion, these, diffused and projected")
+          ->check(one_of(starts))
+          ->type_name("START");
+  CLI::Option* from = verb->add_option("--from", options->from, "smooth the field of this file")
+                          ->excludes(start)
+                          ->type_name("FILE.frames");
   verb->add_flag("--unchanged", options->unchanged, "only report and draw the field of --from")->needs(from);
   verb->add_option("--boundary", options->boundary, "fix the frames of boundary tetrahedra to those of this file")
       ->type_name("FILE.frames");
@@ -270,21 +285,18 @@ void add_frames(CLI::App& app, CommonOptions& common) {
   verb->add_flag("--single-axis", options->single_axis,
                  "search only among fields that rotate about one axis along each curve, starting from identity")
       ->excludes(verb->get_option("--unchanged"));
-  verb->add_option("--vtk", options->vtk, "also write the tetrahedra with the axes as vectors")->type_name("FILE.vtk");
-  verb->add_option("--plot", options->plot, "draw the distribution of angles between neighbors")->type_name("FILE.png");
-  verb->add_option("--glb", options->glb, "draw the singular curves in the surface, and some frames")
-      ->type_name("FILE.glb");
-  verb->add_option("--crosses", options->crosses, "approximate number of frames in --glb [default: 1000]")
-      ->check(unnamed(CLI::Range(0, 1000000)))
-      ->type_name("N");
+  add_drawings(*verb, *options);
   add_common_options(*verb, common);
   verb->footer(
       "A frame is a unit quaternion that rotates the coordinate axes to its own (active, Hamilton's product). At "
       "the\nboundary one axis is along the normal; tetrahedra with several boundary faces are aligned with one of "
       "them,\nor with a direction between them or their common edge if no frame aligns with both.");
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     Session session(common, "frames", options->input);
-    session.run([&] { run_frames(*options, session); });
+    session.run([&] {
+      refuse_unused_frames_options(*verb);
+      run_frames(*options, session);
+    });
   });
 }
 

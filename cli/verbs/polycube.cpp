@@ -19,6 +19,7 @@
 #include "report/polycube_outputs.h"
 #include "report/text.h"
 #include "report/unit_size.h"
+#include "session/unused_options.h"
 #include "solids/any_genus_surface.h"
 #include "solids/shared_polycube.h"
 #include "verbs/verbs.h"
@@ -102,8 +103,7 @@ polycube::BestConstruction construct(const PolycubeOptions& options, const mesh:
 }
 
 std::string name_of(polycube::Method method) {
-  if (method == polycube::Method::automatic) return "given";
-  return method == polycube::Method::labels ? "labels" : "voxels";
+  return method == polycube::Method::automatic ? "given" : method == polycube::Method::labels ? "labels" : "voxels";
 }
 
 // name-2.obj for the second of several shapes.
@@ -273,10 +273,7 @@ void polycube(const PolycubeOptions& options, Session& session) {
   if (!options.surface.empty()) require_exact_output(options.surface);
   session.options() = json_of(options);
   check_polycube_outputs(options.outputs, session);
-  if (options.inputs.size() > 1) {
-    common_polycube(options, session);
-    return;
-  }
+  if (options.inputs.size() > 1) return common_polycube(options, session);
   const AnyGenusSurface surface = read_surface(options, session);
   const double start = session.seconds();
   const double part = options.optimize.empty() ? 0.9 : 0.5;
@@ -389,10 +386,13 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
       "Every written map is certified by exact arithmetic; if none is found, the exit code is 1. The vertices of the "
       "surface\ncome first in OUT, in their order; edges are split where required. For several surfaces the outputs "
       "are numbered:\nOUT-1, OUT-2.");
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     options->input = options->inputs.front();
     Session session(common, "polycube", options->input);
-    session.run([&] { polycube(*options, session); });
+    session.run([&] {
+      refuse_unused_polycube_options(*verb);
+      polycube(*options, session);
+    });
   });
 }
 

@@ -276,6 +276,26 @@ class Frames(InFolder):
             self.assertLessEqual(best, 1.01 * facts["E"])
         self.assertEqual(self.figures(path, "-o", out, "--start", "harmonic", "--threads", "1")["start"], "harmonic")
 
+    def test_options_that_would_be_ignored_are_refused(self):
+        path, _, cells = self.solid(3, 0)
+        own, out = self.path("own.frames"), self.path("out.frames")
+        with open(own, "w", encoding="ascii") as file:
+            file.write("1 0 0 0\n" * len(cells))
+        for options, named in ((("--method", "dissertation", "--start", "harmonic"), "--start"),
+                               (("--method", "dissertation", "--from", own), "--from"),
+                               (("--method", "dissertation", "--rounds", "3"), "--rounds"),
+                               (("--start", "harmonic", "--rounds", "3"), "--rounds"),
+                               (("--from", own, "--start", "harmonic"), "--start"),
+                               (("--from", own, "--unchanged", "--face-weights", "geometric"), "--face-weights"),
+                               (("--crosses", "10"), "--crosses")):
+            done = run("frames", path, "-o", out, *options)
+            self.assertEqual(done.returncode, 2, options)
+            self.assertIn(named, done.stderr.splitlines()[0])
+            self.assertIn("usage", done.stderr)
+            self.assertFalse(os.path.exists(out))
+        done = run("frames", path, "-o", out, "--method", "dissertation", "--start", "identity")
+        self.assertEqual(done.returncode, 0, done.stderr)
+
     def test_a_field_of_ones_own_is_smoothed_and_a_boundary_of_ones_own_is_held(self):
         path, _, cells = self.solid(4, 0)
         own, out = self.path("own.frames"), self.path("out.frames")

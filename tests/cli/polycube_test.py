@@ -382,6 +382,19 @@ class Polycube(InFolder):
         self.assertEqual(done.returncode, 2)
         self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
 
+    def test_options_that_would_be_ignored_are_refused(self):
+        path, out = self.made("cube", 300), self.path("out.obj")
+        for options, named in ((("--measure", "harmonic", "--optimize", "all"), "--measure is for --optimize domain"),
+                               (("--measure", "surface"), "--measure is for --optimize domain"),
+                               (("--area-weight", 2), "--area-weight is for --optimize"),
+                               (("--corner-search", "gradient", "--optimize", "domain"), "--corner-search is for --optimize corners"),
+                               (("--landmarks", path), "--landmarks is for several surfaces")):
+            done = run("polycube", path, "-o", out, *options)
+            self.assertEqual(done.returncode, 2, options)
+            self.assertTrue(done.stderr.startswith("orbicube: usage: " + named), done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1)
+            self.assertFalse(os.path.exists(out))
+
     @long
     def test_corners_in_better_places_leave_a_polycube_that_is_no_worse(self):
         path, out, report = self.made("bracket", 1500), self.path("out.obj"), self.path("report.json")
