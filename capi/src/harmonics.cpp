@@ -8,6 +8,7 @@
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "harmonics/fitting/fit.h"
+#include "harmonics/fitting/map_refinement.h"
 #include "harmonics/functions/basis.h"
 #include "harmonics/functions/coefficient_file.h"
 #include "harmonics/functions/spectrum.h"
@@ -119,6 +120,37 @@ obc_status obc_harmonics_fit(const double* directions, const double* weights, co
     r.iterations = told.iterations;
     capi::write_versioned(report, r);
     std::copy(fitted.values.begin(), fitted.values.end(), coefficients);
+  });
+}
+
+obc_status obc_harmonics_refinement_report_init(obc_harmonics_refinement_report* report, size_t struct_size) {
+  return capi::init_versioned(report, struct_size, obc_harmonics_refinement_report{});
+}
+
+obc_status obc_harmonics_refine_map(const double* positions, size_t vertex_count, const uint32_t* triangles,
+                                    size_t triangle_count, const double* weights,
+                                    const obc_harmonics_fit_options* options, uint32_t rounds, const obc_host* host,
+                                    double* directions, obc_harmonics_refinement_report* report, obc_error* error) {
+  return capi::guarded(error, [&] {
+    const obc_harmonics_fit_options o = capi::copy_versioned(options, default_options());
+    checked_size(o.degree, 3);
+    capi::require(triangles != nullptr || triangle_count == 0, "triangles is NULL");
+    const capi::HostAdapter adapter(host);
+    const auto given = vectors(directions, vertex_count, "directions is NULL");
+    base::Array<Vector3> moved(given.begin(), given.end(), adapter.host().memory);
+    const harmonics::RefinementReport told = harmonics::refine_map(
+        vectors(positions, vertex_count, "positions is NULL"),
+        {reinterpret_cast<const harmonics::Triangle*>(triangles), triangle_count},
+        {weights, weights != nullptr ? vertex_count : 0},
+        {.fit = {.degree = o.degree, .method = static_cast<harmonics::FitMethod>(o.method), .smoothing = o.smoothing},
+         .rounds = rounds},
+        moved, adapter.host());
+    obc_harmonics_refinement_report r{};
+    r.rounds = told.rounds;
+    r.residual_before = told.residual_before;
+    r.residual = told.residual;
+    capi::write_versioned(report, r);
+    std::copy_n(moved.front().data(), 3 * vertex_count, directions);
   });
 }
 

@@ -12,7 +12,7 @@ void require_exact_output(const std::string& path) {
   require_writable(path);
   if (mesh::holds(path, mesh::Holds::polygons)) return;
   throw Failure(Exit::wrong_input, path, "unsupported-format",
-                "patches of a polycube lie exactly in planes; this format rounds coordinates or welds vertices");
+                "this format rounds coordinates or welds vertices; .obj .off .ply .mesh and .vtk keep every bit");
 }
 
 void write_exactly(const std::string& path, const base::Array<mesh::Vector3>& positions,

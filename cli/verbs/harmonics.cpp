@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "files/map_file.h"
+#include "files/refined_map.h"
 #include "files/surface_file.h"
 #include "harmonics/functions/coefficient_file.h"
 #include "harmonics/functions/spectrum.h"
@@ -46,6 +47,7 @@ struct HarmonicsOptions {
   double smoothing = 0;
   std::uint32_t low = harmonics::largest_degree, high = 0, width = 0;
   std::vector<std::uint32_t> band;
+  MapRefinement refinement;
   bool text = false;
   bool weld = false;
 
@@ -61,6 +63,10 @@ base::Array<double> weights_of(const HarmonicsOptions& options, const mesh::Mesh
   return mesh::vertex_areas(options.weights == "sphere" ? map.positions : surface.positions, surface.triangles, host);
 }
 
+harmonics::FitOptions fit_options(const HarmonicsOptions& options) {
+  return {.degree = options.degree, .method = fit_methods.at(options.method), .smoothing = options.smoothing};
+}
+
 // The fit of the vertices of triangles.
 Coefficients fit_used(const HarmonicsOptions& options, const mesh::Mesh& surface, const mesh::Mesh& map,
                       const base::Host& host, harmonics::FitReport& report) {
@@ -74,10 +80,7 @@ Coefficients fit_used(const HarmonicsOptions& options, const mesh::Mesh& surface
     directions.push_back(map.positions[v]);
     used_weights.push_back(weights[v]);
   }
-  return harmonics::fit(
-      directions, used_weights, numbers(positions), 3,
-      {.degree = options.degree, .method = fit_methods.at(options.method), .smoothing = options.smoothing}, host,
-      report);
+  return harmonics::fit(directions, used_weights, numbers(positions), 3, fit_options(options), host, report);
 }
 
 // Reports a fit that the samples do not determine.
@@ -160,12 +163,15 @@ Json json_of(const HarmonicsOptions& options) {
           {"low", options.low},
           {"high", options.high},
           {"band", options.band},
-          {"width", options.width}};
+          {"width", options.width},
+          {"refine_map", options.refinement.rounds},
+          {"refined_map", options.refinement.output}};
 }
 
 void require_outputs(const HarmonicsOptions& options) {
   about(options.output, Role::output, [&] { harmonics::format_of_path(options.output); });
   if (!options.reconstruction.empty()) require_writable(options.reconstruction);
+  check_refinement(options.refinement);
   const harmonics::Band band = options.kept();
   if (band.low > band.high) throw Failure(Exit::wrong_input, "", "usage", "the filter keeps no degree");
 }
@@ -259,6 +265,11 @@ void fit_surface(const HarmonicsOptions& options, Session& session) {
   const base::Array<std::uint8_t> used = mesh::used_vertices(surface.positions.size(), surface.triangles, host.memory);
   const auto vertices = static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
   const double read = session.seconds();
+  if (options.refinement.rounds > 0) {
+    const auto weights = [&](const mesh::Mesh& scaled) { return weights_of(options, scaled, map, host); };
+    about(options.sphere, Role::input,
+          [&] { refine_map(options.refinement, fit_options(options), weights, surface, map, options.text, session); });
+  }
 
   Expansion expansion = expand(options, surface, map, host);
   const double fitted = session.seconds();
@@ -310,6 +321,12 @@ void add_filter_options(CLI::App& verb, HarmonicsOptions& options) {
 }
 
 void add_fit_options(CLI::App& verb, HarmonicsOptions& options) {
+  verb.add_option("--refine-map", options.refinement.rounds,
+                  "refine the map for this degree: up to N rounds of a fit and a step of all vertices on the sphere; "
+                  "0: none [default: 0]")
+      ->check(unnamed(CLI::Range(0, 1000)))
+      ->type_name("N");
+  verb.add_option("--refined-map", options.refinement.output, "write the refined map")->type_name("MAP2");
   verb.add_option("--smoothing", options.smoothing,
                   "weight of the squared Laplacian in the fit, for surfaces that do not determine it [default: 0]")
       ->check(unnamed(CLI::NonNegativeNumber))

@@ -152,6 +152,11 @@ _Static_assert(offsetof(obc_harmonics_fit_report, rank) == 16, "obc_harmonics_fi
 _Static_assert(offsetof(obc_harmonics_fit_report, condition) == 24, "obc_harmonics_fit_report.condition");
 _Static_assert(offsetof(obc_harmonics_fit_report, residual) == 32, "obc_harmonics_fit_report.residual");
 _Static_assert(offsetof(obc_harmonics_fit_report, iterations) == 40, "obc_harmonics_fit_report.iterations");
+_Static_assert(sizeof(obc_harmonics_refinement_report) == 24, "obc_harmonics_refinement_report");
+_Static_assert(offsetof(obc_harmonics_refinement_report, struct_size) == 0, "obc_harmonics_refinement_report.struct_size");
+_Static_assert(offsetof(obc_harmonics_refinement_report, rounds) == 4, "obc_harmonics_refinement_report.rounds");
+_Static_assert(offsetof(obc_harmonics_refinement_report, residual_before) == 8, "obc_harmonics_refinement_report.residual_before");
+_Static_assert(offsetof(obc_harmonics_refinement_report, residual) == 16, "obc_harmonics_refinement_report.residual");
 _Static_assert(sizeof(obc_harmonics_align_options) == 16, "obc_harmonics_align_options");
 _Static_assert(offsetof(obc_harmonics_align_options, struct_size) == 0, "obc_harmonics_align_options.struct_size");
 _Static_assert(offsetof(obc_harmonics_align_options, turn_values) == 4, "obc_harmonics_align_options.turn_values");
@@ -729,6 +734,11 @@ _Static_assert(offsetof(obc_harmonics_fit_report, rank) == 16, "obc_harmonics_fi
 _Static_assert(offsetof(obc_harmonics_fit_report, condition) == 24, "obc_harmonics_fit_report.condition");
 _Static_assert(offsetof(obc_harmonics_fit_report, residual) == 32, "obc_harmonics_fit_report.residual");
 _Static_assert(offsetof(obc_harmonics_fit_report, iterations) == 40, "obc_harmonics_fit_report.iterations");
+_Static_assert(sizeof(obc_harmonics_refinement_report) == 24, "obc_harmonics_refinement_report");
+_Static_assert(offsetof(obc_harmonics_refinement_report, struct_size) == 0, "obc_harmonics_refinement_report.struct_size");
+_Static_assert(offsetof(obc_harmonics_refinement_report, rounds) == 4, "obc_harmonics_refinement_report.rounds");
+_Static_assert(offsetof(obc_harmonics_refinement_report, residual_before) == 8, "obc_harmonics_refinement_report.residual_before");
+_Static_assert(offsetof(obc_harmonics_refinement_report, residual) == 16, "obc_harmonics_refinement_report.residual");
 _Static_assert(sizeof(obc_harmonics_align_options) == 16, "obc_harmonics_align_options");
 _Static_assert(offsetof(obc_harmonics_align_options, struct_size) == 0, "obc_harmonics_align_options.struct_size");
 _Static_assert(offsetof(obc_harmonics_align_options, turn_values) == 4, "obc_harmonics_align_options.turn_values");

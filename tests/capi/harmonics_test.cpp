@@ -112,6 +112,39 @@ TEST_CASE("The rows of the basis, norms, distance and filter are those of the he
   CHECK(obc_harmonics_filter(filtered, 1, 1, 2, 1, 0, 0, nullptr) == OBC_INVALID_ARGUMENT);
 }
 
+TEST_CASE("A map is refined in place, or left as it is when something is wrong") {
+  const double octahedron[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+  const double shape[] = {1.4, 0, 0, -1, 0.1, 0, 0, 1, 0, 0, -1, 0.2, 0.3, 0, 1, 0, 0, -2};
+  const std::uint32_t triangles[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  std::vector<double> directions(octahedron, octahedron + 18);
+  const std::vector<double> given = directions;
+  obc_harmonics_fit_options options;
+  obc_harmonics_refinement_report report;
+  obc_error error;
+  REQUIRE(obc_harmonics_fit_options_init(&options, sizeof options) == OBC_OK);
+  REQUIRE(obc_harmonics_refinement_report_init(&report, sizeof report) == OBC_OK);
+  options.degree = 1;
+  REQUIRE(obc_harmonics_refine_map(shape, 6, triangles, 8, nullptr, &options, 5, nullptr, directions.data(), &report,
+                                   &error) == OBC_OK);
+  CHECK(report.rounds > 0);
+  CHECK(report.residual < report.residual_before);
+  CHECK(directions != given);
+  directions = given;
+  REQUIRE(obc_harmonics_refine_map(shape, 6, triangles, 8, nullptr, &options, 0, nullptr, directions.data(), nullptr,
+                                   nullptr) == OBC_OK);
+  CHECK(directions == given);
+  const std::uint32_t wrong[] = {0, 2, 6};
+  CHECK(obc_harmonics_refine_map(shape, 6, wrong, 1, nullptr, &options, 5, nullptr, directions.data(), &report,
+                                 &error) == OBC_MALFORMED_FILE);
+  CHECK(obc_harmonics_refine_map(nullptr, 6, triangles, 8, nullptr, &options, 5, nullptr, directions.data(), &report,
+                                 &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_harmonics_refine_map(shape, 6, nullptr, 8, nullptr, &options, 5, nullptr, directions.data(), &report,
+                                 &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_harmonics_refine_map(shape, 6, triangles, 8, nullptr, &options, 5, nullptr, nullptr, &report, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(directions == given);
+}
+
 TEST_CASE("Rotation and alignment take and give matrices by rows") {
   const Samples s(300);
   const std::vector<double> coefficients = fitted(s);

@@ -114,6 +114,25 @@ class Harmonics(InFolder):
         self.assertGreater(errors[0], 1.5 * errors[1])
         self.assertGreater(errors[1], 1.5 * errors[2])
 
+    def test_a_refined_map_comes_nearer_and_stays_one_to_one(self):
+        path, sphere = self.mapped()
+        refined = self.path("refined.obj")
+        before = self.fitted(path, sphere, 6, "c.sh")
+        after = self.fitted(path, sphere, 6, "c.sh", "--refine-map", 5, "--refined-map", refined)
+        self.assertLess(after["error"], 0.9 * before["error"])
+        found = after["refinement"]
+        self.assertAlmostEqual(found["residual_before"], before["residual"], delta=1e-9 * before["residual"])
+        self.assertAlmostEqual(found["residual"], after["residual"], delta=1e-9 * after["residual"])
+        self.assertEqual(not_positive(*read_obj(refined)), 0)
+        self.assertAlmostEqual(self.fitted(path, refined, 6, "d.sh")["error"], after["error"], delta=1e-9)
+        out = self.path("e.sh")
+        for options, named in ((("--refined-map", refined), "--refine-map"),
+                               (("--refine-map", 3, "--refined-map", self.path("m.stl")), "unsupported-format")):
+            done = run("harmonics", path, "--sphere", sphere, "--degree", 6, "-o", out, *options)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(named, done.stderr)
+            self.assertFalse(os.path.exists(out))
+
     def test_a_map_in_glb_is_read_as_well(self):
         path, _ = self.mapped()
         glb = self.path("map.glb")

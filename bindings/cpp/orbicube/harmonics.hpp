@@ -13,6 +13,7 @@ namespace harmonics {
 
 using FitOptions = detail::Filled<obc_harmonics_fit_options, obc_harmonics_fit_options_init>;
 using FitReport = detail::Filled<obc_harmonics_fit_report, obc_harmonics_fit_report_init>;
+using RefinementReport = detail::Filled<obc_harmonics_refinement_report, obc_harmonics_refinement_report_init>;
 using AlignOptions = detail::Filled<obc_harmonics_align_options, obc_harmonics_align_options_init>;
 using Alignment = detail::Filled<obc_harmonics_alignment, obc_harmonics_alignment_init>;
 
@@ -48,6 +49,20 @@ inline Coefficients fit(Doubles directions, Doubles values, std::size_t channels
                              fitted.values.data(), report, error);
   });
   return fitted;
+}
+// A sphere map moved to where the surface of the degree of the options comes nearest to the vertices.
+inline std::vector<double> refine_map(Doubles positions, Indices triangles, std::vector<double> directions,
+                                      std::uint32_t rounds = 10, Doubles weights = {}, const FitOptions& options = {},
+                                      RefinementReport* report = nullptr, Host* host = nullptr) {
+  const std::size_t n = detail::rows(positions.size(), 3, "positions");
+  const std::size_t count = detail::rows(triangles.size(), 3, "triangles");
+  detail::check_size(directions.size(), 3 * n, "directions");
+  if (!weights.empty()) detail::check_size(weights.size(), n, "weights");
+  detail::call(host, [&](obc_error* error) {
+    return obc_harmonics_refine_map(positions.data(), n, triangles.data(), count, weights.data(), &options, rounds,
+                                    detail::c(host), directions.data(), report, error);
+  });
+  return directions;
 }
 inline std::vector<double> synthesize(const Coefficients& of, Doubles directions,
                                       std::vector<double>* gradients = nullptr, Host* host = nullptr) {

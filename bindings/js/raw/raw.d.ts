@@ -159,6 +159,7 @@ export const layouts: {
   readonly obc_gltf_scene: Layout;
   readonly obc_harmonics_fit_options: Layout;
   readonly obc_harmonics_fit_report: Layout;
+  readonly obc_harmonics_refinement_report: Layout;
   readonly obc_harmonics_align_options: Layout;
   readonly obc_harmonics_alignment: Layout;
   readonly obc_hexmesh_options: Layout;
@@ -305,6 +306,8 @@ export interface RawFunctions {
   obc_harmonics_fit_options_init(options: Pointer, struct_size: number): number;
   /** Fill options with the defaults, and a report with zeros and its size. */
   obc_harmonics_fit_report_init(report: Pointer, struct_size: number): number;
+  /** Fill options with the defaults, and a report with zeros and its size. */
+  obc_harmonics_refinement_report_init(report: Pointer, struct_size: number): number;
   /** Returns the number of coefficients up to a degree, (degree + 1)^2. */
   obc_harmonics_size(degree: number): number;
   /** Evaluates all Y_lm at each direction: rows, count * (degree+1)^2 doubles, one direction after the other. host may be NULL.
@@ -315,6 +318,13 @@ export interface RawFunctions {
    * report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report->rank. Errors: as
    * obc_harmonics_evaluate. */
   obc_harmonics_fit(directions: Pointer, weights: Pointer, values: Pointer, count: number, channels: number, options: Pointer, host: Pointer, coefficients: Pointer, report: Pointer, error: Pointer): number;
+  /** Refines a sphere map for the expansion of its surface to the degree of the options: up to `rounds` times, fits the positions and moves each
+   * direction, by one damped Gauss-Newton step, towards the point of the fitted surface that is nearest to its vertex. directions (3 *
+   * vertex_count doubles, of any length) are changed to unit vectors, on success only. Triangles that are positive or negative on the
+   * sphere beyond rounding keep their orientation, so that a bijection remains one; vertices of others do not move. The angles and
+   * areas of the map are not controlled. weights as for obc_harmonics_fit; options, host and report may be NULL. O(rounds) fits.
+   * Errors: as obc_harmonics_evaluate, and OBC_MALFORMED_FILE (kind index-range). */
+  obc_harmonics_refine_map(positions: Pointer, vertex_count: number, triangles: Pointer, triangle_count: number, weights: Pointer, options: Pointer, rounds: number, host: Pointer, directions: Pointer, report: Pointer, error: Pointer): number;
   /** Evaluates the functions at directions: values, count * channels doubles, and unless gradients is NULL their tangential gradients on the unit
    * sphere, 3 * count * channels doubles. O(count * degree^2 * channels). Errors: as obc_harmonics_evaluate. */
   obc_harmonics_synthesize(coefficients: Pointer, degree: number, channels: number, directions: Pointer, count: number, host: Pointer, values: Pointer, gradients: Pointer, error: Pointer): number;

@@ -330,6 +330,15 @@ export const layouts = {
       iterations: ['u64', 40],
     },
   },
+  obc_harmonics_refinement_report: {
+    size: 24,
+    fields: {
+      struct_size: ['u32', 0],
+      rounds: ['u32', 4],
+      residual_before: ['f64', 8],
+      residual: ['f64', 16],
+    },
+  },
   obc_harmonics_align_options: {
     size: 16,
     fields: {
@@ -947,9 +956,11 @@ export const functions = {
   obc_gltf_version: 'i',
   obc_harmonics_fit_options_init: 'iii',
   obc_harmonics_fit_report_init: 'iii',
+  obc_harmonics_refinement_report_init: 'iii',
   obc_harmonics_size: 'ii',
   obc_harmonics_evaluate: 'iiiiiii',
   obc_harmonics_fit: 'iiiiiiiiiii',
+  obc_harmonics_refine_map: 'iiiiiiiiiiii',
   obc_harmonics_synthesize: 'iiiiiiiiii',
   obc_harmonics_degree_norms: 'iiiiii',
   obc_harmonics_shape_distance: 'iiiiiiiiii',

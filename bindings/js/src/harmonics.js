@@ -47,6 +47,22 @@ export function fit(directions, values, given = {}) {
   }));
 }
 
+/**
+ * A sphere map moved to where the surface of the degree comes nearest to the vertices, and a report; `rounds`: 10 if it is not said,
+ * the others as those of fit().
+ */
+export function refineMap(surface, directions, given = {}) {
+  const [host, { rounds = 10, weights, ...chosen }] = split(given);
+  return onSurface(surface, host, (scratch, at, lent) => {
+    const [positions, vertices, triangles, count] = view('u32', at, 4).slice();
+    const moved = scratch.array('f64', directions, 3 * vertices, 'directions');
+    const report = scratch.struct('obc_harmonics_refinement_report');
+    call('obc_harmonics_refine_map', positions, vertices, triangles, count, weights ? scratch.array('f64', weights, vertices, 'weights') : 0,
+      options(scratch, 'obc_harmonics_fit_options', chosen), rounds, lent, moved, report);
+    return { directions: answer(moved, 3 * vertices), report: object('obc_harmonics_refinement_report', report) };
+  });
+}
+
 /** The functions at the directions, and with `gradients` their gradients on the sphere (x y z a channel and direction). */
 export function synthesize(coefficients, directions, given = {}) {
   const [host, { channels = 3, gradients = false }] = split(given);

@@ -329,6 +329,11 @@ export namespace harmonics {
   function fit(directions: Numbers, values: Numbers, options?: FitOptions & Host): { coefficients: Float64Array; report: FitReport };
   function synthesize(coefficients: Numbers, directions: Numbers, options?: Channels & { gradients?: boolean } & Host):
     { values: Float64Array; gradients: Float64Array | null };
+  interface RefinementOptions extends FitOptions {
+    rounds?: number;
+  }
+  function refineMap(surface: SurfaceLike, directions: Numbers, options?: RefinementOptions & Host):
+    { directions: Float64Array; report: { rounds: number; residualBefore: number; residual: number } };
   function degreeNorms(coefficients: Numbers, channels?: number): Float64Array;
   function shapeDistance(f: Numbers, g: Numbers, options?: Channels & { first?: number; last?: number }): number;
   function filter(coefficients: Numbers, low: number, high: number, options?: Channels & { width?: number; keepMean?: boolean }): Float64Array;

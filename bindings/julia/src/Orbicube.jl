@@ -17,7 +17,7 @@ export vertex_normals, vertex_areas, surface_distance, mean_distance
 export orientation_2d, orientation_3d, orientation_from_origin, read_gltf, write_gltf
 export Locator, locate, sample, remesh, partial_sphere_map, face_distortion, round_to_float, sphere_grid
 export image_size, geometry_image, image_surface, write_image, read_image, best_rotation, Warp, overlay
-export fit_harmonics, synthesize, evaluate_harmonics, harmonic_gradients, degree_norms, shape_distance, filter_harmonics
+export fit_harmonics, refine_map, synthesize, evaluate_harmonics, harmonic_gradients, degree_norms, shape_distance, filter_harmonics
 export rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
 export frame_field, measure_frames, frame_matchings, singularities, Quaternions
 export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, align_features

@@ -155,6 +155,25 @@ function harmonic_gradients(a::AbstractMatrix, directions::AbstractArray; host..
     slopes
 end
 
+"""
+    directions, report = refine_map(surface, directions, weights=nothing; rounds=10, degree=16)
+
+A sphere map moved to where the surface of the degree comes nearest to the vertices. Options are those of `fit_harmonics`.
+"""
+function refine_map(surface::Surface, directions::AbstractMatrix, weights=nothing; rounds=10, threads=0, progress=nothing, options...)
+    n, moved = vertex_count(surface), copy(doubles(directions))
+    expect(columns(directions, 3, "directions"), n, "columns of directions")
+    weights === nothing || expect(length(weights), n, "weights")
+    shares = weights === nothing ? C_NULL : doubles(weights)
+    chosen = filled(Raw.obc_harmonics_fit_options, Raw.obc_harmonics_fit_options_init, values(options), "OBC_HARMONICS_")
+    report = filled(Raw.obc_harmonics_refinement_report, Raw.obc_harmonics_refinement_report_init, NamedTuple())
+    hosted(; threads=threads, progress=progress) do lent, error
+        Raw.obc_harmonics_refine_map(surface.positions, n, surface.triangles, size(surface.triangles, 2), shares, chosen, rounds, lent,
+                                     moved, report, error)
+    end
+    moved, report
+end
+
 "The norm of each degree from 0, which rotations do not change."
 function degree_norms(a::AbstractMatrix)
     given, norms = coefficients(a), Vector{Float64}(undef, degree_of(a) + 1)

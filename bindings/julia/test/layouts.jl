@@ -12,6 +12,7 @@ const layouts = [
     (Orbicube.Raw.obc_gltf_scene, 208, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 120, 128, 160, 168, 176, 180, 184, 192, 200]),
     (Orbicube.Raw.obc_harmonics_fit_options, 24, [0, 4, 8, 12, 16]),
     (Orbicube.Raw.obc_harmonics_fit_report, 48, [0, 4, 8, 16, 24, 32, 40]),
+    (Orbicube.Raw.obc_harmonics_refinement_report, 24, [0, 4, 8, 16]),
     (Orbicube.Raw.obc_harmonics_align_options, 16, [0, 4, 8, 12]),
     (Orbicube.Raw.obc_harmonics_alignment, 160, [0, 4, 8, 80, 152]),
     (Orbicube.Raw.obc_linear_matrix, 32, [0, 8, 16, 24]),

@@ -471,6 +471,8 @@ end
     @test all(1 .<= found .<= size(Orbicube.positions(sphere), 2))
 
     a, = fit_harmonics(directions, places, vertex_areas(shape); degree=6)
+    moved, refinement = refine_map(shape, directions, vertex_areas(shape); degree=6, rounds=3)
+    @test size(moved) == size(directions) && refinement.residual < refinement.residual_before
     @test evaluate_harmonics(directions, 6)' * a' ≈ synthesize(a, directions)'
     step = 1e-6 .* [0.3, -0.5, 0.2]
     slope = harmonic_gradients(a, [0.0 0 1]')[:, :, 1]

@@ -82,6 +82,26 @@ def fit(directions: ArrayLike, values: ArrayLike, weights: Optional[ArrayLike] =
     return coefficients, report
 
 
+@with_options("obc_harmonics_fit_options")
+def refine_map(surface: Any, directions: ArrayLike, weights: Optional[ArrayLike] = None, *, rounds: int = 10,
+               # options of obc_harmonics_fit_options, written by scripts/bindings.py
+               degree: int = 16, method: Literal["automatic", "dense", "iterative"] = "automatic", smoothing: float = 0.0,
+               # end of options
+               threads: int = 0, progress: Progress = None) -> tuple[Doubles, raw.obc_harmonics_refinement_report]:
+    """A sphere map moved to where the surface of the degree comes nearest to the vertices, and a report; a bijection stays one."""
+    chosen = filled(raw.obc_harmonics_fit_options, raw.obc_harmonics_fit_options_init, locals())
+    positions, triangles = surface_of(surface)
+    moved = doubles(directions, 3, rows=len(positions), name="directions", each="vertex").copy()
+    shares = None if weights is None else doubles(weights, rows=len(positions), name="weights", each="vertex")
+    integer(degree, "degree", 0, 1000)
+    report = raw.obc_harmonics_refinement_report()
+    call_init(raw.obc_harmonics_refinement_report_init, report)
+    call(raw.obc_harmonics_refine_map, address(positions), len(positions), address(triangles), len(triangles), address(shares),
+         byref(chosen), integer(rounds, "rounds", 0, 2**32 - 1), HOST, address(moved), byref(report), threads=threads,
+         progress=progress)
+    return moved, report
+
+
 @public
 def synthesize(coefficients: ArrayLike, directions: ArrayLike, *, threads: int = 0,
                progress: Progress = None) -> Doubles:

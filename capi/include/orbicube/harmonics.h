@@ -80,9 +80,18 @@ typedef struct obc_harmonics_fit_report {
   uint64_t iterations; /* number of iterations of ITERATIVE */
 } obc_harmonics_fit_report;
 
+/* Figures of a refinement of a map. */
+typedef struct obc_harmonics_refinement_report {
+  uint32_t struct_size;
+  uint32_t rounds;        /* number of rounds that lowered the residual */
+  double residual_before; /* residual of a fit, as in obc_harmonics_fit_report, on the given map */
+  double residual;        /* the same on the refined map, at most residual_before */
+} obc_harmonics_refinement_report;
+
 /* Fill options with the defaults, and a report with zeros and its size. */
 OBC_API obc_status obc_harmonics_fit_options_init(obc_harmonics_fit_options *options, size_t struct_size);
 OBC_API obc_status obc_harmonics_fit_report_init(obc_harmonics_fit_report *report, size_t struct_size);
+OBC_API obc_status obc_harmonics_refinement_report_init(obc_harmonics_refinement_report *report, size_t struct_size);
 
 /* Returns the number of coefficients up to a degree, (degree + 1)^2. */
 OBC_API size_t obc_harmonics_size(uint32_t degree);
@@ -99,6 +108,18 @@ OBC_API obc_status obc_harmonics_evaluate(const double *directions, size_t count
 OBC_API obc_status obc_harmonics_fit(const double *directions, const double *weights, const double *values, size_t count,
                                      size_t channels, const obc_harmonics_fit_options *options, const obc_host *host,
                                      double *coefficients, obc_harmonics_fit_report *report, obc_error *error);
+
+/* Refines a sphere map for the expansion of its surface to the degree of the options: up to `rounds` times, fits the positions and moves each
+ * direction, by one damped Gauss-Newton step, towards the point of the fitted surface that is nearest to its vertex. directions (3 *
+ * vertex_count doubles, of any length) are changed to unit vectors, on success only. Triangles that are positive or negative on the
+ * sphere beyond rounding keep their orientation, so that a bijection remains one; vertices of others do not move. The angles and
+ * areas of the map are not controlled. weights as for obc_harmonics_fit; options, host and report may be NULL. O(rounds) fits.
+ * Errors: as obc_harmonics_evaluate, and OBC_MALFORMED_FILE (kind index-range). */
+OBC_API obc_status obc_harmonics_refine_map(const double *positions, size_t vertex_count, const uint32_t *triangles,
+                                            size_t triangle_count, const double *weights,
+                                            const obc_harmonics_fit_options *options, uint32_t rounds,
+                                            const obc_host *host, double *directions,
+                                            obc_harmonics_refinement_report *report, obc_error *error);
 
 /* ---- reconstruction and comparison ----------------------------------------------------------------------------------- */
 

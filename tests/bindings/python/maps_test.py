@@ -266,6 +266,12 @@ class Maps(unittest.TestCase):
     def test_harmonics_of_the_shape(self):
         areas = mesh.vertex_areas(self.shape)
         a, report = harmonics.fit(self.map.directions, self.shape.positions, areas, degree=6)
+        moved, refinement = harmonics.refine_map(self.shape, self.map.directions, areas, rounds=3, degree=6)
+        self.assertAlmostEqual(refinement.residual_before, report.residual, delta=1e-9 * report.residual)
+        self.assertLess(refinement.residual, report.residual)
+        self.assertTrue(sphere_map.measure(self.shape, moved).bijective)
+        with self.assertRaises(ValueError):
+            harmonics.refine_map(self.shape, moved[1:], degree=6)
         self.assertEqual((a.shape, report.rank), ((49, 3), 49))
         values = harmonics.evaluate(self.map.directions, 6) @ a
         np.testing.assert_allclose(harmonics.synthesize(a, self.map.directions), values, atol=1e-12)

@@ -55,6 +55,17 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   ok([&](obc_error* e) {
     return obc_harmonics_rotate(f.data(), degree, channels, matrix.data(), host.c(), found.data(), e);
   });
+  std::vector<std::uint32_t> triangles(3 * in.below(8));
+  for (std::uint32_t& index : triangles)
+    index = in.index(static_cast<std::uint32_t>(n + 1));
+  auto moved = directions;
+  obc_harmonics_refinement_report refinement;
+  obc_harmonics_refinement_report_init(&refinement, sizeof refinement);
+  ok([&](obc_error* e) {
+    return obc_harmonics_refine_map(in.moderates(3 * n).data(), n, triangles.data(), triangles.size() / 3, nullptr,
+                                    &options, static_cast<std::uint32_t>(in.below(4)), host.c(), moved.data(),
+                                    &refinement, e);
+  });
   obc_harmonics_align_options aligning;
   obc_harmonics_align_options_init(&aligning, sizeof aligning);
   aligning.turn_values = in.choice(2);

@@ -28,6 +28,14 @@ mutable struct obc_harmonics_fit_report <: CStruct
     obc_harmonics_fit_report() = zeroed!(new())
 end
 
+mutable struct obc_harmonics_refinement_report <: CStruct
+    struct_size::UInt32
+    rounds::UInt32
+    residual_before::Float64
+    residual::Float64
+    obc_harmonics_refinement_report() = zeroed!(new())
+end
+
 mutable struct obc_harmonics_align_options <: CStruct
     struct_size::UInt32
     turn_values::Int32
@@ -53,6 +61,10 @@ const address_obc_harmonics_fit_report_init = Ref(C_NULL)
 obc_harmonics_fit_report_init(report, struct_size) =
     ccall(symbol(address_obc_harmonics_fit_report_init, :harmonics, :obc_harmonics_fit_report_init), Int32, (Ptr{obc_harmonics_fit_report}, Csize_t), report, struct_size)
 
+const address_obc_harmonics_refinement_report_init = Ref(C_NULL)
+obc_harmonics_refinement_report_init(report, struct_size) =
+    ccall(symbol(address_obc_harmonics_refinement_report_init, :harmonics, :obc_harmonics_refinement_report_init), Int32, (Ptr{obc_harmonics_refinement_report}, Csize_t), report, struct_size)
+
 const address_obc_harmonics_size = Ref(C_NULL)
 obc_harmonics_size(degree) =
     ccall(symbol(address_obc_harmonics_size, :harmonics, :obc_harmonics_size), Csize_t, (UInt32,), degree)
@@ -64,6 +76,10 @@ obc_harmonics_evaluate(directions, count, degree, host, rows, error) =
 const address_obc_harmonics_fit = Ref(C_NULL)
 obc_harmonics_fit(directions, weights, values, count, channels, options, host, coefficients, report, error) =
     ccall(symbol(address_obc_harmonics_fit, :harmonics, :obc_harmonics_fit), Int32, (Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Csize_t, Csize_t, Ptr{obc_harmonics_fit_options}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_harmonics_fit_report}, Ptr{obc_error}), directions, weights, values, count, channels, options, host, coefficients, report, error)
+
+const address_obc_harmonics_refine_map = Ref(C_NULL)
+obc_harmonics_refine_map(positions, vertex_count, triangles, triangle_count, weights, options, rounds, host, directions, report, error) =
+    ccall(symbol(address_obc_harmonics_refine_map, :harmonics, :obc_harmonics_refine_map), Int32, (Ptr{Float64}, Csize_t, Ptr{UInt32}, Csize_t, Ptr{Float64}, Ptr{obc_harmonics_fit_options}, UInt32, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_harmonics_refinement_report}, Ptr{obc_error}), positions, vertex_count, triangles, triangle_count, weights, options, rounds, host, directions, report, error)
 
 const address_obc_harmonics_synthesize = Ref(C_NULL)
 obc_harmonics_synthesize(coefficients, degree, channels, directions, count, host, values, gradients, error) =

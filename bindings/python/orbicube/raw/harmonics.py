@@ -37,6 +37,16 @@ class obc_harmonics_fit_report(_Struct):
     ]
 
 
+class obc_harmonics_refinement_report(_Struct):
+    """Figures of a refinement of a map."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("rounds", _c.c_uint32),
+        ("residual_before", _c.c_double),
+        ("residual", _c.c_double),
+    ]
+
+
 class obc_harmonics_align_options(_Struct):
     """Options of an alignment. Fill with _init."""
     _fields_ = [
@@ -61,9 +71,11 @@ class obc_harmonics_alignment(_Struct):
 _functions = [
     ("obc_harmonics_fit_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_harmonics_fit_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_harmonics_refinement_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_harmonics_size", _c.c_size_t, [_c.c_uint32]),
     ("obc_harmonics_evaluate", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_uint32, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_fit", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_harmonics_refine_map", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_uint32, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_synthesize", _c.c_int32, [_c.c_void_p, _c.c_uint32, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_degree_norms", _c.c_int32, [_c.c_void_p, _c.c_uint32, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_shape_distance", _c.c_int32, [_c.c_void_p, _c.c_uint32, _c.c_void_p, _c.c_uint32, _c.c_size_t, _c.c_uint32, _c.c_uint32, _c.c_void_p, _c.c_void_p]),

@@ -29,6 +29,13 @@ class obc_harmonics_fit_report(Struct):
     iterations: int
     def __init__(self, struct_size: int = ..., method: int = ..., unknowns: int = ..., rank: int = ..., condition: float = ..., residual: float = ..., iterations: int = ...) -> None: ...
 
+class obc_harmonics_refinement_report(Struct):
+    struct_size: int
+    rounds: int
+    residual_before: float
+    residual: float
+    def __init__(self, struct_size: int = ..., rounds: int = ..., residual_before: float = ..., residual: float = ...) -> None: ...
+
 class obc_harmonics_align_options(Struct):
     struct_size: int
     turn_values: int
@@ -52,6 +59,10 @@ def obc_harmonics_fit_report_init(report: Pointer, struct_size: int) -> int:
     """Fill options with the defaults, and a report with zeros and its size."""
     ...
 
+def obc_harmonics_refinement_report_init(report: Pointer, struct_size: int) -> int:
+    """Fill options with the defaults, and a report with zeros and its size."""
+    ...
+
 def obc_harmonics_size(degree: int) -> int:
     """Returns the number of coefficients up to a degree, (degree + 1)^2."""
     ...
@@ -66,6 +77,15 @@ def obc_harmonics_fit(directions: Pointer, weights: Pointer, values: Pointer, co
     for ones; those of obc_mesh_vertex_areas, the usual choice for a surface, weight each piece by its area. options, host and
     report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report->rank. Errors: as
     obc_harmonics_evaluate."""
+    ...
+
+def obc_harmonics_refine_map(positions: Pointer, vertex_count: int, triangles: Pointer, triangle_count: int, weights: Pointer, options: Pointer, rounds: int, host: Pointer, directions: Pointer, report: Pointer, error: Pointer) -> int:
+    """Refines a sphere map for the expansion of its surface to the degree of the options: up to `rounds` times, fits the positions and moves each
+    direction, by one damped Gauss-Newton step, towards the point of the fitted surface that is nearest to its vertex. directions (3 *
+    vertex_count doubles, of any length) are changed to unit vectors, on success only. Triangles that are positive or negative on the
+    sphere beyond rounding keep their orientation, so that a bijection remains one; vertices of others do not move. The angles and
+    areas of the map are not controlled. weights as for obc_harmonics_fit; options, host and report may be NULL. O(rounds) fits.
+    Errors: as obc_harmonics_evaluate, and OBC_MALFORMED_FILE (kind index-range)."""
     ...
 
 def obc_harmonics_synthesize(coefficients: Pointer, degree: int, channels: int, directions: Pointer, count: int, host: Pointer, values: Pointer, gradients: Pointer, error: Pointer) -> int:

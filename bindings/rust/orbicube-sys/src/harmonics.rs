@@ -62,6 +62,19 @@ pub struct obc_harmonics_fit_report {
     pub iterations: u64,
 }
 
+/// Figures of a refinement of a map.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_harmonics_refinement_report {
+    pub struct_size: u32,
+    /// number of rounds that lowered the residual
+    pub rounds: u32,
+    /// residual of a fit, as in obc\_harmonics\_fit\_report, on the given map
+    pub residual_before: f64,
+    /// the same on the refined map, at most residual\_before
+    pub residual: f64,
+}
+
 /// Options of an alignment. Fill with \_init.
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -93,6 +106,8 @@ extern "C" {
     pub fn obc_harmonics_fit_options_init(options: *mut obc_harmonics_fit_options, struct_size: usize) -> i32;
     /// Fill options with the defaults, and a report with zeros and its size.
     pub fn obc_harmonics_fit_report_init(report: *mut obc_harmonics_fit_report, struct_size: usize) -> i32;
+    /// Fill options with the defaults, and a report with zeros and its size.
+    pub fn obc_harmonics_refinement_report_init(report: *mut obc_harmonics_refinement_report, struct_size: usize) -> i32;
     /// Returns the number of coefficients up to a degree, (degree + 1)^2.
     pub fn obc_harmonics_size(degree: u32) -> usize;
     /// Evaluates all Y\_lm at each direction: rows, count \* (degree+1)^2 doubles, one direction after the other. host may be NULL.
@@ -103,6 +118,13 @@ extern "C" {
     /// report may be NULL. coefficients is written on success only. A rank-deficient fit is not an error: see report-\>rank. Errors: as
     /// obc\_harmonics\_evaluate.
     pub fn obc_harmonics_fit(directions: *const f64, weights: *const f64, values: *const f64, count: usize, channels: usize, options: *const obc_harmonics_fit_options, host: *const obc_host, coefficients: *mut f64, report: *mut obc_harmonics_fit_report, error: *mut obc_error) -> i32;
+    /// Refines a sphere map for the expansion of its surface to the degree of the options: up to \`rounds\` times, fits the positions and moves each
+    /// direction, by one damped Gauss-Newton step, towards the point of the fitted surface that is nearest to its vertex. directions (3 \*
+    /// vertex\_count doubles, of any length) are changed to unit vectors, on success only. Triangles that are positive or negative on the
+    /// sphere beyond rounding keep their orientation, so that a bijection remains one; vertices of others do not move. The angles and
+    /// areas of the map are not controlled. weights as for obc\_harmonics\_fit; options, host and report may be NULL. O(rounds) fits.
+    /// Errors: as obc\_harmonics\_evaluate, and OBC\_MALFORMED\_FILE (kind index-range).
+    pub fn obc_harmonics_refine_map(positions: *const f64, vertex_count: usize, triangles: *const u32, triangle_count: usize, weights: *const f64, options: *const obc_harmonics_fit_options, rounds: u32, host: *const obc_host, directions: *mut f64, report: *mut obc_harmonics_refinement_report, error: *mut obc_error) -> i32;
     /// Evaluates the functions at directions: values, count \* channels doubles, and unless gradients is NULL their tangential gradients on the unit
     /// sphere, 3 \* count \* channels doubles. O(count \* degree^2 \* channels). Errors: as obc\_harmonics\_evaluate.
     pub fn obc_harmonics_synthesize(coefficients: *const f64, degree: u32, channels: usize, directions: *const f64, count: usize, host: *const obc_host, values: *mut f64, gradients: *mut f64, error: *mut obc_error) -> i32;
@@ -176,6 +198,13 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).condition) } as usize - start as usize, 24, "obc_harmonics_fit_report.condition");
         assert_eq!(unsafe { addr_of!((*start).residual) } as usize - start as usize, 32, "obc_harmonics_fit_report.residual");
         assert_eq!(unsafe { addr_of!((*start).iterations) } as usize - start as usize, 40, "obc_harmonics_fit_report.iterations");
+        assert_eq!((size_of::<obc_harmonics_refinement_report>(), align_of::<obc_harmonics_refinement_report>()), (24, 8));
+        let it = MaybeUninit::<obc_harmonics_refinement_report>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_harmonics_refinement_report.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 4, "obc_harmonics_refinement_report.rounds");
+        assert_eq!(unsafe { addr_of!((*start).residual_before) } as usize - start as usize, 8, "obc_harmonics_refinement_report.residual_before");
+        assert_eq!(unsafe { addr_of!((*start).residual) } as usize - start as usize, 16, "obc_harmonics_refinement_report.residual");
         assert_eq!((size_of::<obc_harmonics_align_options>(), align_of::<obc_harmonics_align_options>()), (16, 4));
         let it = MaybeUninit::<obc_harmonics_align_options>::uninit();
         let start = it.as_ptr();

@@ -9,6 +9,8 @@ filled!(/// Options of a fit, with their defaults.
     FitOptions, obc_harmonics_fit_options, obc_harmonics_fit_options_init);
 filled!(/// What a fit is like.
     FitReport, obc_harmonics_fit_report, obc_harmonics_fit_report_init);
+filled!(/// What a refinement of a map has found.
+    RefinementReport, obc_harmonics_refinement_report, obc_harmonics_refinement_report_init);
 filled!(/// Options of an alignment, with their defaults.
     AlignOptions, obc_harmonics_align_options, obc_harmonics_align_options_init);
 filled!(/// What an alignment has found.
@@ -140,6 +142,22 @@ pub fn fit(directions: &[f64], weights: &[f64], values: &[f64], channels: usize,
                           fitted.values.as_mut_ptr(), &mut report.0, error)
     })?;
     Ok((fitted, report))
+}
+
+/// A sphere map moved to where the surface of the degree of the options comes nearest to the vertices; `weights` may be empty.
+pub fn refine_map(positions: &[f64], triangles: &[u32], directions: &[f64], weights: &[f64], options: &FitOptions, rounds: u32,
+                  host: &mut Host) -> Result<(Vec<f64>, RefinementReport), Error> {
+    let (n, count) = (rows(positions.len(), 3, "positions")?, rows(triangles.len(), 3, "triangles")?);
+    expect_length(directions.len(), 3 * n, "directions")?;
+    if !weights.is_empty() {
+        expect_length(weights.len(), n, "weights")?;
+    }
+    let (mut moved, mut report) = (directions.to_vec(), RefinementReport::default());
+    call(host, |host, error| unsafe {
+        obc_harmonics_refine_map(positions.as_ptr(), n, triangles.as_ptr(), count, pointer(weights), &options.0, rounds, host,
+                                 moved.as_mut_ptr(), &mut report.0, error)
+    })?;
+    Ok((moved, report))
 }
 
 /// The distance D_n, over the degrees from first to last.

@@ -74,6 +74,9 @@ fn a_map_of_a_creature() {
     options.degree = 5;
     let (a, fit) = harmonics::fit(&directions, &areas, shape.positions(), 3, &options, &mut host()).unwrap();
     assert_eq!(fit.rank, 36);
+    let (moved, refinement) =
+        harmonics::refine_map(shape.positions(), shape.triangles(), &directions, &areas, &options, 3, &mut host()).unwrap();
+    assert!(moved.len() == directions.len() && refinement.residual < refinement.residual_before);
     let turn = quaternion::to_matrix(quaternion::normalize([1.0, 2.0, 3.0, 4.0]));
     let turned = a.rotate(&turn, &mut host()).unwrap();
     assert!(harmonics::shape_distance(&a, &turned, 0, 5).unwrap() < 1e-20);
