@@ -101,6 +101,16 @@ def printed_tables(fields):
     return "\n".join(lines) + "\n"
 
 
+def slower_than_printed(fields):
+    lines = ["Slower than printed, whatever the sizes of the meshes:", ""]
+    for method in METHODS:
+        found = [f"{title} ({fields[name, method]['seconds']:.1f} s, printed {own[3]:g})"
+                 for _, name, title, _, _, own, _ in PRINTED
+                 if (name, method) in fields and fields[name, method]["seconds"] > own[3]]
+        lines.append(f"- `{method}`: " + (", ".join(found) or "none"))
+    return "\n".join(lines) + "\n"
+
+
 def structure_table(fields):
     lines = ["| | " + " | ".join(row[2] for row in PRINTED) + " |", "|---" * (len(PRINTED) + 1) + "|",
              "| printed, curves + nodes | " + " | ".join(str(row[6]) for row in PRINTED) + " |"]
@@ -209,6 +219,7 @@ of: {processor()}.
 ## Tables 6.1 to 6.6: smoothness
 
 {printed_tables(fields)}
+{slower_than_printed(fields)}
 {ANGLES_TEXT}
 ## Table 6.7: singularities
 

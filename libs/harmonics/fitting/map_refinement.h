@@ -8,13 +8,15 @@
 // bijection stays one.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 
 #include "harmonics/fitting/fit.h"
-#include "harmonics/fitting/surface.h"
 
 namespace orbicube::harmonics {
+
+using Triangle = std::array<std::uint32_t, 3>;
 
 struct RefinementOptions {
   FitOptions fit = {};
