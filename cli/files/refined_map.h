@@ -12,7 +12,7 @@
 namespace orbicube::cli {
 
 struct MapRefinement {
-  std::uint32_t rounds = 0;  // at most; 0: none
+  std::uint32_t rounds = 0;  // maximum number; 0: none
   std::string output;        // the refined map, or empty
 };
 

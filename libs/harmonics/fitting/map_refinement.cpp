@@ -14,7 +14,7 @@ namespace {
 // where its derivatives vanish.
 constexpr double damping = 1e-3;
 constexpr double longest_step = 0.3;  // radians
-constexpr int halvings = 4;           // of a step that turns a triangle over; then the vertex stays for the round
+constexpr int halvings = 4;           // of a step that flips a triangle; then the vertex stays for the round
 constexpr double least_gain = 1e-3;   // of the residual, or the work ends
 
 // The triangles around each vertex: those of v are triangle[begin[v]] to triangle[begin[v + 1] - 1].

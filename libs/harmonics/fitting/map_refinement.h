@@ -20,7 +20,7 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 struct RefinementOptions {
   FitOptions fit = {};
-  std::uint32_t rounds = 10;  // at most: of a fit and a step of all vertices
+  std::uint32_t rounds = 10;  // maximum number of a fit and a step of all vertices
 };
 
 struct RefinementReport {

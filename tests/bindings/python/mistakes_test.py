@@ -74,6 +74,8 @@ CALLS = {
     "harmonics.evaluate": (harmonics.evaluate, {"directions": DIRECTIONS, "degree": 3}),
     "harmonics.fit": (harmonics.fit, {"directions": DIRECTIONS, "values": SURFACE[0], "weights": np.ones(len(DIRECTIONS)),
                                       "degree": 2}),
+    "harmonics.refine_map": (harmonics.refine_map, {"surface": SURFACE, "directions": DIRECTIONS, "weights": np.ones(len(DIRECTIONS)),
+                                                    "rounds": 1, "degree": 2}),
     "harmonics.synthesize": (harmonics.synthesize, {"coefficients": COEFFICIENTS, "directions": DIRECTIONS}),
     "harmonics.gradients": (harmonics.gradients, {"coefficients": COEFFICIENTS, "directions": DIRECTIONS}),
     "mesh.vertex_areas": (mesh.vertex_areas, {"surface": SURFACE}),
@@ -453,7 +455,7 @@ class Signatures(unittest.TestCase):
         words = inspect.signature(sphere_map.compute).parameters["method"]
         self.assertIn("Literal['balanced', 'angle-area'", str(words.annotation))
         self.assertEqual((words.default, words.kind), ("balanced", words.KEYWORD_ONLY))
-        self.assertIn("angle_weight: weight of E_D, positive", sphere_map.compute.__doc__)
+        self.assertIn("angle_weight: weight of E_D (lambda of the dissertation's eq. 3.5), nonnegative", sphere_map.compute.__doc__)
 
     bound = staticmethod(lambda name: Mistakes.bound(None, name)[0])
 
