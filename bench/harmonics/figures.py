@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""The figures of the dissertation's section 3.3, made again with the command; writes docs/images and docs/harmonics_figures.md.
+"""Section 3.3 of the dissertation, made again with the command and the bench; writes docs/images and docs/harmonics_figures.md.
 
-    bench/harmonics/figures.py build/cli/orbicube FOLDER_OF_MODELS
+    bench/harmonics/figures.py BUILD FOLDER_OF_MODELS
 
-Figure 3.9: surfaces of L_max = 6, 16, 32 beside the model. Figures 3.10 and 3.11: the error against the weights of angles and
-areas. Figure 3.12: distances in a sequence of deformations.
+Table 3.5: reconstruction errors. Figure 3.9: surfaces of 6 x 6, 16 x 16 and 32 x 32 coefficients beside the model. Figures 3.10 and
+3.11: the error against the weights of angles and areas. Figure 3.12: distances in a sequence of deformations. The errors of the
+page are kept in BUILD/bench/harmonics/errors.txt; remove it to measure again.
 """
 import json
 import os
@@ -17,8 +18,10 @@ import numpy
 import picture
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
-RATIOS = (0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1, 2, 5, 10)
-COMMAND, MODELS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+RATIOS = (0, 0.01, 0.03, 0.1, 0.2, 0.3, 0.5, 1, 2, 5, 10)
+BANDS = (6, 16, 32)  # N x N coefficients, degrees 0 to N - 1
+BUILD, MODELS = os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2])
+COMMAND = os.path.join(BUILD, "cli", "orbicube")
 
 
 def run(*arguments):
@@ -29,9 +32,9 @@ def image(name):
     return os.path.join(ROOT, "docs", "images", name)
 
 
-def error(model, sphere, degree, folder, *arguments):
+def error(model, sphere, bands, folder, *arguments):
     report = os.path.join(folder, "report.json")
-    run("harmonics", model, "--sphere", sphere, "--degree", degree, "-o", os.path.join(folder, "c.sh"), "--report", report,
+    run("harmonics", model, "--sphere", sphere, "--degree", bands - 1, "-o", os.path.join(folder, "c.sh"), "--report", report,
         *arguments)
     with open(report, encoding="utf-8") as file:
         return json.load(file)["error"]
@@ -39,7 +42,7 @@ def error(model, sphere, degree, folder, *arguments):
 
 def reconstructions(folder, views):
     """Figure 3.9. A view turns the model so that it is seen along -z."""
-    rows, table = [], ["| model | 6 | 16 | 32 |", "|---|---|---|---|"]
+    rows, table = [], ["| model | 6 x 6 | 16 x 16 | 32 x 32 |", "|---|---|---|---|"]
     for name, view in views.items():
         model, sphere, out = os.path.join(MODELS, name), os.path.join(folder, "map.obj"), os.path.join(folder, "out.obj")
         run("sphere", model, "-o", sphere, "--method", "stretch")
@@ -48,8 +51,8 @@ def reconstructions(folder, views):
         positions = positions @ numpy.array(view).T
         low, high = positions.min(axis=0), positions.max(axis=0)
         row, errors = [picture.shaded(positions, triangles, low, high, 320)], []
-        for degree in (6, 16, 32):
-            errors.append(error(model, sphere, degree, folder, "--reconstruct", out))
+        for bands in BANDS:
+            errors.append(error(model, sphere, bands, folder, "--reconstruct", out))
             row.append(picture.shaded(picture.read_obj(out)[0] @ numpy.array(view).T, triangles, low, high, 320))
         rows.append(numpy.hstack(row))
         table.append(f"| {name} | " + " | ".join(f"{e:.4f}" for e in errors) + " |")
@@ -58,16 +61,17 @@ def reconstructions(folder, views):
 
 
 def against_weights(folder, name, picture_name):
-    """Figures 3.10 and 3.11: the curves for L_max = 6 above, 16 below."""
+    """Figures 3.10 and 3.11: the curves for 6 x 6 coefficients above, 16 x 16 below. The ratio 0 is left of the others."""
     model, sphere = os.path.join(MODELS, name), os.path.join(folder, "map.obj")
     errors = {6: [], 16: []}
     for ratio in RATIOS:
         run("sphere", model, "-o", sphere, "--method", "angle-area", "--angle-weight", ratio, "--area-weight", 1)
-        for degree, found in errors.items():
-            found.append(error(model, sphere, degree, folder))
-    picture.write_png(image(picture_name), numpy.vstack([picture.chart([(RATIOS, e)]) for e in errors.values()]))
+        for bands, found in errors.items():
+            found.append(error(model, sphere, bands, folder))
+    places = [max(ratio, RATIOS[1] / 3) for ratio in RATIOS]
+    picture.write_png(image(picture_name), numpy.vstack([picture.chart([(places, e)]) for e in errors.values()]))
     return [f"| {name} | " + " | ".join(map(str, RATIOS)) + " |", "|---" * (len(RATIOS) + 1) + "|"] + \
-           [f"| L_max = {degree} | " + " | ".join(f"{e:.5f}" for e in found) + " |" for degree, found in errors.items()]
+           [f"| {bands} x {bands} | " + " | ".join(f"{e:.5f}" for e in found) + " |" for bands, found in errors.items()]
 
 
 def deformations(folder):
@@ -93,27 +97,69 @@ def deformations(folder):
     picture.write_png(image("harmonics_sequence.png"), numpy.hstack(row))
     matrix = os.path.join(folder, "matrix.txt")
     run("compare", *files, "-o", matrix, "--png", image("harmonics_distances.png"), "--min-degree", 1)
-    # The command does not compress.
-    picture.write_png(image("harmonics_distances.png"), picture.read_png(image("harmonics_distances.png")))
+    picture.compress(image("harmonics_distances.png"))
     rows = numpy.loadtxt(matrix)
     return ["| | " + " | ".join(str(k + 1) for k in range(9)) + " |", "|---" * 10 + "|"] + \
            [f"| {k + 1} | " + " | ".join(f"{d:.2e}" for d in r) + " |" for k, r in enumerate(rows)]
 
 
+def errors():
+    """Table 3.5, from a former run if there is one."""
+    path = os.path.join(BUILD, "bench", "harmonics", "errors.txt")
+    if not os.path.exists(path):
+        output = subprocess.run([os.path.join(BUILD, "bench", "harmonics", "bench-harmonics"), "errors", MODELS], check=True,
+                                capture_output=True, text=True).stdout
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(output)
+    with open(path, encoding="utf-8") as file:
+        return file.read().splitlines()
+
+
+def standing(table, column):
+    """How errors of a column compare with those on Praun and Hoppe's maps, to the digits that these have."""
+    cells = [[word.strip() for word in line.strip("|").split("|")] for line in table]
+    head, ahead, equal, behind = cells[0], 0, [], []
+    for row in cells[2:]:
+        ours, theirs = row[head.index(column)].split(" / "), row[head.index("Praun-Hoppe map")].split(" / ")
+        for bands, a, b in zip(BANDS, ours, theirs if len(theirs) == 3 else ()):
+            name = f"{row[0].split('.')[0]} {bands}"
+            step = 0.001 if float(b) >= 0.015 else 0.0001
+            difference = round(float(a) / step) - round(float(b) / step)
+            if difference < 0:
+                ahead += 1
+            else:
+                (equal if difference == 0 else behind).append(name)
+    said = f"- *{column}*: ahead in {ahead} of {ahead + len(equal) + len(behind)} cells"
+    said += f", equal in {len(equal)} ({', '.join(equal)})" if equal else ""
+    return said + (f", behind in {len(behind)} ({', '.join(behind)})." if behind else ".")
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
-        text = ["# Figures of the harmonics", "",
-                "Section 3.3 of the dissertation, recomputed by `bench/harmonics/figures.py build/cli/orbicube FOLDER`; errors are",
-                "e(M, M^) for surfaces of area 4 pi.", "",
-                "## Figure 3.9: reconstructions", "",
-                "The model, then L_max = 6, 16 and 32, on maps of method `stretch`, vertices weighted by area.", "",
-                "![Models and their reconstructions](images/harmonics_reconstruction.png)", ""]
+        text = ["# Tables and figures of the harmonics", "",
+                "Section 3.3 of the dissertation, recomputed by `bench/harmonics/figures.py BUILD FOLDER`; errors are",
+                "e(M, M^) for surfaces of area 4 pi, between vertices. N x N coefficients are the degrees 0 to N - 1.", "",
+                "## Table 3.5: reconstruction errors", "",
+                "By `bench-harmonics errors FOLDER`, at 6 x 6 / 16 x 16 / 32 x 32 coefficients of each coordinate: maps of method",
+                "`stretch`, vertices weighted by area and equally; the same maps after ten rounds of `obc_harmonics_refine_map` at that",
+                "degree, by area; least squares on maps of Praun and Hoppe's program (2003), whose figures are stored in the bench; and the",
+                "dissertation's Table 3.5, with its own versions of the models.", ""]
+        table = errors()
+        text += table + ["", "Against least squares on the maps of Praun and Hoppe, at equal numbers of coefficients:", ""]
+        text += [standing(table, column) for column in ("stretch map, by area", "all alike", "refined, by area")]
+        text += ["",
+                 "The columns *middles of edges* measure the fits where they have seen no sample: the middles of all edges, by the middle of their",
+                 "directions. Where vertices are many for the coefficients, a refined map is as good there. The cow at 32 x 32 has less than three",
+                 "vertices for each coefficient: its surface oscillates between them, on the refined map more than on the other."]
+        text += ["", "## Figure 3.9: reconstructions", "",
+                 "The model, then 6 x 6, 16 x 16 and 32 x 32 coefficients, on maps of method `stretch`, vertices weighted by area.", "",
+                 "![Models and their reconstructions](images/harmonics_reconstruction.png)", ""]
         text += reconstructions(folder, {"bunny.ply": numpy.eye(3), "armadillo.ply": numpy.eye(3),
                                          "horse.ply": [[0, 1, 0], [0, 0, -1], [-1, 0, 0]]})
         for number, name, kind in (("3.10", "venus.ply", "venus"), ("3.11", "bunny.ply", "bunny")):
             text += ["", f"## Figure {number}: error against the weights, {kind}", "",
                      "Maps of method `angle-area` with the ratio of the weights of angles and areas in the head; in the picture",
-                     "L_max = 6 above, 16 below, the ratio by its logarithm.", "",
+                     "6 x 6 coefficients above, 16 x 16 below, the ratio by its logarithm, 0 at the left.", "",
                      f"![Error by ratio](images/harmonics_weights_{kind}.png)", ""]
             text += against_weights(folder, name, f"harmonics_weights_{kind}.png")
         text += ["", "## Figure 3.12: distances in a sequence of deformations", "",

@@ -1,4 +1,5 @@
-// Reconstruction errors e(M, M^) of section 3.3.2 at 6, 16 and 32 bands on models, beside the dissertation's Table 3.5
+// Reconstruction errors e(M, M^) of section 3.3.2 at 6, 16 and 32 bands on models, and after ten rounds of
+// obc_harmonics_refine_map, beside the dissertation's Table 3.5
 // and figures measured on Praun and Hoppe's maps; and the time of fits.
 //
 //   bench-harmonics errors FOLDER [stretch|balanced|...]   the models of the table below that FOLDER has
@@ -17,6 +18,7 @@
 
 #include "base/error.h"
 #include "harmonics/fitting/fit.h"
+#include "harmonics/fitting/map_refinement.h"
 #include "mesh/files/read.h"
 #include "mesh/search/distances.h"
 #include "mesh/search/measures.h"
@@ -29,6 +31,7 @@ using harmonics::Vector3;
 namespace {
 
 constexpr std::uint32_t bands[] = {6, 16, 32};
+constexpr std::uint32_t refinement_rounds = 10;
 
 // Errors at the three bands: the dissertation's own ("ours" of Table 3.5, of its versions of the models) and those of a
 // weighted least-squares fit on Praun and Hoppe's maps of these files; 0 where there is none.
@@ -76,11 +79,12 @@ std::span<const double> numbers(const base::Array<Vector3>& points) {
   return {points.front().data(), 3 * points.size()};
 }
 
-harmonics::Coefficients fitted(const Model& model, std::uint32_t degree, bool by_area, const base::Host& host,
+// With band_count^2 coefficients: degrees 0 to band_count - 1.
+harmonics::Coefficients fitted(const Model& model, std::uint32_t band_count, bool by_area, const base::Host& host,
                                harmonics::FitReport& report) {
   const std::span<const double> weights = model.weights;
   return harmonics::fit(model.directions, by_area ? weights : std::span<const double>(),
-                        numbers(model.surface.positions), 3, {.degree = degree}, host, report);
+                        numbers(model.surface.positions), 3, {.degree = band_count - 1}, host, report);
 }
 
 double error_of(const Model& model, const harmonics::Coefficients& coefficients, const base::Host& host) {
@@ -89,40 +93,76 @@ double error_of(const Model& model, const harmonics::Coefficients& coefficients,
   return mesh::mean_distance(model.surface.positions, rebuilt, host);
 }
 
+// The same at the middles of edges, which no fit and no refinement has seen.
+double error_between(const Model& model, const harmonics::Coefficients& coefficients, const base::Host& host) {
+  base::Array<Vector3> middles, directions;
+  for (const auto& t : model.surface.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = t[k], b = t[(k + 1) % 3];
+      if (a > b) continue;  // once of both triangles
+      middles.push_back(0.5 * (model.surface.positions[a] + model.surface.positions[b]));
+      directions.push_back((model.directions[a] + model.directions[b]).normalized());
+    }
+  }
+  base::Array<Vector3> rebuilt(middles.size());
+  harmonics::synthesise(coefficients, directions, {rebuilt.front().data(), 3 * rebuilt.size()}, host);
+  return mesh::mean_distance(middles, rebuilt, host);
+}
+
 void print_errors(const double (&errors)[3]) {
-  for (const double e : errors)
-    e > 0 ? std::printf(" %.5f", e) : std::printf(" -");
+  if (!(errors[0] > 0)) return;
+  for (int k = 0; k < 3; ++k)
+    std::printf("%s%.4f", k == 0 ? " " : " / ", errors[k]);
+}
+
+// Errors of a model at the three bands.
+struct ErrorRow {
+  double by_area[3], alike[3], refined[3], between[3], refined_between[3], condition = 0, fit_seconds = 0,
+                                                                           refine_seconds = 0;
+};
+
+ErrorRow errors_of(const Model& model, const base::Host& host) {
+  ErrorRow row{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    harmonics::FitReport report;
+    row.alike[k] = error_of(model, fitted(model, bands[k], false, host, report), host);
+    double start = cpu_seconds();
+    const harmonics::Coefficients coefficients = fitted(model, bands[k], true, host, report);
+    row.fit_seconds = cpu_seconds() - start;
+    row.condition = report.condition;
+    row.by_area[k] = error_of(model, coefficients, host);
+    row.between[k] = error_between(model, coefficients, host);
+    Model refined = model;
+    start = cpu_seconds();
+    harmonics::refine_map(refined.surface.positions, refined.surface.triangles, refined.weights,
+                          {.fit = {.degree = bands[k] - 1}, .rounds = refinement_rounds}, refined.directions, host);
+    row.refine_seconds = cpu_seconds() - start;
+    const harmonics::Coefficients closer = fitted(refined, bands[k], true, host, report);
+    row.refined[k] = error_of(refined, closer, host);
+    row.refined_between[k] = error_between(refined, closer, host);
+  }
+  return row;
 }
 
 int errors(const std::filesystem::path& folder, const std::string& name) {
-  const base::Host host;
+  base::Host host;
+  host.thread_count = 1;
   std::printf(
-      "| model | vertices | e at 6, 16, 32, %s map, by area | all alike | dissertation | Praun-Hoppe map "
-      "| condition | fit of 32, CPU s |\n",
+      "| model | vertices | %s map, by area | all alike | refined, by area | Praun-Hoppe map | dissertation | "
+      "middles of edges, by area | the same, refined | condition | fit of 32 x 32, CPU s | refinement, CPU s |\n"
+      "|---|---|---|---|---|---|---|---|---|---|---|---|\n",
       name.c_str());
-  std::printf("|---|---|---|---|---|---|---|---|\n");
   for (const PeerRow& peer : peers) {
     if (!std::filesystem::exists(folder / peer.file)) continue;
     const Model model = mapped(folder / peer.file, methods.at(name), host);
-    double by_area[3], alike[3], seconds = 0, condition = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      harmonics::FitReport report;
-      alike[k] = error_of(model, fitted(model, bands[k], false, host, report), host);
-      const double start = cpu_seconds();
-      const harmonics::Coefficients coefficients = fitted(model, bands[k], true, host, report);
-      seconds = cpu_seconds() - start;
-      condition = report.condition;
-      by_area[k] = error_of(model, coefficients, host);
-    }
+    const ErrorRow row = errors_of(model, host);
     std::printf("| %s | %zu |", peer.file, model.surface.positions.size());
-    print_errors(by_area);
-    std::printf(" |");
-    print_errors(alike);
-    std::printf(" |");
-    print_errors(peer.dissertation);
-    std::printf(" |");
-    print_errors(peer.praun_hoppe);
-    std::printf(" | %.1f | %.2f |\n", condition, seconds);
+    for (const double* column :
+         {row.by_area, row.alike, row.refined, peer.praun_hoppe, peer.dissertation, row.between, row.refined_between}) {
+      print_errors({column[0], column[1], column[2]});
+      std::printf(" |");
+    }
+    std::printf(" %.1f | %.2f | %.1f |\n", row.condition, row.fit_seconds, row.refine_seconds);
     std::fflush(stdout);
   }
   return 0;
@@ -138,7 +178,7 @@ int fit_times(const std::filesystem::path& folder, const std::vector<std::string
     for (const std::uint32_t degree : {8U, 16U, 32U, 64U, 100U}) {
       harmonics::FitReport report;
       const double start = cpu_seconds();
-      fitted(model, degree, true, host, report);
+      fitted(model, degree + 1, true, host, report);
       std::printf("| %s | %zu | %u | %s | %lu | %.1f | %.2e | %.2f |\n", file.c_str(), model.surface.positions.size(),
                   degree, report.method == harmonics::FitMethod::dense ? "dense" : "iterative",
                   static_cast<unsigned long>(report.iterations), report.condition, report.residual,

@@ -28,17 +28,25 @@ def write_png(path, pixels):
                    chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
-def read_png(path):
-    """The pixels of a gray picture as the command writes it: bytes, rows without a filter."""
+def compress(path):
+    """Writes the pixels of a picture, which the command does not compress, at their smallest."""
     with open(path, "rb") as file:
         data = file.read()
-    width, height = struct.unpack(">II", data[16:24])
-    packed, at = b"", 8
+    before, packed, after, at = data[:8], b"", b"", 8
+
+    def chunk(kind, content):
+        return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
     while at < len(data):
         length, kind = struct.unpack(">I4s", data[at:at + 8])
-        packed += data[at + 8:at + 8 + length] if kind == b"IDAT" else b""
+        if kind == b"IDAT":
+            packed += data[at + 8:at + 8 + length]
+        elif packed:
+            after += data[at:at + 12 + length]
+        else:
+            before += data[at:at + 12 + length]
         at += 12 + length
-    return numpy.frombuffer(zlib.decompress(packed), numpy.uint8).reshape(height, width + 1)[:, 1:]
+    with open(path, "wb") as file:
+        file.write(before + chunk(b"IDAT", zlib.compress(zlib.decompress(packed), 9)) + after)
 
 
 def shaded(positions, triangles, low, high, size):
