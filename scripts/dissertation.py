@@ -1,0 +1,322 @@
+#!/usr/bin/env python3
+"""Which command computes each equation, algorithm, table and figure of the dissertation, and whether it still does.
+
+    dissertation.py --write                  writes docs/dissertation.md from the list below
+    dissertation.py BUILD [--models FOLDER] [--only WORD]
+                                             runs the rows (those whose label has WORD) and prints ok or the difference
+
+BUILD has cli/orbicube and the tests. Rows of real models are skipped, saying so, without FOLDER (ORBICUBE_MODELS), whose folders dev and
+tets have them. The figures of our pages that a row names are read from the page. Exits with 1 where a row fails.
+"""
+
+import argparse
+import json
+import math
+import os
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+PAGE = os.path.join(ROOT, "docs", "dissertation.md")
+
+
+class Row:
+    """A label, what it is, the commands, and checks: functions of the reports of the commands that return a difference or None."""
+
+    def __init__(self, label, what, commands, *checks, model=False):
+        self.label, self.what, self.commands, self.checks, self.model = label, what, commands.split(" && "), checks, model
+
+
+def value(report, path):
+    for key in path.split("."):
+        report = report[int(key)] if isinstance(report, list) else report[key]
+    return report
+
+
+def near(path, expected, tolerance=1e-6):
+    """The value at a path of the last report; `expected` may be a function, which reads a page."""
+    def check(reports):
+        wanted, found = expected() if callable(expected) else expected, value(reports[-1], path)
+        if abs(found - wanted) <= tolerance * max(abs(wanted), 1e-300):
+            return None
+        return f"{path} is {found:.6g}, expected {wanted:.6g}"
+    return check
+
+
+def true(text, condition):
+    return lambda reports: None if condition(reports[-1]) else "not so: " + text
+
+
+def cell(page, heading, row, column):
+    """The number in a table of docs/PAGE below a heading: of the row whose cells begin so, in the column of that head."""
+    def read():
+        with open(os.path.join(ROOT, "docs", page), encoding="utf-8") as file:
+            part = file.read().split(heading, 1)[1]
+        lines = [[word.strip() for word in line.strip()[1:-1].split("|")] for line in part.splitlines() if line.startswith("|")]
+        head = lines[0]
+        for line in lines:
+            if row in (line[0], " ".join(line[:2]).strip()):
+                return float(line[head.index(column)].split(" / ")[0])
+        raise SystemExit(f"{page} has no row {row} below {heading}")
+    return read
+
+
+def frame_cell(mesh, index):
+    """Mean, deviation or maximum with the symmetry, or curves and nodes, in the table of all meshes: method dissertation."""
+    def read():
+        with open(os.path.join(ROOT, "docs", "frame_field_tables.md"), encoding="utf-8") as file:
+            line = next(line for line in file if line.startswith(f"| {mesh} |") and "`dissertation`" in line)
+        cells = [word.strip() for word in line.strip("|\n ").split("|")]
+        angles, structure = cells[4].split(" / "), cells[8].split(" + ")
+        return float({"mean": angles[0], "sd": angles[1], "max": angles[4], "curves": structure[0], "nodes": structure[1]}[index])
+    return read
+
+
+def descends(report):
+    course = report["convergence"]
+    whole = [e for e, n in zip(course["energies"], course["vertices"]) if n == report["vertices"]]
+    return len(whole) > 1 and whole == sorted(whole, reverse=True) and course["restarts"] == 0
+
+
+def tetrahedron(label, what, key, expected):
+    return Row(label, what, "orbicube sphere tetrahedron.obj -o map.obj", near(key, expected, 1e-9))
+
+
+def test(label, what, program, case):
+    return Row(label, what, f"BUILD/tests/test-{program} -tc={shlex.quote(case)}")
+
+
+def distortion(number, model):
+    heading = f"### Table {number}"
+    return Row(f"Table {number}", f"distortion, {model}", f"orbicube sphere {model} -o map.obj --method dissertation",
+               near("energy_angle", cell("sphere_map_tables.md", heading, "E_D", "our `dissertation`"), 5e-3),
+               near("energy_area", cell("sphere_map_tables.md", heading, "E_A", "our `dissertation`"), 5e-3),
+               near("flipped", 0), model=True)
+
+
+def harmonics(label, what, model, method, bands, expected, more=""):
+    return Row(label, what, f"orbicube sphere {model} -o map.obj {method} && "
+               f"orbicube harmonics {model} --sphere map.obj --degree {bands - 1} -o c.sh{more}",
+               near("error", expected, 2e-2), model=True)
+
+
+def frames(number, name, model):
+    return Row(f"Table {number}", f"{name}: angles of adjacent frames", f"orbicube frames {model}.mesh -o f.frames --method dissertation",
+               *(near(f"angle_deg.{key}", frame_cell(model, key), 5e-3) for key in ("mean", "sd", "max")), model=True)
+
+
+CREATURE = "orbicube make creature -o creature.obj --resolution 3000"
+SOLID = "orbicube make bracket -o bracket.obj --resolution 1500 && orbicube tetrahedralize bracket.obj -o solid.mesh"
+
+CHAPTER_3 = [
+    tetrahedron("Eq. 3.1", "angle distortion as printed: `equation_3_1`", "equation_3_1", 64 / 3),
+    tetrahedron("Eq. 3.2", "area distortion as printed: `equation_3_2`", "equation_3_2", 16 / (3 * math.pi)),
+    tetrahedron("Eq. 3.3", "upper bound of the angle distortion, as printed: `equation_3_3`", "equation_3_3", 192),
+    tetrahedron("Eq. 3.3", "read with E_D(T) as a density: `energy_angle`", "energy_angle", 288 / math.sqrt(3)),
+    tetrahedron("Eq. 3.4", "upper bound of the area distortion: `equation_3_4`, `energy_area`", "equation_3_4", 48 / math.pi),
+    tetrahedron("Eq. 3.5", "their weighted sum: `energy`", "energy", 28.8 / math.sqrt(3) + 48 / math.pi),
+    test("Eq. 3.6", "priority of a vertex", "sphere-map", "The dissertation's priority is*"),
+    test("Eq. 3.7", "violation of the optimality condition", "sphere-map", "The dissertation's priority is*"),
+    test("Eq. 3.8", "first-order condition: where the search ends", "sphere-map", "The great-circle search lowers*"),
+    test("Eq. 3.9", "its residual, which is eq. 3.7", "sphere-map", "The great-circle search lowers*"),
+    Row("Algorithm 1", "global optimization, with eta 20",
+        CREATURE + " && orbicube sphere creature.obj -o map.obj --method dissertation --level-splits 20",
+        true("a bijection", lambda r: r["bijective"]),
+        true("a level every 20 splits", lambda r: len(set(r["convergence"]["vertices"])) > r["vertices"] // 20 - 5)),
+    test("Algorithm 2", "great-circle search of a vertex", "sphere-map", "The great-circle search*"),
+    distortion("3.1", "bunny.ply"),
+    distortion("3.2", "cow-split.obj"),
+    distortion("3.3", "gargoyle-split.obj"),
+    Row("Table 3.4", "execution time, venus.ply: `seconds_compute`", "orbicube sphere venus.ply -o map.obj --method dissertation",
+        true("less than the printed 70 s", lambda r: r["seconds_compute"] < 70), model=True),
+    harmonics("Table 3.5", "reconstruction of the bunny, 6 x 6", "bunny.ply", "--method dissertation", 6,
+              cell("sphere_map_tables.md", "## Table 3.5", "Bunny", "our `dissertation`")),
+    test("Figure 3.1", "two cases of the search", "sphere-map", "The great-circle search*"),
+    Row("Figure 3.2", "energy by iteration: `convergence`", CREATURE + " && orbicube sphere creature.obj -o map.obj --method dissertation",
+        true("energies of the whole mesh descend", descends)),
+    Row("Figure 3.3", "the bunny's map, in a page", "orbicube sphere bunny.ply -o map.obj --method dissertation --page map.html",
+        true("a bijection", lambda r: r["bijective"]), model=True),
+    *(Row(f"Figure {number}", f"{name}: distortion in colors, harmonic map beside ours", f"orbicube sphere {name} -o harmonic.obj --method "
+          f"conformal && orbicube sphere {name} -o ours.obj --page ours.html && orbicube page {name} harmonic.obj {name} ours.obj -o both.html",
+          model=True)
+      for number, name in (("3.4", "bunny.ply"), ("3.5", "cow.off"), ("3.6", "max-planck.obj"), ("3.7", "gargoyle.ply"))),
+    Row("Figure 3.8", "more maps, in pages", "orbicube sphere horse.ply -o map.obj --page map.html",
+        true("a bijection", lambda r: r["bijective"]), model=True),
+    harmonics("Figure 3.9", "reconstruction of the horse, 16 x 16", "horse.ply", "--method stretch", 16,
+              cell("harmonics_figures.md", "## Figure 3.9", "horse.ply", "16 x 16"), " --reconstruct horse16.obj"),
+    harmonics("Figure 3.10", "error against the weights, venus, ratio 0.2", "venus.ply", "--method angle-area --angle-weight 0.2", 6,
+              cell("harmonics_figures.md", "## Figure 3.10", "6 x 6", "0.2")),
+    harmonics("Figure 3.11", "the same, bunny, ratio 0", "bunny.ply", "--method angle-area --angle-weight 0", 6,
+              cell("harmonics_figures.md", "## Figure 3.11", "6 x 6", "0")),
+    Row("Figure 3.12", "distances of shapes: `compare`",
+        "orbicube make blob -o a.obj --seed 1 && orbicube make blob -o b.obj --seed 4 && orbicube sphere a.obj -o sa.obj && "
+        "orbicube sphere b.obj -o sb.obj && orbicube harmonics a.obj --sphere sa.obj --degree 16 -o a.sh && "
+        "orbicube harmonics b.obj --sphere sb.obj --degree 16 -o b.sh && orbicube compare a.sh b.sh a.sh -o matrix.txt --png matrix.png",
+        true("equal shapes have distance 0, others do not", lambda r: r["distance"][0][2] == 0 < r["distance"][0][1])),
+]
+
+CHAPTER_6 = [
+    test("Eq. 6.1", "quaternions", "quaternion", "The product is Hamilton's*"),
+    test("Eq. 6.2", "by axis and angle", "quaternion", "Axis and angle*"),
+    test("Eq. 6.3", "frames as rotations", "quaternion", "Every rotation comes back from its matrix*"),
+    test("Eq. 6.4", "rotation from frame to frame", "quaternion", "A unit quaternion turns vectors actively*"),
+    test("Eq. 6.5", "the same by quaternions", "quaternion", "Inverse and normalization work*"),
+    test("Eq. 6.6", "angle up to the 24 rotations", "quaternion", "The distance of frames is*"),
+    test("Eq. 6.7", "matchings", "quaternion", "Equal frames and common rotations*"),
+    test("Eq. 6.8", "cosine of half the angle", "quaternion", "The nearest element is the one*"),
+    Row("Eq. 6.9", "angles of adjacent frames: `angle_deg`", SOLID + " && orbicube frames solid.mesh -o f.frames --method dissertation",
+        true("at most 62.8 degrees", lambda r: 0 < r["angle_deg"]["max"] < 62.81)),
+    test("Eq. 6.10", "energy of a face", "frame-field", "A smoothed field is a minimum*"),
+    test("Eq. 6.11", "its derivative", "sphere-optimizer", "Algorithm 2 as printed lowers the energy*"),
+    Row("Eq. 6.12", "energy of a field, shifted by the number of inner faces: `E`",
+        SOLID + " && orbicube frames solid.mesh -o f.frames --method dissertation && "
+        "orbicube frames solid.mesh -o g.frames --from f.frames --unchanged",
+        lambda reports: near("E", reports[-2]["E"], 1e-9)(reports)),
+    frames("6.1", "rod", "rod"),
+    Row("Table 6.2", "bunny: no tetrahedral mesh of the printed size; of another in [tables](frame_field_tables.md)", SOLID +
+        " && orbicube frames solid.mesh -o f.frames --method dissertation", true("a field", lambda r: r["E"] > 0)),
+    frames("6.3", "fertility", "fertility"),
+    frames("6.4", "joint", "joint"),
+    frames("6.5", "hanger", "hanger"),
+    frames("6.6", "rocker arm", "rockerarm"),
+    Row("Table 6.7", "singularities of the rod: `curves`, `nodes`", "orbicube frames rod.mesh -o f.frames --method dissertation",
+        near("curves", frame_cell("rod", "curves"), 2e-2), near("nodes", frame_cell("rod", "nodes"), 0.3), model=True),
+    test("Figure 6.1", "frames as quaternions", "quaternion", "A unit quaternion turns vectors actively*"),
+    test("Figure 6.2", "types of parametric lines: the 24 rotations", "quaternion", "The elements are 24 different rotations*"),
+    Row("Figure 6.3", "distribution of angles", SOLID + " && orbicube frames solid.mesh -o f.frames --method dissertation --plot angles.png",
+        true("all faces are counted", lambda r: sum(r["histogram"]) == r["interior_faces"])),
+]
+CHAPTERS = (("Chapter 3: spherical maps", CHAPTER_3), ("Chapter 6: frame fields", CHAPTER_6))
+INTRODUCTION = """# The dissertation, by command
+
+Written by `scripts/dissertation.py --write` from the list that `scripts/dissertation.py BUILD` runs; each row is printed as ok or with its difference from
+the value that is known or from our page. `tetrahedron.obj` is a regular tetrahedron, whose figures are computed by hand; a name with `-split` is a
+model with each triangle split in four, as in [the tables of sphere maps](sphere_map_tables.md). Complete tables beside the printed figures:
+[sphere maps](sphere_map_tables.md), [harmonics](harmonics_figures.md), [frame fields](frame_field_tables.md). Where a method departs from the text,
+[sphere_map](sphere_map.md#the-dissertations-method) and [frame_field](frame_field.md#the-dissertations-tables) say so. Chapters 4 and 5 are not in the list.
+"""
+
+
+def write():
+    lines = [INTRODUCTION]
+    for title, rows in CHAPTERS:
+        lines += [f"## {title}", "", "| | what | command |", "|---|---|---|"]
+        lines += [f"| {row.label} | {row.what} | " + "<br>".join("`" + c.replace("|", "\\|") + "`" for c in row.commands) + " |" for row in rows]
+        lines.append("")
+    return "\n".join(lines)
+
+
+class Runner:
+    def __init__(self, build, models, folder):
+        self.build, self.models, self.folder, self.known = os.path.abspath(build), models, folder, {}
+        corners = ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))
+        with open(self.at("tetrahedron.obj"), "w", encoding="ascii") as file:
+            file.writelines("v %d %d %d\n" % corner for corner in corners)
+            file.write("f 1 2 3\nf 1 3 4\nf 1 4 2\nf 2 4 3\n")
+
+    def at(self, name):
+        return os.path.join(self.folder, name)
+
+    def input(self, word):
+        """A model of that name is linked into the folder, or made of one."""
+        if not self.models or os.path.exists(self.at(word)):
+            return
+        for folder in ("dev", "tets"):
+            path = os.path.join(self.models, folder, word)
+            if os.path.exists(path):
+                os.symlink(path, self.at(word))
+                return
+        split = re.fullmatch(r"(\w+)-split\.obj", word)
+        if split:
+            whole = next(n for n in (split[1] + end for end in (".off", ".ply", ".obj")) if os.path.exists(os.path.join(self.models, "dev", n)))
+            self.input(whole)
+            self.run(f"orbicube convert {whole} {split[1]}-whole.obj")
+            self.split(self.at(split[1] + "-whole.obj"), self.at(word))
+
+    @staticmethod
+    def split(source, target):
+        points, faces, middles = [], [], {}
+        with open(source, encoding="ascii") as file:
+            for line in file:
+                words = line.split()
+                if words[:1] == ["v"]:
+                    points.append(tuple(map(float, words[1:4])))
+                elif words[:1] == ["f"]:
+                    faces.append([int(word.split("/")[0]) - 1 for word in words[1:4]])
+
+        def middle(a, b):
+            key = (min(a, b), max(a, b))
+            if key not in middles:
+                middles[key] = len(points)
+                points.append(tuple((x + y) / 2 for x, y in zip(points[a], points[b])))
+            return middles[key]
+        with open(target, "w", encoding="ascii") as file:
+            finer = []
+            for a, b, c in faces:
+                d, e, f = middle(a, b), middle(b, c), middle(c, a)
+                finer += [(a, d, f), (d, b, e), (f, e, c), (d, e, f)]
+            file.writelines("v %.17g %.17g %.17g\n" % p for p in points)
+            file.writelines("f %d %d %d\n" % (a + 1, b + 1, c + 1) for a, b, c in finer)
+
+    def run(self, command):
+        """The report of a command of ours; of others an empty one. Raises CalledProcessError."""
+        words = shlex.split(command.replace("BUILD", self.build))
+        if words[0] == "orbicube":
+            for word in words[1:]:
+                self.input(word)
+            words[0] = os.path.join(self.build, "cli", "orbicube")
+            words += ["--quiet", "--report", "report.json"]
+        done = subprocess.run(words, cwd=self.folder, check=True, capture_output=True, text=True)
+        if re.search(r"test cases: +0 \|", done.stdout):
+            raise subprocess.CalledProcessError(1, words, stderr="no test has that name")
+        if "--report" not in words:
+            return {}
+        with open(self.at("report.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def outcome(self, row):
+        if row.model and not self.models:
+            return "skipped: no models"
+        if row.commands[0].startswith("BUILD") and not os.path.exists(row.commands[0].split(" -tc=")[0].replace("BUILD", self.build)):
+            return "skipped: " + row.commands[0].split(" ")[0] + " is not built"
+        try:
+            reports = [self.run(command) for command in row.commands]
+        except subprocess.CalledProcessError as error:
+            return "failed: " + (error.stderr or error.stdout or "").strip().splitlines()[-1]
+        differences = [difference for check in row.checks if (difference := check(reports))]
+        return "; ".join(differences) or "ok"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", nargs="?")
+    parser.add_argument("--models", default=os.environ.get("ORBICUBE_MODELS"))
+    parser.add_argument("--only", default="")
+    parser.add_argument("--write", action="store_true")
+    parser.add_argument("--check", action="store_true", help="fail when --write would change the page")
+    options = parser.parse_args()
+    if options.write:
+        with open(PAGE, "w", encoding="utf-8") as file:
+            file.write(write())
+    if options.check:
+        with open(PAGE, encoding="utf-8") as file:
+            if file.read() != write():
+                sys.exit("docs/dissertation.md is not what scripts/dissertation.py --write writes")
+    if not options.build:
+        return
+    wrong = 0
+    with tempfile.TemporaryDirectory() as folder:
+        runner = Runner(options.build, options.models, folder)
+        for _, rows in CHAPTERS:
+            for row in rows:
+                if options.only in row.label:
+                    outcome = runner.outcome(row)
+                    wrong += not outcome.startswith(("ok", "skipped"))
+                    print(f"{row.label:12} {outcome}", flush=True)
+    sys.exit(1 if wrong else 0)
+
+
+main()
