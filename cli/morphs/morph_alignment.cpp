@@ -1,202 +1,43 @@
 #include "morphs/morph_alignment.h"
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <numbers>
-#include <optional>
-#include <string>
 #include <utility>
 #include <vector>
 
-#include "base/error.h"
 #include "files/landmark_file.h"
-#include "harmonics/fitting/fit.h"
-#include "harmonics/rotations/alignment.h"
+#include "morphs/morph_placement.h"
 #include "report/text.h"
-#include "sphere_map/correspondence/landmark_flow.h"
-#include "sphere_map/correspondence/placement.h"
-#include "sphere_map/optimization/measure.h"
 
 namespace orbicube::cli {
 namespace {
 
-using mesh::Index;
-using mesh::Triangle;
-using mesh::Vector3;
-using Directions = base::Array<Vector3>;
-
-Json json_of(const Eigen::Matrix3d& rotation) {
-  Json rows = Json::array();
-  for (Eigen::Index row = 0; row < 3; ++row)
-    rows.push_back({rotation(row, 0), rotation(row, 1), rotation(row, 2)});
-  return rows;
+void report_settled(MorphShape& shape, const correspondence::Settled& settled) {
+  shape.figures["rotation"] = json_of(settled.rotation);
+  shape.figures["added"] = settled.added;
+  shape.figures["moved"] = settled.moved;
 }
 
-Json angles_between(std::span<const Vector3> a, std::span<const Vector3> b) {
-  double sum = 0, largest = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const double angle = std::atan2(a[i].cross(b[i]).norm(), a[i].dot(b[i]));
-    sum += angle;
-    largest = std::max(largest, angle);
-  }
-  return {{"mean", sum / static_cast<double>(a.size())}, {"max", largest}};
+Json json_of(const correspondence::Angles& angles) {
+  return {{"mean", angles.mean}, {"max", angles.max}};
 }
 
-using Placed = std::optional<sphere_map::Placement>;
-
-Placed placed(const MorphShape& shape, const sphere_map::SphereMove& move, const base::Host& host) {
-  const mesh::Mesh& mesh = shape.surface.mesh;
-  return sphere_map::placed_one_to_one(mesh.positions, shape.directions, mesh.triangles, move, host);
-}
-
-void turn(const Eigen::Matrix3d& rotation, std::span<Vector3> directions) {
-  if (rotation == Eigen::Matrix3d::Identity()) return;
-  for (Vector3& d : directions)
-    d = (rotation * d).normalized();
-}
-
-// From here on this is the shape's map.
-void settle(MorphShape& shape, sphere_map::Placement placement, const Eigen::Matrix3d& rotation,
-            const base::Host& host) {
-  shape.figures["rotation"] = json_of(rotation);
-  shape.figures["added"] = placement.added;
-  shape.figures["moved"] = placement.moved;
-  shape.surface.mesh.positions = std::move(placement.positions);
-  shape.surface.mesh.triangles = std::move(placement.triangles);
-  shape.directions = std::move(placement.directions);
-  shape.locator = std::make_unique<sphere_map::Locator>(shape.surface.mesh.triangles, shape.directions, host);
-}
-
-// Where points of a map, given by their directions, are when its vertices are elsewhere.
-std::vector<Vector3> carried(const MorphShape& shape, std::span<const Vector3> directions,
-                             std::span<const Vector3> placed) {
-  std::vector<Vector3> result;
-  for (const Vector3& direction : directions) {
-    const sphere_map::Location at = shape.locator->locate(direction);
-    const Triangle& t = shape.locator->triangles()[at.triangle];
-    Vector3 sum = Vector3::Zero();
-    for (std::size_t k = 0; k < 3; ++k)
-      sum += at.weights[static_cast<Eigen::Index>(k)] * placed[t[k]];
-    result.push_back(sum.normalized());
-  }
-  return result;
-}
-
-// The positions as functions on the sphere: samples of the flat triangles, which turn with the map, each by its share
-// of the sphere.
-harmonics::Coefficients coefficients_of(const MorphShape& shape, const base::Host& host) {
-  constexpr double spacing = 0.08;  // a third of the wave of the highest degree
-  constexpr std::uint32_t degree = 24;
-  Directions directions(host.memory), positions(host.memory);
-  base::Array<double> weights(host.memory);
-  const mesh::Mesh& mesh = shape.surface.mesh;
-  for (const Triangle& t : mesh.triangles) {
-    const Vector3 &a = shape.directions[t[0]], &b = shape.directions[t[1]], &c = shape.directions[t[2]];
-    const double longest = std::sqrt(std::max({(a - b).squaredNorm(), (b - c).squaredNorm(), (c - a).squaredNorm()}));
-    const int parts = std::clamp(static_cast<int>(std::ceil(longest / spacing)), 1, 64);
-    // The middles of equal parts of the flat triangle, seen from the center.
-    const Vector3 normal = (b - a).cross(c - a);
-    const auto add = [&](double u, double v) {
-      const double p = u / (3 * parts), q = v / (3 * parts);
-      const Vector3 at = (1 - p - q) * a + p * b + q * c;
-      const double distance = at.norm();
-      directions.push_back(at / distance);
-      positions.push_back((1 - p - q) * mesh.positions[t[0]] + p * mesh.positions[t[1]] + q * mesh.positions[t[2]]);
-      weights.push_back(std::abs(at.dot(normal)) / (2 * distance * distance * distance * parts * parts));
-    };
-    for (int i = 0; i < parts; ++i) {
-      for (int j = 0; i + j < parts; ++j) {
-        add(3 * i + 1, 3 * j + 1);
-        if (i + j + 1 < parts) add(3 * i + 2, 3 * j + 2);
-      }
-    }
-  }
-  harmonics::FitReport report;
-  return harmonics::fit(directions, weights, {positions.front().data(), 3 * positions.size()}, 3, {.degree = degree},
-                        host, report);
-}
-
-void require_apart(std::span<const Vector3> landmarks) {
-  constexpr double least = 0.01;
-  for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      if ((landmarks[i] - landmarks[j]).norm() < least) {
-        throw base::Error("invalid-argument", "landmarks " + std::to_string(j) + " and " + std::to_string(i) +
-                                                  " are nearer to each other than 0.01 on a sphere");
-      }
-    }
-  }
-}
-
-// A direction on the great circle from a to b, unit vectors.
-Vector3 between(const Vector3& a, const Vector3& b, double share) {
-  const double angle = std::atan2(a.cross(b).norm(), a.dot(b));
-  const Vector3 across = b - a.dot(b) * a;
-  if (!(across.norm() > 1e-12)) return share < 1 ? a : b;
-  return std::cos(share * angle) * a + std::sin(share * angle) * across.normalized();
-}
-
-// The map turned and bent by a flow on the whole sphere; the landmarks themselves arrive at their goals to the last
-// bits. `turned`: the landmarks turned.
-Placed bent(const MorphShape& shape, const Eigen::Matrix3d& rotation, std::span<const Vector3> landmarks,
-            const std::vector<Vector3>& turned, const std::vector<Vector3>& goals, const base::Host& host) {
-  const sphere_map::LandmarkFlow flow(turned, goals, host);
-  const auto bend = [&](std::span<Vector3> directions) {
-    const Directions before(directions.begin(), directions.end(), host.memory);
-    turn(rotation, directions);
-    flow.move(directions, host);
-    for (std::size_t v = 0; v < before.size(); ++v) {
-      const auto at = std::find_if(landmarks.begin(), landmarks.end(), [&](const Vector3& landmark) {
-        return (landmark - before[v]).squaredNorm() < 1e-30;  // but for its length
-      });
-      if (at != landmarks.end()) directions[v] = goals[static_cast<std::size_t>(at - landmarks.begin())];
-    }
-  };
-  return placed(shape, bend, host);
-}
-
-void report_bend(MorphShape& shape, const sphere_map::Placement& placement, Json landmark_figures, double share,
-                 Session& session) {
-  shape.figures["landmarks"] = std::move(landmark_figures);
-  const sphere_map::Measurement m =
-      sphere_map::measure(placement.own, placement.triangles, placement.directions, 0.1, 1, session.host());
-  shape.figures["warp"] = {{"vertices", placement.own.size()},
-                           {"flipped", m.flipped + m.degenerate},
-                           {"max_quasi_conformal", m.max_quasi_conformal},
-                           {"min_area_ratio", m.min_area_ratio},
-                           {"max_area_ratio", m.max_area_ratio}};
-  if (share < 1) {
-    session.note(shape.path + ": landmarks go " + number(100 * share) +
+void report_bend(MorphShape& shape, std::size_t landmarks, const correspondence::Bent& bent, Session& session) {
+  shape.figures["landmarks"] = {{"count", landmarks},
+                                {"angle_before", json_of(bent.before)},
+                                {"angle_rotated", json_of(bent.rotated)},
+                                {"share", bent.share},
+                                {"angle", json_of(bent.after)}};
+  shape.figures["warp"] = {{"vertices", bent.vertices},
+                           {"flipped", bent.warp.flipped + bent.warp.degenerate},
+                           {"max_quasi_conformal", bent.warp.max_quasi_conformal},
+                           {"min_area_ratio", bent.warp.min_area_ratio},
+                           {"max_area_ratio", bent.warp.max_area_ratio}};
+  if (bent.share < 1) {
+    session.note(shape.path + ": landmarks go " + number(100 * bent.share) +
                  " percent of their way; all of it would flip triangles");
   }
-}
-
-// Turns and bends the map of a shape so that its landmarks come to those of the first one, or as far as triangles stay
-// positive.
-void bend_to_landmarks(MorphShape& shape, const std::vector<Vector3>& landmarks, const std::vector<Vector3>& first,
-                       Session& session) {
-  const base::Host& host = session.host();
-  const Eigen::Matrix3d rotation = sphere_map::best_rotation(landmarks, first);
-  std::vector<Vector3> turned;
-  for (const Vector3& d : landmarks)
-    turned.push_back((rotation * d).normalized());
-  Json figures = {{"count", turned.size()},
-                  {"angle_before", angles_between(landmarks, first)},
-                  {"angle_rotated", angles_between(turned, first)}};
-  for (const double share : {1.0, 0.75, 0.5, 0.25, 0.0}) {
-    std::vector<Vector3> goals;
-    for (std::size_t k = 0; k < turned.size(); ++k)
-      goals.push_back(between(turned[k], first[k].normalized(), share));
-    Placed placement = bent(shape, rotation, landmarks, turned, goals, host);
-    if (!placement) continue;
-    figures["share"] = share;
-    figures["angle"] = angles_between(carried(shape, landmarks, placement->directions), first);
-    report_bend(shape, *placement, std::move(figures), share, session);
-    settle(shape, std::move(*placement), rotation, host);
-    return;
-  }
-  throw base::Error("no-valid-result", "the map does not stay one to one when it is turned");
+  report_settled(shape, bent.settled);
 }
 
 }  // namespace
@@ -204,24 +45,18 @@ void bend_to_landmarks(MorphShape& shape, const std::vector<Vector3>& landmarks,
 void align_by_correlation(std::deque<MorphShape>& shapes, bool joint, Session& session) {
   const base::Host& host = session.host();
   const harmonics::Coefficients first =
-      about(shapes[0].path, Role::input, [&] { return coefficients_of(shapes[0], host); });
+      about(shapes[0].path, Role::input, [&] { return correspondence::coefficients_of(shapes[0], host); });
   for (std::size_t i = 1; i < shapes.size(); ++i) {
     MorphShape& shape = shapes[i];
     about(shape.path, Role::input, [&] {
-      harmonics::Alignment found =
-          harmonics::align(first, coefficients_of(shape, host), {.turn_values = joint, .prefer_standing = joint}, host);
-      // Maps that are in line to the last digits stay as they are, so that vertices at one place are one.
-      if ((found.rotation - Eigen::Matrix3d::Identity()).norm() < 1e-9) found.rotation.setIdentity();
+      const correspondence::Correlated found = correspondence::align_by_correlation(first, shape, joint, host);
       shape.figures["correlation"] = found.correlation;
-      const Eigen::AngleAxisd turn_of_shape(found.values);
+      const Eigen::AngleAxisd turn_of_shape(found.turn_of_shape);
       constexpr double degrees = 180 / std::numbers::pi;
-      shape.figures["turn"] = {{"angle", degrees * turn_of_shape.angle()}, {"rotation", json_of(found.values)}};
+      shape.figures["turn"] = {{"angle", degrees * turn_of_shape.angle()}, {"rotation", json_of(found.turn_of_shape)}};
       session.say(shape.path + ": correlation " + number(found.correlation) +
                   (joint ? ", turned by " + number(degrees * turn_of_shape.angle()) + " degrees for it" : ""));
-      Placed placement = placed(
-          shape, [&](std::span<Vector3> directions) { turn(found.rotation, directions); }, host);
-      if (!placement) throw base::Error("no-valid-result", "the map does not stay one to one when it is turned");
-      settle(shape, std::move(*placement), found.rotation, host);
+      report_settled(shape, found.settled);
     });
   }
 }
@@ -240,15 +75,19 @@ void align_by_landmarks(std::deque<MorphShape>& shapes, const std::string& path,
   const base::Host& host = session.host();
   std::vector<MappedSurface> mapped;
   for (const MorphShape& shape : shapes)
-    mapped.push_back({shape.surface.mesh, shape.directions});
+    mapped.push_back({shape.mesh, shape.directions});
   const auto landmarks = about(path, Role::input, [&] {
     auto read = read_landmarks(path, mapped, host);
     for (const auto& of_shape : read)
-      require_apart(of_shape);
+      correspondence::require_apart(of_shape);
     return read;
   });
-  for (std::size_t i = 1; i < shapes.size(); ++i)
-    about(path, Role::input, [&] { bend_to_landmarks(shapes[i], landmarks[i], landmarks[0], session); });
+  for (std::size_t i = 1; i < shapes.size(); ++i) {
+    about(path, Role::input, [&] {
+      report_bend(shapes[i], landmarks[i].size(),
+                  correspondence::align_by_landmarks(shapes[i], landmarks[i], landmarks[0], host), session);
+    });
+  }
 }
 
 }  // namespace orbicube::cli

@@ -1,27 +1,21 @@
-// How the spheres of a morph's shapes are brought into line: turned to where positions agree best, or turned and bent
-// until landmarks coincide, and then put onto the common sphere as maps that are one to one there.
+// The spheres of a morph's shapes brought into line, and what is reported of that.
 #pragma once
 
 #include <deque>
 #include <memory>
-#include <span>
 #include <string>
 
+#include "correspondence/sphere_alignment.h"
+#include "gltf/kept/kept.h"
 #include "session/session.h"
-#include "solids/closed_surface.h"
-#include "sphere_map/correspondence/alignment.h"
-#include "sphere_map/sampling/locator.h"
 
 namespace orbicube::cli {
 
-struct MorphShape {
-  explicit MorphShape(std::pmr::memory_resource* memory) : surface{mesh::Mesh(memory), {}}, directions(memory) {}
+struct MorphShape : correspondence::SphereShape {
+  using SphereShape::SphereShape;
 
   std::string path;
-  ClosedSurface surface;
-  // The shape's map: on its own sphere at first, once it is brought into line on the common sphere.
-  base::Array<mesh::Vector3> directions;
-  std::unique_ptr<sphere_map::Locator> locator;
+  std::shared_ptr<const gltf::Kept> kept{};  // of the file, where it can be
   Json figures;
 };
 

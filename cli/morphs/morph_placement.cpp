@@ -1,87 +1,28 @@
 #include "morphs/morph_placement.h"
 
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <vector>
 
-#include "mesh/search/rotations.h"
+#include "correspondence/pose.h"
 
 namespace orbicube::cli {
-namespace {
 
-using mesh::Triangle;
-using mesh::Vector3;
-using Matrix3 = Eigen::Matrix3d;
-
-struct Placement {
-  double scale = 1;
-  Matrix3 rotation = Matrix3::Identity();
-  Vector3 shift = Vector3::Zero();
-};
-
-// Of each vertex in both states, each state's whole area being one: neither a dense nor a large one counts more.
-std::vector<double> weights_of(std::span<const Triangle> triangles, std::span<const Vector3> a,
-                               std::span<const Vector3> b) {
-  std::vector<double> weights(a.size(), 0.0);
-  for (const std::span<const Vector3> x : {a, b}) {
-    std::vector<double> own(a.size(), 0.0);
-    double whole = 0;
-    for (const Triangle& t : triangles) {
-      const double area = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
-      whole += area;
-      for (const mesh::Index v : t)
-        own[v] += area;
-    }
-    for (std::size_t v = 0; whole > 0 && v < own.size(); ++v)
-      weights[v] += own[v] / (6 * whole);  // 3 for the corners, 2 for the states
-  }
-  return weights;
+Json json_of(const Eigen::Matrix3d& rotation) {
+  Json rows = Json::array();
+  for (Eigen::Index row = 0; row < 3; ++row)
+    rows.push_back({rotation(row, 0), rotation(row, 1), rotation(row, 2)});
+  return rows;
 }
 
-Placement best_placement(std::span<const Vector3> from, std::span<const Vector3> to, std::span<const double> weights,
-                         bool scaled) {
-  Vector3 from_mean = Vector3::Zero(), to_mean = Vector3::Zero();
-  for (std::size_t v = 0; v < from.size(); ++v) {
-    from_mean += weights[v] * from[v];
-    to_mean += weights[v] * to[v];
-  }
-  Matrix3 covariance = Matrix3::Zero();
-  double spread = 0;
-  for (std::size_t v = 0; v < from.size(); ++v) {
-    covariance += weights[v] * (to[v] - to_mean) * (from[v] - from_mean).transpose();
-    spread += weights[v] * (from[v] - from_mean).squaredNorm();
-  }
-  Placement placement;
-  placement.rotation = mesh::nearest_rotation(covariance);
-  const double correlation = (placement.rotation.transpose() * covariance).trace();
-  if (scaled && spread > 0 && correlation > 0) placement.scale = correlation / spread;
-  placement.shift = to_mean - placement.scale * (placement.rotation * from_mean);
-  return placement;
-}
-
-Json rows(const Matrix3& m) {
-  Json result = Json::array();
-  for (int i = 0; i < 3; ++i)
-    result.push_back({m(i, 0), m(i, 1), m(i, 2)});
-  return result;
-}
-
-}  // namespace
-
-void place(const std::string& how, std::span<const Triangle> triangles, std::span<base::Array<Vector3>> states,
-           std::span<Json* const> figures) {
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    Placement placement;
-    if (how != "kept" && i > 0) {
-      const std::vector<double> weights = weights_of(triangles, states[0], states[i]);
-      placement = best_placement(states[i], states[0], weights, how == "scaled");
-      for (Vector3& x : states[i])
-        x = placement.scale * (placement.rotation * x) + placement.shift;
-    }
-    (*figures[i])["placement"] = {{"scale", placement.scale},
-                                  {"rotation", rows(placement.rotation)},
-                                  {"shift", {placement.shift[0], placement.shift[1], placement.shift[2]}}};
+void place_states(const std::string& how, std::span<const mesh::Triangle> triangles,
+                  std::span<base::Array<mesh::Vector3>> states, std::span<Json* const> figures) {
+  using correspondence::Pose;
+  const Pose pose = how == "scaled" ? Pose::scaled : how == "turned" ? Pose::turned : Pose::kept;
+  const std::vector<correspondence::Similarity> placed = correspondence::place(pose, triangles, states);
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    const mesh::Vector3& shift = placed[i].shift;
+    (*figures[i])["placement"] = {{"scale", placed[i].scale},
+                                  {"rotation", json_of(placed[i].rotation)},
+                                  {"shift", {shift[0], shift[1], shift[2]}}};
   }
 }
 

@@ -1,6 +1,7 @@
 // Shapes of a morph brought to where the first one stands, at its size.
 #pragma once
 
+#include <Eigen/Core>
 #include <span>
 #include <string>
 
@@ -13,10 +14,12 @@ inline constexpr const char* placement_help =
     "pose of further shapes in the morph: kept, as in their files; turned, translated and rotated to the least-squares "
     "fit with the first; scaled, scaled as well [default: kept]";
 
-// Moves and rotates the further states (and scales them) so that the mean of the squared distances between points that
-// correspond, weighted by area, is minimum (Umeyama 1991). How: kept, turned or scaled. Figures of each shape get
+// Places the further states as correspondence::place does. How: kept, turned or scaled. Figures of each shape get
 // "placement" with scale, rotation (rows) and shift: a point x goes to scale * rotation * x + shift.
-void place(const std::string& how, std::span<const mesh::Triangle> triangles,
-           std::span<base::Array<mesh::Vector3>> states, std::span<Json* const> figures);
+void place_states(const std::string& how, std::span<const mesh::Triangle> triangles,
+                  std::span<base::Array<mesh::Vector3>> states, std::span<Json* const> figures);
+
+// Rows of a matrix.
+Json json_of(const Eigen::Matrix3d& rotation);
 
 }  // namespace orbicube::cli

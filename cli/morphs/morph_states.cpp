@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "correspondence/morph.h"
 #include "files/surface_file.h"
 #include "gltf/writing/float_frame.h"
 #include "gltf/writing/write.h"
@@ -80,9 +81,7 @@ void write_steps(const MorphStates& morph, Session& session) {
   for (std::size_t i = 0; i + 1 < morph.states.size(); ++i) {
     for (std::size_t k = 1; k <= morph.steps; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(morph.steps + 1);
-      step.positions.clear();
-      for (std::size_t v = 0; v < morph.states[i].size(); ++v)
-        step.positions.push_back((1 - share) * morph.states[i][v] + share * morph.states[i + 1][v]);
+      step.positions = correspondence::intermediate(morph.states[i], morph.states[i + 1], share, session.host().memory);
       std::string text = std::to_string(++number_of_step);
       text.insert(0, digits - text.size(), '0');
       const std::filesystem::path path =

@@ -9,9 +9,8 @@
 #include <optional>
 #include <utility>
 
-#include "base/sums.h"
+#include "correspondence/sphere_mesh.h"
 #include "files/surface_file.h"
-#include "mesh/search/measures.h"
 #include "morphs/morph_alignment.h"
 #include "morphs/morph_placement.h"
 #include "morphs/morph_states.h"
@@ -19,9 +18,8 @@
 #include "report/sphere_uses.h"
 #include "report/text.h"
 #include "report/unit_size.h"
+#include "solids/closed_surface.h"
 #include "solids/kept_surface.h"
-#include "sphere_map/correspondence/correspondence.h"
-#include "sphere_map/correspondence/overlay.h"
 #include "sphere_map/sphere_map.h"
 #include "verbs/verbs.h"
 #ifdef ORBICUBE_WITH_POLYCUBE
@@ -31,10 +29,10 @@
 namespace orbicube::cli {
 namespace {
 
+using correspondence::CommonMesh;
 using mesh::Index;
 using mesh::Triangle;
 using mesh::Vector3;
-using sphere_map::Alignment;
 
 struct MorphOptions {
   std::vector<std::string> inputs;
@@ -52,18 +50,11 @@ struct MorphOptions {
   std::size_t corners = 0;
 };
 
-// The triangulation of the common sphere that all shapes get.
-struct CommonMesh {
-  explicit CommonMesh(std::pmr::memory_resource* memory) : directions(memory), triangles(memory) {}
-
-  base::Array<Vector3> directions;
-  base::Array<Triangle> triangles;
-  std::vector<base::Array<Index>> own_vertex;  // one a shape: which of its vertices each one is, no_index for none
-};
-
 void read_and_map(MorphShape& shape, const MorphOptions& options, Keep keep, Session& session) {
-  shape.surface = read_closed_surface(shape.path, options.weld, session, keep);
-  const mesh::Mesh& mesh = shape.surface.mesh;
+  ClosedSurface surface = read_closed_surface(shape.path, options.weld, session, keep);
+  shape.kept = std::move(surface.kept);
+  shape.mesh = std::move(surface.mesh);
+  const mesh::Mesh& mesh = shape.mesh;
   require_ordinary_size(mesh, shape.path);
   const double start = session.seconds();
   about(shape.path, Role::input, [&] {
@@ -71,118 +62,27 @@ void read_and_map(MorphShape& shape, const MorphOptions& options, Keep keep, Ses
   });
   shape.locator = std::make_unique<sphere_map::Locator>(mesh.triangles, shape.directions, session.host());
   shape.figures = {{"input", shape.path}};
-  shape.figures.update(shape.surface.figures);
+  shape.figures.update(surface.figures);
   shape.figures.update({{"vertices", mesh.positions.size()},
                         {"triangles", mesh.triangles.size()},
                         {"seconds_map", session.seconds() - start},
                         {"rotation", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
 }
 
-// Of vertices of triangles.
-std::size_t used_count(const MorphShape& shape, const base::Host& host) {
-  const mesh::Mesh& m = shape.surface.mesh;
-  const base::Array<std::uint8_t> used = mesh::used_vertices(m.positions.size(), m.triangles, host.memory);
-  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
-}
-
-// Without the vertices of the shapes that are in no triangle.
-void remove_unused(CommonMesh& common, const base::Host& host) {
-  const base::Array<std::uint8_t> used = mesh::used_vertices(common.directions.size(), common.triangles, host.memory);
-  base::Array<Index> number(used.size(), mesh::no_index, host.memory);
-  Index count = 0;
-  for (Index v = 0; v < used.size(); ++v) {
-    if (used[v] == 0) continue;
-    number[v] = count;
-    common.directions[count] = common.directions[v];
-    for (base::Array<Index>& own : common.own_vertex)
-      own[count] = own[v];
-    ++count;
-  }
-  if (count == used.size()) return;
-  common.directions.resize(count);
-  for (base::Array<Index>& own : common.own_vertex)
-    own.resize(count);
-  for (Triangle& t : common.triangles) {
-    for (Index& v : t)
-      v = number[v];
-  }
-}
-
-// The vertices of all shapes, on the triangles of the first.
-CommonMesh overlay_of(const MorphOptions& options, const std::deque<MorphShape>& shapes, Session& session) {
-  const base::Host& host = session.host();
-  std::vector<sphere_map::PlacedMap> others;
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    others.push_back({shapes[i].directions, shapes[i].surface.mesh.triangles});
-  }
-  const Alignment in_line;
-  // The first shape is flat between its own edges; what the others have there is looked after.
-  std::vector<sphere_map::EdgeError::Shape> missed;
-  std::size_t vertices = used_count(shapes[0], host);
-  for (std::size_t i = 1; i < shapes.size(); ++i) {
-    missed.push_back({shapes[i].locator.get(), shapes[i].surface.mesh.positions, &in_line});
-    vertices += used_count(shapes[i], host);
-  }
-  constexpr std::size_t max_growth = 3;
-  const sphere_map::Refinement refinement{
-      sphere_map::EdgeError(missed, options.tolerance / 100),
-      max_growth * vertices + shapes[0].directions.size() - used_count(shapes[0], host)};
-  sphere_map::Overlay made = sphere_map::overlay({shapes[0].directions, shapes[0].surface.mesh.triangles}, others, host,
-                                                 options.tolerance > 0 ? &refinement : nullptr);
-  CommonMesh common(host.memory);
-  common.directions = std::move(made.directions);
-  common.triangles = std::move(made.triangles);
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    base::Array<Index>& own = common.own_vertex.emplace_back(common.directions.size(), mesh::no_index, host.memory);
-    for (Index v = 0; v < shapes[i].directions.size(); ++v) {
-      const Index place = i == 0 ? v : made.vertex_of[i - 1][v];
-      if (place != mesh::no_index) own[place] = v;
-    }
-  }
-  session.figures()["edges_of_others"] = made.edges_of_others;
-  session.figures()["edges_kept"] = made.edges_present;
-  return common;
-}
-
 CommonMesh common_mesh(const MorphOptions& options, const std::deque<MorphShape>& shapes, Session& session) {
-  if (options.grid == "both") return overlay_of(options, shapes, session);
   const base::Host& host = session.host();
-  CommonMesh common(host.memory);
-  if (options.grid == "first") {
-    common.directions = shapes[0].directions;
-    common.triangles = shapes[0].surface.mesh.triangles;
-  } else {
+  correspondence::SphereShapes spheres;
+  for (const MorphShape& shape : shapes)
+    spheres.push_back(&shape);
+  if (options.grid == "first") return correspondence::mesh_of_first(spheres, host);
+  if (options.grid != "both") {
     const GridChoice choice = grid_choice(options.grid, "--grid");
-    sphere_map::Grid grid = sphere_map::make_grid(choice.kind, choice.resolution, host);
-    common.directions = std::move(grid.directions);
-    common.triangles = std::move(grid.triangles);
+    return correspondence::mesh_of_grid(spheres, choice.kind, choice.resolution, host);
   }
-  for (std::size_t i = 0; i < shapes.size(); ++i) {
-    base::Array<Index>& own = common.own_vertex.emplace_back(common.directions.size(), mesh::no_index, host.memory);
-    for (Index v = 0; options.grid == "first" && i == 0 && v < own.size(); ++v)
-      own[v] = v;
-  }
+  CommonMesh common = correspondence::overlay_of(spheres, options.tolerance / 100, host);
+  session.figures()["edges_of_others"] = common.edges_of_others;
+  session.figures()["edges_kept"] = common.edges_kept;
   return common;
-}
-
-// How much areas change from one state to another, both scaled to the same whole: the root mean square of the logarithm
-// of the ratio, by the area of the first.
-double area_distortion(std::span<const Triangle> triangles, std::span<const Vector3> from,
-                       std::span<const Vector3> to) {
-  const auto area = [&](std::span<const Vector3> x, const Triangle& t) {
-    return 0.5 * (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).norm();
-  };
-  base::CompensatedSum from_area, to_area, squares;
-  for (const Triangle& t : triangles) {
-    from_area.add(area(from, t));
-    to_area.add(area(to, t));
-  }
-  for (const Triangle& t : triangles) {
-    const double a = area(from, t) / from_area.value();
-    const double b = area(to, t) / to_area.value();
-    if (a > 0 && b > 0) squares.add(a * std::log(b / a) * std::log(b / a));
-  }
-  return std::sqrt(squares.value());
 }
 
 Json json_of(const MorphOptions& options) {
@@ -228,18 +128,16 @@ std::vector<base::Array<Vector3>> carry_to_shapes(std::deque<MorphShape>& shapes
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     MorphShape& shape = shapes[i];
     const base::Stage stage(host, 1.0 / static_cast<double>(shapes.size() + 1 - i));
-    sphere_map::CarriedShape carried =
-        sphere_map::carry_over(*shape.locator, shape.surface.mesh.positions, Alignment(), common.directions,
-                               common.triangles, common.own_vertex[i], host);
+    sphere_map::CarriedShape carried = correspondence::carry_to_shape(shape, common, i, host);
     mesh::Mesh state(host.memory);
     state.positions = carried.positions;
     state.triangles = common.triangles;
     shape.figures["flipped"] = carried.flipped;
-    shape.figures["distance"] = json_of_distance(shape.surface.mesh, state, host);
+    shape.figures["distance"] = json_of_distance(shape.mesh, state, host);
     states.push_back(std::move(carried.positions));
-    if (i == 0 && shape.surface.kept)
-      on_first = kept_triangles(*shape.locator, carried.directions, common.triangles, host);
-    if (i > 0) shape.figures["area_distortion"] = area_distortion(common.triangles, states[0], states[i]);
+    if (i == 0 && shape.kept) on_first = kept_triangles(*shape.locator, carried.directions, common.triangles, host);
+    if (i > 0)
+      shape.figures["area_distortion"] = correspondence::area_distortion(common.triangles, states[0], states[i]);
   }
   return states;
 }
@@ -248,9 +146,9 @@ void write_states(const std::deque<MorphShape>& shapes, const CommonMesh& common
                   const std::vector<base::Array<Vector3>>& states, const base::Array<gltf::KeptTriangle>& on_first,
                   const MorphOptions& options, Session& session) {
   MorphStates morph{options.output, {}, common.triangles, states, options.seconds, options.intermediates};
-  if (shapes[0].surface.kept) {
-    morph.kept = shapes[0].surface.kept.get();
-    morph.kept_surface = shapes[0].surface.mesh.triangles;
+  if (shapes[0].kept) {
+    morph.kept = shapes[0].kept.get();
+    morph.kept_surface = shapes[0].mesh.triangles;
     morph.kept_triangles = on_first;
   }
   for (const MorphShape& shape : shapes)
@@ -304,14 +202,13 @@ void morph(const MorphOptions& options, Session& session) {
   const base::Host& host = session.host();
   std::deque<MorphShape> shapes = map_shapes(options, session);
   align_shapes(shapes, options, session);
-  CommonMesh common = common_mesh(options, shapes, session);
-  remove_unused(common, host);
+  const CommonMesh common = common_mesh(options, shapes, session);
   base::Array<gltf::KeptTriangle> on_first(host.memory);
   std::vector<base::Array<Vector3>> states = carry_to_shapes(shapes, common, on_first, host);
   std::vector<Json*> figures;
   for (MorphShape& shape : shapes)
     figures.push_back(&shape.figures);
-  place(options.placement, common.triangles, states, figures);
+  place_states(options.placement, common.triangles, states, figures);
   write_states(shapes, common, states, on_first, options, session);
   report_shapes(shapes, common, options.output, session);
 }

@@ -12,7 +12,7 @@ HEAD = "// What the C headers declare, {0}. Written by scripts/bindings.py; not 
 POINTER = 4
 # Not in the module: a library whose license would bind users, and one whose functions are for programs that assemble
 # large systems, which would make pages load more than 3 MB. What polycubes and hexahedra use of the latter is in it.
-LEFT_OUT = ["linear", "tetrahedra"]
+LEFT_OUT = ["correspondence", "linear", "tetrahedra"]
 
 
 def parts(api):

@@ -30,6 +30,10 @@ WIDTH = 125
 INTEGERS = {"int32_t": (-2**31, 2**31 - 1), "uint32_t": (0, 2**32 - 1), "uint64_t": (0, 2**64 - 1), "size_t": (0, 2**64 - 1)}
 # Constants that a member takes: all of the enumeration that has the one named, or those listed.
 WORDS = {
+    "obc_correspondence_options.via": "OBC_CORRESPONDENCE_SPHERE",
+    "obc_correspondence_options.align": "OBC_CORRESPONDENCE_ALIGN_SHAPE",
+    "obc_correspondence_options.grid": "OBC_CORRESPONDENCE_GRID_BOTH",
+    "obc_correspondence_options.placement": "OBC_CORRESPONDENCE_KEPT",
     "obc_frame_field_options.start": "OBC_FRAME_FIELD_AUTO",
     "obc_frame_field_options.method": "OBC_FRAME_FIELD_SMOOTH",
     "obc_frame_field_options.weighting": "OBC_FRAME_FIELD_UNIFORM",

@@ -1,6 +1,7 @@
 /* How structs lie in memory on 64-bit machines and in WebAssembly. Written by scripts/bindings.py; not to be edited. */
 /* clang-format off */
 #include <orbicube/base.h>
+#include <orbicube/correspondence.h>
 #include <orbicube/frame_field.h>
 #include <orbicube/gltf.h>
 #include <orbicube/harmonics.h>
@@ -35,6 +36,17 @@ _Static_assert(offsetof(obc_host, parallel_for) == 40, "obc_host.parallel_for");
 _Static_assert(offsetof(obc_host, parallel_for_user) == 48, "obc_host.parallel_for_user");
 _Static_assert(offsetof(obc_host, allocator) == 56, "obc_host.allocator");
 _Static_assert(offsetof(obc_host, fraction) == 64, "obc_host.fraction");
+_Static_assert(sizeof(obc_correspondence_options) == 56, "obc_correspondence_options");
+_Static_assert(offsetof(obc_correspondence_options, struct_size) == 0, "obc_correspondence_options.struct_size");
+_Static_assert(offsetof(obc_correspondence_options, via) == 4, "obc_correspondence_options.via");
+_Static_assert(offsetof(obc_correspondence_options, align) == 8, "obc_correspondence_options.align");
+_Static_assert(offsetof(obc_correspondence_options, grid) == 12, "obc_correspondence_options.grid");
+_Static_assert(offsetof(obc_correspondence_options, placement) == 16, "obc_correspondence_options.placement");
+_Static_assert(offsetof(obc_correspondence_options, reserved) == 20, "obc_correspondence_options.reserved");
+_Static_assert(offsetof(obc_correspondence_options, tolerance) == 24, "obc_correspondence_options.tolerance");
+_Static_assert(offsetof(obc_correspondence_options, cells) == 32, "obc_correspondence_options.cells");
+_Static_assert(offsetof(obc_correspondence_options, corners) == 40, "obc_correspondence_options.corners");
+_Static_assert(offsetof(obc_correspondence_options, seed) == 48, "obc_correspondence_options.seed");
 _Static_assert(sizeof(obc_frame_field_solid) == 32, "obc_frame_field_solid");
 _Static_assert(offsetof(obc_frame_field_solid, positions) == 0, "obc_frame_field_solid.positions");
 _Static_assert(offsetof(obc_frame_field_solid, vertex_count) == 8, "obc_frame_field_solid.vertex_count");
@@ -617,6 +629,17 @@ _Static_assert(offsetof(obc_host, parallel_for) == 24, "obc_host.parallel_for");
 _Static_assert(offsetof(obc_host, parallel_for_user) == 28, "obc_host.parallel_for_user");
 _Static_assert(offsetof(obc_host, allocator) == 32, "obc_host.allocator");
 _Static_assert(offsetof(obc_host, fraction) == 36, "obc_host.fraction");
+_Static_assert(sizeof(obc_correspondence_options) == 48, "obc_correspondence_options");
+_Static_assert(offsetof(obc_correspondence_options, struct_size) == 0, "obc_correspondence_options.struct_size");
+_Static_assert(offsetof(obc_correspondence_options, via) == 4, "obc_correspondence_options.via");
+_Static_assert(offsetof(obc_correspondence_options, align) == 8, "obc_correspondence_options.align");
+_Static_assert(offsetof(obc_correspondence_options, grid) == 12, "obc_correspondence_options.grid");
+_Static_assert(offsetof(obc_correspondence_options, placement) == 16, "obc_correspondence_options.placement");
+_Static_assert(offsetof(obc_correspondence_options, reserved) == 20, "obc_correspondence_options.reserved");
+_Static_assert(offsetof(obc_correspondence_options, tolerance) == 24, "obc_correspondence_options.tolerance");
+_Static_assert(offsetof(obc_correspondence_options, cells) == 32, "obc_correspondence_options.cells");
+_Static_assert(offsetof(obc_correspondence_options, corners) == 36, "obc_correspondence_options.corners");
+_Static_assert(offsetof(obc_correspondence_options, seed) == 40, "obc_correspondence_options.seed");
 _Static_assert(sizeof(obc_frame_field_solid) == 16, "obc_frame_field_solid");
 _Static_assert(offsetof(obc_frame_field_solid, positions) == 0, "obc_frame_field_solid.positions");
 _Static_assert(offsetof(obc_frame_field_solid, vertex_count) == 4, "obc_frame_field_solid.vertex_count");

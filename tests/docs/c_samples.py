@@ -24,6 +24,7 @@ NAMES = {
     "gltf": "float *moved = 0; obc_gltf_surface *surface; obc_gltf_scene scene; obc_gltf_read_options options; ",
     "harmonics": ARRAYS + "double *areas = 0, *directions = 0, *coefficients = 0; ",
     "hexmesh": "obc_surface surface = {0, 0, 0, 0}; ",
+    "correspondence": "obc_surface surfaces[2] = {{0}}; double *positions = 0; ",
     "linear": "double *b = 0, *x = 0; obc_linear_matrix matrix = {0}; ",
     "mesh": ARRAYS,
     "projected_gradient": "double lower[2], x0[2], best[2], gradient[2]; const double *x; obc_projected_gradient *solver; int32_t request; "

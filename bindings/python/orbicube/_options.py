@@ -6,6 +6,27 @@ from __future__ import annotations
 from ._option import Option
 
 OPTIONS: dict[str, tuple[Option, ...]] = {
+    "obc_correspondence_options": (
+        Option("via", "word", "sphere", words={"sphere": 0, "polycube": 1},
+               doc="OBC_CORRESPONDENCE_SPHERE or POLYCUBE. Default: SPHERE."),
+        Option("align", "word", "shape", words={"shape": 0, "rotation": 1, "none": 2},
+               doc="OBC_CORRESPONDENCE_ALIGN_SHAPE, ROTATION or NONE; unused with a polycube. Default: SHAPE."),
+        Option("grid", "word", "both", words={"both": 0, "first": 1},
+               doc="OBC_CORRESPONDENCE_GRID_BOTH or FIRST. Default: BOTH."),
+        Option("placement", "word", "kept", words={"kept": 0, "turned": 1, "scaled": 2},
+               doc="OBC_CORRESPONDENCE_KEPT, TURNED or SCALED. Default: KEPT."),
+        Option("tolerance", "float", 0.2,
+               doc="maximum deviation of an edge of GRID_BOTH from a further surface, in percent of the diagonal of that "
+                   "surface's bounding box; longer edges are bisected, up to three times the vertices; 0: no limit; unused "
+                   "with a polycube. Default: 0.2."),
+        Option("cells", "int", 0, low=0, high=18446744073709551615,
+               doc="number of quads of a polycube's grid, at most 100000000; 0: the maximum triangle count of the "
+                   "surfaces, 20000 to 400000. Default: 0."),
+        Option("corners", "int", 0, low=0, high=18446744073709551615,
+               doc="maximum number of polycube corners, at most 1000000; 0: no limit. Default: 0."),
+        Option("seed", "int", 0, low=0, high=18446744073709551615,
+               doc="seed of the maps. Default: 0."),
+    ),
     "obc_frame_field_options": (
         Option("start", "word", "auto",
                words={"auto": 0, "identity": 1, "propagated": 2, "harmonic": 3, "diffusion": 4, "given": 5},

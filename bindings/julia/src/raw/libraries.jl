@@ -1,6 +1,8 @@
 # Each library with those that it uses. Written by scripts/bindings.py; not to be edited.
 const libraries = [
     :base => Symbol[],
+    :mesh => Symbol[:base],
+    :correspondence => Symbol[:base, :mesh],
     :frame_field => Symbol[:base],
     :gltf => Symbol[:base],
     :harmonics => Symbol[:base],

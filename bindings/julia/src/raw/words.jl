@@ -1,5 +1,9 @@
 # The words that options take, and their constants. Written by scripts/bindings.py; not to be edited.
 const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
+    (:obc_correspondence_options, :via) => [:sphere => 0, :polycube => 1],
+    (:obc_correspondence_options, :align) => [:shape => 0, :rotation => 1, :none => 2],
+    (:obc_correspondence_options, :grid) => [:both => 0, :first => 1],
+    (:obc_correspondence_options, :placement) => [:kept => 0, :turned => 1, :scaled => 2],
     (:obc_frame_field_options, :start) => [:auto => 0, :identity => 1, :propagated => 2, :harmonic => 3, :diffusion => 4, :given => 5],
     (:obc_frame_field_options, :method) => [:smooth => 0, :dissertation => 1],
     (:obc_frame_field_options, :weighting) => [:uniform => 0, :geometric => 1],

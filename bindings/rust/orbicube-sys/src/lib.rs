@@ -2,6 +2,8 @@
 //! headers by scripts/bindings.py. The documentation is that of the headers. People use the crate `orbicube`.
 
 pub mod base;
+#[cfg(feature = "correspondence")]
+pub mod correspondence;
 #[cfg(feature = "frame_field")]
 pub mod frame_field;
 #[cfg(feature = "gltf")]

@@ -25,6 +25,8 @@ pub use orbicube_sys as sys;
 mod call;
 pub use call::{Answer, Error, Evaluation, Host, Progress};
 
+#[cfg(feature = "correspondence")]
+pub mod correspondence;
 #[cfg(feature = "frame_field")]
 pub mod frame_field;
 #[cfg(feature = "gltf")]
