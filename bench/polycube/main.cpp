@@ -46,7 +46,7 @@ void row(const std::string& name, mesh::Mesh surface, const polycube::Constructi
   ++counts.shapes;
   try {
     mesh::orient(surface.positions, surface.triangles, host);
-    const auto [made, method] = polycube::construct(surface.positions, surface.triangles, options, host);
+    const auto [made, method, printed] = polycube::construct(surface.positions, surface.triangles, options, host);
     ++counts.valid;
     counts.low += made.distortion.angle_mean <= 2 && made.distortion.area_mean <= 2;
     std::printf("%-18s %8zu %3ld %5zu %8.3f %7.3f %7.1f  %s, %zu of %zu\n", name.c_str(), surface.triangles.size(),

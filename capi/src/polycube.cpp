@@ -80,12 +80,12 @@ obc_status obc_polycube_compute(const obc_surface* surface, const obc_polycube_o
     *out = nullptr;
     const capi::SurfaceView s(surface);
     const obc_polycube_options o = capi::copy_versioned(options, default_options());
-    capi::require(o.construction >= OBC_POLYCUBE_AUTO && o.construction <= OBC_POLYCUBE_VOXELS,
+    capi::require(o.construction >= OBC_POLYCUBE_AUTO && o.construction <= OBC_POLYCUBE_DISSERTATION,
                   "construction is not one of OBC_POLYCUBE_...");
     auto made = std::make_unique<obc_polycube>(host);
     const base::Host& on = made->adapter.host();
     capi::require_one_surface(s, on);
-    auto [best, method] = polycube::construct(
+    auto [best, method, printed] = polycube::construct(
         s.positions, s.triangles,
         {.method = static_cast<polycube::Method>(o.construction), .corners = o.corners, .seed = o.seed}, on);
     made->map = std::move(best.map);
@@ -118,6 +118,16 @@ size_t obc_polycube_patch_count(const obc_polycube* map) {
 
 int32_t obc_polycube_construction(const obc_polycube* map) {
   return map != nullptr ? map->construction : -1;
+}
+
+obc_status obc_polycube_corner_points(const obc_polycube* map, const obc_host* host, size_t* count, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(count != nullptr, "count is NULL");
+    *count = 0;
+    capi::require(map != nullptr, "map is NULL");
+    const capi::HostAdapter adapter(host);
+    *count = polycube::dissertation::count_corner_points(map->map, adapter.host());
+  });
 }
 
 obc_status obc_polycube_copy(const obc_polycube* map, double* positions, double* polycube, uint32_t* triangles,

@@ -16,6 +16,7 @@
 #include "polycube/layout/drawn_construction.h"
 #include "polycube/map/construction.h"
 #include "report/degenerate_note.h"
+#include "report/polycube_methods.h"
 #include "report/polycube_outputs.h"
 #include "report/text.h"
 #include "report/unit_size.h"
@@ -48,11 +49,6 @@ struct PolycubeOptions {
   PolycubeOutputs outputs;
 };
 
-polycube::Method method_named(const std::string& name) {
-  if (name == "labels") return polycube::Method::labels;
-  return name == "voxels" ? polycube::Method::voxels : polycube::Method::automatic;
-}
-
 polycube::DomainMeasure measure_of(const std::string& name) {
   if (name == "faces") return polycube::DomainMeasure::face_mean;
   return name == "harmonic" ? polycube::DomainMeasure::harmonic : polycube::DomainMeasure::surface_mean;
@@ -80,10 +76,12 @@ base::Array<double> optimize_domain(const PolycubeOptions& options, polycube::Co
 polycube::BestConstruction construct(const PolycubeOptions& options, const mesh::Mesh& input, Session& session) {
   if (options.from.empty()) {
     return about(options.input, Role::input, [&] {
-      return polycube::construct(
-          input.positions, input.triangles,
-          {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
-          session.host());
+      return polycube::construct(input.positions, input.triangles,
+                                 {.method = polycube_method_named(options.construct),
+                                  .corners = options.corners,
+                                  .seed = session.seed(),
+                                  .area_weight = options.area_weight},
+                                 session.host());
     });
   }
   const GivenPolycube given = read_given_polycube(options.from, session);
@@ -97,13 +95,10 @@ polycube::BestConstruction construct(const PolycubeOptions& options, const mesh:
     polycube::BestConstruction result{
         polycube::construct_on(input.positions, input.triangles, given.target.graph, given.target.genus,
                                {.places = places, .pose = given.pose}, session.host()),
-        polycube::Method::automatic};
+        polycube::Method::automatic,
+        {}};
     return result;
   });
-}
-
-std::string name_of(polycube::Method method) {
-  return method == polycube::Method::automatic ? "given" : method == polycube::Method::labels ? "labels" : "voxels";
 }
 
 // name-2.obj for the second of several shapes.
@@ -116,19 +111,23 @@ std::string numbered(const std::string& path, std::size_t shape) {
 
 // One polycube for all inputs.
 void common_polycube(const PolycubeOptions& options, Session& session) {
+  if (options.construct == "dissertation")
+    throw Failure(Exit::wrong_input, "", "usage", "--method dissertation is for one surface");
   if (!options.from.empty() || !options.optimize.empty() || !options.features.empty() || options.feature_angle > 0)
     throw Failure(Exit::wrong_input, "", "usage",
                   "--from, --optimize, --features and --feature-angle are for one surface; several share a polycube of "
                   "their own, at its best proportions");
   session.options()["inputs"] = options.inputs;
   session.options()["landmarks"] = options.landmarks;
-  SharedPolycube shared = share_polycube(
-      {.inputs = options.inputs,
-       .landmarks = options.landmarks,
-       .construction = {.method = method_named(options.construct), .corners = options.corners, .seed = session.seed()},
-       .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
-       .weld = options.weld},
-      session);
+  SharedPolycube shared =
+      share_polycube({.inputs = options.inputs,
+                      .landmarks = options.landmarks,
+                      .construction = {.method = polycube_method_named(options.construct),
+                                       .corners = options.corners,
+                                       .seed = session.seed()},
+                      .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
+                      .weld = options.weld},
+                     session);
   const polycube::CommonPolycube& common = shared.common;
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     const polycube::SurfaceMap& map = common.maps[i];
@@ -221,7 +220,7 @@ Json json_of(const PolycubeOptions& options) {
                  {"optimize", options.optimize},
                  {"features", options.features},
                  {"feature_angle", options.feature_angle}};
-  if (!options.optimize.empty())
+  if (!options.optimize.empty() || options.construct == "dissertation")
     result.update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
   return result;
@@ -249,8 +248,8 @@ void say_polycube(const PolycubeOptions& options, const polycube::BestConstructi
               " corners and " + std::to_string(made.certificate.patch_count) + " faces, genus " +
               std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
   if (options.from.empty())
-    session.say("  constructed by " + name_of(best.method) + ", " + std::to_string(made.valid) + " valid maps in " +
-                std::to_string(made.tried) + " attempts");
+    session.say("  constructed by " + polycube_method_name(best.method) + ", " + std::to_string(made.valid) +
+                " valid maps in " + std::to_string(made.tried) + " attempts");
   session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_weighted_mean) + ", of areas " +
               std::to_string(made.distortion.area_weighted_mean) + " (over the surface; 1: none)");
   if (!options.surface.empty()) session.say("wrote " + options.surface);
@@ -294,12 +293,13 @@ void polycube(const PolycubeOptions& options, Session& session) {
                                 {"patches", made.certificate.patch_count},
                                 {"genus", made.certificate.genus},
                                 {"distortion", distortion_figures(made.distortion)},
-                                {"construction", name_of(best.method)},
+                                {"construction", polycube_method_name(best.method)},
                                 {"polycubes_tried", made.tried},
                                 {"polycubes_valid", made.valid},
                                 {"seconds_construct", constructed - start},
                                 {"seconds_write", session.seconds() - optimized}});
   say_polycube(options, best, added, session);
+  report_corner_points(best, session);
   write_polycube_outputs(options.outputs,
                          {options.input, map, made.certificate.genus, made.certificate.corners,
                           made.certificate.patch_count, made.distortion, energies},
@@ -308,9 +308,11 @@ void polycube(const PolycubeOptions& options, Session& session) {
 
 void add_construction_options(CLI::App& verb, PolycubeOptions& options) {
   CLI::Option* construct =
-      verb.add_option("--construct", options.construct,
-                      "construction: labels, voxels (grid-based), or auto, the better of both [default: auto]")
-          ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels"})))
+      verb.add_option(
+              "--construct,--method", options.construct,
+              "construction: labels, voxels (grid-based), auto, the better of both, or dissertation: the method "
+              "of its chapter 4, with up to 60 corner points unless --corners is given [default: auto]")
+          ->check(unnamed(CLI::IsMember({"auto", "labels", "voxels", "dissertation"})))
           ->type_name("METHOD");
   CLI::Option* corners =
       verb.add_option("--corners", options.corners, "maximum number of polycube corners; 0: no limit [default: 0]")

@@ -149,11 +149,14 @@ TEST_CASE("Wrong arguments are refused, not followed") {
   obc_polycube_options options;
   REQUIRE(obc_polycube_options_init(&options, sizeof options) == OBC_OK);
   const obc_surface closed = {cube.data(), 8, triangles.data(), 12};
-  for (const std::int32_t construction : {-1, 3}) {
+  for (const std::int32_t construction : {-1, 4}) {
     options.construction = construction;
     CHECK(obc_polycube_compute(&closed, &options, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
   }
   CHECK(obc_polycube_construction(nullptr) == -1);
+  std::size_t corner_points = 7;
+  CHECK(obc_polycube_corner_points(nullptr, nullptr, &corner_points, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(corner_points == 0);
   CHECK(obc_polycube_options_init(nullptr, sizeof(obc_polycube_options)) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_copy(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_polycube_copy_triangles(nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
@@ -192,4 +195,47 @@ TEST_CASE("Each allocation of a construction that fails ends in out of memory, a
   const test::Outcome cancelled = test::cancel_everywhere(call);
   CHECK(cancelled.problem == "");
   CHECK(cancelled.runs > 10);
+}
+
+TEST_CASE("The dissertation's method makes a certified map of a box, and its corner points are counted") {
+  const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
+  obc_polycube_options options;
+  REQUIRE(obc_polycube_options_init(&options, sizeof options) == OBC_OK);
+  options.construction = OBC_POLYCUBE_DISSERTATION;
+  obc_polycube* map = nullptr;
+  obc_error error;
+  REQUIRE(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_OK);
+  CHECK(obc_polycube_construction(map) == OBC_POLYCUBE_DISSERTATION);
+  CHECK(obc_polycube_corner_count(map) == 8);
+  std::size_t count = 0;
+  REQUIRE(obc_polycube_corner_points(map, nullptr, &count, &error) == OBC_OK);
+  CHECK(count == 8);
+  CHECK(obc_polycube_corner_points(map, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  check_every_end([&](const obc_host& host) { return obc_polycube_corner_points(map, &host, &count, nullptr); });
+  obc_polycube_destroy(map);
+  std::vector<double> wild = cube;
+  wild[4] = std::numeric_limits<double>::quiet_NaN();
+  const obc_surface not_finite = {wild.data(), 8, triangles.data(), 12};
+  CHECK(obc_polycube_compute(&not_finite, &options, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(map == nullptr);
+  options.corners = 7;
+  CHECK(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_NO_VALID_RESULT);
+}
+
+TEST_CASE("Each allocation of the dissertation's method that fails ends in out of memory, and each report may cancel") {
+  const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
+  const test::Call call = [&](const obc_host& host) {
+    obc_polycube* map = nullptr;
+    obc_polycube_options options;
+    obc_polycube_options_init(&options, sizeof options);
+    options.construction = OBC_POLYCUBE_DISSERTATION;
+    const obc_status status = obc_polycube_compute(&surface, &options, &host, &map, nullptr);
+    obc_polycube_destroy(map);
+    return status;
+  };
+  const test::Outcome memory = test::fail_each_allocation(call);
+  CHECK(memory.problem == "");
+  CHECK(memory.runs > 100);
+  const test::Outcome cancelled = test::cancel_everywhere(call);
+  CHECK(cancelled.problem == "");
 }

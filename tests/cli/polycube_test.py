@@ -76,6 +76,26 @@ class Polycube(InFolder):
         with open(self.path("auto.obj"), "rb") as one, open(self.path(best + ".obj"), "rb") as other:
             self.assertEqual(one.read(), other.read())
 
+    def test_the_method_of_the_dissertation_is_certified_or_refused_with_the_place(self):
+        path, out, report = self.made("l-shape", 800), self.path("out.obj"), self.path("report.json")
+        done = run("polycube", path, "-o", out, "--method", "dissertation", "--report", report)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        positions, triangles = read_obj(out)
+        self.assertNotIn(None, [looks_along(positions, t) for t in triangles])
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertEqual(figures["construction"], "dissertation")
+        self.assertLessEqual(figures["corners"], figures["corner_points"])
+        energies = figures["dissertation"]["energies"]
+        self.assertEqual(energies, sorted(energies, reverse=True))
+        # Of genus 3, with fewer corner points than its octree needs.
+        out = self.path("none.obj")
+        done = run("polycube", self.made("three-holes", 1500), "-o", out, "--method", "dissertation", "--corners", 12)
+        self.assertEqual((done.returncode, kind_of(done)), (1, "no-valid-result"))
+        self.assertFalse(os.path.exists(out))
+        done = run("polycube", path, path, "-o", out, "--method", "dissertation")
+        self.assertEqual(done.returncode, 2)
+
     def test_unknown_constructions_are_refused(self):
         path, out = self.made("sphere", 800), self.path("out.obj")
         for option in (("--construct", "magic"), ("--corners", "-3"), ("--corners", "few")):

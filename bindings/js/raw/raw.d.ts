@@ -56,6 +56,7 @@ export const constants: {
   readonly OBC_POLYCUBE_AUTO: 0;
   readonly OBC_POLYCUBE_LABELS: 1;
   readonly OBC_POLYCUBE_VOXELS: 2;
+  readonly OBC_POLYCUBE_DISSERTATION: 3;
   readonly OBC_POLYCUBE_SURFACE_MEAN: 0;
   readonly OBC_POLYCUBE_FACE_MEAN: 1;
   readonly OBC_POLYCUBE_HARMONIC: 2;
@@ -593,8 +594,11 @@ export interface RawFunctions {
   obc_polycube_corner_count(map: Pointer): number;
   /** Return the numbers of vertices (those of the surface, then inserted ones), triangles, corners and patches of a map; 0 for NULL. */
   obc_polycube_patch_count(map: Pointer): number;
-  /** Returns the construction of a map: OBC_POLYCUBE_LABELS or OBC_POLYCUBE_VOXELS; -1 for a map of other origin and for NULL. */
+  /** Returns the construction of a map: OBC_POLYCUBE_LABELS, VOXELS or DISSERTATION; -1 for a map of other origin and for NULL. */
   obc_polycube_construction(map: Pointer): number;
+  /** Counts the corner points of a polycube in the dissertation's sense: vertices of the rectangles that its patches are cut into, at
+   * least as many as its corners. O(c^3) for c corners in the worst case. Errors: invalid argument, out of memory, cancelled. */
+  obc_polycube_corner_points(map: Pointer, host: Pointer, count: Pointer, error: Pointer): number;
   /** Copies a map to arrays of the caller, each of which may be NULL: positions in space (x y z a vertex, bit-identical vertices of the
    * surface first), positions on the polycube, and triangles (three vertices each). Errors: invalid argument. */
   obc_polycube_copy(map: Pointer, positions: Pointer, polycube: Pointer, triangles: Pointer, error: Pointer): number;

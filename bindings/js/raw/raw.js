@@ -54,6 +54,7 @@ export const constants = {
   OBC_POLYCUBE_AUTO: 0,
   OBC_POLYCUBE_LABELS: 1,
   OBC_POLYCUBE_VOXELS: 2,
+  OBC_POLYCUBE_DISSERTATION: 3,
   OBC_POLYCUBE_SURFACE_MEAN: 0,
   OBC_POLYCUBE_FACE_MEAN: 1,
   OBC_POLYCUBE_HARMONIC: 2,
@@ -1050,6 +1051,7 @@ export const functions = {
   obc_polycube_corner_count: 'ii',
   obc_polycube_patch_count: 'ii',
   obc_polycube_construction: 'ii',
+  obc_polycube_corner_points: 'iiiii',
   obc_polycube_copy: 'iiiiii',
   obc_polycube_copy_triangles: 'iiiiii',
   obc_polycube_copy_sources: 'iiiii',
@@ -1218,7 +1220,7 @@ export const words = {
     method: { 'auto': 0, 'polycube': 1, 'grid': 2, 'frames': 3 },
   },
   obc_polycube_options: {
-    construction: { 'auto': 0, 'labels': 1, 'voxels': 2 },
+    construction: { 'auto': 0, 'labels': 1, 'voxels': 2, 'dissertation': 3 },
   },
   obc_polycube_domain_options: {
     measure: { 'surface-mean': 0, 'face-mean': 1, 'harmonic': 2 },

@@ -139,10 +139,11 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="1: PLY, STL and VTK in binary; 0: as text. The other formats are text. Default: 1."),
     ),
     "obc_polycube_options": (
-        Option("construction", "word", "auto", words={"auto": 0, "labels": 1, "voxels": 2},
-               doc="OBC_POLYCUBE_AUTO, LABELS or VOXELS. Default: AUTO."),
+        Option("construction", "word", "auto", words={"auto": 0, "labels": 1, "voxels": 2, "dissertation": 3},
+               doc="OBC_POLYCUBE_AUTO, LABELS, VOXELS or DISSERTATION. Default: AUTO."),
         Option("corners", "int", 0, low=0, high=18446744073709551615,
-               doc="maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Default: 0."),
+               doc="maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Of DISSERTATION the "
+                   "maximum number of corner points (obc_polycube_corner_points); 0: 60. Default: 0."),
         Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="seed of random choices of LABELS. Default: 0."),
     ),

@@ -58,10 +58,17 @@ class Polycube:
     def patch_count(self) -> int:
         return raw.obc_polycube_patch_count(self._handle)
 
+    def corner_points(self) -> int:
+        """Corner points in the dissertation's sense: vertices of the rectangles that the patches are cut into."""
+        count = ctypes.c_size_t()
+        call(raw.obc_polycube_corner_points, self._handle, HOST, byref(count))
+        return count.value
+
     @property
     def construction(self) -> Optional[str]:
-        """What found it: "labels", "voxels", or None for a map made elsewhere."""
-        return {raw.OBC_POLYCUBE_LABELS: "labels", raw.OBC_POLYCUBE_VOXELS: "voxels"}.get(
+        """What found it: "labels", "voxels", "dissertation", or None for a map made elsewhere."""
+        return {raw.OBC_POLYCUBE_LABELS: "labels", raw.OBC_POLYCUBE_VOXELS: "voxels",
+                raw.OBC_POLYCUBE_DISSERTATION: "dissertation"}.get(
             raw.obc_polycube_construction(self._handle))
 
     @property
@@ -240,7 +247,7 @@ def _domain(given: Mapping[str, Any]) -> Any:
 @with_options("obc_polycube_options")
 def compute(surface: Any, *,
             # options of obc_polycube_options, written by scripts/bindings.py
-            construction: Literal["auto", "labels", "voxels"] = "auto", corners: int = 0, seed: int = 0,
+            construction: Literal["auto", "labels", "voxels", "dissertation"] = "auto", corners: int = 0, seed: int = 0,
             # end of options
             progress: Progress = None, threads: int = 0) -> Polycube:
     """A polycube of a closed surface of any genus, and a map to it."""
@@ -308,7 +315,8 @@ class _Handles:
 @with_options("obc_polycube_options")
 def compute_common(surfaces: Sequence[Any], *,
                    # options of obc_polycube_options, written by scripts/bindings.py
-                   construction: Literal["auto", "labels", "voxels"] = "auto", corners: int = 0, seed: int = 0,
+                   construction: Literal["auto", "labels", "voxels", "dissertation"] = "auto", corners: int = 0,
+                   seed: int = 0,
                    # end of options
                    domain: Optional[Mapping[str, Any]] = None, progress: Progress = None, threads: int = 0) -> tuple[list[Polycube], int]:
     """One polycube for several shapes: a map each, and the number of the shape that it was made for. domain: options of

@@ -70,14 +70,18 @@ enum {
                               distortions (means over triangles), or with fewer corners if about equal */
   OBC_POLYCUBE_LABELS = 1, /* axis labels of triangles (Livesu, Vining, Sheffer, Gregson and Scateni 2013, "PolyCut"; Garanzha
                               et al. 2021, "Foldover-free maps in 50 lines of code") */
-  OBC_POLYCUBE_VOXELS = 2  /* grid-based: voxels of the genus of the surface, simplified to the allowed corners, traced on the surface */
+  OBC_POLYCUBE_VOXELS = 2, /* grid-based: voxels of the genus of the surface, simplified to the allowed corners, traced on the surface */
+  OBC_POLYCUBE_DISSERTATION = 3 /* the dissertation's chapter 4 as printed: octree, shortest paths, harmonic maps, Algorithm 3; never
+                                   chosen by AUTO. May have no valid result where paths cross or patches fold over.
+                                   Not for obc_polycube_compute_common. */
 };
 
 /* Options of the construction. Fill with _init. */
 typedef struct obc_polycube_options {
   uint32_t struct_size;
-  int32_t construction; /* OBC_POLYCUBE_AUTO, LABELS or VOXELS. Default: AUTO. */
-  size_t corners;       /* maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Default: 0. */
+  int32_t construction; /* OBC_POLYCUBE_AUTO, LABELS, VOXELS or DISSERTATION. Default: AUTO. */
+  size_t corners;       /* maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Of DISSERTATION the
+                           maximum number of corner points (obc_polycube_corner_points); 0: 60. Default: 0. */
   uint64_t seed;        /* seed of random choices of LABELS. Default: 0. */
 } obc_polycube_options;
 
@@ -224,8 +228,12 @@ OBC_API size_t obc_polycube_triangle_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_corner_count(const obc_polycube *map);
 OBC_API size_t obc_polycube_patch_count(const obc_polycube *map);
 
-/* Returns the construction of a map: OBC_POLYCUBE_LABELS or OBC_POLYCUBE_VOXELS; -1 for a map of other origin and for NULL. */
+/* Returns the construction of a map: OBC_POLYCUBE_LABELS, VOXELS or DISSERTATION; -1 for a map of other origin and for NULL. */
 OBC_API int32_t obc_polycube_construction(const obc_polycube *map);
+
+/* Counts the corner points of a polycube in the dissertation's sense: vertices of the rectangles that its patches are cut into, at
+ * least as many as its corners. O(c^3) for c corners in the worst case. Errors: invalid argument, out of memory, cancelled. */
+OBC_API obc_status obc_polycube_corner_points(const obc_polycube *map, const obc_host *host, size_t *count, obc_error *error);
 
 /* Copies a map to arrays of the caller, each of which may be NULL: positions in space (x y z a vertex, bit-identical vertices of the
  * surface first), positions on the polycube, and triangles (three vertices each). Errors: invalid argument. */

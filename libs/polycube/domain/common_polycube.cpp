@@ -116,7 +116,8 @@ class CommonConstruction {
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       own_.emplace_back();
       attempt("polycube of shape " + std::to_string(i), [&] {
-        auto [made, method] = construct(shapes_[i].positions, shapes_[i].triangles, options_.construction, host_);
+        auto [made, method, printed] =
+            construct(shapes_[i].positions, shapes_[i].triangles, options_.construction, host_);
         own_[i] = std::move(made.map);
         own_methods_[i] = method;
         CommonPolycube alone(host_.memory);

@@ -58,9 +58,10 @@ class BestOfAll {
         options_(options),
         host_(host),
         budget_(budget()),
-        best_{Construction(host.memory), Method::automatic} {}
+        best_{Construction(host.memory), Method::automatic, std::nullopt} {}
 
   BestConstruction run() {
+    if (options_.method == Method::dissertation) return as_printed();
     if (options_.method != Method::voxels) {
       attempt(Method::labels, "by labels", [&] {
         return construct_by_labels(
@@ -76,6 +77,13 @@ class BestOfAll {
   }
 
  private:
+  BestConstruction as_printed() const {
+    dissertation::Printed printed = dissertation::construct_as_printed(
+        positions_, triangles_,
+        {.corner_points = budget_, .area_weight = options_.area_weight, .max_rounds = options_.rounds}, host_);
+    return {std::move(printed.made), Method::dissertation, std::move(printed.report)};
+  }
+
   void try_voxels() {
     const std::size_t most = max_voxel_maps(triangles_.size());
     std::size_t grid = 0;

@@ -5,11 +5,17 @@
 // grids and budgets where voxels fail) and keeps the certified map of minimum distortion.
 #pragma once
 
+#include <optional>
+
+#include "polycube/dissertation/printed_construction.h"
 #include "polycube/labels/label_construction.h"
 
 namespace orbicube::polycube {
 
-enum class Method { automatic = 0, labels = 1, voxels = 2 };
+//
+// `dissertation` is the method of its chapter 4 as printed (dissertation/printed_construction.h), which is never tried
+// unless it is chosen; `corners` then is the maximum number of corner points.
+enum class Method { automatic = 0, labels = 1, voxels = 2, dissertation = 3 };
 
 struct ConstructionOptions {
   Method method = Method::automatic;
@@ -19,11 +25,15 @@ struct ConstructionOptions {
   // More than the given number only where the map is better by 3 %; 0: all alike.
   std::size_t preferred_corners = 0;
   std::uint64_t seed = 0;
+  // Of the dissertation's method: alpha of eq. 4.4, and the maximum number of rounds of Algorithm 3.
+  double area_weight = 1;
+  int rounds = dissertation::PrintedOptions().max_rounds;
 };
 
 struct BestConstruction {
-  Construction made;                  // `tried` and `valid` are those of all constructions
-  Method method = Method::automatic;  // labels or voxels: which one made it
+  Construction made;                                   // `tried` and `valid` are those of all constructions
+  Method method = Method::automatic;                   // which one made it
+  std::optional<dissertation::PrintedReport> printed;  // of the dissertation's method
 };
 
 // Of a closed, connected, oriented surface that is outward-oriented. What is tried depends on the surface and the

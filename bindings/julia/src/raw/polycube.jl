@@ -3,6 +3,7 @@
 const OBC_POLYCUBE_AUTO = Int32(0)
 const OBC_POLYCUBE_LABELS = Int32(1)
 const OBC_POLYCUBE_VOXELS = Int32(2)
+const OBC_POLYCUBE_DISSERTATION = Int32(3)
 
 const OBC_POLYCUBE_SURFACE_MEAN = Int32(0)
 const OBC_POLYCUBE_FACE_MEAN = Int32(1)
@@ -187,6 +188,10 @@ obc_polycube_patch_count(map) =
 const address_obc_polycube_construction = Ref(C_NULL)
 obc_polycube_construction(map) =
     ccall(symbol(address_obc_polycube_construction, :polycube, :obc_polycube_construction), Int32, (Ptr{Cvoid},), map)
+
+const address_obc_polycube_corner_points = Ref(C_NULL)
+obc_polycube_corner_points(map, host, count, error) =
+    ccall(symbol(address_obc_polycube_corner_points, :polycube, :obc_polycube_corner_points), Int32, (Ptr{Cvoid}, Ptr{obc_host}, Ptr{Csize_t}, Ptr{obc_error}), map, host, count, error)
 
 const address_obc_polycube_copy = Ref(C_NULL)
 obc_polycube_copy(map, positions, polycube, triangles, error) =

@@ -13,7 +13,7 @@ const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
     (:obc_hexmesh_options, :method) => [:auto => 0, :polycube => 1, :grid => 2, :frames => 3],
     (:obc_linear_direct_options, :method) => [:auto => 0, :eigen => 1, :cholmod_simplicial => 2, :cholmod_supernodal => 3],
     (:obc_linear_iterative_options, :method) => [:auto => 0, :gauss_seidel => 1, :multigrid => 2],
-    (:obc_polycube_options, :construction) => [:auto => 0, :labels => 1, :voxels => 2],
+    (:obc_polycube_options, :construction) => [:auto => 0, :labels => 1, :voxels => 2, :dissertation => 3],
     (:obc_polycube_domain_options, :measure) => [:surface_mean => 0, :face_mean => 1, :harmonic => 2],
     (:obc_polycube_corner_options, :method) => [:trust_region => 0, :gradient => 1],
     (:obc_projected_gradient_options, :method) => [:face => 0, :dissertation => 1],

@@ -7,6 +7,7 @@ from .._library import Struct as _Struct
 OBC_POLYCUBE_AUTO = 0
 OBC_POLYCUBE_LABELS = 1
 OBC_POLYCUBE_VOXELS = 2
+OBC_POLYCUBE_DISSERTATION = 3
 
 OBC_POLYCUBE_SURFACE_MEAN = 0
 OBC_POLYCUBE_FACE_MEAN = 1
@@ -169,6 +170,7 @@ _functions = [
     ("obc_polycube_corner_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_polycube_patch_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_polycube_construction", _c.c_int32, [_c.c_void_p]),
+    ("obc_polycube_corner_points", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_copy_triangles", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_polycube_copy_sources", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

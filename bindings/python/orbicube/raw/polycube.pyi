@@ -6,6 +6,7 @@ from .._library import Pointer, Struct
 OBC_POLYCUBE_AUTO: int
 OBC_POLYCUBE_LABELS: int
 OBC_POLYCUBE_VOXELS: int
+OBC_POLYCUBE_DISSERTATION: int
 
 OBC_POLYCUBE_SURFACE_MEAN: int
 OBC_POLYCUBE_FACE_MEAN: int
@@ -194,7 +195,12 @@ def obc_polycube_patch_count(map: Pointer) -> int:
     ...
 
 def obc_polycube_construction(map: Pointer) -> int:
-    """Returns the construction of a map: OBC_POLYCUBE_LABELS or OBC_POLYCUBE_VOXELS; -1 for a map of other origin and for NULL."""
+    """Returns the construction of a map: OBC_POLYCUBE_LABELS, VOXELS or DISSERTATION; -1 for a map of other origin and for NULL."""
+    ...
+
+def obc_polycube_corner_points(map: Pointer, host: Pointer, count: Pointer, error: Pointer) -> int:
+    """Counts the corner points of a polycube in the dissertation's sense: vertices of the rectangles that its patches are cut into, at
+    least as many as its corners. O(c^3) for c corners in the worst case. Errors: invalid argument, out of memory, cancelled."""
     ...
 
 def obc_polycube_copy(map: Pointer, positions: Pointer, polycube: Pointer, triangles: Pointer, error: Pointer) -> int:

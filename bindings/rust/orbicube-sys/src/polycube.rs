@@ -13,6 +13,9 @@ pub const OBC_POLYCUBE_AUTO: i32 = 0;
 pub const OBC_POLYCUBE_LABELS: i32 = 1;
 /// grid-based: voxels of the genus of the surface, simplified to the allowed corners, traced on the surface
 pub const OBC_POLYCUBE_VOXELS: i32 = 2;
+/// the dissertation's chapter 4 as printed: octree, shortest paths, harmonic maps, Algorithm 3; never
+/// chosen by AUTO. May have no valid result where paths cross or patches fold over.
+pub const OBC_POLYCUBE_DISSERTATION: i32 = 3;
 
 /// mean over the surface of angle + area\_weight \* area distortion
 pub const OBC_POLYCUBE_SURFACE_MEAN: i32 = 0;
@@ -70,9 +73,10 @@ pub struct obc_polycube_certificate {
 #[derive(Clone, Copy)]
 pub struct obc_polycube_options {
     pub struct_size: u32,
-    /// OBC\_POLYCUBE\_AUTO, LABELS or VOXELS. Default: AUTO.
+    /// OBC\_POLYCUBE\_AUTO, LABELS, VOXELS or DISSERTATION. Default: AUTO.
     pub construction: i32,
-    /// maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Default: 0.
+    /// maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Of DISSERTATION the
+    /// maximum number of corner points (obc\_polycube\_corner\_points); 0: 60. Default: 0.
     pub corners: usize,
     /// seed of random choices of LABELS. Default: 0.
     pub seed: u64,
@@ -299,8 +303,11 @@ extern "C" {
     pub fn obc_polycube_corner_count(map: *const obc_polycube) -> usize;
     /// Return the numbers of vertices (those of the surface, then inserted ones), triangles, corners and patches of a map; 0 for NULL.
     pub fn obc_polycube_patch_count(map: *const obc_polycube) -> usize;
-    /// Returns the construction of a map: OBC\_POLYCUBE\_LABELS or OBC\_POLYCUBE\_VOXELS; -1 for a map of other origin and for NULL.
+    /// Returns the construction of a map: OBC\_POLYCUBE\_LABELS, VOXELS or DISSERTATION; -1 for a map of other origin and for NULL.
     pub fn obc_polycube_construction(map: *const obc_polycube) -> i32;
+    /// Counts the corner points of a polycube in the dissertation's sense: vertices of the rectangles that its patches are cut into, at
+    /// least as many as its corners. O(c^3) for c corners in the worst case. Errors: invalid argument, out of memory, cancelled.
+    pub fn obc_polycube_corner_points(map: *const obc_polycube, host: *const obc_host, count: *mut usize, error: *mut obc_error) -> i32;
     /// Copies a map to arrays of the caller, each of which may be NULL: positions in space (x y z a vertex, bit-identical vertices of the
     /// surface first), positions on the polycube, and triangles (three vertices each). Errors: invalid argument.
     pub fn obc_polycube_copy(map: *const obc_polycube, positions: *mut f64, polycube: *mut f64, triangles: *mut u32, error: *mut obc_error) -> i32;

@@ -239,7 +239,8 @@ impl Polycube {
         })?;
         Ok(out)
     }
-    /// What found the map: `OBC_POLYCUBE_LABELS` or `OBC_POLYCUBE_VOXELS`; none for a map made elsewhere.
+    /// What found the map: `OBC_POLYCUBE_LABELS`, `OBC_POLYCUBE_VOXELS` or
+    /// `OBC_POLYCUBE_DISSERTATION`; none for a map made elsewhere.
     pub fn construction(&self) -> Option<i32> {
         let found = unsafe { obc_polycube_construction(self.as_ptr()) };
         if found < 0 { None } else { Some(found) }
