@@ -6,7 +6,6 @@ const libraries = [
     :frame_field => Symbol[:base],
     :gltf => Symbol[:base],
     :harmonics => Symbol[:base],
-    :mesh => Symbol[:base],
     :hexmesh => Symbol[:base, :mesh],
     :linear => Symbol[:base],
     :polycube => Symbol[:base, :mesh],

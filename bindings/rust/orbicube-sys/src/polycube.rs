@@ -15,6 +15,7 @@ pub const OBC_POLYCUBE_LABELS: i32 = 1;
 pub const OBC_POLYCUBE_VOXELS: i32 = 2;
 /// the dissertation's chapter 4 as printed: octree, shortest paths, harmonic maps, Algorithm 3; never
 /// chosen by AUTO. May have no valid result where paths cross or patches fold over.
+/// Not for obc\_polycube\_compute\_common.
 pub const OBC_POLYCUBE_DISSERTATION: i32 = 3;
 
 /// mean over the surface of angle + area\_weight \* area distortion

@@ -136,27 +136,6 @@ pub struct obc_sphere_map_report {
     pub equation_3_4: f64,
 }
 
-/// Distances from sample points of one surface (vertices and centroids) to the nearest point of the other, in both directions, in the
-/// unit of the surfaces.
-#[repr(C)]
-#[derive(Clone, Copy)]
-pub struct obc_sphere_map_distance {
-    pub struct_size: u32,
-    pub reserved: u32,
-    /// from the first surface: mean, root mean square, maximum
-    pub first_mean: f64,
-    /// from the first surface: mean, root mean square, maximum
-    pub first_root_mean_square: f64,
-    /// from the first surface: mean, root mean square, maximum
-    pub first_max: f64,
-    /// from the second surface
-    pub second_mean: f64,
-    /// from the second surface
-    pub second_root_mean_square: f64,
-    /// from the second surface
-    pub second_max: f64,
-}
-
 extern "C" {
     /// Fills options with the defaults.
     pub fn obc_sphere_map_options_init(options: *mut obc_sphere_map_options, struct_size: usize) -> i32;
@@ -204,20 +183,12 @@ extern "C" {
     /// doubles; sampled: components \* count. unit 1 scales each result to length 1 (for normals), 0 does not. The direction of a vertex
     /// returns the values of the vertex. Errors: as obc\_sphere\_map\_locate.
     pub fn obc_sphere_map_sample(locator: *const obc_sphere_map_locator, directions: *const f64, count: usize, values: *const f64, components: usize, unit: i32, host: *const obc_host, sampled: *mut f64, error: *mut obc_error) -> i32;
-    /// Computes unit vertex normals, 3 \* vertex\_count doubles: triangle normals weighted by angles (Thuermer and Wuethrich 1998). O(n).
-    /// Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
-    pub fn obc_sphere_map_vertex_normals(surface: *const obc_surface, host: *const obc_host, normals: *mut f64, error: *mut obc_error) -> i32;
     /// Creates a regular triangulation with unit vectors for positions. \*out is destroyed with obc\_mesh\_destroy; the allocator of the host is
     /// used until then. O(size). Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_sphere_map_grid(grid: i32, resolution: usize, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
     /// Resamples a surface on a regular triangulation: positions (3 \* vertex\_count doubles) interpolated at its directions. Otherwise as
     /// obc\_sphere\_map\_grid.
     pub fn obc_sphere_map_remesh(locator: *const obc_sphere_map_locator, positions: *const f64, grid: i32, resolution: usize, host: *const obc_host, out: *mut *mut obc_mesh, error: *mut obc_error) -> i32;
-    /// Fills a result with zeros and its size.
-    pub fn obc_sphere_map_distance_init(distance: *mut obc_sphere_map_distance, struct_size: usize) -> i32;
-    /// Measures the distances between two surfaces. Uses the threads of the host. O(n log n). Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED,
-    /// OBC\_OUT\_OF\_MEMORY.
-    pub fn obc_sphere_map_surface_distance(first: *const obc_surface, second: *const obc_surface, host: *const obc_host, distance: *mut obc_sphere_map_distance, error: *mut obc_error) -> i32;
     /// Computes the size of a geometry image (Gu, Gortler and Hoppe 2002; Praun and Hoppe 2003): the surface as pixels x y z, 3 \* width \*
     /// height doubles, row by row from the top. OBC\_SPHERE\_MAP\_OCTAHEDRON is a square of (resolution + 1)^2 pixels, OBC\_SPHERE\_MAP\_CUBE
     /// six tiles of that size, 3 by 2: +x -x +y, below -y +z -z. Pixels on both sides of a cut are equal. resolution: up to
@@ -305,16 +276,5 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).equation_3_2) } as usize - start as usize, 128, "obc_sphere_map_report.equation_3_2");
         assert_eq!(unsafe { addr_of!((*start).equation_3_3) } as usize - start as usize, 136, "obc_sphere_map_report.equation_3_3");
         assert_eq!(unsafe { addr_of!((*start).equation_3_4) } as usize - start as usize, 144, "obc_sphere_map_report.equation_3_4");
-        assert_eq!((size_of::<obc_sphere_map_distance>(), align_of::<obc_sphere_map_distance>()), (56, 8));
-        let it = MaybeUninit::<obc_sphere_map_distance>::uninit();
-        let start = it.as_ptr();
-        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_map_distance.struct_size");
-        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_sphere_map_distance.reserved");
-        assert_eq!(unsafe { addr_of!((*start).first_mean) } as usize - start as usize, 8, "obc_sphere_map_distance.first_mean");
-        assert_eq!(unsafe { addr_of!((*start).first_root_mean_square) } as usize - start as usize, 16, "obc_sphere_map_distance.first_root_mean_square");
-        assert_eq!(unsafe { addr_of!((*start).first_max) } as usize - start as usize, 24, "obc_sphere_map_distance.first_max");
-        assert_eq!(unsafe { addr_of!((*start).second_mean) } as usize - start as usize, 32, "obc_sphere_map_distance.second_mean");
-        assert_eq!(unsafe { addr_of!((*start).second_root_mean_square) } as usize - start as usize, 40, "obc_sphere_map_distance.second_root_mean_square");
-        assert_eq!(unsafe { addr_of!((*start).second_max) } as usize - start as usize, 48, "obc_sphere_map_distance.second_max");
     }
 }
