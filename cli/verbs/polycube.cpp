@@ -92,12 +92,11 @@ polycube::BestConstruction construct(const PolycubeOptions& options, const mesh:
                                {"genus", given.target.genus},
                                {"constraints", places.size()}};
   return about(options.input, Role::input, [&] {
-    polycube::BestConstruction result{
+    return polycube::BestConstruction{
         polycube::construct_on(input.positions, input.triangles, given.target.graph, given.target.genus,
                                {.places = places, .pose = given.pose}, session.host()),
         polycube::Method::automatic,
         {}};
-    return result;
   });
 }
 

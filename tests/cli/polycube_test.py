@@ -90,8 +90,9 @@ class Polycube(InFolder):
         self.assertEqual(energies, sorted(energies, reverse=True))
         # Of genus 3, with fewer corner points than its octree needs.
         out = self.path("none.obj")
-        done = run("polycube", self.made("three-holes", 1500), "-o", out, "--method", "dissertation", "--corners", 12)
-        self.assertEqual((done.returncode, kind_of(done)), (1, "no-valid-result"))
+        holes = self.made("three-holes", 1500)
+        done = run("polycube", holes, "-o", out, "--method", "dissertation", "--corners", 12)
+        self.assertEqual((done.returncode, kind_of(done.stderr, holes)), (1, "no-valid-result"))
         self.assertFalse(os.path.exists(out))
         done = run("polycube", path, path, "-o", out, "--method", "dissertation")
         self.assertEqual(done.returncode, 2)

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "blocks.h"
-#include "polycube/dissertation/corner_charts.h"
+#include "polycube/dissertation/corner_disks.h"
 #include "polycube/dissertation/corner_mapping.h"
 #include "polycube/dissertation/domain_shape.h"
 #include "polycube/dissertation/octree.h"
@@ -250,22 +250,22 @@ TEST_CASE("Optimal proportions keep the area and lower the energy of the rectang
   CHECK(area(shape.planes) == doctest::Approx(area(box.layout.planes)).epsilon(1e-10));
 }
 
-TEST_CASE("Charts are disks around their corner points, and bijective") {
+TEST_CASE("Disks are disks around their corner points, and bijective") {
   const Box box("creature", 5000);
   for (const Index center : {box.points[0], box.points[5]}) {
-    const CornerChart chart = make_chart(box.surface, center, chart_rings, host);
-    CHECK(chart.vertices[0] == center);
-    CHECK(chart.rings <= chart_rings);
-    CHECK(chart.nearest(chart.places[0]) == center);
+    const CornerDisk disk = make_disk(box.surface, center, disk_rings, host);
+    CHECK(disk.vertices[0] == center);
+    CHECK(disk.rings <= disk_rings);
+    CHECK(disk.nearest(disk.places[0]) == center);
     std::vector<Index> place(box.surface.vertices(), no_index);
-    for (std::size_t i = 0; i < chart.vertices.size(); ++i) {
-      place[chart.vertices[i]] = static_cast<Index>(i);
-      CHECK(chart.places[i].norm() < 1 + 1e-12);
+    for (std::size_t i = 0; i < disk.vertices.size(); ++i) {
+      place[disk.vertices[i]] = static_cast<Index>(i);
+      CHECK(disk.places[i].norm() < 1 + 1e-12);
     }
     for (const Triangle& t : box.surface.triangle) {
       if (place[t[0]] == no_index || place[t[1]] == no_index || place[t[2]] == no_index) continue;
-      const Eigen::Vector2d p = chart.places[place[t[1]]] - chart.places[place[t[0]]];
-      const Eigen::Vector2d q = chart.places[place[t[2]]] - chart.places[place[t[0]]];
+      const Eigen::Vector2d p = disk.places[place[t[1]]] - disk.places[place[t[0]]];
+      const Eigen::Vector2d q = disk.places[place[t[2]]] - disk.places[place[t[0]]];
       CHECK(p.x() * q.y() - p.y() * q.x() > 0);
     }
   }

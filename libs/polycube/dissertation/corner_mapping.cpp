@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "polycube/dissertation/corner_charts.h"
+#include "polycube/dissertation/corner_disks.h"
 #include "trust_region/solver.h"
 
 namespace orbicube::polycube::dissertation {
@@ -32,19 +32,19 @@ class CornerOptimization {
         squares_(squares_per_patch * layout.rectangles.size(), 0, host.memory) {
     best_.corner_points.assign(corner_points.begin(), corner_points.end());
     now_ = best_.corner_points;
-    charts_.reserve(corner_points.size());
+    disks_.reserve(corner_points.size());
     for (const Index v : corner_points)
-      charts_.push_back(make_chart(mapper.surface(), v, chart_rings, host));
+      disks_.push_back(make_disk(mapper.surface(), v, disk_rings, host));
   }
 
   CornerMapping run() {
     best_.energy_before = best_.energy = evaluate();
     max_flipped_ = flipped_;
-    const std::size_t n = 2 * charts_.size();
+    const std::size_t n = 2 * disks_.size();
     Array<double> lower(n, -max_place, host_.memory), upper(n, max_place, host_.memory), scale(n, 1, host_.memory);
     Array<double> start(n, 0, host_.memory), sign(squares_.size(), 1, host_.memory);
     for (std::size_t i = 0; i < n; ++i) {
-      start[i] = charts_[i / 2].places[0][static_cast<Eigen::Index>(i % 2)];
+      start[i] = disks_[i / 2].places[0][static_cast<Eigen::Index>(i % 2)];
       lower[i] = std::min(lower[i], start[i]);
       upper[i] = std::max(upper[i], start[i]);
     }
@@ -78,8 +78,8 @@ class CornerOptimization {
       if (request == trust_region::Request::done) break;
       if (request != trust_region::Request::need_values) continue;
       const std::span<const double> point = solver.pending();
-      for (std::size_t i = 0; i < charts_.size(); ++i)
-        now_[i] = charts_[i].nearest({point[2 * i], point[2 * i + 1]});
+      for (std::size_t i = 0; i < disks_.size(); ++i)
+        now_[i] = disks_[i].nearest({point[2 * i], point[2 * i + 1]});
       const double energy = evaluate();
       if (std::isfinite(energy))
         solver.tell(squares_);
@@ -118,7 +118,7 @@ class CornerOptimization {
   PrintedMapper& mapper_;
   const CornerMappingOptions& options_;
   const base::Host& host_;
-  std::vector<CornerChart> charts_;
+  std::vector<CornerDisk> disks_;
   CornerMapping best_;
   Array<Index> now_;  // corner points that are evaluated
   std::size_t flipped_ = 0, max_flipped_ = no_index;

@@ -1,4 +1,4 @@
-#include "polycube/dissertation/corner_charts.h"
+#include "polycube/dissertation/corner_disks.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,43 +12,43 @@
 namespace orbicube::polycube::dissertation {
 namespace {
 
-constexpr const char* phase = "corner charts";
+constexpr const char* phase = "corner disks";
 
-class ChartMaker {
+class DiskMaker {
  public:
-  ChartMaker(const EditableSurface& surface, Index center, const base::Host& host)
+  DiskMaker(const EditableSurface& surface, Index center, const base::Host& host)
       : surface_(surface),
         center_(center),
         host_(host),
         place_(surface.vertices(), no_index, host.memory),
         loop_(host.memory) {}
 
-  bool build(int rings, CornerChart& chart) {
+  bool build(int rings, CornerDisk& disk) {
     host_.report(phase, 0, 0);
-    collect(rings, chart);
-    if (!find_outline(chart)) return false;
-    chart.rings = rings;
-    place_outline(chart);
-    place_inside(chart);
+    collect(rings, disk);
+    if (!find_outline(disk)) return false;
+    disk.rings = rings;
+    place_outline(disk);
+    place_inside(disk);
     return true;
   }
 
  private:
   // Vertices at most `rings` edges away.
-  void collect(int rings, CornerChart& chart) {
-    for (const Index v : chart.vertices)
+  void collect(int rings, CornerDisk& disk) {
+    for (const Index v : disk.vertices)
       place_[v] = no_index;
-    chart.vertices.assign(1, center_);
+    disk.vertices.assign(1, center_);
     place_[center_] = 0;
     std::size_t begin = 0;
     for (int ring = 0; ring < rings; ++ring) {
-      const std::size_t end = chart.vertices.size();
+      const std::size_t end = disk.vertices.size();
       for (std::size_t i = begin; i < end; ++i) {
-        surface_.for_each_outgoing(chart.vertices[i], [&](Index h) {
+        surface_.for_each_outgoing(disk.vertices[i], [&](Index h) {
           const Index v = surface_.end(h);
           if (place_[v] != no_index) return;
-          place_[v] = static_cast<Index>(chart.vertices.size());
-          chart.vertices.push_back(v);
+          place_[v] = static_cast<Index>(disk.vertices.size());
+          disk.vertices.push_back(v);
         });
       }
       begin = end;
@@ -62,11 +62,11 @@ class ChartMaker {
 
   // The one loop of half-edges of triangles inside whose opposites are not; false where there are none, several, or
   // more than a disk's inside.
-  bool find_outline(const CornerChart& chart) {
+  bool find_outline(const CornerDisk& disk) {
     loop_.clear();
     std::size_t outline = 0, half_edges = 0;
     Index first = no_index;
-    for (const Index v : chart.vertices) {
+    for (const Index v : disk.vertices) {
       surface_.for_each_outgoing(v, [&](Index h) {
         if (!inside(h)) return;
         ++half_edges;
@@ -85,33 +85,33 @@ class ChartMaker {
       h = out;
     } while (h != first && loop_.size() <= outline);
     const std::size_t faces = half_edges / 3, edges = (half_edges + outline) / 2;
-    return loop_.size() == outline && chart.vertices.size() + faces == edges + 1;
+    return loop_.size() == outline && disk.vertices.size() + faces == edges + 1;
   }
 
-  void place_outline(CornerChart& chart) {
+  void place_outline(CornerDisk& disk) {
     const double nothing = std::numeric_limits<double>::quiet_NaN();
-    chart.places.assign(chart.vertices.size(), {nothing, nothing});
+    disk.places.assign(disk.vertices.size(), {nothing, nothing});
     double whole = 0, length = 0;
     for (const Index h : loop_)
       whole += surface_.length(h);
     for (const Index h : loop_) {
       const double angle = 2 * std::numbers::pi * length / whole;
-      chart.places[place_[surface_.start(h)]] = {std::cos(angle), std::sin(angle)};
+      disk.places[place_[surface_.start(h)]] = {std::cos(angle), std::sin(angle)};
       length += surface_.length(h);
     }
   }
 
-  void place_inside(CornerChart& chart) {
-    Array<Index> unknown(chart.vertices.size(), no_index, host_.memory);
+  void place_inside(CornerDisk& disk) {
+    Array<Index> unknown(disk.vertices.size(), no_index, host_.memory);
     Index count = 0;
-    for (std::size_t i = 0; i < chart.vertices.size(); ++i) {
-      if (std::isnan(chart.places[i].x())) unknown[i] = count++;
+    for (std::size_t i = 0; i < disk.vertices.size(); ++i) {
+      if (std::isnan(disk.places[i].x())) unknown[i] = count++;
     }
     linear::Triplets triplets(host_.memory);
     const auto each_edge = [&](const auto& visit) {
-      for (std::size_t i = 0; i < chart.vertices.size(); ++i) {
+      for (std::size_t i = 0; i < disk.vertices.size(); ++i) {
         if (unknown[i] == no_index) continue;
-        surface_.for_each_outgoing(chart.vertices[i], [&](Index h) { visit(i, place_[surface_.end(h)]); });
+        surface_.for_each_outgoing(disk.vertices[i], [&](Index h) { visit(i, place_[surface_.end(h)]); });
       }
     };
     each_edge([&](std::size_t i, Index j) {
@@ -125,37 +125,37 @@ class ChartMaker {
     each_edge([&](std::size_t i, Index j) {
       system.values()[system.place(unknown[i], unknown[i])] += 1;
       if (unknown[j] == no_index)
-        right.row(unknown[i]) += chart.places[j].transpose();
+        right.row(unknown[i]) += disk.places[j].transpose();
       else if (unknown[j] < unknown[i])
         system.values()[system.place(unknown[i], unknown[j])] = -1;
     });
-    if (!system.factorize()) throw base::Error("degenerate", "a chart of a corner point cannot be computed");
+    if (!system.factorize()) throw base::Error("degenerate", "the disk around a corner point cannot be computed");
     const Eigen::VectorXd x = system.solve(right.col(0)), y = system.solve(right.col(1));
-    for (std::size_t i = 0; i < chart.vertices.size(); ++i)
-      if (unknown[i] != no_index) chart.places[i] = {x[unknown[i]], y[unknown[i]]};
+    for (std::size_t i = 0; i < disk.vertices.size(); ++i)
+      if (unknown[i] != no_index) disk.places[i] = {x[unknown[i]], y[unknown[i]]};
   }
 
   const EditableSurface& surface_;
   Index center_;
   const base::Host& host_;
-  Array<Index> place_;  // in the chart, of each vertex
+  Array<Index> place_;  // in the disk, of each vertex
   Array<Index> loop_;   // half-edges of the outline
 };
 
 }  // namespace
 
-Index CornerChart::nearest(const Eigen::Vector2d& point) const {
+Index CornerDisk::nearest(const Eigen::Vector2d& point) const {
   std::size_t best = 0;
   for (std::size_t i = 1; i < places.size(); ++i)
     if ((places[i] - point).squaredNorm() < (places[best] - point).squaredNorm()) best = i;
   return vertices[best];
 }
 
-CornerChart make_chart(const EditableSurface& surface, Index center, int rings, const base::Host& host) {
-  CornerChart chart(host.memory);
-  ChartMaker maker(surface, center, host);
+CornerDisk make_disk(const EditableSurface& surface, Index center, int rings, const base::Host& host) {
+  CornerDisk disk(host.memory);
+  DiskMaker maker(surface, center, host);
   for (; rings > 0; --rings)
-    if (maker.build(rings, chart)) return chart;
+    if (maker.build(rings, disk)) return disk;
   throw base::Error("degenerate", "the triangles around vertex " + std::to_string(center) + " are no disk");
 }
 

@@ -1,4 +1,4 @@
-// Charts around corner points, in which they move (the dissertation's section 4.4): the 20 rings of triangles around a
+// Disks around corner points, in which they move (the dissertation's section 4.4): the 20 rings of triangles around a
 // vertex, mapped to the unit disk.
 //
 // The dissertation does not say how; here the rings' outline goes to the circle by arc length and every vertex inside
@@ -11,10 +11,10 @@
 
 namespace orbicube::polycube::dissertation {
 
-inline constexpr int chart_rings = 20;
+inline constexpr int disk_rings = 20;
 
-struct CornerChart {
-  explicit CornerChart(std::pmr::memory_resource* memory) : vertices(memory), places(memory) {}
+struct CornerDisk {
+  explicit CornerDisk(std::pmr::memory_resource* memory) : vertices(memory), places(memory) {}
 
   // The vertex nearest to a point of the disk.
   Index nearest(const Eigen::Vector2d& point) const;
@@ -25,6 +25,6 @@ struct CornerChart {
 };
 
 // Around a vertex. Throws Error "cancelled", and "degenerate" where even one ring is no disk.
-CornerChart make_chart(const EditableSurface& surface, Index center, int rings, const base::Host& host);
+CornerDisk make_disk(const EditableSurface& surface, Index center, int rings, const base::Host& host);
 
 }  // namespace orbicube::polycube::dissertation
