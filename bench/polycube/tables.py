@@ -54,7 +54,8 @@ As printed, with a row for this library. *Construction*: whether the polycube is
 
 ## Table 4.2: distortion and time
 
-Ours: *before*, by `--construct auto --corners N`, which includes smoothing; *after*, by `--optimize all --corner-search gradient`. T1
+*As printed*: the dissertation's method here, `--method dissertation --corners N`, with the seconds of all of it beside the triangles; or why it has no map.
+*Corners* are vertices with three patches or more, *corner points* those of the merged rectangles, which the printed figures count. Ours: *before*, by `--construct auto --corners N`, which includes smoothing; *after*, by `--optimize all --corner-search gradient`. T1
 is the optimization of the domain, T2 that of domain and map in turn; the construction's seconds are beside the triangles.
 
 """
@@ -79,13 +80,22 @@ def pair(angle, area):
 
 def table_4_2(rows):
     ours = {row[1]: row[2:] for row in rows if row[0] == "map"}
-    lines = ["| model | | triangles | corners | before: angle / area | after | T1 | T2 |", "|---|---|---|---|---|---|---|---|"]
+    lines = ["| model | | triangles | corners | corner points | before: angle / area | after | T1 | T2 |", "|---|---|---|---|---|---|---|---|---|"]
     for name, file, triangles, corners, before, after, domain, mapping in TABLE_4_2:
-        lines.append(f"| {name} | printed | {triangles} | {corners} | {pair(*before)} | {pair(*after)} | {domain:g} | {mapping} |")
+        lines.append(f"| {name} | printed | {triangles} | | {corners} | {pair(*before)} | {pair(*after)} | {domain:g} | {mapping} |")
         stem = file.split(".")[0] if file else None
+        for row in rows:
+            if row[:2] == ["as printed", stem]:
+                count, points, had, a0, r0, a, r, seconds = row[2:]
+                # Zeros: the initial map folds over.
+                first = pair(a0, r0) if float(a0) > 0 else "folds over"
+                lines.append(f"| | as printed | {count}, {float(seconds):.1f} s | {had} | {points} | {first} | {pair(a, r)} | | |")
+            elif row[:2] == ["not printed", stem]:
+                reason = row[3].split("; ")[0].split(", and at")[0].split(": ", 1)[-1]
+                lines.append(f"| | as printed | {float(row[2]):.1f} s | | | no map: {reason} | | | |")
         if stem in ours:
-            count, _, had, a0, r0, a, r, made, t1, t2 = ours[stem]
-            lines.append(f"| | ours | {int(count)}, {float(made):.1f} s | {had} | {pair(a0, r0)} | {pair(a, r)} | {float(t1):.2f} | {float(t2):.1f} |")
+            count, _, had, a0, r0, a, r, made, t1, t2, points = ours[stem]
+            lines.append(f"| | ours | {int(count)}, {float(made):.1f} s | {had} | {points} | {pair(a0, r0)} | {pair(a, r)} | {float(t1):.2f} | {float(t2):.1f} |")
     return "\n".join(lines) + "\n"
 
 
