@@ -206,19 +206,19 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="weight of E_A (mu of eq. 3.5), nonnegative; one of the two weights is positive. Default: 1."),
         Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="seed of the order of equally good decimation steps. Default: 0."),
-        Option("level_splits", "int", None, low=0, high=18446744073709551615,
+        Option("level_splits", "int", 40, low=0, high=18446744073709551615,
                doc="Parameters of the dissertation's Algorithm 1, which OBC_SPHERE_MAP_DISSERTATION uses and the other "
                    "methods do not. An optimization ends when the mean gain of its last iterations (level_splits of them "
                    "on a level, vertex_count at the end) is below tolerance * E / vertices, or at its maximum number of "
                    "iterations. The dissertation prints the first default only. eta: vertex splits between two "
                    "optimizations, 1 to 1000000000. Default: 40."),
-        Option("level_tolerance", "float", None,
+        Option("level_tolerance", "float", 0.0001,
                doc="epsilon^eta, of the optimization of a level, nonnegative; 0: no such end. Default: 1e-4."),
-        Option("final_tolerance", "float", None,
+        Option("final_tolerance", "float", 0.0001,
                doc="epsilon^F, of the final optimization, nonnegative; 0: no such end. Default: 1e-4."),
-        Option("max_level_iterations", "int", None, low=0, high=18446744073709551615,
+        Option("max_level_iterations", "int", 0, low=0, high=18446744073709551615,
                doc="Iter_max^eta, on a level; 0: 50 * level_splits. Default: 0."),
-        Option("max_final_iterations", "int", None, low=0, high=18446744073709551615,
+        Option("max_final_iterations", "int", 0, low=0, high=18446744073709551615,
                doc="Iter_max^F, at the end; 0: 100 * vertex_count. Default: 0."),
     ),
     "obc_sphere_optimizer_options": (

@@ -50,9 +50,9 @@ def _options(given: Mapping[str, Any]) -> Any:
 def compute(surface: Any, *,
             # options of obc_sphere_map_options, written by scripts/bindings.py
             method: Literal["balanced", "angle-area", "isometric", "stretch", "conformal", "dissertation"] = "balanced",
-            angle_weight: float = 0.1, area_weight: float = 1.0, seed: int = 0, level_splits: Optional[int] = None,
-            level_tolerance: Optional[float] = None, final_tolerance: Optional[float] = None,
-            max_level_iterations: Optional[int] = None, max_final_iterations: Optional[int] = None,
+            angle_weight: float = 0.1, area_weight: float = 1.0, seed: int = 0, level_splits: int = 40,
+            level_tolerance: float = 0.0001, final_tolerance: float = 0.0001, max_level_iterations: int = 0,
+            max_final_iterations: int = 0,
             # end of options
             trace: Optional[Callable[[int, int, float], Any]] = None, threads: int = 0, progress: Progress = None) -> SphereMap:
     """Maps a surface to the sphere. trace(iterations, vertices, energy) is called during the method `dissertation`."""
@@ -80,9 +80,9 @@ def compute(surface: Any, *,
 def compute_partial(surface: Any, *,
                     # options of obc_sphere_map_options, written by scripts/bindings.py
                     method: Literal["balanced", "angle-area", "isometric", "stretch", "conformal", "dissertation"] = "balanced",
-                    angle_weight: float = 0.1, area_weight: float = 1.0, seed: int = 0, level_splits: Optional[int] = None,
-                    level_tolerance: Optional[float] = None, final_tolerance: Optional[float] = None,
-                    max_level_iterations: Optional[int] = None, max_final_iterations: Optional[int] = None,
+                    angle_weight: float = 0.1, area_weight: float = 1.0, seed: int = 0, level_splits: int = 40,
+                    level_tolerance: float = 0.0001, final_tolerance: float = 0.0001, max_level_iterations: int = 0,
+                    max_final_iterations: int = 0,
                     # end of options
                     threads: int = 0, progress: Progress = None) -> tuple[Doubles, int, Optional[Exception]]:
     """As `compute`, and when that is cancelled or finds no valid result: what there is of the map, how many vertices have
