@@ -229,11 +229,12 @@ TEST_CASE("Each allocation of the dissertation's method that fails ends in out o
     obc_polycube_options options;
     obc_polycube_options_init(&options, sizeof options);
     options.construction = OBC_POLYCUBE_DISSERTATION;
+    options.corners = 8;
     const obc_status status = obc_polycube_compute(&surface, &options, &host, &map, nullptr);
     obc_polycube_destroy(map);
     return status;
   };
-  const test::Outcome memory = test::fail_each_allocation(call);
+  const test::Outcome memory = test::fail_each_allocation(call, 200);
   CHECK(memory.problem == "");
   CHECK(memory.runs > 100);
   const test::Outcome cancelled = test::cancel_everywhere(call);

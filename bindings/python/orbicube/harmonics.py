@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, address, doubles
 from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, with_options
 from ._checks import PathLike, integer, public
+from ._foreign import surface_of
 from .raw import harmonics as raw
 
 

@@ -11,8 +11,8 @@ import unittest
 import numpy as np
 import orbicube
 from maps_test import HAS_TETRAHEDRA, box_of_tetrahedra
-from orbicube import (frame_field, gltf, harmonics, hexmesh, linear, mesh, polycube, projected_gradient, quaternion, sphere_map,
-                      sphere_optimizer, trust_region, volume_map)
+from orbicube import (correspondence, frame_field, gltf, harmonics, hexmesh, linear, mesh, polycube, projected_gradient, quaternion,
+                      sphere_map, sphere_optimizer, trust_region, volume_map)
 from orbicube._options import OPTIONS
 
 FOLDER = tempfile.TemporaryDirectory()
@@ -23,6 +23,7 @@ SOLID = box_of_tetrahedra(1)
 Q, V = np.array([1.0, 0, 0, 0]), np.array([1.0, 2, 3])
 COEFFICIENTS = np.ones((9, 3)) + np.arange(27).reshape(9, 3)
 MAP = polycube.compute(CUBE)
+BOTH = correspondence.Correspondence([CUBE, CUBE], align="none")
 LOCATOR = sphere_map.Locator(SURFACE, DIRECTIONS)
 PIXELS = LOCATOR.image(SURFACE[0], "octahedron", 4)
 WARP = sphere_map.Warp([[0, 0, 1.0]], [[0, 0.1, 1.0]])
@@ -97,6 +98,8 @@ CALLS = {
     "mesh.Mesh": (mesh.Mesh, {"positions": SOLID[0], "triangles": [[0, 1, 2]], "tetrahedra": SOLID[1],
                               "hexahedra": [[0, 1, 3, 2, 4, 5, 7, 6]]}),
     "mesh.Mesh.boundary": (mesh.Mesh(SOLID[0], tetrahedra=SOLID[1]).boundary, {}),
+    "correspondence.Correspondence.positions": (BOTH.positions, {"shape": 0}),
+    "correspondence.Correspondence.blend": (BOTH.blend, {"weights": [0.5, 0.5]}),
     "mesh.Search": (mesh.Search, {"surface": SURFACE}),
     "mesh.Search.vertices": (SEARCH.vertices, {"points": DIRECTIONS}),
     "mesh.Search.surface": (SEARCH.surface, {"points": DIRECTIONS}),
@@ -215,7 +218,7 @@ if HAS_TETRAHEDRA:
 
 # Classes of results, which people do not make; what is called for each evaluation, and looks at its arguments alone; and
 # conversions for packages that need not be there.
-NOT_WALKED = {"mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
+NOT_WALKED = {"correspondence.Correspondence", "mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
               "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "sphere_map.SphereMap",
               "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.Solid", "hexmesh.Hexes"}
