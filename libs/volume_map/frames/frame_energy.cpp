@@ -32,6 +32,38 @@ double frame_energy(const std::array<Vector3, 4>& corners, const Eigen::Matrix3d
   return volume * rest.squaredNorm();
 }
 
+// What the energy of one tetrahedron depends on: for each corner a coordinate's free variable (or -1), sign and
+// integers.
+struct FrameEnergy::Corners {
+  std::array<int, 4> variable{};
+  std::array<double, 4> sign{};
+  std::array<std::span<const IntegerTerm>, 4> terms;
+};
+
+void FrameEnergy::add(const Corners& corners, const Eigen::Matrix4d& square, const Eigen::Vector4d& target,
+                      linear::SparseSystem::Triplets& mixed, Eigen::VectorXd& integer_right) {
+  const auto& [variable, sign, terms] = corners;
+  for (std::size_t k = 0; k < 4; ++k) {
+    const auto row = static_cast<Eigen::Index>(k);
+    if (variable[k] >= 0) right_[variable[k]] += sign[k] * target[row];
+    for (const IntegerTerm& term : terms[k])
+      integer_right[term.unknown] += term.factor * target[row];
+    for (std::size_t l = 0; l < 4; ++l) {
+      const double entry = square(row, static_cast<Eigen::Index>(l));
+      if (variable[k] >= 0 && variable[l] >= 0 && variable[k] >= variable[l])
+        triplets_.emplace_back(variable[k], variable[l], sign[k] * sign[l] * entry);
+      if (variable[k] >= 0) {
+        for (const IntegerTerm& term : terms[l])
+          mixed.emplace_back(variable[k], static_cast<int>(term.unknown), sign[k] * term.factor * entry);
+      }
+      for (const IntegerTerm& x : terms[k]) {
+        for (const IntegerTerm& y : terms[l])
+          curvature_(x.unknown, y.unknown) += x.factor * y.factor * entry;
+      }
+    }
+  }
+}
+
 FrameEnergy::FrameEnergy(std::span<const Vector3> positions, std::span<const Tetrahedron> tetrahedra,
                          const FrameCut& cut, const SeamlessSystem& system, double cell_length, const base::Host& host)
     : system_(system), triplets_(host.memory) {
@@ -51,34 +83,14 @@ FrameEnergy::FrameEnergy(std::span<const Vector3> positions, std::span<const Tet
     const Eigen::Matrix4d square = volume * gradients * gradients.transpose();
     const Eigen::Matrix<double, 4, 3> target = volume / cell_length * gradients * matrix_of(cut.frames[t]);
     for (Eigen::Index a = 0; a < 3; ++a) {
-      std::array<int, 4> variable{};
-      std::array<double, 4> sign{};
-      std::array<std::span<const IntegerTerm>, 4> terms;
+      Corners corners;
       for (std::size_t k = 0; k < 4; ++k) {
         const std::size_t i = 3 * std::size_t{cut.copies[t][k]} + static_cast<std::size_t>(a);
-        variable[k] = system.variable[i] == no_index ? -1 : static_cast<int>(system.variable[i]);
-        sign[k] = system.sign[i];
-        terms[k] = system.forms.terms(system.form[i]);
+        corners.variable[k] = system.variable[i] == no_index ? -1 : static_cast<int>(system.variable[i]);
+        corners.sign[k] = system.sign[i];
+        corners.terms[k] = system.forms.terms(system.form[i]);
       }
-      for (std::size_t k = 0; k < 4; ++k) {
-        const auto row = static_cast<Eigen::Index>(k);
-        if (variable[k] >= 0) right_[variable[k]] += sign[k] * target(row, a);
-        for (const IntegerTerm& term : terms[k])
-          integer_right[term.unknown] += term.factor * target(row, a);
-        for (std::size_t l = 0; l < 4; ++l) {
-          const double entry = square(row, static_cast<Eigen::Index>(l));
-          if (variable[k] >= 0 && variable[l] >= 0 && variable[k] >= variable[l])
-            triplets_.emplace_back(variable[k], variable[l], sign[k] * sign[l] * entry);
-          if (variable[k] >= 0) {
-            for (const IntegerTerm& term : terms[l])
-              mixed.emplace_back(variable[k], static_cast<int>(term.unknown), sign[k] * term.factor * entry);
-          }
-          for (const IntegerTerm& x : terms[k]) {
-            for (const IntegerTerm& y : terms[l])
-              curvature_(x.unknown, y.unknown) += x.factor * y.factor * entry;
-          }
-        }
-      }
+      add(corners, square, target.col(a), mixed, integer_right);
       diagonal += square.trace();
     }
   }

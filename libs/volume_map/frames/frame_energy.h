@@ -30,6 +30,12 @@ class FrameEnergy {
   Eigen::VectorXd free_variables(const Eigen::VectorXd& integers) const;
 
  private:
+  struct Corners;
+
+  // One coordinate of a tetrahedron: `square` of the gradients of its corners times the volume, `target` by corner.
+  void add(const Corners& corners, const Eigen::Matrix4d& square, const Eigen::Vector4d& target,
+           linear::SparseSystem::Triplets& mixed, Eigen::VectorXd& integer_right);
+
   const SeamlessSystem& system_;
   linear::SparseSystem::Triplets triplets_;
   std::optional<linear::SparseSystem> solver_;

@@ -14,6 +14,49 @@ std::string place(std::size_t coordinate) {
   return std::string(axes[coordinate % 3]) + " of vertex " + std::to_string(coordinate / 3);
 }
 
+// Coordinates that are one by their ties.
+struct Group {
+  double sum = 0;
+  Index members = 0, variable = no_index, first_fixed = no_index;
+};
+
+// The coordinates of vertices, and which of them stay or are tied.
+struct Coordinates {
+  std::span<const Vector3> start;
+  std::span<const std::uint8_t> fixed;
+  std::span<const Index> ties;
+
+  double value(std::size_t i) const { return start[i / 3][static_cast<Eigen::Index>(i % 3)]; }
+  bool stays(std::size_t i) const { return !fixed.empty() && fixed[i] != 0; }
+  Index group(std::size_t i) const { return ties.empty() ? no_index : ties[i]; }
+};
+
+// Fills the groups, and returns how many coordinates are free by themselves. Throws Error "invalid-argument".
+std::size_t find_groups(const Coordinates& given, Array<Group>& groups) {
+  const std::size_t count = 3 * given.start.size();
+  std::size_t own = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!std::isfinite(given.value(i))) throw base::Error("invalid-argument", "the start is not finite: " + place(i));
+    const Index g = given.group(i);
+    if (g == no_index) {
+      own += !given.stays(i);
+      continue;
+    }
+    if (g >= count)
+      throw base::Error("invalid-argument", "a tie is not below three times the number of vertices: " + place(i));
+    Group& of = groups[g];
+    of.sum += given.value(i);
+    ++of.members;
+    if (!given.stays(i)) continue;
+    if (of.first_fixed == no_index)
+      of.first_fixed = static_cast<Index>(i);
+    else if (given.value(of.first_fixed) != given.value(i))
+      throw base::Error("invalid-argument", "two coordinates that are tied stay at different values: " +
+                                                place(of.first_fixed) + " and " + place(i));
+  }
+  return own;
+}
+
 }  // namespace
 
 Variables::Variables(std::span<const Vector3> start, std::span<const std::uint8_t> fixed, std::span<const Index> ties,
@@ -23,36 +66,9 @@ Variables::Variables(std::span<const Vector3> start, std::span<const std::uint8_
   base::require(count < no_index, "too many vertices");
   base::require(fixed.empty() || fixed.size() == count, "fixed needs three entries a vertex");
   base::require(ties.empty() || ties.size() == count, "ties need three entries a vertex");
-  const auto value = [&](std::size_t i) { return start[i / 3][static_cast<Eigen::Index>(i % 3)]; };
-  const auto stays = [&](std::size_t i) { return !fixed.empty() && fixed[i] != 0; };
-  const auto group = [&](std::size_t i) { return ties.empty() ? no_index : ties[i]; };
-  // What is known of a group so far.
-  struct Group {
-    double sum = 0;
-    Index members = 0, variable = no_index, first_fixed = no_index;
-  };
+  const Coordinates given{start, fixed, ties};
   Array<Group> groups(ties.empty() ? 0 : count, memory);
-  std::size_t own = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(value(i))) throw base::Error("invalid-argument", "the start is not finite: " + place(i));
-    const Index g = group(i);
-    if (g == no_index) {
-      own += !stays(i);
-      continue;
-    }
-    if (g >= count)
-      throw base::Error("invalid-argument", "a tie is not below three times the number of vertices: " + place(i));
-    Group& of = groups[g];
-    of.sum += value(i);
-    ++of.members;
-    if (!stays(i)) continue;
-    if (of.first_fixed == no_index)
-      of.first_fixed = static_cast<Index>(i);
-    else if (value(of.first_fixed) != value(i))
-      throw base::Error("invalid-argument", "two coordinates that are tied stay at different values: " +
-                                                place(of.first_fixed) + " and " + place(i));
-  }
-  own_ = own;
+  own_ = find_groups(given, groups);
   std::size_t shared = 0;
   for (const Group& g : groups)
     shared += g.members > 0 && g.first_fixed == no_index;
@@ -61,13 +77,13 @@ Variables::Variables(std::span<const Vector3> start, std::span<const std::uint8_
 
   Index next_own = 0, next_shared = static_cast<Index>(own_);
   for (std::size_t i = 0; i < count; ++i) {
-    const Index g = group(i);
+    const Index g = given.group(i);
     if (g == no_index) {
-      variable_[i] = stays(i) ? static_cast<Index>(start_.size()) : next_own++;
-      if (stays(i))
-        start_.push_back(value(i));
+      variable_[i] = given.stays(i) ? static_cast<Index>(start_.size()) : next_own++;
+      if (given.stays(i))
+        start_.push_back(given.value(i));
       else
-        start_[variable_[i]] = value(i);
+        start_[variable_[i]] = given.value(i);
       continue;
     }
     Group& of = groups[g];
@@ -75,7 +91,7 @@ Variables::Variables(std::span<const Vector3> start, std::span<const std::uint8_
       const bool held = of.first_fixed != no_index;
       of.variable = held ? static_cast<Index>(start_.size()) : next_shared++;
       if (held)
-        start_.push_back(value(of.first_fixed));
+        start_.push_back(given.value(of.first_fixed));
       else
         start_[of.variable] = of.sum / of.members;
     }
