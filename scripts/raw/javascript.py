@@ -13,10 +13,16 @@ POINTER = 4
 # Not in the module: a library whose license would bind users, and one whose functions are for programs that assemble
 # large systems, which would make pages load more than 3 MB. What polycubes and hexahedra use of the latter is in it.
 LEFT_OUT = ["correspondence", "linear", "tetrahedra"]
+# Functions left out for their size: JavaScript reads and writes surfaces of glTF, and keeps nothing else of a file.
+LEFT_OUT_FUNCTIONS = ["obc_gltf_surface_keeps", "obc_gltf_write_kept"]
 
 
 def parts(api):
     return [library for name, library in api.libraries.items() if name not in LEFT_OUT]
+
+
+def functions(library):
+    return [function for function in library["functions"] if function["name"] not in LEFT_OUT_FUNCTIONS]
 
 
 def field_type(api, field):
@@ -66,7 +72,7 @@ def module(api):
         out += [f"  {callback['name']}: '{signature(api, callback)}',\n" for callback in library["callbacks"]]
     out.append("};\n\n/** Types of functions, in the same letters. */\nexport const functions = {\n")
     for library in parts(api):
-        out += [f"  {function['name']}: '{signature(api, function)}',\n" for function in library["functions"]]
+        out += [f"  {function['name']}: '{signature(api, function)}',\n" for function in functions(library)]
     out.append("};\n")
     return "".join(out)
 
@@ -101,7 +107,7 @@ def types(api):
                "\n/** The C functions as they are. Functions and structs are given by their addresses. */\n"
                "export interface RawFunctions {\n")
     for library in parts(api):
-        for function in library["functions"]:
+        for function in functions(library):
             arguments = ", ".join(f"{safe(p['name'] or f'argument{i}')}: {hint(api, p)}"
                                   for i, p in enumerate(function["parameters"]))
             result = hint(api, {"type": function["returns"]})

@@ -212,7 +212,7 @@ TEST_CASE("The dissertation's weights shift its map from areas to angles") {
 TEST_CASE("The dissertation's final phase goes on for as long as it may") {
   const Surface s = test::creature(4);
   double last = std::numeric_limits<double>::infinity();
-  for (const std::uint64_t rounds : {1, 4, 16}) {
+  for (const std::uint64_t rounds : {1U, 4U, 16U}) {
     std::vector<TracePoint> trace;
     dissertation::DissertationOptions options;
     options.limits = {.final_tolerance = 0, .max_final_iterations = rounds * s.positions.size()};

@@ -35,9 +35,9 @@ struct Filling {
   }
 };
 
-std::string kind_of_failure(const mesh::Mesh& surface, Filling& filling) {
+std::string kind_of_failure(const mesh::Mesh& surface, Filling& filling, std::size_t triangles = 1000) {
   try {
-    filled_solid(surface, 1000, filling.function(), host);
+    filled_solid(surface, triangles, filling.function(), host);
   } catch (const base::Error& error) {
     return error.kind();
   }
@@ -67,6 +67,15 @@ TEST_CASE("Fine surfaces are filled coarser, finer where that is refused, and co
   Filling other{.fewest = SIZE_MAX, .kind = "no-valid-result"};
   CHECK(kind_of_failure(surface, other) == "no-valid-result");
   CHECK(other.sizes.back() == all);
+  // From next to nothing, with a surface that is small itself.
+  for (const std::size_t few : {1U, 10U, 200U}) {
+    Filling from_few{.fewest = SIZE_MAX};
+    CHECK(kind_of_failure(surface, from_few, few) == "self-intersection");
+    const mesh::Mesh small = mesh::make_shape("sphere", {.triangles = 300}, host);
+    Filling of_small{.fewest = SIZE_MAX};
+    CHECK(kind_of_failure(small, of_small, few) == "self-intersection");
+    CHECK(of_small.sizes.back() <= small.triangles.size());
+  }
   Filling cancelled{.fewest = SIZE_MAX, .kind = "cancelled"};
   CHECK(kind_of_failure(surface, cancelled) == "cancelled");
   CHECK(cancelled.sizes.size() == 1);

@@ -276,9 +276,6 @@ export interface RawFunctions {
   obc_gltf_surface_note_count(surface: Pointer): number;
   /** Returns the index-th note, UTF-8, valid until the surface is destroyed; NULL from the number of notes on. */
   obc_gltf_surface_note(surface: Pointer, index: number): Pointer;
-  /** Returns 1 if the handle keeps what the file has besides the surface, 0 otherwise: without the option `keep`, for NULL, and where the file does
-   * not allow it; a note gives the reason then. */
-  obc_gltf_surface_keeps(surface: Pointer): number;
   /** Copies positions (3 * vertex_count, or NULL) and triangles (3 * triangle_count indices, or NULL; counter-clockwise seen from outside)
    * to arrays of the caller. Errors: invalid argument. */
   obc_gltf_surface_copy(surface: Pointer, positions: Pointer, triangles: Pointer, error: Pointer): number;
@@ -290,9 +287,6 @@ export interface RawFunctions {
    * previous file remains. host may be NULL. O(n). Errors: invalid argument (sizes, indices, numbers that are not finite, texts),
    * unsupported (4 GiB or more), io, out of memory, cancelled. */
   obc_gltf_write(path: Pointer, scene: Pointer, host: Pointer, error: Pointer): number;
-  /** Writes the file of a surface that keeps it again, with all that it has; buffers and images of separate files come into this one. Otherwise as
-   * obc_gltf_write. Errors: also invalid argument (the surface keeps nothing). */
-  obc_gltf_write_kept(path: Pointer, surface: Pointer, host: Pointer, error: Pointer): number;
   /** Writes a surface alone, with smooth normals: positions 3 * vertex_count, triangles 3 * triangle_count. Otherwise as obc_gltf_write. */
   obc_gltf_write_surface(path: Pointer, positions: Pointer, vertex_count: number, triangles: Pointer, triangle_count: number, host: Pointer, error: Pointer): number;
   /** Compute exact morph targets of finite numbers. _delta returns the stored delta for a base and a target coordinate; _reconstructed returns

@@ -262,8 +262,4 @@ Printed construct_as_printed(std::span<const Vector3> positions, std::span<const
   return PrintedConstruction(positions, triangles, options, host).run();
 }
 
-std::size_t count_corner_points(const SurfaceMap& map, const base::Host& host) {
-  return make_layout(solid_of(make_patch_graph(map, host), host), host).nodes.size();
-}
-
 }  // namespace orbicube::polycube::dissertation

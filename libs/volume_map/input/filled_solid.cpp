@@ -45,12 +45,12 @@ FilledSolid filled_solid(const mesh::Mesh& surface, std::size_t triangles, const
       return filled(target);
     } catch (const base::Error& error) {
       if (error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory) throw;
-      if (target == all) first = std::current_exception();
+      if (target == all || first == nullptr) first = std::current_exception();
       finer = finer && target < all;
       if (!finer && std::string_view(error.kind()) != "self-intersection") std::rethrow_exception(first);
     }
-    target = finer ? std::min(2 * target, all) : target / 2;
-    if (target < fewest) std::rethrow_exception(first);
+    target = finer ? std::min(std::max(2 * target, fewest), all) : target / 2;
+    if (!finer && target < fewest) std::rethrow_exception(first);
     host.report("decimate", 0, 0);
   }
 }
