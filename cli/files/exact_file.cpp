@@ -12,7 +12,8 @@ void require_exact_output(const std::string& path) {
   require_writable(path);
   if (mesh::holds(path, mesh::Holds::polygons)) return;
   throw Failure(Exit::wrong_input, path, "unsupported-format",
-                "this format rounds coordinates or welds vertices; .obj .off .ply .mesh and .vtk keep every bit");
+                "this format rounds coordinates or welds vertices; these keep every bit: " +
+                    mesh::format_endings(mesh::Holds::polygons));
 }
 
 void write_exactly(const std::string& path, const base::Array<mesh::Vector3>& positions,
