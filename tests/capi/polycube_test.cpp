@@ -222,7 +222,8 @@ TEST_CASE("The dissertation's method makes a certified map of a box, and its cor
   CHECK(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_NO_VALID_RESULT);
 }
 
-TEST_CASE("Each allocation of the dissertation's method that fails ends in out of memory, and each report may cancel") {
+TEST_CASE("Each allocation of the dissertation's method that fails ends in out of memory, and each report may cancel" *
+          doctest::test_suite("long")) {
   const obc_surface surface = {cube.data(), 8, triangles.data(), 12};
   const test::Call call = [&](const obc_host& host) {
     obc_polycube* map = nullptr;

@@ -41,7 +41,8 @@ double squared_distance_to(const Vector3& p, const mesh::Mesh& m) {
 
 }  // namespace
 
-TEST_CASE("The same bits come from one and from four threads, through spheres and through a polycube") {
+TEST_CASE("The same bits come from one and from four threads, through spheres and through a polycube" *
+          doctest::test_suite("long")) {
   const std::vector<mesh::Mesh> meshes{creature(0), creature(1)};
   for (const Via via : {Via::sphere, Via::polycube}) {
     const MorphOptions options{.via = via, .pose = Pose::scaled, .cells = 500};
