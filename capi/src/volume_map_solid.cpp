@@ -59,7 +59,7 @@ obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_c
     auto made = std::make_unique<obc_volume_map_solid>(host);
     const base::Host& h = made->adapter.host();
     const mesh::Mesh whole = capi::solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
-    // What is wrong is reported with the caller's numbers.
+    // Errors name the caller's indices.
     if (whole.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
     mesh::require_valid_cells(whole, h);
     const volume_map::Pieces pieces = volume_map::pieces_of(whole.tetrahedra, whole.positions.size(), h);

@@ -12,7 +12,7 @@ namespace orbicube::cli {
 // bit of their coordinates.
 void require_exact_output(const std::string& path);
 
-// Written beside its place, read again and compared: what was certified is what the file holds.
+// Writes beside the place, reads again and compares, so that the file holds the certified mesh.
 void write_exactly(const std::string& path, const base::Array<mesh::Vector3>& positions,
                    const base::Array<mesh::Triangle>& triangles, bool text, Session& session);
 

@@ -46,7 +46,7 @@ auto about_solid(const std::string& input, const std::string& output, const std:
   return made;
 }
 
-// Written beside its place, read again and compared: what was certified is what the file holds.
+// Writes beside the place, reads again and compares, so that the file holds the certified mesh.
 void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, Session& session);
 
 }  // namespace orbicube::cli

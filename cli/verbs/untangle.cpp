@@ -84,7 +84,7 @@ base::Array<std::uint8_t> boundary_coordinates(const mesh::Mesh& solid, const ba
   return result;
 }
 
-// Written beside its place, read again and compared: what was certified is what the file holds.
+// Writes beside the place, reads again and compares, so that the file holds the certified mesh.
 void write_untangled(const std::string& path, const mesh::Mesh& solid, bool text, Session& session) {
   const base::Host& host = session.host();
   about(path, Role::output, [&] {

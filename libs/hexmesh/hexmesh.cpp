@@ -95,7 +95,7 @@ struct Framed {
   explicit Framed(std::pmr::memory_resource* memory) : solid(memory), fine(memory) {}
 
   volume_map::FramedSolid solid;
-  mesh::Mesh fine;  // the surface, where what is filled is a coarser one
+  mesh::Mesh fine;  // the surface, where a coarser one is filled
 };
 
 void fill_surface(const Work& work, Framed& result) {

@@ -16,7 +16,7 @@ namespace {
 
 const base::Host host;
 
-// Refuses surfaces of more, or fewer, triangles than it is told.
+// Refuses surfaces of fewer than `fewest` or more than `most` triangles.
 struct Filling {
   std::size_t fewest = 0, most = SIZE_MAX;
   const char* kind = "self-intersection";
