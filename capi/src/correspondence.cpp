@@ -14,6 +14,7 @@
 #include "mesh/topology/surface_check.h"
 
 using namespace orbicube;
+using capi::copy;
 using mesh::Vector3;
 
 struct obc_correspondence {
@@ -57,10 +58,6 @@ correspondence::MorphOptions options_of(const obc_correspondence_options* option
   result.corners = o.corners;
   result.seed = o.seed;
   return result;
-}
-
-void copy(std::span<const Vector3> from, double* to) {
-  std::copy_n(reinterpret_cast<const double*>(from.data()), 3 * from.size(), to);
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "orbicube/hexmesh.h"
 
 #include <algorithm>
-#include <cstring>
 #include <exception>
 #include <memory>
 #include <span>
@@ -20,6 +19,7 @@
 #include "mesh/topology/surface_check.h"
 
 using namespace orbicube;
+using capi::copy;
 
 struct obc_hexmesh {
   explicit obc_hexmesh(const obc_host* host) : adapter(host), made(adapter.host().memory) {}
@@ -198,11 +198,6 @@ void compute(const Input& input, const double* frames, const obc_hexmesh_options
   *out = made.release();
 }
 
-template <class From>
-void copy_out(const From& from, void* to) {
-  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof from[0]);
-}
-
 }  // namespace
 
 obc_status obc_hexmesh_options_init(obc_hexmesh_options* options, size_t struct_size) {
@@ -259,10 +254,10 @@ obc_status obc_hexmesh_copy(const obc_hexmesh* hexes, double* positions, uint32_
                             uint32_t* quad_patches, obc_error* error) {
   return capi::guarded(error, [&] {
     capi::require(hexes != nullptr, "hexes is NULL");
-    copy_out(hexes->made.positions, positions);
-    copy_out(hexes->made.hexahedra, hexahedra);
-    copy_out(hexes->made.quads, quads);
-    copy_out(hexes->made.quad_patches, quad_patches);
+    copy(hexes->made.positions, positions);
+    copy(hexes->made.hexahedra, hexahedra);
+    copy(hexes->made.quads, quads);
+    copy(hexes->made.quad_patches, quad_patches);
   });
 }
 

@@ -3,10 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <memory>
 
 #include "capi/src/entry.h"
+#include "capi/src/surface_view.h"
 #include "orbicube/polycube.h"
 #include "polycube/surface/surface_map.h"
 
@@ -22,11 +22,6 @@ struct obc_polycube {
 };
 
 namespace orbicube::capi {
-
-template <class Element, class Number>
-void copy(const base::Array<Element>& from, Number* to) {
-  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
-}
 
 // What the two optimizations report alike.
 template <class Report, class Found>

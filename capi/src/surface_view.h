@@ -1,10 +1,11 @@
-// The caller's arrays of a surface as the C++ side takes them: doubles and indices have the layout of its vectors and
-// triangles.
+// The caller's arrays as the C++ side takes them: doubles and indices have the layout of its vectors and triangles.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <span>
+#include <string>
 
 #include "capi/src/entry.h"
 #include "mesh/mesh.h"
@@ -12,19 +13,29 @@
 
 namespace orbicube::capi {
 
+// Throws if `numbers` is NULL or they are too many; `what` names them.
+template <class Element, class Number>
+std::span<const Element> view(const Number* numbers, std::size_t count, const char* what) {
+  static_assert(sizeof(Element) % sizeof(Number) == 0 && alignof(Element) == alignof(Number));
+  if (count > 0 && numbers == nullptr) throw base::Error("invalid-argument", std::string(what) + " is NULL");
+  if (count > PTRDIFF_MAX / sizeof(Element)) throw base::Error("invalid-argument", std::string(what) + ": too many");
+  return {reinterpret_cast<const Element*>(numbers), count};
+}
+
+// Copies a contiguous array to the caller's, unless that is NULL.
+template <class Elements, class Number>
+void copy(const Elements& from, Number* to) {
+  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof from[0]);
+}
+
 struct SurfaceView {
   std::span<const mesh::Vector3> positions;
   std::span<const mesh::Triangle> triangles;
 
   explicit SurfaceView(const obc_surface* from) {
-    static_assert(sizeof(mesh::Vector3) == 3 * sizeof(double) && sizeof(mesh::Triangle) == 3 * sizeof(uint32_t));
     require(from != nullptr, "surface is NULL");
-    require(from->positions != nullptr || from->vertex_count == 0, "surface->positions is NULL");
-    require(from->triangles != nullptr || from->triangle_count == 0, "surface->triangles is NULL");
-    require(std::max(from->vertex_count, from->triangle_count) <= PTRDIFF_MAX / sizeof(mesh::Vector3),
-            "surface: too many vertices or triangles");
-    positions = {reinterpret_cast<const mesh::Vector3*>(from->positions), from->vertex_count};
-    triangles = {reinterpret_cast<const mesh::Triangle*>(from->triangles), from->triangle_count};
+    positions = view<mesh::Vector3>(from->positions, from->vertex_count, "surface->positions");
+    triangles = view<mesh::Triangle>(from->triangles, from->triangle_count, "surface->triangles");
   }
 };
 

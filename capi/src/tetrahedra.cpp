@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 #include <memory>
 #include <span>
 
@@ -14,6 +13,7 @@
 #include "tetrahedra/tetrahedra.h"
 
 using namespace orbicube;
+using capi::copy;
 using mesh::Triangle;
 using mesh::Vector3;
 
@@ -48,16 +48,6 @@ base::Array<tetrahedra::SizePoint> sizes_of(const obc_tetrahedra_options& o, std
     sizes.push_back({Vector3(p[0], p[1], p[2]), o.size_lengths[i]});
   }
   return sizes;
-}
-
-template <class Element, class Number>
-void copy(std::span<const Element> from, Number* to) {
-  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size_bytes());
-}
-
-template <class Element, class Number>
-void copy(const base::Array<Element>& from, Number* to) {
-  copy(std::span<const Element>(from), to);
 }
 
 }  // namespace

@@ -1,11 +1,11 @@
 // The C functions of volume_map for solids on polycubes.
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "base/error.h"
 #include "capi/src/entry.h"
+#include "capi/src/surface_view.h"
 #include "capi/src/tetrahedral_input.h"
 #include "mesh/topology/cells.h"
 #include "orbicube/volume_map.h"
@@ -15,6 +15,7 @@
 #include "volume_map/solid/volume_map.h"
 
 using namespace orbicube;
+using capi::copy;
 
 struct obc_volume_map_solid {
   explicit obc_volume_map_solid(const obc_host* host) : adapter(host), map(adapter.host().memory) {}
@@ -37,11 +38,6 @@ struct MappedSolid {
   volume_map::BoundaryFirst solid;
   polycube::Construction made;
 };
-
-template <class From>
-void copy_out(const From& from, void* to) {
-  if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof from[0]);
-}
 
 }  // namespace
 
@@ -98,8 +94,8 @@ obc_status obc_volume_map_solid_copy(const obc_volume_map_solid* solid, double* 
                                      uint32_t* tetrahedra, obc_error* error) {
   return capi::guarded(error, [&] {
     capi::require(solid != nullptr, "solid is NULL");
-    copy_out(solid->map.source, positions);
-    copy_out(solid->map.image, polycube);
-    copy_out(solid->map.tetrahedra, tetrahedra);
+    copy(solid->map.source, positions);
+    copy(solid->map.image, polycube);
+    copy(solid->map.tetrahedra, tetrahedra);
   });
 }
