@@ -33,6 +33,7 @@ Json figures_of(const hexmesh::Hexahedra& made) {
     return {{"method", made.method == hexmesh::Method::grid ? "grid" : "polycube"},
             {"padded", made.result.padded},
             {"follows_sharp_edges", made.result.follows_sharp_edges},
+            {"feature_curves", made.feature_curves},
             {"seconds_compute", made.compute_seconds}};
   }
   const hexmesh::FrameFigures& frames = *made.along_frames;
@@ -56,6 +57,8 @@ Json figures_of(const hexmesh::Hexahedra& made) {
 std::string besides(const hexmesh::Hexahedra& made) {
   if (made.along_frames)
     return std::to_string(made.along_frames->inner_irregular_edges) + " inner edges with other than four hexahedra";
+  if (made.feature_curves > 0)
+    return "cells of a grid in space; " + std::to_string(made.feature_curves) + " sharp curves kept";
   if (made.method == hexmesh::Method::grid) return "cells of a grid in space";
   return std::to_string(made.polycube_corners) + " corners of the polycube";
 }

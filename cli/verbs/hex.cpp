@@ -35,6 +35,7 @@ struct HexVerb {
   std::size_t max_cells = hexmesh::Options{}.max_cells;
   std::optional<double> feature_angle;  // in degrees
   std::string method = "auto";
+  std::string features = "off";
   std::string frames;
 };
 
@@ -49,6 +50,7 @@ hexmesh::Options options_of(const HexVerb& verb, const Session& session) {
   options.distance = verb.distance;
   options.max_cells = verb.max_cells;
   options.feature_angle = verb.feature_angle;
+  options.features = verb.features == "auto" ? hexmesh::Features::automatic : hexmesh::Features::off;
   options.fill = fill_by_tetgen();
   return options;
 }
@@ -65,6 +67,11 @@ void run_hex(const HexVerb& verb, Session& session) {
   if (verb.method == "grid" && verb.padding == "without")
     throw Failure(Exit::wrong_input, "", "usage",
                   "--padding without: the cells of a grid in space have a layer around");
+  const bool grid_may = verb.method == "auto" || verb.method == "grid";
+  if (verb.features == "auto" && (!grid_may || !verb.frames.empty() || verb.padding == "without"))
+    throw Failure(Exit::wrong_input, "", "usage",
+                  "--features auto: sharp edges are kept by cells of a grid with a layer around; leave out --frames, "
+                  "--padding without and other methods than auto and grid");
   HexOutput output = verb.output;
   output.cut = cuts.at(verb.cut);
   require_hex_output(output);
@@ -74,6 +81,7 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"distance", verb.distance},
                        {"max_cells", verb.max_cells},
                        {"method", verb.method},
+                       {"features", verb.features},
                        {"frames", verb.frames},
                        {"text", output.text},
                        {"glb", output.glb},
@@ -120,6 +128,11 @@ void add_hex(CLI::App& app, CommonOptions& common) {
                    "follow; 0: none [default: 40; with --method frames 0]")
       ->check(unnamed(CLI::Range(0.0, 179.0)))
       ->type_name("DEGREES");
+  verb->add_option("--features", options->features,
+                   "auto: keep sharp edges of --feature-angle and their corners where possible, grid-based; off: follow "
+                   "them to the accuracy of the method [default: off]")
+      ->check(unnamed(CLI::IsMember({"off", "auto"})))
+      ->type_name("F");
   verb->add_option("--padding", options->padding,
                    "layer of hexahedra at the boundary: auto, on the patches where it improves the mesh; with; without "
                    "[default: auto]")

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "hexmesh/features/feature_hexes.h"
 #include "hexmesh/strategies/hex_pieces.h"
 #include "hexmesh/strategies/machined_shape.h"
 #include "mesh/search/unit_scale.h"
@@ -225,7 +226,66 @@ Hexahedra best_hexahedra(const Work& work) {
   return std::move(*made);
 }
 
+// The surface of one solid, outward-oriented.
+mesh::Mesh surface_of_one(const Work& work) {
+  mesh::Mesh surface(work.host.memory);
+  if (work.input.tetrahedra.empty()) {
+    surface = copy_of(work.input, work.host);
+    surface.hexahedra.clear();
+    InputFindings findings;
+    const volume_map::SurfacePieces pieces =
+        volume_map::pieces_of_surface(surface, Inside::nothing, 0, findings, work.host);
+    if (pieces.count > 1) throw base::Error("not-connected", std::to_string(pieces.count) + " pieces");
+    return surface;
+  }
+  const volume_map::BoundaryFirst first = volume_map::boundary_first(work.input, work.host);
+  surface.positions.assign(first.outer_positions().begin(), first.outer_positions().end());
+  surface.triangles.assign(first.surface.begin(), first.surface.end());
+  return surface;
+}
+
+// Nothing where there are no sharp edges, or where they cannot be kept, which is logged.
+std::optional<Hexahedra> hexahedra_with_features(const Work& work) {
+  const auto start = Clock::now();
+  const Options& o = work.options;
+  const double angle = feature_angle_of(o);
+  if (o.features == Features::off || angle == 0) return {};
+  try {
+    const mesh::Mesh surface = surface_of_one(work);
+    const mesh::FeatureGraph graph =
+        mesh::feature_graph(surface.positions, surface.triangles, {.angle = angle}, work.host);
+    if (graph.arcs.empty()) return {};
+    const base::Stage stage(work.host, 0.7);
+    FeatureHexes found = feature_hexahedra(
+        surface.positions, surface.triangles, graph,
+        {.cells = o.cells, .max_cells = o.max_cells, .distance = o.distance, .rounds = o.rounds}, work.host);
+    if (found.found) {
+      Hexahedra made(work.host.memory);
+      made.result = std::move(found.result);
+      made.method = Method::grid;
+      made.feature_curves = graph.arcs.size();
+      made.compute_seconds = seconds_since(start);
+      work.findings.examined = true;
+      return made;
+    }
+    std::string place;
+    if (const FeatureObstacle& met = found.obstacle; met.arc != no_index)
+      place = "; curve from " + mesh::place_text(surface.positions[graph.vertices[graph.arcs[met.arc].begin]]);
+    else if (met.corner != no_index)
+      place = "; corner at " + mesh::place_text(surface.positions[graph.corners[met.corner].vertex]);
+    work.host.log("sharp edges are not kept: " + found.obstacle.why + place);
+  } catch (const base::Error& error) {
+    if (must_end(error)) throw;
+    work.host.log(std::string("sharp edges are not kept: ") + error.what());
+  }
+  return {};
+}
+
 Hexahedra by_strategy(const Work& work) {
+  const bool grid_may = work.options.method == Method::automatic || work.options.method == Method::grid;
+  if (grid_may && !by_frames(work.options) && work.options.padding != Padding::without) {
+    if (std::optional<Hexahedra> made = hexahedra_with_features(work)) return std::move(*made);
+  }
   if (by_frames(work.options))
     return hexahedra_along_frames(work, feature_angle_of(work.options), FrameHexOptions{}.max_fields);
   if (work.options.method == Method::polycube) return hexahedra_of_cells(work, HexMethod::polycube);
@@ -253,6 +313,8 @@ double feature_angle_of(const Options& options) {
 Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume_map::InputFindings& findings,
                          const base::Host& host) {
   base::require(options.method >= Method::automatic && options.method <= Method::frames, "the method is unknown");
+  base::require(options.features == Features::off || options.features == Features::automatic,
+                "`features` is unknown");
   base::require(options.padding >= Padding::automatic && options.padding <= Padding::without, "the padding is unknown");
   base::require(feature_angle_of(options) >= 0 && feature_angle_of(options) < 180,
                 "the feature angle must be from 0 to below 180 degrees");

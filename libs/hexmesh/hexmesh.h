@@ -16,6 +16,9 @@ namespace orbicube::hexmesh {
 // (frame_hexes.h); automatic: the one that suits the input, see make_hexahedra().
 enum class Method : std::int32_t { automatic = 0, polycube = 1, grid = 2, frames = 3 };
 
+// Whether hexahedra keep the feature graph of the surface (mesh/features): not at all, or where that succeeds.
+enum class Features : std::int32_t { off = 0, automatic = 1 };
+
 struct Options {
   Method method = Method::automatic;
   Padding padding = Padding::automatic;  // other than automatic: frames are not tried, nor cells of a grid
@@ -30,6 +33,9 @@ struct Options {
   std::optional<double> feature_angle;  // in degrees; not set: see feature_angle_of()
   // Of a solid, one for each tetrahedron, along its boundary; method automatic or frames. Empty: they are computed.
   std::span<const quaternion::Quaternion> frames = {};
+  // Automatic: a solid in one piece with sharp edges is first filled grid-based with these kept (features); methods
+  // automatic and grid. What stops that is logged, and the method follows.
+  Features features = Features::off;
   // Fills surfaces for frames, which live on tetrahedra. Without it, surfaces have no frames.
   volume_map::FillSurface fill = {};
 };
@@ -56,6 +62,7 @@ struct Hexahedra {
   Method method = Method::automatic;         // the strategy that made it; grid: where one piece has cells of a grid
   std::size_t polycube_corners = 0;          // of all pieces; 0: there is no polycube
   std::optional<FrameFigures> along_frames;  // where they are
+  std::size_t feature_curves = 0;            // that are chains of boundary edges; 0: the strategy was not taken
   double compute_seconds = 0;                // without preparations
 };
 

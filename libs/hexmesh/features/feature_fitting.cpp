@@ -1,0 +1,147 @@
+#include "hexmesh/features/feature_fitting.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+#include "base/threads/pieces.h"
+#include "volume_map/untangle/newton.h"
+
+namespace orbicube::hexmesh {
+namespace {
+
+using volume_map::Element;
+
+constexpr double volume_weight = 0.2;                     // of the energy
+constexpr double loose = 0.05;                            // pull to the start while the mesh is untangled
+constexpr int untangling_steps = 100;
+constexpr double first_weight = 0.3, weight_growth = 1e4;  // of targets, over the rounds
+constexpr double last_progress = 1.25;                    // the growth at the end, as a power
+constexpr double full_progress = 0.625;                   // of the rounds, at which the growth is reached
+constexpr double slide_from = 0.36;                       // of the rounds: vertices of arcs slide from then on
+constexpr double target_jacobian = 0.5;                   // below which the weight of a corner rises
+
+// The corner tetrahedra of all hexahedra, each a cube's.
+Array<Element> corner_elements(const HexMesh& mesh, const base::Host& host) {
+  Array<Element> elements(8 * mesh.hexahedra.size(), host.memory);
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const Hexahedron& h = mesh.hexahedra[i / 8];
+    const auto& n = corner_neighbors[i % 8];
+    elements[i] = {.corner = {h[i % 8], h[n[0]], h[n[1]], h[n[2]]},
+                   .gradient = {-Vector3::Ones(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()},
+                   .weight = 1};
+  }
+  return elements;
+}
+
+// Weighs corners by how far they are from good.
+void set_weights(const HexMesh& mesh, double most, Array<Element>& elements) {
+  constexpr double least = 0.02;
+  for (std::size_t i = 0; i < elements.size(); ++i) {
+    const double s = corner_jacobian(mesh.positions, mesh.hexahedra[i / 8], i % 8);
+    const double part = target_jacobian / std::max(s, least);
+    elements[i].weight = std::clamp(part * part, 1.0, most);
+  }
+}
+
+class Fit {
+ public:
+  Fit(HexMesh& mesh, FeatureTargets& targets, const FeatureFitOptions& options, const base::Host& host)
+      : mesh_(mesh),
+        targets_(targets),
+        options_(options),
+        host_(host),
+        elements_(corner_elements(mesh, host)),
+        variables_(mesh.positions, {}, {}, host.memory),
+        pulls_(mesh.positions.size(), Pull(), host.memory),
+        energy_(elements_, variables_, volume_weight, host),
+        newton_(energy_, variables_.start(), host) {
+    energy_.set_pulls(pulls_);
+  }
+
+  bool run() {
+    if (!untangle()) return false;
+    for (int round = 0; round < options_.rounds; ++round) {
+      host_.report("fit", static_cast<std::uint64_t>(round), static_cast<std::uint64_t>(options_.rounds));
+      take_round(static_cast<double>(round) / options_.rounds);
+    }
+    return true;
+  }
+
+ private:
+  bool untangle() {
+    for (const Index v : targets_.vertices()) {
+      pulls_[v].at = mesh_.positions[v];
+      pulls_[v].to_point(mesh_.positions[v], loose);
+    }
+    newton_.restart(variables_.start());
+    const bool done = newton_.untangle(untangling_steps, 1, 1, {.products = 80});
+    variables_.expand(newton_.values(), mesh_.positions);
+    return done;
+  }
+
+  void take_round(double progress) {
+    const double growth = std::min(last_progress, progress / full_progress);
+    const double weight = first_weight * std::pow(weight_growth, growth);
+    const bool slide = progress >= slide_from;
+    if (slide) targets_.slide(mesh_.positions);
+    set_weights(mesh_, progress < 0.14 ? 1 : growth < 1 ? 20 : 60, elements_);
+    set_pulls(weight, slide);
+    volume_map::EnergyValue now = energy_.value(newton_.values(), 0);
+    for (int k = 0; k < 2; ++k) {
+      const double before = now.energy;
+      newton_.step(0, {.products = 60, .tolerance = 3e-2}, now);
+      if (now.energy > before * (1 - 1e-5)) break;
+    }
+    variables_.expand(newton_.values(), mesh_.positions);
+  }
+
+  void set_pulls(double weight, bool slide) {
+    const auto vertices = targets_.vertices();
+    base::parallel_pieces(host_, "fit", vertices.size(), 64, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Index v = vertices[i];
+        Pull& pull = pulls_[v] = Pull();
+        pull.at = mesh_.positions[v];
+        targets_.pull(v, mesh_.positions[v], weight, slide, pull);
+      }
+    });
+  }
+
+  HexMesh& mesh_;
+  FeatureTargets& targets_;
+  const FeatureFitOptions& options_;
+  const base::Host& host_;
+  Array<Element> elements_;
+  volume_map::Variables variables_;
+  Array<Pull> pulls_;
+  volume_map::FoldoverEnergy energy_;
+  volume_map::Newton newton_;
+};
+
+}  // namespace
+
+bool fit_to_features(HexMesh& mesh, FeatureTargets& targets, const FeatureFitOptions& options, const base::Host& host) {
+  return Fit(mesh, targets, options, host).run();
+}
+
+void smooth_inside(HexMesh& mesh, const FeatureTargets& targets, int steps, const base::Host& host) {
+  constexpr double most = 200;
+  Array<std::uint8_t> fixed(3 * mesh.positions.size(), 0, host.memory);
+  for (const Index v : targets.vertices())
+    std::fill_n(fixed.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{v}), 3, std::uint8_t{1});
+  Array<Element> elements = corner_elements(mesh, host);
+  const volume_map::Variables variables(mesh.positions, fixed, {}, host.memory);
+  volume_map::FoldoverEnergy energy(elements, variables, volume_weight, host);
+  volume_map::Newton newton(energy, variables.start(), host);
+  for (int i = 0; i < steps; ++i) {
+    host.report("smooth", static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(steps));
+    set_weights(mesh, most, elements);
+    volume_map::EnergyValue now = energy.value(newton.values(), 0);
+    if (now.inverted > 0) return;
+    if (newton.step(0, {.products = 60, .tolerance = 3e-2}, now) == 0) return;
+    variables.expand(newton.values(), mesh.positions);
+  }
+}
+
+}  // namespace orbicube::hexmesh

@@ -1,0 +1,24 @@
+// The deformation that brings a boundary with an embedded feature graph to the surface without ever folding.
+#pragma once
+
+#include "hexmesh/features/feature_targets.h"
+
+namespace orbicube::hexmesh {
+
+struct FeatureFitOptions {
+  int rounds = 40;  // of raising weights
+};
+
+// Untangles the mesh with a loose boundary, then raises the weights of the targets with positive determinants as a
+// barrier. Returns whether no corner is inverted.
+bool fit_to_features(HexMesh& mesh, FeatureTargets& targets, const FeatureFitOptions& options, const base::Host& host);
+
+// Moves the boundary onto its targets as far as the hexahedra allow, improves the inside with the boundary fixed, and
+// tries other positions for the vertices of the worst hexahedra, those of the boundary on their arc or patch. Returns
+// the number of boundary vertices off their targets.
+std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, const base::Host& host);
+
+// Improves the positions inside with the boundary fixed.
+void smooth_inside(HexMesh& mesh, const FeatureTargets& targets, int steps, const base::Host& host);
+
+}  // namespace orbicube::hexmesh

@@ -1,0 +1,157 @@
+#include "hexmesh/features/feature_hexes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/error.h"
+#include "hexmesh/certificate/hex_embedding.h"
+#include "hexmesh/certificate/hex_figures.h"
+#include "hexmesh/features/feature_fitting.h"
+#include "hexmesh/features/pillowing.h"
+#include "hexmesh/grid/voxel_hexes.h"
+#include "mesh/search/measures.h"
+
+namespace orbicube::hexmesh {
+namespace {
+
+constexpr double cells_an_arc = 3;         // that the shortest arc should have
+constexpr double most_growth = 3;          // of the number of cells, for that
+constexpr double grid_part = 0.55;         // of the cells: the rest are rings
+constexpr int max_attempts = 4;            // to embed, with more cells each time
+constexpr double more_cells = 1.6;
+
+// Cells with a layer, in units of a cell, and the surface in the same units.
+class Attempt {
+ public:
+  Attempt(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+          const mesh::FeatureGraph& graph, std::size_t cells, const base::Host& host)
+      : host_(host),
+        grid_(voxel_hexahedra(positions, triangles, cells, host)),
+        shape_(positions, triangles, graph, grid_.scale, host),
+        embedding_(host.memory) {}
+
+  std::optional<FeatureObstacle> embed() {
+    HexMesh& mesh = grid_.mesh;
+    BoundaryQuads quads(mesh.hexahedra, mesh.positions.size(), host_);
+    if (auto obstacle = place_corners(mesh, quads, shape_, embedding_, host_)) return obstacle;
+    if (auto obstacle = choose_stubs(mesh, quads, shape_, embedding_, host_)) return obstacle;
+    std::optional<FeatureObstacle> obstacle;
+    for (const double price : {3.0, 1.0, 0.3}) {
+      obstacle = route_arcs(mesh, quads, shape_, price, embedding_, host_);
+      if (!obstacle) obstacle = match_patches(mesh, quads, shape_, embedding_, host_);
+      if (!obstacle) return add_rings(quads);
+    }
+    return obstacle;
+  }
+
+  // Returns whether the mesh has no inverted corner.
+  bool fit(int rounds) {
+    FeatureTargets targets(grid_.mesh, shape_, embedding_, host_);
+    if (!fit_to_features(grid_.mesh, targets, {.rounds = rounds}, host_)) return false;
+    off_surface_ = snap_to_features(grid_.mesh, targets, host_);
+    return true;
+  }
+
+  HexResult result(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles) const {
+    HexResult made(host_.memory);
+    made.mesh = grid_.mesh;
+    for (Vector3& p : made.mesh.positions)
+      p /= grid_.scale;
+    made.padded = made.grid_based = made.follows_sharp_edges = true;
+    made.off_surface = off_surface_;
+    made.quality = measure_hexahedra(made.mesh.positions, made.mesh.hexahedra, host_);
+    measure_embedding(made.mesh.positions, made.mesh.quads, made.quality, host_);
+    const HexFigures figures =
+        figures_of(made.mesh.positions, made.mesh.hexahedra, positions, triangles, host_);
+    made.distance = figures.distance;
+    made.volume_error = figures.volume_error;
+    made.quality.volume = figures.volume;
+    const mesh::Measures measures = mesh::measures(positions, triangles, host_);
+    made.pieces.assign(1, HexPiece{0.5 * (measures.low + measures.high), made.mesh.hexahedra.size(), figures.distance,
+                                   figures.volume_error, true});
+    return made;
+  }
+
+ private:
+  // A layer on each patch, closed along its border: arcs get two quads a side at their corners, whatever their paths.
+  std::optional<FeatureObstacle> add_rings(const BoundaryQuads& quads) {
+    HexMesh& mesh = grid_.mesh;
+    Array<Index> labels(mesh.hexahedra.size(), 0, host_.memory);
+    for (Index q = 0; q < quads.quads().size(); ++q) {
+      Index& label = labels[quads.owner(q)];
+      const Index own = embedding_.quad_patches[q] + 1;
+      if (label != 0 && label != own) return FeatureObstacle{no_index, no_index, "a hexahedron is on two patches"};
+      label = own;
+    }
+    pillow(mesh, labels, host_);
+    const BoundaryQuads outer(mesh.hexahedra, mesh.positions.size(), host_);
+    mesh.quads.assign(outer.quads().begin(), outer.quads().end());
+    mesh.quad_patches.clear();
+    for (Index q = 0; q < mesh.quads.size(); ++q)
+      mesh.quad_patches.push_back(labels[outer.owner(q)] - 1);
+    return {};
+  }
+
+  const base::Host& host_;
+  VoxelHexes grid_;
+  const FeatureShape shape_;
+  Embedding embedding_;
+  std::size_t off_surface_ = 0;
+};
+
+double shortest_arc(std::span<const Vector3> positions, const mesh::FeatureGraph& graph) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const mesh::FeatureArc& arc : graph.arcs) {
+    const auto v = graph.vertices_of(arc);
+    double sum = 0;
+    for (std::size_t i = 1; i < v.size(); ++i)
+      sum += (positions[v[i]] - positions[v[i - 1]]).norm();
+    least = std::min(least, sum);
+  }
+  return least;
+}
+
+}  // namespace
+
+FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                               const mesh::FeatureGraph& graph, const FeatureHexOptions& options,
+                               const base::Host& host) {
+  FeatureHexes made(host.memory);
+  const double volume = mesh::measures(positions, triangles, host).volume;
+  const double cell = shortest_arc(positions, graph) / cells_an_arc;
+  const auto given = static_cast<double>(options.cells);
+  const double most = std::max(given, static_cast<double>(options.max_cells));
+  // Half of the cells or so are inside, at their full size.
+  double cells = std::clamp(2 * volume / (cell * cell * cell), given, std::min(most, most_growth * given));
+  for (int attempt = 0; attempt < max_attempts; ++attempt, cells *= more_cells) {
+    if (attempt > 0 && cells > most) break;
+    const base::Stage stage(host, 0.5);
+    try {
+      Attempt now(positions, triangles, graph, static_cast<std::size_t>(grid_part * cells) + 1, host);
+      if (auto obstacle = now.embed()) {
+        made.obstacle = *obstacle;
+        continue;
+      }
+      if (!now.fit(options.rounds)) {
+        made.obstacle = {no_index, no_index, "the cells along the arcs do not untangle"};
+        continue;
+      }
+      HexResult result = now.result(positions, triangles);
+      if (!result.quality.valid()) {
+        made.obstacle = {no_index, no_index, what_is_wrong(result.quality)};
+        continue;
+      }
+      const bool better_one = !made.found || better(result, made.result, options.distance);
+      if (better_one) made.result = std::move(result);
+      made.found = true;
+      if (excess(made.result, options.distance) <= 1) break;
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      made.obstacle = {no_index, no_index, error.what()};
+    }
+  }
+  return made;
+}
+
+}  // namespace orbicube::hexmesh

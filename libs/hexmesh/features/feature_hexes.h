@@ -1,0 +1,35 @@
+// Grid-based hexahedra that keep the feature graph of a surface: cells of a grid with a layer around, the graph embedded
+// in the edges of their boundary, a ring of hexahedra along the border of each patch, and a deformation that brings
+// corners, arcs and patches to those of the surface without folding.
+#pragma once
+
+#include <string>
+
+#include "hexmesh/features/embedding.h"
+#include "hexmesh/strategies/hex_draft.h"
+
+namespace orbicube::hexmesh {
+
+struct FeatureHexOptions {
+  std::size_t cells = 10000;         // about
+  std::size_t max_cells = 100'000;   // where short arcs need more
+  double distance = 1;               // as in HexOptions
+  int rounds = 40;                   // of fitting
+};
+
+// A certified mesh whose quads have the patches of the graph, or none, with what was in the way.
+struct FeatureHexes {
+  explicit FeatureHexes(std::pmr::memory_resource* memory) : result(memory) {}
+
+  HexResult result;
+  bool found = false;
+  FeatureObstacle obstacle;
+};
+
+// Of the closed surface of one solid, outward-oriented, of a size near 1. The same for any number of threads. Throws
+// Error "cancelled".
+FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                               const mesh::FeatureGraph& graph, const FeatureHexOptions& options,
+                               const base::Host& host);
+
+}  // namespace orbicube::hexmesh

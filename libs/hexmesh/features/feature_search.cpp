@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include "base/grouping.h"
+#include "base/random.h"
+#include "hexmesh/features/feature_fitting.h"
+
+namespace orbicube::hexmesh {
+namespace {
+
+constexpr double good = 0.35;           // hexahedra below are searched
+constexpr std::size_t max_worst = 400;  // of a pass
+constexpr int max_passes = 60, idle_passes = 6;
+constexpr double first_radius = 0.25, last_radius = 0.02, shrinking = 0.96;  // times the shortest edge
+
+class Search {
+ public:
+  Search(HexMesh& mesh, FeatureTargets& targets, const base::Host& host)
+      : mesh_(mesh),
+        targets_(targets),
+        host_(host),
+        around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)) {}
+
+  // Returns how many vertices are not on their targets.
+  std::size_t snap() {
+    constexpr int rounds = 4;
+    constexpr double kept = 0.8, floor = 0.06, positive = 1e-3;  // of the worst hexahedron around a vertex
+    std::size_t left = 0;
+    for (int round = 0; round < rounds; ++round) {
+      left = 0;
+      for (const Index v : targets_.vertices()) {
+        if (v % 64 == 0) host_.report("snap", 0, 0);
+        const Vector3 from = mesh_.positions[v], to = targets_.target(v, from).position;
+        if (from == to) continue;
+        const double least = std::max(positive, std::min(kept * worst_around(v), floor));
+        bool done = false;
+        for (const double part : {1.0, 0.5, 0.25}) {
+          mesh_.positions[v] = part == 1 ? to : Vector3(from + part * (to - from));
+          if (worst_around(v) >= least) {
+            done = part == 1;
+            break;
+          }
+          mesh_.positions[v] = from;
+        }
+        left += done ? 0 : 1;
+      }
+      if (left == 0) break;
+    }
+    return left;
+  }
+
+  void improve() {
+    double radius = first_radius, last = worst_of_all();
+    int idle = 0;
+    for (int pass = 0; pass < max_passes && idle < idle_passes; ++pass) {
+      const Array<Index> vertices = worst_vertices();
+      if (vertices.empty()) return;
+      bool moved = false;
+      for (const Index v : vertices) {
+        host_.report("search", static_cast<std::uint64_t>(pass), max_passes);
+        moved = try_positions(v, radius) || moved;
+      }
+      const double now = worst_of_all();
+      idle = now > last + 1e-3 ? 0 : idle + 1;
+      last = std::max(last, now);
+      radius = std::max(last_radius, radius * shrinking);
+    }
+  }
+
+ private:
+  // The scaled Jacobian, or less where the determinant may not be positive between good corners.
+  double quality(Index hexahedron) const {
+    constexpr double certain = 0.5;
+    const Hexahedron& h = mesh_.hexahedra[hexahedron];
+    const double corners = scaled_jacobian(mesh_.positions, h);
+    if (corners > certain || corners <= 0) return corners;
+    return std::min(corners, 3 * min_bezier(mesh_.positions, h));
+  }
+  double worst_around(Index v) const {
+    double worst = 1;
+    for (const Index h : around_[v])
+      worst = std::min(worst, quality(h));
+    return worst;
+  }
+  double sum_around(Index v) const {
+    double sum = 0;
+    for (const Index h : around_[v])
+      sum += scaled_jacobian(mesh_.positions, mesh_.hexahedra[h]);
+    return sum;
+  }
+  double worst_of_all() const {
+    double worst = 1;
+    for (Index i = 0; i < mesh_.hexahedra.size(); ++i)
+      worst = std::min(worst, quality(i));
+    return worst;
+  }
+
+  Array<Index> worst_vertices() const {
+    Array<std::pair<double, Index>> worst(host_.memory);
+    for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
+      if (const double q = quality(i); q < good) worst.push_back({q, i});
+    }
+    std::sort(worst.begin(), worst.end());
+    if (worst.size() > max_worst) worst.resize(max_worst);
+    Array<Index> vertices(host_.memory);
+    for (const auto& [q, i] : worst)
+      vertices.insert(vertices.end(), mesh_.hexahedra[i].begin(), mesh_.hexahedra[i].end());
+    std::sort(vertices.begin(), vertices.end());
+    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    std::erase_if(vertices, [&](Index v) { return targets_.kind(v) == FeatureTargets::Kind::corner; });
+    return vertices;
+  }
+
+  double shortest_edge(Index v) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Index i : around_[v]) {
+      for (const Index w : mesh_.hexahedra[i]) {
+        if (w != v) least = std::min(least, (mesh_.positions[w] - mesh_.positions[v]).norm());
+      }
+    }
+    return least;
+  }
+
+  double uniform() { return 2 * base::unit_interval(random_()) - 1; }
+
+  bool try_positions(Index v, double radius) {
+    constexpr int trials = 8, far_trials = 4;
+    constexpr double near = 0.2;         // of the radius
+    constexpr double gain = 1e-6, same = 1e-9, mean_counts = 0.3;
+    constexpr double on_patch = 0.02;    // cells
+    double worst = worst_around(v), sum = sum_around(v);
+    const double edge = shortest_edge(v);
+    bool moved = false;
+    for (int trial = 0; trial < trials; ++trial) {
+      const Vector3 from = mesh_.positions[v];
+      const double place = targets_.place(v), reach = radius * edge * (trial < far_trials ? 1 : near);
+      const double x = uniform(), y = uniform(), z = uniform();
+      Vector3 to = from + reach * Vector3(x, y, z);
+      if (targets_.kind(v) == FeatureTargets::Kind::arc) {
+        targets_.set_place(v, targets_.clamped_place(v, place + reach * x));
+        to = targets_.shape().point(targets_.arc(v), targets_.place(v));
+      } else if (targets_.kind(v) == FeatureTargets::Kind::patch &&
+                 (targets_.target(v, from).position - from).norm() < on_patch) {
+        to = targets_.target(v, to).position;
+      }
+      mesh_.positions[v] = to;
+      const double now = worst_around(v);
+      const bool better =
+          now > worst + gain || (now > worst - same && now > mean_counts && sum_around(v) > sum);
+      if (better) {
+        worst = now;
+        sum = sum_around(v);
+        moved = true;
+      } else {
+        mesh_.positions[v] = from;
+        targets_.set_place(v, place);
+      }
+    }
+    return moved;
+  }
+
+  HexMesh& mesh_;
+  FeatureTargets& targets_;
+  const base::Host& host_;
+  base::Groups<Index, Index> around_;
+  std::mt19937_64 random_{1};
+};
+
+}  // namespace
+
+std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, const base::Host& host) {
+  constexpr int steps = 10;
+  Search search(mesh, targets, host);
+  search.snap();
+  smooth_inside(mesh, targets, steps, host);
+  const std::size_t left = search.snap();
+  search.improve();
+  return left == 0 ? 0 : search.snap();
+}
+
+}  // namespace orbicube::hexmesh

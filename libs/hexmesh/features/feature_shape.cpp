@@ -1,0 +1,109 @@
+#include "hexmesh/features/feature_shape.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <limits>
+
+namespace orbicube::hexmesh {
+namespace {
+
+Array<Vector3> scaled(std::span<const Vector3> positions, double scale, std::pmr::memory_resource* memory) {
+  Array<Vector3> result(positions.begin(), positions.end(), memory);
+  for (Vector3& p : result)
+    p *= scale;
+  return result;
+}
+
+}  // namespace
+
+FeatureShape::FeatureShape(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                           const mesh::FeatureGraph& graph, double scale, const base::Host& host)
+    : graph_(graph),
+      triangles_(triangles),
+      positions_(scaled(positions, scale, host.memory)),
+      along_(graph.vertices.size(), 0, host.memory),
+      by_patch_(
+          graph.euler.size(),
+          [&](const auto& visit) {
+            for (std::size_t t = 0; t < triangles.size(); ++t)
+              visit(graph.patches[t], triangles[t]);
+          },
+          host.memory),
+      whole_(positions_, triangles, host) {
+  for (const mesh::FeatureArc& arc : graph.arcs) {
+    for (Index i = arc.begin + 1; i < arc.end; ++i)
+      along_[i] = along_[i - 1] + (positions_[graph.vertices[i]] - positions_[graph.vertices[i - 1]]).norm();
+  }
+  for (std::size_t p = 0; p < graph.euler.size(); ++p)
+    searches_.emplace_back(positions_, by_patch_[p], host);
+}
+
+double FeatureShape::shortest_arc() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (Index a = 0; a < arcs(); ++a)
+    least = std::min(least, length(a));
+  return least;
+}
+
+bool FeatureShape::joined(Index corner, Index other, double length_limit) const {
+  const auto ends = graph_.around[corner];
+  return std::any_of(ends.begin(), ends.end(), [&](const mesh::FeatureEnd& end) {
+    return other_corner(end) == other && length(end.arc) < length_limit;
+  });
+}
+
+Vector3 FeatureShape::point(Index arc, double s) const {
+  const mesh::FeatureArc& a = graph_.arcs[arc];
+  Index i = a.begin + 1;
+  while (i + 1 < a.end && along_[i] < s)
+    ++i;
+  const double span = along_[i] - along_[i - 1];
+  const double t = span > 0 ? std::clamp((s - along_[i - 1]) / span, 0.0, 1.0) : 0;
+  return (1 - t) * positions_[graph_.vertices[i - 1]] + t * positions_[graph_.vertices[i]];
+}
+
+Vector3 FeatureShape::direction(const mesh::FeatureEnd& end) const {
+  constexpr double far = 1.5;  // cells
+  const double whole = length(end.arc), s = std::min(far, whole / 2);
+  return (point(end.arc, end.end == 1 ? whole - s : s) - corner(graph_.arcs[end.arc].corners[end.end])).normalized();
+}
+
+FeatureShape::ArcPoint FeatureShape::nearest_on_arc(Index arc, const Vector3& p, double s, double reach) const {
+  const mesh::FeatureArc& a = graph_.arcs[arc];
+  double least = std::numeric_limits<double>::infinity();
+  ArcPoint best;
+  best.s = s;
+  for (Index i = a.begin + 1; i < a.end; ++i) {
+    if (along_[i] < s - reach || along_[i - 1] > s + reach) continue;
+    const Vector3 &from = positions_[graph_.vertices[i - 1]], way = positions_[graph_.vertices[i]] - from;
+    const double square = way.squaredNorm();
+    const double t = square > 0 ? std::clamp(way.dot(p - from) / square, 0.0, 1.0) : 0;
+    const Vector3 q = from + t * way;
+    const double distance = (q - p).squaredNorm();
+    if (distance >= least) continue;
+    least = distance;
+    best.s = along_[i - 1] + t * (along_[i] - along_[i - 1]);
+    best.position = q;
+    best.tangent = way;
+  }
+  best.distance = (best.position - p).norm();
+  best.tangent.stableNormalize();
+  return best;
+}
+
+FeatureShape::ArcPoint FeatureShape::nearest_on_arc(Index arc, const Vector3& p) const {
+  return nearest_on_arc(arc, p, 0, std::numeric_limits<double>::infinity());
+}
+
+FeatureShape::PatchPoint FeatureShape::nearest_on_patch(Index patch, const Vector3& p) const {
+  const mesh::SurfacePoint found = searches_[patch].nearest(p);
+  const mesh::Triangle& t = by_patch_[patch][found.triangle];
+  const Vector3 normal = (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
+  return {found.position, normal.stableNormalized()};
+}
+
+Index FeatureShape::nearest_patch(const Vector3& p) const {
+  return graph_.patches[whole_.nearest(p).triangle];
+}
+
+}  // namespace orbicube::hexmesh

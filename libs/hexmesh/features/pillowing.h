@@ -1,0 +1,17 @@
+// Sheets of hexahedra between the parts of a mesh (Mitchell and Tautges 1995, "Pillowing doublets").
+#pragma once
+
+#include "hexmesh/certificate/hex_mesh.h"
+
+namespace orbicube::hexmesh {
+
+// Puts a hexahedron on every face between hexahedra of different labels, on each side whose label is not 0. Faces on
+// the boundary stay, so that sheets come out there as rings of quads along the borders of the labels. A vertex gets
+// one copy for each fan of equal labels. New hexahedra have the label of their side and are the last. The quads of the
+// mesh are not brought up to date. O(n) for the search of labels, then O(hexahedra with a label).
+void pillow(HexMesh& mesh, Array<Index>& labels, const base::Host& host);
+
+// The same for one hexahedron of the boundary: each boundary vertex of it gains an edge.
+void pillow_one(HexMesh& mesh, Index hexahedron, const base::Host& host);
+
+}  // namespace orbicube::hexmesh

@@ -1,0 +1,239 @@
+#include "mesh/features/feature_graph.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "base/error.h"
+#include "mesh/features/feature_lines.h"
+#include "mesh/features/feature_repairs.h"
+
+namespace orbicube::mesh {
+namespace {
+
+using Chain = std::vector<Index>;  // of vertices along a line
+
+class Builder {
+ public:
+  Builder(const FeatureLines& lines, double angle, std::span<const Index> ends, std::span<const Triangle> triangles,
+          FeatureGraph& graph, const base::Host& host)
+      : lines_(lines),
+        angle_(angle),
+        triangles_(triangles),
+        graph_(graph),
+        host_(host),
+        corner_(lines.positions().size(), no_index, host.memory) {
+    for (const Index v : ends)
+      add_corner(v, false);
+  }
+
+  void run() {
+    for (Index v = 0; v < corner_.size(); ++v) {
+      if (lines_.is_corner(v, angle_)) add_corner(v, false);
+    }
+    find_patches();
+    take_chains();
+    order_ends();
+    measure_patches();
+  }
+
+ private:
+  Index vertex_count() const { return static_cast<Index>(corner_.size()); }
+
+  void add_corner(Index v, bool soft) {
+    if (corner_[v] != no_index) return;
+    corner_[v] = static_cast<Index>(graph_.corners.size());
+    graph_.corners.push_back({v, soft});
+  }
+
+  void find_patches() {
+    graph_.patches.assign(triangles_.size(), no_index);
+    Array<Index> open(host_.memory);
+    Index count = 0;
+    for (Index first = 0; first < triangles_.size(); ++first) {
+      if (graph_.patches[first] != no_index) continue;
+      host_.report("features", 0, 0);
+      graph_.patches[first] = count;
+      open.push_back(first);
+      while (!open.empty()) {
+        const Index t = open.back();
+        open.pop_back();
+        for (Index h = 3 * t; h < 3 * t + 3; ++h) {
+          if (lines_.contains(h)) continue;
+          const Index beside = triangle_of(lines_.connectivity().opposite(h));
+          if (graph_.patches[beside] != no_index) continue;
+          graph_.patches[beside] = count;
+          open.push_back(beside);
+        }
+      }
+      ++count;
+    }
+    graph_.euler.assign(count, 0);
+  }
+
+  // Lines between corners, then closed ones.
+  void take_chains() {
+    Array<std::uint8_t> done(3 * triangles_.size(), 0, host_.memory);
+    const auto take = [&](Index from) {
+      lines_.for_each(from, [&](Index h) {
+        if (done[h] != 0) return;
+        Chain chain{from};
+        for (Index way = h; way != no_index;) {
+          done[way] = done[lines_.connectivity().opposite(way)] = 1;
+          const Index at = lines_.connectivity().end(way), back = lines_.connectivity().opposite(way);
+          chain.push_back(at);
+          way = no_index;
+          if (at == from || corner_[at] != no_index) break;
+          lines_.for_each(at, [&](Index next) {
+            if (next != back) way = next;
+          });
+        }
+        add_chain(chain);
+      });
+    };
+    const std::size_t hard = graph_.corners.size();
+    for (std::size_t c = 0; c < hard; ++c)
+      take(graph_.corners[c].vertex);
+    for (Index v = 0; v < vertex_count(); ++v) {
+      if (v % 4096 == 0) host_.report("features", 0, 0);
+      take(v);
+    }
+  }
+
+  double length(std::span<const Index> chain) const {
+    double sum = 0;
+    for (std::size_t i = 1; i < chain.size(); ++i)
+      sum += (lines_.positions()[chain[i]] - lines_.positions()[chain[i - 1]]).norm();
+    return sum;
+  }
+
+  // The place of a chain nearest to a part of its length.
+  std::size_t place_at(const Chain& chain, double part) const {
+    const double whole = length(chain);
+    double at = 0, best = whole;
+    std::size_t place = 0;
+    for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+      at += (lines_.positions()[chain[i]] - lines_.positions()[chain[i - 1]]).norm();
+      if (std::abs(at - part * whole) < best) {
+        best = std::abs(at - part * whole);
+        place = i;
+      }
+    }
+    return place;
+  }
+
+  // Cuts closed chains into three.
+  void add_chain(const Chain& chain) {
+    if (chain.front() != chain.back()) return halve(chain);
+    add_corner(chain.front(), true);
+    std::size_t first = place_at(chain, 1.0 / 3), second = place_at(chain, 2.0 / 3);
+    if (second <= first) second = first + 1;
+    if (second + 1 >= chain.size()) first = chain.size() - 3, second = chain.size() - 2;
+    add_corner(chain[first], true);
+    add_corner(chain[second], true);
+    const auto at = [&](std::size_t i) { return chain.begin() + static_cast<std::ptrdiff_t>(i); };
+    halve(Chain(at(0), at(first + 1)));
+    halve(Chain(at(first), at(second + 1)));
+    halve(Chain(at(second), chain.end()));
+  }
+
+  // Halves chains that are much longer than their chords, so that a path along them cannot take a short cut.
+  void halve(const Chain& chain) {
+    constexpr double most = 1.8;
+    const double chord = (lines_.positions()[chain.front()] - lines_.positions()[chain.back()]).norm();
+    if (chain.size() < 4 || length(chain) < most * chord) return add_arc(chain);
+    const std::size_t middle = place_at(chain, 0.5);
+    add_corner(chain[middle], true);
+    halve(Chain(chain.begin(), chain.begin() + static_cast<std::ptrdiff_t>(middle + 1)));
+    halve(Chain(chain.begin() + static_cast<std::ptrdiff_t>(middle), chain.end()));
+  }
+
+  void add_arc(const Chain& chain) {
+    FeatureArc arc;
+    arc.corners = {corner_[chain.front()], corner_[chain.back()]};
+    const Index h = lines_.find(chain[0], chain[1]);
+    arc.patches = {graph_.patches[triangle_of(h)], graph_.patches[triangle_of(lines_.connectivity().opposite(h))]};
+    arc.begin = static_cast<Index>(graph_.vertices.size());
+    graph_.vertices.insert(graph_.vertices.end(), chain.begin(), chain.end());
+    arc.end = static_cast<Index>(graph_.vertices.size());
+    graph_.arcs.push_back(arc);
+  }
+
+  void order_ends() {
+    // Of each half-edge that begins an arc, twice the arc and its end.
+    Array<Index> begins(3 * triangles_.size(), no_index, host_.memory);
+    for (Index a = 0; a < graph_.arcs.size(); ++a) {
+      const auto v = graph_.vertices_of(graph_.arcs[a]);
+      begins[lines_.find(v[0], v[1])] = 2 * a;
+      begins[lines_.find(v[v.size() - 1], v[v.size() - 2])] = 2 * a + 1;
+    }
+    graph_.around.assign(graph_.corners.size(), [&](const auto& visit) {
+      for (Index c = 0; c < graph_.corners.size(); ++c)
+        lines_.for_each(graph_.corners[c].vertex, [&](Index h) {
+          if (begins[h] != no_index) visit(c, FeatureEnd{begins[h] / 2, begins[h] % 2});
+        });
+    });
+  }
+
+  // Vertices, less edges, plus triangles; each patch counts those on its border.
+  void measure_patches() {
+    Array<Index> beside(host_.memory);
+    for (Index v = 0; v < vertex_count(); ++v) {
+      if (v % 4096 == 0) host_.report("features", 0, 0);
+      beside.clear();
+      lines_.connectivity().for_each_outgoing(v, [&](Index h) { beside.push_back(graph_.patches[triangle_of(h)]); });
+      std::sort(beside.begin(), beside.end());
+      beside.erase(std::unique(beside.begin(), beside.end()), beside.end());
+      for (const Index p : beside)
+        ++graph_.euler[p];
+    }
+    for (Index h = 0; h < 3 * triangles_.size(); ++h) {
+      const Index own = graph_.patches[triangle_of(h)], other = lines_.connectivity().opposite(h);
+      if (h % 3 == 0) ++graph_.euler[own];
+      // An edge between two patches belongs to both.
+      if (h < other || own != graph_.patches[triangle_of(other)]) --graph_.euler[own];
+    }
+  }
+
+  const FeatureLines& lines_;
+  const double angle_;
+  std::span<const Triangle> triangles_;
+  FeatureGraph& graph_;
+  const base::Host& host_;
+  Array<Index> corner_;  // of each vertex
+};
+
+}  // namespace
+
+FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const Triangle> triangles,
+                           const FeatureOptions& options, const base::Host& host) {
+  base::require(options.angle > 0 && options.angle < 180, "`feature_angle` must be between 0 and 180 degrees");
+  const Connectivity connectivity(positions.size(), triangles, host);
+  for (Index h = 0; h < 3 * triangles.size(); ++h) {
+    if (connectivity.opposite(h) == no_index) throw base::Error("not-closed", "the surface has a boundary");
+  }
+  FeatureGraph graph(host.memory);
+  FeatureLines lines(positions, connectivity, triangles.size(), host);
+  lines.add_sharp(options.angle, triangles);
+  const auto add = [&](std::span<const Edge> edges, FeatureLines& to) {
+    for (const auto& [from, end] : edges) {
+      if (from >= positions.size() || end >= positions.size()) continue;
+      if (const Index h = lines.find(from, end); h != no_index) to.add(h);
+    }
+  };
+  add(options.edges, lines);
+  for (Index h = 0; h < 3 * triangles.size(); ++h) {
+    if (!lines.contains(h) || connectivity.opposite(h) < h) continue;
+    ++graph.sharp_edges;
+    graph.sharp_length += (positions[connectivity.end(h)] - positions[connectivity.start(h)]).norm();
+  }
+  FeatureLines guides(positions, connectivity, triangles.size(), host);
+  add(options.lines, guides);
+  const Array<Index> ends = continue_ends(lines, guides, host);
+  graph.continued = ends.size();
+  graph.cut_sectors = cut_wide_sectors(lines, guides, options.angle, host);
+  Builder(lines, options.angle, ends, triangles, graph, host).run();
+  return graph;
+}
+
+}  // namespace orbicube::mesh

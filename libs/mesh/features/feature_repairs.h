@@ -1,0 +1,16 @@
+// Repairs of feature lines that no mesh of few cells around a corner can follow.
+#pragma once
+
+#include "mesh/features/feature_lines.h"
+
+namespace orbicube::mesh {
+
+// Continues lines that end inside a patch to another line, along the guides where there are any: edges of `guides`
+// cost their length, others eight times as much. Returns the vertices at which lines ended.
+Array<Index> continue_ends(FeatureLines& lines, const FeatureLines& guides, const base::Host& host);
+
+// Cuts each sector of more than 300 degrees between the lines at a corner by a line from about its middle to another
+// line; two quads of 180 degrees would have folds there. Returns how many were cut.
+std::size_t cut_wide_sectors(FeatureLines& lines, const FeatureLines& guides, double angle, const base::Host& host);
+
+}  // namespace orbicube::mesh
