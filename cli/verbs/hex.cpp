@@ -128,9 +128,10 @@ void add_hex(CLI::App& app, CommonOptions& common) {
                    "follow; 0: none [default: 40; with --method frames 0]")
       ->check(unnamed(CLI::Range(0.0, 179.0)))
       ->type_name("DEGREES");
-  verb->add_option("--features", options->features,
-                   "auto: keep sharp edges of --feature-angle and their corners where possible, grid-based; off: follow "
-                   "them to the accuracy of the method [default: off]")
+  verb->add_option(
+          "--features", options->features,
+          "auto: keep sharp edges of --feature-angle and their corners where possible, grid-based; off: follow "
+          "them to the accuracy of the method [default: off]")
       ->check(unnamed(CLI::IsMember({"off", "auto"})))
       ->type_name("F");
   verb->add_option("--padding", options->padding,

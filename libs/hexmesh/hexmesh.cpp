@@ -313,8 +313,7 @@ double feature_angle_of(const Options& options) {
 Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume_map::InputFindings& findings,
                          const base::Host& host) {
   base::require(options.method >= Method::automatic && options.method <= Method::frames, "the method is unknown");
-  base::require(options.features == Features::off || options.features == Features::automatic,
-                "`features` is unknown");
+  base::require(options.features == Features::off || options.features == Features::automatic, "`features` is unknown");
   base::require(options.padding >= Padding::automatic && options.padding <= Padding::without, "the padding is unknown");
   base::require(feature_angle_of(options) >= 0 && feature_angle_of(options) < 180,
                 "the feature angle must be from 0 to below 180 degrees");

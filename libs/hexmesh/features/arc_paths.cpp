@@ -13,13 +13,13 @@ namespace {
 constexpr int max_trials = 80;
 constexpr double first_sharing = 0.3, sharing_growth = 1.3;  // price of a shared vertex, in cells
 constexpr int growing_trials = 30;
-constexpr double history = 0.4;     // more for each trial in which a vertex was shared
+constexpr double history = 0.4;                         // more for each trial in which a vertex was shared
 constexpr double edge_price = 0.05, crowd_price = 0.1;  // of each edge; of each used vertex beside a path
 
 class Router {
  public:
-  Router(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape, double price,
-         Embedding& embedding, const base::Host& host)
+  Router(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape, double price, Embedding& embedding,
+         const base::Host& host)
       : mesh_(mesh),
         quads_(quads),
         shape_(shape),
@@ -38,8 +38,7 @@ class Router {
     begin();
     Array<Index> order(shape_.arcs(), host_.memory);
     std::iota(order.begin(), order.end(), Index{0});
-    std::stable_sort(order.begin(), order.end(),
-                     [&](Index a, Index b) { return shape_.length(a) < shape_.length(b); });
+    std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return shape_.length(a) < shape_.length(b); });
     FeatureObstacle obstacle;
     for (int trial = 0; trial < max_trials; ++trial) {
       sharing_ = first_sharing * std::pow(sharing_growth, std::min(trial, growing_trials));

@@ -38,7 +38,8 @@ class Stubs {
       for (Index c = 0; c < shape_.corners() && !again; ++c) {
         host_.report("features", c, shape_.corners());
         if (shape_.graph().around.size(c) == 0 || choose(c)) continue;
-        if (!make_way(c)) return FeatureObstacle{c, no_index, "the boundary has no free edges for the arcs of the corner"};
+        if (!make_way(c))
+          return FeatureObstacle{c, no_index, "the boundary has no free edges for the arcs of the corner"};
         again = true;
       }
     }
@@ -115,7 +116,7 @@ class Stubs {
     return 1 - shape_.direction(end).dot(edge(vertex(corner), w));
   }
 
-  // Edges in the order of the arcs with the least cost of all.
+  // Edges in the order of the arcs at minimum total cost.
   bool choose(Index corner) {
     const auto ends = shape_.graph().around[corner];
     const Array<Index> around = ring(vertex(corner));
@@ -168,8 +169,8 @@ class Stubs {
     for (std::size_t k = 0; k < around.size(); ++k) {
       const Index a = around[k], b = around[(k + 1) % around.size()];
       const double angle = std::acos(std::clamp(edge(v, a).dot(edge(v, b)), -1.0, 1.0));
-      const double score = angle - (taken_[a] != no_index ? price_of_taken : 0) -
-                           (taken_[b] != no_index ? price_of_taken : 0);
+      const double score =
+          angle - (taken_[a] != no_index ? price_of_taken : 0) - (taken_[b] != no_index ? price_of_taken : 0);
       if (score <= best) continue;
       best = score;
       at = a;

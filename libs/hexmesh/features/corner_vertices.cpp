@@ -8,11 +8,11 @@ namespace orbicube::hexmesh {
 namespace {
 
 // Costs, in cells.
-constexpr double missing_edge = 0.25;      // each: fewer edges than arcs
+constexpr double missing_edge = 0.25;  // each: fewer edges than arcs
 constexpr double two_arcs_three_edges = 0.2;
-constexpr double wrong_direction = 0.3;    // of an arc at a right angle to the nearest edge
+constexpr double wrong_direction = 0.3;  // of an arc at a right angle to the nearest edge
 constexpr int rings_apart = 2;
-constexpr double short_arc = 3.5;          // cells: corners that it joins may be closer
+constexpr double short_arc = 3.5;  // cells: corners that it joins may be closer
 
 class Placement {
  public:
@@ -55,9 +55,8 @@ class Placement {
   }
 
   bool banned(Index corner, Index v, std::span<const Index> vertices) const {
-    return std::any_of(near_[v].begin(), near_[v].end(), [&](Index other) {
-      return vertices[other] == v || !shape_.joined(corner, other, short_arc);
-    });
+    return std::any_of(near_[v].begin(), near_[v].end(),
+                       [&](Index other) { return vertices[other] == v || !shape_.joined(corner, other, short_arc); });
   }
 
   double cost_of_edges(Index corner, Index v, double most) const {
@@ -103,8 +102,8 @@ class Placement {
 
 }  // namespace
 
-std::optional<FeatureObstacle> place_corners(const HexMesh& mesh, const BoundaryQuads& quads,
-                                             const FeatureShape& shape, Embedding& embedding, const base::Host& host) {
+std::optional<FeatureObstacle> place_corners(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape,
+                                             Embedding& embedding, const base::Host& host) {
   return Placement(mesh, quads, shape, host).run(embedding.corner_vertices);
 }
 

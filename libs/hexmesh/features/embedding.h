@@ -14,10 +14,10 @@ struct Embedding {
   explicit Embedding(std::pmr::memory_resource* memory)
       : corner_vertices(memory), stubs(memory), paths(memory), quad_patches(memory) {}
 
-  Array<Index> corner_vertices;             // of each corner
-  Array<std::array<Index, 2>> stubs;        // of each arc, the vertex next to each of its corners
-  Array<Array<Index>> paths;                // of each arc, its vertices, those of its corners included
-  Array<Index> quad_patches;                // of each quad
+  Array<Index> corner_vertices;       // of each corner
+  Array<std::array<Index, 2>> stubs;  // of each arc, the vertex next to each of its corners
+  Array<Array<Index>> paths;          // of each arc, its vertices, those of its corners included
+  Array<Index> quad_patches;          // of each quad
 };
 
 // A corner or an arc that the mesh cannot have, and why.
@@ -28,8 +28,8 @@ struct FeatureObstacle {
 
 // Corners to vertices, those with most arcs first: near, with an edge for each arc, in the directions of the arcs, and
 // two rings apart unless a short arc joins them.
-std::optional<FeatureObstacle> place_corners(const HexMesh& mesh, const BoundaryQuads& quads,
-                                             const FeatureShape& shape, Embedding& embedding, const base::Host& host);
+std::optional<FeatureObstacle> place_corners(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape,
+                                             Embedding& embedding, const base::Host& host);
 
 // Chooses the first edge of each arc at its corners, in the cyclic order of the arcs. Vertices with too few edges gain
 // some by hexahedra that are pillowed: mesh and quads change.
@@ -44,7 +44,7 @@ std::optional<FeatureObstacle> route_arcs(const HexMesh& mesh, const BoundaryQua
 
 // Fills the regions between the paths and sets the patches of the quads. There must be one region for each patch, with
 // the same arcs on the same sides and the same Euler characteristic.
-std::optional<FeatureObstacle> match_patches(const HexMesh& mesh, const BoundaryQuads& quads,
-                                             const FeatureShape& shape, Embedding& embedding, const base::Host& host);
+std::optional<FeatureObstacle> match_patches(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape,
+                                             Embedding& embedding, const base::Host& host);
 
 }  // namespace orbicube::hexmesh

@@ -12,14 +12,14 @@ namespace {
 
 using volume_map::Element;
 
-constexpr double volume_weight = 0.2;                     // of the energy
-constexpr double loose = 0.05;                            // pull to the start while the mesh is untangled
+constexpr double volume_weight = 0.2;  // of the energy
+constexpr double loose = 0.05;         // pull to the start while the mesh is untangled
 constexpr int untangling_steps = 100;
 constexpr double first_weight = 0.3, weight_growth = 1e4;  // of targets, over the rounds
-constexpr double last_progress = 1.25;                    // the growth at the end, as a power
-constexpr double full_progress = 0.625;                   // of the rounds, at which the growth is reached
-constexpr double slide_from = 0.36;                       // of the rounds: vertices of arcs slide from then on
-constexpr double target_jacobian = 0.5;                   // below which the weight of a corner rises
+constexpr double last_progress = 1.25;                     // the growth at the end, as a power
+constexpr double full_progress = 0.625;                    // of the rounds, at which the growth is reached
+constexpr double slide_from = 0.36;                        // of the rounds: vertices of arcs slide from then on
+constexpr double target_jacobian = 0.5;                    // below which the weight of a corner rises
 
 // The corner tetrahedra of all hexahedra, each a cube's.
 Array<Element> corner_elements(const HexMesh& mesh, const base::Host& host) {

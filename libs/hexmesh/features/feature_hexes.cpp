@@ -15,10 +15,10 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr double cells_an_arc = 3;         // that the shortest arc should have
-constexpr double most_growth = 3;          // of the number of cells, for that
-constexpr double grid_part = 0.55;         // of the cells: the rest are rings
-constexpr int max_attempts = 4;            // to embed, with more cells each time
+constexpr double cells_an_arc = 3;  // that the shortest arc should have
+constexpr double most_growth = 3;   // of the number of cells, for that
+constexpr double grid_part = 0.55;  // of the cells: the rest are rings
+constexpr int max_attempts = 4;     // to embed, with more cells each time
 constexpr double more_cells = 1.6;
 
 // Cells with a layer, in units of a cell, and the surface in the same units.
@@ -62,8 +62,7 @@ class Attempt {
     made.off_surface = off_surface_;
     made.quality = measure_hexahedra(made.mesh.positions, made.mesh.hexahedra, host_);
     measure_embedding(made.mesh.positions, made.mesh.quads, made.quality, host_);
-    const HexFigures figures =
-        figures_of(made.mesh.positions, made.mesh.hexahedra, positions, triangles, host_);
+    const HexFigures figures = figures_of(made.mesh.positions, made.mesh.hexahedra, positions, triangles, host_);
     made.distance = figures.distance;
     made.volume_error = figures.volume_error;
     made.quality.volume = figures.volume;

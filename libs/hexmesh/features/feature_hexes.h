@@ -1,6 +1,6 @@
-// Grid-based hexahedra that keep the feature graph of a surface: cells of a grid with a layer around, the graph embedded
-// in the edges of their boundary, a ring of hexahedra along the border of each patch, and a deformation that brings
-// corners, arcs and patches to those of the surface without folding.
+// Grid-based hexahedra that keep the feature graph of a surface: cells of a grid with a layer around, the graph
+// embedded in the edges of their boundary, a ring of hexahedra along the border of each patch, and a deformation that
+// brings corners, arcs and patches to those of the surface without folding.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 namespace orbicube::hexmesh {
 
 struct FeatureHexOptions {
-  std::size_t cells = 10000;         // about
-  std::size_t max_cells = 100'000;   // where short arcs need more
-  double distance = 1;               // as in HexOptions
-  int rounds = 40;                   // of fitting
+  std::size_t cells = 10000;        // about
+  std::size_t max_cells = 100'000;  // where short arcs need more
+  double distance = 1;              // as in HexOptions
+  int rounds = 40;                  // of fitting
 };
 
 // A certified mesh whose quads have the patches of the graph, or none, with what was in the way.

@@ -126,9 +126,9 @@ class Search {
 
   bool try_positions(Index v, double radius) {
     constexpr int trials = 8, far_trials = 4;
-    constexpr double near = 0.2;         // of the radius
+    constexpr double near = 0.2;  // of the radius
     constexpr double gain = 1e-6, same = 1e-9, mean_counts = 0.3;
-    constexpr double on_patch = 0.02;    // cells
+    constexpr double on_patch = 0.02;  // cells
     double worst = worst_around(v), sum = sum_around(v);
     const double edge = shortest_edge(v);
     bool moved = false;
@@ -146,8 +146,7 @@ class Search {
       }
       mesh_.positions[v] = to;
       const double now = worst_around(v);
-      const bool better =
-          now > worst + gain || (now > worst - same && now > mean_counts && sum_around(v) > sum);
+      const bool better = now > worst + gain || (now > worst - same && now > mean_counts && sum_around(v) > sum);
       if (better) {
         worst = now;
         sum = sum_around(v);

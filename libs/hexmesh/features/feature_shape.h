@@ -1,4 +1,4 @@
-// The surface and its feature graph in units of a cell, with what a mesh that keeps them asks: points along arcs,
+// The surface and its feature graph in units of a cell, with queries of meshes that keep them: points along arcs,
 // nearest points of arcs and of patches.
 #pragma once
 
@@ -56,7 +56,7 @@ class FeatureShape {
   const mesh::FeatureGraph& graph_;
   std::span<const mesh::Triangle> triangles_;
   Array<Vector3> positions_;
-  Array<double> along_;                               // arc length of each of graph_.vertices
+  Array<double> along_;  // arc length of each of graph_.vertices
   base::Groups<mesh::Triangle, Index> by_patch_;
   std::deque<mesh::SurfaceSearch> searches_;  // of each patch
   mesh::SurfaceSearch whole_;

@@ -1,4 +1,5 @@
-// Where the vertices of a boundary with an embedded feature graph belong: at their corner, on their arc, on their patch.
+// Where the vertices of a boundary with an embedded feature graph belong: at their corner, on their arc, on their
+// patch.
 #pragma once
 
 #include "hexmesh/features/embedding.h"

@@ -123,8 +123,8 @@ class Regions {
 
 }  // namespace
 
-std::optional<FeatureObstacle> match_patches(const HexMesh& mesh, const BoundaryQuads& quads,
-                                             const FeatureShape& shape, Embedding& embedding, const base::Host& host) {
+std::optional<FeatureObstacle> match_patches(const HexMesh& mesh, const BoundaryQuads& quads, const FeatureShape& shape,
+                                             Embedding& embedding, const base::Host& host) {
   return Regions(mesh, quads, shape, embedding, host).run();
 }
 

@@ -25,9 +25,7 @@ class WayFinder {
   bool kept_off(Index vertex) const { return own_[vertex] != 0; }
 
   // Offers a first step, at a price besides that of its edge.
-  void offer(Index half_edge, double extra) {
-    queue_.push({extra + price(half_edge), end(half_edge), half_edge});
-  }
+  void offer(Index half_edge, double extra) { queue_.push({extra + price(half_edge), end(half_edge), half_edge}); }
 
   // Adds the cheapest way to a vertex of a line that is not one of the own, or a branch where `branches` is true.
   // Returns whether there is one. What was kept off and offered is forgotten.
@@ -135,9 +133,9 @@ Array<Index> continue_ends(FeatureLines& lines, const FeatureLines& guides, cons
 }
 
 std::size_t cut_wide_sectors(FeatureLines& lines, const FeatureLines& guides, double angle, const base::Host& host) {
-  constexpr double widest = 300;                             // degrees
-  constexpr double first_part = 0.3, last_part = 0.7;        // of a sector, that the cut begins between
-  constexpr double degrees_per_edge = 30;                    // off the middle, that cost as much as an edge
+  constexpr double widest = 300;                       // degrees
+  constexpr double first_part = 0.3, last_part = 0.7;  // of a sector, that the cut begins between
+  constexpr double degrees_per_edge = 30;              // off the middle, that cost as much as an edge
   std::size_t cuts = 0;
   WayFinder finder(lines, guides, host);
   const Connectivity& connectivity = lines.connectivity();
