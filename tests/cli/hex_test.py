@@ -307,6 +307,36 @@ class Hex(InFolder):
                     file.write(f"f 1 {b} {a}\nf 2 {a + 1} {b + 1}\n")
         return path
 
+    def test_sharp_edges_are_chains_of_edges_of_the_boundary(self):
+        path = self.path("octahedron.obj")
+        with open(path, "w", encoding="ascii") as file:
+            corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
+            file.writelines(f"v {x} {y} {z}\n" for x, y, z in corners)
+            for upper in (5, 6):
+                for a, b in ((1, 3), (3, 2), (2, 4), (4, 1)):
+                    a, b = (a, b) if upper == 5 else (b, a)
+                    file.write(f"f {a} {b} {upper}\n")
+        figures, out = self.made_hexahedra(path, "--cells", 900, "--features", "auto")
+        self.assertEqual(figures["feature_curves"], 12)
+        self.check(out, 0)
+        positions, cells = read_medit(out, "Hexahedra", 8)
+        seen = Counter(frozenset(cell[v] for v in face) for cell in cells for face in FACES)
+        edges = {frozenset((cell[face[k]], cell[face[(k + 1) % 4]])) for cell in cells for face in FACES for k in range(4)
+                 if seen[frozenset(cell[v] for v in face)] == 1}
+        # The octahedron's edges: one coordinate is 0, the others' absolute values add up to 1 (written with 17 digits).
+        at_corner = {c: v for v, p in enumerate(positions) for c in corners if p == c}
+        self.assertEqual(len(at_corner), 6)
+        for i, a in enumerate(corners):
+            for b in corners[i + 1:]:
+                if all(x == -y for x, y in zip(a, b)):
+                    continue
+                along = sorted((sum((p[k] - a[k]) * (b[k] - a[k]) for k in range(3)), v) for v, p in enumerate(positions)
+                               if sum(abs(p[k] - a[k] - sum((p[j] - a[j]) * (b[j] - a[j]) for j in range(3)) / 2 *
+                                          (b[k] - a[k])) for k in range(3)) < Fraction(1, 10 ** 12))
+                self.assertEqual((along[0][1], along[-1][1]), (at_corner[a], at_corner[b]))
+                for (_, v), (_, w) in zip(along, along[1:]):
+                    self.assertIn(frozenset((v, w)), edges)
+
     def test_long_rods_keep_their_volume_at_any_size(self):
         for scale in (1.0, 1e-200, 1e150):
             path = self.rod("rod", 12, 1, 2000, scale)
