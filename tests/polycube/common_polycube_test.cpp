@@ -10,6 +10,7 @@
 
 #include "blocks.h"
 #include "mesh/search/nearest.h"
+#include "polycube/domain/shape_copies.h"
 #include "polycube/layout/drawn_construction.h"
 #include "shapes.h"
 
@@ -189,6 +190,52 @@ TEST_CASE("Shapes of a kind get one polycube that suits each nearly as well as i
   }
   CHECK(sum == doctest::Approx(common.energies.back()).epsilon(1e-12));
   CHECK(sum < 1.1 * (common.own_energies[0] + common.own_energies[1]));
+}
+
+TEST_CASE("Copies of a shape get its very map, also turned, moved and scaled ones") {
+  const mesh::Mesh first = shape("l-shape", 400);
+  mesh::Mesh turned = first;
+  for (Vector3& p : turned.positions)
+    p = 3 * Vector3(0.6 * p[0] - 0.8 * p[1], 0.8 * p[0] + 0.6 * p[1], p[2]) + Vector3(1, 2, 3);
+  mesh::Mesh longer = first;
+  for (Vector3& p : longer.positions)
+    p[0] *= 1.5;
+  const std::vector<SurfaceSpan> shapes = {{first.positions, first.triangles},
+                                           {first.positions, first.triangles},
+                                           {turned.positions, turned.triangles},
+                                           {longer.positions, longer.triangles}};
+  CHECK(originals_of(shapes) == std::vector<std::size_t>{0, 0, 0, 3});
+  const CommonPolycube common = construct_common(std::span(shapes).first(3), {}, host);
+  for (std::size_t i = 1; i < 3; ++i) {
+    CHECK(common.maps[i].polycube == common.maps[0].polycube);
+    CHECK(common.maps[i].triangles == common.maps[0].triangles);
+    for (std::size_t v = 0; v < first.positions.size(); ++v)
+      CHECK(common.maps[i].positions[v] == Vector3(shapes[i].positions[v]));
+  }
+}
+
+TEST_CASE("A given polycube is shared as it is, and at better proportions and corners where that is requested") {
+  const mesh::Mesh first = shape("l-shape", 400);
+  mesh::Mesh longer = first;
+  for (Vector3& p : longer.positions)
+    p[0] *= 1.5;
+  const std::vector<SurfaceSpan> shapes = {{first.positions, first.triangles}, {longer.positions, longer.triangles}};
+  const SurfaceMap own = construct(first.positions, first.triangles, {}, host).made.map;
+  const PatchGraph graph = make_patch_graph(own, host);
+  CommonPolycubeOptions options;
+  options.target = {&graph, 0, {}};
+  const CommonPolycube kept = construct_common(shapes, options, host);
+  options.proportions = true;
+  options.corners = true;
+  const CommonPolycube better = construct_common(shapes, options, host);
+  for (const CommonPolycube* common : {&kept, &better})
+    for (SurfaceMap map : common->maps)
+      CHECK(certify(map, host).valid());
+  for (const Vector3& corner : kept.graph.corners)
+    CHECK(std::find(graph.corners.begin(), graph.corners.end(), corner) != graph.corners.end());
+  CHECK(better.energies.back() <= kept.energies.back());
+  options.target.genus = 1;
+  CHECK_THROWS_WITH(construct_common(shapes, options, host), doctest::Contains("genus"));
 }
 
 TEST_CASE("Shapes of different genus have no polycube in common") {

@@ -1,6 +1,7 @@
 #include "polycube/domain/common_polycube.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -8,9 +9,9 @@
 
 #include "base/error.h"
 #include "mesh/topology/topology.h"
+#include "polycube/domain/shape_copies.h"
 #include "polycube/layout/drawn_construction.h"
 #include "polycube/surface/decimation.h"
-#include "polycube/unfolded/map_improvement.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -20,7 +21,8 @@ constexpr std::size_t search_triangles = 5000, coarse_enough = 7000;
 
 // A shape as polycubes are tried on it: some of its triangles, or itself.
 struct CoarseShape {
-  CoarseShape(const SurfaceSpan& shape, const base::Host& host) : positions(host.memory), triangles(host.memory) {
+  CoarseShape(const SurfaceSpan& shape, const base::Host& host)
+      : positions(host.memory), triangles(host.memory), sources(host.memory) {
     whole = shape.triangles.size() <= coarse_enough;
     if (whole) {
       positions.assign(shape.positions.begin(), shape.positions.end());
@@ -29,13 +31,21 @@ struct CoarseShape {
     }
     const Surface surface(Array<Vector3>(shape.positions.begin(), shape.positions.end(), host.memory),
                           Array<Triangle>(shape.triangles.begin(), shape.triangles.end(), host.memory), host);
-    Array<Index> sources(host.memory);
     take_left(decimate(surface, {}, search_triangles, host), shape.positions, positions, triangles, sources, host);
+  }
+
+  // Of a copy of a shape, the copy of its triangles.
+  CoarseShape(const SurfaceSpan& shape, const CoarseShape& original, const base::Host& host)
+      : whole(original.whole), positions(host.memory), triangles(original.triangles, host.memory), sources(host.memory) {
+    if (whole) positions.assign(shape.positions.begin(), shape.positions.end());
+    for (const Index v : original.sources)
+      positions.push_back(shape.positions[v]);
   }
 
   bool whole;
   Array<Vector3> positions;
   Array<Triangle> triangles;
+  Array<Index> sources;  // of vertices, in the shape; empty for the whole
 };
 
 class CommonConstruction {
@@ -45,10 +55,16 @@ class CommonConstruction {
 
   CommonPolycube run() {
     check();
-    for (const SurfaceSpan& shape : shapes_)
-      coarse_shapes_.emplace_back(shape, host_);
+    originals_ = originals_of(shapes_);
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (originals_[i] == i)
+        coarse_shapes_.emplace_back(shapes_[i], host_);
+      else
+        coarse_shapes_.emplace_back(shapes_[i], coarse_shapes_[originals_[i]], host_);
+    }
     for (const CoarseShape& shape : coarse_shapes_)
       coarse_.push_back({shape.positions, shape.triangles});
+    if (options_.target.graph != nullptr) return on_target();
     find_own();
     try_polycubes();
     std::stable_sort(candidates_.begin(), candidates_.end(), [](const CommonPolycube& a, const CommonPolycube& b) {
@@ -115,15 +131,19 @@ class CommonConstruction {
     own_methods_.assign(shapes_.size(), Method::automatic);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       own_.emplace_back();
+      if (originals_[i] != i) {
+        own_energies_[i] = own_energies_[originals_[i]];
+        continue;
+      }
       attempt("polycube of shape " + std::to_string(i), [&] {
         auto [made, method, printed] =
             construct(shapes_[i].positions, shapes_[i].triangles, options_.construction, host_);
         own_[i] = std::move(made.map);
         own_methods_[i] = method;
-        CommonPolycube alone(host_.memory);
+        CommonMaps alone(host_.memory);
         alone.maps.push_back(copy_of(*own_[i]));
         settle(alone);
-        improve(alone, max_rounds);
+        polycube::improve(alone, std::array<std::size_t, 1>{0}, max_rounds, improvement(), host_);
         own_energies_[i] = alone.energies.back();
       });
     }
@@ -137,6 +157,7 @@ class CommonConstruction {
     for (std::size_t i = 0; i < shapes_.size(); ++i)
       if (own_[i]) try_polycube(name_of(i), i, *own_[i], coarse_shapes_[i].whole);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      if (originals_[i] != i) continue;
       for (const Method method : {Method::labels, Method::voxels}) {
         ConstructionOptions options = options_.construction;
         if (options.method != Method::automatic && options.method != method) continue;
@@ -161,6 +182,10 @@ class CommonConstruction {
       found.genus = genus_;
       found.graph = make_patch_graph(model, host_);
       for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        if (originals_[i] != i) {
+          found.maps.push_back(map_of_copy(found.maps[originals_[i]], coarse_[i].positions, host_));
+          continue;
+        }
         if (i == base && there) {
           found.maps.push_back(copy_of(model));
           continue;
@@ -197,41 +222,49 @@ class CommonConstruction {
     return result.emplace(bend_shape(coarse_[from], coarse_[to], pairs, host_));
   }
 
-  // The best proportions, and the energies, of maps as they are.
-  void settle(CommonPolycube& common) {
-    CommonDomain domain = optimize_domain(pointers(common.maps), options_.domain, host_);
-    common.energies = domain.energies;
-    common.certificates = std::move(domain.certificates);
-    common.distortions = std::move(domain.distortions);
+  CommonImprovementOptions improvement() const {
+    return {.domain = options_.domain,
+            .proportions = options_.proportions.value_or(options_.target.graph == nullptr),
+            .corners = options_.corners,
+            .corner_search = options_.corner_search};
   }
 
-  static std::vector<SurfaceMap*> pointers(std::vector<SurfaceMap>& maps) {
-    std::vector<SurfaceMap*> result;
-    for (SurfaceMap& map : maps)
-      result.push_back(&map);
-    return result;
-  }
+  void settle(CommonMaps& common) const { polycube::settle(common, improvement(), host_); }
 
-  // Smooths the maps across edges and optimizes proportions again, in turns, as long as that helps.
   void improve(CommonPolycube& common, int rounds) {
-    constexpr double min_gain = 1e-3;
-    for (int round = 0; round < rounds; ++round) {
-      const double before = common.energies.back();
-      CommonPolycube next(host_.memory);
-      for (const SurfaceMap& map : common.maps) {
-        SurfaceMap& smooth = next.maps.emplace_back(copy_of(map));
-        Certificate certificate(host_.memory);
-        improve_map(smooth, certificate, {.rounds = 1, .domain = false}, host_);
+    polycube::improve(common, originals_, rounds, improvement(), host_);
+  }
+
+  // The given polycube: on the first shape, then along its map on the others, which are drawn on without it where that
+  // fails.
+  CommonPolycube on_target() {
+    const CommonTarget& target = options_.target;
+    if (target.genus != genus_)
+      throw base::Error("wrong-genus", "the polycube has genus " + std::to_string(target.genus) + ", the shapes " +
+                                           std::to_string(genus_));
+    const auto alone = [&](std::size_t i) {
+      return construct_on(shapes_[i].positions, shapes_[i].triangles, *target.graph, genus_, {.pose = target.pose},
+                          host_)
+          .map;
+    };
+    best_.genus = genus_;
+    best_.tried = 1;
+    best_.own_energies.assign(shapes_.size(), std::numeric_limits<double>::quiet_NaN());
+    best_.maps.push_back(alone(0));
+    for (std::size_t i = 1; i < shapes_.size(); ++i) {
+      if (originals_[i] != i) {
+        best_.maps.push_back(map_of_copy(best_.maps[originals_[i]], shapes_[i].positions, host_));
+        continue;
       }
-      settle(next);
-      const double now = next.energies.back();
-      if (!(now < before)) break;
-      common.energies.push_back(now);
-      common.maps = std::move(next.maps);
-      common.certificates = std::move(next.certificates);
-      common.distortions = std::move(next.distortions);
-      if (before - now < min_gain * before) break;
+      std::optional<SurfaceMap> map;
+      attempt("along the map of shape 0",
+              [&] { map = draw(i, shapes_[i], *target.graph, best_.maps[0], &bend(0, i)); });
+      best_.maps.push_back(map ? std::move(*map) : alone(i));
     }
+    settle(best_);
+    improve(best_, max_rounds);
+    best_.graph = make_patch_graph(best_.maps[0], host_);
+    return std::move(best_);
   }
 
   // From coarse shapes to whole ones.
@@ -241,7 +274,9 @@ class CommonConstruction {
       candidate.graph = make_patch_graph(candidate.maps[candidate.base], host_);
       if (std::any_of(coarse_shapes_.begin(), coarse_shapes_.end(), [](const CoarseShape& s) { return !s.whole; })) {
         for (std::size_t i = 0; i < shapes_.size(); ++i)
-          if (!coarse_shapes_[i].whole)
+          if (originals_[i] != i)
+            candidate.maps[i] = map_of_copy(candidate.maps[originals_[i]], shapes_[i].positions, host_);
+          else if (!coarse_shapes_[i].whole)
             candidate.maps[i] = draw(i, shapes_[i], candidate.graph, candidate.maps[i], nullptr);
         settle(candidate);
       }
@@ -256,6 +291,7 @@ class CommonConstruction {
   std::span<const SurfaceSpan> shapes_;
   const CommonPolycubeOptions& options_;
   const base::Host& host_;
+  std::vector<std::size_t> originals_;  // of each shape: itself, or the one that it is a copy of
   std::vector<CoarseShape> coarse_shapes_;
   std::vector<SurfaceSpan> coarse_;
   std::vector<std::optional<SurfaceMap>> own_;
