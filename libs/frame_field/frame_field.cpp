@@ -31,12 +31,21 @@ constexpr std::initializer_list<double> falling_times = {64, 32, 16, 8};
 constexpr double first_fine_time = 4, last_fine_time = 0.25, fine_factor = 1.4142135623730951;
 constexpr int fine_repeats = 3;
 // What a round of improvement tries from the best field so far.
-constexpr std::initializer_list<double> long_times = {128, 128, 32, 8, 2}, middle_times = {8, 8, 2, 1},
+constexpr std::initializer_list<double> long_times = {128, 32, 8, 2}, middle_times = {8, 8, 2, 1},
                                         short_times = {1, 0.5};
 // Frames that differ by less are no reason to take one rather than the other.
 constexpr double recombination_angle = 0.1;
 // Smoothing of candidates need not be thorough.
 constexpr double rough_gain = 1e-3;
+// Longer diffusions change the whole field, others what is around singular curves.
+constexpr double whole_from = 10;
+// How many links around what is not smooth such a diffusion changes the field, which grows with the way that it
+// spreads.
+int rings_of(double time) {
+  return 1 + static_cast<int>(1.5 * std::sqrt(time));
+}
+// A round that gains less than this fraction of the energy is the last.
+constexpr double round_gain = 5e-3;
 // Over the singular curves, moving them edge by edge.
 constexpr std::uint32_t curve_passes = 3;
 
@@ -78,7 +87,7 @@ class Search {
     }
     outcome.energy = smoothed(best_, options_.relative_gain, constraints_);
     if (!constraints_.pulls.empty()) outcome.energy = energy(graph_, best_, host_);
-    outcome.solver_iterations = iterations_ + diffusion_.iterations();
+    outcome.solver_iterations = iterations_ + diffusion_.iterations() + active_iterations_;
     outcome.smoothing_steps = steps_;
     outcome.field = std::move(best_);
     return outcome;
@@ -95,16 +104,19 @@ class Search {
 
   Field diffused(const Field& from, std::initializer_list<double> times) {
     Field field(from, host_.memory);
-    for (const double time : times)
-      diffusion_.diffuse(time, field);
+    for (const double time : times) {
+      if (time > whole_from)
+        diffusion_.diffuse(time, field);
+      else
+        active_iterations_ += diffuse_active(graph_, constraints_, time, 1, rings_of(time), host_, field);
+    }
     return field;
   }
 
   Field annealed(const Field& from) {
     Field field = diffused(from, falling_times);
     for (double time = first_fine_time; time > 0.99 * last_fine_time; time /= fine_factor) {
-      for (int repeat = 0; repeat < fine_repeats; ++repeat)
-        diffusion_.diffuse(time, field);
+      active_iterations_ += diffuse_active(graph_, constraints_, time, fine_repeats, rings_of(time), host_, field);
     }
     return field;
   }
@@ -139,7 +151,7 @@ class Search {
       for (const auto& times : {long_times, middle_times, short_times}) {
         if (offer(diffused(best_, times))) from = Start::diffusion;
       }
-      if (before - best_energy_ <= rough_gain * best_energy_) break;
+      if (before - best_energy_ <= round_gain * best_energy_) break;
     }
     return from;
   }
@@ -152,7 +164,7 @@ class Search {
   Diffusion diffusion_;
   Field best_;
   double best_energy_ = 0;
-  std::uint32_t iterations_ = 0, steps_ = 0;
+  std::uint32_t iterations_ = 0, active_iterations_ = 0, steps_ = 0;
 };
 
 // Moves curves to where they cost less, which smoothing does not, and repairs. Tetrahedra are numbered as nodes are.

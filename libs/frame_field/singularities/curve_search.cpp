@@ -10,8 +10,10 @@ namespace {
 
 using quaternion::cube_group;
 
-constexpr std::uint32_t fitting_sweeps = 6, free_sweeps = 6;
-constexpr double hopeless = 0.5;   // energy that free sweeps do not win back
+// Sweeps in two halves each, and the energy above the old one that the sweeps after the first half, after the second
+// and after half of the free ones do not win back.
+constexpr std::uint32_t half_of_sweeps = 3;
+constexpr double hopeless_early = 1, hopeless = 0.5, hopeless_late = 0.1;
 constexpr double min_gain = 1e-4;  // of a move
 constexpr std::size_t items_between_reports = 64;
 
@@ -30,7 +32,9 @@ CurveSearch::CurveSearch(const DualGraph& graph, const Constraints& constraints,
       matchings_(host.memory),
       stamp_(graph.size(), 0, host.memory),
       patch_(host.memory),
-      saved_(host.memory) {}
+      saved_(host.memory),
+      changed_(graph.size(), 0, host.memory),
+      failed_(host.memory) {}
 
 double CurveSearch::run(std::uint32_t max_passes, Field& field) {
   gain_ = 0;
@@ -159,6 +163,19 @@ double CurveSearch::patch_energy(const Field& field) const {
   return sum;
 }
 
+// The number of the last accepted move that changed what a move in this patch depends on.
+std::uint32_t CurveSearch::last_change() const {
+  std::uint32_t last = 0;
+  for (const Index t : patch_) {
+    last = std::max(last, changed_[t]);
+    for (Index k = 0; k < 4; ++k) {
+      const Index other = connectivity_.neighbor(t, k);
+      if (other != no_index) last = std::max(last, changed_[other]);
+    }
+  }
+  return last;
+}
+
 void CurveSearch::set(const Change& change) {
   matchings_[change.face] = change.matching;
   matchings_[connectivity_.opposite(change.face)] = cube_group.inverse[change.matching];
@@ -166,6 +183,12 @@ void CurveSearch::set(const Change& change) {
 
 bool CurveSearch::try_changes(std::span<const Change> changes, Field& field) {
   collect_patch(changes);
+  // What failed fails again while nothing around changes.
+  std::array<std::uint64_t, 2> key{};
+  for (std::size_t i = 0; i < changes.size(); ++i)
+    key[i] = std::uint64_t{changes[i].face} * cube_group.element.size() + changes[i].matching + 1;
+  const auto before_now = failed_.find(key);
+  if (before_now != failed_.end() && before_now->second >= last_change()) return false;
   saved_.clear();
   for (const Index t : patch_)
     saved_.push_back(field[t]);
@@ -175,20 +198,25 @@ bool CurveSearch::try_changes(std::span<const Change> changes, Field& field) {
     old[i] = {changes[i].face, matchings_[changes[i].face]};
     set(changes[i]);
   }
-  relaxation_.relax(patch_, matchings_, fitting_sweeps, field);
-  double after = patch_energy(field);
-  if (after < before + hopeless) {
-    relaxation_.relax(patch_, {}, free_sweeps, field);
+  double after = before;
+  const auto relax = [&](std::span<const std::uint8_t> matchings, double bound) {
+    relaxation_.relax(patch_, matchings, half_of_sweeps, field);
     after = patch_energy(field);
-  }
+    return after < before + bound;
+  };
+  if (relax(matchings_, hopeless_early) && relax(matchings_, hopeless) && relax({}, hopeless_late)) relax({}, 0);
   if (!(after < before - min_gain)) {
     for (std::size_t i = 0; i < changes.size(); ++i)
       set(old[i]);
     for (std::size_t i = 0; i < patch_.size(); ++i)
       field[patch_[i]] = saved_[i];
+    failed_[key] = accepted_;
     return false;
   }
   gain_ += before - after;
+  ++accepted_;
+  for (const Index t : patch_)
+    changed_[t] = accepted_;
   for (const Index t : patch_) {
     for (Index k = 0; k < 4; ++k) {
       const Index f = 4 * t + k, other = connectivity_.opposite(f);

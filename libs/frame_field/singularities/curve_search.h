@@ -6,7 +6,9 @@
 // curve's vertex moves.
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <map>
 #include <span>
 
 #include "base/grouping.h"
@@ -38,6 +40,7 @@ class CurveSearch {
   bool move_vertex(std::size_t ring, std::size_t next, Field& field);
   bool try_changes(std::span<const Change> changes, Field& field);
   void collect_patch(std::span<const Change> changes);
+  std::uint32_t last_change() const;
   void set(const Change& change);
   double patch_energy(const Field& field) const;
 
@@ -54,6 +57,10 @@ class CurveSearch {
   Array<Index> patch_;
   Array<Quaternion> saved_;
   double gain_ = 0;
+  // How many moves were accepted, after which of them a tetrahedron has its frame, and after how many a move failed.
+  std::uint32_t accepted_ = 0;
+  Array<std::uint32_t> changed_;
+  std::pmr::map<std::array<std::uint64_t, 2>, std::uint32_t> failed_;
 };
 
 }  // namespace orbicube::frame_field

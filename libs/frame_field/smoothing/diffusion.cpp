@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace orbicube::frame_field {
 namespace {
@@ -49,10 +50,11 @@ Array<GraphSolver<9>::Tangent> tangents_of(const Constraints& constraints, const
 }  // namespace
 
 Diffusion::Diffusion(const DualGraph& graph, std::span<const CoarseGraph> hierarchy, const Constraints& constraints,
-                     const base::Host& host)
+                     const base::Host& host, std::span<const OutsideLinks> outside)
     : graph_(graph),
       constraints_(constraints),
       host_(host),
+      outside_(outside),
       circles_(circles_of(constraints, host.memory)),
       tangents_(tangents_of(constraints, circles_, host.memory)),
       solver_(graph, hierarchy, tangents_, host),
@@ -113,12 +115,35 @@ void Diffusion::diffuse(double time, Field& field) {
     for (std::size_t i = begin; i < end; ++i)
       x_[i] = right_[i] = stored(harmonic_of(field[i]));
   });
+  for (std::size_t i = 0; i < outside_.size(); ++i) {
+    mass_[i] += static_cast<float>(time) * outside_[i].weight;
+    for (std::size_t k = 0; k < 9; ++k)
+      right_[i].at[k] += static_cast<float>(time * outside_[i].sum[k]);
+  }
   pull(time, &field);
   iterations_ +=
       solver_
           .solve({.tau = static_cast<float>(time), .mass = mass_, .tolerance = 1e-2, .phase = "diffusion"}, right_, x_)
           .iterations;
   project(true, field);
+}
+
+std::uint32_t diffuse_active(const DualGraph& graph, const Constraints& constraints, double time, int repeats,
+                             int rings, const base::Host& host, Field& field) {
+  // Neighbors that differ by more are no part of a smooth field.
+  constexpr double rough_angle = 14 * std::numbers::pi / 180;
+  const ActiveRegion region = active_region(graph, constraints, field, rough_angle, rings, host);
+  if (region.nodes.empty()) return 0;
+  Field part(host.memory);
+  part.reserve(region.nodes.size());
+  for (const Index node : region.nodes)
+    part.push_back(field[node]);
+  Diffusion diffusion(region.graph, {}, region.constraints, host, region.outside);
+  for (int repeat = 0; repeat < repeats; ++repeat)
+    diffusion.diffuse(time, part);
+  for (std::size_t i = 0; i < part.size(); ++i)
+    field[region.nodes[i]] = part[i];
+  return diffusion.iterations();
 }
 
 }  // namespace orbicube::frame_field

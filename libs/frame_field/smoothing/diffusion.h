@@ -11,14 +11,15 @@
 #include "frame_field/graph/dual_graph.h"
 #include "frame_field/graph/graph_solver.h"
 #include "frame_field/graph/hierarchy.h"
+#include "frame_field/smoothing/active_region.h"
 
 namespace orbicube::frame_field {
 
 class Diffusion {
  public:
-  // All arguments must outlive it.
+  // All arguments must outlive it. `outside`, an entry a node or empty: links to frames that are fixed.
   Diffusion(const DualGraph& graph, std::span<const CoarseGraph> hierarchy, const Constraints& constraints,
-            const base::Host& host);
+            const base::Host& host, std::span<const OutsideLinks> outside = {});
 
   // The field nearest to the coefficients that satisfy Laplace's equation, where boundary frames may be of any size in
   // the plane of their two coefficients.
@@ -38,6 +39,7 @@ class Diffusion {
   const DualGraph& graph_;
   const Constraints& constraints_;
   const base::Host& host_;
+  std::span<const OutsideLinks> outside_;
   Array<AxisCircle> circles_;
   Array<Solver::Tangent> tangents_;
   Solver solver_;
@@ -45,5 +47,10 @@ class Diffusion {
   Array<float> mass_;
   std::uint32_t iterations_ = 0;
 };
+
+// Diffuses `repeats` times for `time` where the field is not smooth (active_region.h), `rings` links around. Returns
+// the iterations of the solver.
+std::uint32_t diffuse_active(const DualGraph& graph, const Constraints& constraints, double time, int repeats,
+                             int rings, const base::Host& host, Field& field);
 
 }  // namespace orbicube::frame_field

@@ -190,6 +190,12 @@ Quaternion nearest_frame(const Harmonic& a, const Quaternion& guess) {
   maxima[0] = harmonic_of(best);
   std::size_t found = 1;
   double value = dot(a, maxima[0]);
+  // With `rest` the part of a that is orthogonal to the coefficients m of this maximum, a frame whose coefficients have
+  // the product c with m has the value of at most c value + sqrt(1 - c^2) |rest|. Where c is at most part_nearby, that
+  // is below `value`.
+  constexpr double certain = (1 - part_nearby) / (1 + part_nearby);
+  const double rest = dot(a, a) - value * value;
+  if (value > 0 && rest < certain * value * value) return best;
   for (std::size_t k = 0; k < Starts::count; ++k) {
     const Harmonic& start = table.harmonic[k];
     if (dot(a, start) < part_at_start * value) continue;
