@@ -2,9 +2,8 @@
 
 #include <utility>
 
+#include "correspondence/closed_surface.h"
 #include "mesh/topology/cells.h"
-#include "mesh/topology/orient.h"
-#include "mesh/topology/topology.h"
 
 namespace orbicube::cli {
 
@@ -17,13 +16,8 @@ ClosedSurface read_closed_surface(const std::string& path, bool weld, Session& s
       mesh::require_valid_cells(mesh, session.host());
       throw base::Error("unsupported", "a solid of cells; the sphere map takes surfaces");
     }
-    mesh::Topology facts = mesh::topology(mesh.positions, mesh.triangles, session.host());
-    const bool turn = facts.orientable && (facts.inconsistent_edges > 0 || facts.volume < 0);
-    // The other requirements first: their refusals say more than what turning would meet.
-    facts.inconsistent_edges = facts.orientable ? 0 : facts.inconsistent_edges;
-    mesh::require_closed_genus_zero(facts);
-    if (!turn) return;
-    const mesh::OrientReport turned = mesh::orient(mesh.positions, mesh.triangles, session.host());
+    const mesh::OrientReport turned = correspondence::orient_genus_zero(mesh, session.host());
+    if (turned.triangles_turned == 0 && !turned.turned_outward) return;
     if (turned.triangles_turned > 0)
       session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbors");
     if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");

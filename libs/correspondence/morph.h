@@ -1,12 +1,15 @@
 // Shapes on one triangulation: all that lies between closed surfaces and a morph.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "base/host.h"
 #include "correspondence/pose.h"
+#include "correspondence/shape_maps.h"
 #include "mesh/mesh.h"
 
 namespace orbicube::correspondence {
@@ -16,8 +19,9 @@ enum class Via { sphere = 0, polycube = 1 };
 // How spheres are turned: to maximum correlation for any poses of the shapes; the same for equal poses; not at all.
 enum class SphereAlignment { shape = 0, rotation = 1, none = 2 };
 
-// The triangulation: the vertices of all shapes, or the grid of the polycube; the triangles of the first shape.
-enum class CommonGrid { both = 0, first = 1 };
+// The triangulation: the vertices of all shapes, or the grid of the polycube; the triangles of the first shape; a grid
+// of the sphere (sphere_map/sampling/grids.h).
+enum class CommonGrid { both = 0, first = 1, icosphere = 2, cube = 3, latitude = 4, octahedron = 5 };
 
 struct MorphOptions {
   Via via = Via::sphere;
@@ -28,6 +32,9 @@ struct MorphOptions {
   std::size_t cells = 0;    // polycube, both: quads of the grid; 0: as many as fit the shapes
   std::size_t corners = 0;  // maximum number of polycube corners; 0: no limit
   std::uint64_t seed = 0;
+  std::size_t resolution = 0;  // of a grid of the sphere
+  // Points of each shape that correspond, whose nearest points of the surfaces count, in place of `align`; or none.
+  std::span<const std::span<const mesh::Vector3>> landmarks = {};
 };
 
 struct SurfaceSpan {
@@ -36,9 +43,12 @@ struct SurfaceSpan {
 };
 
 struct Morph {
-  explicit Morph(std::pmr::memory_resource* memory) : triangles(memory) {}
+  explicit Morph(std::pmr::memory_resource* memory) : triangles(memory), quads(memory), domain(memory) {}
 
   base::Array<mesh::Triangle> triangles;
+  base::Array<std::array<mesh::Index, 4>> quads;   // with a polycube's grid: triangles 2 q and 2 q + 1 are halves of q
+  base::Array<mesh::Vector3> domain;               // of each vertex, on the common sphere or polycube
+  std::shared_ptr<const ShapeMaps> maps;           // between the shapes, whatever their placement
   std::vector<base::Array<mesh::Vector3>> states;  // positions of each shape
 };
 

@@ -7,7 +7,6 @@
 
 #include "base/error.h"
 #include "mesh/search/predicates.h"
-#include "polycube/outputs/quad_mesh.h"
 
 namespace orbicube::correspondence {
 namespace {
@@ -51,6 +50,7 @@ PolycubeMesh triangles_of_grid(const polycube::PatchGraph& graph, std::size_t ce
     for (int half = 0; half < 2; ++half)
       result.labels.push_back(polycube::AxisLabel{graph.labels[quads.patches[q]]});
   }
+  result.quads = std::move(quads.quads);
   return result;
 }
 

@@ -5,16 +5,19 @@
 
 #include "polycube/domain/common_polycube.h"
 #include "polycube/outputs/inverse_map.h"
+#include "polycube/outputs/quad_mesh.h"
 
 namespace orbicube::correspondence {
 
 // The triangulation of the polycube that all shapes get.
 struct PolycubeMesh {
-  explicit PolycubeMesh(std::pmr::memory_resource* memory) : polycube(memory), triangles(memory), labels(memory) {}
+  explicit PolycubeMesh(std::pmr::memory_resource* memory)
+      : polycube(memory), triangles(memory), labels(memory), quads(memory) {}
 
   base::Array<mesh::Vector3> polycube;
   base::Array<mesh::Triangle> triangles;
   base::Array<polycube::AxisLabel> labels;
+  base::Array<polycube::Quad> quads;  // of the grid, two triangles each; none for the triangles of a map
 };
 
 // Returns the number of quads of the polycube's grid for shapes of which the largest has this many triangles.

@@ -45,9 +45,35 @@ void turn(const Eigen::Matrix3d& rotation, std::span<Vector3> directions) {
     d = (rotation * d).normalized();
 }
 
+// The middle of two vertices of one triangle.
+polycube::VertexSource middle_of(const polycube::VertexSource& a, const polycube::VertexSource& b) {
+  polycube::VertexSource result;
+  std::size_t count = 0;
+  for (const polycube::VertexSource* end : {&a, &b}) {
+    for (std::size_t k = 0; k < 3 && end->corner[k] != mesh::no_index; ++k) {
+      const auto used = result.corner.begin() + static_cast<std::ptrdiff_t>(count);
+      const auto at = std::find(result.corner.begin(), used, end->corner[k]);
+      if (at == used) result.corner[count++] = end->corner[k];
+      result.weight[static_cast<std::size_t>(at - result.corner.begin())] += 0.5 * end->weight[k];
+    }
+  }
+  return result;
+}
+
+void keep_sources(SphereShape& shape, const sphere_map::Placement& placement) {
+  const std::size_t own = placement.positions.size() - placement.parents.size();
+  shape.triangle_sources = placement.triangle_sources;
+  shape.vertex_sources.clear();
+  for (Index v = 0; v < own; ++v)
+    shape.vertex_sources.push_back({{v, mesh::no_index, mesh::no_index}, {1, 0, 0}});
+  for (const auto& [a, b] : placement.parents)
+    shape.vertex_sources.push_back(middle_of(shape.vertex_sources[a], shape.vertex_sources[b]));
+}
+
 // From here on this is the shape's map.
 Settled settle(SphereShape& shape, sphere_map::Placement placement, const Eigen::Matrix3d& rotation,
                const base::Host& host) {
+  keep_sources(shape, placement);
   shape.mesh.positions = std::move(placement.positions);
   shape.mesh.triangles = std::move(placement.triangles);
   shape.directions = std::move(placement.directions);

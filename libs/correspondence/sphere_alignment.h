@@ -9,6 +9,7 @@
 #include "base/host.h"
 #include "harmonics/functions/coefficients.h"
 #include "mesh/mesh.h"
+#include "polycube/surface/surface_map.h"
 #include "sphere_map/correspondence/alignment.h"
 #include "sphere_map/optimization/measure.h"
 #include "sphere_map/sampling/locator.h"
@@ -17,11 +18,15 @@ namespace orbicube::correspondence {
 
 // A closed genus-0 surface with its sphere map. It stays where it is: the locator has views of it.
 struct SphereShape {
-  explicit SphereShape(std::pmr::memory_resource* memory) : mesh(memory), directions(memory) {}
+  explicit SphereShape(std::pmr::memory_resource* memory)
+      : mesh(memory), directions(memory), triangle_sources(memory), vertex_sources(memory) {}
 
   mesh::Mesh mesh;
   // The shape's map: on its own sphere at first, once it is brought into line on the common sphere.
   base::Array<mesh::Vector3> directions;
+  // Where triangles were split: the triangle of the surface of each, and where vertices are on it; empty before.
+  base::Array<mesh::Index> triangle_sources;
+  base::Array<polycube::VertexSource> vertex_sources;
   std::unique_ptr<sphere_map::Locator> locator;
 };
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -11,6 +12,9 @@
 
 #include "base/error.h"
 #include "correspondence/polycube_mesh.h"
+#include "mesh/search/measures.h"
+#include "mesh/search/nearest.h"
+#include "mesh/search/predicates.h"
 #include "mesh/shapes/make_shape.h"
 
 using namespace orbicube;
@@ -114,5 +118,148 @@ TEST_CASE(
       const Vector3 at = w[0] * map.polycube[i] + w[1] * map.polycube[j] + w[2] * map.polycube[k];
       CHECK((at - mesh.polycube[v]).norm() < 1e-9);
     }
+  }
+}
+
+namespace {
+
+// How many triangles of the common mesh are not positive on the sphere, exactly.
+std::size_t not_positive_on_sphere(const Morph& m) {
+  std::size_t result = 0;
+  for (const mesh::Triangle& t : m.triangles)
+    result += mesh::orientation_from_origin(m.domain[t[0]], m.domain[t[1]], m.domain[t[2]]) <= 0;
+  return result;
+}
+
+double diagonal_of(const mesh::Mesh& m) {
+  const mesh::Measures box = mesh::measures(m.positions, m.triangles, base::Host());
+  return (box.high - box.low).norm();
+}
+
+base::Array<TrianglePoint> vertices_of(const mesh::Mesh& m) {
+  return points_of_vertices(m.positions.size(), m.triangles, base::Host());
+}
+
+// The farthest that the vertices of m are from where the points are on it.
+double farthest(const mesh::Mesh& m, const base::Array<TrianglePoint>& points) {
+  double result = 0;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    result = std::max(result, (position_of(points[v], m.triangles, m.positions) - m.positions[v]).norm());
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("The map of a shape to itself is the identity, and the map back undoes the map there") {
+  std::vector<mesh::Mesh> meshes{mesh::make_shape("l-shape", {.triangles = 300}, base::Host())};
+  meshes.push_back(meshes[0]);
+  for (Vector3& p : meshes[1].positions)
+    p = Vector3(1.4 * p[0] + 0.1 * p[1], p[1], p[2] + 0.1 * std::sin(p[0]));
+  const base::Host host;
+  for (const Via via : {Via::sphere, Via::polycube}) {
+    const Morph both = morph_of(meshes, {.via = via, .grid = CommonGrid::first});
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double tolerance = 1e-9 * diagonal_of(meshes[i]);
+      const base::Array<TrianglePoint> own = vertices_of(meshes[i]);
+      CHECK(farthest(meshes[i], both.maps->carry(i, i, own, host)) < tolerance);
+      const base::Array<TrianglePoint> there = both.maps->carry(i, 1 - i, own, host);
+      for (const TrianglePoint& point : there) {
+        REQUIRE(point.triangle < meshes[1 - i].triangles.size());
+        CHECK(point.weights.minCoeff() >= 0);
+        CHECK(std::abs(point.weights.sum() - 1) < 1e-12);
+      }
+      // Triangles may be a thousandth as wide there as here.
+      CHECK(farthest(meshes[i], both.maps->carry(1 - i, i, there, host)) < 1000 * tolerance);
+    }
+  }
+}
+
+TEST_CASE("Points inside triangles are mapped where the common mesh has them") {
+  const std::vector<mesh::Mesh> meshes{creature(0), creature(1)};
+  const base::Host host;
+  const Morph both = morph_of(meshes, {.tolerance = 0});
+  const mesh::SurfaceSearch search(meshes[0].positions, meshes[0].triangles, host);
+  base::Array<TrianglePoint> points;
+  for (const Vector3& p : both.states[0]) {
+    const mesh::SurfacePoint at = search.nearest(p);
+    points.push_back({at.triangle, at.weights});
+  }
+  const base::Array<TrianglePoint> there = both.maps->carry(0, 1, points, host);
+  const double diagonal = diagonal_of(meshes[1]);
+  double largest = 0;
+  for (std::size_t v = 0; v < points.size(); ++v)
+    largest =
+        std::max(largest, (position_of(there[v], meshes[1].triangles, meshes[1].positions) - both.states[1][v]).norm());
+  CHECK(largest < 1e-6 * diagonal);
+}
+
+TEST_CASE("Inverted triangles of the input, and weights that are none, are seen in maps") {
+  std::vector<mesh::Mesh> meshes{creature(0), creature(0)};
+  for (mesh::Triangle& t : meshes[1].triangles)
+    std::swap(t[1], t[2]);
+  const base::Host host;
+  const Morph both = morph_of(meshes, {.grid = CommonGrid::first});
+  CHECK(farthest(meshes[1], both.maps->carry(0, 1, vertices_of(meshes[0]), host)) < 1e-9);
+  const auto refused = [&](const TrianglePoint& point) {
+    CHECK_THROWS_AS(both.maps->carry(0, 1, std::span(&point, 1), host), base::Error);
+  };
+  refused({static_cast<mesh::Index>(meshes[0].triangles.size()), {1, 0, 0}});
+  refused({0, {0.5, 0.6, -0.1}});
+  refused({0, {0.5, 0.4, 0.2}});
+  refused({0, {std::nan(""), 1, 0}});
+  CHECK_THROWS_AS(both.maps->carry(0, 2, {}, host), base::Error);
+}
+
+TEST_CASE("Ten shapes are blended on one triangulation, none of whose triangles is flipped") {
+  std::vector<mesh::Mesh> meshes;
+  std::vector<double> weights;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    meshes.push_back(mesh::make_shape("blob", {.triangles = 120, .seed = seed}, base::Host()));
+    weights.push_back(0.1);
+  }
+  const Morph ten = morph_of(meshes, {.align = SphereAlignment::none});
+  REQUIRE(ten.states.size() == 10);
+  CHECK(not_positive_on_sphere(ten) == 0);
+  const base::Array<Vector3> blended = blend(ten, weights, base::Host());
+  Vector3 sum = Vector3::Zero();
+  for (const auto& state : ten.states)
+    sum += 0.1 * state[7];
+  CHECK((blended[7] - sum).norm() < 1e-12);
+}
+
+TEST_CASE("Through a polycube, triangles are halves of quads, and copies get the same positions") {
+  mesh::Mesh first = mesh::make_shape("l-shape", {.triangles = 300}, base::Host());
+  mesh::Mesh copy = first;
+  for (Vector3& p : copy.positions)
+    p = 2 * Vector3(-p[1], p[0], p[2]) + Vector3(5, 6, 7);
+  const Morph both = morph_of({first, copy}, {.via = Via::polycube, .pose = Pose::scaled, .cells = 300});
+  REQUIRE(2 * both.quads.size() == both.triangles.size());
+  for (std::size_t q = 0; q < both.quads.size(); ++q) {
+    CHECK(both.triangles[2 * q] == mesh::Triangle{both.quads[q][0], both.quads[q][1], both.quads[q][2]});
+    CHECK(both.triangles[2 * q + 1] == mesh::Triangle{both.quads[q][0], both.quads[q][2], both.quads[q][3]});
+  }
+  double largest = 0;
+  for (std::size_t v = 0; v < both.states[0].size(); ++v)
+    largest = std::max(largest, (both.states[0][v] - both.states[1][v]).norm());
+  CHECK(largest < 1e-9);
+}
+
+TEST_CASE("Landmarks correspond, and grids of the sphere are triangulations of both shapes") {
+  const std::vector<mesh::Mesh> meshes{creature(0), creature(0)};
+  std::vector<std::vector<Vector3>> points(2);
+  // Each landmark moves to a neighbor.
+  for (const std::size_t t : {3U, 100U, 200U, 300U})
+    for (std::size_t i = 0; i < 2; ++i)
+      points[i].push_back(meshes[i].positions[meshes[i].triangles[t][i]]);
+  const std::vector<std::span<const Vector3>> landmarks{points[0], points[1]};
+  const Morph both = morph_of(meshes, {.grid = CommonGrid::icosphere, .resolution = 2, .landmarks = landmarks});
+  CHECK(both.domain.size() == 162);
+  CHECK(not_positive_on_sphere(both) == 0);
+  const mesh::SurfaceSearch search(meshes[0].positions, meshes[0].triangles, base::Host());
+  for (std::size_t k = 0; k < 4; ++k) {
+    const mesh::SurfacePoint at = search.nearest(points[0][k]);
+    const TrianglePoint from{at.triangle, at.weights};
+    const TrianglePoint to = both.maps->carry(0, 1, std::span(&from, 1), base::Host())[0];
+    CHECK((position_of(to, meshes[1].triangles, meshes[1].positions) - points[1][k]).norm() < 1e-6);
   }
 }

@@ -60,8 +60,7 @@ void settle(CommonMaps& common, const CommonImprovementOptions& options, const b
   common.distortions.clear();
   for (SurfaceMap& map : common.maps) {
     common.certificates.push_back(certify(map, host));
-    if (!common.certificates.back().valid())
-      throw base::Error("no-valid-result", common.certificates.back().reason);
+    if (!common.certificates.back().valid()) throw base::Error("no-valid-result", common.certificates.back().reason);
     common.distortions.push_back(measure_distortion(map, host));
     sum += energy_of(map, options.domain, host);
   }

@@ -36,7 +36,10 @@ struct CoarseShape {
 
   // Of a copy of a shape, the copy of its triangles.
   CoarseShape(const SurfaceSpan& shape, const CoarseShape& original, const base::Host& host)
-      : whole(original.whole), positions(host.memory), triangles(original.triangles, host.memory), sources(host.memory) {
+      : whole(original.whole),
+        positions(host.memory),
+        triangles(original.triangles, host.memory),
+        sources(host.memory) {
     if (whole) positions.assign(shape.positions.begin(), shape.positions.end());
     for (const Index v : original.sources)
       positions.push_back(shape.positions[v]);

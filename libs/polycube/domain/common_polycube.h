@@ -33,7 +33,8 @@ struct CommonPolycubeOptions {
 };
 
 struct CommonPolycube : CommonMaps {
-  explicit CommonPolycube(std::pmr::memory_resource* memory) : CommonMaps(memory), graph(memory), own_energies(memory) {}
+  explicit CommonPolycube(std::pmr::memory_resource* memory)
+      : CommonMaps(memory), graph(memory), own_energies(memory) {}
 
   std::size_t base = 0;  // the shape that the polycube was found for, or that it was drawn on first
   PatchGraph graph;      // of the map of the base
@@ -44,8 +45,8 @@ struct CommonPolycube : CommonMaps {
 
 // At least one shape; all closed, connected, oriented, of one genus. Each shape's own polycube is drawn on all others,
 // and the one with the minimum sum is kept; a target is drawn on the first shape and follows that map on the others.
-// Shapes that are copies of others (shape_copies.h) get the same maps. Throws Error "wrong-genus", "no-valid-result" with what became of each
-// polycube, "invalid-argument", "not-closed", "cancelled".
+// Shapes that are copies of others (shape_copies.h) get the same maps. Throws Error "wrong-genus", "no-valid-result"
+// with what became of each polycube, "invalid-argument", "not-closed", "cancelled".
 CommonPolycube construct_common(std::span<const SurfaceSpan> shapes, const CommonPolycubeOptions& options,
                                 const base::Host& host);
 

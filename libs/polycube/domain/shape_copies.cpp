@@ -41,9 +41,8 @@ bool is_copy(const SurfaceSpan& first, const SurfaceSpan& second) {
   }
   if (!(spread_a > 0) || !(spread_b > 0)) return false;
   const Eigen::Matrix3d linear = std::sqrt(spread_b / spread_a) * mesh::nearest_rotation(covariance);
-  return std::all_of(used.begin(), used.end(), [&](Index v) {
-    return (linear * (a[v] - mean_a) - (b[v] - mean_b)).norm() <= tolerance;
-  });
+  return std::all_of(used.begin(), used.end(),
+                     [&](Index v) { return (linear * (a[v] - mean_a) - (b[v] - mean_b)).norm() <= tolerance; });
 }
 
 }  // namespace

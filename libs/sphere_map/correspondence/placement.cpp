@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <numeric>
 
 #include "base/error.h"
 #include "mesh/search/predicates.h"
@@ -38,7 +39,8 @@ Array<std::uint64_t> edges_to_cut(const Placement& placed, const base::Host& hos
 }
 
 // Each edge gets a vertex in its middle, numbered from `first` on, and each triangle is replaced by its pieces.
-void cut(Array<Triangle>& triangles, const Array<std::uint64_t>& edges, Index first) {
+void cut(Placement& placed, const Array<std::uint64_t>& edges, Index first) {
+  Array<Triangle>& triangles = placed.triangles;
   const std::size_t count = triangles.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Triangle t = triangles[i];
@@ -52,6 +54,7 @@ void cut(Array<Triangle>& triangles, const Array<std::uint64_t>& edges, Index fi
       cuts += is_cut;
     }
     if (cuts == 0) continue;
+    placed.triangle_sources.insert(placed.triangle_sources.end(), cuts, Index{placed.triangle_sources[i]});
     if (cuts == 3) {
       triangles[i] = {middle[0], middle[1], middle[2]};
       for (std::size_t k = 0; k < 3; ++k)
@@ -84,6 +87,8 @@ std::optional<Placement> placed_one_to_one(std::span<const Vector3> positions, s
   Placement result(host.memory);
   result.positions.assign(positions.begin(), positions.end());
   result.triangles.assign(triangles.begin(), triangles.end());
+  result.triangle_sources.resize(triangles.size());
+  std::iota(result.triangle_sources.begin(), result.triangle_sources.end(), Index{0});
   result.own.assign(directions.begin(), directions.end());
   result.directions.assign(directions.begin(), directions.end());
   move(result.directions);
@@ -96,11 +101,12 @@ std::optional<Placement> placed_one_to_one(std::span<const Vector3> positions, s
     for (const std::uint64_t key : edges) {
       const auto a = static_cast<std::size_t>(key >> 32U), b = static_cast<std::size_t>(key & 0xFFFFFFFFU);
       result.positions.push_back(0.5 * result.positions[a] + 0.5 * result.positions[b]);
+      result.parents.push_back({static_cast<Index>(a), static_cast<Index>(b)});
       result.own.push_back((result.own[a] + result.own[b]).normalized());
     }
     result.directions.insert(result.directions.end(), result.own.begin() + first, result.own.end());
     move(std::span(result.directions).subspan(first));
-    cut(result.triangles, edges, first);
+    cut(result, edges, first);
   }
   result.added = result.own.size() - positions.size();
   if (count_not_positive(result.triangles, result.directions) == 0) return result;

@@ -7,6 +7,7 @@
 // Signs are exact.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -23,15 +24,22 @@ using mesh::Vector3;
 
 struct Placement {
   explicit Placement(std::pmr::memory_resource* memory)
-      : positions(memory), own(memory), directions(memory), triangles(memory) {}
+      : positions(memory),
+        own(memory),
+        directions(memory),
+        triangles(memory),
+        triangle_sources(memory),
+        parents(memory) {}
 
   // The same surface, the vertices that it had first, in their order.
   Array<Vector3> positions;
   Array<Vector3> own;         // directions on the shape's own sphere
   Array<Vector3> directions;  // on the common sphere; every triangle is positive
   Array<Triangle> triangles;
-  std::size_t added = 0;  // vertices on edges that were cut
-  std::size_t moved = 0;  // vertices that are not where the bijection takes them
+  Array<Index> triangle_sources;        // of each triangle, the one that it is a piece of
+  Array<std::array<Index, 2>> parents;  // of each added vertex, in order: the ends of the edge that it halves
+  std::size_t added = 0;                // vertices on edges that were cut
+  std::size_t moved = 0;                // vertices that are not where the bijection takes them
 };
 
 // Takes directions, unit vectors, to where they are on the common sphere; each by itself, smoothly.
