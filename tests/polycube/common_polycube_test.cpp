@@ -204,7 +204,7 @@ TEST_CASE("Copies of a shape get its very map, also turned, moved and scaled one
                                            {first.positions, first.triangles},
                                            {turned.positions, turned.triangles},
                                            {longer.positions, longer.triangles}};
-  CHECK(originals_of(shapes) == std::vector<std::size_t>{0, 0, 0, 3});
+  CHECK(originals_of(shapes, host) == std::vector<std::size_t>{0, 0, 0, 3});
   const CommonPolycube common = construct_common(std::span(shapes).first(3), {}, host);
   for (std::size_t i = 1; i < 3; ++i) {
     CHECK(common.maps[i].polycube == common.maps[0].polycube);

@@ -2,9 +2,8 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <queue>
-#include <vector>
 
+#include "base/heap.h"
 #include "hexmesh/features/embedding.h"
 
 namespace orbicube::hexmesh {
@@ -69,7 +68,7 @@ class Router {
     for (const Index v : embedding_.corner_vertices)
       reserved_[v] = at_corner;
     for (Index a = 0; a < shape_.arcs(); ++a) {
-      for (const Index v : embedding_.stubs[a]) {
+      for (const Index v : embedding_.arc_ends[a]) {
         if (reserved_[v] != at_corner) reserved_[v] = a;
       }
     }
@@ -103,7 +102,7 @@ class Router {
     path.clear();
     const auto& corners = shape_.graph().arcs[arc].corners;
     const Index begin = embedding_.corner_vertices[corners[0]], end = embedding_.corner_vertices[corners[1]];
-    const auto [first, last] = embedding_.stubs[arc];
+    const auto [first, last] = embedding_.arc_ends[arc];
     if (first == end) {
       path.assign({begin, end});
       return true;
@@ -125,7 +124,7 @@ class Router {
       cost_[v] = infinite;
     reached_.clear();
     using Open = std::pair<double, Index>;
-    std::priority_queue<Open, std::vector<Open>, std::greater<>> queue;
+    base::Heap<Open> queue(host_.memory);
     const auto reach = [&](Index v, Index from, double cost) {
       if (cost >= cost_[v]) return;
       if (cost_[v] == infinite) reached_.push_back(v);
@@ -135,8 +134,7 @@ class Router {
     };
     reach(first, no_index, 0);
     while (!queue.empty()) {
-      const auto [cost, v] = queue.top();
-      queue.pop();
+      const auto [cost, v] = queue.pop();
       if (cost > cost_[v]) continue;
       host_.report("features", 0, 0);
       if (v == last) return true;

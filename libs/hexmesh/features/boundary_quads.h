@@ -2,6 +2,7 @@
 #pragma once
 
 #include "hexmesh/certificate/hex_mesh.h"
+#include "mesh/topology/circulate.h"
 
 namespace orbicube::hexmesh {
 
@@ -38,13 +39,8 @@ class BoundaryQuads {
   // Calls visit(half_edge) for those out of a vertex, counter-clockwise.
   template <class Visit>
   void for_each_outgoing(Index vertex, const Visit& visit) const {
-    const Index first = outgoing_[vertex];
-    if (first == no_index) return;
-    Index h = first;
-    do {
-      visit(h);
-      h = turned(h);
-    } while (h != first);
+    mesh::circulate(
+        outgoing_[vertex], [&](Index h) { return turned(h); }, visit);
   }
   std::size_t valence(Index vertex) const {
     std::size_t count = 0;

@@ -12,12 +12,12 @@ namespace orbicube::hexmesh {
 
 struct Embedding {
   explicit Embedding(std::pmr::memory_resource* memory)
-      : corner_vertices(memory), stubs(memory), paths(memory), quad_patches(memory) {}
+      : corner_vertices(memory), arc_ends(memory), paths(memory), quad_patches(memory) {}
 
-  Array<Index> corner_vertices;       // of each corner
-  Array<std::array<Index, 2>> stubs;  // of each arc, the vertex next to each of its corners
-  Array<Array<Index>> paths;          // of each arc, its vertices, those of its corners included
-  Array<Index> quad_patches;          // of each quad
+  Array<Index> corner_vertices;          // of each corner
+  Array<std::array<Index, 2>> arc_ends;  // of each arc, the vertex next to each of its corners
+  Array<Array<Index>> paths;             // of each arc, its vertices, those of its corners included
+  Array<Index> quad_patches;             // of each quad
 };
 
 // A corner or an arc that the mesh cannot have, and why.
@@ -33,8 +33,8 @@ std::optional<FeatureObstacle> place_corners(const HexMesh& mesh, const Boundary
 
 // Chooses the first edge of each arc at its corners, in the cyclic order of the arcs. Vertices with too few edges gain
 // some by hexahedra that are pillowed: mesh and quads change.
-std::optional<FeatureObstacle> choose_stubs(HexMesh& mesh, BoundaryQuads& quads, const FeatureShape& shape,
-                                            Embedding& embedding, const base::Host& host);
+std::optional<FeatureObstacle> choose_arc_ends(HexMesh& mesh, BoundaryQuads& quads, const FeatureShape& shape,
+                                               Embedding& embedding, const base::Host& host);
 
 // Paths along edges, disjoint but for corners, by shortest paths with negotiated congestion (McMurchie and Ebeling
 // 1995, "PathFinder"): vertices may be shared at a price that rises until no path shares one. `price` is what the

@@ -35,7 +35,7 @@ class Attempt {
     HexMesh& mesh = grid_.mesh;
     BoundaryQuads quads(mesh.hexahedra, mesh.positions.size(), host_);
     if (auto obstacle = place_corners(mesh, quads, shape_, embedding_, host_)) return obstacle;
-    if (auto obstacle = choose_stubs(mesh, quads, shape_, embedding_, host_)) return obstacle;
+    if (auto obstacle = choose_arc_ends(mesh, quads, shape_, embedding_, host_)) return obstacle;
     std::optional<FeatureObstacle> obstacle;
     for (const double price : {3.0, 1.0, 0.3}) {
       obstacle = route_arcs(mesh, quads, shape_, price, embedding_, host_);

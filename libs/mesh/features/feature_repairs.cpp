@@ -1,8 +1,10 @@
 #include "mesh/features/feature_repairs.h"
 
 #include <cmath>
-#include <queue>
+#include <tuple>
 #include <vector>
+
+#include "base/heap.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -18,7 +20,8 @@ class WayFinder {
         host_(host),
         positions_(lines.positions()),
         from_(positions_.size(), no_index, host.memory),
-        own_(positions_.size(), 0, host.memory) {}
+        own_(positions_.size(), 0, host.memory),
+        queue_(host.memory) {}
 
   // Marks a vertex as one of the lines that the way begins at.
   void keep_off(Index vertex) { own_[vertex] = 1; }
@@ -34,8 +37,7 @@ class WayFinder {
     Index hit = no_index;
     while (!queue_.empty() && hit == no_index) {
       host_.report("features", 0, 0);
-      const Open open = queue_.top();
-      queue_.pop();
+      const Open open = queue_.pop();
       const Index v = open.vertex;
       if (v == start || from_[v] != no_index) continue;
       from_[v] = open.half_edge;
@@ -47,7 +49,7 @@ class WayFinder {
         if (from_[end(h)] == no_index) queue_.push({open.price + price(h), end(h), h});
       });
     }
-    queue_ = {};
+    queue_.clear();
     own_.assign(own_.size(), 0);
     if (hit == no_index) return false;
     for (Index v = hit; v != start; v = lines_.connectivity().start(from_[v]))
@@ -60,9 +62,8 @@ class WayFinder {
     double price;
     Index vertex;
     Index half_edge;  // to the vertex
-    bool operator<(const Open& other) const {
-      if (price != other.price) return price > other.price;
-      return vertex != other.vertex ? vertex > other.vertex : half_edge > other.half_edge;
+    bool operator>(const Open& other) const {
+      return std::tie(price, vertex, half_edge) > std::tie(other.price, other.vertex, other.half_edge);
     }
   };
 
@@ -78,7 +79,7 @@ class WayFinder {
   std::span<const Vector3> positions_;
   Array<Index> from_;        // the half-edge that a vertex was reached by
   Array<std::uint8_t> own_;  // of the lines that the way begins at
-  std::priority_queue<Open, std::vector<Open>> queue_;
+  base::Heap<Open> queue_;
 };
 
 // A sector between two neighboring feature lines at a corner: its edges, with the angle up to each, and its angle.

@@ -6,6 +6,7 @@
 
 #include "base/host.h"
 #include "mesh/mesh.h"
+#include "mesh/topology/circulate.h"
 #include "mesh/topology/edge_table.h"
 
 namespace orbicube::mesh {
@@ -33,13 +34,8 @@ class Connectivity {
   // visit(half_edge) for each half-edge that starts at the vertex, one a triangle, counter-clockwise seen from outside.
   template <class Visit>
   void for_each_outgoing(Index vertex, const Visit& visit) const {
-    const Index first = outgoing_[vertex];
-    if (first == no_index) return;
-    Index h = first;
-    do {
-      visit(h);
-      h = opposite_[previous(h)];
-    } while (h != first && h != no_index);
+    circulate(
+        outgoing_[vertex], [&](Index h) { return opposite_[previous(h)]; }, visit);
   }
 
   // visit(neighbor) for each vertex that an edge joins with `vertex`, counter-clockwise.

@@ -58,7 +58,7 @@ class CommonConstruction {
 
   CommonPolycube run() {
     check();
-    originals_ = originals_of(shapes_);
+    originals_ = originals_of(shapes_, host_);
     for (std::size_t i = 0; i < shapes_.size(); ++i) {
       if (originals_[i] == i)
         coarse_shapes_.emplace_back(shapes_[i], host_);

@@ -10,8 +10,8 @@ namespace orbicube::polycube {
 namespace {
 
 // Vertices of triangles.
-std::vector<Index> used_by(std::span<const Triangle> triangles) {
-  std::vector<Index> result;
+Array<Index> used_by(std::span<const Triangle> triangles, const base::Host& host) {
+  Array<Index> result(host.memory);
   for (const Triangle& t : triangles)
     result.insert(result.end(), t.begin(), t.end());
   std::sort(result.begin(), result.end());
@@ -19,14 +19,13 @@ std::vector<Index> used_by(std::span<const Triangle> triangles) {
   return result;
 }
 
-bool is_copy(const SurfaceSpan& first, const SurfaceSpan& second) {
+bool is_copy(const SurfaceSpan& first, const SurfaceSpan& second, const base::Host& host) {
   constexpr double tolerance = 1e-6;  // what float32 keeps of coordinates, with a margin
   if (first.positions.size() != second.positions.size() || !std::ranges::equal(first.triangles, second.triangles))
     return false;
-  std::pmr::memory_resource* const memory = std::pmr::get_default_resource();
-  const Array<Vector3> a = mesh::normalized(first.positions, first.triangles, memory);
-  const Array<Vector3> b = mesh::normalized(second.positions, second.triangles, memory);
-  const std::vector<Index> used = used_by(first.triangles);
+  const Array<Vector3> a = mesh::normalized(first.positions, first.triangles, host.memory);
+  const Array<Vector3> b = mesh::normalized(second.positions, second.triangles, host.memory);
+  const Array<Index> used = used_by(first.triangles, host);
   Vector3 mean_a = Vector3::Zero(), mean_b = Vector3::Zero();
   for (const Index v : used) {
     mean_a += a[v] / static_cast<double>(used.size());
@@ -47,12 +46,12 @@ bool is_copy(const SurfaceSpan& first, const SurfaceSpan& second) {
 
 }  // namespace
 
-std::vector<std::size_t> originals_of(std::span<const SurfaceSpan> shapes) {
+std::vector<std::size_t> originals_of(std::span<const SurfaceSpan> shapes, const base::Host& host) {
   std::vector<std::size_t> result(shapes.size());
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     result[i] = i;
     for (std::size_t k = 0; k < i && result[i] == i; ++k)
-      if (result[k] == k && is_copy(shapes[k], shapes[i])) result[i] = k;
+      if (result[k] == k && is_copy(shapes[k], shapes[i], host)) result[i] = k;
   }
   return result;
 }

@@ -14,7 +14,7 @@ namespace orbicube::polycube {
 
 // Returns for each shape the first one with the same triangles whose vertices a similarity takes to its own, within
 // 1e-6 of the diagonal; itself where there is none before it.
-std::vector<std::size_t> originals_of(std::span<const SurfaceSpan> shapes);
+std::vector<std::size_t> originals_of(std::span<const SurfaceSpan> shapes, const base::Host& host);
 
 // Returns the map of a copy: `map` with `positions` of the vertices of the copy, which come first in a map's.
 SurfaceMap map_of_copy(const SurfaceMap& map, std::span<const Vector3> positions, const base::Host& host);

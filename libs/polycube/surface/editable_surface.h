@@ -3,6 +3,7 @@
 // arc, which vertices are on arcs.
 #pragma once
 
+#include "mesh/topology/circulate.h"
 #include "mesh/topology/connectivity.h"
 #include "polycube/surface/surface_map.h"
 
@@ -31,13 +32,8 @@ class EditableSurface {
   // visit(half_edge) for each half-edge out of the vertex, counter-clockwise.
   template <class Visit>
   void for_each_outgoing(Index v, const Visit& visit) const {
-    const Index first = outgoing_[v];
-    if (first == no_index) return;
-    Index h = first;
-    do {
-      visit(h);
-      h = turned(h);
-    } while (h != first);
+    mesh::circulate(
+        outgoing_[v], [&](Index h) { return turned(h); }, visit);
   }
 
   void draw(Index h, Index on_arc) { arc[h] = arc[opposite_[h]] = on_arc; }

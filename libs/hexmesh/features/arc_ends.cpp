@@ -62,7 +62,7 @@ class Stubs {
     taken_.assign(mesh_.positions.size(), no_index);
     for (const Index v : embedding_.corner_vertices)
       taken_[v] = at_corner;
-    embedding_.stubs.assign(shape_.arcs(), {no_index, no_index});
+    embedding_.arc_ends.assign(shape_.arcs(), {no_index, no_index});
   }
 
   void pillow_behind(Index v, Index w) {
@@ -146,7 +146,7 @@ class Stubs {
     if (best.empty()) return false;
     for (std::size_t i = 0; i < k; ++i) {
       const Index w = around[best[i] % n];
-      embedding_.stubs[ends[i].arc][ends[i].end] = w;
+      embedding_.arc_ends[ends[i].arc][ends[i].end] = w;
       if (taken_[w] != at_corner) taken_[w] = ends[i].arc;
     }
     return true;
@@ -192,8 +192,8 @@ class Stubs {
 
 }  // namespace
 
-std::optional<FeatureObstacle> choose_stubs(HexMesh& mesh, BoundaryQuads& quads, const FeatureShape& shape,
-                                            Embedding& embedding, const base::Host& host) {
+std::optional<FeatureObstacle> choose_arc_ends(HexMesh& mesh, BoundaryQuads& quads, const FeatureShape& shape,
+                                               Embedding& embedding, const base::Host& host) {
   return Stubs(mesh, quads, shape, embedding, host).run();
 }
 
