@@ -21,7 +21,8 @@ Array<Index> used_by(std::span<const Triangle> triangles, const base::Host& host
 
 bool is_copy(const SurfaceSpan& first, const SurfaceSpan& second, const base::Host& host) {
   constexpr double tolerance = 1e-6;  // what float32 keeps of coordinates, with a margin
-  if (first.positions.size() != second.positions.size() || !std::ranges::equal(first.triangles, second.triangles))
+  if (first.positions.size() != second.positions.size() ||
+      !std::equal(first.triangles.begin(), first.triangles.end(), second.triangles.begin(), second.triangles.end()))
     return false;
   const Array<Vector3> a = mesh::normalized(first.positions, first.triangles, host.memory);
   const Array<Vector3> b = mesh::normalized(second.positions, second.triangles, host.memory);
