@@ -252,28 +252,25 @@ std::optional<Hexahedra> hexahedra_with_features(const Work& work) {
   if (o.features == Features::off || angle == 0) return {};
   try {
     const mesh::Mesh surface = surface_of_one(work);
-    const mesh::FeatureGraph graph =
-        mesh::feature_graph(surface.positions, surface.triangles, {.angle = angle}, work.host);
-    if (graph.arcs.empty()) return {};
     const base::Stage stage(work.host, 0.7);
-    FeatureHexes found = feature_hexahedra(
-        surface.positions, surface.triangles, graph,
-        {.cells = o.cells, .max_cells = o.max_cells, .distance = o.distance, .rounds = o.rounds}, work.host);
+    FeatureHexes found = feature_hexahedra(surface.positions, surface.triangles,
+                                           {.feature_angle = angle,
+                                            .cells = o.cells,
+                                            .max_cells = o.max_cells,
+                                            .distance = o.distance,
+                                            .rounds = o.rounds},
+                                           work.host);
+    if (found.curves == 0) return {};
     if (found.found) {
       Hexahedra made(work.host.memory);
       made.result = std::move(found.result);
       made.method = Method::grid;
-      made.feature_curves = graph.arcs.size();
+      made.feature_curves = found.curves;
       made.compute_seconds = seconds_since(start);
       work.findings.examined = true;
       return made;
     }
-    std::string place;
-    if (const FeatureObstacle& met = found.obstacle; met.arc != no_index)
-      place = "; curve from " + mesh::place_text(surface.positions[graph.vertices[graph.arcs[met.arc].begin]]);
-    else if (met.corner != no_index)
-      place = "; corner at " + mesh::place_text(surface.positions[graph.corners[met.corner].vertex]);
-    work.host.log("sharp edges are not kept: " + found.obstacle.why + place);
+    work.host.log("sharp edges are not kept: " + found.obstacle);
   } catch (const base::Error& error) {
     if (must_end(error)) throw;
     work.host.log(std::string("sharp edges are not kept: ") + error.what());

@@ -2,15 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "base/error.h"
 #include "hexmesh/certificate/hex_embedding.h"
 #include "hexmesh/certificate/hex_figures.h"
+#include "hexmesh/features/embedding.h"
 #include "hexmesh/features/feature_fitting.h"
 #include "hexmesh/features/pillowing.h"
 #include "hexmesh/grid/voxel_hexes.h"
+#include "mesh/features/feature_graph.h"
 #include "mesh/search/measures.h"
+#include "mesh/topology/place_text.h"
 
 namespace orbicube::hexmesh {
 namespace {
@@ -99,6 +103,14 @@ class Attempt {
   std::size_t off_surface_ = 0;
 };
 
+std::string text_of(const FeatureObstacle& met, const mesh::FeatureGraph& graph, std::span<const Vector3> positions) {
+  if (met.arc != no_index)
+    return met.why + "; curve from " + mesh::place_text(positions[graph.vertices[graph.arcs[met.arc].begin]]);
+  if (met.corner != no_index)
+    return met.why + "; corner at " + mesh::place_text(positions[graph.corners[met.corner].vertex]);
+  return met.why;
+}
+
 double shortest_arc(std::span<const Vector3> positions, const mesh::FeatureGraph& graph) {
   double least = std::numeric_limits<double>::infinity();
   for (const mesh::FeatureArc& arc : graph.arcs) {
@@ -114,9 +126,11 @@ double shortest_arc(std::span<const Vector3> positions, const mesh::FeatureGraph
 }  // namespace
 
 FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-                               const mesh::FeatureGraph& graph, const FeatureHexOptions& options,
-                               const base::Host& host) {
+                               const FeatureHexOptions& options, const base::Host& host) {
   FeatureHexes made(host.memory);
+  const mesh::FeatureGraph graph = mesh::feature_graph(positions, triangles, {.angle = options.feature_angle}, host);
+  made.curves = graph.arcs.size();
+  if (made.curves == 0) return made;
   const double volume = mesh::measures(positions, triangles, host).volume;
   const double cell = shortest_arc(positions, graph) / cells_an_arc;
   const auto given = static_cast<double>(options.cells);
@@ -129,16 +143,16 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     try {
       Attempt now(positions, triangles, graph, static_cast<std::size_t>(grid_part * cells) + 1, host);
       if (auto obstacle = now.embed()) {
-        made.obstacle = *obstacle;
+        made.obstacle = text_of(*obstacle, graph, positions);
         continue;
       }
       if (!now.fit(options.rounds)) {
-        made.obstacle = {no_index, no_index, "the cells along the arcs do not untangle"};
+        made.obstacle = "the cells along the arcs do not untangle";
         continue;
       }
       HexResult result = now.result(positions, triangles);
       if (!result.quality.valid()) {
-        made.obstacle = {no_index, no_index, what_is_wrong(result.quality)};
+        made.obstacle = what_is_wrong(result.quality);
         continue;
       }
       const bool better_one = !made.found || better(result, made.result, options.distance);
@@ -147,7 +161,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       if (excess(made.result, options.distance) <= 1) break;
     } catch (const base::Error& error) {
       if (error.status() != base::Status::no_valid_result) throw;
-      made.obstacle = {no_index, no_index, error.what()};
+      made.obstacle = error.what();
     }
   }
   return made;

@@ -5,31 +5,31 @@
 
 #include <string>
 
-#include "hexmesh/features/embedding.h"
 #include "hexmesh/strategies/hex_draft.h"
 
 namespace orbicube::hexmesh {
 
 struct FeatureHexOptions {
+  double feature_angle = 40;        // minimum dihedral angle of sharp edges, in degrees
   std::size_t cells = 10000;        // about
   std::size_t max_cells = 100'000;  // where short arcs need more
   double distance = 1;              // as in HexOptions
   int rounds = 40;                  // of fitting
 };
 
-// A certified mesh whose quads have the patches of the graph, or none, with what was in the way.
+// A certified mesh whose quads have the patches of the graph, or none, with what was in the way and where.
 struct FeatureHexes {
   explicit FeatureHexes(std::pmr::memory_resource* memory) : result(memory) {}
 
   HexResult result;
   bool found = false;
-  FeatureObstacle obstacle;
+  std::size_t curves = 0;  // arcs of the graph; 0: the surface has no sharp edges
+  std::string obstacle;
 };
 
-// Of the closed surface of one solid, outward-oriented, of a size near 1. The same for any number of threads. Throws
-// Error "cancelled".
+// Makes a mesh of the closed surface of one solid, outward-oriented, of a size near 1. The same for any number of
+// threads. Throws Error "cancelled", and what mesh::feature_graph() does.
 FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-                               const mesh::FeatureGraph& graph, const FeatureHexOptions& options,
-                               const base::Host& host);
+                               const FeatureHexOptions& options, const base::Host& host);
 
 }  // namespace orbicube::hexmesh

@@ -4,8 +4,8 @@
 
 namespace orbicube::hexmesh {
 
-FeatureHexes feature_hexahedra(std::span<const Vector3>, std::span<const mesh::Triangle>, const mesh::FeatureGraph&,
-                               const FeatureHexOptions&, const base::Host&) {
+FeatureHexes feature_hexahedra(std::span<const Vector3>, std::span<const mesh::Triangle>, const FeatureHexOptions&,
+                               const base::Host&) {
   throw base::Error("unsupported", "hexahedra with sharp edges are not part of the module for web pages");
 }
 
