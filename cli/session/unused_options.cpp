@@ -1,5 +1,6 @@
 #include "session/unused_options.h"
 
+#include <initializer_list>
 #include <string>
 
 #include "session/failure.h"
@@ -17,6 +18,17 @@ void refuse_if(bool unused, const std::string& option, const std::string& use) {
   if (unused) throw Failure(Exit::wrong_input, "", "usage", option + " is for " + use);
 }
 
+// Refuses an option that is given without any of those that use it.
+void refuse_without(const CLI::App& verb, const std::string& option, std::initializer_list<const char*> users) {
+  if (verb.count(option) == 0) return;
+  std::string use;
+  for (const char* user : users) {
+    if (verb.count(user) > 0) return;
+    use += (use.empty() ? "" : std::string(user) == *(users.end() - 1) ? " and " : ", ") + std::string(user);
+  }
+  refuse_if(true, option, use);
+}
+
 }  // namespace
 
 void refuse_unused_sphere_options(const CLI::App& verb) {
@@ -25,6 +37,8 @@ void refuse_unused_sphere_options(const CLI::App& verb) {
   };
   if (is_zero("--angle-weight") && is_zero("--area-weight"))
     throw Failure(Exit::wrong_input, "", "usage", "--angle-weight and --area-weight: one of them must be positive");
+  refuse_without(verb, "--grid", {"--remesh"});
+  refuse_without(verb, "--image-grid", {"--image"});
   const std::string method = given_or(verb, "--method", "balanced");
   if (method == "dissertation" || method == "seed") return;
   for (const char* option :
@@ -56,6 +70,30 @@ void refuse_unused_polycube_options(const CLI::App& verb) {
   refuse_if(verb.count("--corner-search") > 0 && optimize != "corners" && optimize != "all", "--corner-search",
             "--optimize corners and --optimize all");
   refuse_if(verb.count("--landmarks") > 0 && !common, "--landmarks", "several surfaces");
+  refuse_without(verb, "--cells", {"--quads"});
+  refuse_without(verb, "--cell-size", {"--quads"});
+}
+
+void refuse_unused_harmonics_options(const CLI::App& verb) {
+  refuse_without(verb, "--align", {"--align-to"});
+  refuse_without(verb, "--width", {"--low", "--high", "--band"});
+  refuse_without(verb, "--text", {"--reconstruct", "--refined-map"});
+}
+
+void refuse_unused_morph_options(const CLI::App& verb) {
+  const bool polycube = verb.get_option_no_throw("--polycube") != nullptr && verb.count("--polycube") > 0;
+  refuse_if(verb.count("--align") > 0 && (polycube || verb.count("--landmarks") > 0), "--align",
+            "spheres without landmarks; --polycube and --landmarks have their own alignment");
+  refuse_if(verb.count("--tolerance") > 0 && (polycube || given_or(verb, "--grid", "both") != "both"), "--tolerance",
+            "--grid both");
+}
+
+void refuse_unused_hex_options(const CLI::App& verb) {
+  refuse_without(verb, "--cut", {"--glb"});
+}
+
+void refuse_unused_tetrahedralize_options(const CLI::App& verb) {
+  refuse_without(verb, "--growth", {"--sizing"});
 }
 
 }  // namespace orbicube::cli

@@ -9,5 +9,9 @@ namespace orbicube::cli {
 void refuse_unused_sphere_options(const CLI::App& verb);
 void refuse_unused_frames_options(const CLI::App& verb);
 void refuse_unused_polycube_options(const CLI::App& verb);
+void refuse_unused_harmonics_options(const CLI::App& verb);
+void refuse_unused_morph_options(const CLI::App& verb);
+void refuse_unused_hex_options(const CLI::App& verb);
+void refuse_unused_tetrahedralize_options(const CLI::App& verb);
 
 }  // namespace orbicube::cli

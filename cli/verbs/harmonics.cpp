@@ -24,6 +24,7 @@
 #include "report/text.h"
 #include "report/unit_size.h"
 #include "scenes/page_figures.h"
+#include "session/unused_options.h"
 #include "solids/harmonics_of_shape.h"
 #include "sphere_map/sphere_map.h"
 #include "verbs/verbs.h"
@@ -379,8 +380,7 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE.html");
   add_filter_options(*verb, *options);
   add_fit_options(*verb, *options);
-  verb->add_flag("--text", options->text,
-                 "write text in place of binary, if the format of OUT has both (PLY, STL, VTK)");
+  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both (PLY, STL, VTK)");
   verb->add_flag("--weld", options->weld, "weld vertices at identical positions, as for the map");
   add_common_options(*verb, common);
   verb->footer(
@@ -388,9 +388,12 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
       "vertices of both surfaces, the larger of the two directions, for a surface of area 4 pi.\nFor example:\n  "
       "orbicube sphere creature.obj -o map.obj\n  orbicube harmonics creature.obj --sphere map.obj --degree 32 -o "
       "creature.coef --reconstruct smooth.obj");
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     Session session(common, "harmonics", options->input);
-    session.run([&] { fit_surface(*options, session); });
+    session.run([&] {
+      refuse_unused_harmonics_options(*verb);
+      fit_surface(*options, session);
+    });
   });
 }
 

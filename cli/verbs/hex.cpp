@@ -9,6 +9,7 @@
 #include "frame_field/frames_file.h"
 #include "hexmesh/hexmesh.h"
 #include "report/hex_output.h"
+#include "session/unused_options.h"
 #include "solids/solid_input.h"
 #include "verbs/verbs.h"
 
@@ -101,6 +102,14 @@ void run_hex(const HexVerb& verb, Session& session) {
   write_hexahedra(output, std::move(made), verb.distance, session);
 }
 
+void add_drawing_options(CLI::App& verb, HexVerb& options) {
+  verb.add_option("--glb", options.output.glb, "draw the mesh: quads with their edges, inner ones colored by quality")
+      ->type_name("FILE.glb");
+  verb.add_option("--cut", options.cut, "part that --glb leaves out: quarter, half or none [default: quarter]")
+      ->check(unnamed(CLI::IsMember({"quarter", "half", "none"})))
+      ->type_name("C");
+}
+
 }  // namespace
 
 void add_hex(CLI::App& app, CommonOptions& common) {
@@ -139,11 +148,7 @@ void add_hex(CLI::App& app, CommonOptions& common) {
                    "[default: auto]")
       ->check(unnamed(CLI::IsMember({"auto", "with", "without"})))
       ->type_name("P");
-  verb->add_option("--glb", options->output.glb, "draw the mesh: quads with their edges, inner ones colored by quality")
-      ->type_name("FILE.glb");
-  verb->add_option("--cut", options->cut, "part that --glb leaves out: quarter, half or none [default: quarter]")
-      ->check(unnamed(CLI::IsMember({"quarter", "half", "none"})))
-      ->type_name("C");
+  add_drawing_options(*verb, *options);
   verb->add_option(
           "--method", options->method,
           "polycube: cells of a polycube; frames: along a frame field, with its singular edges inside; grid: "
@@ -158,9 +163,12 @@ void add_hex(CLI::App& app, CommonOptions& common) {
                  "write OUT also if it exceeds twice --distance (exit code 1)");
   verb->add_flag("--text", options->output.text, "write text in place of binary VTK");
   add_common_options(*verb, common);
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     Session session(common, "hex", options->solid.input);
-    session.run([&] { run_hex(*options, session); });
+    session.run([&] {
+      refuse_unused_hex_options(*verb);
+      run_hex(*options, session);
+    });
   });
 }
 

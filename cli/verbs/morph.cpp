@@ -18,6 +18,7 @@
 #include "report/sphere_uses.h"
 #include "report/text.h"
 #include "report/unit_size.h"
+#include "session/unused_options.h"
 #include "solids/closed_surface.h"
 #include "solids/kept_surface.h"
 #include "sphere_map/sphere_map.h"
@@ -279,9 +280,12 @@ void add_morph(CLI::App& app, CommonOptions& common) {
       "coincide; points\nat one direction correspond. For shapes with other sizes or axes, --placement scaled aligns "
       "them "
       "with the first one.\nFor example:\n  orbicube morph a.obj b.obj -o ab.glb --placement turned");
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     Session session(common, "morph", options->inputs.front());
-    session.run([&] { morph(*options, session); });
+    session.run([&] {
+      refuse_unused_morph_options(*verb);
+      morph(*options, session);
+    });
   });
 }
 

@@ -7,6 +7,7 @@
 #include "files/surface_file.h"
 #include "mesh/files/file.h"
 #include "report/cell_figures.h"
+#include "session/unused_options.h"
 #include "tetrahedra/input_check.h"
 #include "tetrahedra/tetrahedra.h"
 #include "verbs/verbs.h"
@@ -131,9 +132,12 @@ void add_tetrahedralize(CLI::App& app, CommonOptions& common) {
   verb->footer(
       "The surface may have any number of closed components; one within another bounds a cavity. Its vertices come "
       "first in\nOUT, in their order.");
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     Session session(common, "tetrahedralize", options->input);
-    session.run([&] { tetrahedralize(*options, session); });
+    session.run([&] {
+      refuse_unused_tetrahedralize_options(*verb);
+      tetrahedralize(*options, session);
+    });
   });
 }
 
