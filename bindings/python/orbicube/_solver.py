@@ -21,7 +21,8 @@ class EvaluationFailed(Exception):
 
 
 class Result:
-    """How a run ended: the point `x`, the `value` there, why it `stop`ped (text), and all figures in `report`."""
+    """How a run ended: the point `x`, the `value` there, why it `stop`ped (text), and all figures in `report`; also by the words of
+    scipy.optimize: `fun`, `nfev`, `nit`, `success`, `message`."""
 
     def __init__(self, x: Doubles, report: Any, stop: str) -> None:
         self.x, self.value, self.stop, self.report = x, float(report.value), stop, report
@@ -33,6 +34,26 @@ class Result:
     @property
     def evaluations(self) -> int:
         return int(self.report.evaluations)
+
+    @property
+    def fun(self) -> float:
+        return self.value
+
+    @property
+    def nfev(self) -> int:
+        return self.evaluations
+
+    @property
+    def nit(self) -> int:
+        return int(self.report.iterations)
+
+    @property
+    def success(self) -> bool:
+        return self.stop in ("converged", "target reached", "noise limit")
+
+    @property
+    def message(self) -> str:
+        return self.stop
 
     def __repr__(self) -> str:
         return f"Result(stop={self.stop!r}, value={self.value!r}, evaluations={self.evaluations}, x={self.x!r})"

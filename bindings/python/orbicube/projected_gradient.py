@@ -10,6 +10,7 @@ and rows, `project` may be a function that returns the nearest point of a convex
 from __future__ import annotations
 
 import ctypes
+import warnings
 from ctypes import byref
 from typing import Any, Callable, Literal, Optional
 
@@ -19,10 +20,12 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, address, doubles, indices, memory_of, numbers, put, spread, start_of
 from ._call import HOST, Cancelled, Progress, Stop, call, call_init, filled, picked, sized, text, with_options
 from ._checks import public
+from ._scipy import bounds_of, minimized, options_of, rows_of
 from ._solver import EvaluationFailed, GradientRun, Result, explain_pair
 from .raw import projected_gradient as raw
 
-__all__ = ["EvaluationFailed", "GradientCheck", "Result", "Solver", "Stop", "check_gradient", "minimize", "project", "version"]
+__all__ = ["EvaluationFailed", "GradientCheck", "Result", "Solver", "Stop", "check_gradient", "minimize", "project", "scipy_method",
+           "version"]
 
 
 class _Problem:
@@ -160,6 +163,27 @@ def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *, 
     """The minimum value of f in the feasible set; f returns (value, gradient)."""
     options = picked(locals(), "obc_projected_gradient_options")
     return Solver(x0, lower=lower, upper=upper, A=A, b=b, project=project, **options).run(f, progress)
+
+
+def scipy_method(fun: Callable[..., Any], x0: ArrayLike, args: tuple[Any, ...] = (), *, jac: Any = None, bounds: Any = None,
+                 constraints: Any = (), callback: Any = None, hess: Any = None, hessp: Any = None, disp: bool = False,
+                 **options: Any) -> Any:
+    """scipy.optimize.minimize(fun, x0, jac=..., method=scipy_method): fun with its gradient, within bounds and where the rows of
+    LinearConstraint objects are equations. `tol` is gradient_tolerance, and `options` has those of `minimize` here, also as
+    maxfev, maxfun, maxiter, maxcor and gtol."""
+    if not callable(jac):
+        raise ValueError("jac: a function, or True where fun returns (value, gradient), is needed; "
+                         "trust_region.scipy_method does without derivatives")
+    for name, value in (("hess", hess), ("hessp", hessp)):
+        if value:
+            warnings.warn(f"projected_gradient.scipy_method does not use second derivatives ({name})", RuntimeWarning, stacklevel=3)
+    words = {"maxfev": "max_evaluations", "maxfun": "max_evaluations", "maxiter": "max_iterations", "maxcor": "history",
+             "gtol": "gradient_tolerance", "tol": "gradient_tolerance"}
+    start = start_of(x0, "x0")
+    solver = Solver(start, **bounds_of(bounds, start.size), **rows_of(constraints, start.size),
+                    **options_of(options, "obc_projected_gradient_options", words))
+    solver._asked_name = "fun, jac"
+    return minimized(solver, lambda x: (fun(x, *args), jac(x, *args)), callback, disp)
 
 
 class Projection:

@@ -10,12 +10,17 @@ or, one evaluation at a time, by any program:
         solver.tell(f(x))
     solver.result.x
 
+or by SciPy:
+
+    scipy.optimize.minimize(f, [0, 0], method=scipy_method, bounds=[(-1, 1), (None, 0)], options={"maxfev": 200})
+
 Options are the members of `obc_trust_region_options`, docs/trust_region.md of the library describes them.
 """
 
 from __future__ import annotations
 
 import ctypes
+import warnings
 from ctypes import byref
 from typing import Any, Callable, Literal, Optional
 
@@ -25,10 +30,11 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, address, buffer, doubles, memory_of, numbers, put, spread, start_of
 from ._call import Progress, Stop, call, call_init, filled, picked, with_options
 from ._checks import integer, public
+from ._scipy import bounds_of, minimized, options_of
 from ._solver import DONE, NO_VALUE, EvaluationFailed, Result, Run
 from .raw import trust_region as raw
 
-__all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "version"]
+__all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "scipy_method", "version"]
 
 
 def _problem(n: int, residuals: int, lower: Any, upper: Any, scale: Any, sign: Any) -> tuple[Any, list[Any]]:
@@ -176,6 +182,23 @@ def least_squares(residuals: Callable[[Doubles], ArrayLike], x0: ArrayLike, coun
     solver = Solver(x0, integer(count, "count", 1), lower=lower, upper=upper, scale=scale, sign=sign, **options)
     solver._asked_name = "residuals"
     return solver.run(residuals, progress)
+
+
+def scipy_method(fun: Callable[..., Any], x0: ArrayLike, args: tuple[Any, ...] = (), *, bounds: Any = None, callback: Any = None,
+                 constraints: Any = (), jac: Any = None, hess: Any = None, hessp: Any = None, scale: Optional[ArrayLike] = None,
+                 disp: bool = False, **options: Any) -> Any:
+    """scipy.optimize.minimize(fun, x0, method=scipy_method): fun from its values alone within bounds. `tol` is radius_end, and
+    `options` has those of `minimize` here, also as maxfev, rhobeg and rhoend, and `scale`."""
+    if constraints is not None and np.size(constraints):
+        raise ValueError("constraints: this method has bounds only; projected_gradient.scipy_method has linear equations")
+    for name, value in (("jac", jac), ("hess", hess), ("hessp", hessp)):
+        if value:
+            warnings.warn(f"trust_region.scipy_method does not use derivatives ({name})", RuntimeWarning, stacklevel=3)
+    words = {"maxfev": "max_evaluations", "tol": "radius_end", "rhobeg": "radius_begin", "rhoend": "radius_end"}
+    start = start_of(x0, "x0")
+    solver = Solver(start, scale=scale, **bounds_of(bounds, start.size), **options_of(options, "obc_trust_region_options", words))
+    solver._asked_name = "fun"
+    return minimized(solver, lambda x: fun(x, *args), callback, disp)
 
 
 def version() -> int:
