@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/version.h"
 #include "capi/src/polycube_handle.h"
 #include "capi/src/polycube_surface.h"
@@ -60,7 +61,7 @@ obc_status obc_polycube_create(const obc_surface* surface, const double* polycub
     polycube::set_unrefined(map);
     polycube::Certificate found = polycube::certify(map, made->adapter.host());
     if (found.valid() && found.cavities > 0)
-      found.reason = "the surface has " + std::to_string(1 + found.cavities) + " components";
+      found.reason = "the surface has " + base::counted(1 + found.cavities, "component");
     write_certificate(found, certificate);
     if (!found.valid()) throw base::Error("no-valid-result", found.reason);
     made->corners = found.corners;

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/file.h"
 
@@ -52,8 +53,8 @@ std::vector<std::vector<LandmarkPoint>> read_landmark_points(const std::filesyst
     if (numbers.empty()) continue;
     const std::string where = "line " + std::to_string(line_number);
     if (numbers.size() != shapes.size() && numbers.size() != 3 * shapes.size()) {
-      throw base::Error("parse", where + " has " + std::to_string(numbers.size()) + " numbers; for " +
-                                     std::to_string(shapes.size()) + " shapes it needs one vertex each or three " +
+      throw base::Error("parse", where + " has " + base::counted(numbers.size(), "number") + "; for " +
+                                     base::counted(shapes.size(), "shape") + " it needs one vertex each or three " +
                                      "coordinates each");
     }
     for (std::size_t i = 0; i < shapes.size(); ++i) {

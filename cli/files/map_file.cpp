@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "gltf/reading/read.h"
 #include "mesh/search/predicates.h"
@@ -38,7 +39,7 @@ void check_map(const mesh::Mesh& map, const std::filesystem::path& path, Session
   }
   const bool mirrored = negative > positive;  // of a surface that is inward-oriented
   const std::size_t over = mirrored ? positive : negative;
-  const std::string of_all = " of " + std::to_string(map.triangles.size()) + " triangles";
+  const std::string of_all = " of " + base::counted(map.triangles.size(), "triangle");
   const auto place = [](mesh::Index t) { return ", the first is triangle " + std::to_string(t); };
   session.figures()["map"] = {{"flipped", over}, {"degenerate", flat}};
   constexpr std::size_t most_bad = 4;  // a quarter

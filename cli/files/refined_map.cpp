@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "base/counted.h"
 #include "files/exact_file.h"
 #include "harmonics/fitting/map_refinement.h"
 #include "mesh/search/measures.h"
@@ -42,7 +43,7 @@ void refine_map(const MapRefinement& refinement, const harmonics::FitOptions& fi
                                      {"rounds", report.rounds},
                                      {"residual_before", std::ldexp(report.residual_before, -exponent)},
                                      {"residual", std::ldexp(report.residual, -exponent)}};
-  session.say("  map refined in " + std::to_string(report.rounds) + " rounds: residual " +
+  session.say("  map refined in " + base::counted(report.rounds, "round") + ": residual " +
               number(std::ldexp(report.residual, -exponent)) + ", before " +
               number(std::ldexp(report.residual_before, -exponent)));
   if (refinement.output.empty()) return;

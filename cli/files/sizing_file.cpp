@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/counted.h"
 #include "mesh/files/file.h"
 #include "mesh/files/text_scanner.h"
 
@@ -18,7 +19,7 @@ base::Array<tetrahedra::SizePoint> read_sizing(const std::filesystem::path& path
     double length = in.coordinate("a length or a coordinate");
     if (sizes.empty()) places = !in.at_end_of_line();
     if (!places && sizes.size() == vertices.size()) {
-      in.fail("trailing-data", "more lengths than the " + std::to_string(vertices.size()) + " vertices");
+      in.fail("trailing-data", "more lengths than the " + base::counted(vertices.size(), "vertex", "vertices"));
     }
     mesh::Vector3 position = places ? mesh::Vector3(length, 0, 0) : vertices[sizes.size()];
     if (places) {
@@ -32,8 +33,8 @@ base::Array<tetrahedra::SizePoint> read_sizing(const std::filesystem::path& path
     in.progress();
   }
   if (!places && sizes.size() < vertices.size()) {
-    in.fail("truncated", std::to_string(sizes.size()) + " lengths, where there are " + std::to_string(vertices.size()) +
-                             " vertices");
+    in.fail("truncated", base::counted(sizes.size(), "length") + ", where there are " +
+                             base::counted(vertices.size(), "vertex", "vertices"));
   }
   return sizes;
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "gltf/reading/read.h"
 #include "gltf/writing/float_frame.h"
@@ -78,10 +79,11 @@ InputMesh read_input(const std::filesystem::path& path, bool weld, Session& sess
   if (input.kept && keep == Keep::file) return input;  // nothing is changed
   if (input.kept && !input.kept->replaced.empty()) session.note(input.kept->replaced);
   if (input.report.polygons > 0)
-    session.note(std::to_string(input.report.polygons) + " polygons were cut into triangles");
+    session.note(base::counted(input.report.polygons, "polygon was", "polygons were") + " cut into triangles");
   // The reader of glTF says why as well.
   if (input.report.welded_vertices > 0 && !is_gltf(path))
-    session.note(std::to_string(input.report.welded_vertices) + " vertices were welded to others at the same position");
+    session.note(base::counted(input.report.welded_vertices, "vertex was", "vertices were") +
+                 " welded to others at the same position");
   for (const std::string& note : input.report.notes)
     session.note(note);
   return input;

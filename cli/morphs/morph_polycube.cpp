@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 
+#include "base/counted.h"
 #include "correspondence/polycube_mesh.h"
 #include "gltf/kept/kept_nearest.h"
 #include "morphs/morph_placement.h"
@@ -67,9 +68,9 @@ void report_shapes(const PolycubeMorphOptions& options, const SharedPolycube& sh
   session.figures()["triangles"] = common.triangles.size();
   session.figures()["flipped"] = 0;
   session.figures()["shapes"] = shared.figures;
-  session.say("wrote " + options.output + ": " + std::to_string(options.inputs.size()) + " shapes on " +
-              std::to_string(common.polycube.size()) + " vertices and " + std::to_string(common.triangles.size()) +
-              " triangles");
+  session.say("wrote " + options.output + ": " + base::counted(options.inputs.size(), "shape") + " on " +
+              base::counted(common.polycube.size(), "vertex", "vertices") + " and " +
+              base::counted(common.triangles.size(), "triangle"));
   for (std::size_t i = 0; i < options.inputs.size(); ++i)
     session.say("  " + options.inputs[i] + ": at most " +
                 number(100 * shared.figures[i]["distance"]["from_surface"]["max_of_diagonal"].get<double>()) +

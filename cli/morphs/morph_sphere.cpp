@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "gltf/json/asset.h"
 #include "gltf/reading/accessor.h"
@@ -185,7 +186,9 @@ void check_morph_sphere(const std::filesystem::path& path, const MorphSphere& ma
     throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
   const std::size_t bad = count_not_positive_either_way(triangles, map.directions, host.memory);
   if (bad > 0) {
-    throw base::Error("no-valid-result", std::to_string(bad) + " triangles of the written map are not positive");
+    throw base::Error(
+        "no-valid-result",
+        base::counted(bad, "triangle of the written map is", "triangles of the written map are") + " not positive");
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/catch_all.h"
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "gltf/reading/read.h"
 #include "mesh/files/read.h"
@@ -100,7 +101,7 @@ std::string of_holes(const mesh::Mesh& m, const base::Host& host) {
   const std::vector<Edge> boundary = boundary_of(m, host);
   const std::vector<Index> vertices = vertices_of(boundary);
   if (const std::size_t n = doubled(m, vertices, host); n > 0) {
-    return std::to_string(n) + (n == 1 ? " vertex stands" : " vertices stand") + " at the place of others: try --weld";
+    return base::counted(n, "vertex stands", "vertices stand") + " at the place of others: try --weld";
   }
   if (const auto found = vertex_on_edge(m, boundary, vertices)) {
     const auto& [v, e] = *found;

@@ -1,5 +1,6 @@
 #include "report/embedding.h"
 
+#include "base/counted.h"
 #include "mesh/search/intersections.h"
 #include "mesh/search/unit_scale.h"
 #include "mesh/topology/place_text.h"
@@ -19,9 +20,9 @@ std::string report_pairs(const std::string& path, std::span<const mesh::Vector3>
   const auto pairs = find(unit);
   figures["self_intersections"] = pairs.size();
   if (pairs.empty()) return "";
-  const std::string note = path + " intersects itself: " + std::to_string(pairs.size()) +
-                           (pairs.size() == 1 ? " pair of faces" : " pairs of faces") + ", the first at " +
-                           mesh::place_text(positions[faces[pairs[0][0]][0]]) + "; " + advice;
+  const std::string note = path +
+                           " intersects itself: " + base::counted(pairs.size(), "pair of faces", "pairs of faces") +
+                           ", the first at " + mesh::place_text(positions[faces[pairs[0][0]][0]]) + "; " + advice;
   session.note(note);
   return note;
 }

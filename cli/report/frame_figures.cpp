@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/counted.h"
 #include "report/text.h"
 #include "report/unit_size.h"
 
@@ -131,17 +132,18 @@ void say_field(const FieldFindings& found, Session& session) {
   session.say("  energy " + number(m.energy) + ", angles " + number(m.symmetric.mean) + " degrees on average, " +
               number(m.symmetric.p99) + " at 99 %, maximum " + number(m.symmetric.largest) + "; at most " +
               number(m.one_face_max) + " degrees off the normals");
-  session.say("  " + std::to_string(graph.edges.size()) + " singular edges on " + std::to_string(graph.curves()) +
-              " curves with " + std::to_string(graph.nodes.size()) + " nodes; " +
-              (local.locally_meshable() ? "locally meshable"
-                                        : std::to_string(local.edges.size()) + " edges and " +
-                                              std::to_string(local.vertices.size()) + " vertices are not meshable"));
+  session.say("  " + base::counted(graph.edges.size(), "singular edge") + " on " +
+              base::counted(graph.curves(), "curve") + " with " + base::counted(graph.nodes.size(), "node") + "; " +
+              (local.locally_meshable()
+                   ? "locally meshable"
+                   : base::counted(local.edges.size(), "edge") + " and " +
+                         base::counted(local.vertices.size(), "vertex is", "vertices are") + " not meshable"));
 }
 
 void say_repair(const frame_field::RepairOutcome& repair, Session& session) {
-  session.say("  repaired: " + std::to_string(repair.before.unmeshable()) + " places that are not meshable became " +
-              std::to_string(repair.after.unmeshable()) + ", the energy " + number(repair.energy_before) + " became " +
-              number(repair.energy_after));
+  session.say("  repaired: " + base::counted(repair.before.unmeshable(), "place that is", "places that are") +
+              " not meshable became " + std::to_string(repair.after.unmeshable()) + ", the energy " +
+              number(repair.energy_before) + " became " + number(repair.energy_after));
 }
 
 }  // namespace orbicube::cli

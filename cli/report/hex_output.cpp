@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "mesh/topology/place_text.h"
 #include "report/text.h"
@@ -56,11 +57,11 @@ Json figures_of(const hexmesh::Hexahedra& made) {
 // What people may want to know besides scaled Jacobians.
 std::string besides(const hexmesh::Hexahedra& made) {
   if (made.along_frames)
-    return std::to_string(made.along_frames->inner_irregular_edges) + " inner edges with other than four hexahedra";
+    return base::counted(made.along_frames->inner_irregular_edges, "inner edge") + " with other than four hexahedra";
   if (made.feature_curves > 0)
-    return "cells of a grid in space; " + std::to_string(made.feature_curves) + " sharp curves kept";
+    return "cells of a grid in space; " + base::counted(made.feature_curves, "sharp curve") + " kept";
   if (made.method == hexmesh::Method::grid) return "cells of a grid in space";
-  return std::to_string(made.polycube_corners) + " corners of the polycube";
+  return base::counted(made.polycube_corners, "corner") + " of the polycube";
 }
 
 // Null where the unit of the input takes it out of the range of double.
@@ -78,10 +79,10 @@ std::string worst_piece_text(const hexmesh::HexResult& result) {
   const auto off = [](const hexmesh::HexPiece& piece) { return std::max(piece.distance, piece.volume_error); };
   const auto worst = std::max_element(result.pieces.begin(), result.pieces.end(),
                                       [&](const auto& a, const auto& b) { return off(a) < off(b); });
-  return "of " + std::to_string(result.pieces.size()) + " pieces the worst is that at " +
+  return "of " + base::counted(result.pieces.size(), "piece") + " the worst is that at " +
          mesh::place_text(worst->place) + ": " + number(worst->distance) +
          " % of its own diagonal from its surface, volume off by " + number(worst->volume_error) + " %, " +
-         std::to_string(worst->hexahedra) + " hexahedra";
+         base::counted(worst->hexahedra, "hexahedron", "hexahedra");
 }
 
 }  // namespace
@@ -135,8 +136,8 @@ void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double as
   write_cells_exactly(output.path, cells, output.text, session);
   for (const std::string& note : session.notes())
     session.say("note: " + note);
-  session.say("wrote " + output.path + ": " + std::to_string(cells.hexahedra.size()) +
-              " hexahedra, certified: each is positive, and the boundary does not meet itself");
+  session.say("wrote " + output.path + ": " + base::counted(cells.hexahedra.size(), "hexahedron", "hexahedra") +
+              ", certified: each is positive, and the boundary does not meet itself");
   session.say("  scaled Jacobians at least " + number(quality.min_scaled_jacobian) + ", " +
               number(quality.mean_scaled_jacobian) + " on average; " + besides(made));
   session.say("  " + figures_text(result));

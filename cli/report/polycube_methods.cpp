@@ -1,5 +1,6 @@
 #include "report/polycube_methods.h"
 
+#include "base/counted.h"
 #include "report/polycube_outputs.h"
 #include "report/text.h"
 
@@ -38,8 +39,8 @@ void report_corner_points(const polycube::BestConstruction& best, Session& sessi
                                        {"rows_removed", printed.rows_removed},
                                        {"rows_added", printed.rows_added}};
   session.say("  octree of depth " + std::to_string(printed.octree_depth) + ", " +
-              std::to_string(printed.corner_points) + " corner points; energy " + number(printed.energies.front()) +
-              ", after " + std::to_string(printed.rounds) + " rounds " + number(printed.energies.back()));
+              base::counted(printed.corner_points, "corner point") + "; energy " + number(printed.energies.front()) +
+              ", after " + base::counted(printed.rounds, "round") + " " + number(printed.energies.back()));
 }
 
 }  // namespace orbicube::cli

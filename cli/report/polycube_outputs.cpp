@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/counted.h"
 #include "files/polycube_json.h"
 #include "files/quad_file.h"
 #include "files/surface_file.h"
@@ -47,7 +48,7 @@ void write_domain(const std::string& path, const PolycubeResult& result, const p
   }
   figures["domain_file"] = {
       {"output", path}, {"corners", graph.corners.size()}, {"edges", graph.edges()}, {"patches", graph.patches()}};
-  session.say("wrote " + path + ": the polycube by itself, " + std::to_string(graph.edges()) + " edges");
+  session.say("wrote " + path + ": the polycube by itself, " + base::counted(graph.edges(), "edge"));
 }
 
 void write_quad_mesh(const PolycubeOutputs& outputs, const PolycubeResult& result, const polycube::PatchGraph& graph,
@@ -85,10 +86,10 @@ void write_quad_mesh(const PolycubeOutputs& outputs, const PolycubeResult& resul
   const std::string note =
       report_intersections(outputs.quads, mesh.positions, mesh.quads, "more --cells follow the surface more closely",
                            figures["quads"], session);
-  session.say("wrote " + outputs.quads + ": " + std::to_string(mesh.quads.size()) + " quads, " +
-              std::to_string(quality.irregular) + " irregular vertices, scaled Jacobian " +
-              number(quality.mean_scaled_jacobian) + " on average, " + std::to_string(quality.not_convex) +
-              " quads not convex");
+  session.say("wrote " + outputs.quads + ": " + base::counted(mesh.quads.size(), "quad") + ", " +
+              base::counted(quality.irregular, "irregular vertex", "irregular vertices") + ", scaled Jacobian " +
+              number(quality.mean_scaled_jacobian) + " on average, " + base::counted(quality.not_convex, "quad") +
+              " not convex");
   if (!note.empty()) session.say("  note: " + note);
 }
 

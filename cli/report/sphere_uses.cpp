@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "mesh/search/distances.h"
 #include "mesh/search/measures.h"
@@ -65,7 +66,7 @@ void write_remesh(const SphereUses& uses, const sphere_map::Locator& locator, co
       report_intersections(uses.remesh, remeshed.positions, remeshed.triangles,
                            "a finer --grid follows the surface more closely", session.figures()["remesh"], session);
   session.say("wrote " + uses.remesh + ": the surface on " + name_of(choice) + ", " +
-              std::to_string(remeshed.triangles.size()) + " triangles");
+              base::counted(remeshed.triangles.size(), "triangle"));
   session.say("  " + told(distance));
   if (!note.empty()) session.say("  note: " + note);
 }
@@ -89,7 +90,7 @@ void write_image(const SphereUses& uses, const sphere_map::Locator& locator, con
                                                 "a finer --image-grid follows the surface more closely",
                                                 session.figures()["image"], session);
   session.say("wrote " + uses.image + ": the surface as an image of " + std::to_string(image.width) + " x " +
-              std::to_string(image.height) + " pixels");
+              base::counted(image.height, "pixel"));
   session.say("  " + told(distance));
   if (!note.empty()) session.say("  note: " + note);
 }

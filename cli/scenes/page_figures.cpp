@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "base/counted.h"
 #include "mesh/files/file.h"
 #include "session/failure.h"
 
@@ -17,7 +18,7 @@ std::string text_of(double value) {
 
 std::string validity(const sphere_map::Measurement& map) {
   if (map.bijective) return map.mirrored ? "yes, mirrored" : "yes";
-  return "no: " + std::to_string(map.flipped) + " triangles flipped, " + std::to_string(map.degenerate) +
+  return "no: " + base::counted(map.flipped, "triangle") + " flipped, " + std::to_string(map.degenerate) +
          " without area, degree " + text_of(map.degree);
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/counted.h"
 #include "correspondence/closed_surface.h"
 
 namespace orbicube::cli {
@@ -16,7 +17,8 @@ AnyGenusSurface read_any_genus_surface(const std::string& path, bool weld, Sessi
     std::int64_t genus = 0;
     const mesh::OrientReport turned = correspondence::orient_any_genus(m, genus, session.host());
     if (turned.triangles_turned > 0)
-      session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbors");
+      session.note(base::counted(turned.triangles_turned, "triangle was", "triangles were") +
+                   " turned to agree with their neighbors");
     if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
     figures = {{"format", input.report.format},
                {"vertices", m.positions.size()},

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "base/counted.h"
 #include "correspondence/closed_surface.h"
 #include "mesh/topology/cells.h"
 
@@ -19,7 +20,8 @@ ClosedSurface read_closed_surface(const std::string& path, bool weld, Session& s
     const mesh::OrientReport turned = correspondence::orient_genus_zero(mesh, session.host());
     if (turned.triangles_turned == 0 && !turned.turned_outward) return;
     if (turned.triangles_turned > 0)
-      session.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbors");
+      session.note(base::counted(turned.triangles_turned, "triangle was", "triangles were") +
+                   " turned to agree with their neighbors");
     if (turned.turned_outward) session.note("the surface looked inward; all triangles were turned");
     figures["triangles_turned"] = turned.triangles_turned;
     figures["turned_outward"] = turned.turned_outward;

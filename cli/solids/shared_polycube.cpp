@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "base/counted.h"
 #include "files/landmark_file.h"
 #include "report/polycube_outputs.h"
 #include "report/text.h"
@@ -60,7 +61,7 @@ SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& ses
                                    {"seconds", session.seconds() - start}};
   for (std::size_t i = 0; i < shapes.size(); ++i)
     result.figures[i]["distortion"] = distortion_figures(common.distortions[i]);
-  session.say("  one polycube with " + std::to_string(common.graph.corners.size()) + " corners, made for " +
+  session.say("  one polycube with " + base::counted(common.graph.corners.size(), "corner") + ", made for " +
               options.inputs[common.base] + "; energies add up to " + number(common.energies.back()) +
               (std::isfinite(own) ? ", with a polycube each to " + number(own) : ""));
   return result;

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/files/file.h"
 #include "harmonics/functions/coefficient_file.h"
 #include "harmonics/functions/spectrum.h"
@@ -107,7 +108,7 @@ void compare(const CompareOptions& options, Session& session) {
     }));
     if (shapes.back().channels != shapes.front().channels) {
       throw Failure(Exit::wrong_input, file, "invalid-argument",
-                    std::to_string(shapes.back().channels) + " functions; " + options.files.front() + " has " +
+                    base::counted(shapes.back().channels, "function") + "; " + options.files.front() + " has " +
                         std::to_string(shapes.front().channels));
     }
   }

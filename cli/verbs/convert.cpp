@@ -1,6 +1,7 @@
 // orbicube convert: a mesh in another format.
 #include <memory>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "verbs/verbs.h"
 
@@ -36,10 +37,11 @@ void convert(const ConvertOptions& options, Session& session) {
                        {"seconds_write", session.seconds() - start}};
   for (const std::string& note : session.notes())
     session.say("note: " + note);
-  session.say("wrote " + options.output + ": " + std::to_string(mesh.positions.size()) + " vertices, " +
-              std::to_string(mesh.triangles.size()) + " triangles" +
-              (mesh.tetrahedra.empty() ? "" : ", " + std::to_string(mesh.tetrahedra.size()) + " tetrahedra") +
-              (mesh.hexahedra.empty() ? "" : ", " + std::to_string(mesh.hexahedra.size()) + " hexahedra"));
+  session.say(
+      "wrote " + options.output + ": " + base::counted(mesh.positions.size(), "vertex", "vertices") + ", " +
+      base::counted(mesh.triangles.size(), "triangle") +
+      (mesh.tetrahedra.empty() ? "" : ", " + base::counted(mesh.tetrahedra.size(), "tetrahedron", "tetrahedra")) +
+      (mesh.hexahedra.empty() ? "" : ", " + base::counted(mesh.hexahedra.size(), "hexahedron", "hexahedra")));
 }
 
 }  // namespace

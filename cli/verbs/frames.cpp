@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "frame_field/frames_file.h"
 #include "mesh/files/file.h"
@@ -207,13 +208,14 @@ void run_frames(const FramesOptions& options, Session& session) {
   if (repairs) figures["repair"] = repair_figures(outcome.repair);
   about(options.output, Role::output, [&] {
     if (const std::size_t ends = found.graph.dead_ends.size(); ends > 0)
-      throw base::Error("no-valid-result", std::to_string(ends) + " singular curves end inside");
+      throw base::Error("no-valid-result",
+                        base::counted(ends, "singular curve ends", "singular curves end") + " inside");
   });
   write(options, solid, exponent, outcome.field, session);
   draw(options, solid, connectivity, outcome.field, found, session);
   figures["seconds_write"] = session.seconds() - begin - computed - measured;
 
-  session.say(options.input + ": " + std::to_string(solid.tetrahedra.size()) + " frames in " + number(computed) +
+  session.say(options.input + ": " + base::counted(solid.tetrahedra.size(), "frame") + " in " + number(computed) +
               " s, from the start " + frame_field::start_name(outcome.start));
   say_field(found, session);
   if (repairs) say_repair(outcome.repair, session);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
 #include "files/map_file.h"
 #include "files/refined_map.h"
 #include "files/surface_file.h"
@@ -49,8 +50,7 @@ struct HarmonicsOptions {
   std::uint32_t low = harmonics::largest_degree, high = 0, width = 0;
   std::vector<std::uint32_t> band;
   MapRefinement refinement;
-  bool text = false;
-  bool weld = false;
+  bool text = false, weld = false;
 
   harmonics::Band kept() const {
     if (!band.empty()) return {band[0], band[1], width};
@@ -88,7 +88,7 @@ Coefficients fit_used(const HarmonicsOptions& options, const mesh::Mesh& surface
 void note_rank(const harmonics::FitReport& fit, std::size_t vertices, Session& session) {
   if (fit.rank == fit.unknowns) return;
   const std::string unknowns = std::to_string(fit.unknowns);
-  const std::string why = vertices < fit.unknowns ? std::to_string(vertices) + " vertices are too few"
+  const std::string why = vertices < fit.unknowns ? base::counted(vertices, "vertex is", "vertices are") + " too few"
                                                   : "the map leaves parts of the sphere without vertices";
   session.note("rank-deficient: " +
                (fit.rank > 0 ? "the vertices determine " + std::to_string(fit.rank) + " of " + unknowns
@@ -245,9 +245,9 @@ Json figures_of(const HarmonicsOptions& options, const mesh::Mesh& surface, cons
 
 void say_fit(const HarmonicsOptions& options, const Expansion& made, std::size_t vertices, double seconds, double error,
              Session& session) {
-  session.say(options.input + ": degree " + std::to_string(options.degree) + ", " + std::to_string(made.fit.unknowns) +
-              " coefficients of each coordinate from " + std::to_string(vertices) + " vertices in " + number(seconds) +
-              " s, in " + options.output);
+  session.say(options.input + ": degree " + std::to_string(options.degree) + ", " +
+              base::counted(made.fit.unknowns, "coefficient") + " of each coordinate from " +
+              base::counted(vertices, "vertex", "vertices") + " in " + number(seconds) + " s, in " + options.output);
   session.say("  reconstruction error " + number(error) + " at area 4 pi, root mean square residual " +
               number(std::ldexp(made.fit.residual, -made.exponent)) + ", condition " + number(made.fit.condition));
   if (!options.reconstruction.empty()) session.say("  wrote " + options.reconstruction);

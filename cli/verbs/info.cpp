@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "mesh/topology/cells.h"
 #include "mesh/topology/topology.h"
@@ -32,10 +33,6 @@ std::string point(const mesh::Vector3& p) {
 
 Json json_point(const mesh::Vector3& p) {
   return {p[0], p[1], p[2]};
-}
-
-std::string count(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
 // Whether something can be done with the mesh, or the refusal that it would meet.
@@ -125,12 +122,12 @@ void tell_surface(const mesh::Topology& t, const Use& sphere, const Use& filling
   table.row("edges", std::to_string(t.edges));
   table.row("components", std::to_string(t.components));
   table.row("boundary", t.closed() ? "none, closed"
-                                   : count(t.boundary_loops, "loop", "loops") + " of " +
-                                         count(t.boundary_edges, "edge", "edges") + ", the longest " +
+                                   : base::counted(t.boundary_loops, "loop") + " of " +
+                                         base::counted(t.boundary_edges, "edge") + ", the longest " +
                                          std::to_string(t.longest_boundary_loop));
   std::string flaws;
   const auto flaw = [&](std::size_t n, const char* one, const char* many) {
-    if (n > 0) flaws += (flaws.empty() ? "" : ", ") + count(n, one, many);
+    if (n > 0) flaws += (flaws.empty() ? "" : ", ") + base::counted(n, one, many);
   };
   flaw(t.non_manifold_edges, "edge with more than two faces", "edges with more than two faces");
   flaw(t.non_manifold_vertices, "vertex joining parts", "vertices joining parts");
@@ -138,7 +135,7 @@ void tell_surface(const mesh::Topology& t, const Use& sphere, const Use& filling
   flaw(t.duplicate_faces, "repeated face", "repeated faces");
   table.row("manifold", flaws.empty() ? "yes" : "no: " + flaws);
   table.row("orientation", !t.orientable  ? "none, one-sided"
-                           : !oriented    ? count(t.inconsistent_edges, "edge", "edges") + " between faces turned apart"
+                           : !oriented    ? base::counted(t.inconsistent_edges, "edge") + " between faces turned apart"
                            : !solid       ? "consistent"
                            : t.volume > 0 ? "consistent, outward"
                            : t.volume < 0 ? "consistent, inward"
@@ -147,10 +144,10 @@ void tell_surface(const mesh::Topology& t, const Use& sphere, const Use& filling
   table.row("area", digits(t.area));
   if (solid) table.row("volume", digits(t.volume));
   table.row("bounding box", point(t.low) + " to " + point(t.high));
-  if (t.zero_area_faces > 0) table.row("no area", count(t.zero_area_faces, "face", "faces"));
+  if (t.zero_area_faces > 0) table.row("no area", base::counted(t.zero_area_faces, "face"));
   if (t.coincident_vertices > 0)
-    table.row("coincident", count(t.coincident_vertices, "vertex", "vertices") + " at the place of another");
-  if (t.unreferenced_vertices > 0) table.row("unused", count(t.unreferenced_vertices, "vertex", "vertices"));
+    table.row("coincident", base::counted(t.coincident_vertices, "vertex", "vertices") + " at the place of another");
+  if (t.unreferenced_vertices > 0) table.row("unused", base::counted(t.unreferenced_vertices, "vertex", "vertices"));
   table.row("sphere map", text_of(sphere));
   table.row("tetrahedra", text_of(filling));
 }
@@ -169,8 +166,7 @@ void tell_boundary(const mesh::Mesh& mesh, Session& session) {
                                    {"volume", t.volume},
                                    {"bounding_box", {{"low", json_point(t.low)}, {"high", json_point(t.high)}}}};
   const Table table(session);
-  table.row("boundary", count(t.triangles, "triangle", "triangles") + ", " +
-                            count(t.components, "component", "components") +
+  table.row("boundary", base::counted(t.triangles, "triangle") + ", " + base::counted(t.components, "component") +
                             (t.genus ? ", genus " + std::to_string(*t.genus) : ""));
   table.row("area", digits(t.area));
   table.row("volume", digits(t.volume));

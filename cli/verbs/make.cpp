@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "verbs/verbs.h"
 
@@ -29,8 +30,9 @@ void make(const MakeOptions& options, Session& session) {
                        {"triangles", shape.triangles.size()},
                        {"seconds_compute", made},
                        {"seconds_write", session.seconds() - made}};
-  session.say("wrote " + options.output + ": " + options.shape + ", " + std::to_string(shape.positions.size()) +
-              " vertices, " + std::to_string(shape.triangles.size()) + " triangles");
+  session.say("wrote " + options.output + ": " + options.shape + ", " +
+              base::counted(shape.positions.size(), "vertex", "vertices") + ", " +
+              base::counted(shape.triangles.size(), "triangle"));
 }
 
 }  // namespace

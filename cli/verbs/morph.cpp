@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "base/counted.h"
 #include "correspondence/sphere_mesh.h"
 #include "files/surface_file.h"
 #include "morphs/morph_alignment.h"
@@ -170,17 +171,17 @@ void report_shapes(const std::deque<MorphShape>& shapes, const CommonMesh& commo
   session.figures()["vertices"] = common.directions.size();
   session.figures()["triangles"] = common.triangles.size();
   session.figures()["shapes"] = Json::array();
-  session.say("wrote " + output + ": " + std::to_string(shapes.size()) + " shapes on " +
-              std::to_string(common.directions.size()) + " vertices and " + std::to_string(common.triangles.size()) +
-              " triangles");
+  session.say("wrote " + output + ": " + base::counted(shapes.size(), "shape") + " on " +
+              base::counted(common.directions.size(), "vertex", "vertices") + " and " +
+              base::counted(common.triangles.size(), "triangle"));
   for (const MorphShape& shape : shapes) {
     session.figures()["shapes"].push_back(shape.figures);
     const double lost = shape.figures["distance"]["from_surface"]["max_of_diagonal"].get<double>();
     session.say("  " + shape.path + ": at most " + number(100 * lost) + " % of its diagonal is lost" +
                 text_of_landmarks(shape.figures));
     if (const auto over = shape.figures["flipped"].get<std::size_t>(); over > 0)
-      session.note(shape.path + ": " + std::to_string(over) +
-                   " triangles of the mesh are flipped or flat on its sphere");
+      session.note(shape.path + ": " + base::counted(over, "triangle of the mesh is", "triangles of the mesh are") +
+                   " flipped or flat on its sphere");
   }
   for (const std::string& note : session.notes())
     session.say("  note: " + note);

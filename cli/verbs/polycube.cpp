@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "files/exact_file.h"
 #include "files/feature_file.h"
 #include "files/given_polycube_file.h"
@@ -31,8 +32,7 @@ namespace {
 struct PolycubeOptions {
   std::vector<std::string> inputs;
   std::string input;  // the first
-  std::string output;
-  std::string surface;
+  std::string output, surface;
   std::string landmarks;
   std::string from;
   std::string constraints;
@@ -44,8 +44,7 @@ struct PolycubeOptions {
   double area_weight = 1;
   std::string features;
   double feature_angle = 0;
-  bool text = false;
-  bool weld = false;
+  bool text = false, weld = false;
   PolycubeOutputs outputs;
 };
 
@@ -243,12 +242,13 @@ void say_polycube(const PolycubeOptions& options, const polycube::BestConstructi
   const polycube::Construction& made = best.made;
   for (const std::string& note : session.notes())
     session.say("note: " + note);
-  session.say("wrote " + options.output + ": a polycube with " + std::to_string(made.certificate.corners) +
-              " corners and " + std::to_string(made.certificate.patch_count) + " faces, genus " +
-              std::to_string(made.certificate.genus) + "; " + std::to_string(added) + " vertices were added");
+  const auto& is = made.certificate;
+  session.say("wrote " + options.output + ": a polycube with " + base::counted(is.corners, "corner") + " and " +
+              base::counted(is.patch_count, "face") + ", genus " + std::to_string(is.genus) + "; " +
+              base::counted(added, "vertex was", "vertices were") + " added");
   if (options.from.empty())
-    session.say("  constructed by " + polycube_method_name(best.method) + ", " + std::to_string(made.valid) +
-                " valid maps in " + std::to_string(made.tried) + " attempts");
+    session.say("  constructed by " + polycube_method_name(best.method) + ", " +
+                base::counted(made.valid, "valid map") + " in " + base::counted(made.tried, "attempt"));
   session.say("  mean distortion of angles " + std::to_string(made.distortion.angle_weighted_mean) + ", of areas " +
               std::to_string(made.distortion.area_weighted_mean) + " (over the surface; 1: none)");
   if (!options.surface.empty()) session.say("wrote " + options.surface);

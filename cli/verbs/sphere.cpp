@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "mesh/files/file.h"
 #include "mesh/files/write.h"
@@ -58,7 +59,9 @@ void check_mesh_file(const std::filesystem::path& path, const mesh::Mesh& writte
   if (!same) throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
   const std::size_t bad = sphere_map::count_not_positive(read.triangles, read.positions);
   if (bad > 0)
-    throw base::Error("no-valid-result", std::to_string(bad) + " triangles of the written map are not positive");
+    throw base::Error(
+        "no-valid-result",
+        base::counted(bad, "triangle of the written map is", "triangles of the written map are") + " not positive");
 }
 
 // Writes the map beside its place and checks what is there. `directions` become those that the file holds.
@@ -125,8 +128,8 @@ std::string write_partial(const SphereOptions& options, const ClosedSurface& inp
                                   {"triangles", surface.triangles.size()}};
   if (whole) return "kept in " + options.output + ": a map that is one to one, but not optimized to the end";
   return "kept in " + options.output + ": a partial map, " + std::to_string(partial.placed) + " of " +
-         std::to_string(surface.positions.size()) + " vertices placed, " + counted + " triangles positive, " +
-         std::to_string(flipped) + " flipped, the others without area";
+         base::counted(surface.positions.size(), "vertex", "vertices") + " placed, " + counted +
+         " triangles positive, " + std::to_string(flipped) + " flipped, the others without area";
 }
 
 // Energy by iteration of the method `dissertation`, its Figure 3.2.
@@ -268,7 +271,7 @@ void sphere(const SphereOptions& options, Session& session) {
     write_page(options.page, {&result, 1}, "Sphere map of " + name, session);
   }
 
-  session.say(options.input + ": " + std::to_string(surface.triangles.size()) + " triangles mapped to the sphere in " +
+  session.say(options.input + ": " + base::counted(surface.triangles.size(), "triangle") + " mapped to the sphere in " +
               number(computed) + " s, one to one, checked exactly in " + options.output);
   say_distortion(m, session);
   write_sphere_uses(options.uses, surface, directions, session);

@@ -3,6 +3,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "files/sizing_file.h"
 #include "files/surface_file.h"
 #include "mesh/files/file.h"
@@ -93,8 +94,9 @@ void tetrahedralize(TetrahedralizeOptions options, Session& session) {
                             {"seconds_write", session.seconds() - filled}});
   for (const std::string& note : session.notes())
     session.say("note: " + note);
-  session.say("wrote " + options.output + ": " + std::to_string(result.positions.size()) + " vertices (" +
-              std::to_string(added) + " added), " + std::to_string(result.tetrahedra.size()) + " tetrahedra");
+  session.say("wrote " + options.output + ": " + base::counted(result.positions.size(), "vertex", "vertices") + " (" +
+              std::to_string(added) + " added), " +
+              base::counted(result.tetrahedra.size(), "tetrahedron", "tetrahedra"));
   session.say("  dihedral angles " + angles_text(quality));
   session.say("  radius ratio    " + radii_text(quality));
 }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/files/file.h"
 #include "files/surface_file.h"
 #include "mesh/files/write.h"
@@ -124,8 +125,8 @@ mesh::Mesh read_rest(const UntangleVerb& verb, const mesh::Mesh& solid, Session&
       throw base::Error("unsupported", "not the same vertices and tetrahedra as " + verb.input);
     const auto found = volume_map::count_inverted(rest.tetrahedra, rest.positions, session.host());
     if (found.count > 0) {
-      throw base::Error("inverted-cell", std::to_string(found.count) + " tetrahedra are not positive, the first is " +
-                                             std::to_string(found.first));
+      throw base::Error("inverted-cell", base::counted(found.count, "tetrahedron is", "tetrahedra are") +
+                                             " not positive, the first is " + std::to_string(found.first));
     }
   });
   return rest;
@@ -198,10 +199,10 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
     if (result.inverted > 0) session.keep();
   }
   check_untangled(verb, solid, result, session);
-  session.say("wrote " + verb.output + ": " + std::to_string(solid.tetrahedra.size()) + " tetrahedra, all positive; " +
-              std::to_string(result.inverted_before) + " were not");
+  session.say("wrote " + verb.output + ": " + base::counted(solid.tetrahedra.size(), "tetrahedron", "tetrahedra") +
+              ", all positive; " + std::to_string(result.inverted_before) + " were not");
   session.say("  determinants from " + number(result.min_determinant) + " to " + number(result.max_determinant) +
-              ", after " + std::to_string(result.steps) + " + " + std::to_string(result.polish_steps) + " steps");
+              ", after " + std::to_string(result.steps) + " + " + base::counted(result.polish_steps, "step"));
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "mesh/search/unit_scale.h"
 #include "mesh/topology/cells.h"
@@ -76,9 +77,9 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   write_cells_exactly(verb.output, cells, verb.text, session);
   for (const std::string& note : session.notes())
     session.say("note: " + note);
-  session.say("wrote " + verb.output + ": " + std::to_string(cells.tetrahedra.size()) +
-              " tetrahedra on a polycube with " + std::to_string(findings.polycube->corners) +
-              " corners, one to one; " + std::to_string(map.inverted_at_start) + " were inverted at the start");
+  session.say("wrote " + verb.output + ": " + base::counted(cells.tetrahedra.size(), "tetrahedron", "tetrahedra") +
+              " on a polycube with " + base::counted(findings.polycube->corners, "corner") + ", one to one; " +
+              std::to_string(map.inverted_at_start) + " were inverted at the start");
   if (!verb.source.empty()) session.say("wrote " + verb.source);
 }
 

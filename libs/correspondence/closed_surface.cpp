@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/topology/topology.h"
 
@@ -19,7 +20,7 @@ mesh::OrientReport orient_genus_zero(mesh::Mesh& surface, const base::Host& host
 mesh::OrientReport orient_any_genus(mesh::Mesh& surface, std::int64_t& genus, const base::Host& host) {
   const mesh::Topology facts = mesh::topology(surface.positions, surface.triangles, host);
   mesh::require_closed_manifold(facts);
-  if (facts.components > 1) throw base::Error("not-connected", std::to_string(facts.components) + " components");
+  if (facts.components > 1) throw base::Error("not-connected", base::counted(facts.components, "component"));
   if (!facts.orientable) throw base::Error("non-orientable", "no orientation of the triangles is consistent");
   genus = facts.genus.value_or(0);
   return mesh::orient(surface.positions, surface.triangles, host);

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 
@@ -92,7 +93,8 @@ PolycubeMesh triangles_on(const polycube::CommonPolycube& common, std::size_t ce
   PolycubeMesh result =
       cells == 0 ? triangles_of_map(common.maps.front(), host) : triangles_of_grid(common.graph, cells, host);
   if (const std::size_t flipped = count_not_positive_on(result); flipped > 0)
-    throw base::Error("no-valid-result", std::to_string(flipped) + " triangles are flipped on the polycube");
+    throw base::Error("no-valid-result",
+                      base::counted(flipped, "triangle is", "triangles are") + " flipped on the polycube");
   return result;
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/file.h"
 #include "mesh/files/text_scanner.h"
@@ -29,7 +30,7 @@ Field read_frames(const std::filesystem::path& path, std::size_t count, const ba
   for (; !in.at_end_of_file(); in.next_line()) {
     if (in.at_end_of_line()) continue;
     if (field.size() == count)
-      in.fail("trailing-data", "more frames than the " + std::to_string(count) + " tetrahedra");
+      in.fail("trailing-data", "more frames than the " + base::counted(count, "tetrahedron", "tetrahedra"));
     Quaternion q{in.coordinate("w"), in.coordinate("x"), in.coordinate("y"), in.coordinate("z")};
     if (!in.at_end_of_line()) in.fail("parse", "more than four numbers");
     q = quaternion::normalized(q);
@@ -38,8 +39,8 @@ Field read_frames(const std::filesystem::path& path, std::size_t count, const ba
     in.progress();
   }
   if (field.size() < count) {
-    in.fail("truncated",
-            std::to_string(field.size()) + " frames, where there are " + std::to_string(count) + " tetrahedra");
+    in.fail("truncated", base::counted(field.size(), "frame") + ", where there are " +
+                             base::counted(count, "tetrahedron", "tetrahedra"));
   }
   return field;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "hexmesh/features/feature_hexes.h"
 #include "hexmesh/strategies/hex_pieces.h"
@@ -108,9 +109,9 @@ void fill_surface(const Work& work, Framed& result) {
   if (pieces.count > 1) {
     const auto second = std::find(pieces.of.begin(), pieces.of.end(), 1U) - pieces.of.begin();
     const Index v = surface.triangles[static_cast<std::size_t>(second)][0];
-    throw base::Error("not-connected", std::to_string(pieces.count) +
-                                           " pieces, and a frame field has one; the second has vertex " +
-                                           std::to_string(v) + ", at " + mesh::place_text(surface.positions[v]));
+    throw base::Error("not-connected", base::counted(pieces.count, "piece") +
+                                           ", and a frame field has one; the second has vertex " + std::to_string(v) +
+                                           ", at " + mesh::place_text(surface.positions[v]));
   }
   volume_map::FilledSolid filled =
       volume_map::filled_solid(surface, work.options.triangles, work.options.fill, work.host);
@@ -235,7 +236,7 @@ mesh::Mesh surface_of_one(const Work& work) {
     InputFindings findings;
     const volume_map::SurfacePieces pieces =
         volume_map::pieces_of_surface(surface, Inside::nothing, 0, findings, work.host);
-    if (pieces.count > 1) throw base::Error("not-connected", std::to_string(pieces.count) + " pieces");
+    if (pieces.count > 1) throw base::Error("not-connected", base::counted(pieces.count, "piece"));
     return surface;
   }
   const volume_map::BoundaryFirst first = volume_map::boundary_first(work.input, work.host);

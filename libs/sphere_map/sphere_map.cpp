@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/topology/degenerate_triangles.h"
 #include "mesh/topology/topology.h"
@@ -96,7 +97,8 @@ void check_exactly(std::span<const Triangle> triangles, std::span<const Vector3>
     bad += count_not_positive(triangles.subspan(begin, std::min(piece, triangles.size() - begin)), directions);
   }
   if (bad > 0) {
-    throw base::Error("no-valid-result", std::to_string(bad) + " triangles are not positive by exact predicates");
+    throw base::Error("no-valid-result",
+                      base::counted(bad, "triangle is", "triangles are") + " not positive by exact predicates");
   }
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "base/grouping.h"
 #include "mesh/search/predicates.h"
@@ -65,8 +66,9 @@ void add_tetrahedra(const TetgenMesh& made, const Regions& regions, const Array<
     solid.tetrahedra.push_back(t);
   }
   if (flat > 0) {
-    refuse(std::to_string(flat) + " of " + std::to_string(solid.tetrahedra.size()) +
-           " tetrahedra have no volume or are inside out in double precision");
+    refuse(std::to_string(flat) + " of " +
+           base::counted(solid.tetrahedra.size(), "tetrahedron has", "tetrahedra have") +
+           " no volume or are inside out in double precision");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <csignal>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "tetrahedra/assemble.h"
 #include "tetrahedra/input_check.h"
@@ -80,7 +81,7 @@ TetgenMesh run_tetgen(const ScaledSurface& surface, TetgenOptions options, const
     TetgenMesh made(host.memory);
     outcome = call_tetgen(surface.positions(), surface.triangles(), options, host, made);
     if (outcome.kind == TetgenOutcome::Kind::done) return made;
-    host.log(text(outcome) + " (tolerance " + std::to_string(std::lround(-std::log10(tolerance))) + " digits)");
+    host.log(text(outcome) + " (tolerance " + base::counted(std::lround(-std::log10(tolerance)), "digit") + ")");
     if (outcome.kind == TetgenOutcome::Kind::out_of_memory) throw base::Error("out-of-memory", text(outcome));
   }
   throw base::Error("no-valid-result", text(outcome));

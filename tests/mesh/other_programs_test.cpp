@@ -163,7 +163,7 @@ TEST_CASE("What decorates a surface is reported in one note") {
                  1) == Notes{"left out: 2 texture coordinates, 1 normal, 2 vertex colors, 1 use of a material, "
                              "1 name of a group or object"});
   CHECK(notes_of(Format::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nl 1 2\np 1\nsurf 0 1 0 1 1 2 3\n", 1) ==
-        Notes{"2 lines and points were passed over", "1 curves and surfaces of free form were passed over"});
+        Notes{"2 lines and points were passed over", "1 curve or surface of free form was passed over"});
   CHECK(notes_of(Format::off, "COFF\n4 1 0\n0 0 0 1 0 0 1\n1 0 0 1 0 0 1\n0 1 0 1 0 0 1\n0 0 1 1 0 0 1\n3 0 1 2 9\n",
                  1) == Notes{"left out: 4 colors, normals or texture coordinates of vertices, 1 color of a face"});
   CHECK(notes_of(Format::vtk,
@@ -177,7 +177,7 @@ TEST_CASE("Cells that are all inside out are turned with a note, others are not"
   ReadReport report;
   const Mesh mesh = read_text(Format::medit, turned, {}, &report);
   CHECK(mesh.tetrahedra == Array<Tetrahedron>{{0, 1, 2, 3}});
-  CHECK(report.notes == Notes{"all 1 tetrahedra were inside out, and were turned"});
+  CHECK(report.notes == Notes{"the only tetrahedron was inside out, and was turned"});
   CHECK(ends_as(Format::medit, replaced(turned, "1\n1 3 2 4 0\n", "2\n1 3 2 4 0\n1 2 3 4 0\n"), "inverted-cell"));
 }
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstring>
 
+#include "base/counted.h"
 #include "read_text.h"
 
 using namespace orbicube;
@@ -216,8 +217,9 @@ TEST_CASE("STL: both forms are distinguished, and their corners are joined") {
   for (const std::string& padding : {std::string("x"), std::string(50, '\0'), std::string(428, '\0')}) {
     ReadReport report;
     CHECK(read_text(Format::stl, binary + padding, {}, &report).triangles.size() == 4);
-    CHECK(report.notes ==
-          std::vector{std::to_string(padding.size()) + " bytes behind the last facet were passed over"});
+    CHECK(report.notes == std::vector{base::counted(padding.size(), "byte behind the last facet was",
+                                                    "bytes behind the last facet were") +
+                                      " passed over"});
   }
   CHECK(ends_as(Format::stl, binary + std::string(50, 'x'), "trailing-data", "byte"));
   CHECK(ends_as(Format::stl, replaced(text, "endloop", "endlop"), "parse", "line 7"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "gltf/json/base64.h"
 #include "gltf/json/structure.h"
@@ -73,11 +74,11 @@ BufferView Asset::view(int index, const std::string& where) {
   const std::string place = place_of("bufferViews", static_cast<std::size_t>(index));
   if (view.buffer < 0 || static_cast<std::size_t>(view.buffer) >= buffers_.size()) {
     throw base::Error("parse", place + ".buffer is " + std::to_string(view.buffer) + ", but there are " +
-                                   std::to_string(buffers_.size()) + " buffers");
+                                   base::counted(buffers_.size(), "buffer"));
   }
   const std::span<const std::byte> whole = buffer(static_cast<std::size_t>(view.buffer));
   if (view.byteOffset > whole.size() || view.byteLength > whole.size() - view.byteOffset) {
-    throw base::Error("accessor-range", place + " needs " + std::to_string(view.byteLength) + " bytes from " +
+    throw base::Error("accessor-range", place + " needs " + base::counted(view.byteLength, "byte") + " from " +
                                             std::to_string(view.byteOffset) + ", its buffer has " +
                                             std::to_string(whole.size()));
   }
@@ -91,7 +92,7 @@ std::span<const std::byte> Asset::buffer(std::size_t index) {
   const std::uint64_t length = description.required("byteLength").unsigned_integer();
   const std::span<const std::byte> bytes = load(index);
   if (length > bytes.size()) {
-    throw base::Error("truncated", description.path() + " declares " + std::to_string(length) + " bytes, but has " +
+    throw base::Error("truncated", description.path() + " declares " + base::counted(length, "byte") + ", but has " +
                                        std::to_string(bytes.size()));
   }
   return opened_.emplace(index, bytes.first(static_cast<std::size_t>(length))).first->second;

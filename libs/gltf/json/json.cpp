@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "base/counted.h"
 #include "base/error.h"
 
 namespace orbicube::gltf {
@@ -93,7 +94,7 @@ class JsonBuilder {
   bool open(JsonKind kind) {
     if (open_.size() == JsonDocument::deepest_nesting) {
       throw base::Error("depth-limit",
-                        "JSON nested deeper than " + std::to_string(JsonDocument::deepest_nesting) + " levels");
+                        "JSON nested deeper than " + base::counted(JsonDocument::deepest_nesting, "level"));
     }
     open_.push_back(static_cast<std::uint32_t>(to_.nodes_.size()));
     return add(kind, 0);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string_view>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "gltf/json/json_memory.h"
 #include "gltf/json/tiny_document.h"
@@ -96,7 +97,7 @@ void check_size(JsonValue root, std::size_t text_size) {
     if (value.kind() == JsonKind::array) elements += value.size();
   });
   if (elements * each > most_without_reason + per_byte * text_size)
-    throw base::Error("unsupported", "the document has " + std::to_string(elements) + " nearly empty objects");
+    throw base::Error("unsupported", "the document has " + base::counted(elements, "nearly empty object"));
 }
 
 void require_same_count(std::size_t in_model, JsonValue in_document, const std::string& what) {

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "gltf/json/uri.h"
 
@@ -101,7 +102,7 @@ void check_index_map(JsonValue value, const char* kind) {
 void check_numbers(JsonValue value, std::size_t count) {
   value.for_each_element([](JsonValue number) { number.number(); });
   if (count > 0 && value.size() != count)
-    throw base::Error("parse", value.path() + " does not have " + std::to_string(count) + " numbers");
+    throw base::Error("parse", value.path() + " does not have " + base::counted(count, "number"));
 }
 
 void check_component_type(JsonValue value) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <type_traits>
 
+#include "base/counted.h"
 #include "base/error.h"
 
 namespace orbicube::gltf {
@@ -47,8 +48,8 @@ Elements locate(Asset& asset, int buffer_view, std::uint64_t offset, std::uint64
   // offset + (count - 1) stride + element_size <= size, without a sum or product that could overflow.
   if (count > 0 &&
       (element_size > size || offset > size - element_size || count - 1 > (size - element_size - offset) / stride)) {
-    fail_range(where, "needs " + std::to_string(count) + " elements from byte " + std::to_string(offset) +
-                          ", its buffer view has " + std::to_string(size) + " bytes");
+    fail_range(where, "needs " + base::counted(count, "element") + " from byte " + std::to_string(offset) +
+                          ", its buffer view has " + base::counted(size, "byte"));
   }
   return {count > 0 ? view.bytes.data() + offset : nullptr, stride, static_cast<std::size_t>(count)};
 }
@@ -108,7 +109,7 @@ Replacements replacements_of(Asset& asset, std::size_t accessor, std::size_t ele
     if (i % elements_between_reports == 0) asset.host().report("reading sparse values", i, result.elements.size());
     if (result.elements[i] >= from.count) {
       throw base::Error("index-range", where + ".indices has " + std::to_string(result.elements[i]) + " of " +
-                                           std::to_string(from.count) + " elements");
+                                           base::counted(from.count, "element"));
     }
   }
   return result;
@@ -128,7 +129,7 @@ std::size_t checked_count(const Asset& asset, std::size_t accessor) {
   const tiny::Accessor& from = description(asset, accessor);
   if (from.count == 0) throw base::Error("empty-mesh", place(accessor) + " has no elements");
   if (from.bufferView < 0 && from.count > asset.stored_bytes())
-    fail_range(place(accessor), "has " + std::to_string(from.count) + " elements, more than the file has bytes");
+    fail_range(place(accessor), "has " + base::counted(from.count, "element") + ", more than the file has bytes");
   return from.count;
 }
 
@@ -184,7 +185,7 @@ template <class Value>
 void check_index(std::size_t accessor, Value value, std::size_t limit) {
   if (value < limit && value != std::numeric_limits<Value>::max()) return;
   throw base::Error("index-range", place(accessor) + " has the index " + std::to_string(value) + ", but there are " +
-                                       std::to_string(limit) + " vertices");
+                                       base::counted(limit, "vertex", "vertices"));
 }
 
 template <class Value>

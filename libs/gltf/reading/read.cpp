@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "gltf/json/asset.h"
 #include "gltf/json/uri.h"
@@ -263,8 +264,8 @@ class SurfaceReader {
   void add_triangles(std::span<const Index> corners, Mode mode, bool mirrored, const std::string& where) {
     const bool separate = mode == Mode::triangles;
     if (separate && corners.size() % 3 != 0) {
-      throw base::Error("parse", where + " has " + std::to_string(corners.size()) +
-                                     " corners of triangles, which is no multiple of 3");
+      throw base::Error("parse", where + " has " + base::counted(corners.size(), "corner") +
+                                     " of triangles, which is no multiple of 3");
     }
     const std::size_t count = separate ? corners.size() / 3 : corners.size() < 3 ? 0 : corners.size() - 2;
     if (mirrored) mirrored_ += count;

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 
 namespace orbicube::gltf {
@@ -29,7 +30,7 @@ Container open_binary(std::span<const std::byte> bytes) {
   const std::uint32_t version = word_at(bytes, 4), declared = word_at(bytes, 8);
   if (version != 2) throw base::Error("unsupported-version", "GLB version " + std::to_string(version) + ", not 2");
   if (declared > bytes.size()) {
-    throw base::Error("truncated", "the GLB header says " + std::to_string(declared) + " bytes, the file has " +
+    throw base::Error("truncated", "the GLB header says " + base::counted(declared, "byte") + ", the file has " +
                                        std::to_string(bytes.size()));
   }
   if (bytes.size() < header_size + chunk_header_size) throw base::Error("truncated", "the GLB file has no chunk");

@@ -6,6 +6,7 @@
 #include <random>
 #include <string>
 
+#include "base/counted.h"
 #include "base/random.h"
 #include "base/sums.h"
 #include "harmonics/fitting/conjugate_gradients.h"
@@ -34,10 +35,10 @@ Samples checked(std::span<const Vector3> directions, std::span<const double> wei
   if (channels == 0) throw wrong("no values");
   if (directions.empty()) throw wrong("no directions");
   if (values.size() != directions.size() * channels)
-    throw wrong(std::to_string(values.size()) + " values, " + std::to_string(directions.size() * channels) +
+    throw wrong(base::counted(values.size(), "value") + ", " + std::to_string(directions.size() * channels) +
                 " are needed");
   if (!weights.empty() && weights.size() != directions.size())
-    throw wrong(std::to_string(weights.size()) + " weights for " + std::to_string(directions.size()) + " directions");
+    throw wrong(base::counted(weights.size(), "weight") + " for " + base::counted(directions.size(), "direction"));
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i]))
       throw wrong("the value at direction " + std::to_string(i / channels) + " is not finite");
@@ -231,13 +232,13 @@ void refuse_too_high_degree(std::size_t samples, const FitOptions& options) {
   const double iterations = max_passes * max_iterations + 4 * degree;
   const double seconds = seconds_of_product * std::pow(degree + 1, 3) * iterations;
   const auto highest = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(samples))) - 1;
-  throw base::Error("invalid-argument",
-                    "degree " + std::to_string(options.degree) + " has " + std::to_string(basis_size(options.degree)) +
-                        " coefficients, more than the " + std::to_string(samples) + " samples, and may take " +
-                        (seconds < 7200 ? std::to_string(std::lround(seconds / 60)) + " minutes"
-                                        : std::to_string(std::lround(seconds / 3600)) + " hours") +
-                        "; that many samples determine degree " + std::to_string(highest) +
-                        ": lower the degree, or set smoothing, or choose the iterative method");
+  throw base::Error("invalid-argument", "degree " + std::to_string(options.degree) + " has " +
+                                            base::counted(basis_size(options.degree), "coefficient") +
+                                            ", more than the " + base::counted(samples, "sample") + ", and may take " +
+                                            (seconds < 7200 ? base::counted(std::lround(seconds / 60), "minute")
+                                                            : base::counted(std::lround(seconds / 3600), "hour")) +
+                                            "; that many samples determine degree " + std::to_string(highest) +
+                                            ": lower the degree, or set smoothing, or choose the iterative method");
 }
 
 }  // namespace

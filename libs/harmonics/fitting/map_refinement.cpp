@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 
 namespace orbicube::harmonics {
@@ -28,8 +29,8 @@ Stars stars_of(std::size_t vertices, std::span<const Triangle> triangles, const 
   for (const Triangle& t : triangles) {
     for (const std::uint32_t v : t) {
       if (v >= vertices)
-        throw base::Error("index-range",
-                          "triangle index " + std::to_string(v) + " of " + std::to_string(vertices) + " vertices");
+        throw base::Error("index-range", "triangle index " + std::to_string(v) + " of " +
+                                             base::counted(vertices, "vertex", "vertices"));
       ++stars.begin[v + 1];
     }
   }
@@ -130,8 +131,8 @@ RefinementReport refine_map(std::span<const Vector3> positions, std::span<const 
                             std::span<const double> weights, const RefinementOptions& options,
                             std::span<Vector3> directions, const base::Host& host) {
   if (positions.size() != directions.size() || positions.empty())
-    throw base::Error("invalid-argument", std::to_string(positions.size()) + " positions but " +
-                                              std::to_string(directions.size()) + " directions");
+    throw base::Error("invalid-argument", base::counted(positions.size(), "position") + " but " +
+                                              base::counted(directions.size(), "direction"));
   const std::span<const double> values(positions.front().data(), 3 * positions.size());
   const Array<Vector3> unit = unit_directions(directions, host);
   std::copy(unit.begin(), unit.end(), directions.begin());

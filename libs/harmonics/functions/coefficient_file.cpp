@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/counted.h"
 #include "base/files/file.h"
 #include "harmonics/functions/field_scanner.h"
 
@@ -177,10 +178,11 @@ Coefficients parse_spharm(std::span<const std::byte> bytes, const base::Host& ho
   const auto side = static_cast<std::uint64_t>(std::llround(std::sqrt(static_cast<double>(*count))));
   if (side > 0) require_readable_degree(scanner, side - 1);
   if (side == 0 || side * side != *count)
-    scanner.fail("parse", std::to_string(*count) + " coefficients, which is not (L + 1)^2 for any degree L");
+    scanner.fail("parse", base::counted(*count, "coefficient") + ", which is not (L + 1)^2 for any degree L");
   // Each triple takes at least the six characters {0,0,0} has less one.
   if (*count > bytes.size() / 6)
-    scanner.fail("truncated", "the file says that it has " + std::to_string(*count) + " coefficients and is too short");
+    scanner.fail("truncated",
+                 "the file says that it has " + base::counted(*count, "coefficient") + " and is too short");
   Coefficients coefficients(static_cast<std::uint32_t>(side - 1), coordinates, host.memory);
   for (std::uint32_t l = 0; l <= coefficients.degree; ++l) {
     host.report("reading", l, side);

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "base/counted.h"
 #include "hexmesh/features/embedding.h"
 
 namespace orbicube::hexmesh {
@@ -29,8 +30,8 @@ class Regions {
     if (auto obstacle = name_regions()) return obstacle;
     if (patch_.size() != shape_.patches()) {
       return FeatureObstacle{no_index, no_index,
-                             "the paths of the arcs bound " + std::to_string(patch_.size()) + " regions, there are " +
-                                 std::to_string(shape_.patches()) + " patches"};
+                             "the paths of the arcs bound " + base::counted(patch_.size(), "region") + ", there are " +
+                                 base::counted(shape_.patches(), "patch", "patches")};
     }
     embedding_.quad_patches.resize(region_.size());
     for (std::size_t q = 0; q < region_.size(); ++q)

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "frame_field/frame_field.h"
 #include "frame_field/singularities/meshability.h"
@@ -241,8 +242,8 @@ FrameHexes make_hexahedra_along_frames(std::span<const Vector3> positions, std::
         if (!first_refusal) first_refusal = std::current_exception();
       }
     } else {
-      host.log("field " + std::to_string(fields) + ": " + std::to_string(faults) +
-               " edges and vertices of no hexahedra");
+      host.log("field " + std::to_string(fields) + ": " +
+               base::counted(faults, "edge or vertex", "edges and vertices") + " of no hexahedra");
     }
     if (faults >= fewest) continue;
     fewest = faults;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/counted.h"
 #include "hexmesh/certificate/hex_embedding.h"
 #include "hexmesh/certificate/surface_distance.h"
 #include "hexmesh/quality/gap_opening.h"
@@ -57,13 +58,14 @@ bool better(const HexResult& x, const HexResult& y, double distance) {
 
 std::string what_is_wrong(const HexQuality& q) {
   if (q.positive() && q.intersections > 0)
-    return "the boundary of the hexahedra meets itself: " + std::to_string(q.intersections) +
-           " pairs of quads intersect, the first at " + mesh::place_text(q.first_intersection);
+    return "the boundary of the hexahedra meets itself: " +
+           base::counted(q.intersections, "pair of quads intersects", "pairs of quads intersect") + ", the first at " +
+           mesh::place_text(q.first_intersection);
   if (q.positive() && q.misplaced_parts > 0)
     return "parts of the boundary of the hexahedra lie on the wrong side of others: " +
            std::to_string(q.misplaced_parts) + ", the first at " + mesh::place_text(q.first_intersection);
-  return std::to_string(q.inverted) + " hexahedra have a corner that is not positive, " + std::to_string(q.uncertain) +
-         " more are not certainly positive; the first is " + std::to_string(q.first_bad);
+  return base::counted(q.inverted, "hexahedron has", "hexahedra have") + " a corner that is not positive, " +
+         std::to_string(q.uncertain) + " more are not certainly positive; the first is " + std::to_string(q.first_bad);
 }
 
 HexDraft::HexDraft(HexMesh mesh, std::size_t padding, double scale, const PolycubeSurface& surface,

@@ -11,6 +11,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "base/host.h"
 
@@ -32,7 +33,7 @@ class BinaryScanner {
   void require_room(std::uint64_t items, std::uint64_t bytes_each, const char* what) const {
     if (items > left() / bytes_each) {
       fail("truncated", "the file says that it has " + std::to_string(items) + " " + what + ", but only " +
-                            std::to_string(left()) + " bytes follow");
+                            base::counted(left(), "byte follows", "bytes follow"));
     }
   }
 

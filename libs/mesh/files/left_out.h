@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
+
 namespace orbicube::mesh {
 
 struct LeftOut {
@@ -18,8 +20,7 @@ inline void note_left_out(const std::vector<LeftOut>& things, std::vector<std::s
   std::string text;
   for (const auto& [count, one, many] : things) {
     if (count == 0) continue;
-    text.append(text.empty() ? "left out: " : ", ").append(std::to_string(count)).append(" ");
-    text += count == 1 ? one : many;
+    text.append(text.empty() ? "left out: " : ", ").append(base::counted(count, one, many));
   }
   if (!text.empty()) notes.push_back(text);
 }

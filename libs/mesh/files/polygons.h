@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "base/counted.h"
 #include "base/host.h"
 #include "mesh/mesh.h"
 
@@ -20,10 +21,11 @@ class Polygons {
   template <class Place>
   void add(std::span<const Index> corners, const Place& place) {
     if (corners.size() < 3) {
-      place.fail("parse", "a face with " + std::to_string(corners.size()) + " vertices, where three are the fewest");
+      place.fail("parse",
+                 "a face with " + base::counted(corners.size(), "vertex", "vertices") + ", where three are the fewest");
     }
     if (const auto repeated = repeated_corner(corners)) {
-      place.fail("degenerate-face", "a face of " + std::to_string(corners.size()) + " corners has one twice: vertex " +
+      place.fail("degenerate-face", "a face of " + base::counted(corners.size(), "corner") + " has one twice: vertex " +
                                         std::to_string(*repeated) + ", counted from 0");
     }
     append(corners);

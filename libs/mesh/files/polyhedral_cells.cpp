@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 #include "mesh/topology/cells.h"
@@ -120,8 +121,7 @@ std::string text_of_counts(std::span<const std::size_t, rows.size()> cells) {
   std::string text;
   for (std::size_t k = 0; k < rows.size(); ++k) {
     if (cells[k] == 0) continue;
-    text.append(text.empty() ? "" : ", ").append(std::to_string(cells[k])).append(" ");
-    text += cells[k] == 1 ? rows[k].one : rows[k].many;
+    text.append(text.empty() ? "" : ", ").append(base::counted(cells[k], rows[k].one, rows[k].many));
   }
   return text;
 }
@@ -175,7 +175,8 @@ void PolyhedralCells::cut_into_tetrahedra(Mesh& mesh, std::vector<std::string>& 
     mesh.tetrahedra.insert(mesh.tetrahedra.end(), made.begin(), made.end());
   });
   std::string text = text_of_counts(cells);
-  text += (kinds_.size() == 1 ? " was cut into " : " were cut into ") + std::to_string(tetrahedra) + " tetrahedra";
+  text += (kinds_.size() == 1 ? " was cut into " : " were cut into ") +
+          base::counted(tetrahedra, "tetrahedron", "tetrahedra");
   if (centers > 0) text += ", " + std::to_string(centers) + " of the cells around a vertex of their own";
   notes.push_back(text);
 }

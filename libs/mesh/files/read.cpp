@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/file.h"
 #include "mesh/files/text_scanner.h"
@@ -24,11 +25,12 @@ bool is_closed(const Mesh& mesh, const base::Host& host) {
 
 void note_turned_cells(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host) {
   const CellTurnReport turned = turn_inverted_cells(mesh, host);
-  const auto tell = [&](std::size_t count, const char* what) {
-    if (count > 0) notes.push_back("all " + std::to_string(count) + " " + what + " were inside out, and were turned");
+  const auto tell = [&](std::size_t count, const std::string& one, const char* many) {
+    if (count == 1) notes.push_back("the only " + one + " was inside out, and was turned");
+    if (count > 1) notes.push_back("all " + std::to_string(count) + " " + many + " were inside out, and were turned");
   };
-  tell(turned.tetrahedra, "tetrahedra");
-  tell(turned.hexahedra, "hexahedra");
+  tell(turned.tetrahedra, "tetrahedron", "tetrahedra");
+  tell(turned.hexahedra, "hexahedron", "hexahedra");
 }
 
 Mesh read_mesh(const std::filesystem::path& path, const ReadOptions& options, const base::Host& host,
@@ -52,9 +54,10 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
   Mesh mesh = row_of(format).read(bytes, host, r);
   if (mesh.triangles.empty() && !has_cells(mesh)) {
-    throw base::Error("empty-mesh", mesh.positions.empty() ? "the file has no vertices and no faces"
-                                                           : "the file has " + std::to_string(mesh.positions.size()) +
-                                                                 " vertices, but no faces");
+    throw base::Error("empty-mesh", mesh.positions.empty()
+                                        ? "the file has no vertices and no faces"
+                                        : "the file has " + base::counted(mesh.positions.size(), "vertex", "vertices") +
+                                              ", but no faces");
   }
   note_turned_cells(mesh, r.notes, host);
   const bool asked = options.weld_identical && (has_cells(mesh) || !is_closed(mesh, host));
@@ -63,10 +66,12 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
     r.welded_vertices = welded.vertices;
     if (mesh.triangles.empty() && !has_cells(mesh)) {
       throw base::Error("degenerate-geometry",
-                        "each of the " + std::to_string(welded.triangles) + " faces has two corners at one position");
+                        "each of the " + base::counted(welded.triangles, "face") + " has two corners at one position");
     }
     if (welded.triangles > 0) {
-      r.notes.push_back(std::to_string(welded.triangles) + " faces with two corners at one position were left out");
+      r.notes.push_back(base::counted(welded.triangles, "face with two corners at one position was",
+                                      "faces with two corners at one position were") +
+                        " left out");
     }
   }
   require_valid_cells(mesh, host);

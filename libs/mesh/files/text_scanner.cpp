@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "base/counted.h"
 #include "base/error.h"
 
 namespace orbicube::mesh {
@@ -169,8 +170,8 @@ Index TextScanner::index(std::int64_t first, std::size_t limit) {
   }
   if (value < first || static_cast<std::uint64_t>(value - first) >= limit) {
     at_ = start;
-    fail("index-range", "vertex index " + std::to_string(value) + " of " + std::to_string(limit) +
-                            " vertices, which are counted from " + std::to_string(first));
+    fail("index-range", "vertex index " + std::to_string(value) + " of " + base::counted(limit, "vertex", "vertices") +
+                            ", which are counted from " + std::to_string(first));
   }
   return static_cast<Index>(value - first);
 }
@@ -179,7 +180,7 @@ void TextScanner::require_room(std::uint64_t items, std::size_t bytes_each, cons
   const auto room = static_cast<std::uint64_t>(end_ - at_) + 1;  // the last line needs no end
   if (items > room / bytes_each) {
     fail("truncated", "the file says that it has " + std::to_string(items) + " " + what + ", but only " +
-                          std::to_string(end_ - at_) + " bytes follow");
+                          base::counted(end_ - at_, "byte follows", "bytes follow"));
   }
 }
 

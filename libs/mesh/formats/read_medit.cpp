@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/counted.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/polygons.h"
 #include "mesh/files/polyhedral_cells.h"
@@ -73,7 +74,7 @@ class MeditReader {
     } else if (is_unread_cell(name)) {
       scanner_.skip_space();
       if (const std::uint64_t n = scanner_.count("the number of items"); n > 0) {
-        scanner_.fail("unsupported", std::to_string(n) + " cells in the section " + in_quotes(name) +
+        scanner_.fail("unsupported", base::counted(n, "cell") + " in the section " + in_quotes(name) +
                                          ", which is not read; without them a part of the shape would be missing");
       }
     } else {

@@ -1,6 +1,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/polygons.h"
@@ -39,14 +40,17 @@ class ObjReader {
     if (max_index_ > static_cast<std::int64_t>(mesh_.positions.size())) {
       throw base::Error("index-range", "line " + std::to_string(scanner_.line_of(place_of_largest_)) +
                                            ": vertex index " + std::to_string(max_index_) + " of " +
-                                           std::to_string(mesh_.positions.size()) + " vertices");
+                                           base::counted(mesh_.positions.size(), "vertex", "vertices"));
     }
     report_.format = "OBJ";
     report_.polygons = faces_.larger_than_triangles();
     faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
-    if (lines_ > 0) report_.notes.push_back(std::to_string(lines_) + " lines and points were passed over");
+    if (lines_ > 0)
+      report_.notes.push_back(base::counted(lines_, "line or point was", "lines and points were") + " passed over");
     if (free_form_ > 0)
-      report_.notes.push_back(std::to_string(free_form_) + " curves and surfaces of free form were passed over");
+      report_.notes.push_back(
+          base::counted(free_form_, "curve or surface of free form was", "curves and surfaces of free form were") +
+          " passed over");
     note_left_out({{texture_coordinates_, "texture coordinate", "texture coordinates"},
                    {normals_, "normal", "normals"},
                    {colors_, "vertex color", "vertex colors"},
@@ -100,7 +104,7 @@ class ObjReader {
     if (given == 0) scanner_.fail("index-range", "vertex index 0: OBJ files count from 1");
     if (given < -count) {
       scanner_.fail("index-range",
-                    "vertex index " + std::to_string(given) + " after " + std::to_string(count) + " vertices");
+                    "vertex index " + std::to_string(given) + " after " + base::counted(count, "vertex", "vertices"));
     }
     if (given > static_cast<std::int64_t>(no_index)) {
       scanner_.fail("index-range", "vertex index " + std::to_string(given) + " is out of range");

@@ -2,6 +2,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/binary_scanner.h"
 #include "mesh/files/left_out.h"
@@ -183,7 +184,7 @@ class PlyReader {
 
   std::uint64_t list_size(const PlyProperty& p) {
     const std::int64_t count = body_.integer(*p.count_type);
-    if (count < 0) body_.fail("parse", "a list of " + std::to_string(count) + " entries");
+    if (count < 0) body_.fail("parse", "a list of " + base::counted(count, "entry", "entries"));
     body_.require_list(static_cast<std::uint64_t>(count), p.type);
     return static_cast<std::uint64_t>(count);
   }
@@ -235,7 +236,7 @@ class PlyReader {
   void check_index(std::int64_t index) {
     if (index < 0 || static_cast<std::uint64_t>(index) >= vertex_count_) {
       body_.fail("index-range",
-                 "vertex index " + std::to_string(index) + " of " + std::to_string(vertex_count_) + " vertices");
+                 "vertex index " + std::to_string(index) + " of " + base::counted(vertex_count_, "vertex", "vertices"));
     }
   }
 

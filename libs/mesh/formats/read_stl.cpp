@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "base/counted.h"
 #include "mesh/files/binary_scanner.h"
 #include "mesh/files/text_scanner.h"
 #include "mesh/formats/codecs.h"
@@ -29,10 +30,13 @@ void note_trailing(BinaryScanner& scanner, std::uint32_t count, std::span<const 
   if (trailing.empty()) return;
   const bool zeros = std::ranges::all_of(trailing, [](std::byte b) { return b == std::byte{0}; });
   if (count == 0 || (trailing.size() % facet_size == 0 && !zeros)) {
-    scanner.fail("trailing-data", "the file says that it has " + std::to_string(count) + " facets, but " +
-                                      std::to_string(scanner.left()) + " bytes follow, which is more");
+    scanner.fail("trailing-data", "the file says that it has " + base::counted(count, "facet") + ", but " +
+                                      base::counted(scanner.left(), "byte follows", "bytes follow") +
+                                      ", which is more");
   }
-  report.notes.push_back(std::to_string(trailing.size()) + " bytes behind the last facet were passed over");
+  report.notes.push_back(
+      base::counted(trailing.size(), "byte behind the last facet was", "bytes behind the last facet were") +
+      " passed over");
 }
 
 Mesh read_binary(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report) {
@@ -92,7 +96,8 @@ class TextReader {
       report_.notes.emplace_back("the file ends without endsolid");
     }
     if (passed_over_ > 0)
-      report_.notes.push_back(std::to_string(passed_over_) + " lines behind endsolid were passed over");
+      report_.notes.push_back(base::counted(passed_over_, "line behind endsolid was", "lines behind endsolid were") +
+                              " passed over");
     return std::move(mesh_);
   }
 
@@ -159,7 +164,7 @@ class TextReader {
   }
 
   void end_facet() {
-    if (corners_ != 3) scanner_.fail("parse", "a facet with " + std::to_string(corners_) + " corners");
+    if (corners_ != 3) scanner_.fail("parse", "a facet with " + base::counted(corners_, "corner"));
     corners_ = 0;
     state_ = State::in_solid;
     add_facet(mesh_);

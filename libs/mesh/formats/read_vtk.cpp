@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/polygons.h"
@@ -188,7 +189,7 @@ class VtkReader {
       return;
     }
     body_.require_room(second, VtkNumber::int32, "vertex indices of cells");
-    if (first > second) body_.fail("parse", std::to_string(first) + " cells in " + std::to_string(second) + " numbers");
+    if (first > second) body_.fail("parse", base::counted(first, "cell") + " in " + base::counted(second, "number"));
     offsets_.reserve(first + 1);
     connectivity_.reserve(second - first);
     offsets_.push_back(0);
@@ -196,8 +197,8 @@ class VtkReader {
       const std::int64_t corners = body_.integer(VtkNumber::int32);
       const std::uint64_t room = second - first - connectivity_.size();
       if (corners < 0 || static_cast<std::uint64_t>(corners) > room) {
-        body_.fail("parse", "cell " + std::to_string(i) + " has " + std::to_string(corners) +
-                                " corners, more than the section holds");
+        body_.fail("parse", "cell " + std::to_string(i) + " has " + base::counted(corners, "corner") +
+                                ", more than the section holds");
       }
       for (std::int64_t k = 0; k < corners; ++k)
         connectivity_.push_back(index(body_.integer(VtkNumber::int32)));
@@ -209,7 +210,7 @@ class VtkReader {
   Index index(std::int64_t value) {
     if (value < 0 || static_cast<std::uint64_t>(value) >= mesh_.positions.size()) {
       body_.fail("index-range",
-                 "vertex index " + std::to_string(value) + " of " + std::to_string(mesh_.positions.size()) + " points");
+                 "vertex index " + std::to_string(value) + " of " + base::counted(mesh_.positions.size(), "point"));
     }
     return static_cast<Index>(value);
   }
@@ -232,8 +233,8 @@ class VtkReader {
   void cell_types(const Words& words) {
     const std::uint64_t n = count(words, 1);
     if (n + 1 != std::max<std::size_t>(1, offsets_.size())) {
-      body_.fail("parse", std::to_string(n) + " types of " +
-                              std::to_string(offsets_.empty() ? 0 : offsets_.size() - 1) + " cells");
+      body_.fail("parse",
+                 base::counted(n, "type") + " of " + base::counted(offsets_.empty() ? 0 : offsets_.size() - 1, "cell"));
     }
     body_.require_room(n, VtkNumber::int32, "types of cells");
     std::uint64_t i = 0;
@@ -274,8 +275,8 @@ class VtkReader {
 
   void require_corners(std::size_t corners, std::span<const Index> c, std::uint64_t number) {
     if (c.size() != corners) {
-      body_.fail("parse", "cell " + std::to_string(number) + " has " + std::to_string(c.size()) +
-                              " corners, where its type has " + std::to_string(corners));
+      body_.fail("parse", "cell " + std::to_string(number) + " has " + base::counted(c.size(), "corner") +
+                              ", where its type has " + std::to_string(corners));
     }
   }
 

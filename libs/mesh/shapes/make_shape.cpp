@@ -3,6 +3,7 @@
 #include <array>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/shapes/make_shape_kinds.h"
 
@@ -44,7 +45,7 @@ std::span<const ShapeDescription> shapes() {
 Mesh make_shape(std::string_view name, const ShapeOptions& options, const base::Host& host) {
   constexpr std::size_t max_triangles = 100'000'000;
   if (options.triangles > max_triangles) {
-    throw base::Error("invalid-argument", std::to_string(options.triangles) + " triangles; at most " +
+    throw base::Error("invalid-argument", base::counted(options.triangles, "triangle") + "; at most " +
                                               std::to_string(max_triangles) + " can be made");
   }
   for (const Shape& shape : table) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "base/grouping.h"
 #include "mesh/search/predicates.h"
@@ -189,7 +190,7 @@ Array<Key<size>> boundary(std::span<const Cell> cells, std::span<const Vector3> 
     alone += count == 1;
     if (count <= 2) return;
     const Key<size>& key = entries[first].key;
-    crowded.add([&] { return text(key) + " of " + std::to_string(count) + " cells" + at(positions[key[0]]); });
+    crowded.add([&] { return text(key) + " of " + base::counted(count, "cell") + at(positions[key[0]]); });
   });
   crowded.refuse("non-manifold-face", "faces of more than two cells");
   Array<Key<size>> result(host.memory);
@@ -282,7 +283,7 @@ void check_edges(const Boundary& boundary, std::span<const Vector3> positions, c
   for_each_group(entries, [&](std::size_t first, std::size_t count) {
     if (count <= 2) return;
     const Key<2>& key = entries[first].key;
-    crowded.add([&] { return text(key) + " of " + std::to_string(count) + " boundary faces" + at(positions[key[0]]); });
+    crowded.add([&] { return text(key) + " of " + base::counted(count, "boundary face") + at(positions[key[0]]); });
   });
   crowded.refuse("non-manifold-edge", "edges where parts of the solid touch");
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "base/grouping.h"
 #include "mesh/search/measures.h"
@@ -197,10 +198,6 @@ std::string text(const Edge& e) {
   return std::to_string(e[0]) + "-" + std::to_string(e[1]);
 }
 
-std::string count(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + " " + (n == 1 ? one : many);
-}
-
 [[noreturn]] void refuse(const char* kind, const std::string& what) {
   throw base::Error(kind, what);
 }
@@ -215,25 +212,25 @@ void require_closed_manifold(const Topology& t) {
   if (t.triangles == 0) refuse("empty-mesh", "there are no triangles");
   if (t.low == t.high) refuse("degenerate-geometry", "all vertices are at the same point");
   if (t.degenerate_faces > 0) {
-    refuse("degenerate-face", count(t.degenerate_faces, "face has", "faces have") + " a repeated vertex; first face " +
-                                  std::to_string(t.first_degenerate_face));
+    refuse("degenerate-face", base::counted(t.degenerate_faces, "face has", "faces have") +
+                                  " a repeated vertex; first face " + std::to_string(t.first_degenerate_face));
   }
   if (t.duplicate_faces > 0) {
-    refuse("duplicate-face", count(t.duplicate_faces, "face repeats", "faces repeat") +
+    refuse("duplicate-face", base::counted(t.duplicate_faces, "face repeats", "faces repeat") +
                                  " the vertices of another; first faces " + std::to_string(t.first_duplicate_faces[0]) +
                                  " and " + std::to_string(t.first_duplicate_faces[1]));
   }
   if (t.non_manifold_edges > 0) {
-    refuse("non-manifold-edge", count(t.non_manifold_edges, "edge has", "edges have") +
+    refuse("non-manifold-edge", base::counted(t.non_manifold_edges, "edge has", "edges have") +
                                     " more than two faces; first edge " + text(t.first_non_manifold_edge));
   }
   if (t.boundary_edges > 0) {
-    refuse("not-closed", count(t.boundary_loops, "boundary loop", "boundary loops") + ", the longest with " +
-                             count(t.longest_boundary_loop, "edge", "edges") + "; first edge " +
+    refuse("not-closed", base::counted(t.boundary_loops, "boundary loop") + ", the longest with " +
+                             base::counted(t.longest_boundary_loop, "edge") + "; first edge " +
                              text(t.first_boundary_edge));
   }
   if (t.non_manifold_vertices > 0) {
-    refuse("non-manifold-vertex", count(t.non_manifold_vertices, "vertex joins", "vertices join") +
+    refuse("non-manifold-vertex", base::counted(t.non_manifold_vertices, "vertex joins", "vertices join") +
                                       " parts that share no edge; first vertex " +
                                       std::to_string(t.first_non_manifold_vertex));
   }
@@ -242,12 +239,12 @@ void require_closed_manifold(const Topology& t) {
 void require_closed_genus_zero(const Topology& t) {
   require_closed_manifold(t);
   if (t.components > 1) {
-    refuse("not-connected", "the surface has " + std::to_string(t.components) + " parts; vertex " +
+    refuse("not-connected", "the surface has " + base::counted(t.components, "part") + "; vertex " +
                                 std::to_string(t.first_vertex_apart) + " is not connected with the first one");
   }
   if (!t.orientable) refuse("non-orientable", "the surface has one side only, like a Moebius strip");
   if (t.inconsistent_edges > 0) {
-    refuse("inconsistent-orientation", count(t.inconsistent_edges, "edge lies", "edges lie") +
+    refuse("inconsistent-orientation", base::counted(t.inconsistent_edges, "edge lies", "edges lie") +
                                            " between faces that are turned against each other; first edge " +
                                            text(t.first_inconsistent_edge));
   }

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/topology/topology.h"
 #include "polycube/dissertation/corner_mapping.h"
@@ -85,7 +86,7 @@ class Algorithm3 {
     const Drawn drawn = mapper_.draw(layout_, points);
     if (!drawn.valid()) {
       reason_ = drawn.first;
-      if (drawn.defects > 1) reason_ += ", and at " + std::to_string(drawn.defects - 1) + " other places";
+      if (drawn.defects > 1) reason_ += ", and at " + base::counted(drawn.defects - 1, "other place");
       return false;
     }
     PatchMap map = mapper_.map(layout_, drawn);
@@ -164,8 +165,8 @@ class PrintedConstruction {
 
   Printed run() {
     if (candidates_.empty())
-      throw base::Error("no-valid-result", "no octree has the genus of the surface within " +
-                                               std::to_string(max_points()) + " corner points");
+      throw base::Error("no-valid-result",
+                        "no octree has the genus of the surface within " + base::counted(max_points(), "corner point"));
     PrintedMapper mapper(surface_, host_);
     for (Candidate& candidate : candidates_) {
       for (const Projection projection : {Projection::nearest, Projection::along_normal}) {
@@ -182,7 +183,7 @@ class PrintedConstruction {
 
   bool attempt(const Candidate& candidate, Projection projection, PrintedMapper& mapper) {
     const std::string name = "octree of depth " + std::to_string(candidate.depth) + ", " +
-                             std::to_string(candidate.layout.nodes.size()) + " corner points" +
+                             base::counted(candidate.layout.nodes.size(), "corner point") +
                              (projection == Projection::nearest ? ": " : " projected along normals: ");
     ++tried_;
     try {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/counted.h"
 #include "base/error.h"
 
 namespace orbicube::polycube::dissertation {
@@ -25,8 +26,9 @@ PatchMap PrintedMapper::map(const Layout& layout, const Drawn& drawn) {
 FinishedMap PrintedMapper::finish(const Layout& layout, const Drawn& drawn, Certificate& certificate) const {
   FinishedMap finished = finish_map(layout, surface_, drawn, host_);
   if (finished.flipped > 0)
-    throw base::Error("no-valid-result", "the harmonic maps fold over: " + std::to_string(finished.flipped) +
-                                             " flipped triangles, the first in " + finished.first);
+    throw base::Error("no-valid-result",
+                      "the harmonic maps fold over: " + base::counted(finished.flipped, "flipped triangle") +
+                          ", the first in " + finished.first);
   certificate = certify(finished.map, host_);
   if (!certificate.valid()) throw base::Error("no-valid-result", certificate.reason);
   return finished;

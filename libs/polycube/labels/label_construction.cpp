@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "polycube/labels/label_trials.h"
 #include "polycube/map/whole_surface_map.h"
@@ -40,8 +41,8 @@ class LabelConstruction {
       result.valid = candidates.size();
       if (finish(candidate, result)) return result;
     }
-    throw base::Error("no-valid-result", "none of " + std::to_string(trials.tried()) +
-                                             " labelings has a valid map within the budget. " + failures_.text());
+    throw base::Error("no-valid-result", "none of " + base::counted(trials.tried(), "labeling") +
+                                             " has a valid map within the budget. " + failures_.text());
   }
 
  private:

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "polycube/labels/label_repair.h"
 #include "polycube/labels/label_search.h"
@@ -58,7 +59,7 @@ std::string name_of(double compactness, LabelNormals normals, std::size_t corner
   const char* const kind = normals == LabelNormals::plain      ? ""
                            : normals == LabelNormals::smoothed ? "smoothed, "
                                                                : "turned, ";
-  return "compactness " + std::to_string(compactness) + ", " + kind + std::to_string(corners) + " corners: ";
+  return "compactness " + std::to_string(compactness) + ", " + kind + base::counted(corners, "corner") + ": ";
 }
 
 // Returns the largest region that is not for the most part one that was tried.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/intersections.h"
 #include "mesh/search/predicates.h"
@@ -118,8 +119,8 @@ class Certifier {
       if (result_.labels[i] == no_label && wrong++ == 0) first = i;
     }
     if (wrong == 0) return true;
-    return refuse(std::to_string(wrong) + " triangles lie in no axis-aligned plane or have no area, the first is " +
-                  std::to_string(first));
+    return refuse(base::counted(wrong, "triangle lies", "triangles lie") +
+                  " in no axis-aligned plane or have no area, the first is " + std::to_string(first));
   }
 
   void patches(const Connectivity& connectivity) {
@@ -169,8 +170,8 @@ class Certifier {
       } while (next != first && label(next) == label(h));
       const int eighths = turns.eighths();
       if (inside ? eighths != 8 : (eighths % 2 != 0 || eighths < 2 || eighths > 6))
-        return refuse("the triangles around vertex " + std::to_string(vertex) + " turn by " + std::to_string(eighths) +
-                      " eighths within one patch of the polycube");
+        return refuse("the triangles around vertex " + std::to_string(vertex) + " turn by " +
+                      base::counted(eighths, "eighth") + " within one patch of the polycube");
       ++faces;
       straight += eighths == 4;
       h = next;
@@ -200,9 +201,9 @@ class Certifier {
     for (const Index i : farthest)
       outward += i != no_index && sign_of(result_.labels[i]) > 0;
     if (outward == 1) return true;
-    return refuse(outward == 0
-                      ? "the polycube is inside out"
-                      : std::to_string(outward) + " components are outward-oriented; a solid has one, and cavities");
+    return refuse(outward == 0 ? "the polycube is inside out"
+                               : base::counted(outward, "component is", "components are") +
+                                     " outward-oriented; a solid has one, and cavities");
   }
 
   bool embedded(const Connectivity& connectivity) {

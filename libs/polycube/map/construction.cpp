@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/measures.h"
 #include "mesh/search/unit_scale.h"
@@ -129,10 +130,10 @@ class BestOfAll {
       tried_ += made.tried;
       valid_ += made.valid;
       if (budget_ > 0 && made.certificate.corners > budget_)
-        return fail("no fewer than " + std::to_string(made.certificate.corners) + " corners");
+        return fail("no fewer than " + base::counted(made.certificate.corners, "corner"));
       made.distortion = improve_map(made.map, made.certificate, {}, host_);
       const Distortion& d = made.distortion;
-      host_.log(name + ": " + std::to_string(made.certificate.corners) + " corners, angle " +
+      host_.log(name + ": " + base::counted(made.certificate.corners, "corner") + ", angle " +
                 std::to_string(d.angle_mean) + ", area " + std::to_string(d.area_mean));
       if (found() && !better(made, best_.made)) return true;
       best_.made = std::move(made);

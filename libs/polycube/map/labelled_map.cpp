@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "polycube/map/starts.h"
 #include "polycube/map/untangling.h"
@@ -51,9 +52,10 @@ class LabelledMap {
     if (as_wanted && attempt(untangling, 0)) return std::move(outcome_);
     if (!signs_.consistent() && attempt(untangling, 0, steps_without_signs)) return std::move(outcome_);
     if (!signs_.consistent()) {
-      outcome_.reason = "no signs of arcs make the labels a polycube: " + std::to_string(signs_.bad_corners.size()) +
-                        " corners and " + std::to_string(signs_.bad_patches.size()) + " patches are in conflict; " +
-                        outcome_.reason;
+      outcome_.reason =
+          "no signs of arcs make the labels a polycube: " + base::counted(signs_.bad_corners.size(), "corner") +
+          " and " + base::counted(signs_.bad_patches.size(), "patch is", "patches are") + " in conflict; " +
+          outcome_.reason;
       return std::move(outcome_);
     }
     // Each of these finds maps that the others do not.
@@ -94,7 +96,7 @@ class LabelledMap {
   bool make(Untangling& untangling, double first_eps, int steps) {
     if (!untangling.untangle({std::min(steps, options_.untangling_steps), first_eps, 1})) {
       keep_best(untangling.flipped());
-      outcome_.reason = std::to_string(untangling.flipped()) + " triangles stay flipped";
+      outcome_.reason = base::counted(untangling.flipped(), "triangle stays", "triangles stay") + " flipped";
       return false;
     }
     untangling.polish(options_.polishing_steps, options_.area_weight);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/topology/topology.h"
 #include "polycube/layout/layout_map.h"
@@ -99,7 +100,7 @@ class VoxelConstruction {
   }
 
   void fail(const std::string& reason, std::size_t corners) {
-    host_.log(std::to_string(corners) + " corners: " + reason);
+    host_.log(base::counted(corners, "corner") + ": " + reason);
     auto same = std::find_if(failures_.begin(), failures_.end(), [&](const Failure& f) { return f.reason == reason; });
     if (same == failures_.end()) same = failures_.insert(failures_.end(), {reason, corners, corners});
     if (corners == 0) return;

@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/rotations.h"
 #include "sphere_map/sampling/locator.h"
@@ -11,8 +12,8 @@ namespace orbicube::sphere_map {
 
 Matrix3 best_rotation(std::span<const Vector3> from, std::span<const Vector3> to) {
   if (from.size() != to.size() || from.empty()) {
-    throw base::Error("invalid-argument",
-                      std::to_string(from.size()) + " directions are to be turned onto " + std::to_string(to.size()));
+    throw base::Error("invalid-argument", base::counted(from.size(), "direction is", "directions are") +
+                                              " to be turned onto " + std::to_string(to.size()));
   }
   // A touch of the identity decides what the pairs do not.
   Matrix3 sum = 1e-9 * Matrix3::Identity();

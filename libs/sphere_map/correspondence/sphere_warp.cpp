@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/nearest.h"
 #include "sphere_map/correspondence/landmark_flow.h"
@@ -59,8 +60,8 @@ std::size_t level_for(double apart) {
 SphereWarp::SphereWarp(std::span<const Vector3> from, std::span<const Vector3> to, const base::Host& host)
     : rest_(host.memory), moved_(host.memory) {
   if (from.size() != to.size() || from.empty())
-    throw base::Error("invalid-argument",
-                      std::to_string(from.size()) + " landmarks are to go to " + std::to_string(to.size()));
+    throw base::Error("invalid-argument", base::counted(from.size(), "landmark is", "landmarks are") + " to go to " +
+                                              std::to_string(to.size()));
   const Array<Vector3> start = checked(from, "landmark", host);
   const Array<Vector3> end = checked(to, "goal of landmark", host);
   rest_ = make_grid(GridKind::icosphere, level_for(std::min(nearest_two(start), nearest_two(end))), host);
@@ -92,8 +93,9 @@ SphereWarp::SphereWarp(std::span<const Vector3> from, std::span<const Vector3> t
     moved_ = std::move(repaired.directions);
   }
   if (const std::size_t bad = count_not_positive(rest_.triangles, moved_); bad > 0) {
-    throw base::Error("no-valid-result", "the landmarks pull the sphere over itself: " + std::to_string(bad) +
-                                             " triangles of its grid are flipped");
+    throw base::Error("no-valid-result",
+                      "the landmarks pull the sphere over itself: " +
+                          base::counted(bad, "triangle of its grid is", "triangles of its grid are") + " flipped");
   }
   at_rest_ = std::make_unique<const Locator>(rest_.triangles, rest_.directions, host);
   when_moved_ = std::make_unique<const Locator>(rest_.triangles, moved_, host);

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 #include "mesh/topology/degenerate_triangles.h"
@@ -43,15 +44,15 @@ SingularValues singular_values(const Vector3& p, const Vector3& q, const Vector3
 Array<std::uint8_t> checked_use(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                 std::span<const Vector3> directions, const base::Host& host) {
   if (positions.size() != directions.size()) {
-    throw base::Error("invalid-argument", std::to_string(positions.size()) + " positions but " +
-                                              std::to_string(directions.size()) + " directions");
+    throw base::Error("invalid-argument", base::counted(positions.size(), "position") + " but " +
+                                              base::counted(directions.size(), "direction"));
   }
   Array<std::uint8_t> used(positions.size(), 0, host.memory);
   for (const Triangle& t : triangles) {
     for (const Index v : t) {
       if (v >= positions.size()) {
         throw base::Error("invalid-argument", "triangle index " + std::to_string(v) + " of " +
-                                                  std::to_string(positions.size()) + " vertices");
+                                                  base::counted(positions.size(), "vertex", "vertices"));
       }
       used[v] = 1;
     }

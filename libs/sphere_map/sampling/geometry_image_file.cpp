@@ -8,6 +8,7 @@
 #include <new>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "base/files/png.h"
 #include "mesh/files/file.h"
@@ -110,8 +111,8 @@ Bytes to_png(const GeometryImage& image, const base::Host& host) {
 void set_size(GeometryImage& image, std::size_t width, std::size_t height) {
   const auto layout = layout_of_size(width, height);
   if (!layout) {
-    throw base::Error("parse", "an image of " + std::to_string(width) + " x " + std::to_string(height) +
-                                   " pixels; geometry images are squares of an odd side or 3 x 2 squares");
+    throw base::Error("parse", "an image of " + std::to_string(width) + " x " + base::counted(height, "pixel") +
+                                   "; geometry images are squares of an odd side or 3 x 2 squares");
   }
   image.layout = *layout;
   image.width = width;

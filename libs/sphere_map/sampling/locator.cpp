@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "base/grouping.h"
 #include "mesh/search/predicates.h"
@@ -66,12 +67,12 @@ Vector3 balanced_length(const Vector3& d) {
 std::span<const Triangle> checked(std::span<const Triangle> triangles, std::span<const Vector3> directions) {
   if (triangles.empty()) throw base::Error("invalid-argument", "a map without triangles");
   if (triangles.size() >= has_children / 3)
-    throw base::Error("unsupported", "a map of " + std::to_string(triangles.size()) + " triangles");
+    throw base::Error("unsupported", "a map of " + base::counted(triangles.size(), "triangle"));
   for (const Triangle& t : triangles) {
     for (const Index v : t) {
       if (v >= directions.size()) {
         throw base::Error("invalid-argument", "triangle index " + std::to_string(v) + " of " +
-                                                  std::to_string(directions.size()) + " directions");
+                                                  base::counted(directions.size(), "direction"));
       }
       require_direction(directions[v], "the direction of vertex", v);
       if (const double square = directions[v].squaredNorm(); !(square > 0.25 && square < 4))
@@ -120,13 +121,14 @@ void Locator::require_bijection(const base::Host& host) {
   }
   orientation_ = positive >= negative ? 1 : -1;
   if (const std::size_t good = std::max(positive, negative); good < triangles_.size()) {
-    throw base::Error("invalid-argument", "the map is no bijection: " + std::to_string(triangles_.size() - good) +
-                                              " triangles are flipped or without area on the sphere");
+    throw base::Error("invalid-argument", "the map is no bijection: " +
+                                              base::counted(triangles_.size() - good, "triangle is", "triangles are") +
+                                              " flipped or without area on the sphere");
   }
   // Where every triangle has the same sign, the sphere is covered a whole number of times.
   if (const double degree = std::abs(angle) / (4 * std::numbers::pi); degree > 1.5) {
-    throw base::Error("invalid-argument", "the map is no bijection: it covers the sphere " +
-                                              std::to_string(std::lround(degree)) + " times");
+    throw base::Error("invalid-argument",
+                      "the map is no bijection: it covers the sphere " + base::counted(std::lround(degree), "time"));
   }
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "sphere_map/hierarchy/spherical_kernel.h"
 #include "sphere_map/hierarchy/vertex_rings.h"
@@ -195,7 +196,8 @@ Array<Vector3> round_to_float(std::span<const Triangle> triangles, std::span<con
   RoundedMap map = round_and_repair(positive, directions, to_float, 0, host);
   if (map.not_positive > 0) {
     throw base::Error("no-valid-result",
-                      std::to_string(map.not_positive) + " triangles of the map are too small for float32");
+                      base::counted(map.not_positive, "triangle of the map is", "triangles of the map are") +
+                          " too small for float32");
   }
   return std::move(map.directions);
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "frame_field/singularities/meshability.h"
 #include "mesh/search/predicates.h"
@@ -48,11 +49,10 @@ void require_meshable(const FramedSolid& solid, const Connectivity& connectivity
     const char* turn = edge.kind() == CubeClass::face_half   ? "by half a turn about an axis"
                        : edge.kind() == CubeClass::edge_half ? "by half a turn about a diagonal"
                                                              : "by a third of a turn";
-    throw base::Error("no-valid-result", std::to_string(local.edges.size()) +
-                                             " singular edges are those of no hexahedral mesh; around edge " +
-                                             std::to_string(p) + "-" + std::to_string(q) + " of curve " +
-                                             curve_of(local.edges.front()) + ", at " + text_of(solid.positions[p]) +
-                                             ", frames turn " + turn);
+    throw base::Error("no-valid-result", base::counted(local.edges.size(), "singular edge is", "singular edges are") +
+                                             " those of no hexahedral mesh; around edge " + std::to_string(p) + "-" +
+                                             std::to_string(q) + " of curve " + curve_of(local.edges.front()) +
+                                             ", at " + text_of(solid.positions[p]) + ", frames turn " + turn);
   }
   if (local.vertices.empty()) return;
   const Index v = local.vertices.front();
@@ -61,9 +61,9 @@ void require_meshable(const FramedSolid& solid, const Connectivity& connectivity
   for (Index i = 0; i < graph.edges.size() && curve.empty(); ++i) {
     if (graph.edges[i].vertices[0] == v || graph.edges[i].vertices[1] == v) curve = curve_of(i);
   }
-  throw base::Error("no-valid-result", std::to_string(local.vertices.size()) +
-                                           " vertices are those of no hexahedral mesh; at vertex " + std::to_string(v) +
-                                           ", " + text_of(solid.positions[v]) +
+  throw base::Error("no-valid-result", base::counted(local.vertices.size(), "vertex is", "vertices are") +
+                                           " those of no hexahedral mesh; at vertex " + std::to_string(v) + ", " +
+                                           text_of(solid.positions[v]) +
                                            (node ? ", singular curves meet that cannot, among them curve "
                                                  : ", edges with three cells become edges with five, on curve ") +
                                            curve);
@@ -115,8 +115,9 @@ class Mapping {
       constexpr std::size_t few = 20;  // one of this number of tetrahedra
       if (!last && collapsed_.empty() && bad.size() * few < solid.tetrahedra.size()) return false;
       throw base::Error("no-valid-result",
-                        collapsed_ + std::to_string(bad.size()) + " of " + std::to_string(solid.tetrahedra.size()) +
-                            " tetrahedra stay inverted after " + std::to_string(map_.steps) + " steps, the first at " +
+                        collapsed_ + std::to_string(bad.size()) + " of " +
+                            base::counted(solid.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay") +
+                            " inverted after " + base::counted(map_.steps, "step") + ", the first at " +
                             text_of(solid.positions[solid.tetrahedra[bad.front()][0]]) +
                             beside(bad.front(), cut, connectivity, rings));
     }
@@ -178,8 +179,8 @@ class Mapping {
     collapsed_.clear();
     if (rounding.violated > 0) {
       const std::size_t b = rounding.first_violated;
-      collapsed_ = std::to_string(rounding.violated) + " of " + std::to_string(layers.bounds.size()) +
-                   " layers of cells would collapse, the first between " + text_of(layers.from[b]) + " and " +
+      collapsed_ = std::to_string(rounding.violated) + " of " + base::counted(layers.bounds.size(), "layer") +
+                   " of cells would collapse, the first between " + text_of(layers.from[b]) + " and " +
                    text_of(layers.to[b]) + "; ";
     }
     integers = rounding.integers;
@@ -334,7 +335,7 @@ class Mapping {
       if (last) {
         throw base::Error("no-valid-result", "the map goes round edge " + std::to_string(p) + "-" + std::to_string(q) +
                                                  " at " + text_of(map_.solid.positions[p]) + " with " +
-                                                 std::to_string(quarters) + " right angles");
+                                                 base::counted(quarters, "right angle"));
       }
       for (const Index face : rings.faces(ring))
         bad.push_back(face / 4);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "base/counted.h"
 #include "base/error.h"
 
 namespace orbicube::volume_map {
@@ -55,8 +56,8 @@ SolutionLattice::SolutionLattice(std::size_t unknowns, std::pmr::memory_resource
     : unknowns_(unknowns), dimension_(unknowns), columns_(memory), product_(memory) {
   constexpr std::size_t most = 6000;
   if (unknowns > most) {
-    throw base::Error("no-valid-result", "the field has " + std::to_string(unknowns) +
-                                             " integer unknowns: more singular curves than can be laid on a grid");
+    throw base::Error("no-valid-result", "the field has " + base::counted(unknowns, "integer unknown") +
+                                             ": more singular curves than can be laid on a grid");
   }
   columns_.assign(unknowns * unknowns, 0);
   for (std::size_t i = 0; i < unknowns; ++i)

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/topology/orient.h"
 #include "mesh/topology/topology.h"
@@ -88,7 +89,10 @@ void turn_parts(const SurfacePieces& pieces, std::span<mesh::Triangle> triangles
     std::swap(triangles[i][1], triangles[i][2]);
     ++turned;
   }
-  if (turned > 0) findings.note(std::to_string(turned) + " triangles of parts that looked into the solid were turned");
+  if (turned > 0)
+    findings.note(base::counted(turned, "triangle of parts that looked into the solid was",
+                                "triangles of parts that looked into the solid were") +
+                  " turned");
 }
 
 // The solid of one piece, still without its polycube. `power`: see size_exponent().
@@ -136,14 +140,17 @@ SurfacePieces pieces_of_surface(mesh::Mesh& surface, Inside inside, std::size_t 
   require_closed_surface(surface.positions, surface.triangles, host);
   const mesh::OrientReport turned = mesh::orient(surface.positions, surface.triangles, host);
   if (turned.triangles_turned > 0)
-    findings.note(std::to_string(turned.triangles_turned) + " triangles were turned to agree with their neighbors");
+    findings.note(base::counted(turned.triangles_turned, "triangle was", "triangles were") +
+                  " turned to agree with their neighbors");
   if (turned.turned_outward) findings.note("the surface looked inward; all triangles were turned");
   SurfacePieces pieces = surface_pieces(surface.positions, surface.triangles, host);
   if (max_pieces > 0) require_cells_for_pieces(pieces.count, max_pieces);
   turn_parts(pieces, surface.triangles, findings);
   if (inside == Inside::nothing || pieces.count + pieces.cavities > 1) {
     const std::size_t pairs = refuse_self_intersections(surface.positions, surface.triangles, few, host);
-    if (pairs > 0) findings.note(std::to_string(pairs) + " pairs of triangles meet where they should not");
+    if (pairs > 0)
+      findings.note(base::counted(pairs, "pair of triangles meets", "pairs of triangles meet") +
+                    " where they should not");
   }
   findings.surface = {surface.positions.size(), surface.triangles.size(),
                       mesh::topology(surface.positions, surface.triangles, host).genus.value_or(0), pieces.cavities};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/topology/cells.h"
 #include "volume_map/input/solid_pieces.h"
@@ -19,10 +20,10 @@ BoundaryFirst boundary_first(const mesh::Mesh& solid, const base::Host& host) {
   const Pieces pieces = pieces_of(solid.tetrahedra, solid.positions.size(), host);
   if (pieces.count > 1) {
     const auto first = static_cast<std::size_t>(std::find(pieces.of.begin(), pieces.of.end(), 1U) - pieces.of.begin());
-    throw base::Error("not-connected",
-                      std::to_string(pieces.count) + " pieces, which have no common polycube; tetrahedron " +
-                          std::to_string(first) + ", at " + place_text(solid.positions[solid.tetrahedra[first][0]]) +
-                          ", is not connected with the first one");
+    throw base::Error("not-connected", base::counted(pieces.count, "piece") +
+                                           ", which have no common polycube; tetrahedron " + std::to_string(first) +
+                                           ", at " + place_text(solid.positions[solid.tetrahedra[first][0]]) +
+                                           ", is not connected with the first one");
   }
   base::Array<mesh::Index> number(solid.positions.size(), mesh::no_index, host.memory);
   const auto take = [&](mesh::Index& v) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/bounding_volume_tree.h"
 #include "mesh/search/intersections.h"
@@ -307,8 +308,8 @@ mesh::Mesh PieceCutter::piece(std::size_t which) {
 
 void require_cells_for_pieces(std::size_t pieces, std::size_t cells) {
   if (pieces <= cells) return;
-  throw base::Error("invalid-argument", std::to_string(pieces) + " pieces need at least one cell each, " +
-                                            std::to_string(cells) +
+  throw base::Error("invalid-argument", base::counted(pieces, "piece needs", "pieces need") +
+                                            " at least one cell each, " + std::to_string(cells) +
                                             " were requested; remove small pieces, or request more");
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/topology/cells.h"
 #include "polycube/map/certificate.h"
@@ -149,8 +150,8 @@ class Mapping {
       if (elements_[i].jacobian(map_.image).determinant() > 0) continue;
       ++(i < map_.tetrahedra.size() ? tetrahedra : triangles);
     }
-    return std::to_string(tetrahedra) + " tetrahedra and " + std::to_string(triangles) +
-           " triangles of the boundary stay inverted";
+    return base::counted(tetrahedra, "tetrahedron", "tetrahedra") + " and " +
+           base::counted(triangles, "triangle of the boundary stays", "triangles of the boundary stay") + " inverted";
   }
 
  private:
@@ -206,7 +207,7 @@ SolidMap map_solid(const polycube::SurfaceMap& surface, std::span<const Vector3>
   const InvertedCount found = count_inverted(map.tetrahedra, map.image, host);
   if (found.count > 0) {
     throw base::Error("no-valid-result", "the map of the solid could not be made one to one: " +
-                                             std::to_string(found.count) + " tetrahedra are flat");
+                                             base::counted(found.count, "tetrahedron is", "tetrahedra are") + " flat");
   }
   const polycube::Certificate certificate =
       polycube::certify(std::span(map.image).first(target.size()), surface.triangles, host);

@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 #include "volume_map/input/solid_pieces.h"
@@ -175,9 +176,10 @@ Untangled untangle(const UntangleProblem& mesh, const UntangleOptions& options, 
 
 void require_untangled(const Untangled& result, std::size_t tetrahedra) {
   if (result.inverted == 0) return;
-  throw base::Error("no-valid-result", std::to_string(result.inverted) + " of " + std::to_string(tetrahedra) +
-                                           " tetrahedra stay inverted after " + std::to_string(result.steps) +
-                                           " steps, the first is " + std::to_string(result.first_inverted));
+  throw base::Error("no-valid-result", std::to_string(result.inverted) + " of " +
+                                           base::counted(tetrahedra, "tetrahedron stays", "tetrahedra stay") +
+                                           " inverted after " + base::counted(result.steps, "step") +
+                                           ", the first is " + std::to_string(result.first_inverted));
 }
 
 }  // namespace orbicube::volume_map
