@@ -373,6 +373,27 @@ def main():
         check_harmonics(data["results"][0], rebuilt, at(names[0]))
         check(["Degree of the harmonics", "10"] in data["results"][0]["figures"], "the degree is not told")
 
+        # A shape that lies otherwise is rotated to how the first one lies; its map has the same directions.
+        angle = 2.1
+        with open(at(names[0]), encoding="utf-8") as source, open(at("turned.obj"), "w", encoding="utf-8") as out:
+            for line in source:
+                if line.startswith("v "):
+                    x, y, z = (float(word) for word in line.split()[1:4])
+                    x, y = x * math.cos(angle) - y * math.sin(angle), x * math.sin(angle) + y * math.cos(angle)
+                    line = f"v {x!r} {z!r} {-y!r}\n"
+                out.write(line)
+        pairs = [at(names[0]), maps[0], at("turned.obj"), maps[0]]
+        run("page", *pairs, "-o", at("aligned.html"), "--align", "shape", "--quiet")
+        with open(at("aligned.html"), encoding="utf-8") as file:
+            data = json.loads(re.search(r'id="results">(.*?)</script>', file.read(), re.S).group(1))
+        first, second = (steps_of(result) * result["step"] + result["low"] for result in data["results"])
+        # The alignment is exact for two positions of one shape; positions are rounded to steps of the box over 65535.
+        off = abs(numpy.sort(first, axis=0) - numpy.sort(second, axis=0)).max() / numpy.ptp(first, axis=0).max()
+        check(off < 1e-4, f"the turned shape is not aligned: {off}")
+        refused = subprocess.run([COMMAND, "page", *pairs[:2], "-o", at("wrong.html"), "--align", "shape"],
+                                 capture_output=True, text=True, timeout=60)
+        check(refused.returncode == 2 and "--align" in refused.stderr, f"one shape to align: {refused}")
+
         # A map of another shape is refused.
         refused = subprocess.run([COMMAND, "page", at(names[0]), maps[1], "-o", at("wrong.html")], capture_output=True,
                                  text=True, timeout=60)
