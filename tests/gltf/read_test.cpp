@@ -337,7 +337,7 @@ TEST_CASE("Morph targets count with their default weights, those of the node bef
   file.json["meshes"][0]["weights"] = {0.0, 0.5};
   CHECK(read_text(file.glb(), {}, &report).positions[3] == mesh::Vector3(0, 2, 1));
   CHECK(report.notes ==
-        std::vector<std::string>{"1 meshes with morph targets, taken with the weights that the file gives them"});
+        std::vector<std::string>{"1 mesh with morph targets, taken with the weights that the file gives them"});
   file.json["nodes"][0]["weights"] = {0.25, -0.25};
   CHECK(read_text(file.glb()).positions[3] == mesh::Vector3(1, -1, 1));
   // One that is asked for counts in full, whatever the weights.

@@ -69,17 +69,17 @@ class SurfaceReader {
 
   mesh::Mesh finish(mesh::ReadReport* report) {
     if (report != nullptr) *report = {};
-    note_if(mirrored_, " triangles of mirrored nodes, turned back");
-    note_if(dropped_, " triangles of strips and fans with equal corners, left out");
-    note_if(left_out_, " primitives of points or lines, left out");
-    note_if(hidden_, (" meshes of nodes of scale 0, left out; the first is that of " + first_hidden_).c_str());
-    note_if(skinned_, " skinned meshes, taken as they are without their skins");
-    note_if(weighted_, " meshes with morph targets, taken with the weights that the file gives them");
+    note_if(mirrored_, "triangle", "triangles", " of mirrored nodes, turned back");
+    note_if(dropped_, "triangle", "triangles", " of strips and fans with equal corners, left out");
+    note_if(left_out_, "primitive", "primitives", " of points or lines, left out");
+    note_if(hidden_, "mesh", "meshes", " of nodes of scale 0, left out; the first is that of " + first_hidden_);
+    note_if(skinned_, "skinned mesh", "skinned meshes", ", taken as they are without their skins");
+    note_if(weighted_, "mesh", "meshes", " with morph targets, taken with the weights that the file gives them");
     note_decoration();
     if (kept_ != nullptr) keep_corners(*kept_, surface_);
     weld_if_needed(report);
     if (const std::size_t trailing = asset_.container().trailing_bytes; trailing > 0)
-      note_if(trailing, " bytes behind the end of the GLB, ignored");
+      note_if(trailing, "byte", "bytes", " behind the end of the GLB, ignored");
     if (report != nullptr) {
       report->format = asset_.container().binary ? "GLB" : "glTF";
       report->notes = std::move(notes_);
@@ -96,8 +96,8 @@ class SurfaceReader {
     std::size_t count;
   };
 
-  void note_if(std::size_t count, const char* what) {
-    if (count > 0) notes_.push_back(std::to_string(count) + what);
+  void note_if(std::size_t count, const char* one, const char* many, const std::string& what) {
+    if (count > 0) notes_.push_back(base::counted(count, one, many) + what);
   }
 
   void weld_if_needed(mesh::ReadReport* report) {
@@ -110,8 +110,8 @@ class SurfaceReader {
     if (kept_ != nullptr) weld_corners(*kept_, surface_, asset_.host());
     const mesh::WeldReport welded = mesh::weld(surface_, asset_.host());
     if (report != nullptr) report->welded_vertices = welded.vertices;
-    note_if(welded.vertices, (std::string(" vertices joined to others at the same position") + why).c_str());
-    note_if(welded.triangles, " triangles with two corners at the same position, left out");
+    note_if(welded.vertices, "vertex", "vertices", std::string(" joined to others at the same position") + why);
+    note_if(welded.triangles, "triangle", "triangles", " with two corners at the same position, left out");
     if (surface_.triangles.empty()) throw base::Error("degenerate-geometry", "every triangle has two equal corners");
   }
 

@@ -117,7 +117,8 @@ class VtkReader {
       cell_types(words);
     } else if (name == "lines" || name == "vertices") {
       cell_array(words);
-      if (offsets_.size() > 1) pass_over(offsets_.size() - 1, name == "lines" ? "lines" : "vertices");
+      if (offsets_.size() > 1)
+        pass_over(offsets_.size() - 1, name == "lines" ? "line" : "vertex", name == "lines" ? "lines" : "vertices");
     } else {
       body_.fail("parse", in_quotes(words[0]) + " is no section of a dataset");
     }
@@ -241,11 +242,11 @@ class VtkReader {
     std::size_t passed_over = 0;
     for_each_cell(
         [&](std::span<const Index> cell) { passed_over += !add_cell(body_.integer(VtkNumber::int32), cell, i++); });
-    if (passed_over > 0) pass_over(passed_over, "points and lines");
+    if (passed_over > 0) pass_over(passed_over, "point or line", "points and lines");
   }
 
-  void pass_over(std::size_t count, const char* what) {
-    passed_over_.append(passed_over_.empty() ? "" : ", ").append(std::to_string(count)).append(" ").append(what);
+  void pass_over(std::size_t count, const char* one, const char* many) {
+    passed_over_.append(passed_over_.empty() ? "" : ", ").append(base::counted(count, one, many));
   }
 
   // Leaving cells out would leave a hole.
