@@ -30,6 +30,7 @@ void add_examples(CLI::App& app) {
   const std::map<std::string, const char*> examples = {
       {"info", "scan.ply"},
       {"convert", "scan.stl scan.ply"},
+      {"repair", "scan.ply -o closed.ply"},
       {"make", "bracket -o bracket.obj --resolution 50000"},
       {"sphere", "creature.obj -o creature.glb --page creature.html"},
       {"frames", "part.mesh -o part.frames --glb part.glb"},
@@ -61,6 +62,7 @@ int run(int argc, char** argv) {
   orbicube::cli::add_common_options(app, common);
   orbicube::cli::add_info(app, common);
   orbicube::cli::add_convert(app, common);
+  orbicube::cli::add_repair(app, common);
   orbicube::cli::add_make(app, common);
   orbicube::cli::add_sphere(app, common);
   orbicube::cli::add_frames(app, common);

@@ -89,7 +89,7 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
                                           .landmarks = options.landmarks,
                                           .construction = {.corners = options.corners, .seed = session.seed()},
                                           .domain = {},
-                                          .weld = options.weld,
+                                          .mending = options.mending,
                                           .keep_first = keep_for(options.output, Keep::decoration)},
                                          session);
   const std::size_t cells = cells_of(options, shared.meshes);

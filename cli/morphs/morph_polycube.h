@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "session/session.h"
+#include "solids/repaired_surface.h"
 
 namespace orbicube::cli {
 
@@ -17,7 +18,7 @@ struct PolycubeMorphOptions {
   std::size_t corners = 0;
   std::size_t steps = 0;
   double seconds = 2;
-  bool weld = false;
+  Mending mending;
   bool show_polycube = false;  // it becomes a target, after the first shape
 };
 

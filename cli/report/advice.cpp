@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <numeric>
 #include <optional>
 #include <utility>
@@ -97,7 +98,7 @@ std::optional<std::pair<Index, Edge>> vertex_on_edge(const mesh::Mesh& m, const 
   return std::nullopt;
 }
 
-std::string of_holes(const mesh::Mesh& m, const base::Host& host) {
+std::string of_holes(const mesh::Mesh& m, const std::string& repair, const base::Host& host) {
   const std::vector<Edge> boundary = boundary_of(m, host);
   const std::vector<Index> vertices = vertices_of(boundary);
   if (const std::size_t n = doubled(m, vertices, host); n > 0) {
@@ -106,12 +107,12 @@ std::string of_holes(const mesh::Mesh& m, const base::Host& host) {
   if (const auto found = vertex_on_edge(m, boundary, vertices)) {
     const auto& [v, e] = *found;
     return "vertex " + std::to_string(v) + " at " + mesh::place_text(m.positions[v]) + " lies on the edge " +
-           std::to_string(e[0]) + "-" + std::to_string(e[1]) + ": divide the face at that edge there";
+           std::to_string(e[0]) + "-" + std::to_string(e[1]) + ": " + repair + " splits it there";
   }
-  return "the edge is at " + mesh::place_text(m.positions[boundary.front()[0]]) + "; close the holes first";
+  return "the edge is at " + mesh::place_text(m.positions[boundary.front()[0]]) + "; " + repair + " fills holes";
 }
 
-std::string of_parts(const mesh::Mesh& m, const std::string& verb, const base::Host& host) {
+std::string of_parts(const mesh::Mesh& m, const std::string& verb, const std::string& repair, const base::Host& host) {
   mesh::DisjointSets sets(m.positions.size(), host.memory);
   for (const mesh::Triangle& t : m.triangles) {
     sets.unite(t[0], t[1]);
@@ -128,38 +129,45 @@ std::string of_parts(const mesh::Mesh& m, const std::string& verb, const base::H
   for (std::size_t i = 0; i < std::min(parts, most_told); ++i)
     text += (i > 0 ? ", " : "") + std::to_string(sizes[i]);
   if (parts > most_told) text += ", ...";
-  text += " triangles; write the desired part to a file of its own";
+  text += " triangles; " + repair + " keeps the largest";
   return verb == "hex" || verb == "volume" ? text : text + " (hex and tetrahedralize take several parts)";
 }
 
-std::string of_first_edge_or_vertex(const mesh::Mesh& m, bool edge, const base::Host& host) {
+std::string of_first_edge_or_vertex(const mesh::Mesh& m, bool edge, const std::string& repair, const base::Host& host) {
   const mesh::Topology facts = mesh::topology(m.positions, m.triangles, host);
   const Index v = edge ? facts.first_non_manifold_edge[0] : facts.first_non_manifold_vertex;
   if (v >= m.positions.size()) return "";
-  return "it is at " + mesh::place_text(m.positions[v]) + "; give each sheet that meets there its own " +
-         (edge ? "vertices along the edge" : "vertex");
+  return "it is at " + mesh::place_text(m.positions[v]) + "; " + repair + " separates the sheets that meet there";
 }
 
 std::string of_kind(const Failure& failure, const std::string& verb, bool welded, const base::Host& host) {
   const std::string& kind = failure.kind();
+  // The option of the verb, or the verb that writes a file.
+  static constexpr std::array mends = {"sphere", "polycube", "tetrahedralize", "hex", "volume", "morph"};
+  const bool has_option = std::find(mends.begin(), mends.end(), verb) != mends.end();
+  const std::string repair = has_option ? "--repair" : "orbicube repair";
   if (kind == "wrong-genus" && (verb == "sphere" || verb == "morph"))
     return std::string("surfaces with handles have polycubes: ") +
-           (verb == "sphere" ? "orbicube polycube, or hex" : "try --polycube");
+           (verb == "sphere" ? "orbicube polycube, or hex" : "try --polycube") +
+           "; orbicube repair --genus 0 cuts handles";
   if (kind == "degenerate-face" && (verb == "tetrahedralize" || verb == "hex" || verb == "volume"))
-    return "collapse their shortest edges, or divide the neighbor at the longest; sphere and polycube take such faces";
-  if (kind == "duplicate-face") return "keep one of each";
+    return "--repair collapses or flips them; sphere and polycube take such faces";
+  if (kind == "duplicate-face") return repair + " keeps one of each";
   if (kind == "inverted-cell" && verb != "untangle") return "orbicube untangle can repair it";
-  if (kind == "self-intersection" && verb == "tetrahedralize") return "--report lists the pairs";
-  if (kind == "self-intersection" && verb == "hex") return "orbicube tetrahedralize --report lists the pairs";
+  if (kind == "self-intersection" && verb == "tetrahedralize")
+    return "--report lists the pairs; orbicube repair --wrap DISTANCE makes a surface around it";
+  if (kind == "self-intersection" && verb == "hex")
+    return "orbicube tetrahedralize --report lists the pairs; orbicube repair --wrap DISTANCE makes a surface around "
+           "it";
   if (kind == "time-limit") return verb == "sphere" ? "--keep-partial writes what there is" : "";
   const bool about_places =
       kind == "not-closed" || kind == "not-connected" || kind == "non-manifold-edge" || kind == "non-manifold-vertex";
   if (!about_places || failure.exit_code() != Exit::wrong_input) return "";
   const mesh::Mesh m = read_again(failure.file(), welded, host);
   if (m.triangles.empty()) return "";
-  if (kind == "not-closed") return of_holes(m, host);
-  if (kind == "not-connected") return of_parts(m, verb, host);
-  return of_first_edge_or_vertex(m, kind == "non-manifold-edge", host);
+  if (kind == "not-closed") return of_holes(m, repair, host);
+  if (kind == "not-connected") return of_parts(m, verb, repair, host);
+  return of_first_edge_or_vertex(m, kind == "non-manifold-edge", repair, host);
 }
 
 }  // namespace

@@ -1,7 +1,9 @@
 #include "session/unused_options.h"
 
+#include <algorithm>
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 #include "session/failure.h"
 
@@ -44,6 +46,33 @@ void refuse_unused_sphere_options(const CLI::App& verb) {
   for (const char* option :
        {"--level-splits", "--level-tolerance", "--final-tolerance", "--max-level-iterations", "--max-final-iterations"})
     refuse_if(verb.count(option) > 0, option, "--method dissertation");
+}
+
+void refuse_unused_repair_options(const CLI::App& verb) {
+  const std::vector<std::string> skipped =
+      verb.count("--skip") > 0 ? verb.get_option("--skip")->as<std::vector<std::string>>() : std::vector<std::string>();
+  const auto is_skipped = [&](const char* step) {
+    return std::find(skipped.begin(), skipped.end(), step) != skipped.end();
+  };
+  const auto refuse = [&](const char* option, const char* step) {
+    refuse_if(verb.count(option) > 0 && is_skipped(step), option,
+              std::string("the step ") + step + ", which is skipped");
+  };
+  refuse("--weld", "weld");
+  refuse("--slivers", "slivers");
+  refuse("--slivers", "clean");
+  refuse("--max-move", "slivers");
+  refuse("--max-move", "clean");
+  refuse("--t-junctions", "t-junctions");
+  refuse("--gap", "contacts");
+  refuse("--gap", "orient");
+  for (const char* option : {"--largest", "--keep", "--min-part", "--cavities"})
+    refuse(option, "parts");
+  refuse("--cavities", "orient");
+  refuse("--fill-holes", "holes");
+  refuse("--flat-patches", "holes");
+  refuse_if(verb.count("--cavities") > 0 && verb.count("--min-part") == 0 && given_or(verb, "--keep", "1") == "1",
+            "--cavities", "several parts; give --keep N, or 0 for all");
 }
 
 void refuse_unused_frames_options(const CLI::App& verb) {

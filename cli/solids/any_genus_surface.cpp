@@ -7,8 +7,8 @@
 
 namespace orbicube::cli {
 
-AnyGenusSurface read_any_genus_surface(const std::string& path, bool weld, Session& session, Keep keep) {
-  InputMesh input = read_input(path, weld, session, keep);
+AnyGenusSurface read_any_genus_surface(const std::string& path, const Mending& mending, Session& session, Keep keep) {
+  InputMesh input = read_mended(path, mending, session, keep);
   mesh::Mesh& m = input.mesh;
   Json figures;
   about(path, Role::input, [&] {

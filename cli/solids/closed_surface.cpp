@@ -8,8 +8,8 @@
 
 namespace orbicube::cli {
 
-ClosedSurface read_closed_surface(const std::string& path, bool weld, Session& session, Keep keep) {
-  InputMesh input = read_input(path, weld, session, keep);
+ClosedSurface read_closed_surface(const std::string& path, const Mending& mending, Session& session, Keep keep) {
+  InputMesh input = read_mended(path, mending, session, keep);
   Json figures = {{"format", input.report.format}, {"seconds_read", input.seconds}};
   mesh::Mesh& mesh = input.mesh;
   about(path, Role::input, [&] {

@@ -7,6 +7,7 @@
 #include "files/surface_file.h"
 #include "mesh/mesh.h"
 #include "session/session.h"
+#include "solids/repaired_surface.h"
 
 namespace orbicube::cli {
 
@@ -17,6 +18,7 @@ struct ClosedSurface {
 };
 
 // Reads it, turns triangles and notes that, or throws the refusal of a surface that has no map.
-ClosedSurface read_closed_surface(const std::string& path, bool weld, Session& session, Keep keep = Keep::surface);
+ClosedSurface read_closed_surface(const std::string& path, const Mending& mending, Session& session,
+                                  Keep keep = Keep::surface);
 
 }  // namespace orbicube::cli

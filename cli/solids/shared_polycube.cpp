@@ -19,7 +19,7 @@ SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& ses
   for (const std::string& path : options.inputs) {
     const bool is_first = result.meshes.empty();
     AnyGenusSurface surface =
-        read_any_genus_surface(path, options.weld, session, is_first ? options.keep_first : Keep::surface);
+        read_any_genus_surface(path, options.mending, session, is_first ? options.keep_first : Keep::surface);
     require_ordinary_size(surface.mesh, path);
     if (is_first) result.kept_first = std::move(surface.kept);
     result.meshes.push_back(std::move(surface.mesh));

@@ -8,6 +8,7 @@
 #include "files/surface_file.h"
 #include "polycube/domain/common_polycube.h"
 #include "session/session.h"
+#include "solids/repaired_surface.h"
 
 namespace orbicube::cli {
 
@@ -16,7 +17,7 @@ struct SharedPolycubeOptions {
   std::string landmarks;  // file, or empty
   polycube::ConstructionOptions construction;
   polycube::DomainOptions domain;
-  bool weld = false;
+  Mending mending;
   Keep keep_first = Keep::surface;  // of the file of the first shape
 };
 

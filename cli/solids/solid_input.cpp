@@ -26,11 +26,14 @@ void add_solid_options(CLI::App& verb, SolidOptions& options) {
           "a surface of more than twice as many triangles is mapped through a coarser one of about N [default: 6000]")
       ->check(unnamed(CLI::Range(100, 10'000'000)))
       ->type_name("N");
-  verb.add_flag("--weld", options.weld, "weld vertices at identical positions if the surface is not closed");
+  add_mending_options(verb, options.mending);
 }
 
 Json json_of(const SolidOptions& options) {
-  return {{"corners", options.corners}, {"triangles", options.triangles}, {"weld", options.weld}};
+  return {{"corners", options.corners},
+          {"triangles", options.triangles},
+          {"weld", options.mending.weld},
+          {"repair", options.mending.repair}};
 }
 
 volume_map::FillSurface fill_by_tetgen() {

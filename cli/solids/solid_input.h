@@ -8,6 +8,7 @@
 #include "files/surface_file.h"
 #include "mesh/mesh.h"
 #include "session/session.h"
+#include "solids/repaired_surface.h"
 #include "volume_map/input/polycube_pieces.h"
 
 namespace orbicube::cli {
@@ -16,7 +17,7 @@ struct SolidOptions {
   std::string input;
   std::size_t corners = volume_map::PieceOptions{}.corners;
   std::size_t triangles = volume_map::PieceOptions{}.triangles;
-  bool weld = false;
+  Mending mending;
 };
 
 void add_solid_options(CLI::App& verb, SolidOptions& options);

@@ -91,7 +91,8 @@ void run_hex(const HexVerb& verb, Session& session) {
   session.options().update(json_of(verb.solid));
   hexmesh::Options options = options_of(verb, session);
   session.options()["feature_angle"] = hexmesh::feature_angle_of(options);
-  const InputMesh input = session.portion(0.01, [&] { return read_input(verb.solid.input, verb.solid.weld, session); });
+  const InputMesh input =
+      session.portion(0.01, [&] { return read_mended(verb.solid.input, verb.solid.mending, session); });
   frame_field::Field frames(session.host().memory);
   if (!verb.frames.empty() && hexmesh::by_frames(options)) frames = read_given_frames(verb, input.mesh, session.host());
   options.frames = frames;

@@ -8,6 +8,7 @@
 #include "mesh/topology/cells.h"
 #include "mesh/topology/topology.h"
 #include "report/cell_figures.h"
+#include "report/repair_outlook.h"
 #include "verbs/verbs.h"
 #ifdef ORBICUBE_WITH_TETRAHEDRA
 #include "tetrahedra/input_check.h"
@@ -224,6 +225,10 @@ void info(const InfoOptions& options, Session& session) {
     if (mesh.tetrahedra.empty() && mesh.hexahedra.empty()) {
       const mesh::Topology facts = mesh::topology(mesh.positions, mesh.triangles, session.host());
       tell_surface(facts, sphere_use(facts), tetrahedralize_use(mesh, session), session);
+      const RepairOutlook outlook = repair_outlook(mesh, session);
+      session.figures()["repair"] = outlook.figures;
+      for (const std::string& line : outlook.lines)
+        table.row("repair", line);
       return;
     }
     tell_cells(mesh, session);

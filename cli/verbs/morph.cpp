@@ -22,6 +22,7 @@
 #include "session/unused_options.h"
 #include "solids/closed_surface.h"
 #include "solids/kept_surface.h"
+#include "solids/repaired_surface.h"
 #include "sphere_map/sphere_map.h"
 #include "verbs/verbs.h"
 #ifdef ORBICUBE_WITH_POLYCUBE
@@ -46,14 +47,14 @@ struct MorphOptions {
   double tolerance = 0.2;  // percent of the diagonal
   std::size_t intermediates = 0;
   double seconds = 2;
-  bool weld = false;
+  Mending mending;
   bool polycube = false;
   bool show_polycube = false;
   std::size_t corners = 0;
 };
 
 void read_and_map(MorphShape& shape, const MorphOptions& options, Keep keep, Session& session) {
-  ClosedSurface surface = read_closed_surface(shape.path, options.weld, session, keep);
+  ClosedSurface surface = read_closed_surface(shape.path, options.mending, session, keep);
   shape.kept = std::move(surface.kept);
   shape.mesh = std::move(surface.mesh);
   const mesh::Mesh& mesh = shape.mesh;
@@ -96,7 +97,8 @@ Json json_of(const MorphOptions& options) {
           {"tolerance", options.tolerance},
           {"intermediates", options.intermediates},
           {"seconds", options.seconds},
-          {"weld", options.weld},
+          {"weld", options.mending.weld},
+          {"repair", options.mending.repair},
           {"polycube", options.polycube},
           {"show_polycube", options.show_polycube}};
 }
@@ -195,7 +197,7 @@ void morph(const MorphOptions& options, Session& session) {
 #ifdef ORBICUBE_WITH_POLYCUBE
   if (options.polycube) {
     morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.placement,
-                       options.corners, options.intermediates, options.seconds, options.weld, options.show_polycube},
+                       options.corners, options.intermediates, options.seconds, options.mending, options.show_polycube},
                       session);
     return;
   }
@@ -274,7 +276,7 @@ void add_morph(CLI::App& app, CommonOptions& common) {
                    "duration of the animation from one shape to the next, in seconds [default: 2]")
       ->check(unnamed(CLI::PositiveNumber))
       ->type_name("S");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions where a surface is not closed");
+  add_mending_options(*verb, options->mending);
   add_common_options(*verb, common);
   verb->footer(
       "Each shape is mapped to the sphere. The spheres are rotated to maximum correlation, or until landmarks "

@@ -23,6 +23,7 @@
 #include "report/unit_size.h"
 #include "session/unused_options.h"
 #include "solids/any_genus_surface.h"
+#include "solids/repaired_surface.h"
 #include "solids/shared_polycube.h"
 #include "verbs/verbs.h"
 
@@ -44,7 +45,8 @@ struct PolycubeOptions {
   double area_weight = 1;
   std::string features;
   double feature_angle = 0;
-  bool text = false, weld = false;
+  bool text = false;
+  Mending mending;
   PolycubeOutputs outputs;
 };
 
@@ -124,7 +126,7 @@ void common_polycube(const PolycubeOptions& options, Session& session) {
                                        .corners = options.corners,
                                        .seed = session.seed()},
                       .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
-                      .weld = options.weld},
+                      .mending = options.mending},
                      session);
   const polycube::CommonPolycube& common = shared.common;
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
@@ -207,17 +209,11 @@ void align_features(const PolycubeOptions& options, polycube::Construction& made
 }
 
 Json json_of(const PolycubeOptions& options) {
-  Json result = {{"output", options.output},
-                 {"surface", options.surface},
-                 {"construct", options.construct},
-                 {"corners", options.corners},
-                 {"text", options.text},
-                 {"weld", options.weld},
-                 {"from", options.from},
-                 {"constraints", options.constraints},
-                 {"optimize", options.optimize},
-                 {"features", options.features},
-                 {"feature_angle", options.feature_angle}};
+  Json result = {
+      {"output", options.output},         {"surface", options.surface},   {"construct", options.construct},
+      {"corners", options.corners},       {"text", options.text},         {"weld", options.mending.weld},
+      {"repair", options.mending.repair}, {"from", options.from},         {"constraints", options.constraints},
+      {"optimize", options.optimize},     {"features", options.features}, {"feature_angle", options.feature_angle}};
   if (!options.optimize.empty() || options.construct == "dissertation")
     result.update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
@@ -226,7 +222,7 @@ Json json_of(const PolycubeOptions& options) {
 
 AnyGenusSurface read_surface(const PolycubeOptions& options, Session& session) {
   AnyGenusSurface surface =
-      session.portion(0.03, [&] { return read_any_genus_surface(options.input, options.weld, session); });
+      session.portion(0.03, [&] { return read_any_genus_surface(options.input, options.mending, session); });
   const mesh::Mesh& input = surface.mesh;
   session.figures()["input"] = surface.figures;
   const PolycubeOutputs& more = options.outputs;
@@ -381,7 +377,7 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE");
   add_polycube_outputs(*verb, options->outputs);
   verb->add_flag("--text", options->text, "write text in place of binary PLY and VTK");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions if the surface is not closed");
+  add_mending_options(*verb, options->mending);
   add_common_options(*verb, common);
   verb->footer(
       "Every written map is certified by exact arithmetic; if none is found, the exit code is 1. The vertices of the "

@@ -19,6 +19,7 @@
 #include "scenes/page_figures.h"
 #include "session/unused_options.h"
 #include "solids/closed_surface.h"
+#include "solids/repaired_surface.h"
 #include "sphere_map/optimization/measure.h"
 #include "sphere_map/sampling/rounding.h"
 #include "sphere_map/sphere_map.h"
@@ -44,7 +45,7 @@ struct SphereOptions {
   sphere_map::AlgorithmLimits limits;
   std::string page;
   bool text = false;
-  bool weld = false;
+  Mending mending;
   bool keep_partial = false;
   SphereUses uses;
 };
@@ -203,7 +204,8 @@ Json json_of(const SphereOptions& options) {
                  {"area_weight", options.area_weight},
                  {"page", options.page},
                  {"text", options.text},
-                 {"weld", options.weld},
+                 {"weld", options.mending.weld},
+                 {"repair", options.mending.repair},
                  {"keep_partial", options.keep_partial},
                  {"remesh", options.uses.remesh},
                  {"grid", options.uses.grid},
@@ -231,7 +233,7 @@ void sphere(const SphereOptions& options, Session& session) {
   check_sphere_uses(options.uses);
   session.options() = json_of(options);
   const ClosedSurface input = session.portion(0.03, [&] {
-    return read_closed_surface(options.input, options.weld, session, keep_for(options.output, Keep::decoration));
+    return read_closed_surface(options.input, options.mending, session, keep_for(options.output, Keep::decoration));
   });
   const mesh::Mesh& surface = input.mesh;
   session.figures().update(input.figures);
@@ -335,7 +337,7 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE.html");
   add_sphere_uses(*verb, options->uses);
   verb->add_flag("--text", options->text, "write text in place of binary, in formats with both (PLY, STL, VTK)");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions if the surface is not closed");
+  add_mending_options(*verb, options->mending);
   verb->add_flag("--keep-partial", options->keep_partial,
                  "if no valid map is found, or the time limit or Ctrl-C ends the work, write the best partial map; the "
                  "message reports its valid part, and the exit code is 1");

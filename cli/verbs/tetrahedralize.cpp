@@ -9,6 +9,7 @@
 #include "mesh/files/file.h"
 #include "report/cell_figures.h"
 #include "session/unused_options.h"
+#include "solids/repaired_surface.h"
 #include "tetrahedra/input_check.h"
 #include "tetrahedra/tetrahedra.h"
 #include "verbs/verbs.h"
@@ -25,7 +26,7 @@ struct TetrahedralizeOptions {
   std::string sizing;
   bool cut_surface = false;
   bool text = false;
-  bool weld = false;
+  Mending mending;
 };
 
 tetrahedra::Solid fill(const mesh::Mesh& surface, TetrahedralizeOptions options, Session& session) {
@@ -65,8 +66,9 @@ void tetrahedralize(TetrahedralizeOptions options, Session& session) {
                        {"growth", options.filling.size_growth},
                        {"cut_surface", options.cut_surface},
                        {"text", options.text},
-                       {"weld", options.weld}};
-  const InputMesh input = session.portion(0.03, [&] { return read_input(options.input, options.weld, session); });
+                       {"weld", options.mending.weld},
+                       {"repair", options.mending.repair}};
+  const InputMesh input = session.portion(0.03, [&] { return read_mended(options.input, options.mending, session); });
   session.figures()["format"] = input.report.format;
   session.figures()["seconds_read"] = input.seconds;
   const double start = session.seconds();
@@ -129,7 +131,7 @@ void add_tetrahedralize(CLI::App& app, CommonOptions& common) {
   verb->add_flag("--cut-surface", options->cut_surface,
                  "allow edges and triangles of the surface to be split; default: they are preserved");
   verb->add_flag("--text", options->text, "write text in place of binary VTK");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions if the surface is not closed");
+  add_mending_options(*verb, options->mending);
   add_common_options(*verb, common);
   verb->footer(
       "The surface may have any number of closed components; one within another bounds a cavity. Its vertices come "

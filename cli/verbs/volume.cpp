@@ -27,7 +27,7 @@ struct VolumeVerb {
 // The pieces of the input, times 2^exponent.
 std::vector<volume_map::PolycubePiece> read_pieces(const SolidOptions& options, volume_map::InputFindings& findings,
                                                    int& exponent, Session& session) {
-  InputMesh input = session.portion(0.03, [&] { return read_input(options.input, options.weld, session); });
+  InputMesh input = session.portion(0.03, [&] { return read_mended(options.input, options.mending, session); });
   exponent = mesh::bring_to_unit_size(input.mesh);
   const volume_map::PieceOptions of_pieces = {
       .corners = options.corners, .triangles = options.triangles, .seed = session.seed(), .fill = fill_by_tetgen()};

@@ -10,9 +10,9 @@ LETTERS = {"void": "v", "int64_t": "j", "uint64_t": "j", "float": "f", "double":
 FOLDER = "bindings/js/raw/"
 HEAD = "// What the C headers declare, {0}. Written by scripts/bindings.py; not to be edited.\n"
 POINTER = 4
-# Not in the module: a library whose license would bind users, and one whose functions are for programs that assemble
-# large systems, which would make pages load more than 3 MB. What polycubes and hexahedra use of the latter is in it.
-LEFT_OUT = ["correspondence", "linear", "tetrahedra"]
+# Not in the module: a library whose license would bind users, and those that would make pages load more than 3 MB:
+# one for programs that assemble large systems (what polycubes and hexahedra use of it is in it), correspondences, repairs.
+LEFT_OUT = ["correspondence", "linear", "repair", "tetrahedra"]
 # Functions left out for their size: JavaScript reads and writes surfaces of glTF, and keeps nothing else of a file.
 LEFT_OUT_FUNCTIONS = ["obc_gltf_surface_keeps", "obc_gltf_write_kept"]
 

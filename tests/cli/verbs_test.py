@@ -68,7 +68,7 @@ class CommandLine(InFolder):
         self.assertIn(f"vertex {len(positions)} at ", line)
         self.assertRegex(line, rf"lies on the edge ({a}-{b}|{b}-{a})\b")
         hole = self.write("hole.obj", positions, triangles[1:])
-        self.assertIn("close the holes", self.refused(2, "not-closed", hole, "sphere", hole, "-o", out))
+        self.assertIn("--repair", self.refused(2, "not-closed", hole, "sphere", hole, "-o", out))
         small = [(5, 0, 0), (6, 0, 0), (5, 1, 0), (5, 0, 1)]
         n = len(positions)
         parts = self.write("parts.obj", positions + small,

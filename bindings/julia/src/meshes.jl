@@ -342,3 +342,33 @@ function check_fillable(surface::Surface; host...)
     count = Ref{Csize_t}(0)
     with_surface((view, lent, error) -> Raw.obc_tetrahedra_check_surface(view, lent, C_NULL, 0, count, error), surface; host...)
 end
+
+"""
+    repaired = repair_surface(surface; options...)
+
+Any triangles to a closed, oriented, manifold surface: `surface`, `vertex_source` and `triangle_source` (numbers in the input, 0: made by the repair),
+`events` (what was done where: `action`, `count`, `place`, `size`) and `report`, with the certificate. Options: members of `obc_repair_options`.
+"""
+function repair_surface(surface::Surface; threads=0, progress=nothing, options...)
+    chosen, out = filled(Raw.obc_repair_options, Raw.obc_repair_options_init, values(options)), Ref(C_NULL)
+    with_surface(surface; threads=threads, progress=progress) do view, lent, error
+        Raw.obc_repair_compute(view, chosen, lent, out, error)
+    end
+    try
+        positions = Matrix{Float64}(undef, 3, Raw.obc_repair_vertex_count(out[]))
+        faces = Matrix{UInt32}(undef, 3, Raw.obc_repair_triangle_count(out[]))
+        vertices, triangles = Vector{UInt32}(undef, size(positions, 2)), Vector{UInt32}(undef, size(faces, 2))
+        checked(error -> Raw.obc_repair_copy(out[], positions, faces, vertices, triangles, error))
+        n = Raw.obc_repair_event_count(out[])
+        actions, counts, places, sizes = Vector{Int32}(undef, n), Vector{UInt32}(undef, n), Matrix{Float64}(undef, 3, n), Vector{Float64}(undef, n)
+        checked(error -> Raw.obc_repair_copy_events(out[], actions, counts, places, sizes, error))
+        events = [(action=unsafe_string(Raw.obc_repair_action_name(actions[i])), count=Int(counts[i]), place=places[:, i], size=sizes[i]) for i in 1:n]
+        report = filled(Raw.obc_repair_report, Raw.obc_repair_report_init, (;))
+        checked(error -> Raw.obc_repair_get_report(out[], report, error))
+        number(source) = source == typemax(UInt32) ? 0 : Int(source) + 1
+        (surface=Surface(positions, Int.(faces) .+ 1), vertex_source=number.(vertices), triangle_source=number.(triangles), events=events,
+         report=report)
+    finally
+        Raw.obc_repair_destroy(out[])
+    end
+end

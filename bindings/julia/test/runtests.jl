@@ -420,6 +420,18 @@ end
     end
 end
 
+@testset "repaired surfaces" begin
+    positions = [1.0 -1 0 0 0 0; 0 0 1 -1 0 0; 0 0 0 0 1 -1]
+    triangles = [3 2 4 3 2 4 1; 2 4 1 1 3 2 4; 5 5 5 6 6 6 6]
+    repaired = repair_surface(Surface(positions, triangles))
+    @test repaired.report.closed == 1 && repaired.report.filled_holes == 1
+    @test repaired.surface.positions == positions && size(repaired.surface.triangles, 2) == 8
+    @test repaired.triangle_source == [1:7; 0] && repaired.vertex_source == 1:6
+    @test length(repaired.events) == 1 && repaired.events[1].action == "filled-hole"
+    @test repair_surface(Surface(positions, triangles); fill_holes=0).report.boundary_loops == 1
+    @test_throws OrbicubeError repair_surface(Surface(positions, triangles); weld_distance=-1.0)
+end
+
 @testset "files of engines" begin
     shape = make_surface("creature", 400)
     directions, = sphere_map(shape)

@@ -23,6 +23,7 @@
 #include <orbicube/polycube.hpp>
 #include <orbicube/projected_gradient.hpp>
 #include <orbicube/quaternion.hpp>
+#include <orbicube/repair.hpp>
 #include <orbicube/sphere_map.hpp>
 #include <orbicube/sphere_optimizer.hpp>
 #include <orbicube/trust_region.hpp>
@@ -615,4 +616,22 @@ TEST_CASE("iterations for a sparse symmetric matrix report what they reached, an
   CHECK_THROWS_AS(solver.solve(b), Mine);
   fails = false;
   CHECK(solver.solve(b) == x);
+}
+
+TEST_CASE("A surface is repaired, with what was done where") {
+  const std::vector<double> positions = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+  const std::vector<std::uint32_t> triangles = {2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+  const Surface surface{positions.data(), 6, triangles.data(), 7};
+  const repair::Repaired repaired = repair::repair(surface);
+  CHECK(repaired.report.closed == 1);
+  CHECK(repaired.report.filled_holes == 1);
+  CHECK(repaired.positions == positions);
+  CHECK(repaired.triangles.size() == 24);
+  REQUIRE(repaired.events.size() == 1);
+  CHECK(repair::action_name(repaired.events[0].action) == "filled-hole");
+  repair::Options options;
+  options.fill_holes = 0;
+  CHECK(repair::repair(surface, options).report.boundary_loops == 1);
+  options.weld_distance = -1;
+  CHECK_THROWS_AS(repair::repair(surface, options), Error);
 }

@@ -12,7 +12,7 @@ import numpy as np
 import orbicube
 from maps_test import HAS_TETRAHEDRA, box_of_tetrahedra
 from orbicube import (correspondence, frame_field, gltf, harmonics, hexmesh, linear, mesh, polycube, projected_gradient, quaternion,
-                      sphere_map, sphere_optimizer, trust_region, volume_map)
+                      repair, sphere_map, sphere_optimizer, trust_region, volume_map)
 from orbicube._options import OPTIONS
 
 FOLDER = tempfile.TemporaryDirectory()
@@ -137,6 +137,7 @@ CALLS = {
         "y": [1.0, 2.0], "lower": [-1, -1], "upper": [4, 4], "A": [[1.0, 1.0]], "b": [3.0]}),
     "projected_gradient.Solver": (projected_gradient.Solver, {
         "x0": [1.0, 2.0], "lower": [-1, -1], "upper": [4, 4], "A": [[1.0, 1.0]], "b": [3.0]}),
+    "repair.repair": (repair.repair, {"surface": SURFACE}),
     "projected_gradient.Solver.load": (projected_gradient.Solver.load, {
         "blob": projected_gradient.Solver([1.0, 2.0], lower=[-1, -1], upper=4, A=[[1.0, 1.0]], b=[3.0]).save(),
         "x0": [1.0, 2.0], "lower": [-1, -1], "upper": [4, 4], "A": [[1.0, 1.0]], "b": [3.0]}),
@@ -220,7 +221,7 @@ if HAS_TETRAHEDRA:
 # conversions for packages that need not be there.
 NOT_WALKED = {"correspondence.Correspondence", "mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
               "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
-              "projected_gradient.GradientCheck", "projected_gradient.Projection", "sphere_map.SphereMap",
+              "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.Repaired", "sphere_map.SphereMap",
               "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.Solid", "hexmesh.Hexes"}
 EACH_EVALUATION = ("ask", "ask_all", "tell", "save", "close")
 NO_MISTAKE = object()

@@ -11,6 +11,7 @@ const libraries = [
     :polycube => Symbol[:base, :mesh],
     :projected_gradient => Symbol[:base],
     :quaternion => Symbol[:base],
+    :repair => Symbol[:base, :mesh],
     :sphere_map => Symbol[:base, :mesh],
     :sphere_optimizer => Symbol[:base],
     :tetrahedra => Symbol[:base, :mesh],

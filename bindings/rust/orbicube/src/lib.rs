@@ -43,6 +43,8 @@ pub mod polycube;
 pub mod projected_gradient;
 #[cfg(feature = "quaternion")]
 pub mod quaternion;
+#[cfg(feature = "repair")]
+pub mod repair;
 #[cfg(feature = "sphere_map")]
 pub mod sphere_map;
 #[cfg(feature = "sphere_optimizer")]
