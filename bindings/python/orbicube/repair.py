@@ -38,7 +38,7 @@ def _events(handle: Handle) -> list[tuple[str, int, tuple[float, ...], float]]:
     actions, counts = np.empty(count, dtype=np.int32), np.empty(count, dtype=np.uint32)
     places, sizes = np.empty((count, 3)), np.empty(count)
     call(raw.obc_repair_copy_events, handle, address(actions), address(counts), address(places), address(sizes))
-    return [(raw.obc_repair_action_name(int(action)).decode(), int(number), tuple(map(float, place)), float(size))
+    return [((raw.obc_repair_action_name(int(action)) or b"").decode(), int(number), tuple(map(float, place)), float(size))
             for action, number, place, size in zip(actions, counts, places, sizes)]
 
 
