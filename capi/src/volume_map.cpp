@@ -1,96 +1,103 @@
 #include "orbicube/volume_map.h"
 
-#include <cstring>
-#include <span>
+#include <memory>
+#include <optional>
+#include <utility>
 
+#include "base/error.h"
 #include "base/version.h"
 #include "capi/src/entry.h"
-#include "volume_map/untangle/untangle.h"
+#include "capi/src/surface_view.h"
+#include "capi/src/tetrahedral_input.h"
+#include "mesh/topology/cells.h"
+#include "volume_map/input/solid_boundary.h"
+#include "volume_map/input/solid_pieces.h"
+#include "volume_map/solid/solid_polycube.h"
+#include "volume_map/solid/volume_map.h"
 
 using namespace orbicube;
-using mesh::Tetrahedron;
-using mesh::Vector3;
+using capi::copy;
+
+struct obc_volume_map_solid {
+  explicit obc_volume_map_solid(const obc_host* host) : adapter(host), map(adapter.host().memory) {}
+
+  capi::HostAdapter adapter;
+  volume_map::VolumeMap map;
+};
 
 namespace {
 
-obc_volume_map_untangle_problem nothing() {
-  obc_volume_map_untangle_problem t{};
-  t.struct_size = sizeof t;
-  return t;
-}
-
-obc_volume_map_untangle_options default_options() {
-  const volume_map::UntangleOptions defaults;
-  obc_volume_map_untangle_options o{};
+obc_volume_map_solid_options default_solid_options() {
+  obc_volume_map_solid_options o{};
   o.struct_size = sizeof o;
-  o.steps = defaults.steps;
-  o.polish_steps = defaults.polish_steps;
-  o.volume_weight = defaults.volume_weight;
+  o.corners = 100;
   return o;
 }
 
-obc_volume_map_untangle_report empty_report() {
-  obc_volume_map_untangle_report r{};
-  r.struct_size = sizeof r;
-  r.first_inverted = UINT32_MAX;
-  return r;
-}
-
-volume_map::UntangleProblem view_of(const obc_volume_map_untangle_problem& t) {
-  static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Tetrahedron) == 4 * sizeof(uint32_t));
-  capi::require(t.positions != nullptr || t.vertex_count == 0, "problem->positions is NULL");
-  capi::require(t.tetrahedra != nullptr || t.tetrahedron_count == 0, "problem->tetrahedra is NULL");
-  constexpr std::size_t most = UINT32_MAX / 4;
-  capi::require(t.vertex_count < most && t.tetrahedron_count < most, "too many vertices or tetrahedra");
-  const auto positions = [&](const double* from) {
-    return std::span(reinterpret_cast<const Vector3*>(from), from != nullptr ? t.vertex_count : 0);
-  };
-  const auto coordinates = [&](const auto* from) { return std::span(from, from != nullptr ? 3 * t.vertex_count : 0); };
-  return {{reinterpret_cast<const Tetrahedron*>(t.tetrahedra), t.tetrahedron_count},
-          positions(t.positions),
-          positions(t.rest),
-          coordinates(t.fixed),
-          coordinates(t.ties)};
-}
+// A connected solid, with the polycube of its boundary.
+struct MappedSolid {
+  volume_map::BoundaryFirst solid;
+  polycube::Construction made;
+};
 
 }  // namespace
 
-obc_status obc_volume_map_untangle_problem_init(obc_volume_map_untangle_problem* problem, size_t struct_size) {
-  return capi::init_versioned(problem, struct_size, nothing());
+obc_status obc_volume_map_solid_options_init(obc_volume_map_solid_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_solid_options());
 }
 
-obc_status obc_volume_map_untangle_options_init(obc_volume_map_untangle_options* options, size_t struct_size) {
-  return capi::init_versioned(options, struct_size, default_options());
-}
-
-obc_status obc_volume_map_untangle_report_init(obc_volume_map_untangle_report* report, size_t struct_size) {
-  return capi::init_versioned(report, struct_size, empty_report());
-}
-
-obc_status obc_volume_map_untangle(const obc_volume_map_untangle_problem* problem,
-                                   const obc_volume_map_untangle_options* options, const obc_host* host, double* result,
-                                   obc_volume_map_untangle_report* report, obc_error* error) {
+obc_status obc_volume_map_solid_compute(const double* positions, size_t vertex_count, const uint32_t* tetrahedra,
+                                        size_t tetrahedron_count, const obc_volume_map_solid_options* options,
+                                        const obc_host* host, obc_volume_map_solid** out, obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(problem != nullptr, "the argument `problem` is NULL");
-    capi::require(result != nullptr, "result is NULL");
-    const volume_map::UntangleProblem mesh = view_of(capi::copy_versioned(problem, nothing()));
-    const obc_volume_map_untangle_options o = capi::copy_versioned(options, default_options());
-    const capi::HostAdapter adapter(host);
-    capi::write_versioned(report, empty_report());
-    const volume_map::Untangled untangled = volume_map::untangle(
-        mesh, {.steps = o.steps, .polish_steps = o.polish_steps, .volume_weight = o.volume_weight}, adapter.host());
-    obc_volume_map_untangle_report r = empty_report();
-    r.first_inverted = untangled.first_inverted;
-    r.inverted_before = untangled.inverted_before;
-    r.inverted = untangled.inverted;
-    r.steps = untangled.steps;
-    r.polish_steps = untangled.polish_steps;
-    r.min_determinant = untangled.min_determinant;
-    r.max_determinant = untangled.max_determinant;
-    r.energy = untangled.energy;
-    capi::write_versioned(report, r);
-    std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector3));
-    volume_map::require_untangled(untangled, mesh.tetrahedra.size());
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    const obc_volume_map_solid_options o = capi::copy_versioned(options, default_solid_options());
+    auto made = std::make_unique<obc_volume_map_solid>(host);
+    const base::Host& h = made->adapter.host();
+    const mesh::Mesh whole = capi::solid_of(positions, vertex_count, tetrahedra, tetrahedron_count, h);
+    // Errors name the caller's indices.
+    if (whole.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
+    mesh::require_valid_cells(whole, h);
+    const volume_map::Pieces pieces = volume_map::pieces_of(whole.tetrahedra, whole.positions.size(), h);
+    base::Array<MappedSolid> mapped(h.memory);
+    std::optional<volume_map::PieceCutter> cutter;
+    if (pieces.count > 1) cutter.emplace(whole, pieces, h);
+    base::Array<volume_map::PolycubeSolid> solids(h.memory);
+    for (std::size_t i = 0; i < pieces.count; ++i) {
+      mesh::Mesh part(h.memory);
+      if (cutter) part = cutter->piece(i);
+      volume_map::BoundaryFirst first = volume_map::boundary_first(pieces.count > 1 ? part : whole, h);
+      polycube::Construction found = volume_map::construct_polycube(
+          first.outer_positions(), first.surface, {.corners = o.corners, .preferred_corners = 60, .seed = o.seed}, h);
+      mapped.push_back({std::move(first), std::move(found)});
+    }
+    for (const MappedSolid& m : mapped)
+      solids.push_back({m.solid.positions, m.solid.tetrahedra, m.solid.surface, m.made.map});
+    made->map = volume_map::map_pieces_to_polycubes(solids, h);
+    *out = made.release();
+  });
+}
+
+void obc_volume_map_solid_destroy(obc_volume_map_solid* solid) {
+  delete solid;
+}
+
+size_t obc_volume_map_solid_vertex_count(const obc_volume_map_solid* solid) {
+  return solid != nullptr ? solid->map.source.size() : 0;
+}
+
+size_t obc_volume_map_solid_tetrahedron_count(const obc_volume_map_solid* solid) {
+  return solid != nullptr ? solid->map.tetrahedra.size() : 0;
+}
+
+obc_status obc_volume_map_solid_copy(const obc_volume_map_solid* solid, double* positions, double* polycube,
+                                     uint32_t* tetrahedra, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(solid != nullptr, "solid is NULL");
+    copy(solid->map.source, positions);
+    copy(solid->map.image, polycube);
+    copy(solid->map.tetrahedra, tetrahedra);
   });
 }
 

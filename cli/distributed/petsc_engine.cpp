@@ -18,7 +18,7 @@
 namespace orbicube::cli {
 namespace {
 
-using volume_map::BlockMatrix;
+using untangle::BlockMatrix;
 using volume_map::Index;
 
 constexpr int block = 3;  // unknowns of a vertex
@@ -285,7 +285,7 @@ void tell(Order& order) {
   std::abort();
 }
 
-class PetscEngine : public volume_map::BlockEngine {
+class PetscEngine : public untangle::BlockEngine {
  public:
   ~PetscEngine() override {
     Order done;
@@ -366,7 +366,7 @@ void work() {
 }  // namespace
 }  // namespace orbicube::cli
 
-extern "C" __attribute__((visibility("default"))) orbicube::volume_map::BlockEngine* orbicube_petsc_start() {
+extern "C" __attribute__((visibility("default"))) orbicube::untangle::BlockEngine* orbicube_petsc_start() {
   using namespace orbicube::cli;
   // The command line is the command's own; PETSc's options come from the variable PETSC_OPTIONS, and not from a file
   // .petscrc in the current folder, whose options could load libraries.

@@ -3,12 +3,12 @@
 // PETSc, whose Debian package is linked with libraries under the GPL.
 #pragma once
 
-#include "volume_map/untangle/block_assembly.h"
+#include "untangle/tetrahedra/block_assembly.h"
 
 namespace orbicube::cli {
 
 // What the module exports under the name orbicube_petsc_start. Starts MPI and PETSc, once in a process. The first
 // process gets the engine, which it deletes when it is done; all others work for it until then, and get nothing.
-using StartPetsc = volume_map::BlockEngine* (*)();
+using StartPetsc = untangle::BlockEngine* (*)();
 
 }  // namespace orbicube::cli

@@ -51,7 +51,7 @@ void add_solver_option(CLI::App& verb, std::string& solver) {
       ->type_name("NAME");
 }
 
-std::unique_ptr<volume_map::BlockEngine> start_solver(const std::string& solver) {
+std::unique_ptr<untangle::BlockEngine> start_solver(const std::string& solver) {
   if (solver != "petsc") return nullptr;
   for (const std::filesystem::path& folder : module_folders()) {
     const std::filesystem::path path = folder / "orbicube-petsc.so";
@@ -67,7 +67,7 @@ std::unique_ptr<volume_map::BlockEngine> start_solver(const std::string& solver)
       const char* reason = dlerror();
       throw Failure(Exit::wrong_input, path.string(), "unsupported", reason != nullptr ? reason : "not a module");
     }
-    std::unique_ptr<volume_map::BlockEngine> engine(reinterpret_cast<StartPetsc>(start)());
+    std::unique_ptr<untangle::BlockEngine> engine(reinterpret_cast<StartPetsc>(start)());
     if (engine == nullptr) std::exit(0);
     return engine;
   }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "volume_map/untangle/block_assembly.h"
+#include "untangle/tetrahedra/block_assembly.h"
 
 namespace orbicube::cli {
 
@@ -14,6 +14,6 @@ void add_solver_option(CLI::App& verb, std::string& solver);
 // Nothing for "own". For "petsc" the engine of the module that was built or installed with the command, on all
 // processes that mpirun started; those but the first work for it, and end here. Throws Failure where there is no such
 // module.
-std::unique_ptr<volume_map::BlockEngine> start_solver(const std::string& solver);
+std::unique_ptr<untangle::BlockEngine> start_solver(const std::string& solver);
 
 }  // namespace orbicube::cli

@@ -1,8 +1,6 @@
 // orbicube untangle: inverted tetrahedra of a mesh untangled.
-#include "volume_map/untangle/untangle.h"
+#include "untangle/tetrahedra/untangle_tetrahedra.h"
 
-#include <algorithm>
-#include <array>
 #include <memory>
 #include <string>
 #include <utility>
@@ -13,7 +11,7 @@
 #include "files/surface_file.h"
 #include "mesh/files/write.h"
 #include "mesh/topology/cells.h"
-#include "mesh/topology/tetrahedral_connectivity.h"
+#include "mesh/topology/conforming_tetrahedra.h"
 #include "report/embedding.h"
 #include "report/solver_choice.h"
 #include "report/text.h"
@@ -27,7 +25,7 @@ struct UntangleVerb {
   std::string output;
   std::string rest;
   std::string solver = "own";
-  volume_map::UntangleOptions options;
+  untangle::UntangleOptions options;
   bool free_boundary = false;
   bool keep_partial = false;
   bool text = false;
@@ -53,36 +51,6 @@ mesh::Mesh read_tetrahedra(const std::string& path, Session& session) {
     if (!tangled.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
     return tangled;
   });
-}
-
-// Three entries a vertex: 1 for those that lie on a face of one tetrahedron.
-base::Array<std::uint8_t> boundary_coordinates(const mesh::Mesh& solid, const base::Host& host) {
-  // Sides do not matter here, and of an inverted mesh they may not fit.
-  base::Array<std::array<mesh::Index, 3>> faces(host.memory);
-  faces.reserve(4 * solid.tetrahedra.size());
-  for (const mesh::Tetrahedron& t : solid.tetrahedra) {
-    for (const auto& corners : mesh::face_corners) {
-      std::array<mesh::Index, 3> face{t[corners[0]], t[corners[1]], t[corners[2]]};
-      std::sort(face.begin(), face.end());
-      faces.push_back(face);
-    }
-  }
-  host.report("boundary", 0, 0);
-  std::sort(faces.begin(), faces.end());
-  base::Array<std::uint8_t> result(3 * solid.positions.size(), 0, host.memory);
-  for (std::size_t i = 0; i < faces.size();) {
-    std::size_t end = i + 1;
-    while (end < faces.size() && faces[end] == faces[i])
-      ++end;
-    if (end == i + 1) {
-      for (const mesh::Index v : faces[i]) {
-        for (std::size_t a = 0; a < 3; ++a)
-          result[3 * v + a] = 1;
-      }
-    }
-    i = end;
-  }
-  return result;
 }
 
 // Writes beside the place, reads again and compares, so that the file holds the certified mesh.
@@ -123,7 +91,7 @@ mesh::Mesh read_rest(const UntangleVerb& verb, const mesh::Mesh& solid, Session&
   about(verb.rest, Role::input, [&] {
     if (rest.tetrahedra != solid.tetrahedra || rest.positions.size() != solid.positions.size())
       throw base::Error("unsupported", "not the same vertices and tetrahedra as " + verb.input);
-    const auto found = volume_map::count_inverted(rest.tetrahedra, rest.positions, session.host());
+    const auto found = untangle::count_inverted(rest.tetrahedra, rest.positions, session.host());
     if (found.count > 0) {
       throw base::Error("inverted-cell", base::counted(found.count, "tetrahedron is", "tetrahedra are") +
                                              " not positive, the first is " + std::to_string(found.first));
@@ -132,28 +100,25 @@ mesh::Mesh read_rest(const UntangleVerb& verb, const mesh::Mesh& solid, Session&
   return rest;
 }
 
-volume_map::Untangled untangle(const UntangleVerb& verb, const mesh::Mesh& solid, const mesh::Mesh& rest,
-                               volume_map::BlockEngine* engine, Session& session) {
+untangle::Untangled untangle(const UntangleVerb& verb, const mesh::Mesh& solid, const mesh::Mesh& rest,
+                             untangle::BlockEngine* engine, Session& session) {
   return about(verb.input, Role::input, [&] {
     const base::Stage stage(session.host(), 0.95);
     base::Array<std::uint8_t> fixed(session.host().memory);
     if (!verb.free_boundary) {
-      for (const mesh::Tetrahedron& t : solid.tetrahedra) {
-        for (const mesh::Index v : t) {
-          if (v >= solid.positions.size()) throw base::Error("index-range", "a vertex that does not exist");
-        }
-      }
-      fixed = boundary_coordinates(solid, session.host());
+      const auto boundary = mesh::boundary_vertices(solid.tetrahedra, solid.positions.size(), session.host());
+      for (const std::uint8_t on_boundary : boundary)
+        fixed.insert(fixed.end(), 3, on_boundary);
     }
-    volume_map::UntangleOptions with_engine = verb.options;
+    untangle::UntangleOptions with_engine = verb.options;
     with_engine.engine = engine;
-    return volume_map::untangle(
+    return untangle::untangle_tetrahedra(
         {.tetrahedra = solid.tetrahedra, .start = solid.positions, .rest = rest.positions, .fixed = fixed}, with_engine,
         session.host());
   });
 }
 
-Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const volume_map::Untangled& result) {
+Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::Untangled& result) {
   return {{"output", verb.output},
           {"vertices", solid.positions.size()},
           {"tetrahedra", solid.tetrahedra.size()},
@@ -167,9 +132,9 @@ Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const volume_
 }
 
 // Throws unless all tetrahedra are positive; notes where the boundary intersects itself.
-void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const volume_map::Untangled& result,
+void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::Untangled& result,
                      Session& session) {
-  about(verb.output, Role::output, [&] { volume_map::require_untangled(result, solid.tetrahedra.size()); });
+  about(verb.output, Role::output, [&] { untangle::require_untangled(result, solid.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay"); });
   about(verb.output, Role::output, [&] {
     report_intersections(verb.output, solid.positions, mesh::boundary_triangles(solid, session.host()),
                          verb.free_boundary ? "without --free-boundary the boundary stays as it is"
@@ -179,7 +144,7 @@ void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const vo
 }
 
 void run_untangle(const UntangleVerb& verb, Session& session) {
-  const std::unique_ptr<volume_map::BlockEngine> engine = start_solver(verb.solver);
+  const std::unique_ptr<untangle::BlockEngine> engine = start_solver(verb.solver);
   require_cells_writable(verb.output);
   session.options() = json_of(verb);
   mesh::Mesh solid = session.portion(0.03, [&] { return read_tetrahedra(verb.input, session); });
@@ -190,7 +155,7 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
   else
     rest = read_rest(verb, solid, session);
   const double start = session.seconds();
-  const volume_map::Untangled result = untangle(verb, solid, rest, engine.get(), session);
+  const untangle::Untangled result = untangle(verb, solid, rest, engine.get(), session);
   session.figures().update(figures_of(verb, solid, result));
   session.figures()["seconds_compute"] = session.seconds() - start;
   if (result.inverted == 0 || verb.keep_partial) {

@@ -37,7 +37,7 @@ std::vector<volume_map::PolycubePiece> read_pieces(const SolidOptions& options, 
 }
 
 void run_volume(const VolumeVerb& verb, Session& session) {
-  const std::unique_ptr<volume_map::BlockEngine> engine = start_solver(verb.solver);
+  const std::unique_ptr<untangle::BlockEngine> engine = start_solver(verb.solver);
   require_cells_writable(verb.output);
   if (!verb.source.empty()) require_cells_writable(verb.source);
   session.options() = {{"output", verb.output}, {"source", verb.source}, {"solver", verb.solver}, {"text", verb.text}};

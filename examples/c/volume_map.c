@@ -1,5 +1,4 @@
-/* A bar of cubes is folded flat like a strip of paper, with one end held, and comes back without inverted tetrahedra.
- */
+/* A bar of cubes, bent by 86 degrees, is mapped to a polycube: every tetrahedron is positive in space and there. */
 #include <math.h>
 #include <orbicube/volume_map.h>
 #include <stdio.h>
@@ -12,8 +11,7 @@ enum {
   tetrahedron_count = 6 * length * width * width
 };
 
-static double rest[3 * vertex_count], positions[3 * vertex_count];
-static uint8_t fixed[3 * vertex_count];
+static double positions[3 * vertex_count];
 static uint32_t tetrahedra[4 * tetrahedron_count];
 
 static uint32_t vertex_at(const int* p) {
@@ -29,12 +27,10 @@ static void make_bar(void) {
     for (corner[1] = 0; corner[1] <= width; ++corner[1]) {
       for (corner[2] = 0; corner[2] <= width; ++corner[2]) {
         const uint32_t v = vertex_at(corner);
-        for (k = 0; k < 3; ++k) {
-          rest[3 * v + (uint32_t)k] = corner[k];
-          positions[3 * v + (uint32_t)k] = corner[k];
-          fixed[3 * v + (uint32_t)k] = corner[0] == 0;
-        }
-        positions[3 * v] = fabs(corner[0] - 4.0 * floor(corner[0] / 4.0 + 0.5)); /* back and forth between 0 and 2 */
+        const double angle = 1.5 * corner[0] / length, radius = 8.0 - corner[1];
+        positions[3 * v] = radius * sin(angle);
+        positions[3 * v + 1] = -radius * cos(angle);
+        positions[3 * v + 2] = corner[2];
         if (corner[0] == length || corner[1] == width || corner[2] == width) continue;
         for (i = 0; i < 6; ++i) {
           uint32_t t[4];
@@ -57,33 +53,46 @@ static void make_bar(void) {
   }
 }
 
-int main(void) {
-  obc_volume_map_untangle_problem problem;
-  obc_volume_map_untangle_report report;
-  obc_error error;
+/* Returns how many tetrahedra are not positive. */
+static size_t count_inverted(const double* x, const uint32_t* cells, size_t count) {
   size_t i, inverted = 0;
+  for (i = 0; i < count; ++i) {
+    const uint32_t* t = cells + 4 * i;
+    if (obc_mesh_orientation_3d(x + 3 * t[0], x + 3 * t[1], x + 3 * t[2], x + 3 * t[3]) != 1) ++inverted;
+  }
+  return inverted;
+}
+
+int main(void) {
+  obc_volume_map_solid_options options;
+  obc_volume_map_solid* solid = NULL;
+  obc_error error;
+  size_t vertices, cells, inverted;
+  double *source, *polycube;
+  uint32_t* mapped;
 
   make_bar();
-  obc_volume_map_untangle_problem_init(&problem, sizeof problem);
-  obc_volume_map_untangle_report_init(&report, sizeof report);
-  problem.positions = positions;
-  problem.vertex_count = vertex_count;
-  problem.tetrahedra = tetrahedra;
-  problem.tetrahedron_count = tetrahedron_count;
-  problem.rest = rest;
-  problem.fixed = fixed;
-  if (obc_volume_map_untangle(&problem, NULL, NULL, positions, &report, &error) != OBC_OK) {
+  obc_volume_map_solid_options_init(&options, sizeof options);
+  options.corners = 8;
+  if (obc_volume_map_solid_compute(positions, vertex_count, tetrahedra, tetrahedron_count, &options, NULL, &solid,
+                                   &error) != OBC_OK) {
     fprintf(stderr, "%s: %s\n", error.kind, error.message);
     return EXIT_FAILURE;
   }
-  for (i = 0; i < tetrahedron_count; ++i) {
-    const uint32_t* t = tetrahedra + 4 * i;
-    if (obc_mesh_orientation_3d(positions + 3 * t[0], positions + 3 * t[1], positions + 3 * t[2],
-                                positions + 3 * t[3]) != 1)
-      ++inverted;
-  }
-  printf("%lu of %d tetrahedra were inverted, %lu are; volumes change by factors from %.3f to %.3f\n",
-         (unsigned long)report.inverted_before, (int)tetrahedron_count, (unsigned long)inverted, report.min_determinant,
-         report.max_determinant);
-  return inverted == 0 && report.inverted_before > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  vertices = obc_volume_map_solid_vertex_count(solid);
+  cells = obc_volume_map_solid_tetrahedron_count(solid);
+  source = malloc(3 * vertices * sizeof *source);
+  polycube = malloc(3 * vertices * sizeof *polycube);
+  mapped = malloc(4 * cells * sizeof *mapped);
+  if (source == NULL || polycube == NULL || mapped == NULL ||
+      obc_volume_map_solid_copy(solid, source, polycube, mapped, &error) != OBC_OK)
+    return EXIT_FAILURE;
+  inverted = count_inverted(source, mapped, cells) + count_inverted(polycube, mapped, cells);
+  printf("%lu tetrahedra, %lu on the polycube; inverted: %lu\n", (unsigned long)tetrahedron_count, (unsigned long)cells,
+         (unsigned long)inverted);
+  obc_volume_map_solid_destroy(solid);
+  free(source);
+  free(polycube);
+  free(mapped);
+  return inverted == 0 && cells >= tetrahedron_count ? EXIT_SUCCESS : EXIT_FAILURE;
 }

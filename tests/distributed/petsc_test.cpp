@@ -12,8 +12,8 @@
 
 #include "base/error.h"
 #include "cli/distributed/petsc_engine.h"
-#include "tests/volume_map/tangled_cases.h"
-#include "volume_map/untangle/foldover_energy.h"
+#include "tests/untangle/tangled_cases.h"
+#include "untangle/tetrahedra/foldover_energy.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;

@@ -36,7 +36,8 @@ NAMES = {
     "sphere_optimizer": "size_t count = 1; double x0[3], best[3], gradient[3]; const double *x; obc_sphere_optimizer *solver; int32_t request; "
                         "obc_sphere_optimizer_result result; result.struct_size = sizeof result; ",
     "tetrahedra": ARRAYS,
-    "volume_map": "double *positions = 0; uint32_t *tetrahedra = 0; uint8_t *fixed = 0; size_t n = 0, m = 0; ",
+    "untangle": "double *positions = 0; uint32_t *tetrahedra = 0; uint8_t *fixed = 0; size_t n = 0, m = 0; ",
+    "volume_map": "double *positions = 0; uint32_t *tetrahedra = 0; size_t n = 0, m = 0; ",
 }
 QUIET = ["-Wno-unused-variable", "-Wno-unused-but-set-variable", "-Wno-maybe-uninitialized", "-Wno-uninitialized", "-Wno-unused-parameter",
          "-Wno-unused-function", "-Wno-unused-but-set-parameter", "-fsyntax-only"]

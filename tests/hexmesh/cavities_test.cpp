@@ -90,8 +90,8 @@ TEST_CASE("A bent solid with a cavity has a certified polycube, a map to it and 
   }
 
   const VolumeMap map = map_to_polycube({block.positions, block.tetrahedra, block.surface, made.map}, host);
-  CHECK(count_inverted(map.tetrahedra, map.image, host).count == 0);
-  CHECK(count_inverted(map.tetrahedra, map.source, host).count == 0);
+  CHECK(untangle::count_inverted(map.tetrahedra, map.image, host).count == 0);
+  CHECK(untangle::count_inverted(map.tetrahedra, map.source, host).count == 0);
 
   const HexResult hexes = make_hexahedra({made.map}, {.cells = 800, .rounds = 16, .distance = 3}, host);
   CHECK(hexes.quality.valid());
@@ -101,7 +101,7 @@ TEST_CASE("A bent solid with a cavity has a certified polycube, a map to it and 
   // Both walls are covered.
   double volume = 0;
   for (const Tetrahedron& t : block.tetrahedra)
-    volume += six_volumes(block.positions, t) / 6;
+    volume += untangle::six_volumes(block.positions, t) / 6;
   CHECK(hexes.quality.volume == doctest::Approx(volume).epsilon(0.03));
 }
 

@@ -227,7 +227,7 @@ TEST_CASE("a cylinder has four inner curves around which cells meet in threes") 
   CHECK(made.inner_irregular_edges >= 4 * 2);
   double volume = 0;
   for (const Tetrahedron& t : solid.tetrahedra)
-    volume += six_volumes(solid.positions, t) / 6;
+    volume += untangle::six_volumes(solid.positions, t) / 6;
   CHECK(made.result.quality.volume == doctest::Approx(volume).epsilon(0.03));
 }
 
@@ -267,7 +267,7 @@ TEST_CASE("hexahedra along frames follow the surface that the solid is a coarser
   CHECK(made.quality.valid());
   double volume = 0;
   for (const Tetrahedron& t : solid.tetrahedra)
-    volume += six_volumes(positions, t) / 6;
+    volume += untangle::six_volumes(positions, t) / 6;
   CHECK(made.volume_error == doctest::Approx(100 * std::abs(made.quality.volume / volume - 1)));
   CHECK(made.quality.volume == doctest::Approx(volume).epsilon(0.03));
 }
@@ -284,7 +284,7 @@ TEST_CASE("a coarse ring has a field that a map can follow, with singular curves
   CHECK(made.inner_irregular_edges > 0);
   double volume = 0;
   for (const Tetrahedron& t : solid.tetrahedra)
-    volume += six_volumes(solid.positions, t) / 6;
+    volume += untangle::six_volumes(solid.positions, t) / 6;
   CHECK(made.result.quality.volume == doctest::Approx(volume).epsilon(0.15));  // few and large cells
 }
 

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "polycube/map/certificate.h"
-#include "tangled_cases.h"
+#include "tests/untangle/tangled_cases.h"
 #include "volume_map/solid/volume_map.h"
 
 namespace orbicube::volume_map::test {
+
+using namespace untangle::test;
 
 struct BlockSolid {
   std::vector<Vector3> positions;  // those of the boundary first

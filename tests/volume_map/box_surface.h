@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map::test {
 

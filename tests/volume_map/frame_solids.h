@@ -6,10 +6,12 @@
 #include <complex>
 #include <numbers>
 
-#include "tangled_cases.h"
+#include "tests/untangle/tangled_cases.h"
 #include "volume_map/frames/framed_solid.h"
 
 namespace orbicube::volume_map::test {
+
+using namespace untangle::test;
 
 inline FramedSolid framed(const BlockMesh& mesh) {
   FramedSolid solid(std::pmr::get_default_resource());

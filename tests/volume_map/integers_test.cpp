@@ -5,9 +5,9 @@
 #include <limits>
 #include <random>
 
+#include "untangle/tetrahedra/variables.h"
 #include "volume_map/frames/integer_rounding.h"
 #include "volume_map/frames/transitions.h"
-#include "volume_map/untangle/variables.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -186,11 +186,11 @@ TEST_CASE("rounding ends where numbers are not finite, or so large that a step o
 }
 
 TEST_CASE("coordinates that are tied with signs and shifts: values, changes and forces agree") {
-  using Affine = Variables::Affine;
+  using Affine = untangle::Variables::Affine;
   // Two vertices share unknowns 0 and 2, the latter flipped and shifted; unknown 1 is one vertex's own.
   const std::vector<Affine> coordinates = {{0, 1, 0}, {1, -1, 4}, {no_index, 0, 7}, {2, 1, 0}, {2, -1, 3}, {0, 1, -2}};
   const std::vector<double> start = {0.5, 0.25, 2};
-  const Variables variables(coordinates, start, std::pmr::get_default_resource());
+  const untangle::Variables variables(coordinates, start, std::pmr::get_default_resource());
   CHECK(variables.free() == 3);
   CHECK(variables.any_shared());
   std::vector<Vector3> x(2);

@@ -9,7 +9,7 @@
 
 #include "base/error.h"
 #include "box_surface.h"
-#include "tangled_cases.h"
+#include "tests/untangle/tangled_cases.h"
 #include "volume_map/input/solid_boundary.h"
 
 using namespace orbicube;
@@ -37,8 +37,8 @@ bool tells(const std::string& refusal, const std::string& kind, const std::strin
   return refusal.starts_with(kind + ": ") && refusal.find(place) != std::string::npos;
 }
 
-mesh::Mesh solid_of(const std::vector<test::Block>& blocks, int n) {
-  const test::BlockMesh made(blocks, n);
+mesh::Mesh solid_of(const std::vector<untangle::test::Block>& blocks, int n) {
+  const untangle::test::BlockMesh made(blocks, n);
   mesh::Mesh result;
   result.positions.assign(made.positions.begin(), made.positions.end());
   result.tetrahedra.assign(made.tetrahedra.begin(), made.tetrahedra.end());
@@ -147,7 +147,7 @@ TEST_CASE(
   CHECK(whole(good) == "");
   CHECK(pieces_of(good.tetrahedra, good.positions.size(), host).count == 1);
 
-  std::vector<test::Block> shell;
+  std::vector<untangle::test::Block> shell;
   for (int i = 0; i < 27; ++i) {
     if (i != 13) shell.push_back({i / 9, i / 3 % 3, i % 3});
   }
@@ -170,10 +170,12 @@ TEST_CASE(
 }
 
 TEST_CASE("Tetrahedra that can never be positive together are refused before anything is moved") {
-  test::TangledCase c = test::strewn(1, 2, 1, 3);
+  untangle::test::TangledCase c = untangle::test::strewn(1, 2, 1, 3);
   const base::Host host;
-  const auto tried = [&](const test::TangledCase& t) { return refusal([&] { untangle(t.mesh(), {}, host); }); };
-  test::TangledCase bad = c;
+  const auto tried = [&](const untangle::test::TangledCase& t) {
+    return refusal([&] { untangle::untangle_tetrahedra(t.mesh(), {}, host); });
+  };
+  untangle::test::TangledCase bad = c;
   bad.rest.clear();
   std::swap(bad.tetrahedra[7][1], bad.tetrahedra[7][2]);
   tells(tried(bad), "inconsistent-orientation", ", at (");

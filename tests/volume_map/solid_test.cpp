@@ -6,10 +6,10 @@
 #include "base/error.h"
 #include "block_solid.h"
 #include "mesh/search/predicates.h"
+#include "untangle/tetrahedra/elements.h"
+#include "untangle/tetrahedra/untangle_tetrahedra.h"
 #include "volume_map/solid/boundary_refinement.h"
 #include "volume_map/solid/freeing_splits.h"
-#include "volume_map/untangle/elements.h"
-#include "volume_map/untangle/untangle.h"
 
 using namespace orbicube;
 using namespace orbicube::volume_map;
@@ -20,7 +20,7 @@ template <class Positions, class Cells>
 double volume_of(const Positions& positions, const Cells& cells) {
   double sum = 0;
   for (const Tetrahedron& t : cells)
-    sum += six_volumes(positions, t) / 6;
+    sum += untangle::six_volumes(positions, t) / 6;
   return sum;
 }
 
@@ -36,7 +36,7 @@ TEST_CASE(
   const std::size_t added = split_for_freedom(positions, tetrahedra, host);
   CHECK(added > 0);
   CHECK(positions.size() == block.positions.size() + added);
-  CHECK(count_inverted(tetrahedra, positions, host).count == 0);
+  CHECK(untangle::count_inverted(tetrahedra, positions, host).count == 0);
   CHECK(volume_of(positions, tetrahedra) == doctest::Approx(3));
   std::set<std::set<Index>> faces;
   for (const mesh::Triangle& t : block.surface)
@@ -63,7 +63,7 @@ TEST_CASE("A solid is cut where its surface is") {
   REQUIRE(block.certificate == "");
   const base::Host host;
   const RefinedSolid refined = refine_boundary(block.positions, block.tetrahedra, block.surface, block.map, host);
-  CHECK(count_inverted(refined.tetrahedra, refined.positions, host).count == 0);
+  CHECK(untangle::count_inverted(refined.tetrahedra, refined.positions, host).count == 0);
   CHECK(volume_of(refined.positions, refined.tetrahedra) ==
         doctest::Approx(volume_of(block.positions, block.tetrahedra)));
   CHECK(std::equal(block.map.positions.begin(), block.map.positions.end(), refined.positions.begin()));
@@ -95,8 +95,8 @@ TEST_CASE("A bent solid is mapped to its polycube one to one, the same for any n
     base::Host host;
     host.thread_count = threads;
     const VolumeMap map = map_to_polycube(block.solid(), host);
-    CHECK(count_inverted(map.tetrahedra, map.image, host).count == 0);
-    CHECK(count_inverted(map.tetrahedra, map.source, host).count == 0);
+    CHECK(untangle::count_inverted(map.tetrahedra, map.image, host).count == 0);
+    CHECK(untangle::count_inverted(map.tetrahedra, map.source, host).count == 0);
     CHECK(volume_of(map.image, map.tetrahedra) == doctest::Approx(3).epsilon(1e-12));
     for (std::size_t v = 0; v < block.map.positions.size(); ++v)
       CHECK(map.source[v] == block.map.positions[v]);

@@ -1,4 +1,4 @@
-// Maps of tetrahedral meshes without inverted tetrahedra; wraps orbicube/volume_map.h.
+// Maps of solids to polycubes without inverted tetrahedra; wraps orbicube/volume_map.h.
 #ifndef ORBICUBE_VOLUME_MAP_HPP
 #define ORBICUBE_VOLUME_MAP_HPP
 
@@ -10,41 +10,6 @@
 namespace orbicube {
 inline namespace api {
 namespace volume_map {
-
-using UntangleOptions = detail::Filled<obc_volume_map_untangle_options, obc_volume_map_untangle_options_init>;
-using UntangleReport = detail::Filled<obc_volume_map_untangle_report, obc_volume_map_untangle_report_init>;
-
-// A mesh in the caller's arrays. Rest, fixed and ties are set as members where they are requested.
-struct UntangleProblem : detail::Filled<obc_volume_map_untangle_problem, obc_volume_map_untangle_problem_init> {
-  UntangleProblem(Doubles places, Indices cells) {
-    positions = places.data();
-    vertex_count = detail::rows(places.size(), 3, "positions");
-    tetrahedra = cells.data();
-    tetrahedron_count = detail::rows(cells.size(), 4, "tetrahedra");
-  }
-};
-
-struct Untangled {
-  std::vector<double> positions;  // x y z a vertex
-  UntangleReport report;
-};
-
-// Moves vertices until every tetrahedron is positive. Where some stay inverted it throws an Error with the status
-// OBC_NO_VALID_RESULT, and *best, if it is given, is the best that was found.
-inline Untangled untangle(const UntangleProblem& problem, const UntangleOptions& options = {}, Host* host = nullptr,
-                          Untangled* best = nullptr) {
-  Untangled result{std::vector<double>(3 * problem.vertex_count), {}};
-  try {
-    detail::call(host, [&](obc_error* error) {
-      return obc_volume_map_untangle(&problem, &options, detail::c(host), result.positions.data(), &result.report,
-                                     error);
-    });
-  } catch (const Error& error) {
-    if (best != nullptr && error.status() == OBC_NO_VALID_RESULT) *best = std::move(result);
-    throw;
-  }
-  return result;
-}
 
 using SolidOptions = detail::Filled<obc_volume_map_solid_options, obc_volume_map_solid_options_init>;
 

@@ -197,9 +197,9 @@ export const layouts: {
   readonly obc_trust_region_problem: Layout;
   readonly obc_trust_region_options: Layout;
   readonly obc_trust_region_result: Layout;
-  readonly obc_volume_map_untangle_problem: Layout;
-  readonly obc_volume_map_untangle_options: Layout;
-  readonly obc_volume_map_untangle_report: Layout;
+  readonly obc_untangle_options: Layout;
+  readonly obc_untangle_report: Layout;
+  readonly obc_untangle_tetrahedra_problem: Layout;
   readonly obc_volume_map_solid_options: Layout;
 };
 export const callbacks: Readonly<Record<string, string>>;
@@ -1035,21 +1035,23 @@ export interface RawFunctions {
   obc_trust_region_stop_name(stop: number): Pointer;
   /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
   obc_trust_region_version(): number;
-  /** Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
-  obc_volume_map_untangle_problem_init(problem: Pointer, struct_size: number): number;
-  /** Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
-  obc_volume_map_untangle_options_init(options: Pointer, struct_size: number): number;
-  /** Fill a mesh with no vertices, options with the defaults, and a report with zeros. */
-  obc_volume_map_untangle_report_init(report: Pointer, struct_size: number): number;
+  /** Fill options with the defaults, and a report with zeros. */
+  obc_untangle_options_init(options: Pointer, struct_size: number): number;
+  /** Fill options with the defaults, and a report with zeros. */
+  obc_untangle_report_init(report: Pointer, struct_size: number): number;
+  /** Fills a problem with no vertices. */
+  obc_untangle_tetrahedra_problem_init(problem: Pointer, struct_size: number): number;
   /** Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
    * unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
-   * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients.
+   * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to three attempts.
    * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
    * errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
    * not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
    * malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
    * tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled. */
-  obc_volume_map_untangle(problem: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer): number;
+  obc_untangle_tetrahedra(problem: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer): number;
+  /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
+  obc_untangle_version(): number;
   /** Fills options with the defaults. */
   obc_volume_map_solid_options_init(options: Pointer, struct_size: number): number;
   /** Computes a polycube of the boundary of a solid and a map of the solid to it. Every tetrahedron is positive on the polycube and in

@@ -388,13 +388,15 @@ export function singularities(solid: SolidLike, frames: Numbers, host?: Host): {
 
 export interface UntangleOptions {
   rest?: Numbers;
-  /** A flag a coordinate, or a vertex. */
+  /** A flag a vertex, or a coordinate; default: boundary vertices are fixed. */
   fixed?: ArrayLike<number | boolean>;
   /** A group a coordinate, of which all are to be equal, or 2^32 - 1. */
   ties?: Numbers;
-  steps?: number;
-  polishSteps?: number;
+  maxSteps?: number;
+  maxPolishSteps?: number;
+  freeBoundary?: boolean | number;
   volumeWeight?: number;
+  tolerance?: number;
 }
 
 /** Where some stay inverted, what is thrown has what was found as its `best`. */

@@ -17,7 +17,8 @@ export { Locator, bestRotation, faceDistortion, grid, measure, overlay, roundToF
 export { Polycube, commonPolycube, polycube } from './polycube.js';
 export { frameField, matchings, measureFrames, singularities } from './frame_field.js';
 export { hexahedra } from './hexmesh.js';
-export { solidMap, untangle } from './volume_map.js';
+export { untangle } from './untangle.js';
+export { solidMap } from './volume_map.js';
 export { readGltf, writeGlb } from './gltf.js';
 export { boxOf, facing, morph, normalized, octahedronCoordinates, sphereGlb } from './morph.js';
 export { OrbicubeWorker } from './client.js';

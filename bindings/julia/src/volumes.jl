@@ -4,14 +4,14 @@
     positions, report = untangle(positions, tetrahedra; rest, fixed, ties, keep_best=false, options...)
 
 Moves vertices until every tetrahedron (4 by m, from 1) is positive. rest: positions where each has the shape that it should have. fixed: a
-flag a coordinate (3 by n) or a vertex (n). ties: a group a coordinate (3 by n), from 1 to 3 n, of which all are to be equal, or 0. Where some
-stay inverted an OrbicubeError is thrown or, with `keep_best`, the best is returned: `report.inverted` says how many. Options: steps,
-polish_steps, volume_weight.
+flag a coordinate (3 by n) or a vertex (n); default: boundary vertices are fixed. ties: a group a coordinate (3 by n), from 1 to 3 n, of which
+all are to be equal, or 0. Where some stay inverted an OrbicubeError is thrown or, with `keep_best`, the best is returned: `report.inverted`
+says how many. Options: max_steps, max_polish_steps, free_boundary, volume_weight, tolerance.
 """
 function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
                   keep_best=false, threads=0, progress=nothing, options...)
     places, n, cells, m = solid_arrays(positions, tetrahedra)
-    problem = filled(Raw.obc_volume_map_untangle_problem, Raw.obc_volume_map_untangle_problem_init, NamedTuple())
+    problem = filled(Raw.obc_untangle_tetrahedra_problem, Raw.obc_untangle_tetrahedra_problem_init, NamedTuple())
     problem.positions, problem.vertex_count = pointer(places), n
     problem.tetrahedra, problem.tetrahedron_count = pointer(cells), m
     shape, flags, groups = zeros(0, 0), UInt8[], UInt32[]
@@ -22,21 +22,21 @@ function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Intege
     end
     if fixed !== nothing
         expect(size(fixed, ndims(fixed)), n, "columns of fixed")
-        flags = ndims(fixed) == 1 ? repeat(UInt8.(fixed .!= 0), inner=3) : vec(UInt8.(fixed .!= 0))
-        expect(length(flags), 3 * n, "fixed")
-        problem.fixed = pointer(flags)
+        flags = vec(UInt8.(fixed .!= 0))
+        expect(length(flags), ndims(fixed) == 1 ? n : 3 * n, "fixed")
+        ndims(fixed) == 1 ? (problem.fixed = pointer(flags)) : (problem.fixed_coordinates = pointer(flags))
     end
     if ties !== nothing
         expect(length(ties), 3 * n, "ties")
         groups = UInt32[group == 0 ? typemax(UInt32) : group - 1 for group in ties]
         problem.ties = pointer(groups)
     end
-    chosen = filled(Raw.obc_volume_map_untangle_options, Raw.obc_volume_map_untangle_options_init, values(options))
-    report = filled(Raw.obc_volume_map_untangle_report, Raw.obc_volume_map_untangle_report_init, NamedTuple())
+    chosen = filled(Raw.obc_untangle_options, Raw.obc_untangle_options_init, values(options))
+    report = filled(Raw.obc_untangle_report, Raw.obc_untangle_report_init, NamedTuple())
     result = Matrix{Float64}(undef, 3, n)
     try
         GC.@preserve places cells shape flags groups hosted(threads=threads, progress=progress) do lent, error
-            Raw.obc_volume_map_untangle(problem, chosen, lent, result, report, error)
+            Raw.obc_untangle_tetrahedra(problem, chosen, lent, result, report, error)
         end
     catch error
         keep_best && error isa OrbicubeError && error.status == Raw.OBC_NO_VALID_RESULT || rethrow()

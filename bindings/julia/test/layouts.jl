@@ -57,8 +57,8 @@ const layouts = [
     (Orbicube.Raw.obc_trust_region_problem, 56, [0, 8, 16, 24, 32, 40, 48]),
     (Orbicube.Raw.obc_trust_region_options, 80, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72]),
     (Orbicube.Raw.obc_trust_region_result, 80, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72]),
-    (Orbicube.Raw.obc_volume_map_untangle_problem, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
-    (Orbicube.Raw.obc_volume_map_untangle_options, 24, [0, 4, 8, 12, 16]),
-    (Orbicube.Raw.obc_volume_map_untangle_report, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
+    (Orbicube.Raw.obc_untangle_options, 32, [0, 4, 8, 12, 16, 24]),
+    (Orbicube.Raw.obc_untangle_report, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
+    (Orbicube.Raw.obc_untangle_tetrahedra_problem, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64]),
     (Orbicube.Raw.obc_volume_map_solid_options, 24, [0, 4, 8, 16]),
 ]

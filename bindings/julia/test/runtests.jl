@@ -322,7 +322,7 @@ end
     @test best == places && report.inverted == report.inverted_before
     @test_throws DimensionMismatch untangle(places, cells; fixed=trues(3))
     @test_throws ArgumentError untangle(places, cells .+ 1)
-    @test_throws OrbicubeError untangle(places, cells; steps=-1, keep_best=true)
+    @test_throws OrbicubeError untangle(places, cells; max_steps=-1, keep_best=true)
 end
 
 "The scaled Jacobian of each corner of hexahedra, by arithmetic of our own."

@@ -15,7 +15,7 @@ from ._solver import EvaluationFailed
 
 __version__ = "0.1.0"
 _LIBRARIES = ["quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "linear", "harmonics", "mesh",
-              "gltf", "repair", "frame_field", "sphere_map", "tetrahedra", "polycube", "correspondence",
+              "gltf", "repair", "frame_field", "sphere_map", "tetrahedra", "untangle", "polycube", "correspondence",
               "volume_map", "hexmesh"]
 __all__ = ["Cancelled", "Error", "EvaluationFailed", "FileError", "InvalidArgument", "MalformedFile", "NoValidResult",
            "OutOfMemory", "Stop", "Unsupported", "UnsuitableSurface", *_LIBRARIES]

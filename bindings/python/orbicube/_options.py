@@ -344,14 +344,19 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("max_evaluations", "int", 0, low=0, high=18446744073709551615,
                doc="maximum number of evaluations; 0: 500 (n + 1). Default: 0."),
     ),
-    "obc_volume_map_untangle_options": (
-        Option("steps", "int", 500, low=-2147483648, high=2147483647,
-               doc="maximum number of Newton steps in each of three attempts, while tetrahedra are inverted. Default: 500."),
-        Option("polish_steps", "int", 20, low=-2147483648, high=2147483647,
-               doc="maximum number of further steps that lower the distortion and keep all tetrahedra positive. Default: "
-                   "20."),
+    "obc_untangle_options": (
+        Option("max_steps", "int", 500, low=-2147483648, high=2147483647,
+               doc="maximum number of Newton steps in each attempt, while elements are inverted. Default: 500."),
+        Option("max_polish_steps", "int", 20, low=-2147483648, high=2147483647,
+               doc="maximum number of further steps that lower the distortion and keep all elements positive. Default: 20."),
+        Option("free_boundary", "bool", False,
+               doc="1: boundary vertices move unless they are in `fixed`; 0: they are fixed where no fixed ones are given. "
+                   "Default: 0."),
         Option("volume_weight", "float", 1.0,
-               doc="weight of volume distortion relative to angle distortion, positive. Default: 1."),
+               doc="weight of changes of volume, or of area, relative to changes of angles, positive. Default: 1."),
+        Option("tolerance", "float", 0.0001,
+               doc="polishing ends when a step lowers the energy by less than this fraction of it, 0 to below 1. Default: "
+                   "1e-4."),
     ),
     "obc_volume_map_solid_options": (
         Option("corners", "int", 100, low=0, high=18446744073709551615,

@@ -8,11 +8,11 @@
 #include <cmath>
 
 #include "hexmesh/certificate/hex_mesh.h"
-#include "volume_map/untangle/elements.h"
+#include "untangle/tetrahedra/elements.h"
 
 namespace orbicube::hexmesh {
 
-using volume_map::Element;
+using untangle::Element;
 
 inline constexpr std::size_t corner_tetrahedra = 8, edge_tetrahedra = 24;
 

@@ -5,12 +5,12 @@
 #include <cmath>
 
 #include "base/threads/pieces.h"
-#include "volume_map/untangle/newton.h"
+#include "untangle/tetrahedra/newton.h"
 
 namespace orbicube::hexmesh {
 namespace {
 
-using volume_map::Element;
+using untangle::Element;
 
 constexpr double volume_weight = 0.2;  // of the energy
 constexpr double loose = 0.05;         // pull to the start while the mesh is untangled
@@ -87,7 +87,7 @@ class Fit {
     if (slide) targets_.slide(mesh_.positions);
     set_weights(mesh_, progress < 0.14 ? 1 : growth < 1 ? 20 : 60, elements_);
     set_pulls(weight, slide);
-    volume_map::EnergyValue now = energy_.value(newton_.values(), 0);
+    untangle::EnergyValue now = energy_.value(newton_.values(), 0);
     for (int k = 0; k < 2; ++k) {
       const double before = now.energy;
       newton_.step(0, {.products = 60, .tolerance = 3e-2}, now);
@@ -113,10 +113,10 @@ class Fit {
   const FeatureFitOptions& options_;
   const base::Host& host_;
   Array<Element> elements_;
-  volume_map::Variables variables_;
+  untangle::Variables variables_;
   Array<Pull> pulls_;
-  volume_map::FoldoverEnergy energy_;
-  volume_map::Newton newton_;
+  untangle::FoldoverEnergy energy_;
+  untangle::Newton newton_;
 };
 
 }  // namespace
@@ -131,13 +131,13 @@ void smooth_inside(HexMesh& mesh, const FeatureTargets& targets, int steps, cons
   for (const Index v : targets.vertices())
     std::fill_n(fixed.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{v}), 3, std::uint8_t{1});
   Array<Element> elements = corner_elements(mesh, host);
-  const volume_map::Variables variables(mesh.positions, fixed, {}, host.memory);
-  volume_map::FoldoverEnergy energy(elements, variables, volume_weight, host);
-  volume_map::Newton newton(energy, variables.start(), host);
+  const untangle::Variables variables(mesh.positions, fixed, {}, host.memory);
+  untangle::FoldoverEnergy energy(elements, variables, volume_weight, host);
+  untangle::Newton newton(energy, variables.start(), host);
   for (int i = 0; i < steps; ++i) {
     host.report("smooth", static_cast<std::uint64_t>(i), static_cast<std::uint64_t>(steps));
     set_weights(mesh, most, elements);
-    volume_map::EnergyValue now = energy.value(newton.values(), 0);
+    untangle::EnergyValue now = energy.value(newton.values(), 0);
     if (now.inverted > 0) return;
     if (newton.step(0, {.products = 60, .tolerance = 3e-2}, now) == 0) return;
     variables.expand(newton.values(), mesh.positions);

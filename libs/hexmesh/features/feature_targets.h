@@ -3,11 +3,11 @@
 #pragma once
 
 #include "hexmesh/features/embedding.h"
-#include "volume_map/untangle/foldover_energy.h"
+#include "untangle/tetrahedra/foldover_energy.h"
 
 namespace orbicube::hexmesh {
 
-using volume_map::Pull;
+using untangle::Pull;
 
 class FeatureTargets {
  public:

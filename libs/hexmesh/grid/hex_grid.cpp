@@ -14,12 +14,12 @@ namespace {
 
 // Vertices inside at the mean of their neighbors, by conjugate gradients on the corners of the hexahedra.
 void place_inner(HexMesh& mesh, std::span<const std::uint8_t> outer, const base::Host& host) {
-  Array<volume_map::Element> elements(8 * mesh.hexahedra.size(), host.memory);
+  Array<untangle::Element> elements(8 * mesh.hexahedra.size(), host.memory);
   for (std::size_t i = 0; i < mesh.hexahedra.size(); ++i) {
     for (std::size_t k = 0; k < 8; ++k) {
       const Hexahedron& h = mesh.hexahedra[i];
       const auto& n = corner_neighbors[k];
-      volume_map::Element& e = elements[8 * i + k];
+      untangle::Element& e = elements[8 * i + k];
       e.corner = {h[k], h[n[0]], h[n[1]], h[n[2]]};
       e.gradient = {-Vector3::Ones(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
       e.weight = 1;

@@ -7,11 +7,11 @@
 
 #include "hexmesh/certificate/hex_mesh.h"
 #include "hexmesh/quality/surface_target.h"
-#include "volume_map/untangle/foldover_energy.h"
+#include "untangle/tetrahedra/foldover_energy.h"
 
 namespace orbicube::hexmesh {
 
-using volume_map::Pull;
+using untangle::Pull;
 
 class HexBoundary {
  public:

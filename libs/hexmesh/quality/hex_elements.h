@@ -3,11 +3,11 @@
 #pragma once
 
 #include "hexmesh/certificate/hex_mesh.h"
-#include "volume_map/untangle/elements.h"
+#include "untangle/tetrahedra/elements.h"
 
 namespace orbicube::hexmesh {
 
-using volume_map::Element;
+using untangle::Element;
 
 class HexElements {
  public:

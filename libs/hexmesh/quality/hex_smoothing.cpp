@@ -9,8 +9,8 @@
 #include "base/threads/pieces.h"
 #include "hexmesh/quality/hex_elements.h"
 #include "hexmesh/quality/surface_coverage.h"
-#include "volume_map/untangle/local_untangling.h"
-#include "volume_map/untangle/newton.h"
+#include "untangle/tetrahedra/local_untangling.h"
+#include "untangle/tetrahedra/newton.h"
 
 namespace orbicube::hexmesh {
 namespace {
@@ -90,7 +90,7 @@ class Smoothing {
 
   // Takes the steps of a round. The mesh follows.
   void take_steps() {
-    volume_map::EnergyValue now = energy_->value(newton_->values(), 0);
+    untangle::EnergyValue now = energy_->value(newton_->values(), 0);
     for (int k = 0; k < 2; ++k) {
       const double before = now.energy;
       newton_->step(0, {.products = 60, .tolerance = 3e-2}, now);
@@ -127,7 +127,7 @@ class Smoothing {
     for (int k = 0; k < options_.untangling_steps; ++k) {
       variables_.expand(newton_->values(), mesh_.positions);
       set_pulls(pull);
-      volume_map::EnergyValue now = energy_->value(newton_->values(), 1);
+      untangle::EnergyValue now = energy_->value(newton_->values(), 1);
       host_.report("untangle", static_cast<std::uint64_t>(k), static_cast<std::uint64_t>(options_.untangling_steps),
                    static_cast<double>(now.inverted));
       if (now.inverted == 0) return true;
@@ -156,8 +156,8 @@ class Smoothing {
   bool untangle_neighborhoods() {
     constexpr int max_steps = 60;
     const Array<std::uint8_t> none_fixed(3 * mesh_.positions.size(), 0, host_.memory);
-    return volume_map::untangle_locally(elements_.all(), none_fixed, volume_weight, max_steps, mesh_.positions, host_,
-                                        pulls_)
+    return untangle::untangle_locally(elements_.all(), none_fixed, volume_weight, max_steps, mesh_.positions, host_,
+                                      pulls_)
         .done;
   }
 
@@ -261,9 +261,9 @@ class Smoothing {
   Array<Pull> pulls_;
   Array<double> stiffness_;  // of what pulls each vertex to the surface
   SurfaceCoverage coverage_;
-  volume_map::Variables variables_;
-  std::optional<volume_map::FoldoverEnergy> energy_;
-  std::optional<volume_map::Newton> newton_;
+  untangle::Variables variables_;
+  std::optional<untangle::FoldoverEnergy> energy_;
+  std::optional<untangle::Newton> newton_;
 };
 
 }  // namespace

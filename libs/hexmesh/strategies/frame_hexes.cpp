@@ -265,7 +265,7 @@ FrameHexes make_hexahedra_by_frames(const volume_map::FramedSolid& solid, const 
   base::require(options.max_cells <= 10'000'000, "max_cells must be at most 10 million");
   double volume = 0;
   for (const Tetrahedron& t : solid.tetrahedra)
-    volume += volume_map::six_volumes(solid.positions, t) / 6;
+    volume += untangle::six_volumes(solid.positions, t) / 6;
   std::optional<FrameHexes> best;
   for (std::size_t cells = options.cells;; cells *= 2) {
     const base::Stage stage(host, 0.5);

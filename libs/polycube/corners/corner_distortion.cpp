@@ -1,5 +1,5 @@
 #include "polycube/corners/corner_distortion.h"
-#include "polycube/map/positive_step.h"
+#include "untangle/flip_bound.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -143,7 +143,7 @@ double DistortionMinimum::longest_positive_step(std::span<const double> directio
   double longest = 1;
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     const Eigen::Matrix2d j = triangles_.jacobian(value_, t), k = triangles_.jacobian(direction, t);
-    longest = std::min(longest, 0.9 * first_degenerate_step(j, k));
+    longest = std::min(longest, 0.9 * untangle::first_degenerate_step(j, k));
   }
   return longest;
 }

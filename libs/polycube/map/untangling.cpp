@@ -1,5 +1,5 @@
 #include "polycube/map/untangling.h"
-#include "polycube/map/positive_step.h"
+#include "untangle/flip_bound.h"
 
 #include <Eigen/Dense>
 #include <cmath>
@@ -133,7 +133,7 @@ double Untangling::longest_positive_step() const {
   double longest = 1;
   for (std::size_t i = 0; i < places_.size(); ++i) {
     const Eigen::Matrix2d j = triangles_.jacobian(map_.value, i), k = triangles_.jacobian(direction_, i);
-    longest = std::min(longest, 0.9 * first_degenerate_step(j, k));
+    longest = std::min(longest, 0.9 * untangle::first_degenerate_step(j, k));
   }
   return longest;
 }

@@ -7,7 +7,7 @@
 
 #include "base/backtracking.h"
 #include "linear/sparse_system.h"
-#include "polycube/map/positive_step.h"
+#include "untangle/flip_bound.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -183,7 +183,7 @@ class System {
         if (e.variable[i] == no_index) continue;
         k += PlaneMotion::turned(direction_[e.variable[i]], e.motion[i].quarters) * e.rest.hat[i].transpose();
       }
-      longest = std::min(longest, 0.9 * first_degenerate_step(j, k));
+      longest = std::min(longest, 0.9 * untangle::first_degenerate_step(j, k));
     }
     return longest;
   }

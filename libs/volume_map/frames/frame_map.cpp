@@ -12,9 +12,9 @@
 #include "base/error.h"
 #include "frame_field/singularities/meshability.h"
 #include "mesh/search/predicates.h"
+#include "untangle/tetrahedra/newton.h"
 #include "volume_map/frames/frame_energy.h"
 #include "volume_map/frames/layer_bounds.h"
-#include "volume_map/untangle/newton.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -212,14 +212,15 @@ class Mapping {
                               const Eigen::VectorXd& free) {
     const FramedSolid& solid = map_.solid;
     const std::size_t copies = cut.vertex_of_copy.size();
-    Array<Variables::Affine> coordinates(3 * copies, host_.memory);
+    Array<untangle::Variables::Affine> coordinates(3 * copies, host_.memory);
     for (std::size_t i = 0; i < coordinates.size(); ++i) {
       double shift = 0;
       for (const IntegerTerm& term : system.forms.terms(system.form[i]))
         shift += term.factor * integers[term.unknown];
       coordinates[i] = {system.variable[i], system.sign[i], shift};
     }
-    const Variables variables(coordinates, {free.data(), static_cast<std::size_t>(free.size())}, host_.memory);
+    const untangle::Variables variables(coordinates, {free.data(), static_cast<std::size_t>(free.size())},
+                                        host_.memory);
     Array<Tetrahedron> corners(solid.tetrahedra.size(), host_.memory);
     Array<Vector3> rest(copies, host_.memory), image(copies, host_.memory);
     for (std::size_t t = 0; t < corners.size(); ++t)
@@ -231,13 +232,13 @@ class Mapping {
     map_.inverted_at_start = inverted(corners, image).size();
     double volume = 0, target = 0;
     for (const Tetrahedron& t : corners) {
-      volume += six_volumes(image, t);
-      target += six_volumes(rest, t);
+      volume += untangle::six_volumes(image, t);
+      target += untangle::six_volumes(rest, t);
     }
     const double scale = volume > 0 ? std::cbrt(volume / target) : 1 / options_.cell_length;
-    const Array<Element> elements = elements_of(corners, rest, scale, host_);
-    FoldoverEnergy energy(elements, variables, 1, host_);
-    Newton newton(energy, variables.start(), host_);
+    const Array<untangle::Element> elements = untangle::elements_of(corners, rest, scale, host_);
+    untangle::FoldoverEnergy energy(elements, variables, 1, host_);
+    untangle::Newton newton(energy, variables.start(), host_);
     // A large eps finds no way here. More steps would help less than more room.
     constexpr int max_steps = 60;
     constexpr double max_eps = 0.4;

@@ -5,7 +5,7 @@
 #include "base/host.h"
 #include "mesh/topology/tetrahedral_connectivity.h"
 #include "quaternion/quaternion.h"
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 

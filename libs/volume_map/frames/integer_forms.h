@@ -4,7 +4,7 @@
 #include <span>
 
 #include "base/host.h"
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 

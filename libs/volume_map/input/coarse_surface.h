@@ -3,7 +3,7 @@
 
 #include <span>
 
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 

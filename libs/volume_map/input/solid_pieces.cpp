@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "mesh/search/bounding_volume_tree.h"
 #include "mesh/search/intersections.h"
+#include "mesh/topology/conforming_tetrahedra.h"
 #include "mesh/topology/disjoint_sets.h"
 #include "mesh/topology/topology.h"
 
@@ -87,44 +88,6 @@ base::Array<Part> parts_of(std::span<const Vector3> positions, std::span<const T
 
 bool contains(const mesh::Box& outer, const mesh::Box& inner) {
   return (outer.low.array() <= inner.low.array()).all() && (inner.high.array() <= outer.high.array()).all();
-}
-
-// A face of a tetrahedron by ascending vertices, and whether these are an odd permutation of it as seen from outside.
-struct Face {
-  Triangle corners;
-  Index tetrahedron;
-  bool odd;
-};
-
-base::Array<Face> sorted_faces(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices,
-                               const base::Host& host) {
-  constexpr std::array<std::array<std::size_t, 3>, 4> outward = {{{1, 2, 3}, {0, 3, 2}, {0, 1, 3}, {0, 2, 1}}};
-  base::Array<Face> faces(host.memory);
-  faces.reserve(4 * tetrahedra.size());
-  for (Index i = 0; i < tetrahedra.size(); ++i) {
-    if (i % 65536 == 0) host.report("check", i, tetrahedra.size());
-    const mesh::Tetrahedron& t = tetrahedra[i];
-    for (const Index v : t) {
-      if (v < vertices) continue;
-      throw base::Error("index-range", "tetrahedron " + std::to_string(i) + " has vertex " + std::to_string(v) +
-                                           ", there are " + std::to_string(vertices));
-    }
-    for (const auto& corners : outward) {
-      Face face{{t[corners[0]], t[corners[1]], t[corners[2]]}, i, false};
-      for (const auto& [k, l] : {std::pair<std::size_t, std::size_t>{0, 1}, {1, 2}, {0, 1}}) {
-        if (face.corners[k] <= face.corners[l]) continue;
-        std::swap(face.corners[k], face.corners[l]);
-        face.odd = !face.odd;
-      }
-      faces.push_back(face);
-    }
-  }
-  host.report("check", 0, 0);
-  std::sort(faces.begin(), faces.end(), [](const Face& p, const Face& q) {
-    return std::pair(p.corners, p.tetrahedron) < std::pair(q.corners, q.tetrahedron);
-  });
-  host.report("check", 0, 0);
-  return faces;
 }
 
 }  // namespace
@@ -234,37 +197,13 @@ SurfacePieces surface_pieces(std::span<const Vector3> positions, std::span<const
 }
 
 Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices, const base::Host& host) {
-  const base::Array<Face> faces = sorted_faces(tetrahedra, vertices, host);
+  const base::Array<mesh::SortedFace> faces = mesh::sorted_faces(tetrahedra, vertices, host);
   mesh::DisjointSets sets(tetrahedra.size(), host.memory);
   for (std::size_t i = 1; i < faces.size(); ++i) {
     if (faces[i].corners == faces[i - 1].corners) sets.unite(faces[i].tetrahedron, faces[i - 1].tetrahedron);
   }
   return numbered(sets, tetrahedra.size(), tetrahedra.size(), host,
                   [](std::size_t i) { return static_cast<Index>(i); });
-}
-
-void require_conforming(std::span<const mesh::Tetrahedron> tetrahedra, std::span<const Vector3> positions,
-                        const base::Host& host) {
-  const base::Array<Face> faces = sorted_faces(tetrahedra, positions.size(), host);
-  const auto text = [&](const Face& face) {
-    return "face " + std::to_string(face.corners[0]) + "-" + std::to_string(face.corners[1]) + "-" +
-           std::to_string(face.corners[2]) + ", at " + place_text(positions[face.corners[0]]);
-  };
-  for (std::size_t i = 1; i < faces.size(); ++i) {
-    const Face &a = faces[i - 1], &b = faces[i];
-    if (a.corners != b.corners) continue;
-    if (i + 1 < faces.size() && faces[i + 1].corners == a.corners) {
-      throw base::Error("non-manifold-face", "more than two tetrahedra, among them " + std::to_string(a.tetrahedron) +
-                                                 ", " + std::to_string(b.tetrahedron) + " and " +
-                                                 std::to_string(faces[i + 1].tetrahedron) + ", have the " + text(a));
-    }
-    if (a.odd == b.odd) {
-      throw base::Error("inconsistent-orientation",
-                        "tetrahedra " + std::to_string(a.tetrahedron) + " and " + std::to_string(b.tetrahedron) +
-                            " can never both be positive side by side: the order of their vertices at their " +
-                            text(a));
-    }
-  }
 }
 
 PieceItems items_of(const Pieces& pieces, const base::Host& host) {

@@ -54,12 +54,6 @@ SurfacePieces surface_pieces(std::span<const mesh::Vector3> positions, std::span
 // Tetrahedra that are connected through faces. Throws Error "index-range".
 Pieces pieces_of(std::span<const mesh::Tetrahedron> tetrahedra, std::size_t vertices, const base::Host& host);
 
-// Throws Error unless tetrahedra meet in whole faces, two at each, on its two sides when both are positive:
-// "index-range", "non-manifold-face", "inconsistent-orientation", with the numbers of the first place and its
-// coordinates; "cancelled". Inverted ones are fine. O(n log n).
-void require_conforming(std::span<const mesh::Tetrahedron> tetrahedra, std::span<const mesh::Vector3> positions,
-                        const base::Host& host);
-
 // Throws Error "invalid-argument" where there are more pieces than cells: each needs at least one.
 void require_cells_for_pieces(std::size_t pieces, std::size_t cells);
 

@@ -7,7 +7,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 

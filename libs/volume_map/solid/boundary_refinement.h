@@ -2,7 +2,7 @@
 #pragma once
 
 #include "polycube/surface/surface_map.h"
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 

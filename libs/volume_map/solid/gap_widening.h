@@ -3,7 +3,7 @@
 #pragma once
 
 #include "mesh/mesh.h"
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 

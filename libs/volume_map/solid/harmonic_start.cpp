@@ -1,26 +1,26 @@
 #include "volume_map/solid/harmonic_start.h"
 
-#include "volume_map/untangle/block_assembly.h"
+#include "untangle/tetrahedra/block_assembly.h"
 
 namespace orbicube::volume_map {
 
-void make_harmonic(std::span<const Element> elements, std::span<const std::uint8_t> held, std::span<Vector3> positions,
-                   const base::Host& host, BlockEngine* engine) {
+void make_harmonic(std::span<const untangle::Element> elements, std::span<const std::uint8_t> held,
+                   std::span<Vector3> positions, const base::Host& host, untangle::BlockEngine* engine) {
   constexpr int max_steps = 1000;
   constexpr double tolerance = 1e-8;
   Array<std::uint8_t> fixed(3 * positions.size(), host.memory);
   for (std::size_t i = 0; i < fixed.size(); ++i)
     fixed[i] = held[i / 3];
-  const Variables variables(positions, fixed, {}, host.memory);
+  const untangle::Variables variables(positions, fixed, {}, host.memory);
   if (variables.free() == 0) return;
-  BlockAssembly assembly(elements, variables, host);
-  BlockMatrix& matrix = assembly.matrix();
+  untangle::BlockAssembly assembly(elements, variables, host);
+  untangle::BlockMatrix& matrix = assembly.matrix();
   for (Eigen::Matrix3d& block : matrix.diagonal)
     block.setZero();
   Array<double> right(matrix.size(), 0, host.memory), change(right, host.memory);
   for (std::size_t i = 0; i < elements.size(); ++i) {
     if (i % 16384 == 0) host.report("start", 0, 0);
-    const Element& e = elements[i];
+    const untangle::Element& e = elements[i];
     const Eigen::Matrix3d j = e.weight * e.jacobian(positions);
     for (std::size_t k = 0; k < 4; ++k) {
       matrix.diagonal[e.corner[k]].diagonal().array() += e.weight * e.gradient[k].squaredNorm();
@@ -33,7 +33,7 @@ void make_harmonic(std::span<const Element> elements, std::span<const std::uint8
     }
   }
   assembly.finish(base::ThreadPool(host));
-  BlockSolver solver(host);
+  untangle::BlockSolver solver(host);
   solver.set_engine(engine);
   solver.factor(matrix);
   solver.solve(right, max_steps, tolerance, change);

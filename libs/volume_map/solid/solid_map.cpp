@@ -8,10 +8,10 @@
 #include "base/error.h"
 #include "mesh/topology/cells.h"
 #include "polycube/map/certificate.h"
+#include "untangle/tetrahedra/local_untangling.h"
+#include "untangle/tetrahedra/untangle_tetrahedra.h"
 #include "volume_map/solid/freeing_splits.h"
 #include "volume_map/solid/harmonic_start.h"
-#include "volume_map/untangle/local_untangling.h"
-#include "volume_map/untangle/untangle.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -22,7 +22,7 @@ using mesh::Triangle;
 // is that of the map, and the normal in space goes to the normal of the face. The fourth corner is a vertex that stays,
 // one a direction, from `normals` on.
 void add_boundary(const polycube::SurfaceMap& surface, std::span<const Vector3> positions, double scale,
-                  double mean_volume, double min_weight, Index normals, Array<Element>& elements) {
+                  double mean_volume, double min_weight, Index normals, Array<untangle::Element>& elements) {
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const Triangle& t = surface.triangles[i];
     const Vector3 a = scale * positions[t[0]], b = scale * positions[t[1]], c = scale * positions[t[2]];
@@ -30,7 +30,7 @@ void add_boundary(const polycube::SurfaceMap& surface, std::span<const Vector3> 
     const double length = twice_area.norm();
     if (!(length > 0)) continue;
     const Vector3 n = twice_area / length;
-    Element e;
+    untangle::Element e;
     e.corner = {t[0], t[1], t[2], normals + surface.labels[i]};
     e.gradient = {n.cross(c - b) / length, n.cross(a - c) / length, n.cross(b - a) / length, n};
     e.weight = std::pow(0.5 * length, 1.5) / 3 / mean_volume + min_weight;
@@ -53,11 +53,11 @@ class Mapping {
     const std::size_t vertices = map.source.size();
     double source_volume = 0, image_volume = 0;
     for (const Tetrahedron& t : map.tetrahedra)
-      source_volume += six_volumes(map.source, t);
+      source_volume += untangle::six_volumes(map.source, t);
     for (const Triangle& t : surface.triangles)
       image_volume += target[t[0]].dot(target[t[1]].cross(target[t[2]]));
     map.scale = std::cbrt(image_volume / source_volume);
-    elements_ = elements_of(map.tetrahedra, map.source, map.scale, host);
+    elements_ = untangle::elements_of(map.tetrahedra, map.source, map.scale, host);
     const std::size_t inner = elements_.size();
 
     start_.assign(vertices, Vector3::Zero());
@@ -82,13 +82,14 @@ class Mapping {
         sliding_[3 * v + static_cast<std::size_t>(polycube::axis_of(surface.labels[i]))] = 1;
     }
     std::fill(sliding_.begin() + static_cast<std::ptrdiff_t>(3 * vertices), sliding_.end(), 1);
-    map.inverted_at_start = count_inverted(map.tetrahedra, start_, host).count;
+    map.inverted_at_start = untangle::count_inverted(map.tetrahedra, start_, host).count;
   }
 
   // Only neighborhoods of inverted elements move.
-  LocalUntangling untangle_neighborhoods() {
+  untangle::LocalUntangling untangle_neighborhoods() {
     map_.image = start_;
-    LocalUntangling local = untangle_locally(elements_, sliding_, 1, options_.steps, map_.image, host_);
+    untangle::LocalUntangling local =
+        untangle::untangle_locally(elements_, sliding_, 1, options_.steps, map_.image, host_);
     map_.steps += local.steps;
     return local;
   }
@@ -103,16 +104,16 @@ class Mapping {
         for (std::size_t a = 0; a < 3 && held[v] != 0; ++a)
           fixed[3 * v + a] = 1;
       }
-      const Variables variables(start_, fixed, {}, host_.memory);
-      FoldoverEnergy energy(elements_, variables, 1, host_);
+      const untangle::Variables variables(start_, fixed, {}, host_.memory);
+      untangle::FoldoverEnergy energy(elements_, variables, 1, host_);
       energy.set_engine(options_.engine);
-      Newton newton(energy, variables.start(), host_);
+      untangle::Newton newton(energy, variables.start(), host_);
       const bool done = newton.untangle(options_.steps, 1, 1, {});
       map_.steps += newton.steps();
       map_.image.resize(start_.size());
       variables.expand(newton.values(), map_.image);
       if (done || holds == max_holds) return done;
-      for (const Element& e : elements_) {
+      for (const untangle::Element& e : elements_) {
         if (e.jacobian(map_.image).determinant() > 0) continue;
         for (const Index v : e.corner)
           held[v] = 1;
@@ -123,10 +124,10 @@ class Mapping {
   }
 
   void polish() {
-    const Variables variables(map_.image, sliding_, {}, host_.memory);
-    FoldoverEnergy energy(elements_, variables, 1, host_);
+    const untangle::Variables variables(map_.image, sliding_, {}, host_.memory);
+    untangle::FoldoverEnergy energy(elements_, variables, 1, host_);
     energy.set_engine(options_.engine);
-    Newton newton(energy, variables.start(), host_);
+    untangle::Newton newton(energy, variables.start(), host_);
     newton.polish(options_.polish_steps, 1e-4, {.tolerance = 3e-2});
     map_.steps += newton.steps();
     variables.expand(newton.values(), map_.image);
@@ -135,7 +136,7 @@ class Mapping {
   // An entry a vertex: 1 for those of elements that stayed inverted.
   Array<std::uint8_t> jammed() const {
     Array<std::uint8_t> result(map_.source.size(), 0, host_.memory);
-    for (const Element& e : elements_) {
+    for (const untangle::Element& e : elements_) {
       if (e.jacobian(map_.image).determinant() > 0) continue;
       for (const Index v : e.corner) {
         if (v < result.size()) result[v] = 1;
@@ -169,7 +170,7 @@ class Mapping {
   SolidMap& map_;
   const SolidMapOptions& options_;
   const base::Host& host_;
-  Array<Element> elements_;
+  Array<untangle::Element> elements_;
   Array<Vector3> start_;         // with the directions behind
   Array<std::uint8_t> sliding_;  // what stays while the boundary slides
 };
@@ -191,7 +192,7 @@ SolidMap map_solid(const polycube::SurfaceMap& surface, std::span<const Vector3>
   for (int refinements = 0;; ++refinements) {
     Mapping mapping(surface, target, map, options, host);
     const bool last = refinements == max_refinements;
-    const LocalUntangling local = mapping.untangle_neighborhoods();
+    const untangle::LocalUntangling local = mapping.untangle_neighborhoods();
     const bool jammed = !local.jammed.empty();  // not too much to try neighborhoods alone
     if (local.done || ((last || !jammed) && mapping.untangle(last ? 3 : 1))) {
       mapping.polish();
@@ -204,7 +205,7 @@ SolidMap map_solid(const polycube::SurfaceMap& surface, std::span<const Vector3>
         split_edges_at(map.source, map.tetrahedra, jammed ? marked.first(map.source.size()) : mapping.jammed(), host);
   }
   map.image.resize(map.source.size());
-  const InvertedCount found = count_inverted(map.tetrahedra, map.image, host);
+  const untangle::InvertedCount found = untangle::count_inverted(map.tetrahedra, map.image, host);
   if (found.count > 0) {
     throw base::Error("no-valid-result", "the map of the solid could not be made one to one: " +
                                              base::counted(found.count, "tetrahedron is", "tetrahedra are") + " flat");

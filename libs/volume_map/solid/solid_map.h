@@ -5,7 +5,8 @@
 #include <string>
 
 #include "polycube/surface/surface_map.h"
-#include "volume_map/untangle/newton.h"
+#include "untangle/tetrahedra/newton.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 
@@ -21,9 +22,9 @@ struct SolidMap {
 };
 
 struct SolidMapOptions {
-  int steps = 300;                // of Newton's method in each attempt
-  int polish_steps = 60;          // for less distortion
-  BlockEngine* engine = nullptr;  // of the linear systems; none: this library's own
+  int steps = 300;                          // of Newton's method in each attempt
+  int polish_steps = 60;                    // for less distortion
+  untangle::BlockEngine* engine = nullptr;  // of the linear systems; none: this library's own
 };
 
 // `surface` is a certified map (its labels are used), `target` where its vertices are to be on the polycube: `polycube`

@@ -10,7 +10,7 @@
 #include "mesh/search/predicates.h"
 #include "mesh/topology/tetrahedral_connectivity.h"
 #include "quaternion/quaternion.h"
-#include "volume_map/untangle/variables.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 

@@ -6,9 +6,9 @@
 
 #include "base/error.h"
 #include "polycube/map/certificate.h"
+#include "untangle/tetrahedra/untangle_tetrahedra.h"
 #include "volume_map/solid/boundary_refinement.h"
 #include "volume_map/solid/solid_map.h"
-#include "volume_map/untangle/untangle.h"
 
 namespace orbicube::volume_map {
 namespace {
@@ -29,13 +29,13 @@ void move_beside(VolumeMap& map, const PolycubeSolid& solid, const VolumeMap& al
     p[0] += shift;
   const polycube::Certificate certificate =
       polycube::certify(std::span(map.image).first(solid.map.positions.size()), solid.map.triangles, host);
-  if (!certificate.valid() || count_inverted(map.tetrahedra, map.image, host).count > 0)
+  if (!certificate.valid() || untangle::count_inverted(map.tetrahedra, map.image, host).count > 0)
     throw base::Error("no-valid-result", "a piece could not be moved beside the others: " + certificate.reason);
 }
 
 }  // namespace
 
-VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, BlockEngine* engine) {
+VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, untangle::BlockEngine* engine) {
   const RefinedSolid refined = refine_boundary(solid.positions, solid.tetrahedra, solid.surface, solid.map, host);
   SolidMap map =
       map_solid(solid.map, solid.map.polycube, refined.positions, refined.tetrahedra, {.engine = engine}, host);
@@ -48,7 +48,8 @@ VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, Bl
   return result;
 }
 
-VolumeMap map_pieces_to_polycubes(std::span<const PolycubeSolid> pieces, const base::Host& host, BlockEngine* engine) {
+VolumeMap map_pieces_to_polycubes(std::span<const PolycubeSolid> pieces, const base::Host& host,
+                                  untangle::BlockEngine* engine) {
   VolumeMap all(host.memory);
   for (const PolycubeSolid& piece : pieces) {
     VolumeMap map = map_to_polycube(piece, host, engine);

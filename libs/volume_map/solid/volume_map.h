@@ -2,7 +2,8 @@
 #pragma once
 
 #include "polycube/surface/surface_map.h"
-#include "volume_map/untangle/block_assembly.h"
+#include "untangle/tetrahedra/block_assembly.h"
+#include "volume_map/types.h"
 
 namespace orbicube::volume_map {
 
@@ -25,11 +26,11 @@ struct VolumeMap {
 
 // One to one, by exact signs and the certificate of the boundary. With an engine, that solves the linear systems.
 // Throws the same.
-VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, BlockEngine* engine = nullptr);
+VolumeMap map_to_polycube(const PolycubeSolid& solid, const base::Host& host, untangle::BlockEngine* engine = nullptr);
 
 // Pieces that are not connected, each to its own polycube; these stand side by side along x. The numbers of vertices
 // and tetrahedra go on from piece to piece.
 VolumeMap map_pieces_to_polycubes(std::span<const PolycubeSolid> pieces, const base::Host& host,
-                                  BlockEngine* engine = nullptr);
+                                  untangle::BlockEngine* engine = nullptr);
 
 }  // namespace orbicube::volume_map

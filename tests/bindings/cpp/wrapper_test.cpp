@@ -27,6 +27,7 @@
 #include <orbicube/sphere_map.hpp>
 #include <orbicube/sphere_optimizer.hpp>
 #include <orbicube/trust_region.hpp>
+#include <orbicube/untangle.hpp>
 #include <orbicube/volume_map.hpp>
 
 using namespace orbicube;
@@ -384,18 +385,16 @@ TEST_CASE("inverted tetrahedra are untangled, or the best is handed out with the
   // Four tetrahedra around a vertex that has left the one that they fill.
   const std::vector<double> positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 2, 2};
   const std::vector<std::uint32_t> cells = {0, 1, 2, 4, 0, 2, 3, 4, 0, 3, 1, 4, 1, 3, 2, 4};
-  std::vector<std::uint8_t> fixed(12, 1);
-  fixed.resize(15);
-  volume_map::UntangleProblem problem(positions, cells);
-  problem.fixed = fixed.data();
-  const auto right = volume_map::untangle(problem);
+  untangle::Tetrahedra problem(positions, cells);
+  const auto right = untangle::tetrahedra(problem);
   CHECK(right.report.inverted_before > 0);
   CHECK(right.report.inverted == 0);
   CHECK(std::equal(positions.begin(), positions.begin() + 12, right.positions.begin()));
 
-  fixed.assign(15, 1);
-  volume_map::Untangled best;
-  CHECK_THROWS_AS(volume_map::untangle(problem, {}, nullptr, &best), Error);
+  const std::vector<std::uint8_t> fixed(5, 1);
+  problem.fixed = fixed.data();
+  untangle::Untangled best;
+  CHECK_THROWS_AS(untangle::tetrahedra(problem, {}, nullptr, &best), Error);
   CHECK(best.positions == positions);
   CHECK(best.report.inverted == right.report.inverted_before);
 }

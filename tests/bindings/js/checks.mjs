@@ -408,7 +408,7 @@ export const checks = {
     assert(report.invertedBefore > 0 && report.minDeterminant > 0);
     fixed.forEach((held, v) => held && sameBits(positions.subarray(3 * v, 3 * v + 3), flat.subarray(3 * v, 3 * v + 3), 'fixed'));
     const none = failure(() => o.untangle({ positions: flat, tetrahedra: rest.tetrahedra },
-      { rest: rest.positions, fixed: new Uint8Array(flat.length).fill(1), steps: 2 }));
+      { rest: rest.positions, fixed: new Uint8Array(flat.length).fill(1), maxSteps: 2 }));
     same([none.kind, none.best.report.inverted], ['no-valid-result', report.invertedBefore]);
   },
 

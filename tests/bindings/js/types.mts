@@ -24,7 +24,7 @@ async function use(): Promise<number> {
   const { frames } = frameField(solid, { start: 'harmonic', repair: 'singleAxis', heldAxes: { tetrahedra: [0], axes: [0, 0, 1] } });
   const curves: Uint32Array[] = singularities(solid, frames).curves;
   const filled: Hexahedra = hexahedra(mesh, { cells: 1000, padding: 'auto' });
-  const unfolded = untangle(solidMap(solid, { corners: 8 }), { fixed: [true], polishSteps: 5 });
+  const unfolded = untangle(solidMap(solid, { corners: 8 }), { fixed: [true], maxPolishSteps: 5 });
   console.log(turned.length, curves.length, filled.quads, unfolded.report.inverted);
   const status: -3 = constants.OBC_NOT_CLOSED;
   const version: number = c.obc_base_version();

@@ -14,7 +14,7 @@ import unittest
 
 import numpy as np
 import orbicube
-from orbicube import frame_field, gltf, harmonics, hexmesh, mesh, polycube, quaternion, sphere_map, volume_map
+from orbicube import frame_field, gltf, harmonics, hexmesh, mesh, polycube, quaternion, sphere_map, untangle, volume_map
 from solvers_test import from_c
 
 HAS_TETRAHEDRA = importlib.util.find_spec("orbicube.tetrahedra") is not None
@@ -378,7 +378,7 @@ class Cubes(unittest.TestCase):
         inside = np.all((positions > 0) & (positions < 1), axis=1)
         tangled = positions.copy()
         tangled[inside] = tangled[inside][::-1]
-        result, report = volume_map.untangle((tangled, tetrahedra), rest=positions, fixed=~inside)
+        result, report = untangle.tetrahedra((tangled, tetrahedra), rest=positions, fixed=~inside)
         self.assertGreater(report.inverted_before, 0)
         self.assertEqual(report.inverted, 0)
         np.testing.assert_array_equal(result[~inside], positions[~inside])

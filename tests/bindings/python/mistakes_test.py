@@ -12,7 +12,7 @@ import numpy as np
 import orbicube
 from maps_test import HAS_TETRAHEDRA, box_of_tetrahedra
 from orbicube import (correspondence, frame_field, gltf, harmonics, hexmesh, linear, mesh, polycube, projected_gradient, quaternion,
-                      repair, sphere_map, sphere_optimizer, trust_region, volume_map)
+                      repair, sphere_map, sphere_optimizer, trust_region, untangle, volume_map)
 from orbicube._options import OPTIONS
 
 FOLDER = tempfile.TemporaryDirectory()
@@ -188,7 +188,7 @@ CALLS = {
         "lower": [-1, -1], "upper": [4, 4], "scale": [1, 2]}),
     "trust_region.Solver.give": (lambda: trust_region.Solver([1.0, 2.0]).give, {"points": [[0, 0], [1, 1]], "outputs": [1, 2]}),
     "trust_region.Solver.run": (lambda: trust_region.Solver([1.0, 2.0]).run, {"f": lambda x: float(x @ x)}),
-    "volume_map.untangle": (volume_map.untangle, {
+    "untangle.tetrahedra": (untangle.tetrahedra, {
         "solid": SOLID, "rest": SOLID[0], "fixed": np.ones(len(SOLID[0]), bool),
         "ties": np.full((len(SOLID[0]), 3), 2**32 - 1)}),
     "volume_map.map_to_polycube": (volume_map.map_to_polycube, {"solid": SOLID}),

@@ -6,7 +6,7 @@ import unittest
 
 import numpy as np
 import orbicube
-from orbicube import hexmesh, mesh, polycube, sphere_map, volume_map
+from orbicube import hexmesh, mesh, polycube, sphere_map, untangle, volume_map
 
 try:
     import pyvista
@@ -53,18 +53,18 @@ class Taken(unittest.TestCase):
 
     def test_tetrahedra_and_hexahedra(self):
         self.assertAlmostEqual(mesh.tetrahedron_quality(grid(CORNERS, KUHN, [10] * 6)).volume, 1, places=14)
-        self.assertEqual(volume_map.untangle(grid(CORNERS, KUHN, [10] * 6), fixed=np.ones(8, bool))[1].inverted_before, 0)
+        self.assertEqual(untangle.tetrahedra(grid(CORNERS, KUHN, [10] * 6), fixed=np.ones(8, bool))[1].inverted_before, 0)
         mesh.check_cells(grid(CORNERS, HEXAHEDRON, [12]))
         lines = grid(CORNERS, [[0, 1]] + KUHN.tolist() + [[5]], [3] + [10] * 6 + [1])
         self.assertEqual(mesh.tetrahedron_quality(lines).positive, 6)
 
     def test_no_cell_is_left_out_in_silence(self):
         with self.assertRaisesRegex(ValueError, "solid: 1 hexahedra beside 6 tetrahedra"):
-            volume_map.untangle(grid(np.vstack([CORNERS, CORNERS + [5, 0, 0]]), KUHN.tolist() + (HEXAHEDRON + 8).tolist(), [10] * 6 + [12]))
+            untangle.tetrahedra(grid(np.vstack([CORNERS, CORNERS + [5, 0, 0]]), KUHN.tolist() + (HEXAHEDRON + 8).tolist(), [10] * 6 + [12]))
         with self.assertRaisesRegex(ValueError, "surface: there are no triangles, but 6 tetrahedra.*boundary"):
             mesh.topology(grid(CORNERS, KUHN, [10] * 6))
         with self.assertRaisesRegex(ValueError, "solid: there are no tetrahedra, but 1 hexahedra"):
-            volume_map.untangle(grid(CORNERS, HEXAHEDRON, [12]))
+            untangle.tetrahedra(grid(CORNERS, HEXAHEDRON, [12]))
         with self.assertRaisesRegex(orbicube.Error, r"mesh: among its cells \(1 of type 42, 6 of type tetra\)|mesh: .*type 42"):
             mesh.check_cells(types.SimpleNamespace(points=CORNERS, cells=padded(KUHN.tolist() + [[0, 1, 2, 4]]),
                                                    celltypes=np.array([10] * 6 + [42])))

@@ -11,7 +11,7 @@ from unittest import mock
 import numpy as np
 import orbicube
 from maps_test import box_of_tetrahedra
-from orbicube import gltf, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, trust_region, volume_map
+from orbicube import gltf, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, trust_region, untangle
 
 TRIANGLE = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
 
@@ -202,7 +202,7 @@ class Answers(unittest.TestCase):
         positions, tetrahedra = box_of_tetrahedra(1)
         mirrored = positions * [1, 1, -1]  # the boundary is inside out: nothing can be done
         with self.assertRaises(orbicube.NoValidResult) as caught:
-            volume_map.untangle((mirrored, tetrahedra), fixed=np.ones(8, dtype=bool))
+            untangle.tetrahedra((mirrored, tetrahedra), fixed=np.ones(8, dtype=bool))
         places, report = caught.exception.best
         np.testing.assert_array_equal(places, mirrored)
         self.assertEqual((report.inverted_before, report.inverted), (6, 6))

@@ -16,5 +16,6 @@ const libraries = [
     :sphere_optimizer => Symbol[:base],
     :tetrahedra => Symbol[:base, :mesh],
     :trust_region => Symbol[:base],
+    :untangle => Symbol[:base],
     :volume_map => Symbol[:base, :mesh],
 ]

@@ -32,5 +32,7 @@ pub mod sphere_optimizer;
 pub mod tetrahedra;
 #[cfg(feature = "trust_region")]
 pub mod trust_region;
+#[cfg(feature = "untangle")]
+pub mod untangle;
 #[cfg(feature = "volume_map")]
 pub mod volume_map;

@@ -53,6 +53,8 @@ pub mod sphere_optimizer;
 pub mod tetrahedra;
 #[cfg(feature = "trust_region")]
 pub mod trust_region;
+#[cfg(feature = "untangle")]
+pub mod untangle;
 #[cfg(feature = "hexmesh")]
 pub mod hexmesh;
 #[cfg(feature = "volume_map")]

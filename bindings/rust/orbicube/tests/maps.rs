@@ -3,7 +3,7 @@
 use std::panic::{catch_unwind, AssertUnwindSafe};
 
 use orbicube::mesh::{self, Mesh, Surface};
-use orbicube::{frame_field, gltf, harmonics, hexmesh, polycube::Polycube, quaternion, sphere_map, sys, volume_map, Host};
+use orbicube::{frame_field, gltf, harmonics, hexmesh, polycube::Polycube, quaternion, sphere_map, sys, untangle, volume_map, Host};
 
 fn host() -> Host<'static> {
     Host::new()
@@ -128,10 +128,8 @@ fn quaternions_frames_and_polycubes() {
     let mut positions = corners.to_vec();
     positions.extend([2.0, 2.0, 2.0]);
     let tetrahedra = [0, 1, 2, 4, 0, 2, 3, 4, 0, 3, 1, 4, 1, 3, 2, 4];
-    let mut fixed = vec![1; 12];
-    fixed.extend([0; 3]);
-    let problem = volume_map::UntangleProblem { positions: &positions, tetrahedra: &tetrahedra, fixed: &fixed, ..Default::default() };
-    let (untangled, report) = volume_map::untangle(&problem, &Default::default(), &mut host()).unwrap();
+    let problem = untangle::Tetrahedra { positions: &positions, tetrahedra: &tetrahedra, fixed: &[1, 1, 1, 1, 0], ..Default::default() };
+    let (untangled, report) = untangle::tetrahedra(&problem, &Default::default(), &mut host()).unwrap();
     assert!(report.inverted_before > 0 && report.inverted == 0);
     assert_eq!(untangled[..12], corners);
     assert!(untangled[12..].iter().all(|&x| x > 0.0) && untangled[12..].iter().sum::<f64>() < 1.0);
@@ -243,13 +241,13 @@ fn all_that_is_known_of_a_polycube() {
 #[test]
 fn what_stays_tangled_is_handed_out_with_the_error() {
     let positions = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0];
-    let problem = volume_map::UntangleProblem { positions: &positions, tetrahedra: &[0, 1, 2, 3], fixed: &[1; 12], ..Default::default() };
-    let (best, report, error) = volume_map::untangle_best(&problem, &Default::default(), &mut host()).unwrap();
+    let problem = untangle::Tetrahedra { positions: &positions, tetrahedra: &[0, 1, 2, 3], fixed_coordinates: &[1; 12], ..Default::default() };
+    let (best, report, error) = untangle::tetrahedra_best(&problem, &Default::default(), &mut host()).unwrap();
     assert_eq!((best, report.inverted), (positions.to_vec(), 1));
     assert_eq!(error.unwrap().status, sys::base::OBC_NO_VALID_RESULT);
-    assert!(volume_map::untangle(&problem, &Default::default(), &mut host()).is_err());
-    let wrong = volume_map::UntangleProblem { ties: &[7; 3], ..problem };
-    assert_eq!(volume_map::untangle_best(&wrong, &Default::default(), &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
+    assert!(untangle::tetrahedra(&problem, &Default::default(), &mut host()).is_err());
+    let wrong = untangle::Tetrahedra { ties: &[7; 3], ..problem };
+    assert_eq!(untangle::tetrahedra_best(&wrong, &Default::default(), &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
 }
 
 #[test]

@@ -1,0 +1,80 @@
+"""Meshes without inverted elements.
+
+    positions, report = tetrahedra((positions, tetrahedra), rest=rest_positions, fixed=fixed)
+"""
+
+from __future__ import annotations
+
+from ctypes import byref
+from typing import Any, Optional
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ._arrays import Doubles, address, doubles, indices, numbers
+from ._call import HOST, NoValidResult, Progress, call, call_init, filled, with_options
+from ._foreign import solid_of
+from .raw import untangle as raw
+
+__all__ = ["tetrahedra", "version"]
+
+
+def _set_constraints(problem: Any, positions: Doubles, rest: Optional[ArrayLike], fixed: Optional[ArrayLike]) -> list[Any]:
+    """Sets rest positions and fixed vertices or coordinates; returns the arrays to keep."""
+    kept: list[Any] = []
+    if rest is not None:
+        kept.append(doubles(rest, positions.shape[1], len(positions), "rest", each="vertex"))
+        problem.rest = address(kept[-1])
+    if fixed is not None:
+        flags = numbers(fixed, "fixed")
+        if flags.shape not in (positions.shape, (len(positions),)) or not np.all((flags == 0) | (flags == 1)):
+            raise ValueError(f"fixed: a flag for each coordinate, shape {positions.shape}, or for each vertex, shape "
+                             f"({len(positions)},), is needed, not shape {flags.shape}")
+        kept.append(np.ascontiguousarray(flags, dtype=np.uint8))
+        if flags.ndim == 1:
+            problem.fixed = address(kept[-1])
+        else:
+            problem.fixed_coordinates = address(kept[-1])
+    return kept
+
+
+def _run(function: Any, problem: Any, chosen: Any, positions: Doubles, threads: int,
+         progress: Progress) -> tuple[Doubles, raw.obc_untangle_report]:
+    report = raw.obc_untangle_report()
+    call_init(raw.obc_untangle_report_init, report)
+    result = np.empty_like(positions)
+    try:
+        call(function, byref(problem), byref(chosen), HOST, address(result), byref(report), threads=threads, progress=progress)
+    except NoValidResult as error:
+        error.best = (result, report)
+        raise
+    return result, report
+
+
+@with_options("obc_untangle_options")
+def tetrahedra(solid: Any, *,
+               # options of obc_untangle_options, written by scripts/bindings.py
+               max_steps: int = 500, max_polish_steps: int = 20, free_boundary: bool = False, volume_weight: float = 1.0,
+               tolerance: float = 0.0001,
+               # end of options
+               rest: Optional[ArrayLike] = None, fixed: Optional[ArrayLike] = None, ties: Optional[ArrayLike] = None, threads: int = 0, progress: Progress = None) -> tuple[Doubles, raw.obc_untangle_report]:
+    """Moves vertices until every tetrahedron is positive; returns positions and a report. rest: positions in which each has its
+    target shape. fixed: a flag a vertex, shape (n,), or a coordinate, shape (n, 3); default: boundary vertices are fixed. ties: a
+    group a coordinate, whose coordinates are kept equal, or 2^32 - 1. If some remain inverted, the NoValidResult has the best
+    positions and report found as its member `best`."""
+    chosen = filled(raw.obc_untangle_options, raw.obc_untangle_options_init, locals())
+    positions, cells = solid_of(solid)
+    problem = raw.obc_untangle_tetrahedra_problem()
+    call_init(raw.obc_untangle_tetrahedra_problem_init, problem)
+    problem.positions, problem.vertex_count = address(positions), len(positions)
+    problem.tetrahedra, problem.tetrahedron_count = address(cells), len(cells)
+    kept = _set_constraints(problem, positions, rest, fixed)
+    if ties is not None:
+        kept.append(indices(ties, 3, len(positions), "ties", each="vertex"))
+        problem.ties = address(kept[-1])
+    return _run(raw.obc_untangle_tetrahedra, problem, chosen, positions, threads, progress)
+
+
+def version() -> int:
+    """major * 10000 + minor * 100 + patch."""
+    return raw.obc_untangle_version()

@@ -1,0 +1,137 @@
+//! What `<orbicube/untangle.h>` declares. Written by scripts/bindings.py; not to be edited.
+#![allow(non_camel_case_types, non_upper_case_globals)]
+
+use crate::base::{obc_error, obc_host};
+
+/// Options. Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_untangle_options {
+    pub struct_size: u32,
+    /// maximum number of Newton steps in each attempt, while elements are inverted. Default: 500.
+    pub max_steps: i32,
+    /// maximum number of further steps that lower the distortion and keep all elements positive. Default: 20.
+    pub max_polish_steps: i32,
+    /// 1: boundary vertices move unless they are in \`fixed\`; 0: they are fixed where no fixed ones are given. Default: 0.
+    pub free_boundary: i32,
+    /// weight of changes of volume, or of area, relative to changes of angles, positive. Default: 1.
+    pub volume_weight: f64,
+    /// polishing ends when a step lowers the energy by less than this fraction of it, 0 to below 1. Default: 1e-4.
+    pub tolerance: f64,
+}
+
+/// Figures of a run. Determinants are those of the maps from the target shapes, scaled so that 1 preserves volume or area.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_untangle_report {
+    pub struct_size: u32,
+    /// first element that is not positive; UINT32\_MAX: none
+    pub first_inverted: u32,
+    /// number of elements that are not positive before and after, by exact arithmetic
+    pub inverted_before: u64,
+    /// number of elements that are not positive before and after, by exact arithmetic
+    pub inverted: u64,
+    /// number of steps taken
+    pub steps: u64,
+    /// number of steps taken
+    pub polish_steps: u64,
+    /// minimum and maximum determinant after
+    pub min_determinant: f64,
+    /// minimum and maximum determinant after
+    pub max_determinant: f64,
+    /// mean of |J|^2 / D^(2/3) + volume\_weight (1 + D^2) / D; at least 5 with weight 1
+    pub energy: f64,
+}
+
+/// A tetrahedral mesh to untangle, with its constraints: a view of arrays of the caller. Coordinate 3 \* vertex + axis is that of an axis
+/// of a vertex. Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_untangle_tetrahedra_problem {
+    pub struct_size: u32,
+    pub reserved: i32,
+    /// initial positions, x y z a vertex. Default: NULL, which must be set.
+    pub positions: *const f64,
+    /// number of vertices. Default: 0.
+    pub vertex_count: usize,
+    /// four vertices a tetrahedron; inverted ones have negative volume. Default: NULL, which must be set.
+    pub tetrahedra: *const u32,
+    /// number of tetrahedra. Default: 0.
+    pub tetrahedron_count: usize,
+    /// Rest positions, x y z a vertex, in which each tetrahedron is positive and has its target shape, of any size; NULL: the target
+    /// shapes are regular tetrahedra of equal size. Default: NULL.
+    pub rest: *const f64,
+    /// one entry a vertex, nonzero for a fixed one; NULL, unless fixed\_coordinates is set or free\_boundary is
+    /// nonzero: boundary vertices are fixed. Default: NULL.
+    pub fixed: *const u8,
+    /// one entry a coordinate, nonzero for one that is fixed besides; NULL: none. Default: NULL.
+    pub fixed_coordinates: *const u8,
+    /// Groups of equal coordinates: one entry a coordinate, the number of its group, below 3 \* vertex\_count, or UINT32\_MAX for none;
+    /// NULL: no groups. A group with a fixed coordinate is fixed; any other group starts at its mean. Default: NULL.
+    pub ties: *const u32,
+}
+
+extern "C" {
+    /// Fill options with the defaults, and a report with zeros.
+    pub fn obc_untangle_options_init(options: *mut obc_untangle_options, struct_size: usize) -> i32;
+    /// Fill options with the defaults, and a report with zeros.
+    pub fn obc_untangle_report_init(report: *mut obc_untangle_report, struct_size: usize) -> i32;
+    /// Fills a problem with no vertices.
+    pub fn obc_untangle_tetrahedra_problem_init(problem: *mut obc_untangle_tetrahedra_problem, struct_size: usize) -> i32;
+    /// Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem-\>positions; fixed coordinates are
+    /// unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
+    /// NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to three attempts.
+    /// Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
+    /// errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+    /// not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
+    /// malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
+    /// tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled.
+    pub fn obc_untangle_tetrahedra(problem: *const obc_untangle_tetrahedra_problem, options: *const obc_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_untangle_report, error: *mut obc_error) -> i32;
+    /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
+    pub fn obc_untangle_version() -> u32;
+}
+
+#[cfg(all(test, target_pointer_width = "64"))]
+mod layout {
+    use super::*;
+    use std::mem::{align_of, size_of, MaybeUninit};
+    use std::ptr::addr_of;
+
+    #[test]
+    fn structs_lie_in_memory_as_in_c() {
+        assert_eq!((size_of::<obc_untangle_options>(), align_of::<obc_untangle_options>()), (32, 8));
+        let it = MaybeUninit::<obc_untangle_options>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_untangle_options.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).max_steps) } as usize - start as usize, 4, "obc_untangle_options.max_steps");
+        assert_eq!(unsafe { addr_of!((*start).max_polish_steps) } as usize - start as usize, 8, "obc_untangle_options.max_polish_steps");
+        assert_eq!(unsafe { addr_of!((*start).free_boundary) } as usize - start as usize, 12, "obc_untangle_options.free_boundary");
+        assert_eq!(unsafe { addr_of!((*start).volume_weight) } as usize - start as usize, 16, "obc_untangle_options.volume_weight");
+        assert_eq!(unsafe { addr_of!((*start).tolerance) } as usize - start as usize, 24, "obc_untangle_options.tolerance");
+        assert_eq!((size_of::<obc_untangle_report>(), align_of::<obc_untangle_report>()), (64, 8));
+        let it = MaybeUninit::<obc_untangle_report>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_untangle_report.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).first_inverted) } as usize - start as usize, 4, "obc_untangle_report.first_inverted");
+        assert_eq!(unsafe { addr_of!((*start).inverted_before) } as usize - start as usize, 8, "obc_untangle_report.inverted_before");
+        assert_eq!(unsafe { addr_of!((*start).inverted) } as usize - start as usize, 16, "obc_untangle_report.inverted");
+        assert_eq!(unsafe { addr_of!((*start).steps) } as usize - start as usize, 24, "obc_untangle_report.steps");
+        assert_eq!(unsafe { addr_of!((*start).polish_steps) } as usize - start as usize, 32, "obc_untangle_report.polish_steps");
+        assert_eq!(unsafe { addr_of!((*start).min_determinant) } as usize - start as usize, 40, "obc_untangle_report.min_determinant");
+        assert_eq!(unsafe { addr_of!((*start).max_determinant) } as usize - start as usize, 48, "obc_untangle_report.max_determinant");
+        assert_eq!(unsafe { addr_of!((*start).energy) } as usize - start as usize, 56, "obc_untangle_report.energy");
+        assert_eq!((size_of::<obc_untangle_tetrahedra_problem>(), align_of::<obc_untangle_tetrahedra_problem>()), (72, 8));
+        let it = MaybeUninit::<obc_untangle_tetrahedra_problem>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_untangle_tetrahedra_problem.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_untangle_tetrahedra_problem.reserved");
+        assert_eq!(unsafe { addr_of!((*start).positions) } as usize - start as usize, 8, "obc_untangle_tetrahedra_problem.positions");
+        assert_eq!(unsafe { addr_of!((*start).vertex_count) } as usize - start as usize, 16, "obc_untangle_tetrahedra_problem.vertex_count");
+        assert_eq!(unsafe { addr_of!((*start).tetrahedra) } as usize - start as usize, 24, "obc_untangle_tetrahedra_problem.tetrahedra");
+        assert_eq!(unsafe { addr_of!((*start).tetrahedron_count) } as usize - start as usize, 32, "obc_untangle_tetrahedra_problem.tetrahedron_count");
+        assert_eq!(unsafe { addr_of!((*start).rest) } as usize - start as usize, 40, "obc_untangle_tetrahedra_problem.rest");
+        assert_eq!(unsafe { addr_of!((*start).fixed) } as usize - start as usize, 48, "obc_untangle_tetrahedra_problem.fixed");
+        assert_eq!(unsafe { addr_of!((*start).fixed_coordinates) } as usize - start as usize, 56, "obc_untangle_tetrahedra_problem.fixed_coordinates");
+        assert_eq!(unsafe { addr_of!((*start).ties) } as usize - start as usize, 64, "obc_untangle_tetrahedra_problem.ties");
+    }
+}

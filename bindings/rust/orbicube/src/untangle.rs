@@ -1,0 +1,82 @@
+//! Meshes without inverted elements.
+//!
+//! ```
+//! use orbicube::{untangle, Host};
+//! // Four tetrahedra around a vertex that has left the one that they fill.
+//! let positions = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 2.0, 2.0];
+//! let tetrahedra = [0, 1, 2, 4, 0, 2, 3, 4, 0, 3, 1, 4, 1, 3, 2, 4];
+//! let problem = untangle::Tetrahedra { positions: &positions, tetrahedra: &tetrahedra, ..Default::default() };
+//! let (untangled, report) = untangle::tetrahedra(&problem, &Default::default(), &mut Host::new())?;
+//! assert!(report.inverted == 0 && untangled[..12] == positions[..12]);
+//! # Ok::<(), orbicube::Error>(())
+//! ```
+
+use crate::call::{call, expect_length, pointer, rows, Error, Host};
+use crate::sys::base::OBC_NO_VALID_RESULT;
+use crate::sys::untangle::*;
+
+filled!(/// Options, with their defaults.
+    Options, obc_untangle_options, obc_untangle_options_init);
+filled!(/// Figures of a run.
+    Report, obc_untangle_report, obc_untangle_report_init);
+
+/// A mesh to untangle; empty: none.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Tetrahedra<'a> {
+    pub positions: &'a [f64],
+    pub tetrahedra: &'a [u32],
+    /// Positions in which each tetrahedron has its target shape.
+    pub rest: &'a [f64],
+    /// One a vertex, not 0 for a fixed one. Without these and fixed coordinates the boundary is fixed, unless it is free by the options.
+    pub fixed: &'a [u8],
+    /// One a coordinate, not 0 for a fixed one.
+    pub fixed_coordinates: &'a [u8],
+    /// One a coordinate: its group, or `u32::MAX`.
+    pub ties: &'a [u32],
+}
+
+/// Positions, figures, and the error where some elements remain inverted.
+pub type Best = (Vec<f64>, Report, Option<Error>);
+
+/// Moves vertices until every tetrahedron is positive.
+pub fn tetrahedra(problem: &Tetrahedra, options: &Options, host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
+    certain(tetrahedra_best(problem, options, host)?)
+}
+
+/// The same; where some remain inverted, the best positions found, and the error beside them.
+pub fn tetrahedra_best(problem: &Tetrahedra, options: &Options, host: &mut Host) -> Result<Best, Error> {
+    let n = problem.positions.len();
+    let mut c: obc_untangle_tetrahedra_problem = unsafe { std::mem::zeroed() };
+    unsafe { obc_untangle_tetrahedra_problem_init(&mut c, std::mem::size_of::<obc_untangle_tetrahedra_problem>()) };
+    c.positions = pointer(problem.positions);
+    c.vertex_count = rows(n, 3, "positions")?;
+    c.tetrahedra = pointer(problem.tetrahedra);
+    c.tetrahedron_count = rows(problem.tetrahedra.len(), 4, "tetrahedra")?;
+    for (length, wanted, what) in [(problem.rest.len(), n, "rest"), (problem.fixed.len(), c.vertex_count, "fixed"),
+                                   (problem.fixed_coordinates.len(), n, "fixed_coordinates"), (problem.ties.len(), n, "ties")] {
+        if length != 0 {
+            expect_length(length, wanted, what)?;
+        }
+    }
+    c.rest = pointer(problem.rest);
+    c.fixed = pointer(problem.fixed);
+    c.fixed_coordinates = pointer(problem.fixed_coordinates);
+    c.ties = pointer(problem.ties);
+    let (mut result, mut report) = (vec![0.0; n], Report::default());
+    let outcome = call(host, |host, error| unsafe {
+        obc_untangle_tetrahedra(&c, &options.0, host, result.as_mut_ptr(), &mut report.0, error)
+    });
+    best_of(result, report, outcome)
+}
+
+fn best_of(result: Vec<f64>, report: Report, outcome: Result<(), Error>) -> Result<Best, Error> {
+    match outcome {
+        Ok(()) => Ok((result, report, None)),
+        Err(error) if error.status == OBC_NO_VALID_RESULT => Ok((result, report, Some(error))),
+        Err(error) => Err(error),
+    }
+}
+
+fn certain((result, report, error): Best) -> Result<(Vec<f64>, Report), Error> {
+    error.map_or(Ok((result, report)), Err)
+}

@@ -1,0 +1,130 @@
+#include "orbicube/untangle.h"
+
+#include <algorithm>
+#include <cstring>
+#include <span>
+
+#include "base/version.h"
+#include "capi/src/entry.h"
+#include "mesh/topology/conforming_tetrahedra.h"
+#include "untangle/tetrahedra/untangle_tetrahedra.h"
+
+using namespace orbicube;
+using mesh::Tetrahedron;
+using mesh::Vector3;
+
+namespace {
+
+obc_untangle_tetrahedra_problem no_tetrahedra() {
+  obc_untangle_tetrahedra_problem t{};
+  t.struct_size = sizeof t;
+  return t;
+}
+
+obc_untangle_options default_options() {
+  const untangle::UntangleOptions defaults;
+  obc_untangle_options o{};
+  o.struct_size = sizeof o;
+  o.max_steps = defaults.steps;
+  o.max_polish_steps = defaults.polish_steps;
+  o.volume_weight = defaults.volume_weight;
+  o.tolerance = defaults.tolerance;
+  return o;
+}
+
+untangle::UntangleOptions options_of(const obc_untangle_options& o) {
+  return {.steps = o.max_steps,
+          .polish_steps = o.max_polish_steps,
+          .volume_weight = o.volume_weight,
+          .tolerance = o.tolerance};
+}
+
+obc_untangle_report empty_report() {
+  obc_untangle_report r{};
+  r.struct_size = sizeof r;
+  r.first_inverted = UINT32_MAX;
+  return r;
+}
+
+obc_untangle_report report_of(const untangle::UntanglingFigures& figures) {
+  obc_untangle_report r = empty_report();
+  r.first_inverted = figures.first_inverted;
+  r.inverted_before = figures.inverted_before;
+  r.inverted = figures.inverted;
+  r.steps = figures.steps;
+  r.polish_steps = figures.polish_steps;
+  r.min_determinant = figures.min_determinant;
+  r.max_determinant = figures.max_determinant;
+  r.energy = figures.energy;
+  return r;
+}
+
+untangle::UntangleProblem view_of(const obc_untangle_tetrahedra_problem& t) {
+  static_assert(sizeof(Vector3) == 3 * sizeof(double) && sizeof(Tetrahedron) == 4 * sizeof(uint32_t));
+  capi::require(t.positions != nullptr || t.vertex_count == 0, "problem->positions is NULL");
+  capi::require(t.tetrahedra != nullptr || t.tetrahedron_count == 0, "problem->tetrahedra is NULL");
+  constexpr std::size_t most = UINT32_MAX / 4;
+  capi::require(t.vertex_count < most && t.tetrahedron_count < most, "too many vertices or tetrahedra");
+  const auto positions = [&](const double* from) {
+    return std::span(reinterpret_cast<const Vector3*>(from), from != nullptr ? t.vertex_count : 0);
+  };
+  const auto coordinates = [&](const auto* from) { return std::span(from, from != nullptr ? 3 * t.vertex_count : 0); };
+  return {{reinterpret_cast<const Tetrahedron*>(t.tetrahedra), t.tetrahedron_count},
+          positions(t.positions),
+          positions(t.rest),
+          coordinates(t.fixed_coordinates),
+          coordinates(t.ties)};
+}
+
+// Adds those of fixed vertices to the fixed coordinates.
+void fix_vertices(std::span<const std::uint8_t> vertices, std::span<std::uint8_t> coordinates) {
+  const std::size_t axes = coordinates.size() / std::max<std::size_t>(vertices.size(), 1);
+  for (std::size_t i = 0; i < coordinates.size(); ++i)
+    coordinates[i] |= vertices[i / axes];
+}
+
+}  // namespace
+
+obc_status obc_untangle_options_init(obc_untangle_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_options());
+}
+
+obc_status obc_untangle_report_init(obc_untangle_report* report, size_t struct_size) {
+  return capi::init_versioned(report, struct_size, empty_report());
+}
+
+obc_status obc_untangle_tetrahedra_problem_init(obc_untangle_tetrahedra_problem* problem, size_t struct_size) {
+  return capi::init_versioned(problem, struct_size, no_tetrahedra());
+}
+
+obc_status obc_untangle_tetrahedra(const obc_untangle_tetrahedra_problem* problem, const obc_untangle_options* options,
+                                   const obc_host* host, double* result, obc_untangle_report* report,
+                                   obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(problem != nullptr, "the argument `problem` is NULL");
+    capi::require(result != nullptr, "result is NULL");
+    const obc_untangle_tetrahedra_problem given = capi::copy_versioned(problem, no_tetrahedra());
+    untangle::UntangleProblem mesh = view_of(given);
+    const obc_untangle_options o = capi::copy_versioned(options, default_options());
+    const capi::HostAdapter adapter(host);
+    capi::write_versioned(report, empty_report());
+    untangle::require_vertices(mesh.tetrahedra, mesh.start);
+    base::Array<std::uint8_t> fixed(mesh.fixed.begin(), mesh.fixed.end(), adapter.host().memory);
+    if (given.fixed != nullptr || (mesh.fixed.empty() && o.free_boundary == 0)) {
+      fixed.resize(3 * given.vertex_count);
+      if (given.fixed != nullptr)
+        fix_vertices({given.fixed, given.vertex_count}, fixed);
+      else
+        fix_vertices(mesh::boundary_vertices(mesh.tetrahedra, given.vertex_count, adapter.host()), fixed);
+    }
+    mesh.fixed = fixed;
+    const untangle::Untangled untangled = untangle::untangle_tetrahedra(mesh, options_of(o), adapter.host());
+    capi::write_versioned(report, report_of(untangled));
+    std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector3));
+    untangle::require_untangled(untangled, mesh.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay");
+  });
+}
+
+uint32_t obc_untangle_version(void) {
+  return static_cast<uint32_t>(base::version_major * 10000 + base::version_minor * 100 + base::version_patch);
+}
