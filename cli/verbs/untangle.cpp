@@ -134,7 +134,8 @@ Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const untangl
 // Throws unless all tetrahedra are positive; notes where the boundary intersects itself.
 void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::Untangled& result,
                      Session& session) {
-  about(verb.output, Role::output, [&] { untangle::require_untangled(result, solid.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay"); });
+  about(verb.output, Role::output,
+        [&] { untangle::require_untangled(result, solid.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay"); });
   about(verb.output, Role::output, [&] {
     report_intersections(verb.output, solid.positions, mesh::boundary_triangles(solid, session.host()),
                          verb.free_boundary ? "without --free-boundary the boundary stays as it is"
