@@ -1,6 +1,9 @@
 // Repairs surfaces that it damages first, and prints what came out beside what they were.
 //
-//   bench-repair [--seeds N] [--max-triangles N] FILE...
+//   bench-repair [--seeds N] [--max-triangles N] [--damaged FOLDER] FILE...
+//
+// --damaged also writes what is repaired, NAME-SEED.off, and what it was before the damage, NAME-SEED.clean.off, for
+// peers.py, which compares other programs.
 //
 // Damage of one surface: 20 holes of one ring, 200 faces flipped, 100 corners torn off (half of them by 1e-8 of the
 // diagonal), 20 T-junctions, 50 slivers, 5 specks. Models with more than one part are passed over.
@@ -13,6 +16,7 @@
 
 #include "base/error.h"
 #include "mesh/files/read.h"
+#include "mesh/files/write.h"
 #include "repair/repair.h"
 #include "tests/repair/damage.h"
 
@@ -38,8 +42,9 @@ std::string name_of(const std::string& path) {
   return path.substr(path.find_last_of('/') + 1);
 }
 
-// Returns whether all is as it was.
-bool run(const std::string& path, const mesh::Mesh& clean, const repair::Certificate& before, std::uint64_t seed) {
+// Returns whether all is as it was. `folder`: for the damaged surface, or empty.
+bool run(const std::string& path, const mesh::Mesh& clean, const repair::Certificate& before, std::uint64_t seed,
+         const std::string& folder) {
   mesh::Mesh m = clean;
   mesh::Vector3 low = m.positions[0], high = low;
   for (const mesh::Vector3& p : m.positions) {
@@ -48,6 +53,11 @@ bool run(const std::string& path, const mesh::Mesh& clean, const repair::Certifi
   }
   const double diagonal = (high - low).norm();
   damage(m, diagonal, seed);
+  if (!folder.empty()) {
+    const std::string name = name_of(path), stem = folder + "/" + name.substr(0, name.find_last_of('.')) + "-";
+    mesh::write_mesh(stem + std::to_string(seed) + ".off", m, {}, base::Host());
+    mesh::write_mesh(stem + std::to_string(seed) + ".clean.off", clean, {}, base::Host());
+  }
   const auto start = std::chrono::steady_clock::now();
   const repair::Repaired r = repair::repair(m.positions, m.triangles, {}, base::Host());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
@@ -69,11 +79,14 @@ int main(int argc, char** argv) {
   std::uint64_t seeds = 1;
   std::size_t max_triangles = 100'000, runs = 0, same = 0;
   std::vector<std::string> paths;
+  std::string folder;
   for (int i = 1; i < argc; ++i) {
     if (std::strcmp(argv[i], "--seeds") == 0 && i + 1 < argc) {
       seeds = std::strtoull(argv[++i], nullptr, 10);
     } else if (std::strcmp(argv[i], "--max-triangles") == 0 && i + 1 < argc) {
       max_triangles = std::strtoull(argv[++i], nullptr, 10);
+    } else if (std::strcmp(argv[i], "--damaged") == 0 && i + 1 < argc) {
+      folder = argv[++i];
     } else {
       paths.emplace_back(argv[i]);
     }
@@ -93,7 +106,7 @@ int main(int argc, char** argv) {
       start.triangles = clean.surface.triangles;
       for (std::uint64_t seed = 0; seed < seeds; ++seed) {
         ++runs;
-        same += run(path, start, clean.report.certificate, seed);
+        same += run(path, start, clean.report.certificate, seed, folder);
       }
     } catch (const base::Error& e) {
       std::printf("| %s | %s: %s |\n", name_of(path).c_str(), e.kind(), e.what());
