@@ -171,4 +171,17 @@ base::Array<TrianglePoint> points_of_vertices(std::size_t vertices, std::span<co
   return result;
 }
 
+base::Array<TrianglePoint> carry_vertices(const ShapeMaps& maps, std::size_t from, std::size_t to, std::size_t vertices,
+                                          const base::Host& host) {
+  base::Array<TrianglePoint> result = points_of_vertices(vertices, maps.triangles(from), host);
+  base::Array<TrianglePoint> used(host.memory);
+  for (const TrianglePoint& point : result)
+    if (point.triangle != mesh::no_index) used.push_back(point);
+  used = maps.carry(from, to, used, host);
+  std::size_t next = 0;
+  for (TrianglePoint& point : result)
+    if (point.triangle != mesh::no_index) point = used[next++];
+  return result;
+}
+
 }  // namespace orbicube::correspondence

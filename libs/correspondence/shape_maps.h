@@ -45,4 +45,9 @@ class ShapeMaps {
 base::Array<TrianglePoint> points_of_vertices(std::size_t vertices, std::span<const mesh::Triangle> triangles,
                                               const base::Host& host);
 
+// Returns where the vertices of one shape are on another; for a vertex in no triangle, a point of no_index. Throws what
+// carry() does.
+base::Array<TrianglePoint> carry_vertices(const ShapeMaps& maps, std::size_t from, std::size_t to, std::size_t vertices,
+                                          const base::Host& host);
+
 }  // namespace orbicube::correspondence

@@ -74,6 +74,14 @@ TEST_CASE("Two shapes get one triangulation, which blends from one to the other"
     CHECK(blended == second);
     REQUIRE(obc_correspondence_blend(both, half, 2, blended.data(), &error) == OBC_OK);
     CHECK(blended[0] == 0.5 * first[0] + 0.5 * second[0]);
+    std::vector<double> domain(3 * vertices);
+    REQUIRE(obc_correspondence_copy_domain(both, domain.data(), &error) == OBC_OK);
+    const std::size_t quads = obc_correspondence_quad_count(both);
+    CHECK(2 * quads == (via == OBC_CORRESPONDENCE_POLYCUBE ? obc_correspondence_triangle_count(both) : 0));
+    std::vector<std::uint32_t> corners(4 * quads + 4);
+    CHECK(obc_correspondence_copy_quads(both, corners.data(), &error) == OBC_OK);
+    for (std::size_t q = 0; q < quads; ++q)
+      CHECK((corners[4 * q] == triangles[6 * q] && corners[4 * q + 3] == triangles[6 * q + 5]));
     const double not_finite[] = {0, std::nan("")};
     CHECK(obc_correspondence_blend(both, not_finite, 2, blended.data(), &error) == OBC_INVALID_ARGUMENT);
     CHECK(obc_correspondence_blend(both, half, 1, blended.data(), &error) == OBC_INVALID_ARGUMENT);
@@ -81,6 +89,67 @@ TEST_CASE("Two shapes get one triangulation, which blends from one to the other"
     CHECK(obc_correspondence_copy(both, 2, first.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
     obc_correspondence_destroy(both);
   }
+}
+
+TEST_CASE("Points are mapped from one shape to the other and back") {
+  const std::vector<obc_surface> shapes{octahedron.surface(), longer.surface()};
+  for (const std::int32_t via : {OBC_CORRESPONDENCE_SPHERE, OBC_CORRESPONDENCE_POLYCUBE}) {
+    obc_correspondence_options options = defaults();
+    options.via = via;
+    options.cells = 50;
+    obc_correspondence* both = nullptr;
+    REQUIRE(obc_correspondence_create(shapes.data(), 2, &options, nullptr, &both, nullptr) == OBC_OK);
+    REQUIRE(obc_correspondence_surface_vertex_count(both, 0) == 6);
+    CHECK(obc_correspondence_surface_vertex_count(both, 2) == 0);
+    CHECK(obc_correspondence_surface_vertex_count(nullptr, 0) == 0);
+    std::uint32_t triangles[6];
+    double weights[18];
+    REQUIRE(obc_correspondence_map_vertices(both, 0, 1, nullptr, triangles, weights, nullptr) == OBC_OK);
+    REQUIRE(obc_correspondence_map(both, 1, 0, triangles, weights, 6, nullptr, triangles, weights, nullptr) == OBC_OK);
+    for (std::size_t v = 0; v < 6; ++v) {
+      for (std::size_t axis = 0; axis < 3; ++axis) {
+        double x = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+          x += weights[3 * v + k] * octahedron.positions[3 * octahedron.triangles[3 * triangles[v] + k] + axis];
+        CHECK(std::abs(x - octahedron.positions[3 * v + axis]) < 1e-9);
+      }
+    }
+    CHECK(obc_correspondence_map(both, 0, 1, nullptr, nullptr, 0, nullptr, nullptr, nullptr, nullptr) == OBC_OK);
+    CHECK(obc_correspondence_map(both, 0, 2, triangles, weights, 6, nullptr, triangles, weights, nullptr) ==
+          OBC_INVALID_ARGUMENT);
+    CHECK(obc_correspondence_map(both, 0, 1, nullptr, weights, 6, nullptr, triangles, weights, nullptr) ==
+          OBC_INVALID_ARGUMENT);
+    weights[4] = std::nan("");
+    CHECK(obc_correspondence_map(both, 0, 1, triangles, weights, 6, nullptr, triangles, weights, nullptr) ==
+          OBC_INVALID_ARGUMENT);
+    CHECK(obc_correspondence_map_vertices(both, 0, 1, nullptr, nullptr, weights, nullptr) == OBC_INVALID_ARGUMENT);
+    CHECK(obc_correspondence_map_vertices(nullptr, 0, 1, nullptr, triangles, weights, nullptr) == OBC_INVALID_ARGUMENT);
+    const auto call = [&](const obc_host& host) {
+      return obc_correspondence_map_vertices(both, 0, 1, &host, triangles, weights, nullptr);
+    };
+    CHECK(test::fail_each_allocation(call, 300).problem == "");
+    CHECK(test::cancel_everywhere(call).problem == "");
+    obc_correspondence_destroy(both);
+  }
+}
+
+TEST_CASE("Landmarks and grids of the sphere are options") {
+  const std::vector<obc_surface> shapes{octahedron.surface(), longer.surface()};
+  const double landmarks[] = {1, 0, 0, 0, 1, 0, 0, 0, 1, 2, 0, 0, 0, 1, 0, 0, 0, 1};
+  obc_correspondence_options options = defaults();
+  options.grid = OBC_CORRESPONDENCE_GRID_CUBE;
+  options.resolution = 4;
+  options.landmark_count = 3;
+  options.landmarks = landmarks;
+  CHECK(create(shapes, options) == OBC_OK);
+  options.landmarks = nullptr;
+  CHECK(create(shapes, options) == OBC_INVALID_ARGUMENT);
+  options.landmark_count = 0;
+  options.resolution = 0;
+  CHECK(create(shapes, options) == OBC_INVALID_ARGUMENT);
+  options.resolution = 4;
+  options.via = OBC_CORRESPONDENCE_POLYCUBE;
+  CHECK(create(shapes, options) == OBC_INVALID_ARGUMENT);
 }
 
 TEST_CASE("What is missing, out of range or not finite is refused") {
@@ -94,7 +163,7 @@ TEST_CASE("What is missing, out of range or not finite is refused") {
   for (std::int32_t obc_correspondence_options::*choice :
        {&obc_correspondence_options::via, &obc_correspondence_options::align, &obc_correspondence_options::grid,
         &obc_correspondence_options::placement}) {
-    for (const std::int32_t value : {-1, 3}) {
+    for (const std::int32_t value : {-1, 6}) {
       obc_correspondence_options options = defaults();
       options.*choice = value;
       CHECK(create(shapes, options) == OBC_INVALID_ARGUMENT);

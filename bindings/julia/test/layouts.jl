@@ -3,7 +3,7 @@ const layouts = [
     (Orbicube.Raw.obc_error, 512, [0, 4, 32]),
     (Orbicube.Raw.obc_allocator, 24, [0, 8, 16]),
     (Orbicube.Raw.obc_host, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64]),
-    (Orbicube.Raw.obc_correspondence_options, 56, [0, 4, 8, 12, 16, 20, 24, 32, 40, 48]),
+    (Orbicube.Raw.obc_correspondence_options, 80, [0, 4, 8, 12, 16, 20, 24, 32, 40, 48, 56, 64, 72]),
     (Orbicube.Raw.obc_frame_field_solid, 32, [0, 8, 16, 24]),
     (Orbicube.Raw.obc_frame_field_options, 48, [0, 4, 8, 12, 16, 20, 24, 32, 40, 44]),
     (Orbicube.Raw.obc_frame_field_constraints, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64]),

@@ -58,6 +58,26 @@ class Shapes(unittest.TestCase):
         self.assertTrue(np.array_equal(both.blend([0.5, 0.5]), 0.5 * both.positions(0) + 0.5 * both.positions(1)))
         self.assertEqual(len(both.triangles), 2 * len(both.positions(0)) - 4)
 
+    def test_points_are_mapped_there_and_back(self):
+        both = Correspondence(self.shapes, grid="first")
+        triangles, weights = both.map(0, 1)
+        self.assertEqual(len(triangles), len(self.shapes[0].positions))
+        back = both.map(1, 0, triangles, weights)
+        corners = self.shapes[0].triangles[back[0]]
+        found = np.einsum("vk,vkx->vx", back[1], self.shapes[0].positions[corners])
+        self.assertLess(np.abs(found - self.shapes[0].positions).max(), 1e-6)
+        self.assertTrue(np.allclose(np.linalg.norm(both.domain, axis=1), 1))
+        self.assertEqual(both.quads.shape, (0, 4))
+        self.assertRaises(ValueError, both.map, 0, 2)
+        self.assertRaises(ValueError, both.map, 0, 1, triangles)
+        self.assertRaises(ValueError, both.map, 0, 1, triangles, weights[:-1])
+
+    def test_landmarks_replace_the_alignment(self):
+        landmarks = [shape.positions[[3, 50, 90, 130]] for shape in (self.shapes[0], self.shapes[0])]
+        same = Correspondence([self.shapes[0]] * 2, grid="first", landmarks=landmarks)
+        self.assertLess(np.abs(same.positions(0) - same.positions(1)).max(), 1e-9)
+        self.assertRaises(ValueError, Correspondence, self.shapes, landmarks=landmarks[:1])
+
     def test_mistakes_are_refused(self):
         both = Correspondence(self.shapes, grid="first")
         self.assertRaises(ValueError, both.blend, [1])

@@ -9,6 +9,10 @@ const OBC_CORRESPONDENCE_ALIGN_NONE = Int32(2)
 
 const OBC_CORRESPONDENCE_GRID_BOTH = Int32(0)
 const OBC_CORRESPONDENCE_GRID_FIRST = Int32(1)
+const OBC_CORRESPONDENCE_GRID_ICOSPHERE = Int32(2)
+const OBC_CORRESPONDENCE_GRID_CUBE = Int32(3)
+const OBC_CORRESPONDENCE_GRID_LATITUDE = Int32(4)
+const OBC_CORRESPONDENCE_GRID_OCTAHEDRON = Int32(5)
 
 const OBC_CORRESPONDENCE_KEPT = Int32(0)
 const OBC_CORRESPONDENCE_TURNED = Int32(1)
@@ -25,6 +29,9 @@ mutable struct obc_correspondence_options <: CStruct
     cells::Csize_t
     corners::Csize_t
     seed::UInt64
+    resolution::Csize_t
+    landmark_count::Csize_t
+    landmarks::Ptr{Float64}
     obc_correspondence_options() = zeroed!(new())
 end
 
@@ -59,6 +66,30 @@ obc_correspondence_copy(correspondence, shape, positions, triangles, error) =
 const address_obc_correspondence_blend = Ref(C_NULL)
 obc_correspondence_blend(correspondence, weights, count, positions, error) =
     ccall(symbol(address_obc_correspondence_blend, :correspondence, :obc_correspondence_blend), Int32, (Ptr{Cvoid}, Ptr{Float64}, Csize_t, Ptr{Float64}, Ptr{obc_error}), correspondence, weights, count, positions, error)
+
+const address_obc_correspondence_copy_domain = Ref(C_NULL)
+obc_correspondence_copy_domain(correspondence, positions, error) =
+    ccall(symbol(address_obc_correspondence_copy_domain, :correspondence, :obc_correspondence_copy_domain), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{obc_error}), correspondence, positions, error)
+
+const address_obc_correspondence_quad_count = Ref(C_NULL)
+obc_correspondence_quad_count(correspondence) =
+    ccall(symbol(address_obc_correspondence_quad_count, :correspondence, :obc_correspondence_quad_count), Csize_t, (Ptr{Cvoid},), correspondence)
+
+const address_obc_correspondence_copy_quads = Ref(C_NULL)
+obc_correspondence_copy_quads(correspondence, quads, error) =
+    ccall(symbol(address_obc_correspondence_copy_quads, :correspondence, :obc_correspondence_copy_quads), Int32, (Ptr{Cvoid}, Ptr{UInt32}, Ptr{obc_error}), correspondence, quads, error)
+
+const address_obc_correspondence_surface_vertex_count = Ref(C_NULL)
+obc_correspondence_surface_vertex_count(correspondence, shape) =
+    ccall(symbol(address_obc_correspondence_surface_vertex_count, :correspondence, :obc_correspondence_surface_vertex_count), Csize_t, (Ptr{Cvoid}, Csize_t), correspondence, shape)
+
+const address_obc_correspondence_map = Ref(C_NULL)
+obc_correspondence_map(correspondence, from, to, triangles, weights, count, host, mapped_triangles, mapped_weights, error) =
+    ccall(symbol(address_obc_correspondence_map, :correspondence, :obc_correspondence_map), Int32, (Ptr{Cvoid}, Csize_t, Csize_t, Ptr{UInt32}, Ptr{Float64}, Csize_t, Ptr{obc_host}, Ptr{UInt32}, Ptr{Float64}, Ptr{obc_error}), correspondence, from, to, triangles, weights, count, host, mapped_triangles, mapped_weights, error)
+
+const address_obc_correspondence_map_vertices = Ref(C_NULL)
+obc_correspondence_map_vertices(correspondence, from, to, host, mapped_triangles, mapped_weights, error) =
+    ccall(symbol(address_obc_correspondence_map_vertices, :correspondence, :obc_correspondence_map_vertices), Int32, (Ptr{Cvoid}, Csize_t, Csize_t, Ptr{obc_host}, Ptr{UInt32}, Ptr{Float64}, Ptr{obc_error}), correspondence, from, to, host, mapped_triangles, mapped_weights, error)
 
 const address_obc_correspondence_version = Ref(C_NULL)
 obc_correspondence_version() =

@@ -2,7 +2,7 @@
 const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
     (:obc_correspondence_options, :via) => [:sphere => 0, :polycube => 1],
     (:obc_correspondence_options, :align) => [:shape => 0, :rotation => 1, :none => 2],
-    (:obc_correspondence_options, :grid) => [:both => 0, :first => 1],
+    (:obc_correspondence_options, :grid) => [:both => 0, :first => 1, :icosphere => 2, :cube => 3, :latitude => 4, :octahedron => 5],
     (:obc_correspondence_options, :placement) => [:kept => 0, :turned => 1, :scaled => 2],
     (:obc_frame_field_options, :start) => [:auto => 0, :identity => 1, :propagated => 2, :harmonic => 3, :diffusion => 4, :given => 5],
     (:obc_frame_field_options, :method) => [:smooth => 0, :dissertation => 1],

@@ -13,6 +13,10 @@ OBC_CORRESPONDENCE_ALIGN_NONE = 2
 
 OBC_CORRESPONDENCE_GRID_BOTH = 0
 OBC_CORRESPONDENCE_GRID_FIRST = 1
+OBC_CORRESPONDENCE_GRID_ICOSPHERE = 2
+OBC_CORRESPONDENCE_GRID_CUBE = 3
+OBC_CORRESPONDENCE_GRID_LATITUDE = 4
+OBC_CORRESPONDENCE_GRID_OCTAHEDRON = 5
 
 OBC_CORRESPONDENCE_KEPT = 0
 OBC_CORRESPONDENCE_TURNED = 1
@@ -32,6 +36,9 @@ class obc_correspondence_options(_Struct):
         ("cells", _c.c_size_t),
         ("corners", _c.c_size_t),
         ("seed", _c.c_uint64),
+        ("resolution", _c.c_size_t),
+        ("landmark_count", _c.c_size_t),
+        ("landmarks", _c.c_void_p),
     ]
 
 
@@ -44,6 +51,12 @@ _functions = [
     ("obc_correspondence_triangle_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_correspondence_copy", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_correspondence_blend", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
+    ("obc_correspondence_copy_domain", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_correspondence_quad_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_correspondence_copy_quads", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_correspondence_surface_vertex_count", _c.c_size_t, [_c.c_void_p, _c.c_size_t]),
+    ("obc_correspondence_map", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_correspondence_map_vertices", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_correspondence_version", _c.c_uint32, []),
 ]
 

@@ -20,6 +20,11 @@ pub const OBC_CORRESPONDENCE_ALIGN_NONE: i32 = 2;
 pub const OBC_CORRESPONDENCE_GRID_BOTH: i32 = 0;
 /// the triangles of the first surface; with a polycube, as its map splits them
 pub const OBC_CORRESPONDENCE_GRID_FIRST: i32 = 1;
+/// Grids of the sphere, of \`resolution\` as in obc\_sphere\_map\_grid; not with a polycube:
+pub const OBC_CORRESPONDENCE_GRID_ICOSPHERE: i32 = 2;
+pub const OBC_CORRESPONDENCE_GRID_CUBE: i32 = 3;
+pub const OBC_CORRESPONDENCE_GRID_LATITUDE: i32 = 4;
+pub const OBC_CORRESPONDENCE_GRID_OCTAHEDRON: i32 = 5;
 
 /// as given
 pub const OBC_CORRESPONDENCE_KEPT: i32 = 0;
@@ -44,7 +49,7 @@ pub struct obc_correspondence_options {
     pub via: i32,
     /// OBC\_CORRESPONDENCE\_ALIGN\_SHAPE, ROTATION or NONE; unused with a polycube. Default: SHAPE.
     pub align: i32,
-    /// OBC\_CORRESPONDENCE\_GRID\_BOTH or FIRST. Default: BOTH.
+    /// OBC\_CORRESPONDENCE\_GRID\_BOTH, FIRST or a grid of the sphere. Default: BOTH.
     pub grid: i32,
     /// OBC\_CORRESPONDENCE\_KEPT, TURNED or SCALED. Default: KEPT.
     pub placement: i32,
@@ -61,6 +66,13 @@ pub struct obc_correspondence_options {
     pub corners: usize,
     /// seed of the maps. Default: 0.
     pub seed: u64,
+    /// of a grid of the sphere. Default: 0.
+    pub resolution: usize,
+    /// number of landmarks of each surface; on spheres they replace \`align\`. Default: 0.
+    pub landmark_count: usize,
+    /// x y z of the landmarks of each surface, one surface after the other; landmarks of one number
+    /// correspond. The nearest point of the surface counts. Default: NULL.
+    pub landmarks: *const f64,
 }
 
 extern "C" {
@@ -85,6 +97,23 @@ extern "C" {
     /// Blends the surfaces: writes the sum of their positions times weights (\`count\` finite numbers, one a surface) to positions (3 \* vertex
     /// count). A weight of 1 for one surface and 0 for all others returns its positions. Errors: OBC\_INVALID\_ARGUMENT, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_correspondence_blend(correspondence: *const obc_correspondence, weights: *const f64, count: usize, positions: *mut f64, error: *mut obc_error) -> i32;
+    /// Copies the positions of the vertices on the common sphere (unit vectors) or polycube (3 \* vertex count). Every triangle is positive
+    /// there, by exact signs. Errors: OBC\_INVALID\_ARGUMENT.
+    pub fn obc_correspondence_copy_domain(correspondence: *const obc_correspondence, positions: *mut f64, error: *mut obc_error) -> i32;
+    /// Returns the number of quads of the polycube's grid, of which triangles 2 q and 2 q + 1 are the halves; 0 for other triangulations
+    /// and for NULL.
+    pub fn obc_correspondence_quad_count(correspondence: *const obc_correspondence) -> usize;
+    /// Copies the quads (four vertex indices each, counter-clockwise seen from outside). Errors: OBC\_INVALID\_ARGUMENT.
+    pub fn obc_correspondence_copy_quads(correspondence: *const obc_correspondence, quads: *mut u32, error: *mut obc_error) -> i32;
+    /// Returns the number of vertices of surface number \`shape\` as it was given; 0 if there is none.
+    pub fn obc_correspondence_surface_vertex_count(correspondence: *const obc_correspondence, shape: usize) -> usize;
+    /// Maps \`count\` points of surface \`from\` to surface \`to\`: the inverse of the map of \`to\` after the map of \`from\`, one to one. A point
+    /// is a triangle of the surface as it was given and three weights at its corners, nonnegative with sum 1; results may overwrite the
+    /// points. Options of placement do not matter. host may be NULL. Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    pub fn obc_correspondence_map(correspondence: *const obc_correspondence, from: usize, to: usize, triangles: *const u32, weights: *const f64, count: usize, host: *const obc_host, mapped_triangles: *mut u32, mapped_weights: *mut f64, error: *mut obc_error) -> i32;
+    /// The same for all vertices of surface \`from\` (obc\_correspondence\_surface\_vertex\_count); a vertex in no triangle gets UINT32\_MAX and
+    /// weights of 0. Errors: OBC\_INVALID\_ARGUMENT, OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    pub fn obc_correspondence_map_vertices(correspondence: *const obc_correspondence, from: usize, to: usize, host: *const obc_host, mapped_triangles: *mut u32, mapped_weights: *mut f64, error: *mut obc_error) -> i32;
     /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_correspondence_version() -> u32;
 }
@@ -97,7 +126,7 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_correspondence_options>(), align_of::<obc_correspondence_options>()), (56, 8));
+        assert_eq!((size_of::<obc_correspondence_options>(), align_of::<obc_correspondence_options>()), (80, 8));
         let it = MaybeUninit::<obc_correspondence_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_correspondence_options.struct_size");
@@ -110,5 +139,8 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).cells) } as usize - start as usize, 32, "obc_correspondence_options.cells");
         assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 40, "obc_correspondence_options.corners");
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 48, "obc_correspondence_options.seed");
+        assert_eq!(unsafe { addr_of!((*start).resolution) } as usize - start as usize, 56, "obc_correspondence_options.resolution");
+        assert_eq!(unsafe { addr_of!((*start).landmark_count) } as usize - start as usize, 64, "obc_correspondence_options.landmark_count");
+        assert_eq!(unsafe { addr_of!((*start).landmarks) } as usize - start as usize, 72, "obc_correspondence_options.landmarks");
     }
 }
