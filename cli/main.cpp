@@ -67,6 +67,7 @@ int run(int argc, char** argv) {
   orbicube::cli::add_sphere(app, common);
   orbicube::cli::add_frames(app, common);
   orbicube::cli::add_morph(app, common);
+  orbicube::cli::add_map(app, common);
   orbicube::cli::add_harmonics(app, common);
   orbicube::cli::add_compare(app, common);
   orbicube::cli::add_page(app, common);

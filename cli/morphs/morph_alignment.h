@@ -15,6 +15,7 @@ struct MorphShape : correspondence::SphereShape {
   using SphereShape::SphereShape;
 
   std::string path;
+  base::Array<mesh::Triangle> given{};       // triangles as in the file
   std::shared_ptr<const gltf::Kept> kept{};  // of the file, where it can be
   Json figures;
 };

@@ -85,13 +85,15 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
   const base::Host& host = session.host();
   if (options.inputs.size() > 10) throw Failure(Exit::wrong_input, "", "usage", "--polycube takes at most ten shapes");
   cells_of(options, {});
-  SharedPolycube shared = share_polycube({.inputs = options.inputs,
-                                          .landmarks = options.landmarks,
-                                          .construction = {.corners = options.corners, .seed = session.seed()},
-                                          .domain = {},
-                                          .mending = options.mending,
-                                          .keep_first = keep_for(options.output, Keep::decoration)},
-                                         session);
+  if (!options.blend.quads.empty() && options.grid == "first")
+    throw Failure(Exit::wrong_input, "", "usage", "--quads is for a grid of the polycube; --grid first has triangles");
+  SharedPolycube shared = share_polycube(
+      {.inputs = options.inputs,
+       .landmarks = options.landmarks,
+       .common = {.construction = {.corners = options.corners, .seed = session.seed()}},
+       .mending = options.mending,
+       .keep_first = options.blend.weights.empty() ? keep_for(options.output, Keep::decoration) : Keep::surface},
+      session);
   const std::size_t cells = cells_of(options, shared.meshes);
   const PolycubeMesh common =
       about(options.output, Role::output, [&] { return correspondence::triangles_on(shared.common, cells, host); });
@@ -113,7 +115,10 @@ void morph_by_polycube(const PolycubeMorphOptions& options, Session& session) {
     morph.states = states;
     morph.names.insert(morph.names.begin() + 1, "polycube");
   }
-  write_morph(morph, session);
+  if (options.blend.weights.empty())
+    write_morph(morph, session);
+  else
+    write_blend(morph, options.blend, common.quads, session);
   report_shapes(options, shared, common, session);
 }
 

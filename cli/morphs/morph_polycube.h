@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "morphs/morph_states.h"
 #include "session/session.h"
 #include "solids/repaired_surface.h"
 
@@ -19,6 +20,7 @@ struct PolycubeMorphOptions {
   std::size_t steps = 0;
   double seconds = 2;
   Mending mending;
+  ShapeBlend blend;            // written in place of the morph, where it has weights
   bool show_polycube = false;  // it becomes a target, after the first shape
 };
 

@@ -6,6 +6,9 @@
 #include <utility>
 
 #include "correspondence/morph.h"
+#ifdef ORBICUBE_WITH_POLYCUBE
+#include "files/quad_file.h"
+#endif
 #include "files/surface_file.h"
 #include "gltf/writing/float_frame.h"
 #include "gltf/writing/write.h"
@@ -102,6 +105,32 @@ void write_steps(const MorphStates& morph, Session& session) {
 }
 
 }  // namespace
+
+void require_weights(const ShapeBlend& blend, std::size_t shapes) {
+  if (blend.weights.empty() || blend.weights.size() == shapes) return;
+  throw Failure(
+      Exit::wrong_input, "", "usage",
+      "--blend has " + std::to_string(blend.weights.size()) + " weights for " + std::to_string(shapes) + " shapes");
+}
+
+void write_blend(const MorphStates& morph, const ShapeBlend& blend, std::span<const std::array<mesh::Index, 4>> quads,
+                 Session& session) {
+  const base::Host& host = session.host();
+  mesh::Mesh blended(host.memory);
+  blended.triangles.assign(morph.triangles.begin(), morph.triangles.end());
+  blended.positions =
+      about(morph.output, Role::output, [&] { return correspondence::blend(morph.states, blend.weights, host); });
+  write_output(morph.output, blended, true, session);
+  session.figures()["blend"] = blend.weights;
+#ifdef ORBICUBE_WITH_POLYCUBE
+  if (blend.quads.empty()) return;
+  about(blend.quads, Role::output, [&] { write_quads(session.stage(blend.quads), blended.positions, quads, host); });
+  session.figures()["quads"] = quads.size();
+  session.say("wrote " + blend.quads + ": " + std::to_string(quads.size()) + " quads");
+#else
+  (void)quads;
+#endif
+}
 
 void write_morph(const MorphStates& morph, Session& session) {
   write_targets(morph, session);

@@ -1,6 +1,7 @@
 // Shapes on one triangulation, as morph targets of one glTF mesh, and what lies between them as files.
 #pragma once
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -24,6 +25,18 @@ struct MorphStates {
   std::span<const mesh::Triangle> kept_surface{};
   std::span<const gltf::KeptTriangle> kept_triangles{};
 };
+
+struct ShapeBlend {
+  std::vector<double> weights;  // one a shape; empty: no blend
+  std::string quads;            // a file for the quads of a polycube's grid, or empty
+};
+
+// Throws Failure unless there are as many weights as shapes, or none.
+void require_weights(const ShapeBlend& blend, std::size_t shapes);
+
+// Writes the weighted sum of the states to the output, in any format, and its quads. Throws Failure.
+void write_blend(const MorphStates& morph, const ShapeBlend& blend, std::span<const std::array<mesh::Index, 4>> quads,
+                 Session& session);
 
 // Writes them, and adds "intermediates" to the session's figures. Throws Failure.
 void write_morph(const MorphStates& morph, Session& session);

@@ -101,6 +101,8 @@ void refuse_unused_polycube_options(const CLI::App& verb) {
   refuse_if(verb.count("--landmarks") > 0 && !common, "--landmarks", "several surfaces");
   refuse_without(verb, "--cells", {"--quads"});
   refuse_without(verb, "--cell-size", {"--quads"});
+  refuse_if(verb.count("--constraints") > 0 && common, "--constraints",
+            "one surface; corresponding points of several are --landmarks");
 }
 
 void refuse_unused_harmonics_options(const CLI::App& verb) {
@@ -109,12 +111,25 @@ void refuse_unused_harmonics_options(const CLI::App& verb) {
   refuse_without(verb, "--text", {"--reconstruct", "--refined-map"});
 }
 
+void refuse_unused_map_options(const CLI::App& verb) {
+  const bool polycube = verb.get_option_no_throw("--via") != nullptr && given_or(verb, "--via", "sphere") == "polycube";
+  refuse_if(polycube && verb.count("--align") > 0, "--align", "--via sphere");
+  refuse_if(verb.count("--landmarks") > 0 && verb.count("--align") > 0, "--align",
+            "spheres without --landmarks, which replace it");
+  if (verb.get_option_no_throw("--corners") != nullptr)
+    refuse_if(!polycube && verb.count("--corners") > 0, "--corners", "--via polycube");
+}
+
 void refuse_unused_morph_options(const CLI::App& verb) {
   const bool polycube = verb.get_option_no_throw("--polycube") != nullptr && verb.count("--polycube") > 0;
   refuse_if(verb.count("--align") > 0 && (polycube || verb.count("--landmarks") > 0), "--align",
             "spheres without landmarks; --polycube and --landmarks have their own alignment");
   refuse_if(verb.count("--tolerance") > 0 && (polycube || given_or(verb, "--grid", "both") != "both"), "--tolerance",
             "--grid both");
+  const bool blended = verb.count("--blend") > 0;
+  for (const char* option : {"--intermediates", "--seconds", "--show-polycube"})
+    if (verb.get_option_no_throw(option) != nullptr)
+      refuse_if(blended && verb.count(option) > 0, option, "morph targets; --blend writes one shape");
 }
 
 void refuse_unused_hex_options(const CLI::App& verb) {

@@ -11,6 +11,7 @@ AnyGenusSurface read_any_genus_surface(const std::string& path, const Mending& m
   InputMesh input = read_mended(path, mending, session, keep);
   mesh::Mesh& m = input.mesh;
   Json figures;
+  base::Array<mesh::Triangle> given(m.triangles, session.host().memory);
   about(path, Role::input, [&] {
     if (!m.tetrahedra.empty() || !m.hexahedra.empty())
       throw base::Error("unsupported", "a solid of cells; polycube takes surfaces");
@@ -25,7 +26,7 @@ AnyGenusSurface read_any_genus_surface(const std::string& path, const Mending& m
                {"triangles", m.triangles.size()},
                {"genus", genus}};
   });
-  return {std::move(m), std::move(figures), std::move(input.kept)};
+  return {std::move(m), std::move(figures), std::move(input.kept), std::move(given)};
 }
 
 }  // namespace orbicube::cli

@@ -15,6 +15,7 @@ struct AnyGenusSurface {
   mesh::Mesh mesh;                           // closed, connected, turned outward
   Json figures;                              // format, numbers and genus
   std::shared_ptr<const gltf::Kept> kept{};  // with Keep::decoration, where it can be
+  base::Array<mesh::Triangle> given{};       // triangles as in the file, before they were turned
 };
 
 // Reads it, turns triangles and notes that, or throws the refusal of a surface that has no map.

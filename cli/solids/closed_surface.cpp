@@ -12,6 +12,7 @@ ClosedSurface read_closed_surface(const std::string& path, const Mending& mendin
   InputMesh input = read_mended(path, mending, session, keep);
   Json figures = {{"format", input.report.format}, {"seconds_read", input.seconds}};
   mesh::Mesh& mesh = input.mesh;
+  base::Array<mesh::Triangle> given(mesh.triangles, session.host().memory);
   about(path, Role::input, [&] {
     if (!mesh.tetrahedra.empty() || !mesh.hexahedra.empty()) {
       mesh::require_valid_cells(mesh, session.host());
@@ -26,7 +27,7 @@ ClosedSurface read_closed_surface(const std::string& path, const Mending& mendin
     figures["triangles_turned"] = turned.triangles_turned;
     figures["turned_outward"] = turned.turned_outward;
   });
-  return {std::move(mesh), std::move(figures), std::move(input.kept)};
+  return {std::move(mesh), std::move(figures), std::move(input.kept), std::move(given)};
 }
 
 }  // namespace orbicube::cli

@@ -15,6 +15,7 @@ struct ClosedSurface {
   mesh::Mesh mesh;                           // closed, of genus 0, turned outward
   Json figures;                              // of the file, and what was turned
   std::shared_ptr<const gltf::Kept> kept{};  // with Keep::decoration, where it can be
+  base::Array<mesh::Triangle> given{};       // triangles as in the file, before they were turned
 };
 
 // Reads it, turns triangles and notes that, or throws the refusal of a surface that has no map.

@@ -15,7 +15,7 @@ namespace orbicube::cli {
 
 SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& session) {
   const base::Host& host = session.host();
-  SharedPolycube result{{}, polycube::CommonPolycube(host.memory), {}, nullptr};
+  SharedPolycube result{{}, {}, polycube::CommonPolycube(host.memory), {}, nullptr};
   for (const std::string& path : options.inputs) {
     const bool is_first = result.meshes.empty();
     AnyGenusSurface surface =
@@ -23,6 +23,7 @@ SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& ses
     require_ordinary_size(surface.mesh, path);
     if (is_first) result.kept_first = std::move(surface.kept);
     result.meshes.push_back(std::move(surface.mesh));
+    result.given.push_back(std::move(surface.given));
     Json figures = {{"input", path}};
     figures.update(surface.figures);
     result.figures.push_back(std::move(figures));
@@ -45,8 +46,9 @@ SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& ses
   }
   const double start = session.seconds();
   result.common = about(options.inputs.front(), Role::input, [&] {
-    return polycube::construct_common(
-        shapes, {.construction = options.construction, .domain = options.domain, .landmarks = landmarks}, host);
+    polycube::CommonPolycubeOptions of_common = options.common;
+    of_common.landmarks = landmarks;
+    return polycube::construct_common(shapes, of_common, host);
   });
   const polycube::CommonPolycube& common = result.common;
   const double own = std::accumulate(common.own_energies.begin(), common.own_energies.end(), 0.0);
@@ -61,9 +63,10 @@ SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& ses
                                    {"seconds", session.seconds() - start}};
   for (std::size_t i = 0; i < shapes.size(); ++i)
     result.figures[i]["distortion"] = distortion_figures(common.distortions[i]);
-  session.say("  one polycube with " + base::counted(common.graph.corners.size(), "corner") + ", made for " +
-              options.inputs[common.base] + "; energies add up to " + number(common.energies.back()) +
-              (std::isfinite(own) ? ", with a polycube each to " + number(own) : ""));
+  const bool given = options.common.target.graph != nullptr;
+  session.say("  one polycube with " + base::counted(common.graph.corners.size(), "corner") + ", " +
+              (given ? "given, drawn first on " : "made for ") + options.inputs[common.base] + "; energies add up to " +
+              number(common.energies.back()) + (std::isfinite(own) ? ", with a polycube each to " + number(own) : ""));
   return result;
 }
 

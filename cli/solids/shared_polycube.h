@@ -14,15 +14,15 @@ namespace orbicube::cli {
 
 struct SharedPolycubeOptions {
   std::vector<std::string> inputs;
-  std::string landmarks;  // file, or empty
-  polycube::ConstructionOptions construction;
-  polycube::DomainOptions domain;
+  std::string landmarks;                   // file, or empty
+  polycube::CommonPolycubeOptions common;  // but for landmarks
   Mending mending;
   Keep keep_first = Keep::surface;  // of the file of the first shape
 };
 
 struct SharedPolycube {
   std::vector<mesh::Mesh> meshes;
+  std::vector<base::Array<mesh::Triangle>> given;  // triangles of each as in the file
   polycube::CommonPolycube common;
   std::vector<Json> figures;                     // of each shape
   std::shared_ptr<const gltf::Kept> kept_first;  // with Keep::decoration, where it can be

@@ -1,12 +1,8 @@
 // orbicube morph: shapes that become each other, through their sphere maps, as morph targets of one glTF mesh.
-#include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 #include <deque>
 #include <filesystem>
 #include <map>
 #include <memory>
-#include <optional>
 #include <utility>
 
 #include "base/counted.h"
@@ -15,15 +11,13 @@
 #include "morphs/morph_alignment.h"
 #include "morphs/morph_placement.h"
 #include "morphs/morph_states.h"
+#include "morphs/sphere_shapes.h"
 #include "report/grid_choice.h"
 #include "report/sphere_uses.h"
 #include "report/text.h"
-#include "report/unit_size.h"
 #include "session/unused_options.h"
-#include "solids/closed_surface.h"
 #include "solids/kept_surface.h"
 #include "solids/repaired_surface.h"
-#include "sphere_map/sphere_map.h"
 #include "verbs/verbs.h"
 #ifdef ORBICUBE_WITH_POLYCUBE
 #include "morphs/morph_polycube.h"
@@ -51,26 +45,8 @@ struct MorphOptions {
   bool polycube = false;
   bool show_polycube = false;
   std::size_t corners = 0;
+  ShapeBlend blend;
 };
-
-void read_and_map(MorphShape& shape, const MorphOptions& options, Keep keep, Session& session) {
-  ClosedSurface surface = read_closed_surface(shape.path, options.mending, session, keep);
-  shape.kept = std::move(surface.kept);
-  shape.mesh = std::move(surface.mesh);
-  const mesh::Mesh& mesh = shape.mesh;
-  require_ordinary_size(mesh, shape.path);
-  const double start = session.seconds();
-  about(shape.path, Role::input, [&] {
-    shape.directions = sphere_map::compute(mesh.positions, mesh.triangles, {.seed = session.seed()}, session.host());
-  });
-  shape.locator = std::make_unique<sphere_map::Locator>(mesh.triangles, shape.directions, session.host());
-  shape.figures = {{"input", shape.path}};
-  shape.figures.update(surface.figures);
-  shape.figures.update({{"vertices", mesh.positions.size()},
-                        {"triangles", mesh.triangles.size()},
-                        {"seconds_map", session.seconds() - start},
-                        {"rotation", {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}}});
-}
 
 CommonMesh common_mesh(const MorphOptions& options, const std::deque<MorphShape>& shapes, Session& session) {
   const base::Host& host = session.host();
@@ -101,28 +77,6 @@ Json json_of(const MorphOptions& options) {
           {"repair", options.mending.repair},
           {"polycube", options.polycube},
           {"show_polycube", options.show_polycube}};
-}
-
-std::deque<MorphShape> map_shapes(const MorphOptions& options, Session& session) {
-  const base::Host& host = session.host();
-  std::deque<MorphShape> shapes;
-  for (const std::string& path : options.inputs) {
-    const base::Stage stage(host, 0.8 / static_cast<double>(options.inputs.size() - shapes.size()));
-    shapes.emplace_back(host.memory).path = path;
-    read_and_map(shapes.back(), options, shapes.size() == 1 ? Keep::decoration : Keep::surface, session);
-  }
-  return shapes;
-}
-
-void align_shapes(std::deque<MorphShape>& shapes, const MorphOptions& options, Session& session) {
-  if (!options.landmarks.empty()) {
-    const base::Stage stage(session.host(), 0.5);
-    align_by_landmarks(shapes, options.landmarks, session);
-  } else if (options.align != "none") {
-    align_by_correlation(shapes, options.align == "shape", session);
-    if (options.placement == "kept") note_turned(shapes, session);
-  }
-  session.figures()["alignment"] = options.landmarks.empty() ? options.align : "landmarks";
 }
 
 // The common mesh on each shape; its triangles on the first one go to `on_first` where that is kept.
@@ -157,7 +111,10 @@ void write_states(const std::deque<MorphShape>& shapes, const CommonMesh& common
   }
   for (const MorphShape& shape : shapes)
     morph.names.push_back(std::filesystem::path(shape.path).stem().string());
-  write_morph(morph, session);
+  if (options.blend.weights.empty())
+    write_morph(morph, session);
+  else
+    write_blend(morph, options.blend, {}, session);
 }
 
 std::string text_of_landmarks(const Json& figures) {
@@ -192,20 +149,28 @@ void report_shapes(const std::deque<MorphShape>& shapes, const CommonMesh& commo
 void morph(const MorphOptions& options, Session& session) {
   session.options() = json_of(options);
   require_writable(options.output);
-  if (!is_gltf(options.output))
-    throw Failure(Exit::wrong_input, options.output, "unsupported-format", "morph targets need one of " + gltf_endings);
+  require_weights(options.blend, options.inputs.size());
+  if (!options.blend.quads.empty()) require_writable(options.blend.quads);
+  if (options.blend.weights.empty() && !is_gltf(options.output))
+    throw Failure(Exit::wrong_input, options.output, "unsupported-format",
+                  "morph targets need one of " + gltf_endings + "; a shape between them is --blend WEIGHTS");
+  if (!options.blend.weights.empty()) session.options()["blend"] = options.blend.weights;
 #ifdef ORBICUBE_WITH_POLYCUBE
   if (options.polycube) {
-    morph_by_polycube({options.inputs, options.output, options.landmarks, options.grid, options.placement,
-                       options.corners, options.intermediates, options.seconds, options.mending, options.show_polycube},
-                      session);
+    morph_by_polycube(
+        {options.inputs, options.output, options.landmarks, options.grid, options.placement, options.corners,
+         options.intermediates, options.seconds, options.mending, options.blend, options.show_polycube},
+        session);
     return;
   }
 #endif
   if (options.grid != "both" && options.grid != "first") grid_choice(options.grid, "--grid");
   const base::Host& host = session.host();
-  std::deque<MorphShape> shapes = map_shapes(options, session);
-  align_shapes(shapes, options, session);
+  const SphereShapesOptions of_spheres{options.inputs, options.landmarks, options.align, options.mending,
+                                       Keep::decoration};
+  std::deque<MorphShape> shapes = map_shapes(of_spheres, session);
+  align_shapes(shapes, of_spheres, session);
+  if (options.landmarks.empty() && options.align != "none" && options.placement == "kept") note_turned(shapes, session);
   const CommonMesh common = common_mesh(options, shapes, session);
   base::Array<gltf::KeptTriangle> on_first(host.memory);
   std::vector<base::Array<Vector3>> states = carry_to_shapes(shapes, common, on_first, host);
@@ -217,8 +182,18 @@ void morph(const MorphOptions& options, Session& session) {
   report_shapes(shapes, common, options.output, session);
 }
 
+CLI::Option* add_blend_option(CLI::App& verb, MorphOptions& options) {
+  return verb
+      .add_option("--blend", options.blend.weights,
+                  "write one shape in place of a morph: the weighted sum of the shapes, a weight each, as .2,.5,.3")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(unnamed(CLI::Number))
+      ->type_name("W,W,...");
+}
+
 #ifdef ORBICUBE_WITH_POLYCUBE
-void add_polycube_options(CLI::App& verb, MorphOptions& options) {
+void add_polycube_options(CLI::App& verb, MorphOptions& options, CLI::Option* blend) {
   CLI::Option* polycube = verb.add_flag("--polycube", options.polycube,
                                         "use one polycube in place of spheres, for two to ten shapes of any one "
                                         "genus; --grid is first or cells:N [default: the maximum triangle count]");
@@ -228,6 +203,12 @@ void add_polycube_options(CLI::App& verb, MorphOptions& options) {
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->needs(polycube)
       ->type_name("N");
+  verb.add_option("--quads", options.blend.quads,
+                  "also write the shape of --blend as quads of the polycube's grid: .obj .off; other formats get two "
+                  "triangles a quad")
+      ->needs(polycube)
+      ->needs(blend)
+      ->type_name("FILE");
 }
 #endif
 
@@ -241,18 +222,20 @@ void add_morph(CLI::App& app, CommonOptions& common) {
       ->expected(2, 100)
       ->type_name("A B ...");
   verb->add_option("-o,--output", options->output,
-                   "mesh to write: " + gltf_endings + "; the first shape, the others as targets")
+                   "mesh to write: " + gltf_endings +
+                       "; the first shape, the others as targets. With --blend one shape: " + surface_endings)
       ->required()
       ->type_name("OUT");
+  CLI::Option* blend = add_blend_option(*verb, *options);
 #ifdef ORBICUBE_WITH_POLYCUBE
-  add_polycube_options(*verb, *options);
+  add_polycube_options(*verb, *options, blend);
+#else
+  static_cast<void>(blend);
 #endif
   verb->add_option("--landmarks", options->landmarks,
                    "corresponding points: one line each, with a vertex number (from 0) or x y z for each shape")
       ->type_name("FILE");
-  verb->add_option("--align", options->align,
-                   "rotation of the spheres without landmarks: shape, to maximum correlation for any poses of the "
-                   "shapes; rotation, the same for equal poses; none [default: shape]")
+  verb->add_option("--align", options->align, align_help)
       ->check(unnamed(CLI::IsMember({"shape", "rotation", "none"})))
       ->type_name("HOW");
   verb->add_option("--placement", options->placement, placement_help)

@@ -1,5 +1,4 @@
 // orbicube polycube: a polycube of a closed surface and a certified map to it.
-#include <filesystem>
 #include <memory>
 #include <string>
 #include <utility>
@@ -7,53 +6,25 @@
 
 #include "base/counted.h"
 #include "files/exact_file.h"
-#include "files/feature_file.h"
 #include "files/given_polycube_file.h"
 #include "files/surface_file.h"
 #include "mesh/topology/degenerate_triangles.h"
 #include "polycube/corners/optimal_corners.h"
 #include "polycube/domain/optimal_domain.h"
-#include "polycube/features/features.h"
 #include "polycube/layout/drawn_construction.h"
 #include "polycube/map/construction.h"
 #include "report/degenerate_note.h"
 #include "report/polycube_methods.h"
-#include "report/polycube_outputs.h"
 #include "report/text.h"
 #include "report/unit_size.h"
 #include "session/unused_options.h"
 #include "solids/any_genus_surface.h"
 #include "solids/repaired_surface.h"
-#include "solids/shared_polycube.h"
+#include "verbs/polycube_options.h"
 #include "verbs/verbs.h"
 
 namespace orbicube::cli {
 namespace {
-
-struct PolycubeOptions {
-  std::vector<std::string> inputs;
-  std::string input;  // the first
-  std::string output, surface;
-  std::string landmarks;
-  std::string from;
-  std::string constraints;
-  std::string construct = "auto";
-  std::size_t corners = 0;
-  std::string optimize;
-  std::string measure = "surface";
-  std::string corner_search = "trust-region";
-  double area_weight = 1;
-  std::string features;
-  double feature_angle = 0;
-  bool text = false;
-  Mending mending;
-  PolycubeOutputs outputs;
-};
-
-polycube::DomainMeasure measure_of(const std::string& name) {
-  if (name == "faces") return polycube::DomainMeasure::face_mean;
-  return name == "harmonic" ? polycube::DomainMeasure::harmonic : polycube::DomainMeasure::surface_mean;
-}
 
 // Optimizes the proportions of the polycube.
 base::Array<double> optimize_domain(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
@@ -101,62 +72,6 @@ polycube::BestConstruction construct(const PolycubeOptions& options, const mesh:
   });
 }
 
-// name-2.obj for the second of several shapes.
-std::string numbered(const std::string& path, std::size_t shape) {
-  if (path.empty()) return path;
-  const std::filesystem::path whole(path);
-  return (whole.parent_path() / (whole.stem().string() + "-" + std::to_string(shape + 1) + whole.extension().string()))
-      .string();
-}
-
-// One polycube for all inputs.
-void common_polycube(const PolycubeOptions& options, Session& session) {
-  if (options.construct == "dissertation")
-    throw Failure(Exit::wrong_input, "", "usage", "--method dissertation is for one surface");
-  if (!options.from.empty() || !options.optimize.empty() || !options.features.empty() || options.feature_angle > 0)
-    throw Failure(Exit::wrong_input, "", "usage",
-                  "--from, --optimize, --features and --feature-angle are for one surface; several share a polycube of "
-                  "their own, at its best proportions");
-  session.options()["inputs"] = options.inputs;
-  session.options()["landmarks"] = options.landmarks;
-  SharedPolycube shared =
-      share_polycube({.inputs = options.inputs,
-                      .landmarks = options.landmarks,
-                      .construction = {.method = polycube_method_named(options.construct),
-                                       .corners = options.corners,
-                                       .seed = session.seed()},
-                      .domain = {.measure = measure_of(options.measure), .area_weight = options.area_weight},
-                      .mending = options.mending},
-                     session);
-  const polycube::CommonPolycube& common = shared.common;
-  for (std::size_t i = 0; i < options.inputs.size(); ++i) {
-    const polycube::SurfaceMap& map = common.maps[i];
-    const std::string output = numbered(options.output, i), surface = numbered(options.surface, i);
-    write_exactly(output, map.polycube, map.triangles, options.text, session);
-    if (!surface.empty()) write_exactly(surface, map.positions, map.triangles, options.text, session);
-    Json& figures = shared.figures[i];
-    figures.update(Json{{"output", output},
-                        {"surface", surface},
-                        {"vertices_added", map.positions.size() - shared.meshes[i].positions.size()}});
-    session.say("wrote " + output + (surface.empty() ? "" : " and " + surface) + ": mean distortion of angles " +
-                std::to_string(common.distortions[i].angle_weighted_mean) + ", of areas " +
-                std::to_string(common.distortions[i].area_weighted_mean) + " (over the surface; 1: none)");
-    PolycubeOutputs own = options.outputs;
-    if (i != common.base) own.domain.clear();
-    own.quads = numbered(own.quads, i);
-    own.glb = numbered(own.glb, i);
-    own.page = numbered(own.page, i);
-    const polycube::Certificate& certificate = common.certificates[i];
-    write_polycube_outputs(own,
-                           {options.inputs[i], map, certificate.genus, certificate.corners, certificate.patch_count,
-                            common.distortions[i], common.energies},
-                           figures, session);
-  }
-  session.figures()["shapes"] = shared.figures;
-  for (const std::string& note : session.notes())
-    session.say("note: " + note);
-}
-
 // The best positions of the corners on the surface, and with `all` the best proportions in turn.
 base::Array<double> optimize_corners(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
   const double start = session.seconds();
@@ -182,38 +97,12 @@ base::Array<double> optimize_corners(const PolycubeOptions& options, polycube::C
   return std::move(found.energies);
 }
 
-// Points and curves at their target positions, and sharp edges on edges of the polycube.
-void align_features(const PolycubeOptions& options, polycube::Construction& made, Session& session) {
-  const double start = session.seconds();
-  Features features;
-  if (!options.features.empty()) features = read_features(options.features, session.host());
-  polycube::FeatureFit found = about(options.features.empty() ? options.input : options.features, Role::input, [&] {
-    return polycube::align_features(
-        made.map, {.points = features.points, .curves = features.curves, .feature_angle = options.feature_angle},
-        session.host());
-  });
-  session.figures()["features"] = {{"distortion_before", distortion_figures(made.distortion)},
-                                   {"points", features.points.size()},
-                                   {"curves", features.curves.size()},
-                                   {"distances_before", found.distances_before},
-                                   {"distances", found.distances},
-                                   {"sharp_length", found.sharp_length},
-                                   {"sharp_on_edges_before", found.sharp_before},
-                                   {"sharp_on_edges", found.sharp},
-                                   {"seconds", session.seconds() - start}};
-  if (found.sharp_length > 0)
-    session.say("  sharp edges on edges of the polycube: " + number(100 * found.sharp / found.sharp_length) +
-                " % of their length, before " + number(100 * found.sharp_before / found.sharp_length) + " %");
-  made.certificate = std::move(found.certificate);
-  made.distortion = found.distortion;
-}
-
 Json json_of(const PolycubeOptions& options) {
   Json result = {
       {"output", options.output},         {"surface", options.surface},   {"construct", options.construct},
       {"corners", options.corners},       {"text", options.text},         {"weld", options.mending.weld},
       {"repair", options.mending.repair}, {"from", options.from},         {"constraints", options.constraints},
-      {"optimize", options.optimize},     {"features", options.features}, {"feature_angle", options.feature_angle}};
+      {"optimize", options.optimize},     {"features", options.features.empty() ? Json("") : Json(options.features.front())}, {"feature_angle", options.feature_angle}};
   if (!options.optimize.empty() || options.construct == "dissertation")
     result.update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
@@ -258,7 +147,10 @@ base::Array<double> optimize(const PolycubeOptions& options, polycube::Construct
     energies = options.optimize == "domain" ? optimize_domain(options, made, session)
                                             : optimize_corners(options, made, session);
   }
-  if (!options.features.empty() || options.feature_angle > 0) align_features(options, made, session);
+  const std::string features = options.features.empty() ? "" : options.features.front();
+  if (!features.empty() || options.feature_angle > 0)
+    align_features(options.input, features, options.feature_angle, made.map, made.certificate, made.distortion,
+                   session.figures(), session);
   return energies;
 }
 
@@ -266,8 +158,11 @@ void polycube(const PolycubeOptions& options, Session& session) {
   require_exact_output(options.output);
   if (!options.surface.empty()) require_exact_output(options.surface);
   session.options() = json_of(options);
+  if (options.features.size() > 1) session.options()["features"] = options.features;
   check_polycube_outputs(options.outputs, session);
-  if (options.inputs.size() > 1) return common_polycube(options, session);
+  if (options.inputs.size() == 1 && options.features.size() > 1)
+    throw Failure(Exit::wrong_input, "", "usage", "--features: one file for one surface");
+  if (options.inputs.size() > 1) return share_one_polycube(options, session);
   const AnyGenusSurface surface = read_surface(options, session);
   const double start = session.seconds();
   const double part = options.optimize.empty() ? 0.9 : 0.5;
@@ -342,10 +237,13 @@ void add_optimization_options(CLI::App& verb, PolycubeOptions& options) {
   verb.add_option("--area-weight", options.area_weight, "weight of area relative to angle distortion [default: 1]")
       ->check(unnamed(CLI::NonNegativeNumber))
       ->type_name("W");
-  verb.add_option("--features", options.features,
-                  "target positions of vertices and curves on the polycube: JSON, {\"points\": [{\"vertex\": 17, "
-                  "\"target\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
-                  "y, z]}, ...]}; with a \"weight\" approximately")
+  verb.add_option(
+          "--features", options.features,
+          "target positions of vertices and curves on the polycube: JSON, {\"points\": [{\"vertex\": 17, "
+          "\"target\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
+          "y, z]}, ...]}; with a \"weight\" approximately. Of several surfaces one each, in their order; none for "
+          "no file")
+      ->allow_extra_args(false)
       ->type_name("FILE");
   verb.add_option("--feature-angle", options.feature_angle,
                   "minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "

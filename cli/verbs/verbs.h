@@ -14,6 +14,7 @@ void add_make(CLI::App& app, CommonOptions& common);
 void add_sphere(CLI::App& app, CommonOptions& common);
 void add_frames(CLI::App& app, CommonOptions& common);
 void add_morph(CLI::App& app, CommonOptions& common);
+void add_map(CLI::App& app, CommonOptions& common);
 void add_harmonics(CLI::App& app, CommonOptions& common);
 void add_compare(CLI::App& app, CommonOptions& common);
 void add_page(CLI::App& app, CommonOptions& common);

@@ -164,14 +164,15 @@ Morph morph(std::span<const SurfaceSpan> shapes, const MorphOptions& options, co
   return result;
 }
 
-base::Array<Vector3> blend(const Morph& morph, std::span<const double> weights, const base::Host& host) {
-  base::require(weights.size() == morph.states.size(), "there must be one weight a shape");
+base::Array<Vector3> blend(std::span<const base::Array<Vector3>> states, std::span<const double> weights,
+                           const base::Host& host) {
+  base::require(!states.empty() && weights.size() == states.size(), "there must be one weight a shape");
   for (const double weight : weights)
     base::require(std::isfinite(weight), "a weight is not finite");
-  base::Array<Vector3> result(morph.states.front().size(), Vector3::Zero(), host.memory);
+  base::Array<Vector3> result(states.front().size(), Vector3::Zero(), host.memory);
   for (std::size_t i = 0; i < weights.size(); ++i) {
     for (std::size_t v = 0; weights[i] != 0 && v < result.size(); ++v)
-      result[v] += weights[i] * morph.states[i][v];
+      result[v] += weights[i] * states[i][v];
   }
   return result;
 }

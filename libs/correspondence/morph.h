@@ -60,7 +60,11 @@ Morph morph(std::span<const SurfaceSpan> shapes, const MorphOptions& options, co
 
 // Returns the weighted sum of the states, one weight each. Throws Error "invalid-argument" unless there is one finite
 // weight a state.
-base::Array<mesh::Vector3> blend(const Morph& morph, std::span<const double> weights, const base::Host& host);
+base::Array<mesh::Vector3> blend(std::span<const base::Array<mesh::Vector3>> states, std::span<const double> weights,
+                                 const base::Host& host);
+inline base::Array<mesh::Vector3> blend(const Morph& morph, std::span<const double> weights, const base::Host& host) {
+  return blend(std::span(morph.states), weights, host);
+}
 
 // Returns the state at `fraction`, from 0 to 1, of the straight way from one to the next.
 base::Array<mesh::Vector3> intermediate(std::span<const mesh::Vector3> from, std::span<const mesh::Vector3> to,

@@ -399,9 +399,35 @@ class Polycube(InFolder):
         ring = self.made("torus", 800)
         done = run("polycube", first, ring, "-o", out)
         self.assertEqual((done.returncode, kind_of(done.stderr, first)), (2, "wrong-genus"))
-        done = run("polycube", first, second, "-o", out, "--from", domain)
-        self.assertEqual(done.returncode, 2)
-        self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
+        for wrong in (("--from", domain, "--constraints", domain), ("--features", domain)):
+            done = run("polycube", first, second, "-o", out, *wrong)
+            self.assertEqual(done.returncode, 2)
+            self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
+
+    def test_several_surfaces_share_a_given_polycube_that_is_optimized_on_request(self):
+        first, out, domain, report = self.made("l-shape", 300), self.path("out.obj"), self.path("given.json"), self.path("report.json")
+        second = self.path("longer.obj")
+        positions, triangles = read_obj(first)
+        with open(second, "w", encoding="ascii") as file:
+            file.writelines(f"v {1.5 * x} {y} {z}\n" for x, y, z in positions)
+            file.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles)
+        self.assertEqual(run("polycube", first, "-o", out, "--domain", domain).returncode, 0)
+        with open(domain, encoding="utf-8") as file:
+            given = sorted({c[0] for c in json.load(file)["corners"]})
+        sums = []
+        for options in ((), ("--optimize", "all", "--corner-search", "gradient", "--feature-angle", "40")):
+            done = run("polycube", first, second, "-o", out, "--from", domain, "--report", report, *options)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)
+            self.assertEqual(figures["from"]["corners"], 12)
+            sums.append(figures["polycube"]["energies"][-1])
+            if not options:
+                found = {p[0] for p in read_obj(self.path("out-2.obj"))[0]}
+                self.assertEqual([x for x in given if x in found], given)
+            else:
+                self.assertEqual([("features" in shape) for shape in figures["shapes"]], [True, True])
+        self.assertLess(sums[1], sums[0])
 
     def test_options_that_would_be_ignored_are_refused(self):
         path, out = self.made("cube", 300), self.path("out.obj")
@@ -409,7 +435,8 @@ class Polycube(InFolder):
                                (("--measure", "surface"), "--measure is for --optimize domain"),
                                (("--area-weight", 2), "--area-weight is for --optimize"),
                                (("--corner-search", "gradient", "--optimize", "domain"), "--corner-search is for --optimize corners"),
-                               (("--landmarks", path), "--landmarks is for several surfaces")):
+                               (("--landmarks", path), "--landmarks is for several surfaces"),
+                               (("--features", path, "--features", path), "--features: one file")):
             done = run("polycube", path, "-o", out, *options)
             self.assertEqual(done.returncode, 2, options)
             self.assertTrue(done.stderr.startswith("orbicube: usage: " + named), done.stderr)
