@@ -17,23 +17,40 @@ void add_solid_options(CLI::App& verb, SolidOptions& options) {
   verb.add_option("IN", options.input, std::string("closed surface, or a tetrahedral mesh: ") + surface_endings)
       ->required()
       ->type_name("");
-  verb.add_option("--corners", options.corners,
-                  "maximum number of polycube corners per boundary component; 0: no limit [default: 100]")
-      ->check(unnamed(CLI::Range(0, 1'000'000)))
-      ->type_name("N");
-  verb.add_option(
-          "--triangles", options.triangles,
-          "a surface of more than twice as many triangles is mapped through a coarser one of about N [default: 6000]")
-      ->check(unnamed(CLI::Range(100, 10'000'000)))
-      ->type_name("N");
+  CLI::Option* corners =
+      verb.add_option("--corners", options.corners,
+                      "maximum number of polycube corners per boundary component; 0: no limit [default: 100]")
+          ->check(unnamed(CLI::Range(0, 1'000'000)))
+          ->type_name("N");
+  CLI::Option* triangles = verb.add_option("--triangles", options.triangles,
+                                           "a surface of more than twice as many triangles is mapped through a coarser "
+                                           "one of about N [default: 6000]")
+                               ->check(unnamed(CLI::Range(100, 10'000'000)))
+                               ->type_name("N");
   add_mending_options(verb, options.mending);
+  verb.add_option("--from", options.from,
+                  "use this polycube, of a solid of one piece: a .json of polycube --domain, which is drawn on the "
+                  "surface, or the OUT of polycube, whose map is used where IN is its OUT2 of --surface")
+      ->excludes(corners)
+      ->excludes(triangles)
+      ->type_name("POLYCUBE");
+}
+
+std::optional<SolidPolycube> read_solid_polycube(const SolidOptions& options, Session& session) {
+  if (options.from.empty()) return std::nullopt;
+  SolidPolycube result(read_given_polycube(options.from, session));
+  session.figures()["from"] = {{"file", options.from},
+                               {"corners", result.file.target.graph.corners.size()},
+                               {"genus", result.file.target.genus}};
+  return result;
 }
 
 Json json_of(const SolidOptions& options) {
   return {{"corners", options.corners},
           {"triangles", options.triangles},
           {"weld", options.mending.weld},
-          {"repair", options.mending.repair}};
+          {"repair", options.mending.repair},
+          {"from", options.from}};
 }
 
 volume_map::FillSurface fill_by_tetgen() {

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "base/catch_all.h"
+#include "files/given_polycube_file.h"
 #include "files/surface_file.h"
 #include "mesh/mesh.h"
 #include "session/session.h"
@@ -18,10 +21,22 @@ struct SolidOptions {
   std::size_t corners = volume_map::PieceOptions{}.corners;
   std::size_t triangles = volume_map::PieceOptions{}.triangles;
   Mending mending;
+  std::string from;  // a polycube's file, or empty
 };
 
 void add_solid_options(CLI::App& verb, SolidOptions& options);
 Json json_of(const SolidOptions& options);
+
+// A polycube that the solid is given.
+struct SolidPolycube {
+  explicit SolidPolycube(GivenPolycube&& given) : file(std::move(given)) {}
+
+  GivenPolycube file;
+  volume_map::GivenPolycube view() const { return {&file.target, file.pose}; }
+};
+
+// Reads the polycube of --from; nothing without that option. Throws Failure.
+std::optional<SolidPolycube> read_solid_polycube(const SolidOptions& options, Session& session);
 
 // TetGen's, in builds that have it.
 volume_map::FillSurface fill_by_tetgen();

@@ -89,7 +89,11 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"keep_partial", output.keep_partial},
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
+  if (!verb.solid.from.empty() && (verb.method == "grid" || verb.method == "frames" || !verb.frames.empty()))
+    throw Failure(Exit::wrong_input, "", "usage", "--from is for --method polycube");
   hexmesh::Options options = options_of(verb, session);
+  const std::optional<SolidPolycube> given = read_solid_polycube(verb.solid, session);
+  if (given) options.given = given->view();
   session.options()["feature_angle"] = hexmesh::feature_angle_of(options);
   const InputMesh input =
       session.portion(0.01, [&] { return read_mended(verb.solid.input, verb.solid.mending, session); });

@@ -1,5 +1,6 @@
 // orbicube volume: a one-to-one map of a solid to a polycube.
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,8 +30,13 @@ std::vector<volume_map::PolycubePiece> read_pieces(const SolidOptions& options, 
                                                    int& exponent, Session& session) {
   InputMesh input = session.portion(0.03, [&] { return read_mended(options.input, options.mending, session); });
   exponent = mesh::bring_to_unit_size(input.mesh);
-  const volume_map::PieceOptions of_pieces = {
-      .corners = options.corners, .triangles = options.triangles, .seed = session.seed(), .fill = fill_by_tetgen()};
+  std::optional<SolidPolycube> given = read_solid_polycube(options, session);
+  if (given) mesh::scale_by_power(given->file.pose, exponent);
+  const volume_map::PieceOptions of_pieces = {.corners = options.corners,
+                                              .triangles = options.triangles,
+                                              .seed = session.seed(),
+                                              .fill = fill_by_tetgen(),
+                                              .given = given ? given->view() : volume_map::GivenPolycube{}};
   return about_solid(options.input, options.input, input.report.format, findings, session, [&] {
     return volume_map::polycube_pieces(std::move(input.mesh), of_pieces, findings, session.host());
   });

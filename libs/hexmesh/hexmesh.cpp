@@ -34,6 +34,7 @@ struct Work {
   const Options& options;
   InputFindings& findings;
   const base::Host& host;
+  int exponent;  // the input is that of the caller times 2^exponent
 };
 
 double seconds_since(Clock::time_point start) {
@@ -57,6 +58,10 @@ Hexahedra hexahedra_of_cells(const Work& work, HexMethod method) {
   const Options& o = work.options;
   const base::Host& host = work.host;
   work.findings.examined = false;
+  // The input was scaled, and with it go the points of corners.
+  Array<mesh::Vector3> pose(o.given.pose.begin(), o.given.pose.end(), host.memory);
+  mesh::scale_by_power(pose, work.exponent);
+  const volume_map::GivenPolycube given{o.given.target, pose};
   const std::vector<PolycubePiece> pieces = [&] {
     const base::Stage stage(host, 0.3);
     return volume_map::polycube_pieces(copy_of(work.input, host),
@@ -67,7 +72,8 @@ Hexahedra hexahedra_of_cells(const Work& work, HexMethod method) {
                                         .inside = Inside::nothing,
                                         .polycubes = method == HexMethod::polycube ? Polycubes::needed
                                                      : method == HexMethod::grid   ? Polycubes::none
-                                                                                   : Polycubes::where_there_are},
+                                                                                   : Polycubes::where_there_are,
+                                        .given = given},
                                        work.findings, host);
   }();
   const auto start = Clock::now();
@@ -286,7 +292,8 @@ Hexahedra by_strategy(const Work& work) {
   }
   if (by_frames(work.options))
     return hexahedra_along_frames(work, feature_angle_of(work.options), FrameHexOptions{}.max_fields);
-  if (work.options.method == Method::polycube) return hexahedra_of_cells(work, HexMethod::polycube);
+  if (work.options.method == Method::polycube || work.options.given.target != nullptr)
+    return hexahedra_of_cells(work, HexMethod::polycube);
   if (work.options.method == Method::grid) return hexahedra_of_cells(work, HexMethod::grid);
   return best_hexahedra(work);
 }
@@ -316,9 +323,11 @@ Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume
   base::require(feature_angle_of(options) >= 0 && feature_angle_of(options) < 180,
                 "the feature angle must be from 0 to below 180 degrees");
   base::require(options.frames.empty() || by_frames(options), "frames are for the method frames");
+  base::require(options.given.target == nullptr || (!by_frames(options) && options.method != Method::grid),
+                "a given polycube is for the methods automatic and polycube");
   mesh::Mesh near_unit = copy_of(input, host);
   const int exponent = mesh::bring_to_unit_size(near_unit);
-  Hexahedra made = by_strategy({near_unit, options, findings, host});
+  Hexahedra made = by_strategy({near_unit, options, findings, host, exponent});
   scale_back(made.result, exponent);
   return made;
 }

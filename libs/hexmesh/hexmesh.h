@@ -38,6 +38,8 @@ struct Options {
   Features features = Features::off;
   // Fills surfaces for frames, which live on tetrahedra. Without it, surfaces have no frames.
   volume_map::FillSurface fill = {};
+  // A polycube of the surface; method automatic, which is then that of polycubes, or polycube.
+  volume_map::GivenPolycube given = {};
 };
 
 // Whether the options name frames as the only strategy.

@@ -429,6 +429,34 @@ class Polycube(InFolder):
                 self.assertEqual([("features" in shape) for shape in figures["shapes"]], [True, True])
         self.assertLess(sums[1], sums[0])
 
+    def test_a_given_polycube_is_that_of_hexahedra_and_of_the_map_of_a_solid(self):
+        path, out, surface, domain = self.made("l-shape", 300), self.path("out.obj"), self.path("surface.obj"), self.path("d.json")
+        self.assertEqual(run("polycube", path, "-o", out, "--surface", surface, "--domain", domain, "--optimize", "all",
+                             "--corner-search", "gradient", "--feature-angle", 40).returncode, 0)
+        report, mesh = self.path("report.json"), self.path("solid.mesh")
+        solids = run("--help").stdout
+        verbs = ([("hex", "--cells", 300)] if "  hex " in solids else []) + ([("volume",)] if "  tetrahedralize " in solids else [])
+        for verb, *more in verbs:
+            for solid, given, note in ((surface, out, "has the triangles"), (path, domain, "other triangles")):
+                if verb == "volume" and solid == path:
+                    continue
+                done = run(verb, solid, "-o", mesh, "--from", given, "--report", report, *more)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertIn("note: the given polycube", done.stdout)
+                self.assertIn(note, done.stdout)
+                with open(report, encoding="utf-8") as file:
+                    figures = json.load(file)
+                self.assertEqual((figures["from"]["corners"], figures["polycube"]["corners"]), (12, 12))
+        if "  hex " not in solids:
+            return
+        for wrong in (("--method", "grid"), ("--corners", 8), ("--triangles", 1000)):
+            done = run("hex", surface, "-o", mesh, "--from", out, *wrong)
+            self.assertEqual(done.returncode, 2)
+            self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
+        ring = self.made("torus", 400)
+        done = run("hex", ring, "-o", mesh, "--from", domain)
+        self.assertIn("wrong-genus", done.stderr)
+
     def test_options_that_would_be_ignored_are_refused(self):
         path, out = self.made("cube", 300), self.path("out.obj")
         for options, named in ((("--measure", "harmonic", "--optimize", "all"), "--measure is for --optimize domain"),

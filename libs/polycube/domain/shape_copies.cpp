@@ -57,16 +57,24 @@ std::vector<std::size_t> originals_of(std::span<const SurfaceSpan> shapes, const
   return result;
 }
 
+void put_onto(SurfaceMap& map, std::span<const Vector3> positions) {
+  for (std::size_t v = 0; v < map.positions.size(); ++v) {
+    const VertexSource& source = map.vertex_sources[v];
+    if (source.corner[1] == no_index) {
+      map.positions[v] = positions[source.corner[0]];
+      continue;
+    }
+    map.positions[v].setZero();
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (source.corner[k] != no_index) map.positions[v] += source.weight[k] * positions[source.corner[k]];
+    }
+  }
+}
+
 SurfaceMap map_of_copy(const SurfaceMap& map, std::span<const Vector3> positions, const base::Host& host) {
   SurfaceMap result(host.memory);
   result = map;
-  for (Index v = 0; v < result.positions.size(); ++v) {
-    const VertexSource& source = map.vertex_sources[v];
-    Vector3 sum = source.weight[0] * positions[source.corner[0]];
-    for (std::size_t k = 1; k < 3; ++k)
-      if (source.corner[k] != no_index) sum += source.weight[k] * positions[source.corner[k]];
-    result.positions[v] = sum;
-  }
+  put_onto(result, positions);
   return result;
 }
 

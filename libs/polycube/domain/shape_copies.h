@@ -16,6 +16,10 @@ namespace orbicube::polycube {
 // 1e-6 of the diagonal; itself where there is none before it.
 std::vector<std::size_t> originals_of(std::span<const SurfaceSpan> shapes, const base::Host& host);
 
+// Moves the vertices of a map to where they are on a surface with the same triangles as its own, whose vertices are at
+// `positions`.
+void put_onto(SurfaceMap& map, std::span<const Vector3> positions);
+
 // Returns the map of a copy: `map` with `positions` of the vertices of the copy, which come first in a map's.
 SurfaceMap map_of_copy(const SurfaceMap& map, std::span<const Vector3> positions, const base::Host& host);
 

@@ -61,6 +61,13 @@ void make_polycube(const PieceOptions& options, PolycubePiece& result, const Inp
       outer = std::max(outer, v + 1);
   }
   const std::span<const mesh::Vector3> positions = std::span(result.positions).first(outer);
+  if (options.given.target != nullptr) {
+    bool is_own = false;
+    result.made = construct_given(positions, result.surface, options.given, result.space, is_own, host);
+    findings.note(is_own ? "the given polycube has the triangles of the surface: its vertices are their images"
+                         : "the given polycube has other triangles than the surface: it was drawn on it");
+    return;
+  }
   try {
     if (options.polycubes != Polycubes::none) {
       result.made = construct_polycube(
@@ -132,6 +139,11 @@ void add_polycube_figures(const std::vector<PolycubePiece>& pieces, InputFinding
   findings.polycube = figures;
 }
 
+void require_one_piece(const Pieces& pieces, const InputFindings& findings) {
+  if (pieces.count > 1 || (findings.surface && findings.surface->cavities > 0))
+    throw base::Error("unsupported", "a given polycube is for a solid of one piece without cavities");
+}
+
 }  // namespace
 
 SurfacePieces pieces_of_surface(mesh::Mesh& surface, Inside inside, std::size_t max_pieces, InputFindings& findings,
@@ -157,8 +169,10 @@ SurfacePieces pieces_of_surface(mesh::Mesh& surface, Inside inside, std::size_t 
   return pieces;
 }
 
-std::vector<PolycubePiece> polycube_pieces(mesh::Mesh&& input, const PieceOptions& options, InputFindings& findings,
+std::vector<PolycubePiece> polycube_pieces(mesh::Mesh&& input, const PieceOptions& all_options, InputFindings& findings,
                                            const base::Host& host) {
+  PieceOptions options = all_options;
+  if (options.given.target != nullptr) options.triangles = 0;
   const auto start = std::chrono::steady_clock::now();
   const bool cells = !input.tetrahedra.empty() || !input.hexahedra.empty();
   std::vector<PolycubePiece> results;
@@ -166,6 +180,7 @@ std::vector<PolycubePiece> polycube_pieces(mesh::Mesh&& input, const PieceOption
   const Pieces pieces =
       cells ? cell_pieces(input, host) : pieces_of_surface(input, options.inside, options.max_pieces, findings, host);
   if (cells && options.max_pieces > 0) require_cells_for_pieces(pieces.count, options.max_pieces);
+  if (options.given.target != nullptr) require_one_piece(pieces, findings);
   std::optional<PieceCutter> cutter;
   if (pieces.count > 1) cutter.emplace(input, pieces, host);
   const int power = size_exponent(input.positions);

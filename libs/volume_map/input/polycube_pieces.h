@@ -10,6 +10,7 @@
 #include "mesh/mesh.h"
 #include "polycube/map/construction.h"
 #include "volume_map/input/filled_solid.h"
+#include "volume_map/input/given_polycube.h"
 #include "volume_map/input/solid_pieces.h"
 #include "volume_map/input/working_space.h"
 #include "volume_map/solid/volume_map.h"
@@ -55,7 +56,8 @@ struct PieceOptions {
   std::size_t max_pieces = 0;  // more are refused; 0: any number
   Inside inside = Inside::tetrahedra;
   Polycubes polycubes = Polycubes::needed;
-  FillSurface fill = {};  // of surfaces, for tetrahedra inside
+  FillSurface fill = {};     // of surfaces, for tetrahedra inside
+  GivenPolycube given = {};  // of the surface of a solid of one piece without cavities, which is not made coarser
 };
 
 struct PolycubePiece {

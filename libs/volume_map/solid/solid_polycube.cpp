@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "mesh/search/measures.h"
 #include "mesh/topology/place_text.h"
+#include "polycube/domain/shape_copies.h"
 #include "volume_map/input/solid_pieces.h"
 #include "volume_map/solid/cavity_placement.h"
 #include "volume_map/solid/gap_widening.h"
@@ -104,21 +105,6 @@ CavityPlacement smaller(const CavityPlacement& placement, double by, const polyc
   return result;
 }
 
-// Vertices of a map where they are on a surface with the same triangles as its own.
-void put_onto(polycube::SurfaceMap& map, std::span<const Vector3> positions) {
-  for (std::size_t v = 0; v < map.positions.size(); ++v) {
-    const polycube::VertexSource& source = map.vertex_sources[v];
-    if (source.corner[1] == no_index) {
-      map.positions[v] = positions[source.corner[0]];
-      continue;
-    }
-    map.positions[v].setZero();
-    for (std::size_t k = 0; k < 3; ++k) {
-      if (source.corner[k] != no_index) map.positions[v] += source.weight[k] * positions[source.corner[k]];
-    }
-  }
-}
-
 // Where a gap is so narrow that there is no polycube, that of the surface with a wider one.
 polycube::Construction construct_in_one(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                                         const polycube::ConstructionOptions& options, const base::Host& host) {
@@ -139,7 +125,7 @@ polycube::Construction construct_in_one(std::span<const Vector3> positions, std:
     if (wider.empty()) continue;
     try {
       polycube::Construction made = polycube::construct(wider, triangles, grid_based, host).made;
-      put_onto(made.map, positions);
+      polycube::put_onto(made.map, positions);
       made.certificate = polycube::certify(made.map, host);
       if (!made.certificate.valid()) continue;
       made.distortion = polycube::measure_distortion(made.map, host);
