@@ -10,20 +10,23 @@
 namespace orbicube::cli {
 namespace {
 
-void read_and_map(MorphShape& shape, const Mending& mending, Keep keep, Session& session) {
+void read_shape(MorphShape& shape, const Mending& mending, Keep keep, Session& session) {
   ClosedSurface surface = read_closed_surface(shape.path, mending, session, keep);
   shape.kept = std::move(surface.kept);
   shape.given = std::move(surface.given);
   shape.mesh = std::move(surface.mesh);
+  require_ordinary_size(shape.mesh, shape.path);
+  shape.figures = {{"input", shape.path}};
+  shape.figures.update(surface.figures);
+}
+
+void map_to_sphere(MorphShape& shape, Session& session) {
   const mesh::Mesh& mesh = shape.mesh;
-  require_ordinary_size(mesh, shape.path);
   const double start = session.seconds();
   about(shape.path, Role::input, [&] {
     shape.directions = sphere_map::compute(mesh.positions, mesh.triangles, {.seed = session.seed()}, session.host());
   });
   shape.locator = std::make_unique<sphere_map::Locator>(mesh.triangles, shape.directions, session.host());
-  shape.figures = {{"input", shape.path}};
-  shape.figures.update(surface.figures);
   shape.figures.update({{"vertices", mesh.positions.size()},
                         {"triangles", mesh.triangles.size()},
                         {"seconds_map", session.seconds() - start},
@@ -35,10 +38,14 @@ void read_and_map(MorphShape& shape, const Mending& mending, Keep keep, Session&
 std::deque<MorphShape> map_shapes(const SphereShapesOptions& options, Session& session) {
   const base::Host& host = session.host();
   std::deque<MorphShape> shapes;
+  // What has no sphere is refused before the others are mapped.
   for (const std::string& path : options.inputs) {
-    const base::Stage stage(host, 0.8 / static_cast<double>(options.inputs.size() - shapes.size()));
     shapes.emplace_back(host.memory).path = path;
-    read_and_map(shapes.back(), options.mending, shapes.size() == 1 ? options.keep_first : Keep::surface, session);
+    read_shape(shapes.back(), options.mending, shapes.size() == 1 ? options.keep_first : Keep::surface, session);
+  }
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const base::Stage stage(host, 0.8 / static_cast<double>(shapes.size() - i));
+    map_to_sphere(shapes[i], session);
   }
   return shapes;
 }

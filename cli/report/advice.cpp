@@ -15,6 +15,7 @@
 #include "mesh/files/read.h"
 #include "mesh/topology/disjoint_sets.h"
 #include "mesh/topology/edge_table.h"
+#include "mesh/topology/handle_place.h"
 #include "mesh/topology/place_text.h"
 #include "mesh/topology/topology.h"
 #include "mesh/topology/weld.h"
@@ -140,16 +141,32 @@ std::string of_first_edge_or_vertex(const mesh::Mesh& m, bool edge, const std::s
   return "it is at " + mesh::place_text(m.positions[v]) + "; " + repair + " separates the sheets that meet there";
 }
 
+// Surfaces with handles have polycubes, but no spheres; those of several surfaces have as many.
+std::string of_handles(const Failure& failure, const std::string& verb, bool welded, const base::Host& host) {
+  const bool by_polycube = std::string(failure.what()).find("polycube") != std::string::npos;
+  std::string text = by_polycube         ? "orbicube repair --genus N cuts handles"
+                     : verb == "sphere"  ? "surfaces with handles have polycubes: orbicube polycube, or hex"
+                     : verb == "morph"   ? "surfaces with as many handles have polycubes: try --polycube"
+                                         : "surfaces with as many handles have polycubes: try --via polycube";
+  if (!by_polycube) text += "; orbicube repair --genus 0 cuts handles";
+  const mesh::Mesh m = read_again(failure.file(), welded, host);
+  const mesh::Topology facts = mesh::topology(m.positions, m.triangles, host);
+  // What was repaired is not in the file.
+  if (!facts.closed() || !facts.manifold() || facts.components != 1) return text;
+  const std::optional<Index> v = mesh::handle_place(m.positions, m.triangles, host);
+  if (!v) return text;
+  return "a handle is at " + mesh::place_text(m.positions[*v]) + " (vertex " + std::to_string(*v) + "); " + text;
+}
+
 std::string of_kind(const Failure& failure, const std::string& verb, bool welded, const base::Host& host) {
   const std::string& kind = failure.kind();
   // The option of the verb, or the verb that writes a file.
   static constexpr std::array mends = {"sphere", "polycube", "tetrahedralize", "hex", "volume", "morph"};
   const bool has_option = std::find(mends.begin(), mends.end(), verb) != mends.end();
   const std::string repair = has_option ? "--repair" : "orbicube repair";
-  if (kind == "wrong-genus" && (verb == "sphere" || verb == "morph"))
-    return std::string("surfaces with handles have polycubes: ") +
-           (verb == "sphere" ? "orbicube polycube, or hex" : "try --polycube") +
-           "; orbicube repair --genus 0 cuts handles";
+  if (kind == "wrong-genus" && failure.exit_code() == Exit::wrong_input &&
+      (verb == "sphere" || verb == "morph" || verb == "map" || verb == "polycube"))
+    return of_handles(failure, verb, welded, host);
   if (kind == "degenerate-face" && (verb == "tetrahedralize" || verb == "hex" || verb == "volume"))
     return "--repair collapses or flips them; sphere and polycube take such faces";
   if (kind == "duplicate-face") return repair + " keeps one of each";

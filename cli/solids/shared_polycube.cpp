@@ -1,6 +1,7 @@
 #include "solids/shared_polycube.h"
 
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <utility>
 
@@ -12,6 +13,22 @@
 #include "solids/any_genus_surface.h"
 
 namespace orbicube::cli {
+
+namespace {
+
+// The surface with more handles is the one to look at.
+void require_one_genus(const SharedPolycube& shared, const std::vector<std::string>& inputs) {
+  const auto genus = [&](std::size_t i) { return shared.figures[i].at("genus").get<std::int64_t>(); };
+  for (std::size_t i = 1; i < inputs.size(); ++i) {
+    if (genus(i) == genus(0)) continue;
+    const std::size_t more = genus(i) > genus(0) ? i : 0, fewer = more == 0 ? i : 0;
+    throw Failure(Exit::wrong_input, inputs[more], "wrong-genus",
+                  "genus " + std::to_string(genus(more)) + ", and " + inputs[fewer] + " has genus " +
+                      std::to_string(genus(fewer)) + ": surfaces of one genus have a polycube in common");
+  }
+}
+
+}  // namespace
 
 SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& session) {
   const base::Host& host = session.host();
@@ -28,6 +45,7 @@ SharedPolycube share_polycube(const SharedPolycubeOptions& options, Session& ses
     figures.update(surface.figures);
     result.figures.push_back(std::move(figures));
   }
+  require_one_genus(result, options.inputs);
   std::vector<polycube::SurfaceSpan> shapes;
   std::vector<const mesh::Mesh*> meshes;
   for (const mesh::Mesh& m : result.meshes) {

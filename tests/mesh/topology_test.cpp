@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "mesh/topology/handle_place.h"
 #include "mesh/topology/orient.h"
 
 using namespace orbicube;
@@ -370,4 +371,42 @@ TEST_CASE("Indices out of range and positions that are not finite are refused") 
   s = octahedron();
   s.positions[2].y() = std::nan("");
   CHECK(refusal(s) == "invalid-argument");
+}
+
+TEST_CASE("The place of a handle is on it, wherever the surface begins, and a surface without handles has none") {
+  const Surface ball = octahedron();
+  CHECK(!handle_place(ball.positions, ball.triangles, base::Host()));
+  // A plate of cells along x with a hole near its end.
+  std::vector<std::vector<int>> solid(12, std::vector<int>(5, 1));
+  solid[10][2] = 0;
+  Surface s;
+  std::map<std::array<int, 3>, Index> numbers;
+  const auto corner = [&](int x, int y, int z) {
+    const auto [at, is_new] = numbers.try_emplace({x, y, z}, static_cast<Index>(s.positions.size()));
+    if (is_new) s.positions.emplace_back(x, y, z);
+    return at->second;
+  };
+  const auto filled = [&](int x, int y) { return x >= 0 && y >= 0 && x < 12 && y < 5 && solid[x][y] == 1; };
+  const auto quad = [&](Index a, Index b, Index c, Index d) {
+    s.triangles.push_back({a, b, c});
+    s.triangles.push_back({a, c, d});
+  };
+  for (int x = 0; x < 12; ++x) {
+    for (int y = 0; y < 5; ++y) {
+      if (!filled(x, y)) continue;
+      quad(corner(x, y, 1), corner(x + 1, y, 1), corner(x + 1, y + 1, 1), corner(x, y + 1, 1));
+      quad(corner(x, y, 0), corner(x, y + 1, 0), corner(x + 1, y + 1, 0), corner(x + 1, y, 0));
+      if (!filled(x - 1, y)) quad(corner(x, y, 0), corner(x, y, 1), corner(x, y + 1, 1), corner(x, y + 1, 0));
+      if (!filled(x + 1, y))
+        quad(corner(x + 1, y, 0), corner(x + 1, y + 1, 0), corner(x + 1, y + 1, 1), corner(x + 1, y, 1));
+      if (!filled(x, y - 1)) quad(corner(x, y, 0), corner(x + 1, y, 0), corner(x + 1, y, 1), corner(x, y, 1));
+      if (!filled(x, y + 1))
+        quad(corner(x, y + 1, 0), corner(x, y + 1, 1), corner(x + 1, y + 1, 1), corner(x + 1, y + 1, 0));
+    }
+  }
+  REQUIRE(topology_of(s).genus == 1);
+  const auto place = handle_place(s.positions, s.triangles, base::Host());
+  REQUIRE(place.has_value());
+  // At the hole or at what is around it.
+  CHECK(s.positions[*place].x() >= 9);
 }
