@@ -23,6 +23,7 @@ export rotate_harmonics, align_harmonics, write_harmonics, read_harmonics
 export frame_field, measure_frames, frame_matchings, singularities, Quaternions
 export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, align_features
 export energies, polycube_graph, polycube_quads
+export Correspondence, blend, map_points
 export untangle, map_to_polycube, fill_with_hexahedra
 
 using SparseArrays
@@ -35,6 +36,7 @@ include("meshes.jl")
 include("spheres.jl")
 include("frames.jl")
 include("polycubes.jl")
+include("correspondences.jl")
 include("volumes.jl")
 include("linear.jl")
 

@@ -298,6 +298,18 @@ end
     @test length(maps) == 2 && constructed_from in 1:2
     @test all(m -> m.corners == 8, optimize_domain(maps))
     @test_throws OrbicubeError common_polycube(Surface[])
+    longer = Surface([1.5 1 1]' .* Orbicube.positions(shape), Orbicube.triangles(shape))
+    both = Correspondence([shape, longer]; via=:polycube, cells=200)
+    @test length(both.positions) == 2 && size(both.triangles, 2) == 2 * size(both.quads, 2) && size(both.domain) == size(both.positions[1])
+    @test blend(both, [0, 1]) == both.positions[2]
+    there = map_points(both, 1, 2)
+    back = map_points(both, 2, 1, there...)
+    found = [sum(back[2][k, v] * Orbicube.positions(shape)[i, Orbicube.triangles(shape)[k, back[1][v]]] for k in 1:3) for i in 1:3, v in eachindex(back[1])]
+    @test found ≈ Orbicube.positions(shape) atol = 1e-6
+    @test_throws ArgumentError map_points(both, 1, 3)
+    @test_throws DimensionMismatch blend(both, [1.0])
+    marks = Orbicube.positions(shape)[:, [1, 20, 40, 60]]
+    @test Correspondence([shape, shape]; landmarks=[marks, marks]) isa Correspondence
     told = Ref(0)
     cancelled = try polycube(make_surface("bracket", 3000); progress=(_...) -> (told[] += 1) < 3) catch e; e end
     @test cancelled.status == Orbicube.Raw.OBC_CANCELLED && told[] == 3

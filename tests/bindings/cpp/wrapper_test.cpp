@@ -15,6 +15,7 @@
 
 #include <doctest/doctest.h>
 
+#include <orbicube/correspondence.hpp>
 #include <orbicube/frame_field.hpp>
 #include <orbicube/gltf.hpp>
 #include <orbicube/harmonics.hpp>
@@ -539,6 +540,32 @@ TEST_CASE("the graph of a polycube, exact signs, and glTF from memory") {
   CHECK_THROWS_AS(quaternion::cube_product(24, 0), Error);
   CHECK(quaternion::symmetric_sine_square({1, 0, 0, 0}, quaternion::from_axis_angle({0, 0, 1}, 0.4)) ==
         doctest::Approx(std::pow(std::sin(0.2), 2)));
+}
+
+TEST_CASE("points of a cube are mapped to a longer one and back, and halfway is between them") {
+  const Mesh cube = Mesh::make("cube", 300);
+  std::vector<double> longer(cube.positions().begin(), cube.positions().end());
+  for (std::size_t i = 0; i < longer.size(); i += 3)
+    longer[i] *= 2;
+  correspondence::Options options;
+  options.via = OBC_CORRESPONDENCE_POLYCUBE;
+  options.cells = 200;
+  const correspondence::Correspondence both({cube.surface(), Surface(longer, cube.triangles())}, options);
+  CHECK(both.shape_count() == 2);
+  CHECK(both.domain().size() == 3 * both.vertex_count());
+  CHECK(both.triangles().size() == 3 * both.quads().size() / 2);
+  const auto half = both.blend({0.5, 0.5});
+  CHECK(half[0] == 0.5 * both.positions(0)[0] + 0.5 * both.positions(1)[0]);
+  const correspondence::Points there = both.map(0, 1), back = both.map(1, 0, there);
+  CHECK(there.triangles.size() == cube.vertex_count());
+  for (std::size_t v = 0; v < cube.vertex_count(); ++v) {
+    double x = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      x += back.weights[3 * v + k] * cube.positions()[3 * cube.triangles()[3 * back.triangles[v] + k]];
+    CHECK(x == doctest::Approx(cube.positions()[3 * v]).epsilon(1e-6));
+  }
+  CHECK_THROWS_AS(both.map(0, 2), Error);
+  CHECK_THROWS_AS(both.map(0, 1, {{0}, {1, 0}}), Error);
 }
 
 TEST_CASE("a factor of a sparse symmetric matrix solves, follows changes, and says what it cannot do") {

@@ -99,6 +99,7 @@ CALLS = {
                               "hexahedra": [[0, 1, 3, 2, 4, 5, 7, 6]]}),
     "mesh.Mesh.boundary": (mesh.Mesh(SOLID[0], tetrahedra=SOLID[1]).boundary, {}),
     "correspondence.Correspondence.positions": (BOTH.positions, {"shape": 0}),
+    "correspondence.Correspondence.map": (BOTH.map, {"source": 0, "target": 1, "triangles": [0, 1], "weights": [[0.2, 0.3, 0.5], [1, 0, 0]]}),
     "correspondence.Correspondence.blend": (BOTH.blend, {"weights": [0.5, 0.5]}),
     "mesh.Search": (mesh.Search, {"surface": SURFACE}),
     "mesh.Search.vertices": (SEARCH.vertices, {"points": DIRECTIONS}),
