@@ -12,10 +12,10 @@
 #include "base/counted.h"
 #include "files/surface_file.h"
 #include "gltf/reading/read.h"
+#include "mesh/features/handle_place.h"
 #include "mesh/files/read.h"
 #include "mesh/topology/disjoint_sets.h"
 #include "mesh/topology/edge_table.h"
-#include "mesh/topology/handle_place.h"
 #include "mesh/topology/place_text.h"
 #include "mesh/topology/topology.h"
 #include "mesh/topology/weld.h"
@@ -144,10 +144,10 @@ std::string of_first_edge_or_vertex(const mesh::Mesh& m, bool edge, const std::s
 // Surfaces with handles have polycubes, but no spheres; those of several surfaces have as many.
 std::string of_handles(const Failure& failure, const std::string& verb, bool welded, const base::Host& host) {
   const bool by_polycube = std::string(failure.what()).find("polycube") != std::string::npos;
-  std::string text = by_polycube         ? "orbicube repair --genus N cuts handles"
-                     : verb == "sphere"  ? "surfaces with handles have polycubes: orbicube polycube, or hex"
-                     : verb == "morph"   ? "surfaces with as many handles have polycubes: try --polycube"
-                                         : "surfaces with as many handles have polycubes: try --via polycube";
+  std::string text = by_polycube        ? "orbicube repair --genus N cuts handles"
+                     : verb == "sphere" ? "surfaces with handles have polycubes: orbicube polycube, or hex"
+                     : verb == "morph"  ? "surfaces with as many handles have polycubes: try --polycube"
+                                        : "surfaces with as many handles have polycubes: try --via polycube";
   if (!by_polycube) text += "; orbicube repair --genus 0 cuts handles";
   const mesh::Mesh m = read_again(failure.file(), welded, host);
   const mesh::Topology facts = mesh::topology(m.positions, m.triangles, host);

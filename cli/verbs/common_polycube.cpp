@@ -86,7 +86,8 @@ void share_one_polycube(const PolycubeOptions& options, Session& session) {
         {"file", options.from}, {"corners", given->target.graph.corners.size()}, {"genus", given->target.genus}};
   }
   SharedPolycube shared = share_polycube(
-      {.inputs = options.inputs, .landmarks = options.landmarks, .common = of_common, .mending = options.mending}, session);
+      {.inputs = options.inputs, .landmarks = options.landmarks, .common = of_common, .mending = options.mending},
+      session);
   polycube::CommonPolycube& common = shared.common;
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     polycube::SurfaceMap& map = common.maps[i];

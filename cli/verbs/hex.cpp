@@ -89,8 +89,9 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"keep_partial", output.keep_partial},
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
-  if (!verb.solid.from.empty() && (verb.method == "grid" || verb.method == "frames" || !verb.frames.empty()))
-    throw Failure(Exit::wrong_input, "", "usage", "--from is for --method polycube");
+  const bool by_polycube = verb.method == "auto" || verb.method == "polycube";
+  if (!verb.solid.from.empty() && (!by_polycube || !verb.frames.empty() || verb.features == "auto"))
+    throw Failure(Exit::wrong_input, "", "usage", "--from is for --method polycube, without --features auto");
   hexmesh::Options options = options_of(verb, session);
   const std::optional<SolidPolycube> given = read_solid_polycube(verb.solid, session);
   if (given) options.given = given->view();

@@ -56,7 +56,8 @@ std::vector<std::span<const Triangle>> views_of(const std::vector<mesh::Mesh>& m
 }
 
 MappedPair map_by_spheres(const MapOptions& options, Session& session) {
-  const SphereShapesOptions of_spheres{{options.from, options.to}, options.landmarks, options.align, {.weld = options.weld}};
+  const SphereShapesOptions of_spheres{
+      {options.from, options.to}, options.landmarks, options.align, {.weld = options.weld}};
   std::deque<MorphShape> shapes = map_shapes(of_spheres, session);
   MappedPair result;
   for (const MorphShape& shape : shapes) {
@@ -176,6 +177,7 @@ void write_outputs(const MapOptions& options, const MappedPair& pair, Session& s
   session.figures()["output"] = options.output;
   session.figures()["vertices"] = vertices.size();
   session.figures()["distance"] = json_of_distance(to, on_target, host);
+  session.figures()["flipped"] = pair.maps->flipped();
   session.say("wrote " + options.output + ": " + std::to_string(vertices.size()) + " vertices of " + options.from +
               " on " + options.to);
   if (!options.table.empty()) {

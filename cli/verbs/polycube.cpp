@@ -98,11 +98,18 @@ base::Array<double> optimize_corners(const PolycubeOptions& options, polycube::C
 }
 
 Json json_of(const PolycubeOptions& options) {
-  Json result = {
-      {"output", options.output},         {"surface", options.surface},   {"construct", options.construct},
-      {"corners", options.corners},       {"text", options.text},         {"weld", options.mending.weld},
-      {"repair", options.mending.repair}, {"from", options.from},         {"constraints", options.constraints},
-      {"optimize", options.optimize},     {"features", options.features.empty() ? Json("") : Json(options.features.front())}, {"feature_angle", options.feature_angle}};
+  Json result = {{"output", options.output},
+                 {"surface", options.surface},
+                 {"construct", options.construct},
+                 {"corners", options.corners},
+                 {"text", options.text},
+                 {"weld", options.mending.weld},
+                 {"repair", options.mending.repair},
+                 {"from", options.from},
+                 {"constraints", options.constraints},
+                 {"optimize", options.optimize},
+                 {"features", options.features.empty() ? Json("") : Json(options.features.front())},
+                 {"feature_angle", options.feature_angle}};
   if (!options.optimize.empty() || options.construct == "dissertation")
     result.update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "mesh/search/predicates.h"
 #include "polycube/outputs/inverse_map.h"
 
 namespace orbicube::correspondence {
@@ -117,6 +118,27 @@ base::Array<TrianglePoint> ShapeMaps::carry(std::size_t from, std::size_t to, st
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i % 1024 == 0) host.report(phase, i, points.size());
     result[i] = surfaces_[to].given_of(result[i]);
+  }
+  return result;
+}
+
+std::size_t ShapeMaps::flipped() const {
+  std::size_t result = 0;
+  for (const SphereShape& shape : spheres_) {
+    const auto at = [&](Index v) -> const Vector3& { return shape.directions[v]; };
+    for (const auto& [a, b, c] : shape.mesh.triangles)
+      result += mesh::orientation_from_origin(at(a), at(b), at(c)) <= 0 ? 1 : 0;
+  }
+  for (const SurfaceMap& map : maps_) {
+    for (std::size_t t = 0; t < map.triangles.size(); ++t) {
+      const int axis = polycube::axis_of(map.labels[t]), u = (axis + 1) % 3, v = (axis + 2) % 3;
+      const auto at = [&](Index i) { return Eigen::Vector2d(map.polycube[i][u], map.polycube[i][v]); };
+      const auto& [a, b, c] = map.triangles[t];
+      const bool flat =
+          map.polycube[a][axis] == map.polycube[b][axis] && map.polycube[a][axis] == map.polycube[c][axis];
+      const int sign = mesh::orientation_2d(at(a), at(b), at(c)) * polycube::sign_of(map.labels[t]);
+      result += flat && sign > 0 ? 0 : 1;
+    }
   }
   return result;
 }

@@ -30,6 +30,10 @@ class ShapeMaps {
   base::Array<TrianglePoint> carry(std::size_t from, std::size_t to, std::span<const TrianglePoint> points,
                                    const base::Host& host) const;
 
+  // Returns how many triangles of the maps are not positive on the common sphere or polycube, by exact signs: 0, so
+  // that no triangle is flipped from one shape to another, nor any piece of two where they overlap.
+  std::size_t flipped() const;
+
  private:
   base::Array<TrianglePoint> through_sphere(std::size_t from, std::size_t to, std::span<const TrianglePoint> pieces,
                                             const base::Host& host) const;

@@ -325,6 +325,8 @@ Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume
   base::require(options.frames.empty() || by_frames(options), "frames are for the method frames");
   base::require(options.given.target == nullptr || (!by_frames(options) && options.method != Method::grid),
                 "a given polycube is for the methods automatic and polycube");
+  base::require(options.given.target == nullptr || options.features == Features::off,
+                "a given polycube goes without `features`");
   mesh::Mesh near_unit = copy_of(input, host);
   const int exponent = mesh::bring_to_unit_size(near_unit);
   Hexahedra made = by_strategy({near_unit, options, findings, host, exponent});

@@ -5,6 +5,7 @@
 """
 import json
 import math
+import re
 
 from command import InFolder, main, read_obj, run
 
@@ -41,7 +42,7 @@ class Maps(Reports):
             positions, corners = read_obj(b)
             on_b, same = read_obj(out)
             self.assertEqual(same, triangles)
-            self.assertEqual((report["vertices"], report["points"]), (len(from_a), len(from_a)))
+            self.assertEqual((report["vertices"], report["points"], report["flipped"]), (len(from_a), len(from_a), 0))
             rows = self.table(table)
             for p, (triangle, weights) in zip(on_b, rows):
                 self.assertAlmostEqual(sum(weights), 1, delta=1e-12)
@@ -100,8 +101,12 @@ class Maps(Reports):
 
     def test_what_cannot_be_mapped_is_refused(self):
         ball, ring, out = self.made("blob", 300), self.made("torus", 300), self.path("out.obj")
-        self.refused(2, "wrong-genus", ring, "map", ball, ring, "-o", out)
-        self.refused(2, "wrong-genus", ball, "map", ball, ring, "-o", out, "--via", "polycube")
+        # Where a handle is, and what can be done.
+        for options, advice in (((), "--via polycube"), (("--via", "polycube"), "close it")):
+            text = self.refused(2, "wrong-genus", ring, "map", ball, ring, "-o", out, *options)
+            at = re.search(r"a handle is at \(.*\) \(vertex (\d+)\)", text)
+            self.assertLess(int(at.group(1)), len(read_obj(ring)[0]))
+            self.assertIn(advice, text)
         points = self.write("points.txt", "100000 1 0 0\n")
         self.refused(2, "invalid-argument", points, "map", ball, ball, "-o", out, "--table", self.path("t"), "--points", points)
         for options in (("--corners", 8), ("--via", "polycube", "--align", "none"), ("--points", points), ("--values", points)):

@@ -398,7 +398,7 @@ class Polycube(InFolder):
             self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)
         ring = self.made("torus", 800)
         done = run("polycube", first, ring, "-o", out)
-        self.assertEqual((done.returncode, kind_of(done.stderr, first)), (2, "wrong-genus"))
+        self.assertEqual((done.returncode, kind_of(done.stderr, ring)), (2, "wrong-genus"))
         for wrong in (("--from", domain, "--constraints", domain), ("--features", domain)):
             done = run("polycube", first, second, "-o", out, *wrong)
             self.assertEqual(done.returncode, 2)
@@ -415,19 +415,37 @@ class Polycube(InFolder):
         with open(domain, encoding="utf-8") as file:
             given = sorted({c[0] for c in json.load(file)["corners"]})
         sums = []
-        for options in ((), ("--optimize", "all", "--corner-search", "gradient", "--feature-angle", "40")):
+        for options in ((), ("--optimize", "all", "--corner-search", "gradient", "--feature-angle", "40"),
+                        ("--optimize", "domain", "--measure", "harmonic", "--area-weight", "2")):
             done = run("polycube", first, second, "-o", out, "--from", domain, "--report", report, *options)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
             with open(report, encoding="utf-8") as file:
                 figures = json.load(file)
             self.assertEqual(figures["from"]["corners"], 12)
-            sums.append(figures["polycube"]["energies"][-1])
+            energies = figures["polycube"]["energies"]
+            self.assertEqual(energies, sorted(energies, reverse=True))
+            sums.append(energies[-1])
+            found = [{p[0] for p in read_obj(self.path(f"out-{i}.obj"))[0]} for i in (1, 2)]
+            # The planes are those of the given polycube, or others that all share.
+            self.assertEqual([set(given) <= xs for xs in found], [not options] * 2)
+            self.assertEqual([("features" in shape) for shape in figures["shapes"]], ["--feature-angle" in options] * 2)
             if not options:
-                found = {p[0] for p in read_obj(self.path("out-2.obj"))[0]}
-                self.assertEqual([x for x in given if x in found], given)
-            else:
-                self.assertEqual([("features" in shape) for shape in figures["shapes"]], [True, True])
+                places = read_obj(self.path("out-1.obj"))[0]
         self.assertLess(sums[1], sums[0])
+        self.assertGreater(sums[2], sums[0])
+        # A vertex of the first surface at the middle of a patch moves along it.
+        low, high = min(p[2] for p in places), max(p[2] for p in places)
+        top = [v for v in range(len(positions)) if places[v][2] == high]
+        middle = [sum(places[v][k] for v in top) / len(top) for k in range(2)]
+        vertex = min(top, key=lambda v: math.dist(places[v][:2], middle))
+        target, wanted = [places[vertex][0], places[vertex][1] + 0.02 * (high - low), high], self.path("features.json")
+        with open(wanted, "w", encoding="utf-8") as file:
+            json.dump({"points": [{"vertex": vertex, "target": target}]}, file)
+        done = run("polycube", first, second, "-o", out, "--from", domain, "--report", report, "--features", wanted, "--features", "none")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(read_obj(self.path("out-1.obj"))[0][vertex], tuple(target))
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual([("features" in shape) for shape in json.load(file)["shapes"]], [True, False])
 
     def test_a_given_polycube_is_that_of_hexahedra_and_of_the_map_of_a_solid(self):
         path, out, surface, domain = self.made("l-shape", 300), self.path("out.obj"), self.path("surface.obj"), self.path("d.json")
@@ -449,7 +467,7 @@ class Polycube(InFolder):
                 self.assertEqual((figures["from"]["corners"], figures["polycube"]["corners"]), (12, 12))
         if "  hex " not in solids:
             return
-        for wrong in (("--method", "grid"), ("--corners", 8), ("--triangles", 1000)):
+        for wrong in (("--method", "grid"), ("--corners", 8), ("--triangles", 1000), ("--features", "auto")):
             done = run("hex", surface, "-o", mesh, "--from", out, *wrong)
             self.assertEqual(done.returncode, 2)
             self.assertTrue(done.stderr.startswith("orbicube: usage: "), done.stderr)

@@ -21,7 +21,7 @@ GENUS = {"creature": 0, "blob": 0, "star": 0, "sphere": 0, "cube": 0, "torus": 1
 class CommandLine(InFolder):
     def test_help_names_every_verb_and_each_has_its_own(self):
         general = run("--help")
-        for verb in ("info", "convert", "make", "sphere", "frames", "morph", "harmonics", "compare", "page"):
+        for verb in ("info", "convert", "make", "sphere", "frames", "morph", "map", "harmonics", "compare", "page"):
             self.assertIn(verb, VERBS)  # these are in every build
         self.assertEqual((general.returncode, general.stderr), (0, ""))
         for verb in VERBS:

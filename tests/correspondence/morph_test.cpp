@@ -158,6 +158,7 @@ TEST_CASE("The map of a shape to itself is the identity, and the map back undoes
   const base::Host host;
   for (const Via via : {Via::sphere, Via::polycube}) {
     const Morph both = morph_of(meshes, {.via = via, .grid = CommonGrid::first});
+    CHECK(both.maps->flipped() == 0);
     for (std::size_t i = 0; i < 2; ++i) {
       const double tolerance = 1e-9 * diagonal_of(meshes[i]);
       const base::Array<TrianglePoint> own = vertices_of(meshes[i]);

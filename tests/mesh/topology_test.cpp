@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "base/error.h"
-#include "mesh/topology/handle_place.h"
+#include "mesh/features/handle_place.h"
 #include "mesh/topology/orient.h"
 
 using namespace orbicube;

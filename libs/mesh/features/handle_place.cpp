@@ -1,6 +1,6 @@
 // The shortest of the curves of a tree of shortest paths and a cotree of faces (Erickson and Whittlesey 2005). It is
 // the shortest of all that pass through the root and separate nothing; the next root lies on it, while it gets shorter.
-#include "mesh/topology/handle_place.h"
+#include "mesh/features/handle_place.h"
 
 #include <algorithm>
 #include <functional>
