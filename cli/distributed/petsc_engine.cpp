@@ -19,7 +19,7 @@ namespace orbicube::cli {
 namespace {
 
 using untangle::BlockMatrix;
-using volume_map::Index;
+using untangle::Index;
 
 constexpr int block = 3;  // unknowns of a vertex
 

@@ -16,7 +16,7 @@
 #include "untangle/tetrahedra/foldover_energy.h"
 
 using namespace orbicube;
-using namespace orbicube::volume_map;
+using namespace orbicube::untangle;
 
 extern "C" BlockEngine* orbicube_petsc_start();
 

@@ -99,7 +99,7 @@ TEST_CASE("What cannot be untangled is reported, not returned as if it were") {
   CHECK(result.inverted > 0);
   CHECK(result.first_inverted < c.tetrahedra.size());
   CHECK(result.inverted == result.inverted_before);
-  CHECK_THROWS_AS(require_untangled(result, c.tetrahedra.size(), "tetrahedra"), base::Error);
+  CHECK_THROWS_AS(require_untangled(result, c.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay"), base::Error);
 }
 
 TEST_CASE("Shapes at any scale and place untangle alike") {

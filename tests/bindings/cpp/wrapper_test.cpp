@@ -647,7 +647,7 @@ TEST_CASE("iterations for a sparse symmetric matrix report what they reached, an
 TEST_CASE("A surface is repaired, with what was done where") {
   const std::vector<double> positions = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
   const std::vector<std::uint32_t> triangles = {2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
-  const Surface surface{positions.data(), 6, triangles.data(), 7};
+  const Surface surface(positions, triangles);
   const repair::Repaired repaired = repair::repair(surface);
   CHECK(repaired.report.closed == 1);
   CHECK(repaired.report.filled_holes == 1);
