@@ -13,6 +13,7 @@
 #include "hexmesh/quality/gap_opening.h"
 #include "hexmesh/strategies/hex_meshing.h"
 #include "mesh/search/intersections.h"
+#include "mesh/search/nearest.h"
 #include "mesh/topology/topology.h"
 #include "volume_map/solid/gap_widening.h"
 #include "volume_map/solid/solid_polycube.h"
@@ -155,6 +156,20 @@ TEST_CASE("Grids of cells have both walls of a gap that is narrower than any cel
     if (at[1] > 1.5) between = std::min(between, std::abs(at[0] - 1.001));
   }
   CHECK(between > 0.01);
+}
+
+TEST_CASE("Grids of cells reach the end of a gap that is narrower than any cell, and has one") {
+  // With the gap filled, the middle of its walls would be more than two cells inside.
+  const Surface block = slit_block(0.002, 4);
+  const VoxelHexes cells = voxel_hexahedra(block.positions, block.triangles, 1200, host);
+  const auto halves = halves_of(cells.mesh.quads, host.memory);
+  const mesh::SurfaceSearch search(cells.mesh.positions, halves, host);
+  double most = 0;
+  for (const mesh::Triangle& t : block.triangles) {
+    const Vector3 center = (block.positions[t[0]] + block.positions[t[1]] + block.positions[t[2]]) / 3;
+    most = std::max(most, search.nearest(cells.scale * center).distance);
+  }
+  CHECK(most < 1.5);
 }
 
 TEST_CASE("A solid with a narrow gap is filled without lying over itself, the same for any number of threads") {

@@ -4,11 +4,14 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/error.h"
+#include "base/threads/pieces.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "hexmesh/grid/padding.h"
 #include "mesh/search/measures.h"
+#include "mesh/search/nearest.h"
 #include "mesh/topology/topology.h"
 #include "polycube/voxels/voxelisation.h"
 #include "volume_map/solid/gap_widening.h"
@@ -102,18 +105,43 @@ VoxelHexes cells_inside(std::span<const Vector3> positions, std::span<const mesh
   return best;
 }
 
+// How far the surface is from the boundary of the cells, in cells, at samples.
+double farthest(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles, const VoxelHexes& found,
+                const base::Host& host) {
+  constexpr std::size_t max_samples = 30000, piece = 64;
+  const Array<mesh::Triangle> outer = halves_of(found.mesh.quads, host.memory);
+  const mesh::SurfaceSearch search(found.mesh.positions, outer, host);
+  const std::size_t stride = (triangles.size() + max_samples - 1) / max_samples;
+  Array<double> distances((triangles.size() + stride - 1) / stride, 0, host.memory);
+  base::parallel_pieces(host, "grid", distances.size(), piece, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const mesh::Triangle& t = triangles[i * stride];
+      const Vector3 center = (positions[t[0]] + positions[t[1]] + positions[t[2]]) / 3;
+      distances[i] = search.nearest(found.scale * center).distance;
+    }
+  });
+  host.report("grid", 0, 0);
+  return *std::max_element(distances.begin(), distances.end());
+}
+
 }  // namespace
 
 VoxelHexes voxel_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
                            std::size_t cells, const base::Host& host) {
   VoxelHexes found = cells_inside(positions, triangles, cells, host);
-  // Walls of a gap in one cell are one solid.
+  // Walls of a gap in one cell are one solid: of another topology, or, where a gap has an end, with the gap filled.
   constexpr std::array cells_between = {1.5, 2.5};
+  constexpr double filled = 2, clearly = 0.5;  // cells that the surface is away from the boundary; of that
   const double cell = std::cbrt(mesh::measures(positions, triangles, host).volume / static_cast<double>(cells));
   for (const double between : cells_between) {
-    if (!found.mesh.hexahedra.empty()) return found;
+    const bool any = !found.mesh.hexahedra.empty();
+    const double away = any ? farthest(positions, triangles, found, host) : 0;
+    if (any && away <= filled) return found;
     const Array<Vector3> wider = volume_map::widened_gaps(positions, triangles, between * cell, host);
-    if (!wider.empty()) found = cells_inside(wider, triangles, cells, host);
+    if (wider.empty()) continue;
+    VoxelHexes now = cells_inside(wider, triangles, cells, host);
+    if (now.mesh.hexahedra.empty()) continue;
+    if (!any || farthest(positions, triangles, now, host) < clearly * away) found = std::move(now);
   }
   if (found.mesh.hexahedra.empty())
     throw base::Error("no-valid-result", "no grid of cells has the genus and the cavities of the surface");
