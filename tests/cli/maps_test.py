@@ -102,7 +102,7 @@ class Maps(Reports):
     def test_what_cannot_be_mapped_is_refused(self):
         ball, ring, out = self.made("blob", 300), self.made("torus", 300), self.path("out.obj")
         # Where a handle is, and what can be done.
-        for options, advice in (((), "--via polycube"), (("--via", "polycube"), "close it")):
+        for options, advice in (((), "--via polycube"), (("--via", "polycube"), "orbicube repair --genus")):
             text = self.refused(2, "wrong-genus", ring, "map", ball, ring, "-o", out, *options)
             at = re.search(r"a handle is at \(.*\) \(vertex (\d+)\)", text)
             self.assertLess(int(at.group(1)), len(read_obj(ring)[0]))
