@@ -204,8 +204,8 @@ void add_polycube_options(CLI::App& verb, MorphOptions& options, CLI::Option* bl
       ->needs(polycube)
       ->type_name("N");
   verb.add_option("--quads", options.blend.quads,
-                  "also write the shape of --blend as quads of the polycube's grid: .obj .off; other formats get two "
-                  "triangles a quad")
+                  "also write the shape of --blend as quads of the polycube's grid: " + polygon_endings +
+                      "; other formats get two triangles a quad")
       ->needs(polycube)
       ->needs(blend)
       ->type_name("FILE");
