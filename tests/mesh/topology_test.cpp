@@ -386,7 +386,9 @@ TEST_CASE("The place of a handle is on it, wherever the surface begins, and a su
     if (is_new) s.positions.emplace_back(x, y, z);
     return at->second;
   };
-  const auto filled = [&](int x, int y) { return x >= 0 && y >= 0 && x < 12 && y < 5 && solid[x][y] == 1; };
+  const auto filled = [&](int x, int y) {
+    return x >= 0 && y >= 0 && x < 12 && y < 5 && solid[static_cast<std::size_t>(x)][static_cast<std::size_t>(y)] == 1;
+  };
   const auto quad = [&](Index a, Index b, Index c, Index d) {
     s.triangles.push_back({a, b, c});
     s.triangles.push_back({a, c, d});
