@@ -37,6 +37,7 @@ void add_examples(CLI::App& app) {
       {"morph", "a.obj b.obj -o ab.glb --placement turned"},
       {"harmonics", "creature.obj --sphere map.obj --degree 32 -o creature.coef"},
       {"compare", "a.coef b.coef c.coef -o distances.txt --png distances.png"},
+      {"parameterize", "part.mesh -o part.vtk --integer"},
       {"page", "creature.obj map.obj -o creature.html"},
       {"polycube", "bracket.obj -o polycube.obj --surface surface.obj"},
       {"tetrahedralize", "bracket.obj -o bracket.mesh --quality"},
@@ -81,6 +82,7 @@ int run(int argc, char** argv) {
   orbicube::cli::add_hex(app, common);
 #endif
 #ifdef ORBICUBE_WITH_VOLUME_MAP
+  orbicube::cli::add_parameterize(app, common);
   orbicube::cli::add_untangle(app, common);
   orbicube::cli::add_volume(app, common);
 #endif

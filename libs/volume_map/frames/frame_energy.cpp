@@ -114,8 +114,24 @@ FrameEnergy::FrameEnergy(std::span<const Vector3> positions, std::span<const Tet
   }
   curvature_ = (0.5 * (curvature_ + curvature_.transpose())).eval();
   // Where the whole lies is nobody's business.
-  curvature_.diagonal().array() += 1e-6 * std::max(curvature_.trace(), little) / static_cast<double>(whole + 1);
+  shift_ = 1e-6 * std::max(curvature_.trace(), little) / static_cast<double>(whole + 1);
+  curvature_.diagonal().array() += shift_;
   best_ = curvature_.ldlt().solve(integer_right);
+}
+
+Eigen::VectorXd FrameEnergy::minimum() const {
+  // Iterative refinement, which leaves alone the directions that have no energy.
+  constexpr int max_steps = 50;
+  const Eigen::LDLT<Eigen::MatrixXd> factor = curvature_.ldlt();
+  const Eigen::VectorXd right = curvature_ * best_;
+  Eigen::VectorXd c = best_;
+  for (int step = 0; step < max_steps; ++step) {
+    const Eigen::VectorXd next = factor.solve(right + shift_ * c);
+    const double change = (next - c).norm();
+    c = next;
+    if (change <= 1e-14 * c.norm()) break;
+  }
+  return c;
 }
 
 Eigen::VectorXd FrameEnergy::free_variables(const Eigen::VectorXd& integers) const {

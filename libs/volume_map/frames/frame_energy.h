@@ -25,6 +25,8 @@ class FrameEnergy {
   // With the best free variables for each choice of integers c the energy is a constant and (c - b)' A (c - b).
   const Eigen::MatrixXd& curvature() const { return curvature_; }
   const Eigen::VectorXd& best_integers() const { return best_; }
+  // The real numbers of minimum energy: those above without what is added to the diagonal of the curvature.
+  Eigen::VectorXd minimum() const;
 
   // The best free variables for these integers.
   Eigen::VectorXd free_variables(const Eigen::VectorXd& integers) const;
@@ -42,6 +44,7 @@ class FrameEnergy {
   Eigen::SparseMatrix<double> mixed_;  // free variables by integers
   Eigen::VectorXd right_;
   Eigen::MatrixXd curvature_;
+  double shift_ = 0;  // that is added to the diagonal of the curvature
   Eigen::VectorXd best_;
 };
 

@@ -71,6 +71,7 @@ class Mapping {
       center += p / static_cast<double>(target.size());
     std::fill(start_.begin() + static_cast<std::ptrdiff_t>(target.size()), start_.end(), center);
     make_harmonic(elements_, held, start_, host, options.engine);
+    if (options.start) options.start(map, held, start_);
 
     const double mean = std::abs(image_volume) / static_cast<double>(inner);
     add_boundary(surface, map.source, map.scale, mean / 6, min_weight, static_cast<Index>(vertices), elements_);

@@ -2,6 +2,7 @@
 // the boundary slide within the patches of the polycube, nothing is inverted.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "polycube/surface/surface_map.h"
@@ -21,10 +22,16 @@ struct SolidMap {
   int holds = 0;  // how often part of the boundary had to be fixed to the surface map
 };
 
+// Changes a start, in which inner vertices have harmonic coordinates: the map so far has the tetrahedra in space and
+// the scale; vertices that are `held` (an entry a vertex) stay.
+using ChangeStart =
+    std::function<void(const SolidMap& map, std::span<const std::uint8_t> held, std::span<Vector3> image)>;
+
 struct SolidMapOptions {
   int steps = 300;                          // of Newton's method in each attempt
   int polish_steps = 60;                    // for less distortion
   untangle::BlockEngine* engine = nullptr;  // of the linear systems; none: this library's own
+  ChangeStart start = {};                   // called in each attempt; may be empty
 };
 
 // `surface` is a certified map (its labels are used), `target` where its vertices are to be on the polycube: `polycube`

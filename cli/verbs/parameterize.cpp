@@ -1,0 +1,175 @@
+// orbicube parameterize: coordinates of a solid along a frame field.
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <string>
+
+#include "files/surface_file.h"
+#include "frame_field/frames_file.h"
+#include "mesh/search/unit_scale.h"
+#include "mesh/topology/cells.h"
+#include "report/text.h"
+#include "scenes/parameter_scene.h"
+#include "untangle/tetrahedra/elements.h"
+#include "verbs/verbs.h"
+#include "volume_map/frame_map/computed_frames.h"
+#include "volume_map/frame_map/parameter_file.h"
+
+namespace orbicube::cli {
+namespace {
+
+constexpr const char* parameter_endings = ".vtk .hexex .obj .glb .gltf";
+
+struct ParameterizeVerb {
+  std::string input;
+  std::string output;
+  std::string frames;
+  std::string page;
+  bool integer = false;
+  double feature_angle = 0;  // degrees
+  std::size_t cells = 10000;
+};
+
+bool has_ending(const std::string& path, const char* ending) {
+  return std::filesystem::path(path).extension() == ending;
+}
+
+mesh::Mesh read_tetrahedra(const ParameterizeVerb& verb, Session& session) {
+  InputMesh input = read_input(verb.input, false, session);
+  session.figures()["format"] = input.report.format;
+  about(verb.input, Role::input, [&] {
+    if (input.mesh.tetrahedra.empty())
+      throw base::Error("no-cells", "no tetrahedra; `orbicube tetrahedralize` fills a surface");
+    mesh::require_valid_cells(input.mesh, session.host());
+    if (!input.mesh.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
+  });
+  return std::move(input.mesh);
+}
+
+volume_map::Parameterization compute(const ParameterizeVerb& verb, const mesh::Mesh& solid, Session& session) {
+  const base::Host& host = session.host();
+  double volume = 0;
+  for (const mesh::Tetrahedron& t : solid.tetrahedra)
+    volume += untangle::six_volumes(solid.positions, t) / 6;
+  const volume_map::ParameterizationOptions options = {
+      .cell_length = std::cbrt(volume / static_cast<double>(verb.cells)), .integer = verb.integer};
+  if (verb.frames.empty()) {
+    return about(verb.input, Role::input, [&] {
+      return volume_map::parameterize_by_computed_frames(solid.positions, solid.tetrahedra,
+                                                         verb.feature_angle * std::numbers::pi / 180, options, host);
+    });
+  }
+  volume_map::FramedSolid framed(host.memory);
+  framed.positions.assign(solid.positions.begin(), solid.positions.end());
+  framed.tetrahedra.assign(solid.tetrahedra.begin(), solid.tetrahedra.end());
+  framed.frames = about(verb.frames, Role::input,
+                        [&] { return frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host); });
+  return about(verb.frames, Role::input, [&] { return volume_map::parameterize(framed, options, host); });
+}
+
+Json figures_of(const mesh::Mesh& solid, const volume_map::Parameterization& map, double cell_length) {
+  return {{"vertices", solid.positions.size()},
+          {"tetrahedra", solid.tetrahedra.size()},
+          {"energy", map.energy},
+          {"integer_cost", map.integer_cost},
+          {"residual", map.residual},
+          {"inverted", map.inverted},
+          {"iterations", map.solves},
+          {"cell_length", cell_length},
+          {"integers", map.integers},
+          {"integers_optimal", map.integers_optimal},
+          {"patches", map.patches},
+          {"cut_faces", map.cut_faces},
+          {"singular_edges", map.singular_edges.size()}};
+}
+
+void write(const ParameterizeVerb& verb, const mesh::Mesh& solid, int exponent, const volume_map::Parameterization& map,
+           Session& session) {
+  const base::Host& host = session.host();
+  base::Array<mesh::Vector3> positions(solid.positions, host.memory);
+  mesh::scale_by_power(positions, -exponent);
+  const std::string name = std::filesystem::path(verb.input).stem().string();
+  const ParameterSurface surface = parameter_surface(positions, solid.tetrahedra, map, host);
+  about(verb.output, Role::output, [&] {
+    const std::filesystem::path file = session.stage(verb.output);
+    if (has_ending(verb.output, ".vtk"))
+      volume_map::write_parameter_vtk(file, positions, solid.tetrahedra, map, host);
+    else if (has_ending(verb.output, ".hexex"))
+      volume_map::write_hexex(file, positions, solid.tetrahedra, map, host);
+    else if (has_ending(verb.output, ".obj"))
+      write_parameter_obj(file, surface, host);
+    else
+      write_parameter_scene(file, surface, name, host);
+  });
+  if (verb.page.empty()) return;
+  write_parameter_page(verb.page, surface, name,
+                       {{"Tetrahedra", std::to_string(solid.tetrahedra.size())},
+                        {"Energy (eq. 5.3 over the volume)", number(map.energy)},
+                        {"Inverted tetrahedra", std::to_string(map.inverted)},
+                        {"Singular edges", std::to_string(map.singular_edges.size())}},
+                       session);
+}
+
+void run_parameterize(const ParameterizeVerb& verb, Session& session) {
+  if (!has_ending(verb.output, ".vtk") && !has_ending(verb.output, ".hexex") && !has_ending(verb.output, ".obj") &&
+      !is_gltf(verb.output))
+    throw Failure(Exit::wrong_input, verb.output, "unsupported-format",
+                  std::string("parameterizations are written to ") + parameter_endings);
+  if (!verb.frames.empty() && verb.feature_angle > 0)
+    throw Failure(Exit::wrong_input, "", "usage", "--feature-angle is for frames that are computed, without --frames");
+  require_folder(verb.output);
+  if (!verb.page.empty()) require_folder(verb.page);
+  session.options() = {{"output", verb.output},   {"frames", verb.frames},
+                       {"integer", verb.integer}, {"feature_angle", verb.feature_angle},
+                       {"cells", verb.cells},     {"page", verb.page}};
+  mesh::Mesh solid = session.portion(0.05, [&] { return read_tetrahedra(verb, session); });
+  const int exponent = mesh::bring_to_unit_size(solid);
+  const double start = session.seconds();
+  const volume_map::Parameterization map = session.portion(0.9, [&] { return compute(verb, solid, session); });
+  session.figures()["output"] = verb.output;
+  session.figures().update(figures_of(solid, map, std::ldexp(map.cell_length, -exponent)));
+  session.figures()["seconds_compute"] = session.seconds() - start;
+  write(verb, solid, exponent, map, session);
+  for (const std::string& note : session.notes())
+    session.say("note: " + note);
+  session.say("wrote " + verb.output + ": energy " + number(map.energy) + ", " + std::to_string(map.inverted) + " of " +
+              std::to_string(solid.tetrahedra.size()) + " tetrahedra inverted, " +
+              std::to_string(map.singular_edges.size()) + " singular edges, " + std::to_string(map.patches) +
+              " planes on the boundary; constraints to " + number(map.residual));
+}
+
+}  // namespace
+
+void add_parameterize(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("parameterize", "compute coordinates of a solid along a frame field");
+  const auto options = std::make_shared<ParameterizeVerb>();
+  verb->add_option("SOLID", options->input, "tetrahedral mesh: " + cell_endings)->required()->type_name("");
+  verb->add_option(
+          "-o,--output", options->output,
+          "tetrahedra with the coordinates of their corners: .vtk .hexex; the boundary with the coordinates as "
+          "texture coordinates: .obj .glb .gltf")
+      ->required()
+      ->type_name("OUT");
+  verb->add_option("--frames", options->frames, "frame field of SOLID; default: computed")->type_name("FILE.frames");
+  verb->add_flag("--integer", options->integer,
+                 "round gaps, planes of the boundary and singular edges to integers, so that the grid of the "
+                 "coordinates is continuous");
+  verb->add_option("--cells", options->cells, "approximate number of unit cells of the coordinates [default: 10000]")
+      ->check(unnamed(CLI::Range(1, 10'000'000)))
+      ->type_name("N");
+  verb->add_option("--feature-angle", options->feature_angle,
+                   "minimum dihedral angle, in degrees, of boundary edges that computed frames follow; 0: none "
+                   "[default: 0]")
+      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->type_name("DEGREES");
+  verb->add_option("--page", options->page, "one HTML file with the boundary and its coordinates")
+      ->type_name("FILE.html");
+  add_common_options(*verb, common);
+  verb->callback([options, &common] {
+    Session session(common, "parameterize", options->input);
+    session.run([&] { run_parameterize(*options, session); });
+  });
+}
+
+}  // namespace orbicube::cli
