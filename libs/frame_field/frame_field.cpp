@@ -236,6 +236,8 @@ void check(std::size_t count, const Options& options, const Given& given) {
   require(in_range(options.repairs, Repairs::single_axis), "no such repairs");
   require(options.repairs == Repairs::none || options.method == Method::smooth,
           "method `dissertation` knows no repairs");
+  require(options.method == Method::smooth || options.start == Start::automatic || options.start == Start::identity,
+          "method `dissertation` starts from identity");
   require(options.feature_angle >= 0 && options.feature_angle < 4, "the feature angle is not in [0, pi]");
   require(options.relative_gain > 0 && options.relative_gain < 1, "the relative gain is not between 0 and 1");
   for (const GivenFrame& g : given.frames) {

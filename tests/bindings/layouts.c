@@ -679,6 +679,24 @@ _Static_assert(offsetof(obc_volume_map_solid_options, struct_size) == 0, "obc_vo
 _Static_assert(offsetof(obc_volume_map_solid_options, reserved) == 4, "obc_volume_map_solid_options.reserved");
 _Static_assert(offsetof(obc_volume_map_solid_options, corners) == 8, "obc_volume_map_solid_options.corners");
 _Static_assert(offsetof(obc_volume_map_solid_options, seed) == 16, "obc_volume_map_solid_options.seed");
+_Static_assert(sizeof(obc_volume_map_frame_map_options) == 24, "obc_volume_map_frame_map_options");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, struct_size) == 0, "obc_volume_map_frame_map_options.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, integer) == 4, "obc_volume_map_frame_map_options.integer");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, cell_length) == 8, "obc_volume_map_frame_map_options.cell_length");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, feature_angle) == 16, "obc_volume_map_frame_map_options.feature_angle");
+_Static_assert(sizeof(obc_volume_map_frame_map_report) == 88, "obc_volume_map_frame_map_report");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, struct_size) == 0, "obc_volume_map_frame_map_report.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, integers_optimal) == 4, "obc_volume_map_frame_map_report.integers_optimal");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, energy) == 8, "obc_volume_map_frame_map_report.energy");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, integer_cost) == 16, "obc_volume_map_frame_map_report.integer_cost");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, residual) == 24, "obc_volume_map_frame_map_report.residual");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, cell_length) == 32, "obc_volume_map_frame_map_report.cell_length");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, inverted) == 40, "obc_volume_map_frame_map_report.inverted");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, integers) == 48, "obc_volume_map_frame_map_report.integers");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, patches) == 56, "obc_volume_map_frame_map_report.patches");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, cut_faces) == 64, "obc_volume_map_frame_map_report.cut_faces");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, singular_edges) == 72, "obc_volume_map_frame_map_report.singular_edges");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, solves) == 80, "obc_volume_map_frame_map_report.solves");
 #elif defined(__wasm32__)
 _Static_assert(sizeof(obc_error) == 512, "obc_error");
 _Static_assert(offsetof(obc_error, status) == 0, "obc_error.status");
@@ -1339,5 +1357,23 @@ _Static_assert(offsetof(obc_volume_map_solid_options, struct_size) == 0, "obc_vo
 _Static_assert(offsetof(obc_volume_map_solid_options, reserved) == 4, "obc_volume_map_solid_options.reserved");
 _Static_assert(offsetof(obc_volume_map_solid_options, corners) == 8, "obc_volume_map_solid_options.corners");
 _Static_assert(offsetof(obc_volume_map_solid_options, seed) == 16, "obc_volume_map_solid_options.seed");
+_Static_assert(sizeof(obc_volume_map_frame_map_options) == 24, "obc_volume_map_frame_map_options");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, struct_size) == 0, "obc_volume_map_frame_map_options.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, integer) == 4, "obc_volume_map_frame_map_options.integer");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, cell_length) == 8, "obc_volume_map_frame_map_options.cell_length");
+_Static_assert(offsetof(obc_volume_map_frame_map_options, feature_angle) == 16, "obc_volume_map_frame_map_options.feature_angle");
+_Static_assert(sizeof(obc_volume_map_frame_map_report) == 88, "obc_volume_map_frame_map_report");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, struct_size) == 0, "obc_volume_map_frame_map_report.struct_size");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, integers_optimal) == 4, "obc_volume_map_frame_map_report.integers_optimal");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, energy) == 8, "obc_volume_map_frame_map_report.energy");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, integer_cost) == 16, "obc_volume_map_frame_map_report.integer_cost");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, residual) == 24, "obc_volume_map_frame_map_report.residual");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, cell_length) == 32, "obc_volume_map_frame_map_report.cell_length");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, inverted) == 40, "obc_volume_map_frame_map_report.inverted");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, integers) == 48, "obc_volume_map_frame_map_report.integers");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, patches) == 56, "obc_volume_map_frame_map_report.patches");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, cut_faces) == 64, "obc_volume_map_frame_map_report.cut_faces");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, singular_edges) == 72, "obc_volume_map_frame_map_report.singular_edges");
+_Static_assert(offsetof(obc_volume_map_frame_map_report, solves) == 80, "obc_volume_map_frame_map_report.solves");
 #endif
 typedef int not_empty;

@@ -330,3 +330,27 @@ TEST_CASE("Vertices in no cell change no bit of a field") {
   with.positions.insert(with.positions.end(), {{1e6, -2e5, 3}, {0.01, 0, 0}, {-7, 7, 1e9}});
   CHECK(same_bits(computed(solid).field, computed(with).field));
 }
+
+TEST_CASE("with matchings free on the sphere every field is a minimum of the sextic of section 6.1.4") {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> normal;
+  const auto frame = [&] {
+    return quaternion::normalized({normal(random), normal(random), normal(random), normal(random)});
+  };
+  for (int trial = 0; trial < 100; ++trial) {
+    const Quaternion between = quaternion::multiply(frame(), quaternion::conjugate(frame()));
+    // Eq. 6.7 and 6.8: s0 is the scalar part of pi q_ij, at most 1 for units, which the inverse of q_ij reaches.
+    const Quaternion pi = quaternion::conjugate(between);
+    CHECK(quaternion::multiply(pi, between).w == doctest::Approx(1).epsilon(1e-14));
+    CHECK(quaternion::multiply(frame(), between).w <= 1 + 1e-14);
+  }
+}
+
+TEST_CASE("the method of the dissertation refuses starts that it would ignore") {
+  const std::vector<Vector3> positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<Tetrahedron> tetrahedra = {{0, 1, 2, 3}};
+  for (const Start start : {Start::propagated, Start::harmonic, Start::diffusion})
+    CHECK_THROWS_AS(compute(positions, tetrahedra, {.start = start, .method = Method::dissertation}, {}, {}),
+                    base::Error);
+  CHECK_NOTHROW(compute(positions, tetrahedra, {.start = Start::identity, .method = Method::dissertation}, {}, {}));
+}

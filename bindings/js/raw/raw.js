@@ -902,6 +902,32 @@ export const layouts = {
       seed: ['u64', 16],
     },
   },
+  obc_volume_map_frame_map_options: {
+    size: 24,
+    fields: {
+      struct_size: ['u32', 0],
+      integer: ['i32', 4],
+      cell_length: ['f64', 8],
+      feature_angle: ['f64', 16],
+    },
+  },
+  obc_volume_map_frame_map_report: {
+    size: 88,
+    fields: {
+      struct_size: ['u32', 0],
+      integers_optimal: ['i32', 4],
+      energy: ['f64', 8],
+      integer_cost: ['f64', 16],
+      residual: ['f64', 24],
+      cell_length: ['f64', 32],
+      inverted: ['u64', 40],
+      integers: ['u64', 48],
+      patches: ['u64', 56],
+      cut_faces: ['u64', 64],
+      singular_edges: ['u64', 72],
+      solves: ['u64', 80],
+    },
+  },
 };
 
 /** Types of callbacks, result first: i 32-bit numbers and pointers, j BigInts of 64 bits, d doubles, v nothing. */

@@ -74,6 +74,91 @@ function map_to_polycube(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<
 end
 
 """
+A parameterization along frames: `parameters` (3 by 4 by m), and of each face, opposite a corner, `rotations`, `cut`, `labels` (4 by m) and
+`gaps` (3 by 4 by m); `singular_edges` (2 by k, from 1), and the `report`.
+"""
+struct FrameMap
+    parameters::Array{Float64,3}
+    rotations::Matrix{UInt8}
+    gaps::Array{Float64,3}
+    cut::Matrix{UInt8}
+    labels::Matrix{UInt8}
+    singular_edges::Matrix{Int}
+    report::Any
+end
+
+"""
+    parameterize(positions, tetrahedra; frames=nothing, options...)
+
+Coordinates whose gradients are the axes of the frames (4 by m; nothing: computed ones). Options: integer, cell_length, feature_angle.
+"""
+function parameterize(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; frames=nothing, threads=0, progress=nothing, options...)
+    chosen = filled(Raw.obc_volume_map_frame_map_options, Raw.obc_volume_map_frame_map_options_init, values(options))
+    report = sized(Raw.obc_volume_map_frame_map_report)
+    places, n, cells, m = solid_arrays(positions, tetrahedra)
+    frames === nothing || expect(columns(frames, 4, "frames"), m, "columns of frames")
+    quaternions = frames === nothing ? C_NULL : doubles(frames)
+    out = Ref(C_NULL)
+    hosted(threads=threads, progress=progress) do lent, error
+        Raw.obc_volume_map_frame_map_compute(places, n, cells, m, quaternions, chosen, lent, report, out, error)
+    end
+    try
+        edges = Matrix{UInt32}(undef, 2, Raw.obc_volume_map_frame_map_singular_edge_count(out[]))
+        parameters, gaps = Array{Float64}(undef, 3, 4, m), Array{Float64}(undef, 3, 4, m)
+        rotations, cut, labels = Matrix{UInt8}(undef, 4, m), Matrix{UInt8}(undef, 4, m), Matrix{UInt8}(undef, 4, m)
+        checked(error -> Raw.obc_volume_map_frame_map_copy(out[], parameters, rotations, gaps, cut, labels, edges, error))
+        FrameMap(parameters, rotations, gaps, cut, labels, Int.(edges) .+ 1, report)
+    finally
+        Raw.obc_volume_map_frame_map_destroy(out[])
+    end
+end
+
+"Finds points in a mesh of tetrahedra: `locate(locator, points)`, `sample(locator, points, values)`."
+mutable struct SolidLocator
+    handle::Ptr{Cvoid}
+    vertices::Int
+end
+
+function SolidLocator(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; host...)
+    places, n, cells, m = solid_arrays(positions, tetrahedra)
+    out = Ref(C_NULL)
+    hosted(; host...) do lent, error
+        Raw.obc_volume_map_locator_create(places, n, cells, m, lent, out, error)
+    end
+    finalizer(it -> released(Raw.obc_volume_map_locator_destroy, it.handle), SolidLocator(out[], n))
+end
+
+# As C has them: from 0, and 2^32 - 1 where no tetrahedron has the point.
+function located(locator::SolidLocator, points::AbstractArray; host...)
+    n, asked = columns(points, 3, "points"), doubles(points)
+    cells, weights = Vector{UInt32}(undef, n), Matrix{Float64}(undef, 4, n)
+    GC.@preserve locator hosted(; host...) do lent, error
+        Raw.obc_volume_map_locator_locate(locator.handle, asked, n, lent, cells, weights, error)
+    end
+    cells, weights
+end
+
+"The tetrahedron (from 1; 0: none) of each point, and its weights at the corners."
+function locate(locator::SolidLocator, points::AbstractArray; host...)
+    cells, weights = located(locator, points; host...)
+    [cell == typemax(UInt32) ? 0 : Int(cell) + 1 for cell in cells], weights
+end
+
+"""
+Values of the vertices, a column each, interpolated at points; NaN where no tetrahedron has the point. With the positions of the image as
+values it is the map, and for a locator of the image, with those in space, its inverse.
+"""
+function sample(locator::SolidLocator, points::AbstractArray, values::AbstractMatrix; host...)
+    expect(size(values, 2), locator.vertices, "columns of values")
+    cells, weights = located(locator, points; host...)
+    given, sampled = doubles(values), Matrix{Float64}(undef, size(values, 1), length(cells))
+    GC.@preserve locator hosted(; host...) do lent, error
+        Raw.obc_volume_map_locator_interpolate(locator.handle, cells, weights, length(cells), given, size(given, 1), lent, sampled, error)
+    end
+    sampled
+end
+
+"""
 A certified mesh of hexahedra: `positions` (3 by n), `hexahedra` (8 by m, as MEDIT and VTK order their vertices), `quads` of the boundary
 (4 by k, counter-clockwise seen from outside), `quad_patches`, the patch of the polycube that each lies on, and the `report`. All count from 1.
 """

@@ -381,6 +381,19 @@ end
         end, eachcol(solid.tetrahedra))
     @test volume(solid.positions) ≈ 1 && volume(solid.polycube) > 0
     @test_throws OrbicubeError map_to_polycube(corners, cells[[2, 1, 3, 4], :])
+
+    along = repeat([1.0, 0, 0, 0], 1, size(cells, 2))
+    charts = parameterize(corners, cells; frames=along, cell_length=0.5, integer=1)
+    @test (charts.report.inverted, charts.report.patches, size(charts.singular_edges, 2)) == (0, 6, 0)
+    for (t, cell) in enumerate(eachcol(cells))
+        @test charts.parameters[:, :, t] .- charts.parameters[:, 1, 1] ≈ 2 .* (corners[:, cell] .- corners[:, cells[1, 1]]) atol = 1e-6
+    end
+    @test_throws DimensionMismatch parameterize(corners, cells; frames=along[:, 2:end])
+
+    forward, backward = SolidLocator(solid.positions, solid.tetrahedra), SolidLocator(solid.polycube, solid.tetrahedra)
+    point = [0.25 0.5 0.875]'
+    @test sample(backward, sample(forward, point, solid.polycube), solid.positions) ≈ point
+    @test locate(forward, [2.0 0 0]')[1] == [0] && all(isnan, sample(forward, [2.0 0 0]', solid.polycube))
 end
 
 @testset "meshes of cells, searches and exact signs" begin

@@ -33,7 +33,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
     "obc_frame_field_options": (
         Option("start", "word", "auto",
                words={"auto": 0, "identity": 1, "propagated": 2, "harmonic": 3, "diffusion": 4, "given": 5},
-               doc="initial field, OBC_FRAME_FIELD_AUTO or another. Default: AUTO."),
+               doc="initial field, OBC_FRAME_FIELD_AUTO or another; with DISSERTATION AUTO or IDENTITY. Default: AUTO."),
         Option("method", "word", "smooth", words={"smooth": 0, "dissertation": 1},
                doc="OBC_FRAME_FIELD_SMOOTH or DISSERTATION. Default: SMOOTH."),
         Option("weighting", "word", "uniform", words={"uniform": 0, "geometric": 1},
@@ -367,5 +367,14 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                    "Default: 100."),
         Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="seed of random choices. Default: 0."),
+    ),
+    "obc_volume_map_frame_map_options": (
+        Option("integer", "bool", False,
+               doc="1: gaps, planes of the boundary and singular edges become integers; 0: real numbers. Default: 0."),
+        Option("cell_length", "float", 0.0,
+               doc="length in space of a step of 1 of the coordinates; 0: that of about 10000 cells. Default: 0."),
+        Option("feature_angle", "float", 0.0,
+               doc="minimum dihedral angle, in degrees, of boundary edges that computed frames follow; 0: none. Default: "
+                   "0."),
     ),
 }

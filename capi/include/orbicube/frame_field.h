@@ -63,7 +63,7 @@ enum {
 /* Methods. */
 enum {
   OBC_FRAME_FIELD_SMOOTH = 0, /* as described at the top */
-  OBC_FRAME_FIELD_DISSERTATION = 1    /* chapter 6 of the dissertation as printed: identity inside, fixed boundary frames and matchings */
+  OBC_FRAME_FIELD_DISSERTATION = 1    /* chapter 6 of the dissertation: identity inside, fixed boundary frames; matchings rounded first, not last */
 };
 
 /* Weights of inner faces in the energy. */
@@ -88,7 +88,7 @@ enum {
 typedef struct obc_frame_field_options {
   uint32_t struct_size;
 
-  int32_t start;          /* initial field, OBC_FRAME_FIELD_AUTO or another. Default: AUTO. */
+  int32_t start;          /* initial field, OBC_FRAME_FIELD_AUTO or another; with DISSERTATION AUTO or IDENTITY. Default: AUTO. */
   int32_t method;         /* OBC_FRAME_FIELD_SMOOTH or DISSERTATION. Default: SMOOTH. */
   int32_t weighting;      /* OBC_FRAME_FIELD_UNIFORM or GEOMETRIC. Default: UNIFORM. */
   int32_t align_boundary; /* 1: an axis is exactly along the normal of each boundary face; 0: the boundary is free. Default: 1. */

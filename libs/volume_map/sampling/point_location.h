@@ -36,6 +36,9 @@ class PointLocator {
   // below minus `tolerance`. O(log n) where few tetrahedra lie over each other.
   Location locate(const Vector3& point, double tolerance = 1e-9) const;
 
+  std::span<const Vector3> positions() const { return positions_; }
+  std::span<const Tetrahedron> tetrahedra() const { return tetrahedra_; }
+
  private:
   std::span<const Vector3> positions_;
   std::span<const Tetrahedron> tetrahedra_;

@@ -423,6 +423,35 @@ TEST_CASE("a cube is filled with hexahedra, and a tetrahedral cube goes to its p
   CHECK(solid.polycube.size() == solid.positions.size());
 }
 
+TEST_CASE("a tetrahedral cube is parameterized along its axes, and a map of it is a function with an inverse") {
+  std::vector<double> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 0, 1, 1, 0, 1, 0, 1, 1, 1, 1, 1}, image, axes;
+  const std::vector<std::uint32_t> cells = {0, 1, 3, 7, 0, 3, 2, 7, 0, 2, 6, 7, 0, 6, 4, 7, 0, 4, 5, 7, 0, 5, 1, 7};
+  for (int t = 0; t < 6; ++t)
+    axes.insert(axes.end(), {1, 0, 0, 0});
+  volume_map::FrameMapOptions options;
+  options.cell_length = 0.5;
+  options.integer = 1;
+  const auto map = volume_map::parameterize(corners, cells, axes, options);
+  CHECK(map.report.inverted == 0);
+  CHECK(map.report.patches == 6);
+  CHECK(map.singular_edges.empty());
+  for (std::size_t i = 0; i < map.parameters.size(); ++i) {
+    const double moved = 2 * (corners[3 * cells[i / 3] + i % 3] - corners[3 * cells[0] + i % 3]);
+    CHECK(std::abs(map.parameters[i] - map.parameters[i % 3] - moved) < 1e-6);
+  }
+  CHECK_THROWS_AS(volume_map::parameterize(corners, cells, Doubles(axes.data(), 20), options), Error);
+
+  for (const double x : corners)
+    image.push_back(2 * x + 1);
+  const std::vector<double> points = {0.25, 0.5, 0.875, 2, 0, 0};
+  const std::vector<double> images = volume_map::Locator(corners, cells).sample(points, image);
+  CHECK(images[2] == doctest::Approx(2.75));
+  CHECK(images[3] != images[3]);
+  const std::vector<double> back = volume_map::Locator(image, cells).sample(Doubles(images.data(), 3), corners);
+  for (std::size_t a = 0; a < 3; ++a)
+    CHECK(back[a] == doctest::Approx(points[a]));
+}
+
 TEST_CASE("frames to start from are one a tetrahedron") {
   const std::vector<double> corners = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}, too_few = {1, 0, 0};
   const std::vector<std::uint32_t> cells = {0, 1, 2, 3};

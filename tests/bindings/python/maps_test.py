@@ -465,6 +465,39 @@ class Cubes(unittest.TestCase):
         with self.assertRaises(orbicube.UnsuitableSurface):
             volume_map.map_to_polycube((positions, tetrahedra[:, [1, 0, 2, 3]]))
 
+    def test_a_map_of_a_solid_is_a_function_with_an_inverse(self):
+        positions, tetrahedra = box_of_tetrahedra(2)
+        solid = volume_map.map_to_polycube((positions, tetrahedra))
+        f = volume_map.PiecewiseLinearMap(solid.positions, solid.polycube, solid.tetrahedra)
+        points = np.random.default_rng(3).random((200, 3))
+        np.testing.assert_allclose(f.inverse(f(points)), points, atol=1e-9)  # the smallest images are 1e-4 of a cell
+        np.testing.assert_allclose(f(solid.positions), solid.polycube, atol=1e-9)
+        self.assertTrue(np.isnan(f([[0.5, 0.5, 2]])).all())
+        locator = volume_map.Locator(solid)
+        cells, weights = locator.locate(points)
+        made = (weights[:, :, None] * solid.positions[solid.tetrahedra[cells]]).sum(axis=1)
+        np.testing.assert_allclose(made, points, atol=1e-12)
+        np.testing.assert_allclose(locator.sample(points, solid.positions[:, 0]), points[:, 0], atol=1e-12)
+        self.assertEqual(locator.locate(points, threads=1)[1].tobytes(), weights.tobytes())
+
+    def test_a_box_is_parameterized_along_its_axes(self):
+        positions, tetrahedra = box_of_tetrahedra(3)
+        frames = np.tile([1.0, 0, 0, 0], (len(tetrahedra), 1))
+        for given in (frames, None):
+            map = volume_map.parameterize((positions, tetrahedra), given, integer=True, cell_length=1 / 3)
+            self.assertEqual((map.report.inverted, map.report.patches, len(map.singular_edges)), (0, 6, 0))
+            self.assertLess(map.report.energy, 1e-9)
+            self.assertLess(map.report.residual, 1e-12)
+            # Each chart is that of space up to a rotation of the cube.
+            for corners, cell in zip(map.parameters, tetrahedra):
+                e, p = corners[1:] - corners[0], 3 * (positions[cell[1:]] - positions[cell[0]])
+                turn = np.linalg.solve(p, e)
+                np.testing.assert_allclose(np.abs(turn).round(6).sum(axis=0), 1, atol=1e-5)
+        with self.assertRaises(ValueError):
+            volume_map.parameterize((positions, tetrahedra), frames[1:])
+        with self.assertRaises(orbicube.InvalidArgument):
+            volume_map.parameterize((positions, tetrahedra), frames, feature_angle=40)
+
     @unittest.skipUnless(HAS_TETRAHEDRA, "the library tetrahedra is not there")
     def test_a_surface_is_filled(self):
         shape = mesh.make("cube", 300)

@@ -28,6 +28,8 @@ LOCATOR = sphere_map.Locator(SURFACE, DIRECTIONS)
 PIXELS = LOCATOR.image(SURFACE[0], "octahedron", 4)
 WARP = sphere_map.Warp([[0, 0, 1.0]], [[0, 0.1, 1.0]])
 SEARCH = mesh.Search(SURFACE)
+IN_SOLID = volume_map.Locator(SOLID)
+MAP_OF_SOLID = volume_map.PiecewiseLinearMap(SOLID[0], 2 * SOLID[0], SOLID[1])
 FRAMES = np.tile(Q, (len(SOLID[1]), 1))
 ROWS = np.eye(3)[:2]
 SYSTEM = [[2.0, -1.0], [-1.0, 2.0]]
@@ -193,6 +195,13 @@ CALLS = {
         "solid": SOLID, "rest": SOLID[0], "fixed": np.ones(len(SOLID[0]), bool),
         "ties": np.full((len(SOLID[0]), 3), 2**32 - 1)}),
     "volume_map.map_to_polycube": (volume_map.map_to_polycube, {"solid": SOLID}),
+    "volume_map.parameterize": (volume_map.parameterize, {"solid": SOLID, "frames": FRAMES, "cell_length": 0.5}),
+    "volume_map.Locator": (volume_map.Locator, {"solid": SOLID}),
+    "volume_map.Locator.locate": (IN_SOLID.locate, {"points": SOLID[0]}),
+    "volume_map.Locator.sample": (IN_SOLID.sample, {"points": SOLID[0], "values": SOLID[0]}),
+    "volume_map.PiecewiseLinearMap": (volume_map.PiecewiseLinearMap, {"positions": SOLID[0], "image": 2 * SOLID[0],
+                                                                      "tetrahedra": SOLID[1]}),
+    "volume_map.PiecewiseLinearMap.inverse": (MAP_OF_SOLID.inverse, {"points": SOLID[0]}),
     "hexmesh.fill_with_hexahedra": (hexmesh.fill_with_hexahedra, {"shape": SOLID, "frames": FRAMES, "cells": 8}),
 }
 for name in ("inverse", "normalize", "exponential", "logarithm", "to_axis_angle", "to_rotation_vector", "to_matrix", "average"):
@@ -223,7 +232,8 @@ if HAS_TETRAHEDRA:
 NOT_WALKED = {"projected_gradient.scipy_method", "trust_region.scipy_method", "correspondence.Correspondence", "mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
               "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.Repaired", "sphere_map.SphereMap",
-              "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.Solid", "hexmesh.Hexes"}
+              "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.FrameMap", "volume_map.Solid",
+              "hexmesh.Hexes"}
 EACH_EVALUATION = ("ask", "ask_all", "tell", "save", "close")
 NO_MISTAKE = object()
 

@@ -11,7 +11,7 @@ from unittest import mock
 import numpy as np
 import orbicube
 from maps_test import box_of_tetrahedra
-from orbicube import gltf, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, trust_region, untangle
+from orbicube import gltf, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, trust_region, untangle, volume_map
 
 TRIANGLE = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
 
@@ -55,6 +55,8 @@ class Released(unittest.TestCase):
                 (orbicube.raw.sphere_map, "obc_sphere_map_locator_destroy", lambda: sphere_map.Locator(shape, directions)),
                 (orbicube.raw.sphere_map, "obc_sphere_map_warp_destroy", lambda: sphere_map.Warp([[0, 0, 1]], [[0, 1, 1]])),
                 (orbicube.raw.polycube, "obc_polycube_destroy", lambda: polycube.compute(mesh.make("cube", 100))),
+                (orbicube.raw.volume_map, "obc_volume_map_locator_destroy",
+                 lambda: volume_map.Locator((np.vstack([np.zeros(3), np.eye(3)]), [[0, 1, 2, 3]]))),
                 (orbicube.raw.trust_region, "obc_trust_region_destroy", lambda: trust_region.Solver([0, 0]))):
             with Counted(module, name) as destroy:
                 made = make()

@@ -18,7 +18,7 @@ pub const OBC_FRAME_FIELD_GIVEN: i32 = 5;
 
 /// as described at the top
 pub const OBC_FRAME_FIELD_SMOOTH: i32 = 0;
-/// chapter 6 of the dissertation as printed: identity inside, fixed boundary frames and matchings
+/// chapter 6 of the dissertation: identity inside, fixed boundary frames; matchings rounded first, not last
 pub const OBC_FRAME_FIELD_DISSERTATION: i32 = 1;
 
 /// 1
@@ -60,7 +60,7 @@ pub struct obc_frame_field_solid {
 #[derive(Clone, Copy)]
 pub struct obc_frame_field_options {
     pub struct_size: u32,
-    /// initial field, OBC\_FRAME\_FIELD\_AUTO or another. Default: AUTO.
+    /// initial field, OBC\_FRAME\_FIELD\_AUTO or another; with DISSERTATION AUTO or IDENTITY. Default: AUTO.
     pub start: i32,
     /// OBC\_FRAME\_FIELD\_SMOOTH or DISSERTATION. Default: SMOOTH.
     pub method: i32,

@@ -382,6 +382,26 @@ fn solids_become_hexahedra_and_polycubes() {
         Mesh::new(places, &[], &mapped.tetrahedra, &[]).unwrap().check_cells(&mut host()).unwrap();
     }
     assert!(volume_map::map_to_polycube(&corners, &tetrahedra[1..], &Default::default(), &mut host()).is_err());
+
+    let mut options = volume_map::FrameMapOptions::default();
+    options.cell_length = 0.5;
+    options.integer = 1;
+    let axes: Vec<f64> = (0..tetrahedra.len()).map(|i| if i % 4 == 0 { 1.0 } else { 0.0 }).collect();
+    let (map, report) = volume_map::parameterize(&corners, &tetrahedra, &axes, &options, &mut host()).unwrap();
+    assert_eq!((report.inverted, report.patches, map.singular_edges.len()), (0, 6, 0));
+    for (i, x) in map.parameters.iter().enumerate() {
+        let at = |tetrahedron: usize| corners[3 * tetrahedra[tetrahedron] as usize + i % 3];
+        assert!((x - map.parameters[i % 3] - 2.0 * (at(i / 3) - at(0))).abs() < 1e-6);
+    }
+    assert!(volume_map::parameterize(&corners, &tetrahedra, &axes[1..], &options, &mut host()).is_err());
+
+    let locate = |places: &[f64]| volume_map::Locator::new(places, &mapped.tetrahedra, &mut host()).unwrap();
+    let point = [0.25, 0.5, 0.875];
+    let image = locate(&mapped.positions).sample(&[point, [2.0, 0.0, 0.0]], &mapped.polycube, &mut host()).unwrap();
+    assert!(image[3].is_nan());
+    let back = locate(&mapped.polycube).sample(&[[image[0], image[1], image[2]]], &mapped.positions, &mut host()).unwrap();
+    assert!((0..3).all(|a| (back[a] - point[a]).abs() < 1e-9));
+    assert_eq!(locate(&mapped.positions).locate(&[[2.0, 0.0, 0.0]], &mut host()).unwrap()[0].0, u32::MAX);
 }
 
 #[test]
