@@ -1,6 +1,5 @@
 #include "orbicube/untangle.h"
 
-#include <algorithm>
 #include <cstring>
 #include <span>
 
@@ -8,15 +7,24 @@
 #include "capi/src/entry.h"
 #include "mesh/topology/conforming_tetrahedra.h"
 #include "untangle/tetrahedra/untangle_tetrahedra.h"
+#include "untangle/triangles/untangle_triangles.h"
 
 using namespace orbicube;
 using mesh::Tetrahedron;
+using mesh::Triangle;
 using mesh::Vector3;
+using untangle::Vector2d;
 
 namespace {
 
 obc_untangle_tetrahedra_problem no_tetrahedra() {
   obc_untangle_tetrahedra_problem t{};
+  t.struct_size = sizeof t;
+  return t;
+}
+
+obc_untangle_triangles_problem no_triangles() {
+  obc_untangle_triangles_problem t{};
   t.struct_size = sizeof t;
   return t;
 }
@@ -76,11 +84,37 @@ untangle::UntangleProblem view_of(const obc_untangle_tetrahedra_problem& t) {
           coordinates(t.ties)};
 }
 
-// Adds those of fixed vertices to the fixed coordinates.
-void fix_vertices(std::span<const std::uint8_t> vertices, std::span<std::uint8_t> coordinates) {
-  const std::size_t axes = coordinates.size() / std::max<std::size_t>(vertices.size(), 1);
-  for (std::size_t i = 0; i < coordinates.size(); ++i)
-    coordinates[i] |= vertices[i / axes];
+untangle::TriangleProblem view_of(const obc_untangle_triangles_problem& t) {
+  static_assert(sizeof(Vector2d) == 2 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(uint32_t));
+  capi::require(t.positions != nullptr || t.vertex_count == 0, "problem->positions is NULL");
+  capi::require(t.triangles != nullptr || t.triangle_count == 0, "problem->triangles is NULL");
+  constexpr std::size_t most = UINT32_MAX / 4;
+  capi::require(t.vertex_count < most && t.triangle_count < most, "too many vertices or triangles");
+  const auto coordinates = [&](const auto* from) { return std::span(from, from != nullptr ? 2 * t.vertex_count : 0); };
+  return {{reinterpret_cast<const Triangle*>(t.triangles), t.triangle_count},
+          {reinterpret_cast<const Vector2d*>(t.positions), t.vertex_count},
+          {reinterpret_cast<const Vector3*>(t.rest), t.rest != nullptr ? t.vertex_count : 0},
+          coordinates(t.fixed_coordinates),
+          coordinates(t.ties)};
+}
+
+// Returns an entry a coordinate, `axes` of them a vertex: those that are fixed by themselves, as vertices, or, where
+// nothing else is, with the boundary.
+template <class Problem, class Boundary>
+base::Array<std::uint8_t> fixed_coordinates(const Problem& given, std::span<const std::uint8_t> coordinates,
+                                            std::size_t axes, const obc_untangle_options& options,
+                                            const base::Host& host, const Boundary& boundary) {
+  base::Array<std::uint8_t> fixed(coordinates.begin(), coordinates.end(), host.memory);
+  const auto add = [&](std::span<const std::uint8_t> vertices) {
+    fixed.resize(axes * given.vertex_count);
+    for (std::size_t i = 0; i < fixed.size(); ++i)
+      fixed[i] |= vertices[i / axes];
+  };
+  if (given.fixed != nullptr)
+    add({given.fixed, given.vertex_count});
+  else if (coordinates.empty() && options.free_boundary == 0)
+    add(boundary());
+  return fixed;
 }
 
 }  // namespace
@@ -109,19 +143,39 @@ obc_status obc_untangle_tetrahedra(const obc_untangle_tetrahedra_problem* proble
     const capi::HostAdapter adapter(host);
     capi::write_versioned(report, empty_report());
     untangle::require_vertices(mesh.tetrahedra, mesh.start);
-    base::Array<std::uint8_t> fixed(mesh.fixed.begin(), mesh.fixed.end(), adapter.host().memory);
-    if (given.fixed != nullptr || (mesh.fixed.empty() && o.free_boundary == 0)) {
-      fixed.resize(3 * given.vertex_count);
-      if (given.fixed != nullptr)
-        fix_vertices({given.fixed, given.vertex_count}, fixed);
-      else
-        fix_vertices(mesh::boundary_vertices(mesh.tetrahedra, given.vertex_count, adapter.host()), fixed);
-    }
+    const base::Host& h = adapter.host();
+    const base::Array<std::uint8_t> fixed = fixed_coordinates(
+        given, mesh.fixed, 3, o, h, [&] { return mesh::boundary_vertices(mesh.tetrahedra, given.vertex_count, h); });
     mesh.fixed = fixed;
-    const untangle::Untangled untangled = untangle::untangle_tetrahedra(mesh, options_of(o), adapter.host());
+    const untangle::Untangled untangled = untangle::untangle_tetrahedra(mesh, options_of(o), h);
     capi::write_versioned(report, report_of(untangled));
     std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector3));
     untangle::require_untangled(untangled, mesh.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay");
+  });
+}
+
+obc_status obc_untangle_triangles_problem_init(obc_untangle_triangles_problem* problem, size_t struct_size) {
+  return capi::init_versioned(problem, struct_size, no_triangles());
+}
+
+obc_status obc_untangle_triangles(const obc_untangle_triangles_problem* problem, const obc_untangle_options* options,
+                                  const obc_host* host, double* result, obc_untangle_report* report, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(problem != nullptr, "the argument `problem` is NULL");
+    capi::require(result != nullptr, "result is NULL");
+    const obc_untangle_triangles_problem given = capi::copy_versioned(problem, no_triangles());
+    untangle::TriangleProblem mesh = view_of(given);
+    const obc_untangle_options o = capi::copy_versioned(options, default_options());
+    const capi::HostAdapter adapter(host);
+    capi::write_versioned(report, empty_report());
+    const base::Host& h = adapter.host();
+    const base::Array<std::uint8_t> fixed = fixed_coordinates(
+        given, mesh.fixed, 2, o, h, [&] { return untangle::boundary_vertices(mesh.triangles, given.vertex_count, h); });
+    mesh.fixed = fixed;
+    const untangle::UntangledTriangles untangled = untangle::untangle_triangles(mesh, options_of(o), h);
+    capi::write_versioned(report, report_of(untangled));
+    std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector2d));
+    untangle::require_untangled(untangled, mesh.triangles.size(), "triangle stays", "triangles stay");
   });
 }
 

@@ -1,4 +1,4 @@
-// orbicube untangle: inverted tetrahedra of a mesh untangled.
+// orbicube untangle: inverted tetrahedra of a solid, or triangles of a flat mesh, untangled.
 #include "untangle/tetrahedra/untangle_tetrahedra.h"
 
 #include <memory>
@@ -8,6 +8,7 @@
 
 #include "base/counted.h"
 #include "base/files/file.h"
+#include "files/exact_file.h"
 #include "files/surface_file.h"
 #include "mesh/files/write.h"
 #include "mesh/topology/cells.h"
@@ -15,6 +16,7 @@
 #include "report/embedding.h"
 #include "report/solver_choice.h"
 #include "report/text.h"
+#include "untangle/triangles/untangle_triangles.h"
 #include "verbs/verbs.h"
 
 namespace orbicube::cli {
@@ -34,20 +36,23 @@ struct UntangleVerb {
 // Without checks: read_mesh refuses inverted tetrahedra.
 mesh::Mesh read_tangled(const std::string& path, const base::Host& host, mesh::ReadReport& report) {
   const auto format = mesh::format_of_path(path);
-  if (!format || !mesh::holds(*format, mesh::Holds::cells))
-    throw base::Error("unsupported-format", "tetrahedra are read from " + cell_endings);
+  if (!format)
+    throw base::Error("unsupported-format",
+                      "flat meshes are read from " + mesh::format_endings() + ", tetrahedra from " + cell_endings);
   const base::Array<std::byte> bytes = base::read_file(path, host);
   if (bytes.empty()) throw base::Error("empty-file", "the file has no bytes");
   return mesh::row_of(*format).read(bytes, host, report);
 }
 
-mesh::Mesh read_tetrahedra(const std::string& path, Session& session) {
+// Tetrahedra, or triangles.
+mesh::Mesh read_elements(const std::string& path, Session& session) {
   return about(path, Role::input, [&] {
     mesh::ReadReport report;
     mesh::Mesh tangled = read_tangled(path, session.host(), report);
     for (const std::string& note : report.notes)
       session.note(note);
-    if (tangled.tetrahedra.empty()) throw base::Error("no-cells", "no tetrahedra");
+    if (tangled.tetrahedra.empty() && tangled.triangles.empty())
+      throw base::Error("no-cells", "no tetrahedra, and no triangles");
     if (!tangled.hexahedra.empty()) throw base::Error("unsupported", "hexahedra beside the tetrahedra");
     return tangled;
   });
@@ -85,10 +90,15 @@ Json json_of(const UntangleVerb& verb) {
           {"text", verb.text}};
 }
 
-// The same tetrahedra in the shapes to have, all of them positive.
+// The same tetrahedra in the shapes to have, all of them positive, or the same triangles.
 mesh::Mesh read_rest(const UntangleVerb& verb, const mesh::Mesh& solid, Session& session) {
-  mesh::Mesh rest = read_tetrahedra(verb.rest, session);
+  mesh::Mesh rest = read_elements(verb.rest, session);
   about(verb.rest, Role::input, [&] {
+    if (solid.tetrahedra.empty()) {
+      if (rest.triangles != solid.triangles || rest.positions.size() != solid.positions.size())
+        throw base::Error("unsupported", "not the same vertices and triangles as " + verb.input);
+      return;
+    }
     if (rest.tetrahedra != solid.tetrahedra || rest.positions.size() != solid.positions.size())
       throw base::Error("unsupported", "not the same vertices and tetrahedra as " + verb.input);
     const auto found = untangle::count_inverted(rest.tetrahedra, rest.positions, session.host());
@@ -118,10 +128,18 @@ untangle::Untangled untangle(const UntangleVerb& verb, const mesh::Mesh& solid, 
   });
 }
 
-Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::Untangled& result) {
+const char* elements_of(const mesh::Mesh& solid) {
+  return solid.tetrahedra.empty() ? "triangles" : "tetrahedra";
+}
+
+std::size_t count_of(const mesh::Mesh& solid) {
+  return solid.tetrahedra.empty() ? solid.triangles.size() : solid.tetrahedra.size();
+}
+
+Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::UntanglingFigures& result) {
   return {{"output", verb.output},
           {"vertices", solid.positions.size()},
-          {"tetrahedra", solid.tetrahedra.size()},
+          {elements_of(solid), count_of(solid)},
           {"inverted_before", result.inverted_before},
           {"inverted", result.inverted},
           {"steps", result.steps},
@@ -129,6 +147,87 @@ Json figures_of(const UntangleVerb& verb, const mesh::Mesh& solid, const untangl
           {"min_determinant", result.min_determinant},
           {"max_determinant", result.max_determinant},
           {"energy", result.energy}};
+}
+
+// The plane that the triangles lie in, z = const. Throws where they do not, and turns them all where all are clockwise.
+double plane_of(const UntangleVerb& verb, mesh::Mesh& flat, Session& session) {
+  return about(verb.input, Role::input, [&] {
+    const double z = flat.positions.empty() ? 0 : flat.positions[0].z();
+    base::Array<Eigen::Vector2d> positions(session.host().memory);
+    for (const mesh::Vector3& p : flat.positions) {
+      if (p.z() != z)
+        throw base::Error("unsupported", "no tetrahedra, and the triangles are not flat: z is " + number(z) + " and " +
+                                             number(p.z()) + "; a flat mesh has one z");
+      positions.emplace_back(p.head<2>());
+    }
+    for (const mesh::Triangle& t : flat.triangles) {
+      for (const mesh::Index v : t)
+        if (v >= positions.size()) throw base::Error("index-range", "a triangle has a vertex that does not exist");
+    }
+    base::Array<mesh::Triangle> turned(flat.triangles, session.host().memory);
+    for (mesh::Triangle& t : turned)
+      std::swap(t[1], t[2]);
+    if (untangle::count_inverted(turned, positions, session.host()).count == 0) {
+      session.note("all triangles are clockwise and were reversed");
+      flat.triangles = std::move(turned);
+    }
+    return z;
+  });
+}
+
+// Vertices of the plane of `z`; on it again in the end.
+untangle::UntanglingFigures untangle_flat(const UntangleVerb& verb, mesh::Mesh& flat, double z, const mesh::Mesh& rest,
+                                          Session& session) {
+  return about(verb.input, Role::input, [&] {
+    const base::Stage stage(session.host(), 0.95);
+    const base::Host& host = session.host();
+    base::Array<Eigen::Vector2d> start(host.memory);
+    for (const mesh::Vector3& p : flat.positions)
+      start.emplace_back(p.head<2>());
+    base::Array<std::uint8_t> fixed(host.memory);
+    if (!verb.free_boundary) {
+      for (const std::uint8_t on_boundary : untangle::boundary_vertices(flat.triangles, start.size(), host))
+        fixed.insert(fixed.end(), 2, on_boundary);
+    }
+    const untangle::UntangledTriangles result = untangle::untangle_triangles(
+        {.triangles = flat.triangles, .start = start, .rest = rest.positions, .fixed = fixed}, verb.options, host);
+    for (std::size_t v = 0; v < start.size(); ++v)
+      flat.positions[v] = {result.positions[v].x(), result.positions[v].y(), z};
+    return untangle::UntanglingFigures(result);
+  });
+}
+
+void say_result(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::UntanglingFigures& result,
+                Session& session) {
+  const std::string elements = solid.tetrahedra.empty()
+                                   ? base::counted(solid.triangles.size(), "triangle")
+                                   : base::counted(solid.tetrahedra.size(), "tetrahedron", "tetrahedra");
+  session.say("wrote " + verb.output + ": " + elements + ", all positive; " + std::to_string(result.inverted_before) +
+              " were not");
+  session.say("  determinants from " + number(result.min_determinant) + " to " + number(result.max_determinant) +
+              ", after " + std::to_string(result.steps) + " + " + base::counted(result.polish_steps, "step"));
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+void run_flat(const UntangleVerb& verb, mesh::Mesh& flat, Session& session) {
+  if (verb.solver != "own")
+    throw Failure(Exit::wrong_input, "", "usage", "--solver is for tetrahedra, and " + verb.input + " has triangles");
+  require_exact_output(verb.output);
+  const double z = plane_of(verb, flat, session);
+  mesh::Mesh rest(session.host().memory);
+  if (!verb.rest.empty()) rest = read_rest(verb, flat, session);
+  const double start = session.seconds();
+  const untangle::UntanglingFigures result = untangle_flat(verb, flat, z, rest, session);
+  session.figures().update(figures_of(verb, flat, result));
+  session.figures()["seconds_compute"] = session.seconds() - start;
+  if (result.inverted == 0 || verb.keep_partial) {
+    write_exactly(verb.output, flat.positions, flat.triangles, verb.text, session);
+    if (result.inverted > 0) session.keep();
+  }
+  about(verb.output, Role::output,
+        [&] { untangle::require_untangled(result, count_of(flat), "triangle stays", "triangles stay"); });
+  say_result(verb, flat, result, session);
 }
 
 // Throws unless all tetrahedra are positive; notes where the boundary intersects itself.
@@ -146,9 +245,14 @@ void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const un
 
 void run_untangle(const UntangleVerb& verb, Session& session) {
   const std::unique_ptr<untangle::BlockEngine> engine = start_solver(verb.solver);
-  require_cells_writable(verb.output);
+  require_writable(verb.output);
   session.options() = json_of(verb);
-  mesh::Mesh solid = session.portion(0.03, [&] { return read_tetrahedra(verb.input, session); });
+  mesh::Mesh solid = session.portion(0.03, [&] { return read_elements(verb.input, session); });
+  if (solid.tetrahedra.empty()) {
+    run_flat(verb, solid, session);
+    return;
+  }
+  require_cells_writable(verb.output);
   mesh::Mesh rest(session.host().memory);
   // Without shapes to have, tetrahedra that are all inverted are those of another order of vertices.
   if (verb.rest.empty())
@@ -165,27 +269,28 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
     if (result.inverted > 0) session.keep();
   }
   check_untangled(verb, solid, result, session);
-  session.say("wrote " + verb.output + ": " + base::counted(solid.tetrahedra.size(), "tetrahedron", "tetrahedra") +
-              ", all positive; " + std::to_string(result.inverted_before) + " were not");
-  session.say("  determinants from " + number(result.min_determinant) + " to " + number(result.max_determinant) +
-              ", after " + std::to_string(result.steps) + " + " + base::counted(result.polish_steps, "step"));
-  for (const std::string& note : session.notes())
-    session.say("  note: " + note);
+  say_result(verb, solid, result, session);
 }
 
 }  // namespace
 
 void add_untangle(CLI::App& app, CommonOptions& common) {
-  CLI::App* verb = app.add_subcommand("untangle", "untangle a tetrahedral mesh");
+  CLI::App* verb = app.add_subcommand("untangle", "untangle a tetrahedral or a flat triangular mesh");
   const auto options = std::make_shared<UntangleVerb>();
-  verb->add_option("TETS", options->input, "tetrahedra to read: " + cell_endings)->required()->type_name("");
-  verb->add_option("-o,--output", options->output, "mesh to write: " + cell_endings)->required()->type_name("OUT");
-  verb->add_option("--rest", options->rest,
-                   "mesh of the same tetrahedra with the target shapes; default: regular tetrahedra")
+  verb->add_option("IN", options->input,
+                   "mesh to read: tetrahedra (" + cell_endings + "), or triangles in a plane z = const (" +
+                       mesh::format_endings() + ")")
+      ->required()
+      ->type_name("");
+  verb->add_option("-o,--output", options->output, "mesh to write, of the same elements")->required()->type_name("OUT");
+  verb->add_option(
+          "--rest", options->rest,
+          "mesh of the same elements with the target shapes, such as a surface whose map to the plane IN is; default: "
+          "regular tetrahedra or triangles")
       ->type_name("REST");
   verb->add_flag("--free-boundary", options->free_boundary, "let boundary vertices move; default: they are fixed");
   verb->add_option("--steps", options->options.steps,
-                   "maximum number of steps until all tetrahedra are positive [default: 500]")
+                   "maximum number of steps until all elements are positive [default: 500]")
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");
   verb->add_option("--polish", options->options.polish_steps,
@@ -193,11 +298,11 @@ void add_untangle(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");
   verb->add_option("--volume-weight", options->options.volume_weight,
-                   "weight of volume relative to angle distortion [default: 1]")
+                   "weight of volume or area relative to angle distortion [default: 1]")
       ->check(unnamed(CLI::PositiveNumber))
       ->type_name("W");
   add_solver_option(*verb, options->solver);
-  verb->add_flag("--keep-partial", options->keep_partial, "write OUT also if tetrahedra remain inverted (exit code 1)");
+  verb->add_flag("--keep-partial", options->keep_partial, "write OUT also if elements remain inverted (exit code 1)");
   verb->add_flag("--text", options->text, "write text in place of binary VTK");
   add_common_options(*verb, common);
   verb->callback([options, &common] {

@@ -28,6 +28,38 @@ obc_untangle_tetrahedra_problem problem_of(const Box& box) {
   t.fixed_coordinates = box.fixed.data();
   return t;
 }
+
+// A square of 4 by 4 squares, each cut in two; vertices inside are at one corner.
+struct Square {
+  std::vector<double> start, rest;
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint8_t> fixed;
+
+  Square() {
+    for (std::uint32_t y = 0; y <= 4; ++y) {
+      for (std::uint32_t x = 0; x <= 4; ++x) {
+        const bool inside = x > 0 && y > 0 && x < 4 && y < 4;
+        start.insert(start.end(), {inside ? 0.0 : x, inside ? 0.0 : y});
+        rest.insert(rest.end(), {1.0 * x, 1.0 * y, 0.0});
+        fixed.push_back(!inside);
+        const std::uint32_t p = 5 * y + x;
+        if (x < 4 && y < 4) triangles.insert(triangles.end(), {p, p + 1, p + 6, p, p + 6, p + 5});
+      }
+    }
+  }
+
+  obc_untangle_triangles_problem problem() const {
+    obc_untangle_triangles_problem t;
+    REQUIRE(obc_untangle_triangles_problem_init(&t, sizeof t) == OBC_OK);
+    t.positions = start.data();
+    t.vertex_count = fixed.size();
+    t.triangles = triangles.data();
+    t.triangle_count = triangles.size() / 3;
+    t.rest = rest.data();
+    return t;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("An inverted box is untangled, in place too, and the report says how") {
@@ -160,6 +192,75 @@ TEST_CASE("Each allocation that fails, and each report that cancels, ends the un
   std::vector<double> result(box.start.size());
   const test::Call call = [&](const obc_host& host) {
     return obc_untangle_tetrahedra(&problem, nullptr, &host, result.data(), nullptr, nullptr);
+  };
+  test::check_failing_allocations(call);
+  test::check_cancelling(call);
+}
+
+TEST_CASE("A flat mesh is untangled, in place too, with its boundary fixed in each way") {
+  Square square;
+  obc_untangle_triangles_problem problem = square.problem();
+  std::vector<double> result(square.start.size()), again(square.start.size());
+  obc_untangle_report report;
+  REQUIRE(obc_untangle_report_init(&report, sizeof report) == OBC_OK);
+  REQUIRE(obc_untangle_triangles(&problem, nullptr, nullptr, result.data(), &report, nullptr) == OBC_OK);
+  CHECK(report.inverted_before > 0);
+  CHECK(report.inverted == 0);
+  CHECK(report.steps > 0);
+  CHECK(report.energy == doctest::Approx(4).epsilon(1e-4));
+  for (std::size_t t = 0; t < square.triangles.size(); t += 3) {
+    const auto* const v = &square.triangles[t];
+    CHECK(obc_mesh_orientation_2d(&result[2 * v[0]], &result[2 * v[1]], &result[2 * v[2]]) == 1);
+  }
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    if (square.fixed[i / 2] != 0) CHECK(result[i] == square.start[i]);
+    CHECK(std::abs(result[i] - square.rest[3 * (i / 2) + i % 2]) < 0.01);
+  }
+  problem.fixed = square.fixed.data();
+  REQUIRE(obc_untangle_triangles(&problem, nullptr, nullptr, again.data(), nullptr, nullptr) == OBC_OK);
+  CHECK(again == result);
+  std::vector<std::uint8_t> coordinates;
+  for (const std::uint8_t flag : square.fixed)
+    coordinates.insert(coordinates.end(), 2, flag);
+  problem.fixed = nullptr;
+  problem.fixed_coordinates = coordinates.data();
+  REQUIRE(obc_untangle_triangles(&problem, nullptr, nullptr, square.start.data(), nullptr, nullptr) == OBC_OK);
+  CHECK(square.start == result);
+}
+
+TEST_CASE("Wrong flat meshes are refused, and what has no solution is returned with the error") {
+  Square square;
+  const obc_untangle_triangles_problem problem = square.problem();
+  std::vector<double> result(square.start.size(), 99);
+  obc_error error;
+  CHECK(obc_untangle_triangles(nullptr, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_untangle_triangles(&problem, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  obc_untangle_triangles_problem wrong = problem;
+  wrong.positions = nullptr;
+  CHECK(obc_untangle_triangles(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  wrong = problem;
+  wrong.vertex_count = 5;
+  CHECK(obc_untangle_triangles(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_MALFORMED_FILE);
+  wrong.vertex_count = static_cast<std::size_t>(-1);
+  CHECK(obc_untangle_triangles(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  wrong = problem;
+  wrong.triangle_count = 0;
+  CHECK(obc_untangle_triangles(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(std::count(result.begin(), result.end(), 99) == static_cast<std::ptrdiff_t>(result.size()));
+  const std::vector<std::uint8_t> all(square.fixed.size(), 1);
+  wrong = problem;
+  wrong.fixed = all.data();
+  CHECK(obc_untangle_triangles(&wrong, nullptr, nullptr, result.data(), nullptr, &error) == OBC_NO_VALID_RESULT);
+  CHECK(std::string(error.message).find("triangles") != std::string::npos);
+  CHECK(result == square.start);
+}
+
+TEST_CASE("Each allocation that fails, and each report that cancels, ends the untangling of triangles") {
+  const Square square;
+  const obc_untangle_triangles_problem problem = square.problem();
+  std::vector<double> result(square.start.size());
+  const test::Call call = [&](const obc_host& host) {
+    return obc_untangle_triangles(&problem, nullptr, &host, result.data(), nullptr, nullptr);
   };
   test::check_failing_allocations(call);
   test::check_cancelling(call);

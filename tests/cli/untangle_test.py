@@ -43,6 +43,58 @@ class Untangle(InFolder):
         write_medit(self.path("tangled.mesh"), moved, cells)
         return positions, cells, boundary
 
+    def flat(self, n, z=0.5):
+        """A square of n by n squares cut in two with strewn inner vertices, as OBJ; its rest positions, triangles, and which are fixed."""
+        points = [[x, y] for y in range(n + 1) for x in range(n + 1)]
+        triangles = [t for y in range(n) for x in range(n) for p in [(n + 1) * y + x]
+                     for t in ([p, p + 1, p + n + 2], [p, p + n + 2, p + n + 1])]
+        boundary = [any(c in (0, n) for c in p) for p in points]
+        generator = random.Random(7)
+        moved = [p if fixed else [n * generator.random(), n * generator.random()] for p, fixed in zip(points, boundary)]
+        for name, places, height in (("flat.obj", moved, lambda p: z), ("surface.obj", points, lambda p: p[0] * p[1] / n)):
+            with open(self.path(name), "w", encoding="ascii") as file:
+                file.writelines(f"v {p[0]!r} {p[1]!r} {height(p)!r}\n" for p in places)
+                file.writelines("f " + " ".join(str(v + 1) for v in t) + "\n" for t in triangles)
+        return moved, triangles, boundary
+
+    def read_obj(self, path):
+        with open(path, encoding="ascii") as file:
+            rows = [line.split() for line in file]
+        return ([[float(c) for c in row[1:]] for row in rows if row and row[0] == "v"],
+                [[int(v) - 1 for v in row[1:]] for row in rows if row and row[0] == "f"])
+
+    def test_a_flat_mesh_is_positive_and_its_boundary_stays(self):
+        moved, triangles, boundary = self.flat(6)
+        out, report = self.path("out.obj"), self.path("report.json")
+        for more in ([], ["--rest", self.path("surface.obj")]):
+            done = run("untangle", self.path("flat.obj"), "-o", out, "--report", report, *more)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn("triangles, all positive", done.stdout + done.stderr)
+            result, same = self.read_obj(out)
+            self.assertEqual(same, triangles)
+            for corners in triangles:
+                a, b, c = ([Fraction(x) for x in result[v]] for v in corners)
+                self.assertGreater((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0)
+            for p, q, fixed in zip(moved, result, boundary):
+                self.assertEqual(q[2], 0.5)
+                if fixed:
+                    self.assertEqual(p, q[:2])
+            with open(report, encoding="utf-8") as file:
+                figures = json.load(file)
+            self.assertEqual((figures["inverted"], figures["triangles"]), (0, 72))
+            self.assertGreater(figures["inverted_before"], 10)
+
+    def test_flat_meshes_are_refused_with_reasons(self):
+        self.flat(4)
+        flat, surface, out = self.path("flat.obj"), self.path("surface.obj"), self.path("out.obj")
+        self.refused(2, "unsupported", surface, "untangle", surface, "-o", out)  # it is not flat
+        self.refused(2, "unsupported-format", self.path("out.stl"), "untangle", flat, "-o", self.path("out.stl"))
+        done = run("untangle", flat, "-o", out, "--solver", "petsc")
+        self.assertEqual(done.returncode, 2)
+        self.refused(1, "no-valid-result", out, "untangle", flat, "-o", out, "--steps", 0)
+        self.assertEqual(run("untangle", flat, "-o", out, "--steps", 0, "--keep-partial").returncode, 1)
+        self.assertTrue(os.path.exists(out))
+
     def test_all_are_positive_and_the_boundary_stays(self):
         positions, cells, boundary = self.tangled(4)
         out, report = self.path("out.mesh"), self.path("report.json")
@@ -106,8 +158,7 @@ class Untangle(InFolder):
         self.refused(2, "unsupported", self.path("other.mesh"), "untangle", tangled, "-o", out, "--rest",
                      self.path("other.mesh"))
         self.refused(2, "inverted-cell", tangled, "untangle", tangled, "-o", out, "--rest", tangled)
-        surface = self.made("cube", 600)
-        self.refused(2, "unsupported-format", surface, "untangle", surface, "-o", out)
+        self.refused(2, "unsupported-format", self.path("in.txt"), "untangle", self.path("in.txt"), "-o", out)
 
 
 if __name__ == "__main__":

@@ -24,8 +24,18 @@ struct Tetrahedra : detail::Filled<obc_untangle_tetrahedra_problem, obc_untangle
   }
 };
 
+// A flat mesh, x y a vertex; rest positions are x y z a vertex.
+struct Triangles : detail::Filled<obc_untangle_triangles_problem, obc_untangle_triangles_problem_init> {
+  Triangles(Doubles places, Indices corners) {
+    positions = places.data();
+    vertex_count = detail::rows(places.size(), 2, "positions");
+    triangles = corners.data();
+    triangle_count = detail::rows(corners.size(), 3, "triangles");
+  }
+};
+
 struct Untangled {
-  std::vector<double> positions;  // x y z a vertex
+  std::vector<double> positions;  // x y z a vertex; x y of a flat mesh
   Report report;
 };
 
@@ -51,6 +61,15 @@ inline Untangled tetrahedra(const Tetrahedra& problem, const Options& options = 
   return runs::run(3 * problem.vertex_count, host, best,
                    [&](double* result, obc_untangle_report* report, obc_error* error) {
                      return obc_untangle_tetrahedra(&problem, &options, detail::c(host), result, report, error);
+                   });
+}
+
+// The same for triangles in the plane.
+inline Untangled triangles(const Triangles& problem, const Options& options = {}, Host* host = nullptr,
+                           Untangled* best = nullptr) {
+  return runs::run(2 * problem.vertex_count, host, best,
+                   [&](double* result, obc_untangle_report* report, obc_error* error) {
+                     return obc_untangle_triangles(&problem, &options, detail::c(host), result, report, error);
                    });
 }
 

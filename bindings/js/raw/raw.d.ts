@@ -200,6 +200,7 @@ export const layouts: {
   readonly obc_untangle_options: Layout;
   readonly obc_untangle_report: Layout;
   readonly obc_untangle_tetrahedra_problem: Layout;
+  readonly obc_untangle_triangles_problem: Layout;
   readonly obc_volume_map_solid_options: Layout;
   readonly obc_volume_map_frame_map_options: Layout;
   readonly obc_volume_map_frame_map_report: Layout;

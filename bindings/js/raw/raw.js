@@ -893,6 +893,21 @@ export const layouts = {
       ties: ['u32', 36],
     },
   },
+  obc_untangle_triangles_problem: {
+    size: 40,
+    fields: {
+      struct_size: ['u32', 0],
+      reserved: ['i32', 4],
+      positions: ['u32', 8],
+      vertex_count: ['u32', 12],
+      triangles: ['u32', 16],
+      triangle_count: ['u32', 20],
+      rest: ['u32', 24],
+      fixed: ['u32', 28],
+      fixed_coordinates: ['u32', 32],
+      ties: ['u32', 36],
+    },
+  },
   obc_volume_map_solid_options: {
     size: 24,
     fields: {

@@ -2,18 +2,30 @@
 
 """
     positions, report = untangle(positions, tetrahedra; rest, fixed, ties, keep_best=false, options...)
+    positions, report = untangle(positions, triangles; rest, fixed, ties, keep_best=false, options...)
 
-Moves vertices until every tetrahedron (4 by m, from 1) is positive. rest: positions where each has the shape that it should have. fixed: a
-flag a coordinate (3 by n) or a vertex (n); default: boundary vertices are fixed. ties: a group a coordinate (3 by n), from 1 to 3 n, of which
-all are to be equal, or 0. Where some stay inverted an OrbicubeError is thrown or, with `keep_best`, the best is returned: `report.inverted`
-says how many. Options: max_steps, max_polish_steps, free_boundary, volume_weight, tolerance.
+Moves vertices until every tetrahedron (4 by m, from 1; positions 3 by n) is positive, or every triangle (3 by m) of a flat mesh (positions 2 by
+n). rest: positions (3 by n) where each has its target shape, such as a surface whose map to the plane a flat mesh is. fixed: a flag a coordinate
+or a vertex (n); default: boundary vertices are fixed. ties: a group a coordinate, from 1 to their number, of which all are to be equal, or 0.
+Where some stay inverted an OrbicubeError is thrown or, with `keep_best`, the best is returned: `report.inverted` says how many. Options:
+max_steps, max_polish_steps, free_boundary, volume_weight, tolerance.
 """
-function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
+function untangle(positions::AbstractMatrix, elements::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
                   keep_best=false, threads=0, progress=nothing, options...)
-    places, n, cells, m = solid_arrays(positions, tetrahedra)
-    problem = filled(Raw.obc_untangle_tetrahedra_problem, Raw.obc_untangle_tetrahedra_problem_init, NamedTuple())
+    flat = size(elements, 1) == 3
+    axes = flat ? 2 : 3
+    if flat
+        n, m = columns(positions, 2, "positions"), size(elements, 2)
+        all(v -> 1 <= v <= n, elements) || throw(ArgumentError("triangles: numbers of vertices from 1 to $n are needed"))
+        places, cells = doubles(positions), UInt32.(elements .- 1)
+        problem = filled(Raw.obc_untangle_triangles_problem, Raw.obc_untangle_triangles_problem_init, NamedTuple())
+        problem.triangles, problem.triangle_count = pointer(cells), m
+    else
+        places, n, cells, m = solid_arrays(positions, elements)
+        problem = filled(Raw.obc_untangle_tetrahedra_problem, Raw.obc_untangle_tetrahedra_problem_init, NamedTuple())
+        problem.tetrahedra, problem.tetrahedron_count = pointer(cells), m
+    end
     problem.positions, problem.vertex_count = pointer(places), n
-    problem.tetrahedra, problem.tetrahedron_count = pointer(cells), m
     shape, flags, groups = zeros(0, 0), UInt8[], UInt32[]
     if rest !== nothing
         expect(columns(rest, 3, "rest"), n, "columns of rest")
@@ -23,20 +35,21 @@ function untangle(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Intege
     if fixed !== nothing
         expect(size(fixed, ndims(fixed)), n, "columns of fixed")
         flags = vec(UInt8.(fixed .!= 0))
-        expect(length(flags), ndims(fixed) == 1 ? n : 3 * n, "fixed")
+        expect(length(flags), ndims(fixed) == 1 ? n : axes * n, "fixed")
         ndims(fixed) == 1 ? (problem.fixed = pointer(flags)) : (problem.fixed_coordinates = pointer(flags))
     end
     if ties !== nothing
-        expect(length(ties), 3 * n, "ties")
+        expect(length(ties), axes * n, "ties")
         groups = UInt32[group == 0 ? typemax(UInt32) : group - 1 for group in ties]
         problem.ties = pointer(groups)
     end
     chosen = filled(Raw.obc_untangle_options, Raw.obc_untangle_options_init, values(options))
     report = filled(Raw.obc_untangle_report, Raw.obc_untangle_report_init, NamedTuple())
-    result = Matrix{Float64}(undef, 3, n)
+    result = Matrix{Float64}(undef, axes, n)
     try
         GC.@preserve places cells shape flags groups hosted(threads=threads, progress=progress) do lent, error
-            Raw.obc_untangle_tetrahedra(problem, chosen, lent, result, report, error)
+            flat ? Raw.obc_untangle_triangles(problem, chosen, lent, result, report, error) :
+                   Raw.obc_untangle_tetrahedra(problem, chosen, lent, result, report, error)
         end
     catch error
         keep_best && error isa OrbicubeError && error.status == Raw.OBC_NO_VALID_RESULT || rethrow()

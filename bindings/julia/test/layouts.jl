@@ -60,6 +60,7 @@ const layouts = [
     (Orbicube.Raw.obc_untangle_options, 32, [0, 4, 8, 12, 16, 24]),
     (Orbicube.Raw.obc_untangle_report, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
     (Orbicube.Raw.obc_untangle_tetrahedra_problem, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64]),
+    (Orbicube.Raw.obc_untangle_triangles_problem, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64]),
     (Orbicube.Raw.obc_volume_map_solid_options, 24, [0, 4, 8, 16]),
     (Orbicube.Raw.obc_volume_map_frame_map_options, 24, [0, 4, 8, 16]),
     (Orbicube.Raw.obc_volume_map_frame_map_report, 88, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),

@@ -335,6 +335,11 @@ end
     @test_throws DimensionMismatch untangle(places, cells; fixed=trues(3))
     @test_throws ArgumentError untangle(places, cells .+ 1)
     @test_throws OrbicubeError untangle(places, cells; max_steps=-1, keep_best=true)
+    # Four triangles around a vertex that has left the square that they fill.
+    flat = [0.0 1 1 0 3; 0 0 1 1 2]
+    moved, report = untangle(flat, [1 2 3 4; 2 3 4 1; 5 5 5 5])
+    @test report.inverted_before > 0 && report.inverted == 0 && moved[:, 1:4] == flat[:, 1:4]
+    @test all(abs.(moved[:, 5] .- 0.5) .< 0.01)
 end
 
 "The scaled Jacobian of each corner of hexahedra, by arithmetic of our own."

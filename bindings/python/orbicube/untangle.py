@@ -1,6 +1,7 @@
 """Meshes without inverted elements.
 
     positions, report = tetrahedra((positions, tetrahedra), rest=rest_positions, fixed=fixed)
+    flat, report = triangles(flat, surface.triangles, rest=surface.positions)
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from ._call import HOST, NoValidResult, Progress, call, call_init, filled, with_
 from ._foreign import solid_of
 from .raw import untangle as raw
 
-__all__ = ["tetrahedra", "version"]
+__all__ = ["tetrahedra", "triangles", "version"]
 
 
 def _set_constraints(problem: Any, positions: Doubles, rest: Optional[ArrayLike], fixed: Optional[ArrayLike]) -> list[Any]:
@@ -73,6 +74,36 @@ def tetrahedra(solid: Any, *,
         kept.append(indices(ties, 3, len(positions), "ties", each="vertex"))
         problem.ties = address(kept[-1])
     return _run(raw.obc_untangle_tetrahedra, problem, chosen, positions, threads, progress)
+
+
+@with_options("obc_untangle_options")
+def triangles(positions: ArrayLike, triangles: ArrayLike, *,
+              # options of obc_untangle_options, written by scripts/bindings.py
+              max_steps: int = 500, max_polish_steps: int = 20, free_boundary: bool = False, volume_weight: float = 1.0,
+              tolerance: float = 0.0001,
+              # end of options
+              rest: Optional[ArrayLike] = None, fixed: Optional[ArrayLike] = None, ties: Optional[ArrayLike] = None, threads: int = 0, progress: Progress = None) -> tuple[Doubles, raw.obc_untangle_report]:
+    """Moves vertices in the plane, positions of shape (n, 2), until every triangle is positive; returns positions and a report. rest:
+    positions in which each has its target shape, of shape (n, 3), such as a surface whose map to the plane the mesh is, or (n, 2).
+    fixed, ties and errors as of tetrahedra(), for two coordinates a vertex."""
+    chosen = filled(raw.obc_untangle_options, raw.obc_untangle_options_init, locals())
+    places = doubles(positions, 2, name="positions")
+    corners = indices(triangles, 3, name="triangles")
+    problem = raw.obc_untangle_triangles_problem()
+    call_init(raw.obc_untangle_triangles_problem_init, problem)
+    problem.positions, problem.vertex_count = address(places), len(places)
+    problem.triangles, problem.triangle_count = address(corners), len(corners)
+    kept = _set_constraints(problem, places, None, fixed)
+    if rest is not None:
+        shapes = numbers(rest, "rest")
+        if shapes.ndim == 2 and shapes.shape[1] == 2:
+            shapes = np.hstack([shapes, np.zeros((len(shapes), 1))])
+        kept.append(doubles(shapes, 3, len(places), "rest", each="vertex"))
+        problem.rest = address(kept[-1])
+    if ties is not None:
+        kept.append(indices(ties, 2, len(places), "ties", each="vertex"))
+        problem.ties = address(kept[-1])
+    return _run(raw.obc_untangle_triangles, problem, chosen, places, threads, progress)
 
 
 def version() -> int:

@@ -1,4 +1,4 @@
-/* Orbicube untangle: moves the vertices of a tetrahedral mesh until no tetrahedron is inverted.
+/* Orbicube untangle: moves the vertices of a tetrahedral or a flat triangular mesh until no element is inverted.
  *
  * Method. Garanzha, Kaporin, Kudryavtseva, Protais, Ray and Sokolov (2021, "Foldover-free maps in 50 lines of code", ACM
  * Transactions on Graphics 40(4)): Newton's method lowers an energy of the maps from target shapes to elements, which is finite for
@@ -58,7 +58,7 @@ typedef struct obc_untangle_report {
   uint64_t inverted_before, inverted;      /* number of elements that are not positive before and after, by exact arithmetic */
   uint64_t steps, polish_steps;            /* number of steps taken */
   double min_determinant, max_determinant; /* minimum and maximum determinant after */
-  double energy; /* mean of |J|^2 / D^(2/3) + volume_weight (1 + D^2) / D; at least 5 with weight 1 */
+  double energy; /* mean of |J|^2 / D^(2/d) + volume_weight (1 + D^2) / D in d dimensions; with weight 1 at least d + 2 */
 } obc_untangle_report;
 
 /* Fill options with the defaults, and a report with zeros. */
@@ -104,6 +104,47 @@ OBC_API obc_status obc_untangle_tetrahedra_problem_init(obc_untangle_tetrahedra_
  * tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled. */
 OBC_API obc_status obc_untangle_tetrahedra(const obc_untangle_tetrahedra_problem *problem, const obc_untangle_options *options,
                                            const obc_host *host, double *result, obc_untangle_report *report, obc_error *error);
+
+/* ---- triangles in the plane ------------------------------------------------------------------------------------------ */
+
+/* A flat mesh of triangles to untangle, such as a map of a surface to the plane, with its constraints: a view of arrays of the caller.
+ * Coordinate 2 * vertex + axis is that of an axis of a vertex. Fill with _init. */
+typedef struct obc_untangle_triangles_problem {
+  uint32_t struct_size;
+  int32_t reserved;
+
+  const double *positions;   /* initial positions, x y a vertex. Default: NULL, which must be set. */
+  size_t vertex_count;       /* number of vertices. Default: 0. */
+  const uint32_t *triangles; /* three vertices a triangle, counter-clockwise unless inverted. Default: NULL, which must be set. */
+  size_t triangle_count;     /* number of triangles. Default: 0. */
+
+  /* Rest positions, x y z a vertex, in which each triangle has its target shape, of any size: the surface that is mapped, or a flat mesh with
+   * z = 0; NULL: the target shapes are equilateral triangles of equal size. Default: NULL. */
+  const double *rest;
+
+  const uint8_t *fixed; /* one entry a vertex, nonzero for a fixed one; NULL, unless fixed_coordinates is set or free_boundary is
+                         * nonzero: boundary vertices are fixed. Default: NULL. */
+  const uint8_t *fixed_coordinates; /* one entry a coordinate, nonzero for one that is fixed besides; NULL: none. Default: NULL. */
+
+  /* Groups of equal coordinates: one entry a coordinate, the number of its group, below 2 * vertex_count, or UINT32_MAX for none;
+   * NULL: no groups. A group with a fixed coordinate is fixed; any other group starts at its mean. Default: NULL. */
+  const uint32_t *ties;
+} obc_untangle_triangles_problem;
+
+/* Fills a problem with no vertices. */
+OBC_API obc_status obc_untangle_triangles_problem_init(obc_untangle_triangles_problem *problem, size_t struct_size);
+
+/* Moves vertices in the plane until all triangles are positive, counter-clockwise. result receives x y a vertex and may be
+ * problem->positions; fixed coordinates are unchanged and tied ones have the same bits. A mesh without inverted triangles is only polished.
+ * Where the boundary is a polygon without self-intersections and is fixed, the triangles of the result cover it without overlap. options,
+ * host and report may be NULL. Takes about 1 KB a triangle, and a sparse factor a step; up to three attempts.
+ * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
+ * errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+ * not manifold (kinds non-manifold-edge and inconsistent-orientation: three triangles at an edge, or two on one side of it);
+ * malformed file (kind index-range); degenerate (kind degenerate-face: a repeated vertex, a target shape without area;
+ * degenerate-geometry: zero area); out of memory; cancelled. */
+OBC_API obc_status obc_untangle_triangles(const obc_untangle_triangles_problem *problem, const obc_untangle_options *options,
+                                          const obc_host *host, double *result, obc_untangle_report *report, obc_error *error);
 
 /* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_untangle_version(void);

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "polycube/corners/corner_newton.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -70,9 +71,10 @@ double CornerMove::evaluate(const Vector2d& at, Vector2d* gradient) {
   fill();
   const std::size_t free = 2 * (region_.inside - (added() ? 0 : 1));
   if (free == 0) return planar_.energy(value_, options_.area_weight);
-  DistortionMinimum minimum(planar_, free, options_.area_weight, value_, host_);
-  if (!minimum.untangle(options_.untangling_steps)) return infinity;
-  const double energy = minimum.minimise(options_.steps, options_.min_gain);
+  untangle::PlanarNewton newton(planar_, free, corner_newton, host_);
+  if (!newton.untangle(value_, corner_schedule(options_.untangling_steps, options_.area_weight))) return infinity;
+  newton.polish(value_, options_.steps, options_.min_gain, options_.area_weight);
+  const double energy = planar_.energy(value_, options_.area_weight);
   if (gradient != nullptr) *gradient = slope();
   return energy;
 }
@@ -89,8 +91,9 @@ double CornerMove::relax() {
   }
   fill();
   if (!std::isfinite(planar_.energy(value_, options_.area_weight))) return infinity;
-  const double energy = DistortionMinimum(planar_, 2 * region_.inside, options_.area_weight, value_, host_)
-                            .minimise(options_.steps, options_.min_gain);
+  untangle::PlanarNewton(planar_, 2 * region_.inside, corner_newton, host_)
+      .polish(value_, options_.steps, options_.min_gain, options_.area_weight);
+  const double energy = planar_.energy(value_, options_.area_weight);
   relaxed_.clear();
   for (Index v = 0; v < space_.size(); ++v)
     relaxed_.push_back(position(v));

@@ -9,8 +9,8 @@
 
 #include <limits>
 
-#include "polycube/corners/corner_distortion.h"
 #include "polycube/corners/corner_region.h"
+#include "untangle/triangles/planar_triangles.h"
 
 namespace orbicube::polycube {
 
@@ -79,7 +79,7 @@ class CornerMove {
   Array<Index> slot_;
   Array<double> value_;
   Array<Vector2d> relaxed_;
-  PlanarTriangles planar_;
+  untangle::PlanarTriangles planar_;
 };
 
 }  // namespace orbicube::polycube

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 #include "polycube/corners/corner_cut.h"
+#include "polycube/corners/corner_newton.h"
 #include "polycube/surface/added_vertices.h"
 #include "polycube/surface/unit_size.h"
 
@@ -208,7 +209,7 @@ void smooth_map(WorkingMap& map, double area_weight, double min_area, int steps,
     for (std::size_t axis = 0; axis < 3; ++axis)
       value[number[v][axis]] = map.image[v][static_cast<Eigen::Index>(axis)];
   }
-  PlanarTriangles planar(host.memory);
+  untangle::PlanarTriangles planar(host.memory);
   for (Index f = 0; f < surface.faces(); ++f) {
     if (!surface.alive(f)) continue;
     const auto axis = static_cast<std::size_t>(axis_of(map.label[f]));
@@ -226,7 +227,7 @@ void smooth_map(WorkingMap& map, double area_weight, double min_area, int steps,
     planar.add(space, coordinates, signs, map.area, min_area);
   }
   if (!std::isfinite(planar.energy(value, area_weight))) return;
-  DistortionMinimum(planar, free, area_weight, value, host).minimise(steps, min_gain);
+  untangle::PlanarNewton(planar, free, corner_newton, host).polish(value, steps, min_gain, area_weight);
   const Array<Vector3> before(map.image, host.memory);
   for (Index v = 0; v < map.image.size(); ++v) {
     if (surface.outgoing(v) == no_index) continue;

@@ -39,7 +39,7 @@ struct OptimalCorners {
 };
 
 // Lowers the distortion of a positive map with its corners and the edges of its polycube where they are; steps and
-// least area as in DistortionMinimum. Triangles stay positive, exactly.
+// least area as in CornerMoveOptions. Triangles stay positive, exactly.
 void smooth_map(WorkingMap& map, double area_weight, double min_area, int steps, const base::Host& host);
 
 // The map must be certified; it is certified again, and refined where edges of the polycube are now. Without `domain`

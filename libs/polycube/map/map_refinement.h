@@ -2,9 +2,9 @@
 //
 // A vertex that comes back has a place in the kernel of its ring, whatever the map: beside the vertex that it was
 // merged into. Vertices along arcs stay on them. So a positive map of the coarse surface becomes one of the fine
-// surface without anything to untangle. Vertices are moved to where the energy of their triangles (untangling.h, with
-// eps = 0) is least: in one vertex that energy is convex, the sum of a square over a positive linear function and of
-// functions of the latter, so Newton's method finds the place.
+// surface without anything to untangle. Vertices are moved to where the energy of their triangles (planar_triangles.h,
+// with eps = 0) is least: in one vertex that energy is convex, the sum of a square over a positive linear function and
+// of functions of the latter, so Newton's method finds the place.
 #pragma once
 
 #include "polycube/surface/decimation.h"

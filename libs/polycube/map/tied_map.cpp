@@ -21,22 +21,22 @@ TiedMap::TiedMap(const Surface& of, const Patches& with, const base::Host& host)
   value.assign(next, 0);
 }
 
-TiedTriangles::TiedTriangles(const TiedMap& map, const base::Host& host)
-    : gradients(map.surface->triangles.size(), host.memory),
-      variables(map.surface->triangles.size(), host.memory),
-      sign(map.surface->triangles.size(), host.memory),
-      weight(map.surface->triangles.size(), host.memory) {
+untangle::PlanarTriangles triangles_of(const TiedMap& map, const base::Host& host) {
   const Surface& surface = *map.surface;
+  untangle::PlanarTriangles result(host.memory);
   for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
     const auto& t = surface.triangles[i];
     const AxisLabel label = map.label(static_cast<Index>(i));
     const auto u = static_cast<std::size_t>((axis_of(label) + 1) % 3);
     const auto v = static_cast<std::size_t>((axis_of(label) + 2) % 3);
+    std::array<Index, 6> variables{};
+    std::array<double, 6> signs{};
     for (std::size_t k = 0; k < 3; ++k) {
-      variables[i][2 * k] = map.variable[t[k]][u];
-      variables[i][2 * k + 1] = map.variable[t[k]][v];
+      variables[2 * k] = map.variable[t[k]][u];
+      variables[2 * k + 1] = map.variable[t[k]][v];
+      signs[2 * k] = sign_of(label);
+      signs[2 * k + 1] = 1;
     }
-    sign[i] = sign_of(label);
 
     // Slivers are widened a little, so that gradients stay finite.
     constexpr double min_height = 1e-7;
@@ -50,12 +50,17 @@ TiedTriangles::TiedTriangles(const TiedMap& map, const base::Host& host)
     const std::array<Eigen::Vector2d, 3> corner = {Eigen::Vector2d(0, 0), Eigen::Vector2d(length, 0),
                                                    Eigen::Vector2d(x, y)};
     const double twice_area = length * y;
+    std::array<Eigen::Vector2d, 3> hats;
     for (std::size_t k = 0; k < 3; ++k) {
       const Eigen::Vector2d edge = corner[(k + 2) % 3] - corner[(k + 1) % 3];
-      gradients[i][k] = Eigen::Vector2d(-edge.y(), edge.x()) / twice_area;
+      hats[k] = Eigen::Vector2d(-edge.y(), edge.x()) / twice_area;
     }
-    weight[i] = 0.5 * twice_area / surface.area;
+    result.variables.push_back(variables);
+    result.signs.push_back(signs);
+    result.hats.push_back(hats);
+    result.weights.push_back(0.5 * twice_area / surface.area);
   }
+  return result;
 }
 
 }  // namespace orbicube::polycube

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "polycube/labels/patches.h"
+#include "untangle/triangles/planar_triangles.h"
 
 namespace orbicube::polycube {
 
@@ -26,26 +27,9 @@ struct TiedMap {
   Array<double> value;                   // of each variable
 };
 
-// The triangles of a tied map as functions of its variables: for each triangle the gradients of the three hat functions
-// in its own plane, and the variables of its corners along the two axes of its patch, (u, v) of corner 0, 1, 2.
-struct TiedTriangles {
-  TiedTriangles(const TiedMap& map, const base::Host& host);
-
-  // Rows: u (turned so that positive determinants are positive triangles) and v of the polycube; columns: the plane of
-  // the triangle in space.
-  Eigen::Matrix2d jacobian(std::span<const double> value, std::size_t triangle) const {
-    Eigen::Matrix2d j = Eigen::Matrix2d::Zero();
-    for (std::size_t k = 0; k < 3; ++k) {
-      j.row(0) += sign[triangle] * value[variables[triangle][2 * k]] * gradients[triangle][k].transpose();
-      j.row(1) += value[variables[triangle][2 * k + 1]] * gradients[triangle][k].transpose();
-    }
-    return j;
-  }
-
-  Array<std::array<Eigen::Vector2d, 3>> gradients;
-  Array<std::array<Index, 6>> variables;
-  Array<double> sign;
-  Array<double> weight;  // areas, relative to the whole
-};
+// Returns the triangles of a tied map as functions of its variables: those of the corners along the two axes of the
+// patch, u (turned so that positive determinants are positive triangles) and v. Weights are areas, relative to the
+// whole.
+untangle::PlanarTriangles triangles_of(const TiedMap& map, const base::Host& host);
 
 }  // namespace orbicube::polycube

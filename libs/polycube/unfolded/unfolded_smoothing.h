@@ -15,8 +15,8 @@ struct SmoothingOptions {
 };
 
 // Moves vertices one by one, takes out vertices that were added to the input wherever the rest fits better without, and
-// then moves all at once by Newton's method with Gauss-Newton blocks (untangling.h). The map must be positive, and
-// stays so. Returns how many steps of all vertices it took. Throws Error "cancelled".
+// then moves all at once by Newton's method with Gauss-Newton blocks (planar_triangles.h). The map must be positive,
+// and stays so. Returns how many steps of all vertices it took. Throws Error "cancelled".
 int smooth_unfolded(UnfoldedMap& map, const SmoothingOptions& options, const base::Host& host);
 
 }  // namespace orbicube::polycube

@@ -400,6 +400,18 @@ TEST_CASE("inverted tetrahedra are untangled, or the best is handed out with the
   CHECK(best.report.inverted == right.report.inverted_before);
 }
 
+TEST_CASE("flipped triangles of a flat mesh are untangled") {
+  // Four triangles around a vertex that has left the square that they fill.
+  const std::vector<double> flat = {0, 0, 1, 0, 1, 1, 0, 1, 3, 2};
+  const std::vector<std::uint32_t> corners = {0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4};
+  const auto right = untangle::triangles(untangle::Triangles(flat, corners));
+  CHECK(right.report.inverted_before > 0);
+  CHECK(right.report.inverted == 0);
+  CHECK(std::equal(flat.begin(), flat.begin() + 8, right.positions.begin()));
+  for (std::size_t i = 8; i < 10; ++i)
+    CHECK(right.positions[i] == doctest::Approx(0.5).epsilon(0.01));
+}
+
 TEST_CASE("a cube is filled with hexahedra, and a tetrahedral cube goes to its polycube") {
   const std::vector<double> corners = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2, 1, 1, 1};
   const std::vector<std::uint32_t> triangles = {0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,

@@ -384,6 +384,28 @@ class Cubes(unittest.TestCase):
         np.testing.assert_array_equal(result[~inside], positions[~inside])
         mesh.check_cells(mesh.Mesh(result, tetrahedra=tetrahedra))
 
+    def test_flipped_triangles_are_turned_right(self):
+        x, y = np.meshgrid(np.arange(6.0), np.arange(6.0))
+        flat = np.column_stack([x.ravel(), y.ravel()])
+        corner = np.array([6 * j + i for j in range(5) for i in range(5)])[:, None]
+        triangles = np.vstack([corner + [0, 1, 7], corner + [0, 7, 6]])
+        inside = np.all((flat > 0) & (flat < 5), axis=1)
+        tangled = flat.copy()
+        tangled[inside] = tangled[inside][::-1]
+        result, report = untangle.triangles(tangled, triangles, rest=flat, max_polish_steps=50)
+        self.assertGreater(report.inverted_before, 0)
+        self.assertEqual(report.inverted, 0)
+        np.testing.assert_array_equal(result[~inside], flat[~inside])
+        np.testing.assert_allclose(result, flat, atol=0.01)
+        for a, b, c in result[triangles]:
+            self.assertEqual(mesh.orientation_2d(a, b, c), 1)
+        same, _ = untangle.triangles(tangled, triangles, rest=np.column_stack([flat, np.zeros(36)]),
+                                     fixed=np.column_stack([~inside, ~inside]), max_polish_steps=50)
+        np.testing.assert_array_equal(result, same)
+        with self.assertRaises(orbicube.NoValidResult) as caught:
+            untangle.triangles(tangled, triangles, fixed=np.ones(36, bool))
+        np.testing.assert_array_equal(caught.exception.best[0], tangled)
+
     def check_hexes(self, hexes, volume, within=1e-9):
         """Corners by our own arithmetic, and a boundary in whole faces, of one piece, turned outward."""
         corners = hexes.positions[hexes.hexahedra]

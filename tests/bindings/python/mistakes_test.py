@@ -20,6 +20,7 @@ CUBE = mesh.make("cube", 100)
 SURFACE = (np.array(CUBE.positions), np.array(CUBE.triangles))
 DIRECTIONS = SURFACE[0] / np.linalg.norm(SURFACE[0], axis=1)[:, None]
 SOLID = box_of_tetrahedra(1)
+FLAT = np.array([[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]])
 Q, V = np.array([1.0, 0, 0, 0]), np.array([1.0, 2, 3])
 COEFFICIENTS = np.ones((9, 3)) + np.arange(27).reshape(9, 3)
 MAP = polycube.compute(CUBE)
@@ -194,6 +195,9 @@ CALLS = {
     "untangle.tetrahedra": (untangle.tetrahedra, {
         "solid": SOLID, "rest": SOLID[0], "fixed": np.ones(len(SOLID[0]), bool),
         "ties": np.full((len(SOLID[0]), 3), 2**32 - 1)}),
+    "untangle.triangles": (untangle.triangles, {
+        "positions": FLAT, "triangles": [[0, 1, 2], [0, 2, 3]], "rest": FLAT, "fixed": np.ones(4, bool),
+        "ties": np.full((4, 2), 2**32 - 1)}),
     "volume_map.map_to_polycube": (volume_map.map_to_polycube, {"solid": SOLID}),
     "volume_map.parameterize": (volume_map.parameterize, {"solid": SOLID, "frames": FRAMES, "cell_length": 0.5}),
     "volume_map.Locator": (volume_map.Locator, {"solid": SOLID}),

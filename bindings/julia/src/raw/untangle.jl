@@ -37,6 +37,20 @@ mutable struct obc_untangle_tetrahedra_problem <: CStruct
     obc_untangle_tetrahedra_problem() = zeroed!(new())
 end
 
+mutable struct obc_untangle_triangles_problem <: CStruct
+    struct_size::UInt32
+    reserved::Int32
+    positions::Ptr{Float64}
+    vertex_count::Csize_t
+    triangles::Ptr{UInt32}
+    triangle_count::Csize_t
+    rest::Ptr{Float64}
+    fixed::Ptr{UInt8}
+    fixed_coordinates::Ptr{UInt8}
+    ties::Ptr{UInt32}
+    obc_untangle_triangles_problem() = zeroed!(new())
+end
+
 const address_obc_untangle_options_init = Ref(C_NULL)
 obc_untangle_options_init(options, struct_size) =
     ccall(symbol(address_obc_untangle_options_init, :untangle, :obc_untangle_options_init), Int32, (Ptr{obc_untangle_options}, Csize_t), options, struct_size)
@@ -52,6 +66,14 @@ obc_untangle_tetrahedra_problem_init(problem, struct_size) =
 const address_obc_untangle_tetrahedra = Ref(C_NULL)
 obc_untangle_tetrahedra(problem, options, host, result, report, error) =
     ccall(symbol(address_obc_untangle_tetrahedra, :untangle, :obc_untangle_tetrahedra), Int32, (Ptr{obc_untangle_tetrahedra_problem}, Ptr{obc_untangle_options}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_untangle_report}, Ptr{obc_error}), problem, options, host, result, report, error)
+
+const address_obc_untangle_triangles_problem_init = Ref(C_NULL)
+obc_untangle_triangles_problem_init(problem, struct_size) =
+    ccall(symbol(address_obc_untangle_triangles_problem_init, :untangle, :obc_untangle_triangles_problem_init), Int32, (Ptr{obc_untangle_triangles_problem}, Csize_t), problem, struct_size)
+
+const address_obc_untangle_triangles = Ref(C_NULL)
+obc_untangle_triangles(problem, options, host, result, report, error) =
+    ccall(symbol(address_obc_untangle_triangles, :untangle, :obc_untangle_triangles), Int32, (Ptr{obc_untangle_triangles_problem}, Ptr{obc_untangle_options}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_untangle_report}, Ptr{obc_error}), problem, options, host, result, report, error)
 
 const address_obc_untangle_version = Ref(C_NULL)
 obc_untangle_version() =

@@ -49,11 +49,30 @@ class obc_untangle_tetrahedra_problem(_Struct):
     ]
 
 
+class obc_untangle_triangles_problem(_Struct):
+    """A flat mesh of triangles to untangle, such as a map of a surface to the plane, with its constraints: a view of arrays of the caller.
+    Coordinate 2 * vertex + axis is that of an axis of a vertex. Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("reserved", _c.c_int32),
+        ("positions", _c.c_void_p),
+        ("vertex_count", _c.c_size_t),
+        ("triangles", _c.c_void_p),
+        ("triangle_count", _c.c_size_t),
+        ("rest", _c.c_void_p),
+        ("fixed", _c.c_void_p),
+        ("fixed_coordinates", _c.c_void_p),
+        ("ties", _c.c_void_p),
+    ]
+
+
 _functions = [
     ("obc_untangle_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_untangle_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_untangle_tetrahedra_problem_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_untangle_tetrahedra", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_untangle_triangles_problem_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_untangle_triangles", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_untangle_version", _c.c_uint32, []),
 ]
 

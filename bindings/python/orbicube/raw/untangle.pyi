@@ -37,6 +37,19 @@ class obc_untangle_tetrahedra_problem(Struct):
     ties: Any
     def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Any = ..., vertex_count: int = ..., tetrahedra: Any = ..., tetrahedron_count: int = ..., rest: Any = ..., fixed: Any = ..., fixed_coordinates: Any = ..., ties: Any = ...) -> None: ...
 
+class obc_untangle_triangles_problem(Struct):
+    struct_size: int
+    reserved: int
+    positions: Any
+    vertex_count: int
+    triangles: Any
+    triangle_count: int
+    rest: Any
+    fixed: Any
+    fixed_coordinates: Any
+    ties: Any
+    def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., rest: Any = ..., fixed: Any = ..., fixed_coordinates: Any = ..., ties: Any = ...) -> None: ...
+
 def obc_untangle_options_init(options: Pointer, struct_size: int) -> int:
     """Fill options with the defaults, and a report with zeros."""
     ...
@@ -58,6 +71,22 @@ def obc_untangle_tetrahedra(problem: Pointer, options: Pointer, host: Pointer, r
     not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
     malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
     tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled."""
+    ...
+
+def obc_untangle_triangles_problem_init(problem: Pointer, struct_size: int) -> int:
+    """Fills a problem with no vertices."""
+    ...
+
+def obc_untangle_triangles(problem: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer) -> int:
+    """Moves vertices in the plane until all triangles are positive, counter-clockwise. result receives x y a vertex and may be
+    problem->positions; fixed coordinates are unchanged and tied ones have the same bits. A mesh without inverted triangles is only polished.
+    Where the boundary is a polygon without self-intersections and is fixed, the triangles of the result cover it without overlap. options,
+    host and report may be NULL. Takes about 1 KB a triangle, and a sparse factor a step; up to three attempts.
+    Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
+    errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+    not manifold (kinds non-manifold-edge and inconsistent-orientation: three triangles at an edge, or two on one side of it);
+    malformed file (kind index-range); degenerate (kind degenerate-face: a repeated vertex, a target shape without area;
+    degenerate-geometry: zero area); out of memory; cancelled."""
     ...
 
 def obc_untangle_version() -> int:

@@ -39,7 +39,7 @@ pub struct obc_untangle_report {
     pub min_determinant: f64,
     /// minimum and maximum determinant after
     pub max_determinant: f64,
-    /// mean of |J|^2 / D^(2/3) + volume\_weight (1 + D^2) / D; at least 5 with weight 1
+    /// mean of |J|^2 / D^(2/d) + volume\_weight (1 + D^2) / D in d dimensions; with weight 1 at least d + 2
     pub energy: f64,
 }
 
@@ -71,6 +71,34 @@ pub struct obc_untangle_tetrahedra_problem {
     pub ties: *const u32,
 }
 
+/// A flat mesh of triangles to untangle, such as a map of a surface to the plane, with its constraints: a view of arrays of the caller.
+/// Coordinate 2 \* vertex + axis is that of an axis of a vertex. Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_untangle_triangles_problem {
+    pub struct_size: u32,
+    pub reserved: i32,
+    /// initial positions, x y a vertex. Default: NULL, which must be set.
+    pub positions: *const f64,
+    /// number of vertices. Default: 0.
+    pub vertex_count: usize,
+    /// three vertices a triangle, counter-clockwise unless inverted. Default: NULL, which must be set.
+    pub triangles: *const u32,
+    /// number of triangles. Default: 0.
+    pub triangle_count: usize,
+    /// Rest positions, x y z a vertex, in which each triangle has its target shape, of any size: the surface that is mapped, or a flat mesh with
+    /// z = 0; NULL: the target shapes are equilateral triangles of equal size. Default: NULL.
+    pub rest: *const f64,
+    /// one entry a vertex, nonzero for a fixed one; NULL, unless fixed\_coordinates is set or free\_boundary is
+    /// nonzero: boundary vertices are fixed. Default: NULL.
+    pub fixed: *const u8,
+    /// one entry a coordinate, nonzero for one that is fixed besides; NULL: none. Default: NULL.
+    pub fixed_coordinates: *const u8,
+    /// Groups of equal coordinates: one entry a coordinate, the number of its group, below 2 \* vertex\_count, or UINT32\_MAX for none;
+    /// NULL: no groups. A group with a fixed coordinate is fixed; any other group starts at its mean. Default: NULL.
+    pub ties: *const u32,
+}
+
 extern "C" {
     /// Fill options with the defaults, and a report with zeros.
     pub fn obc_untangle_options_init(options: *mut obc_untangle_options, struct_size: usize) -> i32;
@@ -87,6 +115,18 @@ extern "C" {
     /// malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
     /// tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled.
     pub fn obc_untangle_tetrahedra(problem: *const obc_untangle_tetrahedra_problem, options: *const obc_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_untangle_report, error: *mut obc_error) -> i32;
+    /// Fills a problem with no vertices.
+    pub fn obc_untangle_triangles_problem_init(problem: *mut obc_untangle_triangles_problem, struct_size: usize) -> i32;
+    /// Moves vertices in the plane until all triangles are positive, counter-clockwise. result receives x y a vertex and may be
+    /// problem-\>positions; fixed coordinates are unchanged and tied ones have the same bits. A mesh without inverted triangles is only polished.
+    /// Where the boundary is a polygon without self-intersections and is fixed, the triangles of the result cover it without overlap. options,
+    /// host and report may be NULL. Takes about 1 KB a triangle, and a sparse factor a step; up to three attempts.
+    /// Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
+    /// errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+    /// not manifold (kinds non-manifold-edge and inconsistent-orientation: three triangles at an edge, or two on one side of it);
+    /// malformed file (kind index-range); degenerate (kind degenerate-face: a repeated vertex, a target shape without area;
+    /// degenerate-geometry: zero area); out of memory; cancelled.
+    pub fn obc_untangle_triangles(problem: *const obc_untangle_triangles_problem, options: *const obc_untangle_options, host: *const obc_host, result: *mut f64, report: *mut obc_untangle_report, error: *mut obc_error) -> i32;
     /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_untangle_version() -> u32;
 }
@@ -133,5 +173,18 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).fixed) } as usize - start as usize, 48, "obc_untangle_tetrahedra_problem.fixed");
         assert_eq!(unsafe { addr_of!((*start).fixed_coordinates) } as usize - start as usize, 56, "obc_untangle_tetrahedra_problem.fixed_coordinates");
         assert_eq!(unsafe { addr_of!((*start).ties) } as usize - start as usize, 64, "obc_untangle_tetrahedra_problem.ties");
+        assert_eq!((size_of::<obc_untangle_triangles_problem>(), align_of::<obc_untangle_triangles_problem>()), (72, 8));
+        let it = MaybeUninit::<obc_untangle_triangles_problem>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_untangle_triangles_problem.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).reserved) } as usize - start as usize, 4, "obc_untangle_triangles_problem.reserved");
+        assert_eq!(unsafe { addr_of!((*start).positions) } as usize - start as usize, 8, "obc_untangle_triangles_problem.positions");
+        assert_eq!(unsafe { addr_of!((*start).vertex_count) } as usize - start as usize, 16, "obc_untangle_triangles_problem.vertex_count");
+        assert_eq!(unsafe { addr_of!((*start).triangles) } as usize - start as usize, 24, "obc_untangle_triangles_problem.triangles");
+        assert_eq!(unsafe { addr_of!((*start).triangle_count) } as usize - start as usize, 32, "obc_untangle_triangles_problem.triangle_count");
+        assert_eq!(unsafe { addr_of!((*start).rest) } as usize - start as usize, 40, "obc_untangle_triangles_problem.rest");
+        assert_eq!(unsafe { addr_of!((*start).fixed) } as usize - start as usize, 48, "obc_untangle_triangles_problem.fixed");
+        assert_eq!(unsafe { addr_of!((*start).fixed_coordinates) } as usize - start as usize, 56, "obc_untangle_triangles_problem.fixed_coordinates");
+        assert_eq!(unsafe { addr_of!((*start).ties) } as usize - start as usize, 64, "obc_untangle_triangles_problem.ties");
     }
 }

@@ -69,6 +69,51 @@ pub fn tetrahedra_best(problem: &Tetrahedra, options: &Options, host: &mut Host)
     best_of(result, report, outcome)
 }
 
+/// A flat mesh to untangle; empty: none.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Triangles<'a> {
+    /// x y a vertex.
+    pub positions: &'a [f64],
+    pub triangles: &'a [u32],
+    /// Positions in which each triangle has its target shape, x y z a vertex.
+    pub rest: &'a [f64],
+    /// As of [`Tetrahedra`].
+    pub fixed: &'a [u8],
+    pub fixed_coordinates: &'a [u8],
+    pub ties: &'a [u32],
+}
+
+/// Moves vertices in the plane until every triangle is positive.
+pub fn triangles(problem: &Triangles, options: &Options, host: &mut Host) -> Result<(Vec<f64>, Report), Error> {
+    certain(triangles_best(problem, options, host)?)
+}
+
+/// The same; where some remain inverted, the best positions found, and the error beside them.
+pub fn triangles_best(problem: &Triangles, options: &Options, host: &mut Host) -> Result<Best, Error> {
+    let n = problem.positions.len();
+    let mut c: obc_untangle_triangles_problem = unsafe { std::mem::zeroed() };
+    unsafe { obc_untangle_triangles_problem_init(&mut c, std::mem::size_of::<obc_untangle_triangles_problem>()) };
+    c.positions = pointer(problem.positions);
+    c.vertex_count = rows(n, 2, "positions")?;
+    c.triangles = pointer(problem.triangles);
+    c.triangle_count = rows(problem.triangles.len(), 3, "triangles")?;
+    for (length, wanted, what) in [(problem.rest.len(), 3 * c.vertex_count, "rest"), (problem.fixed.len(), c.vertex_count, "fixed"),
+                                   (problem.fixed_coordinates.len(), n, "fixed_coordinates"), (problem.ties.len(), n, "ties")] {
+        if length != 0 {
+            expect_length(length, wanted, what)?;
+        }
+    }
+    c.rest = pointer(problem.rest);
+    c.fixed = pointer(problem.fixed);
+    c.fixed_coordinates = pointer(problem.fixed_coordinates);
+    c.ties = pointer(problem.ties);
+    let (mut result, mut report) = (vec![0.0; n], Report::default());
+    let outcome = call(host, |host, error| unsafe {
+        obc_untangle_triangles(&c, &options.0, host, result.as_mut_ptr(), &mut report.0, error)
+    });
+    best_of(result, report, outcome)
+}
+
 fn best_of(result: Vec<f64>, report: Report, outcome: Result<(), Error>) -> Result<Best, Error> {
     match outcome {
         Ok(()) => Ok((result, report, None)),

@@ -246,6 +246,12 @@ fn what_stays_tangled_is_handed_out_with_the_error() {
     assert_eq!((best, report.inverted), (positions.to_vec(), 1));
     assert_eq!(error.unwrap().status, sys::base::OBC_NO_VALID_RESULT);
     assert!(untangle::tetrahedra(&problem, &Default::default(), &mut host()).is_err());
+    // Four triangles around a vertex that has left the square that they fill.
+    let flat = [0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 3.0, 2.0];
+    let triangles = untangle::Triangles { positions: &flat, triangles: &[0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4], ..Default::default() };
+    let (untangled, report) = untangle::triangles(&triangles, &Default::default(), &mut host()).unwrap();
+    assert!(report.inverted_before > 0 && report.inverted == 0 && (untangled[8] - 0.5).abs() < 0.01);
+    assert!(untangle::triangles(&untangle::Triangles { rest: &[1.0; 10], ..triangles }, &Default::default(), &mut host()).is_err());
     let wrong = untangle::Tetrahedra { ties: &[7; 3], ..problem };
     assert_eq!(untangle::tetrahedra_best(&wrong, &Default::default(), &mut host()).err().unwrap().status, sys::base::OBC_INVALID_ARGUMENT);
 }
