@@ -62,7 +62,7 @@ Keep keep_for(const std::filesystem::path& output, Keep wanted) {
   return is_gltf(output) ? wanted : Keep::surface;
 }
 
-InputMesh read_input(const std::filesystem::path& path, bool weld, Session& session, Keep keep) {
+InputMesh read_input(const std::filesystem::path& path, bool weld, Session& session, Keep keep, bool tags) {
   require_known_ending(path);
   InputMesh input;
   const double start = session.seconds();
@@ -73,7 +73,7 @@ InputMesh read_input(const std::filesystem::path& path, bool weld, Session& sess
       input.kept = std::move(kept);
       return surface;
     }
-    return mesh::read_mesh(path, {.weld_identical = weld}, session.host(), &input.report);
+    return mesh::read_mesh(path, {.weld_identical = weld, .feature_tags = tags}, session.host(), &input.report);
   });
   input.seconds = session.seconds() - start;
   if (input.kept && keep == Keep::file) return input;  // nothing is changed

@@ -40,8 +40,10 @@ enum class Keep { surface, decoration, file };
 Keep keep_for(const std::filesystem::path& output, Keep wanted);
 
 // Reads a mesh. Vertices at one position are welded on request, in glTF files that are not closed as they stand, and in
-// STL. What the reader changed becomes notes of the session. Throws Failure "unsupported-format" for other endings.
-InputMesh read_input(const std::filesystem::path& path, bool weld, Session& session, Keep keep = Keep::surface);
+// STL. What the reader changed becomes notes of the session. `tags`: the report has what the file marks. Throws Failure
+// "unsupported-format" for other endings.
+InputMesh read_input(const std::filesystem::path& path, bool weld, Session& session, Keep keep = Keep::surface,
+                     bool tags = false);
 
 // Throws Failure "unsupported-format" unless files with such an ending can be written, and "io" when the folder is not
 // there: before long work, not after it.

@@ -34,7 +34,6 @@ Json figures_of(const hexmesh::Hexahedra& made) {
     return {{"method", made.method == hexmesh::Method::grid ? "grid" : "polycube"},
             {"padded", made.result.padded},
             {"follows_sharp_edges", made.result.follows_sharp_edges},
-            {"feature_curves", made.feature_curves},
             {"seconds_compute", made.compute_seconds}};
   }
   const hexmesh::FrameFigures& frames = *made.along_frames;
@@ -58,10 +57,38 @@ Json figures_of(const hexmesh::Hexahedra& made) {
 std::string besides(const hexmesh::Hexahedra& made) {
   if (made.along_frames)
     return base::counted(made.along_frames->inner_irregular_edges, "inner edge") + " with other than four hexahedra";
-  if (made.feature_curves > 0)
-    return "cells of a grid in space; " + base::counted(made.feature_curves, "sharp curve") + " kept";
+  if (made.features && made.features->replaced) return "cells of a grid in space around the features";
   if (made.method == hexmesh::Method::grid) return "cells of a grid in space";
   return base::counted(made.polycube_corners, "corner") + " of the polycube";
+}
+
+Json place(const mesh::Vector3& p) {
+  return {p[0], p[1], p[2]};
+}
+
+Json json_of(const hexmesh::FeatureFigures& features) {
+  Json missing = Json::array();
+  for (const hexmesh::MissingFeature& m : features.missing) {
+    if (m.corner)
+      missing.push_back({{"corner", m.number}, {"place", place(m.from)}, {"why", m.why}});
+    else
+      missing.push_back({{"curve", m.number},
+                         {"from", place(m.from)},
+                         {"to", place(m.to)},
+                         {"captured", m.captured},
+                         {"why", m.why}});
+  }
+  return {{"curves", features.curves},     {"corners", features.corners},
+          {"captured", features.captured}, {"scaled_jacobian_bound", features.bound},
+          {"replaced", features.replaced}, {"missing", missing}};
+}
+
+std::string features_text(const hexmesh::FeatureFigures& features) {
+  if (features.curves + features.corners == 0) return "no features";
+  return std::to_string(features.curves - features.missing_curves()) + " of " + std::to_string(features.curves) +
+         " feature curves and " + std::to_string(features.corners - features.missing_corners()) + " of " +
+         std::to_string(features.corners) + " corners kept, " + number(100 * features.captured) + " % of the length" +
+         (features.replaced ? "; they bound scaled Jacobians by " + number(features.bound) : "");
 }
 
 // Null where the unit of the input takes it out of the range of double.
@@ -85,6 +112,16 @@ std::string worst_piece_text(const hexmesh::HexResult& result) {
          base::counted(worst->hexahedra, "hexahedron", "hexahedra");
 }
 
+// Why a mesh is no result; empty if it is one.
+std::string shortfall(const HexOutput& output, const hexmesh::Hexahedra& made, double asked) {
+  if (asked > 0 && !(std::max(made.result.distance, made.result.volume_error) <= far * asked))
+    return figures_text(made.result) + ": more than twice --distance " + number(asked) +
+           "; raise --cells and --max-cells, or --distance";
+  if (output.strict && made.features && !made.features->missing.empty())
+    return hexmesh::missing_text(*made.features, 3) + "; raise --cells and --max-cells, or --features auto";
+  return {};
+}
+
 }  // namespace
 
 void require_hex_output(const HexOutput& output) {
@@ -100,6 +137,10 @@ void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double as
   hexmesh::HexResult& result = made.result;
   const hexmesh::HexQuality& quality = result.quality;
   session.figures().update(figures_of(made));
+  if (made.features) {
+    session.figures()["features"] = json_of(*made.features);
+    if (!made.features->missing.empty()) session.note(hexmesh::missing_text(*made.features, 3));
+  }
   if (made.along_frames && made.along_frames->fields > 1)
     session.note("no map follows the smoothest field; that of the hexahedra is number " +
                  std::to_string(made.along_frames->fields));
@@ -117,11 +158,8 @@ void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double as
   Json& pieces = session.figures()["by_piece"] = Json::array();
   for (const hexmesh::HexPiece& piece : result.pieces)
     pieces.push_back(json_of(piece, session.figures()["method"]));
-  const double off = std::max(result.distance, result.volume_error);
-  const bool too_far = asked > 0 && !(off <= far * asked);
-  const std::string why = figures_text(result) + ": more than twice --distance " + number(asked) +
-                          "; raise --cells and --max-cells, or --distance";
-  if (too_far && !output.keep_partial)
+  const std::string why = shortfall(output, made, asked);
+  if (!why.empty() && !output.keep_partial)
     throw Failure(Exit::no_result, output.path, "no-valid-result", why + "; --keep-partial writes the mesh");
   if (!output.glb.empty()) {
     about(output.glb, Role::output, [&] {
@@ -141,12 +179,13 @@ void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double as
   session.say("  scaled Jacobians at least " + number(quality.min_scaled_jacobian) + ", " +
               number(quality.mean_scaled_jacobian) + " on average; " + besides(made));
   session.say("  " + figures_text(result));
+  if (made.features) session.say("  " + features_text(*made.features));
   if (result.pieces.size() > 1) session.say("  " + worst_piece_text(result));
-  if (too_far) {
+  if (!why.empty()) {
     session.keep();
     throw Failure(Exit::no_result, output.path, "no-valid-result", why + "; the mesh is kept");
   }
-  if (asked > 0 && off > asked)
+  if (asked > 0 && std::max(result.distance, result.volume_error) > asked)
     session.say("  that is more than --distance " + number(asked) + ", with any number of cells up to --max-cells");
 }
 

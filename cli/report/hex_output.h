@@ -13,6 +13,7 @@ struct HexOutput {
   std::string path;
   bool text = false;          // rather than binary VTK
   bool keep_partial = false;  // write also what is too far from the surface
+  bool strict = false;        // no result where features are missing
   std::string glb;            // to draw it in, or empty
   Cut cut = Cut::quarter;
 };

@@ -72,8 +72,9 @@ void add_mending_options(CLI::App& verb, Mending& mending) {
                 "repair the surface first, as orbicube repair does: welds, contacts, largest part, holes");
 }
 
-InputMesh read_mended(const std::filesystem::path& path, const Mending& mending, Session& session, Keep keep) {
-  InputMesh input = read_input(path, mending.weld, session, keep);
+InputMesh read_mended(const std::filesystem::path& path, const Mending& mending, Session& session, Keep keep,
+                      bool tags) {
+  InputMesh input = read_input(path, mending.weld, session, keep, tags);
   if (!mending.repair || !input.mesh.tetrahedra.empty() || !input.mesh.hexahedra.empty()) return input;
   about(path, Role::input, [&] {
     repair::Repaired repaired = repair::repair(input.mesh.positions, input.mesh.triangles, {}, session.host());
@@ -87,6 +88,10 @@ InputMesh read_mended(const std::filesystem::path& path, const Mending& mending,
     }
     input.mesh.positions = std::move(repaired.surface.positions);
     input.mesh.triangles = std::move(repaired.surface.triangles);
+    if (input.report.tags && !input.report.tags->empty()) {
+      input.report.tags.reset();
+      session.note("edges and vertices that the file marks were left out, since the surface was repaired");
+    }
     if (input.kept) {
       input.kept.reset();
       session.note("only the surface of the file was kept, since it was repaired");

@@ -23,7 +23,7 @@ void add_mending_options(CLI::App& verb, Mending& mending);
 // the entry "repair" of the session's figures. Meshes of cells stay as they are. What a glTF file has besides its
 // surface is kept only if nothing was changed. Throws Failure also where no closed, oriented manifold could be reached.
 InputMesh read_mended(const std::filesystem::path& path, const Mending& mending, Session& session,
-                      Keep keep = Keep::surface);
+                      Keep keep = Keep::surface, bool tags = false);
 
 // What the steps did, one sentence each; empty for a clean surface.
 std::vector<std::string> lines_of(const repair::Report& report);

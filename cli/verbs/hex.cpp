@@ -26,6 +26,12 @@ const std::map<std::string, hexmesh::Padding> paddings = {
 
 const std::map<std::string, Cut> cuts = {{"quarter", Cut::quarter}, {"half", Cut::half}, {"none", Cut::none}};
 
+const std::map<std::string, hexmesh::Features> feature_sources = {{"off", hexmesh::Features::off},
+                                                                  {"auto", hexmesh::Features::automatic},
+                                                                  {"tags", hexmesh::Features::tags},
+                                                                  {"angles", hexmesh::Features::angles},
+                                                                  {"strict", hexmesh::Features::automatic}};
+
 struct HexVerb {
   SolidOptions solid;
   HexOutput output;
@@ -51,7 +57,7 @@ hexmesh::Options options_of(const HexVerb& verb, const Session& session) {
   options.distance = verb.distance;
   options.max_cells = verb.max_cells;
   options.feature_angle = verb.feature_angle;
-  options.features = verb.features == "auto" ? hexmesh::Features::automatic : hexmesh::Features::off;
+  options.features = feature_sources.at(verb.features);
   options.fill = fill_by_tetgen();
   return options;
 }
@@ -68,13 +74,9 @@ void run_hex(const HexVerb& verb, Session& session) {
   if (verb.method == "grid" && verb.padding == "without")
     throw Failure(Exit::wrong_input, "", "usage",
                   "--padding without: the cells of a grid in space have a layer around");
-  const bool grid_may = verb.method == "auto" || verb.method == "grid";
-  if (verb.features == "auto" && (!grid_may || !verb.frames.empty() || verb.padding == "without"))
-    throw Failure(Exit::wrong_input, "", "usage",
-                  "--features auto: sharp edges are kept by cells of a grid with a layer around; leave out --frames, "
-                  "--padding without and other methods than auto and grid");
   HexOutput output = verb.output;
   output.cut = cuts.at(verb.cut);
+  output.strict = verb.features == "strict";
   require_hex_output(output);
   session.options() = {{"output", output.path},
                        {"cells", verb.cells},
@@ -90,14 +92,24 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
   const bool by_polycube = verb.method == "auto" || verb.method == "polycube";
-  if (!verb.solid.from.empty() && (!by_polycube || !verb.frames.empty() || verb.features == "auto"))
-    throw Failure(Exit::wrong_input, "", "usage", "--from is for --method polycube, without --features auto");
+  if (!verb.solid.from.empty() && (!by_polycube || !verb.frames.empty() || verb.features != "off"))
+    throw Failure(Exit::wrong_input, "", "usage", "--from is for --method polycube, without --features");
   hexmesh::Options options = options_of(verb, session);
   const std::optional<SolidPolycube> given = read_solid_polycube(verb.solid, session);
   if (given) options.given = given->view();
   session.options()["feature_angle"] = hexmesh::feature_angle_of(options);
-  const InputMesh input =
-      session.portion(0.01, [&] { return read_mended(verb.solid.input, verb.solid.mending, session); });
+  const bool features = options.features != hexmesh::Features::off;
+  const InputMesh input = session.portion(
+      0.01, [&] { return read_mended(verb.solid.input, verb.solid.mending, session, Keep::surface, features); });
+  if (verb.features == "tags" && (!input.report.tags || input.report.tags->empty()))
+    throw Failure(Exit::wrong_input, "", "usage",
+                  "--features tags: " + verb.solid.input +
+                      " marks no edges and no vertices; --features auto finds sharp "
+                      "edges");
+  if (input.report.tags) {
+    options.tagged_edges = input.report.tags->edges;
+    options.tagged_vertices = input.report.tags->vertices;
+  }
   frame_field::Field frames(session.host().memory);
   if (!verb.frames.empty() && hexmesh::by_frames(options)) frames = read_given_frames(verb, input.mesh, session.host());
   options.frames = frames;
@@ -145,9 +157,10 @@ void add_hex(CLI::App& app, CommonOptions& common) {
       ->type_name("DEGREES");
   verb->add_option(
           "--features", options->features,
-          "auto: keep sharp edges of --feature-angle and their corners where possible, grid-based; off: follow "
-          "them to the accuracy of the method [default: off]")
-      ->check(unnamed(CLI::IsMember({"off", "auto"})))
+          "edges and corners of IN that OUT should have, grid-based where the method does not keep them: auto, "
+          "sharp ones of --feature-angle and clear ones among those that IN marks; tags, all that IN marks; angles, "
+          "sharp ones only; strict, as auto, and a missing one is an error; off [default: off]")
+      ->check(unnamed(CLI::IsMember({"off", "auto", "tags", "angles", "strict"})))
       ->type_name("F");
   verb->add_option("--padding", options->padding,
                    "layer of hexahedra at the boundary: auto, on the patches where it improves the mesh; with; without "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -11,7 +12,7 @@
 
 #include "base/counted.h"
 #include "base/error.h"
-#include "hexmesh/features/feature_hexes.h"
+#include "hexmesh/captured/feature_choice.h"
 #include "hexmesh/strategies/hex_pieces.h"
 #include "hexmesh/strategies/machined_shape.h"
 #include "mesh/search/unit_scale.h"
@@ -233,69 +234,58 @@ Hexahedra best_hexahedra(const Work& work) {
   return std::move(*made);
 }
 
-// The surface of one solid, outward-oriented.
-mesh::Mesh surface_of_one(const Work& work) {
-  mesh::Mesh surface(work.host.memory);
-  if (work.input.tetrahedra.empty()) {
-    surface = copy_of(work.input, work.host);
-    surface.hexahedra.clear();
-    InputFindings findings;
-    const volume_map::SurfacePieces pieces =
-        volume_map::pieces_of_surface(surface, Inside::nothing, 0, findings, work.host);
-    if (pieces.count > 1) throw base::Error("not-connected", base::counted(pieces.count, "piece"));
-    return surface;
-  }
-  const volume_map::BoundaryFirst first = volume_map::boundary_first(work.input, work.host);
-  surface.positions.assign(first.outer_positions().begin(), first.outer_positions().end());
-  surface.triangles.assign(first.surface.begin(), first.surface.end());
-  return surface;
-}
-
-// Nothing where there are no sharp edges, or where they cannot be kept, which is logged.
-std::optional<Hexahedra> hexahedra_with_features(const Work& work) {
-  const auto start = Clock::now();
-  const Options& o = work.options;
-  const double angle = feature_angle_of(o);
-  if (o.features == Features::off || angle == 0) return {};
-  try {
-    const mesh::Mesh surface = surface_of_one(work);
-    const base::Stage stage(work.host, 0.7);
-    FeatureHexes found = feature_hexahedra(surface.positions, surface.triangles,
-                                           {.feature_angle = angle,
-                                            .cells = o.cells,
-                                            .max_cells = o.max_cells,
-                                            .distance = o.distance,
-                                            .rounds = o.rounds},
-                                           work.host);
-    if (found.curves == 0) return {};
-    if (found.found) {
-      Hexahedra made(work.host.memory);
-      made.result = std::move(found.result);
-      made.method = Method::grid;
-      made.feature_curves = found.curves;
-      made.compute_seconds = seconds_since(start);
-      work.findings.examined = true;
-      return made;
-    }
-    work.host.log("sharp edges are not kept: " + found.obstacle);
-  } catch (const base::Error& error) {
-    if (must_end(error)) throw;
-    work.host.log(std::string("sharp edges are not kept: ") + error.what());
-  }
-  return {};
-}
-
 Hexahedra by_strategy(const Work& work) {
-  const bool grid_may = work.options.method == Method::automatic || work.options.method == Method::grid;
-  if (grid_may && !by_frames(work.options) && work.options.padding != Padding::without) {
-    if (std::optional<Hexahedra> made = hexahedra_with_features(work)) return std::move(*made);
-  }
   if (by_frames(work.options))
     return hexahedra_along_frames(work, feature_angle_of(work.options), FrameHexOptions{}.max_fields);
   if (work.options.method == Method::polycube || work.options.given.target != nullptr)
     return hexahedra_of_cells(work, HexMethod::polycube);
   if (work.options.method == Method::grid) return hexahedra_of_cells(work, HexMethod::grid);
   return best_hexahedra(work);
+}
+
+// The hexahedra of the method, or those with the features embedded where these have more of them.
+Hexahedra with_features(const Work& work) {
+  const Options& o = work.options;
+  std::optional<Hexahedra> made;
+  std::exception_ptr failed;
+  try {
+    const base::Stage stage(work.host, 0.6);
+    made = by_strategy(work);
+  } catch (const base::Error& error) {
+    if (error.status() != base::Status::no_valid_result) throw;
+    failed = std::current_exception();
+  }
+  const auto start = Clock::now();
+  std::optional<HexResult> result;
+  if (made) result = std::move(made->result);
+  const bool grid_may = o.method == Method::automatic || o.method == Method::grid;
+  FeatureFigures figures =
+      keep_features(work.input,
+                    {.request = {o.features, feature_angle_of(o), o.tagged_edges, o.tagged_vertices},
+                     .may_replace = grid_may && !by_frames(o) && o.padding != Padding::without,
+                     .cells = o.cells,
+                     .max_cells = o.max_cells,
+                     .distance = o.distance,
+                     .rounds = o.rounds},
+                    result, work.host);
+  if (!result) std::rethrow_exception(failed);
+  const double before = made ? made->compute_seconds : 0;
+  if (figures.replaced) {
+    made.emplace(work.host.memory);
+    made->method = Method::grid;
+    work.findings.examined = true;
+  }
+  made->result = std::move(*result);
+  made->features = std::move(figures);
+  made->compute_seconds = before + seconds_since(start);
+  return std::move(*made);
+}
+
+void scale_back(FeatureFigures& figures, int exponent) {
+  for (MissingFeature& missing : figures.missing) {
+    missing.from = volume_map::times_power_of_two(missing.from, -exponent);
+    missing.to = volume_map::times_power_of_two(missing.to, -exponent);
+  }
 }
 
 void scale_back(HexResult& result, int exponent) {
@@ -318,10 +308,15 @@ double feature_angle_of(const Options& options) {
 Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume_map::InputFindings& findings,
                          const base::Host& host) {
   base::require(options.method >= Method::automatic && options.method <= Method::frames, "the method is unknown");
-  base::require(options.features == Features::off || options.features == Features::automatic, "`features` is unknown");
+  base::require(options.features >= Features::off && options.features <= Features::angles, "`features` is unknown");
   base::require(options.padding >= Padding::automatic && options.padding <= Padding::without, "the padding is unknown");
   base::require(feature_angle_of(options) >= 0 && feature_angle_of(options) < 180,
                 "the feature angle must be from 0 to below 180 degrees");
+  const auto known = [&](Index v) { return v < input.positions.size(); };
+  base::require(std::all_of(options.tagged_vertices.begin(), options.tagged_vertices.end(), known) &&
+                    std::all_of(options.tagged_edges.begin(), options.tagged_edges.end(),
+                                [&](const mesh::Edge& e) { return known(e[0]) && known(e[1]); }),
+                "tagged edges and vertices must be of vertices of the input");
   base::require(options.frames.empty() || by_frames(options), "frames are for the method frames");
   base::require(options.given.target == nullptr || (!by_frames(options) && options.method != Method::grid),
                 "a given polycube is for the methods automatic and polycube");
@@ -329,8 +324,10 @@ Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume
                 "a given polycube goes without `features`");
   mesh::Mesh near_unit = copy_of(input, host);
   const int exponent = mesh::bring_to_unit_size(near_unit);
-  Hexahedra made = by_strategy({near_unit, options, findings, host, exponent});
+  const Work work{near_unit, options, findings, host, exponent};
+  Hexahedra made = options.features == Features::off ? by_strategy(work) : with_features(work);
   scale_back(made.result, exponent);
+  if (made.features) scale_back(*made.features, exponent);
   return made;
 }
 

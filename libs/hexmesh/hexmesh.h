@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "hexmesh/captured/feature_figures.h"
 #include "hexmesh/strategies/frame_hexes.h"
 #include "hexmesh/strategies/hex_meshing.h"
 #include "quaternion/quaternion.h"
@@ -15,9 +16,6 @@ namespace orbicube::hexmesh {
 // What the hexahedra follow: a polycube of the surface (hex_meshing.h), a grid in space (voxel_hexes.h), a frame field
 // (frame_hexes.h); automatic: the one that suits the input, see make_hexahedra().
 enum class Method : std::int32_t { automatic = 0, polycube = 1, grid = 2, frames = 3 };
-
-// Whether hexahedra keep the feature graph of the surface (mesh/features): not at all, or where that succeeds.
-enum class Features : std::int32_t { off = 0, automatic = 1 };
 
 struct Options {
   Method method = Method::automatic;
@@ -33,9 +31,12 @@ struct Options {
   std::optional<double> feature_angle;  // in degrees; not set: see feature_angle_of()
   // Of a solid, one for each tetrahedron, along its boundary; method automatic or frames. Empty: they are computed.
   std::span<const quaternion::Quaternion> frames = {};
-  // Automatic: a solid in one piece with sharp edges is first filled grid-based with these kept (features); methods
-  // automatic and grid. What stops that is logged, and the method follows.
+  // Which edges and corners of the surface are measured in the mesh. Where it lacks some, a solid in one piece is
+  // filled again, grid-based with the feature graph embedded, by the methods automatic and grid, and the mesh that
+  // keeps more of them is the result (feature_choice.h).
   Features features = Features::off;
+  std::span<const mesh::Edge> tagged_edges = {};  // of the input, of vertices of it
+  std::span<const Index> tagged_vertices = {};
   // Fills surfaces for frames, which live on tetrahedra. Without it, surfaces have no frames.
   volume_map::FillSurface fill = {};
   // A polycube of the surface; method automatic, which is then that of polycubes, or polycube.
@@ -64,7 +65,7 @@ struct Hexahedra {
   Method method = Method::automatic;         // the strategy that made it; grid: where one piece has cells of a grid
   std::size_t polycube_corners = 0;          // of all pieces; 0: there is no polycube
   std::optional<FrameFigures> along_frames;  // where they are
-  std::size_t feature_curves = 0;            // that are chains of boundary edges; 0: the strategy was not taken
+  std::optional<FeatureFigures> features;    // unless they are off
   double compute_seconds = 0;                // without preparations
 };
 

@@ -307,7 +307,7 @@ class Hex(InFolder):
                     file.write(f"f 1 {b} {a}\nf 2 {a + 1} {b + 1}\n")
         return path
 
-    def test_sharp_edges_are_chains_of_edges_of_the_boundary(self):
+    def octahedron(self):
         path = self.path("octahedron.obj")
         with open(path, "w", encoding="ascii") as file:
             corners = [(1, 0, 0), (-1, 0, 0), (0, 1, 0), (0, -1, 0), (0, 0, 1), (0, 0, -1)]
@@ -316,8 +316,16 @@ class Hex(InFolder):
                 for a, b in ((1, 3), (3, 2), (2, 4), (4, 1)):
                     a, b = (a, b) if upper == 5 else (b, a)
                     file.write(f"f {a} {b} {upper}\n")
+        return path, corners
+
+    def test_sharp_edges_are_chains_of_edges_of_the_boundary(self):
+        path, corners = self.octahedron()
         figures, out = self.made_hexahedra(path, "--cells", 900, "--features", "auto")
-        self.assertEqual(figures["feature_curves"], 12)
+        features = figures["features"]
+        self.assertEqual((features["curves"], features["corners"], features["replaced"]), (12, 6, True))
+        self.assertEqual((features["missing"], round(features["captured"], 9)), ([], 1))
+        self.assertAlmostEqual(features["scaled_jacobian_bound"], 0.5 / math.sqrt(3), 6)
+        self.assertLess(figures["min_scaled_jacobian"], features["scaled_jacobian_bound"])
         self.check(out, 0)
         positions, cells = read_medit(out, "Hexahedra", 8)
         seen = Counter(frozenset(cell[v] for v in face) for cell in cells for face in FACES)
@@ -336,6 +344,42 @@ class Hex(InFolder):
                 self.assertEqual((along[0][1], along[-1][1]), (at_corner[a], at_corner[b]))
                 for (_, v), (_, w) in zip(along, along[1:]):
                     self.assertIn(frozenset((v, w)), edges)
+
+    def test_features_are_those_that_the_file_marks(self):
+        cube = self.path("cube.mesh")
+        with open(cube, "w", encoding="ascii") as file:
+            file.write("MeshVersionFormatted 2\nDimension 3\nVertices 8\n")
+            for k in range(8):
+                file.write(f"{k & 1} {k >> 1 & 1} {k >> 2} 0\n")
+            file.write("Edges 3\n1 2 1\n2 4 1\n2 3 1\nRidges 2\n1 3\nCorners 1\n8\nTriangles 12\n")
+            for a, b, c, d in ((3, 4, 2, 1), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)):
+                file.write(f"{a} {b} {c} 0\n{a} {c} {d} 0\n")
+            file.write("End\n")
+        out = self.path("out.mesh")
+        options = ("--cells", 60, "--distance", 0)
+        figures, _ = self.made_hexahedra(cube, *options, "--features", "strict")
+        self.assertEqual((figures["features"]["curves"], figures["features"]["missing"]), (12, []))
+        # The method's mesh is left as it is where it has all of them.
+        self.assertFalse(figures["features"]["replaced"])
+        # The diagonal from 2 to 3 is no edge of a mesh along the axes.
+        figures, _ = self.made_hexahedra(cube, *options, "--method", "polycube", "--features", "tags")
+        features = figures["features"]
+        self.assertEqual((features["curves"], features["corners"]), (2, 4))
+        self.assertEqual(len(features["missing"]), 1)
+        self.assertEqual({tuple(features["missing"][0][end]) for end in ("from", "to")}, {(1, 0, 0), (0, 1, 0)})
+        self.assertIn("not to be replaced", features["missing"][0]["why"])
+        message = self.refused(2, "usage", "", "hex", self.made("sphere", 400), "-o", out, "--features", "tags")
+        self.assertIn("marks no", message)
+
+    def test_missing_features_are_no_result_where_all_are_wanted(self):
+        path, _ = self.octahedron()
+        out = self.path("strict.mesh")
+        options = ("hex", path, "-o", out, "--cells", 200, "--method", "polycube", "--distance", 0, "--features", "strict")
+        message = self.refused(1, "no-valid-result", out, *options)
+        self.assertIn("are missing", message)
+        self.assertFalse(os.path.exists(out))
+        self.refused(1, "no-valid-result", out, *options, "--keep-partial")
+        self.assertTrue(os.path.exists(out))
 
     def test_long_rods_keep_their_volume_at_any_size(self):
         for scale in (1.0, 1e-200, 1e150):

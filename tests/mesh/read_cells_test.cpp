@@ -44,6 +44,46 @@ TEST_CASE("MEDIT: all kinds of cells, comments, and sections that are of no inte
                                                  "left out: 2 reference numbers"});
 }
 
+TEST_CASE("Marked edges and vertices are kept on request") {
+  using Edges = std::vector<std::array<Index, 2>>;
+  const auto tags = [](Format format, const std::string& text) {
+    ReadReport report;
+    read_text(format, text, {.feature_tags = true}, &report);
+    for (const std::string& note : report.notes)
+      CHECK(note.find("passed over") == std::string::npos);
+    return *report.tags;
+  };
+  const std::string tetrahedron = "Tetrahedra 1\n1 2 3 4 0\n", edges = "Edges 3\n1 2 7\n2 3 7\n4 4 8\n";
+  const FeatureTags all = tags(Format::medit, medit_points + tetrahedron + edges);
+  CHECK(all.edges == Edges{{0, 1}, {1, 2}});
+  const FeatureTags some = tags(Format::medit, medit_points + "Ridges 1\n2\nCorners 2\n1 4\nRequiredVertices 1\n2\n" +
+                                                   tetrahedron + edges + "RequiredEdges 1\n2\n");
+  CHECK(some.edges == Edges{{1, 2}, {1, 2}});
+  CHECK(some.vertices == std::vector<Index>{0, 3, 1});
+  for (const char* ridges : {"Ridges 1\n4\n", "Ridges 1\n0\n", "Corners 1\n5\n"}) {
+    try {
+      read_text(Format::medit, medit_points + tetrahedron + edges + ridges, {.feature_tags = true});
+      CHECK(false);
+    } catch (const base::Error& error) {
+      CHECK(std::string(error.kind()) == "index-range");
+    }
+  }
+  const FeatureTags lines =
+      tags(Format::vtk, vtk_head +
+                            "DATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n0 0 0 1 0 0 0 1 0 0 0 1\n"
+                            "CELLS 4 14\n4 0 1 2 3\n2 0 1\n3 1 2 3\n1 2\nCELL_TYPES 4\n10 3 4 1\n");
+  CHECK(lines.edges == Edges{{0, 1}, {1, 2}, {2, 3}});
+  CHECK(lines.vertices == std::vector<Index>{2});
+  const FeatureTags polydata = tags(Format::vtk, vtk_head +
+                                                     "DATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1 0\n"
+                                                     "VERTICES 1 2\n1 2\nLINES 1 3\n2 0 1\nPOLYGONS 1 4\n3 0 1 2\n");
+  CHECK(polydata.edges == Edges{{0, 1}});
+  CHECK(polydata.vertices == std::vector<Index>{2});
+  const FeatureTags obj = tags(Format::obj, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nl 1 2 -1\np 2\n");
+  CHECK(obj.edges == Edges{{0, 1}, {1, 2}});
+  CHECK(obj.vertices == std::vector<Index>{1});
+}
+
 TEST_CASE("MEDIT: the version and the End may be missing, lines may end anywhere") {
   CHECK(outcome(Format::medit, "Vertices 3 0 0 0 0 1 0 0 0 0 1 0 0 Triangles 1 1 2 3 0") == "accept");
   CHECK(outcome(Format::medit, medit_points + "Tetrahedra\r\n1\r\n1 2 3 4 0") == "accept");

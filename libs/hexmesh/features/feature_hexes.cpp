@@ -12,7 +12,6 @@
 #include "hexmesh/features/feature_fitting.h"
 #include "hexmesh/features/pillowing.h"
 #include "hexmesh/grid/voxel_hexes.h"
-#include "mesh/features/feature_graph.h"
 #include "mesh/search/measures.h"
 #include "mesh/topology/place_text.h"
 
@@ -126,11 +125,9 @@ double shortest_arc(std::span<const Vector3> positions, const mesh::FeatureGraph
 }  // namespace
 
 FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-                               const FeatureHexOptions& options, const base::Host& host) {
+                               const mesh::FeatureGraph& graph, const FeatureHexOptions& options,
+                               const base::Host& host) {
   FeatureHexes made(host.memory);
-  const mesh::FeatureGraph graph = mesh::feature_graph(positions, triangles, {.angle = options.feature_angle}, host);
-  made.curves = graph.arcs.size();
-  if (made.curves == 0) return made;
   const double volume = mesh::measures(positions, triangles, host).volume;
   const double cell = shortest_arc(positions, graph) / cells_an_arc;
   const auto given = static_cast<double>(options.cells);
@@ -144,6 +141,8 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       Attempt now(positions, triangles, graph, static_cast<std::size_t>(grid_part * cells) + 1, host);
       if (auto obstacle = now.embed()) {
         made.obstacle = text_of(*obstacle, graph, positions);
+        made.obstacle_arc = obstacle->arc;
+        made.obstacle_corner = obstacle->corner;
         continue;
       }
       if (!now.fit(options.rounds)) {

@@ -6,11 +6,11 @@
 #include <string>
 
 #include "hexmesh/strategies/hex_draft.h"
+#include "mesh/features/feature_graph.h"
 
 namespace orbicube::hexmesh {
 
 struct FeatureHexOptions {
-  double feature_angle = 40;        // minimum dihedral angle of sharp edges, in degrees
   std::size_t cells = 10000;        // about
   std::size_t max_cells = 100'000;  // where short arcs need more
   double distance = 1;              // as in HexOptions
@@ -23,13 +23,14 @@ struct FeatureHexes {
 
   HexResult result;
   bool found = false;
-  std::size_t curves = 0;  // arcs of the graph; 0: the surface has no sharp edges
   std::string obstacle;
+  Index obstacle_arc = no_index, obstacle_corner = no_index;  // of the graph, where it was one
 };
 
-// Makes a mesh of the closed surface of one solid, outward-oriented, of a size near 1. The same for any number of
-// threads. Throws Error "cancelled", and what mesh::feature_graph() does.
+// Makes a mesh of the closed surface of one solid, outward-oriented, of a size near 1, with a graph that has arcs. The
+// same for any number of threads. Throws Error "cancelled".
 FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
-                               const FeatureHexOptions& options, const base::Host& host);
+                               const mesh::FeatureGraph& graph, const FeatureHexOptions& options,
+                               const base::Host& host);
 
 }  // namespace orbicube::hexmesh

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "mesh/features/feature_lines.h"
 #include "mesh/features/feature_repairs.h"
+#include "mesh/features/weak_lines.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -214,7 +215,7 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
   }
   FeatureGraph graph(host.memory);
   FeatureLines lines(positions, connectivity, triangles.size(), host);
-  lines.add_sharp(options.angle, triangles);
+  if (options.sharp) lines.add_sharp(options.angle, triangles);
   const auto add = [&](std::span<const Edge> edges, FeatureLines& to) {
     for (const auto& [from, end] : edges) {
       if (from >= positions.size() || end >= positions.size()) continue;
@@ -222,16 +223,20 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
     }
   };
   add(options.edges, lines);
+  FeatureLines guides(positions, connectivity, triangles.size(), host);
+  add(options.lines, guides);
+  if (options.weak_lines) add_weak_lines(lines, guides, triangles, host);
   for (Index h = 0; h < 3 * triangles.size(); ++h) {
     if (!lines.contains(h) || connectivity.opposite(h) < h) continue;
     ++graph.sharp_edges;
     graph.sharp_length += (positions[connectivity.end(h)] - positions[connectivity.start(h)]).norm();
   }
-  FeatureLines guides(positions, connectivity, triangles.size(), host);
-  add(options.lines, guides);
-  const Array<Index> ends = continue_ends(lines, guides, host);
+  Array<Index> ends = continue_ends(lines, guides, host);
   graph.continued = ends.size();
   graph.cut_sectors = cut_wide_sectors(lines, guides, options.angle, host);
+  for (const Index v : options.corners) {
+    if (v < positions.size() && connectivity.outgoing(v) != no_index) ends.push_back(v);
+  }
   Builder(lines, options.angle, ends, triangles, graph, host).run();
   return graph;
 }

@@ -48,15 +48,18 @@ struct FeatureGraph {
 };
 
 struct FeatureOptions {
-  double angle = 40;                 // minimum dihedral angle of sharp edges, in degrees
-  std::span<const Edge> edges = {};  // features whatever their angle
-  std::span<const Edge> lines = {};  // that repairs follow, such as the curves of a CAD model
+  double angle = 40;                    // minimum dihedral angle of sharp edges, in degrees; also of bends at corners
+  bool sharp = true;                    // whether sharp edges are features
+  std::span<const Edge> edges = {};     // features whatever their angle
+  std::span<const Edge> lines = {};     // that repairs follow, such as the curves of a CAD model
+  bool weak_lines = false;              // lines at which the surface turns more than beside them are features, too
+  std::span<const Index> corners = {};  // vertices that are corners whatever meets there
 };
 
 // Finds sharp edges and joins them to arcs. Lines that end inside a patch are continued, sectors of more than 300
-// degrees are cut, closed arcs get three soft corners, and arcs longer than 1.8 times their chord are halved. Edges of
-// the options that are none of the surface are left out. Throws Error as Connectivity does, "not-closed", "cancelled".
-// O(n log n).
+// degrees are cut, closed arcs get three soft corners, and arcs longer than 1.8 times their chord are halved. Edges and
+// corners of the options that are none of the surface are left out. Throws Error as Connectivity does, "not-closed",
+// "cancelled". O(n log n).
 FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                            const FeatureOptions& options, const base::Host& host);
 

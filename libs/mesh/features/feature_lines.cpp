@@ -11,20 +11,22 @@ double degrees_between(const Vector3& a, const Vector3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b)) * 180 / std::numbers::pi;
 }
 
+Vector3 triangle_normal(std::span<const Vector3> positions, const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  return (positions[b] - positions[a]).cross(positions[c] - positions[a]).stableNormalized();
+}
+
 FeatureLines::FeatureLines(std::span<const Vector3> positions, const Connectivity& connectivity, std::size_t triangles,
                            const base::Host& host)
     : positions_(positions), connectivity_(&connectivity), host_(&host), marked_(3 * triangles, 0, host.memory) {}
 
 void FeatureLines::add_sharp(double angle, std::span<const Triangle> triangles) {
-  const auto normal = [&](Index t) -> Vector3 {
-    const auto& [a, b, c] = triangles[t];
-    return (positions_[b] - positions_[a]).cross(positions_[c] - positions_[a]).stableNormalized();
-  };
   for (Index h = 0; h < marked_.size(); ++h) {
     if (h % 4096 == 0) host_->report("features", h, marked_.size());
     const Index other = connectivity_->opposite(h);
     if (other == no_index || other < h) continue;
-    const Vector3 left = normal(triangle_of(h)), right = normal(triangle_of(other));
+    const Vector3 left = triangle_normal(positions_, triangles[triangle_of(h)]);
+    const Vector3 right = triangle_normal(positions_, triangles[triangle_of(other)]);
     if (left.isZero() || right.isZero()) continue;
     if (degrees_between(left, right) >= angle) add(h);
   }

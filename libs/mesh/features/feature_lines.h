@@ -68,6 +68,9 @@ class FeatureLines {
   Array<std::uint8_t> marked_;  // of each half-edge
 };
 
+// Returns the unit normal of a triangle; zero where it has none.
+Vector3 triangle_normal(std::span<const Vector3> positions, const Triangle& triangle);
+
 // Returns the angle between two directions in degrees.
 double degrees_between(const Vector3& a, const Vector3& b);
 

@@ -48,6 +48,7 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   ReadReport own;
   ReadReport& r = report ? *report : own;
   r = {};
+  if (options.feature_tags) r.tags.emplace();
   // No format holds a vertex in fewer bytes than three, so that indices of 32 bits count the vertices of any file
   // below.
   if (bytes.size() / 3 >= no_index) throw base::Error("unsupported", "files of 12 GB or more are not read");
@@ -62,6 +63,7 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   note_turned_cells(mesh, r.notes, host);
   const bool asked = options.weld_identical && (has_cells(mesh) || !is_closed(mesh, host));
   if (!row_of(format).polygons || asked) {
+    if (r.tags) renumber_as_welded(*r.tags, mesh.positions, host);
     const WeldReport welded = weld(mesh, host);
     r.welded_vertices = welded.vertices;
     if (mesh.triangles.empty() && !has_cells(mesh)) {

@@ -3,11 +3,13 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "base/host.h"
+#include "mesh/files/feature_tags.h"
 #include "mesh/formats/formats.h"
 #include "mesh/mesh.h"
 
@@ -17,6 +19,9 @@ struct ReadOptions {
   // Welds vertices at identical positions when the surface is not closed as it stands, and those of solids in any case.
   // STL, which has no shared vertices, is always joined so.
   bool weld_identical = false;
+  // Keeps marked edges and vertices: VTK's lines and vertices, OBJ's l and p, and those of MEDIT's sections Ridges,
+  // RequiredEdges (Edges, where there is neither), Corners and RequiredVertices. Otherwise they are passed over.
+  bool feature_tags = false;
 };
 
 // What a reader of surface files found besides the mesh. Also used by the glTF reader.
@@ -24,6 +29,7 @@ struct ReadReport {
   std::string format;               // as "PLY, binary, big-endian"
   std::size_t polygons = 0;         // faces of more than three corners, before they were cut into triangles
   std::size_t welded_vertices = 0;  // joined to others at the same position
+  std::optional<FeatureTags> tags;  // of ReadOptions::feature_tags
   std::vector<std::string> notes;   // what was changed or left out, one line each and each thing once
 };
 

@@ -22,16 +22,19 @@ class MeditReader {
         report_(report),
         mesh_(host.memory),
         faces_(host.memory),
-        others_(host.memory) {}
+        others_(host.memory),
+        edges_(host.memory),
+        tagged_(host.memory) {}
 
   Mesh run() {
     while (scanner_.skip_space()) {
       const std::string_view keyword = scanner_.word();
       const std::string name = in_small_letters(keyword);
       if (name == "end") break;
-      if (!section(name) && !target_section(name)) skip_section(keyword);
+      if (!section(name) && !target_section(name) && !tag_section(name)) skip_section(keyword);
     }
     report_.format = "MEDIT";
+    if (report_.tags) resolve_tags();
     report_.polygons = faces_.larger_than_triangles();
     faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
     if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
@@ -81,6 +84,44 @@ class MeditReader {
       return false;
     }
     return true;
+  }
+
+  // Marked edges and vertices. Edges are numbered in the section Edges, which may come later.
+  bool tag_section(const std::string& name) {
+    if (!report_.tags) return false;
+    if (name == "edges") {
+      cells<2>("edges", [&](const std::array<Index, 2>& e) { edges_.push_back(e); });
+    } else if (name == "ridges" || name == "requirededges") {
+      for_each_number("edges", [&] { tagged_.push_back(static_cast<Index>(scanner_.index(1, no_index - 1))); });
+    } else if (name == "corners" || name == "requiredvertices") {
+      if (mesh_.positions.empty()) scanner_.fail("parse", name + " before the section Vertices");
+      for_each_number("vertices", [&] { report_.tags->vertices.push_back(scanner_.index(1, mesh_.positions.size())); });
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  template <class Read>
+  void for_each_number(const char* what, const Read& read) {
+    const std::uint64_t n = count(what, 2);
+    for (std::uint64_t i = 0; i < n; ++i) {
+      scanner_.skip_space();
+      read();
+      scanner_.progress();
+    }
+  }
+
+  void resolve_tags() {
+    for (const Index e : tagged_) {
+      if (e >= edges_.size())
+        scanner_.fail("index-range", "edge " + std::to_string(std::uint64_t{e} + 1) + " of " +
+                                         std::to_string(edges_.size()) + " in the section Edges");
+      report_.tags->add_line(edges_[e]);
+    }
+    if (!tagged_.empty()) return;
+    for (const std::array<Index, 2>& edge : edges_)
+      report_.tags->add_line(edge);
   }
 
   // Curved cells, as TetrahedraP2 or HexahedraQ3, and those of any number of corners. Edges are no cells.
@@ -186,6 +227,8 @@ class MeditReader {
   Mesh mesh_;
   Polygons faces_;
   PolyhedralCells others_;
+  Array<std::array<Index, 2>> edges_;
+  Array<Index> tagged_;      // edges, by their number
   std::string passed_over_;  // names of sections
   std::optional<double> first_reference_;
   bool references_differ_ = false;

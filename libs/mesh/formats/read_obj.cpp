@@ -32,6 +32,8 @@ class ObjReader {
         vertex();
       } else if (keyword == "f") {
         face();
+      } else if (report_.tags && (keyword == "l" || keyword == "p")) {
+        tag(keyword == "l");
       } else if (!keyword.empty()) {
         pass_over(keyword);
       }
@@ -90,6 +92,17 @@ class ObjReader {
     while (!scanner_.at_end_of_line())
       face_.push_back(corner());
     faces_.add(face_, scanner_);
+  }
+
+  // A line, or points.
+  void tag(bool line) {
+    face_.clear();
+    while (!scanner_.at_end_of_line())
+      face_.push_back(corner());
+    if (line)
+      report_.tags->add_line(face_);
+    else
+      report_.tags->vertices.insert(report_.tags->vertices.end(), face_.begin(), face_.end());
   }
 
   // "7", "7/1", "7//3" or "7/1/3"; negative numbers count back from the latest vertex.

@@ -117,7 +117,9 @@ class VtkReader {
       cell_types(words);
     } else if (name == "lines" || name == "vertices") {
       cell_array(words);
-      if (offsets_.size() > 1)
+      if (report_.tags)
+        for_each_cell([&](std::span<const Index> cell) { add_tag(name == "lines" ? 4 : 2, cell); });
+      else if (offsets_.size() > 1)
         pass_over(offsets_.size() - 1, name == "lines" ? "line" : "vertex", name == "lines" ? "lines" : "vertices");
     } else {
       body_.fail("parse", in_quotes(words[0]) + " is no section of a dataset");
@@ -260,11 +262,11 @@ class VtkReader {
                "cells that are not read: " + text + "; without them a part of the shape would be missing");
   }
 
-  // Returns false for points and lines. The numbers are those of vtkCellType.h.
+  // Returns false for points and lines that are passed over. The numbers are those of vtkCellType.h.
   bool add_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
     // An empty cell; a vertex, vertices, a line, lines; curved lines.
     constexpr std::array<std::int64_t, 8> no_faces{0, 1, 2, 3, 4, 21, 35, 68};
-    if (std::ranges::find(no_faces, cell_type) != no_faces.end()) return false;
+    if (std::ranges::find(no_faces, cell_type) != no_faces.end()) return add_tag(cell_type, c);
     if (cell_type >= 5 && cell_type <= 9)
       add_face(cell_type, c, number);
     else if (cell_type >= 10 && cell_type <= 16)
@@ -272,6 +274,15 @@ class VtkReader {
     else if (unread_.size() < 32 || unread_.contains(cell_type))
       ++unread_[cell_type];
     return true;
+  }
+
+  // Returns whether points and straight lines are kept as tags.
+  bool add_tag(std::int64_t cell_type, std::span<const Index> c) {
+    if (!report_.tags) return false;
+    if (cell_type == 1 || cell_type == 2)
+      report_.tags->vertices.insert(report_.tags->vertices.end(), c.begin(), c.end());
+    if (cell_type == 3 || cell_type == 4) report_.tags->add_line(c);
+    return cell_type <= 4;
   }
 
   void require_corners(std::size_t corners, std::span<const Index> c, std::uint64_t number) {

@@ -1,0 +1,162 @@
+// Sharp edges in hexahedral meshes: the bound on scaled Jacobians, what a mesh captures, and the choice between the
+// mesh of a method and one with the feature graph embedded.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "hexmesh/captured/captured_features.h"
+#include "hexmesh/captured/feature_bound.h"
+#include "hexmesh/captured/feature_choice.h"
+#include "hexmesh/grid/hex_grid.h"
+#include "hexmesh/hexmesh.h"
+#include "mesh/shapes/make_shape.h"
+
+using namespace orbicube;
+using namespace orbicube::hexmesh;
+
+namespace {
+
+const base::Host host;
+
+mesh::Mesh octahedron(double height) {
+  mesh::Mesh m(host.memory);
+  m.positions = {Vector3(1, 0, 0),  Vector3(0, 1, 0),      Vector3(-1, 0, 0),
+                 Vector3(0, -1, 0), Vector3(0, 0, height), Vector3(0, 0, -height)};
+  for (Index k = 0; k < 4; ++k) {
+    m.triangles.push_back({k, (k + 1) % 4, 4});
+    m.triangles.push_back({(k + 1) % 4, k, 5});
+  }
+  return m;
+}
+
+// The unit cube, of the hexahedra of a grid, and its surface.
+HexMesh grid_cube(std::size_t n) {
+  const std::vector<std::uint8_t> inside(n * n * n, 1);
+  HexMesh mesh = hexahedra_of_cells({n, n, n}, inside, host);
+  for (Vector3& p : mesh.positions)
+    p /= static_cast<double>(n);
+  return mesh;
+}
+
+mesh::Mesh cube_surface() {
+  mesh::Mesh m(host.memory);
+  const HexMesh cube = grid_cube(1);
+  m.positions = cube.positions;
+  m.triangles = halves_of(cube.quads, host.memory);
+  return m;
+}
+
+const FeatureRequest by_angles = {Features::angles, 40, {}, {}};
+
+}  // namespace
+
+TEST_CASE("The distance of a convex hull is the largest minimum over directions") {
+  const std::vector<Vector3> axes = {Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()};
+  CHECK(distance_of_hull(axes) == doctest::Approx(1 / std::numbers::sqrt3));
+  CHECK(distance_of_hull(std::span(axes).first(2)) == doctest::Approx(1 / std::numbers::sqrt2));
+  CHECK(distance_of_hull(std::span(axes).first(1)) == doctest::Approx(1));
+  std::vector<Vector3> around = axes;
+  around.emplace_back(-1, -1, -1);
+  CHECK(distance_of_hull(around) == 0);
+  // The minimum over vectors, for many directions, is no larger.
+  const std::vector<Vector3> some = {Vector3(1, 0.2, 0.1), Vector3(0.3, 0.9, 0), Vector3(0.5, 0.4, 0.8),
+                                     Vector3(0.7, 0.1, 0.6)};
+  const double distance = distance_of_hull(some);
+  double most = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const double z = 1 - (i + 0.5) / 10000, a = i * std::numbers::pi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
+    double least = 2;
+    for (const Vector3& v : some)
+      least = std::min(least, v.dot(Vector3(r * std::cos(a), r * std::sin(a), z)));
+    most = std::max(most, least);
+  }
+  CHECK(most <= distance + 1e-12);
+  CHECK(most > distance - 0.01);
+}
+
+TEST_CASE("The bound of a cube and of an octahedron") {
+  // Three sectors of 90 degrees: sin 45 / sqrt 3.
+  CHECK(scaled_jacobian_bound(feature_surface(cube_surface(), by_angles, host), host) ==
+        doctest::Approx(1 / std::sqrt(6.0)));
+  // Four sectors of 60 degrees, whose normals have the cosine 1 / sqrt 3 with the axis.
+  CHECK(scaled_jacobian_bound(feature_surface(octahedron(1), by_angles, host), host) ==
+        doctest::Approx(0.5 / std::numbers::sqrt3));
+}
+
+TEST_CASE("The edges of a cube are captured where the mesh has them, and named where not") {
+  const FeatureSurface surface = feature_surface(cube_surface(), by_angles, host);
+  CHECK(surface.pieces == 1);
+  HexMesh cube = grid_cube(4);
+  FeatureFigures figures;
+  measure_captured(cube, surface, figures, host);
+  CHECK(figures.curves == 12);
+  CHECK(figures.corners == 8);
+  CHECK(figures.captured == doctest::Approx(1));
+  CHECK(figures.missing.empty());
+  CHECK(missing_text(figures, 3).empty());
+  // The corner at the origin and the middle vertices of an edge there, moved inside by a fifth of a cell.
+  for (Vector3& p : cube.positions) {
+    if (p.x() == 0 && p.y() == 0 && p.z() < 0.6) p += Vector3(0.05, 0.05, 0);
+  }
+  measure_captured(cube, surface, figures, host);
+  CHECK(figures.captured < 1);
+  CHECK(figures.captured > 1 - 1.0 / 12);
+  CHECK(figures.missing_corners() == 1);
+  REQUIRE(figures.missing_curves() >= 1);
+  for (const MissingFeature& missing : figures.missing)
+    CHECK(std::min(missing.from.norm(), missing.to.norm()) == 0);
+  CHECK(missing_text(figures, 1).find("1 of 8 corners are missing") != std::string::npos);
+}
+
+TEST_CASE("The mesh that keeps more features is taken, and the others are not touched") {
+  mesh::Mesh surface = octahedron(1);
+  std::optional<HexResult> made;
+  FeatureChoice choice{.request = by_angles, .may_replace = false, .cells = 900};
+  const FeatureFigures without = keep_features(surface, choice, made, host);
+  CHECK_FALSE(made);
+  CHECK_FALSE(without.replaced);
+  choice.may_replace = true;
+  const FeatureFigures figures = keep_features(surface, choice, made, host);
+  REQUIRE(made);
+  CHECK(figures.replaced);
+  CHECK(figures.missing.empty());
+  CHECK(figures.captured == doctest::Approx(1));
+  CHECK(made->quality.valid());
+  CHECK(made->quality.min_scaled_jacobian <= figures.bound + 1e-9);
+  CHECK(made->quality.min_scaled_jacobian > figures.bound - 0.05);
+  // What has all features stays.
+  const double before = made->quality.mean_scaled_jacobian;
+  CHECK_FALSE(keep_features(surface, choice, made, host).replaced);
+  CHECK(made->quality.mean_scaled_jacobian == before);
+}
+
+TEST_CASE("Features of tags: of unknown vertices they are refused, and places have the scale of the input") {
+  mesh::Mesh surface = cube_surface();
+  for (Vector3& p : surface.positions)
+    p *= 1000;
+  volume_map::InputFindings findings;
+  Options options;
+  options.cells = 100;
+  options.method = Method::polycube;
+  options.features = Features::tags;
+  // The diagonal of a face and a point on none of the tagged edges.
+  std::vector<mesh::Edge> edges;
+  for (const mesh::Triangle& t : surface.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector3 way = surface.positions[t[k]] - surface.positions[t[(k + 1) % 3]];
+      if (edges.empty() && way.norm() > 1200) edges.push_back({t[k], t[(k + 1) % 3]});
+    }
+  }
+  options.tagged_edges = edges;
+  const Hexahedra made = make_hexahedra(surface, options, findings, host);
+  REQUIRE(made.features);
+  CHECK(made.features->curves >= 1);
+  REQUIRE(made.features->missing_curves() >= 1);
+  CHECK((made.features->missing[0].from - made.features->missing[0].to).norm() > 900);
+  CHECK(made.method == Method::polycube);
+  edges[0][0] = 100;
+  options.tagged_edges = edges;
+  CHECK_THROWS_AS(make_hexahedra(surface, options, findings, host), base::Error);
+}

@@ -1,0 +1,114 @@
+// The feature graph of a surface: which edges are features, by dihedral angle, by tags or by both, and the corners,
+// arcs and patches of the graph.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/error.h"
+#include "mesh/features/feature_graph.h"
+#include "mesh/files/feature_tags.h"
+
+using namespace orbicube;
+using namespace orbicube::mesh;
+
+namespace {
+
+const base::Host host;
+
+// A prism over a polygon, with walls of one quad each cut along a diagonal and its ends as fans about vertex 0 and 1.
+Mesh prism(std::span<const double> degrees, double height) {
+  Mesh m(host.memory);
+  m.positions = {Vector3(0, 0, 0), Vector3(0, 0, height)};
+  for (const double d : degrees) {
+    const double a = d * std::numbers::pi / 180;
+    m.positions.emplace_back(std::cos(a), std::sin(a), 0);
+    m.positions.emplace_back(std::cos(a), std::sin(a), height);
+  }
+  const auto n = static_cast<Index>(degrees.size());
+  for (Index k = 0; k < n; ++k) {
+    const Index a = 2 + 2 * k, b = 2 + 2 * ((k + 1) % n);
+    m.triangles.push_back({a, b, b + 1});
+    m.triangles.push_back({a, b + 1, a + 1});
+    m.triangles.push_back({0, b, a});
+    m.triangles.push_back({1, a + 1, b + 1});
+  }
+  return m;
+}
+
+std::vector<double> regular(int sides) {
+  std::vector<double> degrees;
+  for (int k = 0; k < sides; ++k)
+    degrees.push_back(360.0 * k / sides);
+  return degrees;
+}
+
+FeatureGraph graph_of(const Mesh& m, const FeatureOptions& options) {
+  return feature_graph(m.positions, m.triangles, options, host);
+}
+
+}  // namespace
+
+TEST_CASE("A cube has eight corners, twelve arcs and six patches, each a disk") {
+  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  const FeatureGraph graph = graph_of(cube, {});
+  CHECK(graph.corners.size() == 8);
+  CHECK(std::none_of(graph.corners.begin(), graph.corners.end(), [](const FeatureCorner& c) { return c.soft; }));
+  CHECK(graph.arcs.size() == 12);
+  CHECK(graph.sharp_length == doctest::Approx(12 * std::numbers::sqrt2));
+  CHECK(graph.euler == Array<std::int64_t>(6, 1));
+  for (Index c = 0; c < 8; ++c)
+    CHECK(graph.around.size(c) == 3);
+}
+
+TEST_CASE("Tagged edges are features whatever their angle, and without sharp edges the only ones") {
+  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  // The border of the bottom and a diagonal of it through its middle.
+  const std::array<Edge, 6> tags = {{{2, 4}, {4, 6}, {6, 8}, {8, 2}, {2, 0}, {0, 6}}};
+  FeatureGraph graph = graph_of(cube, {.sharp = false, .edges = tags});
+  CHECK(graph.arcs.size() == 5);  // the bends at 4 and 8 are corners
+  CHECK(graph.corners.size() == 4);
+  CHECK(graph.euler == Array<std::int64_t>(3, 1));
+  const std::array<Index, 1> middle = {0};
+  graph = graph_of(cube, {.sharp = false, .edges = tags, .corners = middle});
+  CHECK(graph.arcs.size() == 6);
+  CHECK(graph.corners.size() == 5);
+  graph = graph_of(cube, {.edges = tags});
+  CHECK(graph.arcs.size() == 13);
+  // Edges and vertices that the surface does not have.
+  const std::array<Edge, 2> unknown = {{{4, 8}, {100, 2}}};
+  const std::array<Index, 1> far = {100};
+  CHECK(graph_of(cube, {.sharp = false, .edges = unknown, .corners = far}).corners.empty());
+}
+
+TEST_CASE("Weak lines are those at which the surface turns more than beside them") {
+  const auto vertical = [](Index k) { return Edge{2 + 2 * k, 3 + 2 * k}; };
+  // Five walls; of the edges between them one turns by 50 degrees, the others by more than 60.
+  const std::vector<double> walls = {0, 50, 136.7, 223.3, 310};
+  const Mesh part = prism(walls, 1);
+  const std::array<Edge, 1> tag = {vertical(0)};
+  CHECK(graph_of(part, {.angle = 60}).sharp_edges == 14);
+  CHECK(graph_of(part, {.angle = 60, .lines = tag}).sharp_edges == 14);
+  CHECK(graph_of(part, {.angle = 60, .lines = tag, .weak_lines = true}).sharp_edges == 15);
+  // The seam of a cylinder turns as much as any line beside it.
+  const Mesh cylinder = prism(regular(24), 2);
+  const std::array<Edge, 1> seam = {vertical(5)};
+  const FeatureGraph round = graph_of(cylinder, {.lines = seam, .weak_lines = true});
+  CHECK(round.sharp_edges == 48);
+  CHECK(round.euler.size() == 3);
+}
+
+TEST_CASE("Tags follow the vertices that are welded") {
+  Mesh m = prism(regular(4), 1);
+  FeatureTags tags;
+  const std::array<Index, 4> line = {2, 4, 10, 6};
+  m.positions.push_back(m.positions[4]);  // 10
+  m.positions.push_back(m.positions[2]);  // 11
+  m.positions.emplace_back(5, 5, 5);      // 12
+  tags.add_line(line);
+  tags.vertices = {11, 12};
+  renumber_as_welded(tags, m.positions, host);
+  CHECK(tags.edges == std::vector<Edge>{{2, 4}, {4, 6}});
+  CHECK(tags.vertices == std::vector<Index>{2, 10});
+}
