@@ -320,7 +320,8 @@ class Hex(InFolder):
 
     def test_sharp_edges_are_chains_of_edges_of_the_boundary(self):
         path, corners = self.octahedron()
-        figures, out = self.made_hexahedra(path, "--cells", 900, "--features", "auto")
+        figures, out = self.made_hexahedra(path, "--cells", 900, "--method", "grid", "--distance", 0, "--features",
+                                           "auto")
         features = figures["features"]
         self.assertEqual((features["curves"], features["corners"], features["replaced"]), (12, 6, True))
         self.assertEqual((features["missing"], round(features["captured"], 9)), ([], 1))

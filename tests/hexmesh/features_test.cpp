@@ -32,11 +32,11 @@ mesh::Mesh octahedron(double height) {
 }
 
 // The unit cube, of the hexahedra of a grid, and its surface.
-HexMesh grid_cube(std::size_t n) {
-  const std::vector<std::uint8_t> inside(n * n * n, 1);
+HexMesh grid_cube(int n) {
+  const std::vector<std::uint8_t> inside(static_cast<std::size_t>(n * n * n), 1);
   HexMesh mesh = hexahedra_of_cells({n, n, n}, inside, host);
   for (Vector3& p : mesh.positions)
-    p /= static_cast<double>(n);
+    p /= n;
   return mesh;
 }
 

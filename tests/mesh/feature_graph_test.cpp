@@ -91,6 +91,10 @@ TEST_CASE("Weak lines are those at which the surface turns more than beside them
   CHECK(graph_of(part, {.angle = 60}).sharp_edges == 14);
   CHECK(graph_of(part, {.angle = 60, .lines = tag}).sharp_edges == 14);
   CHECK(graph_of(part, {.angle = 60, .lines = tag, .weak_lines = true}).sharp_edges == 15);
+  // A line goes no further along edges that are features already: the flat diagonal of a wall beside a sharp edge.
+  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  const std::array<Edge, 2> bent = {{{2, 4}, {2, 5}}};
+  CHECK(graph_of(cube, {.lines = bent, .weak_lines = true}).sharp_edges == 12);
   // The seam of a cylinder turns as much as any line beside it.
   const Mesh cylinder = prism(regular(24), 2);
   const std::array<Edge, 1> seam = {vertical(5)};

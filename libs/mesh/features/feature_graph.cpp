@@ -225,7 +225,13 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
   add(options.edges, lines);
   FeatureLines guides(positions, connectivity, triangles.size(), host);
   add(options.lines, guides);
-  if (options.weak_lines) add_weak_lines(lines, guides, triangles, host);
+  if (options.weak_lines) {
+    FeatureLines candidates(positions, connectivity, triangles.size(), host);
+    for (Index h = 0; h < 3 * triangles.size(); ++h) {
+      if (guides.contains(h) && !lines.contains(h)) candidates.add(h);
+    }
+    add_weak_lines(lines, candidates, triangles, host);
+  }
   for (Index h = 0; h < 3 * triangles.size(); ++h) {
     if (!lines.contains(h) || connectivity.opposite(h) < h) continue;
     ++graph.sharp_edges;
