@@ -28,7 +28,7 @@ bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult&
   return better(x, y, distance);
 }
 
-// The reason for a missing feature: what the embedding met, by its curve or corner where it tells.
+// The reason for a missing feature: what was in the way of the embedding, at this curve or corner where that is known.
 std::string reason(const MissingFeature& missing, const std::optional<FeatureHexes>& tried, bool replaced,
                    const std::string& untried) {
   if (replaced) return "edges of the mesh are farther than a tenth of the mean edge from it";
