@@ -102,10 +102,8 @@ void run_hex(const HexVerb& verb, Session& session) {
   const InputMesh input = session.portion(
       0.01, [&] { return read_mended(verb.solid.input, verb.solid.mending, session, Keep::surface, features); });
   if (verb.features == "tags" && (!input.report.tags || input.report.tags->empty()))
-    throw Failure(Exit::wrong_input, "", "usage",
-                  "--features tags: " + verb.solid.input +
-                      " marks no edges and no vertices; --features auto finds sharp "
-                      "edges");
+    throw Failure(Exit::wrong_input, verb.solid.input, "usage",
+                  "--features tags: the file marks no edges and no vertices; --features auto finds sharp edges");
   if (input.report.tags) {
     options.tagged_edges = input.report.tags->edges;
     options.tagged_vertices = input.report.tags->vertices;

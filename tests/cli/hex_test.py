@@ -369,7 +369,8 @@ class Hex(InFolder):
         self.assertEqual(len(features["missing"]), 1)
         self.assertEqual({tuple(features["missing"][0][end]) for end in ("from", "to")}, {(1, 0, 0), (0, 1, 0)})
         self.assertIn("not to be replaced", features["missing"][0]["why"])
-        message = self.refused(2, "usage", "", "hex", self.made("sphere", 400), "-o", out, "--features", "tags")
+        sphere = self.made("sphere", 400)
+        message = self.refused(2, "usage", sphere, "hex", sphere, "-o", out, "--features", "tags")
         self.assertIn("marks no", message)
 
     def test_missing_features_are_no_result_where_all_are_wanted(self):
