@@ -89,6 +89,7 @@ void set(tetgenbehavior& to, const TetgenOptions& options) {
     to.quality = 1;
     if (options.radius_edge_ratio <= 0) to.minratio = std::numeric_limits<float>::max();
   }
+  to.steinerleft = options.max_added;
   to.epsilon = options.tolerance;
 }
 

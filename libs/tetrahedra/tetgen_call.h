@@ -19,6 +19,7 @@ struct TetgenOptions {
   double radius_edge_ratio = 0;                                      // 0: no refinement
   double max_volume = 0;                                             // 0: none
   std::function<double(const mesh::Vector3& center)> max_volume_at;  // of a tetrahedron there; empty: none
+  int max_added = -1;  // vertices, of those that are added for quality and size; negative: any number
   bool keep_surface = true;
   double tolerance = 1e-8;  // below which TetGen takes points for equal and facets for coplanar, where all is of size 1
 };

@@ -73,6 +73,14 @@ Sizing scaled_sizing(const Options& options, const ScaledSurface& surface, std::
   return {points, options.size_growth, memory};
 }
 
+// The most vertices that TetGen may add, negative for any number. Where the surface may be cut, good tetrahedra of a
+// plate 1000 times as wide as thick are millions whatever its triangles are. Who gives a size asks for their number.
+int addition_limit(const Options& options, std::size_t vertices) {
+  if (options.keep_surface || options.max_volume > 0 || options.edge_length > 0 || !options.sizes.empty()) return -1;
+  constexpr std::size_t at_least = 50'000, a_vertex = 20, at_most = 1'000'000'000;
+  return static_cast<int>(std::min(at_least + a_vertex * vertices, at_most));
+}
+
 // TetGen's mesh, with its tolerance lowered for as long as it takes features for flaws.
 TetgenMesh run_tetgen(const ScaledSurface& surface, TetgenOptions options, const base::Host& host) {
   TetgenOutcome outcome;
@@ -101,6 +109,7 @@ Solid fill(std::span<const Vector3> positions, std::span<const Triangle> triangl
                        .keep_surface = options.keep_surface};
   if (!sizing.empty())
     target.max_volume_at = [&](const Vector3& center) { return volume_of_regular(sizing.length_at(center)); };
+  target.max_added = addition_limit(options, positions.size());
   const TetgenMesh made = run_tetgen(surface, target, host);
   return assemble(positions, triangles, surface, made, options.keep_surface, host);
 }

@@ -190,6 +190,15 @@ TEST_CASE("Most tetrahedra have the quality requested, at the price of more vert
   }
 }
 
+TEST_CASE("A very flat shape whose surface may be cut gets vertices in proportion to its own, unless a size is given" *
+          doctest::test_suite("long")) {
+  const Surface surface = box({0, 0, 0}, {1, 1, 5e-4});
+  const tetrahedra::Solid solid = filled(surface, {.keep_surface = false});
+  check_solid(surface, solid);
+  CHECK(solid.positions.size() > 40'000);
+  CHECK(solid.positions.size() <= 50'000 + 21 * surface.positions.size());
+}
+
 TEST_CASE("Where the surface may be cut, its parts lie in the triangles that they are said to lie in and cover them") {
   Surface surface = box({0, 0, 0}, {1, 1, 1});
   surface.add(box({0.25, 0.25, 0.25}, {0.5, 0.5, 0.5}), 1, Vector3::Zero());

@@ -310,7 +310,8 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
     ),
     "obc_tetrahedra_options": (
         Option("keep_surface", "bool", True,
-               doc="1: every triangle is preserved; 0: TetGen may split edges and triangles. Default: 1."),
+               doc="1: every triangle is preserved; 0: TetGen may split edges and triangles, and, if no size is given, "
+                   "inserts at most 50,000 vertices and 20 for each vertex of the surface. Default: 1."),
         Option("quality", "float", 1.4,
                doc="maximum ratio of circumradius to shortest edge, at least 1; 0: no vertices are inserted for quality. "
                    "Default: 1.4."),

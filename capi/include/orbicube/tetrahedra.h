@@ -52,7 +52,8 @@ typedef struct obc_tetrahedra obc_tetrahedra;
 typedef struct obc_tetrahedra_options {
   uint32_t struct_size;
 
-  int32_t keep_surface; /* 1: every triangle is preserved; 0: TetGen may split edges and triangles. Default: 1. */
+  int32_t keep_surface; /* 1: every triangle is preserved; 0: TetGen may split edges and triangles, and, if no size
+                         * is given, inserts at most 50,000 vertices and 20 for each vertex of the surface. Default: 1. */
   double quality;       /* maximum ratio of circumradius to shortest edge, at least 1; 0: no vertices are inserted for quality. Default: 1.4. */
   double max_volume;    /* maximum volume, in the cubed unit of the surface; 0: no limit. Default: 0. */
   double edge_length;   /* approximate length of inner edges, in the unit of the surface; 0: that of the surface. Default: 0. */

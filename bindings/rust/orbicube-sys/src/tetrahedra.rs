@@ -18,7 +18,8 @@ pub struct obc_tetrahedra {
 #[derive(Clone, Copy)]
 pub struct obc_tetrahedra_options {
     pub struct_size: u32,
-    /// 1: every triangle is preserved; 0: TetGen may split edges and triangles. Default: 1.
+    /// 1: every triangle is preserved; 0: TetGen may split edges and triangles, and, if no size
+    /// is given, inserts at most 50,000 vertices and 20 for each vertex of the surface. Default: 1.
     pub keep_surface: i32,
     /// maximum ratio of circumradius to shortest edge, at least 1; 0: no vertices are inserted for quality. Default: 1.4.
     pub quality: f64,
