@@ -73,7 +73,7 @@ l.frames: frames l.mesh -o l.frames --vtk l.vtk
 l.vtk: =
 torus.frames: frames torus.mesh -o torus.frames --feature-angle 40
 dissertation.frames: frames l.mesh -o dissertation.frames --method dissertation --start identity
-repaired.frames: frames torus.mesh -o repaired.frames --repair
+repaired.frames: frames torus.mesh -o repaired.frames --locally-meshable
 volume.mesh: volume l.mesh -o volume.mesh
 volume-torus.mesh: volume torus.obj -o volume-torus.mesh
 hex-l.mesh: hex l.obj -o hex-l.mesh --cells 400

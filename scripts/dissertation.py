@@ -111,7 +111,7 @@ def frames(number, name, model):
 CREATURE = "orbicube make creature -o creature.obj --resolution 3000"
 SOLID = "orbicube make bracket -o bracket.obj --resolution 1500 && orbicube tetrahedralize bracket.obj -o solid.mesh"
 
-FRAMED = SOLID + " && orbicube frames solid.mesh -o f.frames --repair"
+FRAMED = SOLID + " && orbicube frames solid.mesh -o f.frames --locally-meshable"
 RESAMPLED = "orbicube volume {0} -o image.mesh --source source.mesh --resample hexes.mesh --cells 2000"
 
 

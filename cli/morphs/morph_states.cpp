@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <utility>
 
+#include "base/counted.h"
 #include "correspondence/morph.h"
 #ifdef ORBICUBE_WITH_POLYCUBE
 #include "files/quad_file.h"
@@ -110,7 +111,7 @@ void require_weights(const ShapeBlend& blend, std::size_t shapes) {
   if (blend.weights.empty() || blend.weights.size() == shapes) return;
   throw Failure(
       Exit::wrong_input, "", "usage",
-      "--blend has " + std::to_string(blend.weights.size()) + " weights for " + std::to_string(shapes) + " shapes");
+      "--blend has " + base::counted(blend.weights.size(), "weight") + " for " + base::counted(shapes, "shape"));
 }
 
 void write_blend(const MorphStates& morph, const ShapeBlend& blend, std::span<const std::array<mesh::Index, 4>> quads,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/counted.h"
 #include "repair/repair.h"
 #include "report/text.h"
 #include "solids/repaired_surface.h"
@@ -49,7 +50,7 @@ void add_handles(const repair::Repaired& repaired, Session& session, RepairOutlo
   for (const repair::Event& e : cut.events) {
     if (e.action != repair::Action::cut_handle) continue;
     handles.push_back({{"place", {e.place[0], e.place[1], e.place[2]}}, {"edges", e.count}, {"length", e.size}});
-    outlook.lines.push_back("handle or tunnel with a loop of " + std::to_string(e.count) + " edges, length " +
+    outlook.lines.push_back("handle or tunnel with a loop of " + base::counted(e.count, "edge") + ", length " +
                             number(e.size) + ", around " + place(e.place));
   }
   outlook.figures["handles"] = handles;
@@ -70,13 +71,13 @@ RepairOutlook repair_outlook(const mesh::Mesh& surface, Session& session) {
     add_places(
         repaired, repair::Action::dropped_part, "parts",
         [](const repair::Event& e) {
-          return "part of " + std::to_string(e.count) + " triangles, area " + number(e.size);
+          return "part of " + base::counted(e.count, "triangle") + ", area " + number(e.size);
         },
         outlook.lines);
     add_places(
         repaired, repair::Action::filled_hole, "holes",
         [](const repair::Event& e) {
-          return "hole of " + std::to_string(e.count) + " edges, length " + number(e.size);
+          return "hole of " + base::counted(e.count, "edge") + ", length " + number(e.size);
         },
         outlook.lines);
     add_places(

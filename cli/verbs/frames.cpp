@@ -49,7 +49,7 @@ struct FramesOptions {
   double feature_angle = 0;  // degrees
   std::uint32_t rounds = frame_field::Options{}.rounds;
   bool free_boundary = false;
-  bool repair = false;
+  bool locally_meshable = false;
   bool single_axis = false;
   std::string vtk;
   std::string plot;
@@ -104,9 +104,9 @@ frame_field::Outcome compute(const FramesOptions& options, const mesh::Mesh& sol
   settings.align_boundary = !options.free_boundary;
   settings.feature_angle = options.feature_angle * std::numbers::pi / 180;
   settings.rounds = options.rounds;
-  settings.repairs = options.single_axis ? frame_field::Repairs::single_axis
-                     : options.repair    ? frame_field::Repairs::places
-                                         : frame_field::Repairs::none;
+  settings.repairs = options.single_axis        ? frame_field::Repairs::single_axis
+                     : options.locally_meshable ? frame_field::Repairs::places
+                                                : frame_field::Repairs::none;
   return about(options.input, Role::input, [&] {
     return frame_field::compute(solid.positions, solid.tetrahedra, settings,
                                 {.frames = held, .axes = {}, .start = start}, host);
@@ -144,7 +144,7 @@ Json json_of(const FramesOptions& options) {
           {"feature_angle", options.feature_angle},
           {"rounds", options.rounds},
           {"align_boundary", !options.free_boundary},
-          {"repair", options.repair},
+          {"locally_meshable", options.locally_meshable},
           {"single_axis", options.single_axis},
           {"vtk", options.vtk},
           {"plot", options.plot},
@@ -204,7 +204,7 @@ void run_frames(const FramesOptions& options, Session& session) {
                   {"solver_iterations", outcome.solver_iterations},
                   {"seconds_compute", computed},
                   {"seconds_measure", measured}});
-  const bool repairs = options.repair || options.single_axis;
+  const bool repairs = options.locally_meshable || options.single_axis;
   if (repairs) figures["repair"] = repair_figures(outcome.repair);
   about(options.output, Role::output, [&] {
     if (const std::size_t ends = found.graph.dead_ends.size(); ends > 0)
@@ -281,7 +281,7 @@ void add_frames(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::Range(0, 1000)))
       ->type_name("N");
   verb->add_flag("--no-align-boundary", options->free_boundary, "do not align frames with the boundary");
-  verb->add_flag("--repair", options->repair,
+  verb->add_flag("--locally-meshable", options->locally_meshable,
                  "change the field where no hexahedral mesh can follow it, at a small increase of the energy")
       ->excludes(verb->get_option("--unchanged"));
   verb->add_flag("--single-axis", options->single_axis,
