@@ -1,12 +1,16 @@
 #include "orbicube/repair.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "capi/src/surface_view.h"
+#include "repair/labels/surface_of_labels.h"
 #include "repair/repair.h"
 
 using namespace orbicube;
@@ -15,6 +19,7 @@ struct obc_repair {
   explicit obc_repair(const obc_host* host) : adapter(host), result(adapter.host().memory) {}
   capi::HostAdapter adapter;
   repair::Repaired result;
+  repair::LabelReport label;
 };
 
 namespace {
@@ -121,6 +126,48 @@ obc_repair_report report_of(const repair::Report& r) {
   return report;
 }
 
+obc_repair_label_options default_label_options() {
+  const repair::LabelOptions defaults;
+  obc_repair_label_options o{};
+  o.struct_size = sizeof o;
+  o.label = defaults.label;
+  o.cavities = defaults.cavities;
+  o.handles = defaults.handles;
+  o.keep_parts = defaults.keep;
+  o.smoothing = defaults.smoothing;
+  o.max_slide = defaults.max_slide;
+  return o;
+}
+
+repair::LabelImage image_of(const std::int32_t* labels, const std::size_t* size, const double* to_world) {
+  repair::LabelImage image{{}, {size[0], size[1], size[2]}, {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1}};
+  std::size_t count = 0;
+  capi::require(!__builtin_mul_overflow(size[0], size[1], &count) && !__builtin_mul_overflow(count, size[2], &count) &&
+                    count <= std::numeric_limits<std::ptrdiff_t>::max() / sizeof(std::int32_t),
+                "the sizes of the image overflow");
+  image.labels = {labels, count};
+  if (to_world != nullptr) std::copy_n(to_world, 16, image.to_world.begin());
+  return image;
+}
+
+obc_repair_label_report label_report_of(const repair::LabelReport& r) {
+  obc_repair_label_report report{};
+  report.label = r.label;
+  report.voxels = r.voxels;
+  report.border_voxels = r.border_voxels;
+  report.found_parts = r.found_parts;
+  report.kept_parts = r.kept_parts;
+  report.dropped_voxels = r.dropped_voxels;
+  report.cavities = r.cavities;
+  report.filled_voxels = r.filled_voxels;
+  report.handles = r.handles;
+  report.added_voxels = r.added_voxels;
+  report.removed_voxels = r.removed_voxels;
+  report.centered_vertices = r.centered_vertices;
+  report.largest_slide = r.largest_slide;
+  return report;
+}
+
 template <class Element, class Number>
 void copy(const base::Array<Element>& from, Number* to) {
   if (to != nullptr && !from.empty()) std::memcpy(to, from.data(), from.size() * sizeof(Element));
@@ -195,6 +242,54 @@ obc_status obc_repair_get_report(const obc_repair* repaired, obc_repair_report* 
     capi::require(repaired != nullptr, "repaired is NULL");
     capi::require(report != nullptr, "report is NULL");
     capi::write_versioned(report, report_of(repaired->result.report));
+  });
+}
+
+obc_status obc_repair_label_options_init(obc_repair_label_options* options, size_t struct_size) {
+  return capi::init_versioned(options, struct_size, default_label_options());
+}
+
+obc_status obc_repair_label_report_init(obc_repair_label_report* report, size_t struct_size) {
+  return capi::init_versioned(report, struct_size, obc_repair_label_report{});
+}
+
+obc_status obc_repair_surface_of_label(const int32_t* labels, const size_t* size, const double* to_world,
+                                       const obc_repair_label_options* options, const obc_host* host, obc_repair** out,
+                                       obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    capi::require(labels != nullptr, "labels is NULL");
+    capi::require(size != nullptr, "size is NULL");
+    const obc_repair_label_options o = capi::copy_versioned(options, default_label_options());
+    auto made = std::make_unique<obc_repair>(host);
+    repair::LabelSurface surface = repair::surface_of_label(image_of(labels, size, to_world),
+                                                            {.label = o.label,
+                                                             .keep = o.keep_parts,
+                                                             .cavities = o.cavities != 0,
+                                                             .handles = o.handles != 0,
+                                                             .smoothing = o.smoothing,
+                                                             .max_slide = o.max_slide},
+                                                            made->adapter.host());
+    repair::Repaired& result = made->result;
+    result.surface.vertex_source.assign(surface.positions.size(), mesh::no_index);
+    result.surface.triangle_source.assign(surface.triangles.size(), mesh::no_index);
+    result.surface.positions = std::move(surface.positions);
+    result.surface.triangles = std::move(surface.triangles);
+    result.report.certificate = surface.report.certificate;
+    result.report.changed = true;
+    result.report.parts.found = surface.report.found_parts;
+    result.report.parts.kept = surface.report.kept_parts;
+    made->label = surface.report;
+    *out = made.release();
+  });
+}
+
+obc_status obc_repair_get_label_report(const obc_repair* repaired, obc_repair_label_report* report, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(repaired != nullptr, "repaired is NULL");
+    capi::require(report != nullptr, "report is NULL");
+    capi::write_versioned(report, label_report_of(repaired->label));
   });
 }
 

@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <string>
@@ -227,4 +230,78 @@ TEST_CASE("Each progress report may cancel") {
   });
   CHECK(outcome.problem == "");
   CHECK(outcome.runs > 5);
+}
+
+TEST_CASE("A label's surface comes with figures; mistakes, memory, cancelling and threads are as everywhere") {
+  // Label 3: a block with a tunnel along z; label 4: a voxel.
+  const std::array<std::size_t, 3> size = {9, 8, 7};
+  std::vector<std::int32_t> labels(9 * 8 * 7, 0);
+  for (std::size_t z = 1; z < 6; ++z) {
+    for (std::size_t y = 1; y < 7; ++y) {
+      for (std::size_t x = 1; x < 7; ++x)
+        labels[x + 9 * (y + 8 * z)] = x == 2 && y == 3 ? 0 : 3;
+    }
+  }
+  labels[8] = 4;
+  const std::array<double, 16> to_world = {0, 0, 2, 5, 1, 0, 0, 6, 0, 1, 0, 7, 0, 0, 0, 1};
+  obc_repair_label_options options;
+  REQUIRE(obc_repair_label_options_init(&options, sizeof options) == OBC_OK);
+  CHECK(options.max_slide == 0.45);
+  options.label = 3;
+  obc_repair* made = nullptr;
+  obc_error error;
+  const auto compute = [&](const obc_host* host) {
+    return obc_repair_surface_of_label(labels.data(), size.data(), to_world.data(), &options, host, &made, &error);
+  };
+  REQUIRE(compute(nullptr) == OBC_OK);
+  obc_repair_label_report figures;
+  REQUIRE(obc_repair_label_report_init(&figures, sizeof figures) == OBC_OK);
+  REQUIRE(obc_repair_get_label_report(made, &figures, nullptr) == OBC_OK);
+  CHECK(figures.label == 3);
+  CHECK(figures.voxels == 36 * 5 - 5);
+  CHECK(figures.handles == 1);
+  CHECK(figures.added_voxels + figures.removed_voxels > 0);
+  const obc_repair_report report = report_of(made);
+  CHECK(report.closed == 1);
+  CHECK(report.genus == 0);
+  CHECK(report.self_intersections == 0);
+  CHECK(report.volume > 200);
+  const std::size_t vertices = obc_repair_vertex_count(made);
+  std::vector<double> positions(3 * vertices), again(3 * vertices);
+  std::vector<std::uint32_t> source(vertices);
+  REQUIRE(obc_repair_copy(made, positions.data(), nullptr, source.data(), nullptr, nullptr) == OBC_OK);
+  CHECK(source[0] == UINT32_MAX);
+  for (std::size_t v = 0; v < vertices; ++v) {  // z is first in the world, of spacing 2
+    CHECK(std::abs(positions[3 * v] - 11) <= 2 * 3);
+    CHECK(std::abs(positions[3 * v + 1] - 9.5) <= 3.5);
+  }
+  obc_repair_destroy(made);
+  // Threads, allocations that fail, cancelling.
+  obc_host host;
+  REQUIRE(obc_host_init(&host, sizeof host) == OBC_OK);
+  host.thread_count = 3;
+  REQUIRE(compute(&host) == OBC_OK);
+  REQUIRE(obc_repair_copy(made, again.data(), nullptr, nullptr, nullptr, nullptr) == OBC_OK);
+  CHECK(positions == again);
+  obc_repair_destroy(made);
+  host.progress = [](const char*, uint64_t, uint64_t, double, void*) -> std::int32_t { return 1; };
+  CHECK(compute(&host) == OBC_CANCELLED);
+  CHECK(made == nullptr);
+  // Mistakes.
+  options.label = 0;
+  CHECK(compute(nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(std::string(error.message).find("3 (175 voxels), 4 (1 voxel)") != std::string::npos);
+  options.label = 9;
+  CHECK(compute(nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_repair_surface_of_label(nullptr, size.data(), nullptr, nullptr, nullptr, &made, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_repair_surface_of_label(labels.data(), nullptr, nullptr, nullptr, nullptr, &made, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_repair_surface_of_label(labels.data(), size.data(), nullptr, nullptr, nullptr, nullptr, &error) ==
+        OBC_INVALID_ARGUMENT);
+  const std::array<std::size_t, 3> huge = {SIZE_MAX, 2, 2};
+  CHECK(obc_repair_surface_of_label(labels.data(), huge.data(), nullptr, nullptr, nullptr, &made, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(std::string(error.message).find("overflow") != std::string::npos);
+  CHECK(obc_repair_get_label_report(nullptr, &figures, nullptr) == OBC_INVALID_ARGUMENT);
 }

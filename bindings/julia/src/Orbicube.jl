@@ -12,7 +12,7 @@ export relax, Relaxation, relax!
 export LinearFactor, solve, refactor!, remove_row!, update!, entry_count, LinearIterations
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map
 export Mesh, formats, shape_names, read_mesh, write_mesh, check_cells, boundary, tetrahedron_quality, fill_with_tetrahedra, check_fillable
-export repair_surface
+export repair_surface, surface_of_label
 export check_closed_genus_zero, orient, intersections, first_at_same_position, Search, nearest_vertices, nearest_points
 export vertex_normals, vertex_areas, surface_distance, mean_distance
 export orientation_2d, orientation_3d, orientation_from_origin, read_gltf, write_gltf

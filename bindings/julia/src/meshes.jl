@@ -372,3 +372,32 @@ function repair_surface(surface::Surface; threads=0, progress=nothing, options..
         Raw.obc_repair_destroy(out[])
     end
 end
+
+"""
+    made = surface_of_label(labels, to_world=nothing; options...)
+
+The closed surface of a label of an image: `labels`, integers with three axes, and `to_world`, the 4x4 matrix from voxel numbers, counted from 0,
+to positions; nothing: positions are these numbers. Returns `surface`, `label_report` and `report`, with the certificate. Options: members of
+`obc_repair_label_options`.
+"""
+function surface_of_label(labels::AbstractArray{<:Integer,3}, to_world=nothing; threads=0, progress=nothing, options...)
+    isnothing(to_world) || size(to_world) == (4, 4) || throw(ArgumentError("to_world: a 4x4 matrix is needed"))
+    image, sizes = Array{Int32,3}(labels), collect(Csize_t, size(labels))
+    matrix = isnothing(to_world) ? C_NULL : Vector{Float64}(vec(permutedims(to_world)))
+    chosen, out = filled(Raw.obc_repair_label_options, Raw.obc_repair_label_options_init, values(options)), Ref(C_NULL)
+    hosted(; threads=threads, progress=progress) do lent, error
+        Raw.obc_repair_surface_of_label(image, sizes, matrix, chosen, lent, out, error)
+    end
+    try
+        positions = Matrix{Float64}(undef, 3, Raw.obc_repair_vertex_count(out[]))
+        faces = Matrix{UInt32}(undef, 3, Raw.obc_repair_triangle_count(out[]))
+        checked(error -> Raw.obc_repair_copy(out[], positions, faces, C_NULL, C_NULL, error))
+        report = filled(Raw.obc_repair_report, Raw.obc_repair_report_init, (;))
+        label_report = filled(Raw.obc_repair_label_report, Raw.obc_repair_label_report_init, (;))
+        checked(error -> Raw.obc_repair_get_report(out[], report, error))
+        checked(error -> Raw.obc_repair_get_label_report(out[], label_report, error))
+        (surface=Surface(positions, Int.(faces) .+ 1), label_report=label_report, report=report)
+    finally
+        Raw.obc_repair_destroy(out[])
+    end
+end

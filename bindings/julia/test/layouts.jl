@@ -46,6 +46,8 @@ const layouts = [
     (Orbicube.Raw.obc_projected_gradient_check, 64, [0, 4, 8, 16, 24, 32, 40, 48, 56]),
     (Orbicube.Raw.obc_repair_options, 136, [0, 4, 8, 12, 16, 20, 24, 28, 32, 36, 40, 44, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128]),
     (Orbicube.Raw.obc_repair_report, 328, [0, 4, 8, 12, 16, 20, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144, 152, 160, 168, 176, 184, 192, 200, 208, 216, 224, 232, 240, 248, 256, 264, 272, 280, 288, 296, 304, 312, 320]),
+    (Orbicube.Raw.obc_repair_label_options, 40, [0, 4, 8, 12, 16, 24, 32]),
+    (Orbicube.Raw.obc_repair_label_report, 104, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96]),
     (Orbicube.Raw.obc_sphere_map_options, 88, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
     (Orbicube.Raw.obc_sphere_map_report, 152, [0, 4, 8, 12, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 144]),
     (Orbicube.Raw.obc_sphere_optimizer_options, 48, [0, 4, 8, 12, 16, 24, 32, 40]),

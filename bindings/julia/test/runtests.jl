@@ -462,6 +462,17 @@ end
     @test_throws OrbicubeError repair_surface(Surface(positions, triangles); weld_distance=-1.0)
 end
 
+@testset "surfaces of labels" begin
+    labels = zeros(Int, 8, 7, 6)
+    labels[2:6, 2:6, 2:5] .= 3
+    labels[3, 3, :] .= 0
+    made = surface_of_label(labels, [2.0 0 0 1; 0 1 0 0; 0 0 1 0; 0 0 0 1])
+    @test made.report.closed == 1 && made.report.genus == 0 && made.label_report.handles == 1 && made.label_report.label == 3
+    @test maximum(Orbicube.positions(made.surface)[1, :]) > 10
+    @test surface_of_label(labels; handles=1).report.genus == 1
+    @test_throws OrbicubeError surface_of_label(labels; label=2)
+end
+
 @testset "files of engines" begin
     shape = make_surface("creature", 400)
     directions, = sphere_map(shape)

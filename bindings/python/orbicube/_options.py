@@ -249,6 +249,21 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="distance of a surface around all parts that replaces them, free of self-intersections; 0: none. "
                    "Default: 0."),
     ),
+    "obc_repair_label_options": (
+        Option("label", "int", 0, low=-2147483648, high=2147483647,
+               doc="label whose voxels are the object; 0: the only one besides 0. Default: 0."),
+        Option("cavities", "bool", False,
+               doc="1: cavities are kept, as surfaces inside, if handles is 1; 0: they are filled. Default: 0."),
+        Option("handles", "bool", False,
+               doc="1: handles and tunnels are kept; 0: they are removed, so that each part has genus 0. Default: 0."),
+        Option("keep_parts", "int", 1, low=0, high=18446744073709551615,
+               doc="number of parts to keep, those with the largest number of voxels; 0: all. Default: 1."),
+        Option("smoothing", "float", 1.0,
+               doc="standard deviation of the Gaussian that smooths the object, in voxels, 0 to 10; 0: none. Default: 1."),
+        Option("max_slide", "float", 0.45,
+               doc="maximum distance of a vertex from the middle between two voxel centers, as a fraction of their "
+                   "distance, below 0.5. Default: 0.45."),
+    ),
     "obc_sphere_map_options": (
         Option("method", "word", "balanced",
                words={"balanced": 0, "angle-area": 1, "isometric": 2, "stretch": 3, "conformal": 4, "dissertation": 5},

@@ -4,7 +4,7 @@
  * near-degenerate triangles are collapsed or flipped; vertices on open edges split them (T-junctions); faces are oriented;
  * edges and vertices where sheets of the surface touch are split (Gueziec et al. 2001); the largest parts are kept; holes are
  * filled (Liepa 2003). On request, all parts are replaced by a surface around them, and handles and tunnels are cut. Each step
- * changes nothing where nothing is wrong: a clean surface comes back bit for bit.
+ * changes nothing where nothing is wrong: a clean surface comes back bit for bit. Labels of an image become closed surfaces of genus 0.
  *
  * Arrays: as in <orbicube/mesh.h>. Lengths are in the unit of the surface. No function keeps its inputs.
  *
@@ -163,6 +163,59 @@ OBC_API obc_status obc_repair_get_report(const obc_repair *repaired, obc_repair_
 
 /* Returns the name of an action, as "filled-hole", or "unknown". */
 OBC_API const char *obc_repair_action_name(int32_t action);
+
+/* Options of the surface of a label. Fill with _init. */
+typedef struct obc_repair_label_options {
+  uint32_t struct_size;
+  int32_t label;     /* label whose voxels are the object; 0: the only one besides 0. Default: 0. */
+  int32_t cavities;  /* 1: cavities are kept, as surfaces inside, if handles is 1; 0: they are filled. Default: 0. */
+  int32_t handles;   /* 1: handles and tunnels are kept; 0: they are removed, so that each part has genus 0. Default: 0. */
+  size_t keep_parts; /* number of parts to keep, those with the largest number of voxels; 0: all. Default: 1. */
+  double smoothing;  /* standard deviation of the Gaussian that smooths the object, in voxels, 0 to 10; 0: none. Default: 1. */
+  double max_slide;  /* maximum distance of a vertex from the middle between two voxel centers, as a fraction of their distance, below 0.5.
+                        Default: 0.45. */
+} obc_repair_label_options;
+
+/* Fills options with the defaults. */
+OBC_API obc_status obc_repair_label_options_init(obc_repair_label_options *options, size_t struct_size);
+
+/* Figures of the surface of a label. Fill with _init. */
+typedef struct obc_repair_label_report {
+  uint32_t struct_size;
+  int32_t label;            /* whose surface it is */
+  size_t voxels;            /* of the label */
+  size_t border_voxels;     /* of these at the border of the image, where the surface is closed */
+  size_t found_parts;       /* connected through faces of voxels */
+  size_t kept_parts;        /* of these; parts inside others are part of them where cavities are filled */
+  size_t dropped_voxels;    /* of the other parts */
+  size_t cavities;          /* filled */
+  size_t filled_voxels;     /* of cavities */
+  size_t handles;           /* handles and tunnels that were removed */
+  size_t added_voxels;      /* to close tunnels */
+  size_t removed_voxels;    /* to cut handles */
+  size_t centered_vertices; /* moved back to the middle between two voxel centers, because triangles intersected */
+  double largest_slide;     /* distance of a vertex from this middle, as a fraction of the distance of the centers */
+} obc_repair_label_report;
+
+/* Fills a report with zeros and its struct_size. */
+OBC_API obc_status obc_repair_label_report_init(obc_repair_label_report *report, size_t struct_size);
+
+/* Extracts the closed surface of a label of an image: labels of size[0] * size[1] * size[2] voxels, x fastest, and to_world, a 4x4 matrix,
+ * row-major, from (x, y, z, 1) to positions, with voxel centers at whole numbers and the last row 0 0 0 1; NULL: positions are
+ * voxel numbers. It is outward-oriented, also where to_world mirrors. The largest parts are kept, cavities filled, handles and tunnels
+ * removed at their thinnest places by homotopic growth and shrinking; vertices lie between the centers of adjacent voxels where
+ * the smoothed object ends. No triangles intersect, the centers of the object's voxels are inside and all others outside, and the
+ * surface is within half a voxel of the sides of its voxels. options and host may be NULL. *out is NULL after an error; its
+ * certificate is in the report of obc_repair_get_report, its sources are all UINT32_MAX, it has no events. Takes O(n log n) of the
+ * voxels in the label's box and about 20 bytes for each of them. Errors: OBC_INVALID_ARGUMENT (sizes that overflow, a singular map, a
+ * label that is not there, several labels and none chosen; the message lists those that are there), OBC_NO_VALID_RESULT (large
+ * coordinates leave too few digits, so that triangles intersect), OBC_CANCELLED, OBC_OUT_OF_MEMORY. */
+OBC_API obc_status obc_repair_surface_of_label(const int32_t *labels, const size_t *size, const double *to_world,
+                                               const obc_repair_label_options *options, const obc_host *host, obc_repair **out,
+                                               obc_error *error);
+
+/* Fills a report of obc_repair_surface_of_label; zeros for other repairs. Errors: OBC_INVALID_ARGUMENT. */
+OBC_API obc_status obc_repair_get_label_report(const obc_repair *repaired, obc_repair_label_report *report, obc_error *error);
 
 /* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_repair_version(void);

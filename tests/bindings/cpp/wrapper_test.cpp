@@ -702,3 +702,22 @@ TEST_CASE("A surface is repaired, with what was done where") {
   options.weld_distance = -1;
   CHECK_THROWS_AS(repair::repair(surface, options), Error);
 }
+
+TEST_CASE("repair: the surface of a label") {
+  const std::array<std::size_t, 3> size = {6, 5, 5};
+  std::vector<std::int32_t> labels(150, 0);
+  for (std::size_t i = 0; i < 150; ++i) {
+    const std::size_t x = i % 6, y = i / 6 % 5, z = i / 30;
+    labels[i] = x > 0 && x < 5 && y > 0 && y < 4 && z > 0 && z < 4 && (x != 2 || y != 2) ? 9 : 0;
+  }
+  const repair::LabelSurface made = repair::surface_of_label(labels, size);
+  CHECK(made.report.closed == 1);
+  CHECK(made.report.genus == 0);
+  CHECK(made.label_report.handles == 1);
+  repair::LabelOptions options;
+  options.handles = 1;
+  CHECK(repair::surface_of_label(labels, size, nullptr, options).report.genus == 1);
+  options.label = 1;
+  CHECK_THROWS_AS(repair::surface_of_label(labels, size, nullptr, options), Error);
+  CHECK_THROWS_AS(repair::surface_of_label(labels, {6, 5, 4}), std::invalid_argument);
+}

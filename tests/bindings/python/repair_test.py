@@ -55,6 +55,25 @@ class Repair(unittest.TestCase):
         with self.assertRaises(orbicube.Cancelled):
             repair.repair((positions, triangles), progress=lambda *_: True)
 
+    def test_surface_of_label(self):
+        x, y, z = np.meshgrid(*[np.arange(n) for n in (14, 12, 10)], indexing="ij")
+        labels = np.where((x - 6)**2 + (y - 5)**2 + (z - 4)**2 < 11, 4, 0)
+        labels[6, 5, :] = 0  # a tunnel
+        affine = np.array([[0, -0.5, 0, 3], [0.5, 0, 0, -2], [0, 0, 2, 1], [0, 0, 0, 1.0]])
+        made = repair.surface_of_label(labels, affine)
+        self.assertEqual((made.report.closed, made.report.genus, made.report.self_intersections), (1, 0, 0))
+        self.assertEqual((made.label_report.label, made.label_report.handles, made.label_report.voxels), (4, 1, (labels == 4).sum()))
+        np.testing.assert_allclose(made.positions.mean(axis=0), (affine @ [6, 5, 4, 1])[:3], atol=0.2)
+        kept = repair.surface_of_label(np.asfortranarray(labels.astype(np.uint8)), label=4, handles=True)
+        self.assertEqual(kept.report.genus, 1)
+        for bad in (labels * 1.5, labels[0], np.full((2, 2, 2), 2**40)):
+            with self.assertRaises((TypeError, ValueError)):
+                repair.surface_of_label(bad)
+        with self.assertRaises(orbicube.InvalidArgument):
+            repair.surface_of_label(labels, label=5)
+        with self.assertRaises(ValueError):
+            repair.surface_of_label(labels, affine[:3])
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -89,6 +89,35 @@ mutable struct obc_repair_report <: CStruct
     obc_repair_report() = zeroed!(new())
 end
 
+mutable struct obc_repair_label_options <: CStruct
+    struct_size::UInt32
+    label::Int32
+    cavities::Int32
+    handles::Int32
+    keep_parts::Csize_t
+    smoothing::Float64
+    max_slide::Float64
+    obc_repair_label_options() = zeroed!(new())
+end
+
+mutable struct obc_repair_label_report <: CStruct
+    struct_size::UInt32
+    label::Int32
+    voxels::Csize_t
+    border_voxels::Csize_t
+    found_parts::Csize_t
+    kept_parts::Csize_t
+    dropped_voxels::Csize_t
+    cavities::Csize_t
+    filled_voxels::Csize_t
+    handles::Csize_t
+    added_voxels::Csize_t
+    removed_voxels::Csize_t
+    centered_vertices::Csize_t
+    largest_slide::Float64
+    obc_repair_label_report() = zeroed!(new())
+end
+
 const address_obc_repair_options_init = Ref(C_NULL)
 obc_repair_options_init(options, struct_size) =
     ccall(symbol(address_obc_repair_options_init, :repair, :obc_repair_options_init), Int32, (Ptr{obc_repair_options}, Csize_t), options, struct_size)
@@ -132,6 +161,22 @@ obc_repair_get_report(repaired, report, error) =
 const address_obc_repair_action_name = Ref(C_NULL)
 obc_repair_action_name(action) =
     ccall(symbol(address_obc_repair_action_name, :repair, :obc_repair_action_name), Cstring, (Int32,), action)
+
+const address_obc_repair_label_options_init = Ref(C_NULL)
+obc_repair_label_options_init(options, struct_size) =
+    ccall(symbol(address_obc_repair_label_options_init, :repair, :obc_repair_label_options_init), Int32, (Ptr{obc_repair_label_options}, Csize_t), options, struct_size)
+
+const address_obc_repair_label_report_init = Ref(C_NULL)
+obc_repair_label_report_init(report, struct_size) =
+    ccall(symbol(address_obc_repair_label_report_init, :repair, :obc_repair_label_report_init), Int32, (Ptr{obc_repair_label_report}, Csize_t), report, struct_size)
+
+const address_obc_repair_surface_of_label = Ref(C_NULL)
+obc_repair_surface_of_label(labels, size, to_world, options, host, out, error) =
+    ccall(symbol(address_obc_repair_surface_of_label, :repair, :obc_repair_surface_of_label), Int32, (Ptr{Int32}, Ptr{Csize_t}, Ptr{Float64}, Ptr{obc_repair_label_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_error}), labels, size, to_world, options, host, out, error)
+
+const address_obc_repair_get_label_report = Ref(C_NULL)
+obc_repair_get_label_report(repaired, report, error) =
+    ccall(symbol(address_obc_repair_get_label_report, :repair, :obc_repair_get_label_report), Int32, (Ptr{Cvoid}, Ptr{obc_repair_label_report}, Ptr{obc_error}), repaired, report, error)
 
 const address_obc_repair_version = Ref(C_NULL)
 obc_repair_version() =

@@ -98,6 +98,39 @@ class obc_repair_report(_Struct):
     ]
 
 
+class obc_repair_label_options(_Struct):
+    """Options of the surface of a label. Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("label", _c.c_int32),
+        ("cavities", _c.c_int32),
+        ("handles", _c.c_int32),
+        ("keep_parts", _c.c_size_t),
+        ("smoothing", _c.c_double),
+        ("max_slide", _c.c_double),
+    ]
+
+
+class obc_repair_label_report(_Struct):
+    """Figures of the surface of a label. Fill with _init."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("label", _c.c_int32),
+        ("voxels", _c.c_size_t),
+        ("border_voxels", _c.c_size_t),
+        ("found_parts", _c.c_size_t),
+        ("kept_parts", _c.c_size_t),
+        ("dropped_voxels", _c.c_size_t),
+        ("cavities", _c.c_size_t),
+        ("filled_voxels", _c.c_size_t),
+        ("handles", _c.c_size_t),
+        ("added_voxels", _c.c_size_t),
+        ("removed_voxels", _c.c_size_t),
+        ("centered_vertices", _c.c_size_t),
+        ("largest_slide", _c.c_double),
+    ]
+
+
 _functions = [
     ("obc_repair_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_repair_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
@@ -110,6 +143,10 @@ _functions = [
     ("obc_repair_copy_events", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_repair_get_report", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_repair_action_name", _c.c_char_p, [_c.c_int32]),
+    ("obc_repair_label_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_repair_label_report_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
+    ("obc_repair_surface_of_label", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_repair_get_label_report", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_repair_version", _c.c_uint32, []),
 ]
 

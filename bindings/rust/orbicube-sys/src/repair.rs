@@ -167,6 +167,59 @@ pub struct obc_repair_report {
     pub volume: f64,
 }
 
+/// Options of the surface of a label. Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_repair_label_options {
+    pub struct_size: u32,
+    /// label whose voxels are the object; 0: the only one besides 0. Default: 0.
+    pub label: i32,
+    /// 1: cavities are kept, as surfaces inside, if handles is 1; 0: they are filled. Default: 0.
+    pub cavities: i32,
+    /// 1: handles and tunnels are kept; 0: they are removed, so that each part has genus 0. Default: 0.
+    pub handles: i32,
+    /// number of parts to keep, those with the largest number of voxels; 0: all. Default: 1.
+    pub keep_parts: usize,
+    /// standard deviation of the Gaussian that smooths the object, in voxels, 0 to 10; 0: none. Default: 1.
+    pub smoothing: f64,
+    /// maximum distance of a vertex from the middle between two voxel centers, as a fraction of their distance, below 0.5.
+    /// Default: 0.45.
+    pub max_slide: f64,
+}
+
+/// Figures of the surface of a label. Fill with \_init.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_repair_label_report {
+    pub struct_size: u32,
+    /// whose surface it is
+    pub label: i32,
+    /// of the label
+    pub voxels: usize,
+    /// of these at the border of the image, where the surface is closed
+    pub border_voxels: usize,
+    /// connected through faces of voxels
+    pub found_parts: usize,
+    /// of these; parts inside others are part of them where cavities are filled
+    pub kept_parts: usize,
+    /// of the other parts
+    pub dropped_voxels: usize,
+    /// filled
+    pub cavities: usize,
+    /// of cavities
+    pub filled_voxels: usize,
+    /// handles and tunnels that were removed
+    pub handles: usize,
+    /// to close tunnels
+    pub added_voxels: usize,
+    /// to cut handles
+    pub removed_voxels: usize,
+    /// moved back to the middle between two voxel centers, because triangles intersected
+    pub centered_vertices: usize,
+    /// distance of a vertex from this middle, as a fraction of the distance of the centers
+    pub largest_slide: f64,
+}
+
 extern "C" {
     /// Fills options with the defaults.
     pub fn obc_repair_options_init(options: *mut obc_repair_options, struct_size: usize) -> i32;
@@ -196,6 +249,23 @@ extern "C" {
     pub fn obc_repair_get_report(repaired: *const obc_repair, report: *mut obc_repair_report, error: *mut obc_error) -> i32;
     /// Returns the name of an action, as "filled-hole", or "unknown".
     pub fn obc_repair_action_name(action: i32) -> *const c_char;
+    /// Fills options with the defaults.
+    pub fn obc_repair_label_options_init(options: *mut obc_repair_label_options, struct_size: usize) -> i32;
+    /// Fills a report with zeros and its struct\_size.
+    pub fn obc_repair_label_report_init(report: *mut obc_repair_label_report, struct_size: usize) -> i32;
+    /// Extracts the closed surface of a label of an image: labels of size\[0\] \* size\[1\] \* size\[2\] voxels, x fastest, and to\_world, a 4x4 matrix,
+    /// row-major, from (x, y, z, 1) to positions, with voxel centers at whole numbers and the last row 0 0 0 1; NULL: positions are
+    /// voxel numbers. It is outward-oriented, also where to\_world mirrors. The largest parts are kept, cavities filled, handles and tunnels
+    /// removed at their thinnest places by homotopic growth and shrinking; vertices lie between the centers of adjacent voxels where
+    /// the smoothed object ends. No triangles intersect, the centers of the object's voxels are inside and all others outside, and the
+    /// surface is within half a voxel of the sides of its voxels. options and host may be NULL. \*out is NULL after an error; its
+    /// certificate is in the report of obc\_repair\_get\_report, its sources are all UINT32\_MAX, it has no events. Takes O(n log n) of the
+    /// voxels in the label's box and about 20 bytes for each of them. Errors: OBC\_INVALID\_ARGUMENT (sizes that overflow, a singular map, a
+    /// label that is not there, several labels and none chosen; the message lists those that are there), OBC\_NO\_VALID\_RESULT (large
+    /// coordinates leave too few digits, so that triangles intersect), OBC\_CANCELLED, OBC\_OUT\_OF\_MEMORY.
+    pub fn obc_repair_surface_of_label(labels: *const i32, size: *const usize, to_world: *const f64, options: *const obc_repair_label_options, host: *const obc_host, out: *mut *mut obc_repair, error: *mut obc_error) -> i32;
+    /// Fills a report of obc\_repair\_surface\_of\_label; zeros for other repairs. Errors: OBC\_INVALID\_ARGUMENT.
+    pub fn obc_repair_get_label_report(repaired: *const obc_repair, report: *mut obc_repair_label_report, error: *mut obc_error) -> i32;
     /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_repair_version() -> u32;
 }
@@ -281,5 +351,32 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).self_intersections) } as usize - start as usize, 304, "obc_repair_report.self_intersections");
         assert_eq!(unsafe { addr_of!((*start).area) } as usize - start as usize, 312, "obc_repair_report.area");
         assert_eq!(unsafe { addr_of!((*start).volume) } as usize - start as usize, 320, "obc_repair_report.volume");
+        assert_eq!((size_of::<obc_repair_label_options>(), align_of::<obc_repair_label_options>()), (40, 8));
+        let it = MaybeUninit::<obc_repair_label_options>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_repair_label_options.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).label) } as usize - start as usize, 4, "obc_repair_label_options.label");
+        assert_eq!(unsafe { addr_of!((*start).cavities) } as usize - start as usize, 8, "obc_repair_label_options.cavities");
+        assert_eq!(unsafe { addr_of!((*start).handles) } as usize - start as usize, 12, "obc_repair_label_options.handles");
+        assert_eq!(unsafe { addr_of!((*start).keep_parts) } as usize - start as usize, 16, "obc_repair_label_options.keep_parts");
+        assert_eq!(unsafe { addr_of!((*start).smoothing) } as usize - start as usize, 24, "obc_repair_label_options.smoothing");
+        assert_eq!(unsafe { addr_of!((*start).max_slide) } as usize - start as usize, 32, "obc_repair_label_options.max_slide");
+        assert_eq!((size_of::<obc_repair_label_report>(), align_of::<obc_repair_label_report>()), (104, 8));
+        let it = MaybeUninit::<obc_repair_label_report>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_repair_label_report.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).label) } as usize - start as usize, 4, "obc_repair_label_report.label");
+        assert_eq!(unsafe { addr_of!((*start).voxels) } as usize - start as usize, 8, "obc_repair_label_report.voxels");
+        assert_eq!(unsafe { addr_of!((*start).border_voxels) } as usize - start as usize, 16, "obc_repair_label_report.border_voxels");
+        assert_eq!(unsafe { addr_of!((*start).found_parts) } as usize - start as usize, 24, "obc_repair_label_report.found_parts");
+        assert_eq!(unsafe { addr_of!((*start).kept_parts) } as usize - start as usize, 32, "obc_repair_label_report.kept_parts");
+        assert_eq!(unsafe { addr_of!((*start).dropped_voxels) } as usize - start as usize, 40, "obc_repair_label_report.dropped_voxels");
+        assert_eq!(unsafe { addr_of!((*start).cavities) } as usize - start as usize, 48, "obc_repair_label_report.cavities");
+        assert_eq!(unsafe { addr_of!((*start).filled_voxels) } as usize - start as usize, 56, "obc_repair_label_report.filled_voxels");
+        assert_eq!(unsafe { addr_of!((*start).handles) } as usize - start as usize, 64, "obc_repair_label_report.handles");
+        assert_eq!(unsafe { addr_of!((*start).added_voxels) } as usize - start as usize, 72, "obc_repair_label_report.added_voxels");
+        assert_eq!(unsafe { addr_of!((*start).removed_voxels) } as usize - start as usize, 80, "obc_repair_label_report.removed_voxels");
+        assert_eq!(unsafe { addr_of!((*start).centered_vertices) } as usize - start as usize, 88, "obc_repair_label_report.centered_vertices");
+        assert_eq!(unsafe { addr_of!((*start).largest_slide) } as usize - start as usize, 96, "obc_repair_label_report.largest_slide");
     }
 }

@@ -68,3 +68,44 @@ pub fn repair(surface: Surface, options: &Options, host: &mut Host) -> Result<Re
         Ok(result)
     }
 }
+
+filled!(/// Options of the surface of a label, with their defaults.
+    LabelOptions, obc_repair_label_options, obc_repair_label_options_init);
+filled!(/// Figures of the surface of a label.
+    LabelReport, obc_repair_label_report, obc_repair_label_report_init);
+
+/// The surface of a label, what was done, and the report with the certificate.
+pub struct LabelSurface {
+    pub positions: Vec<f64>,
+    pub triangles: Vec<u32>,
+    pub label_report: LabelReport,
+    pub report: Report,
+}
+
+/// Extracts the closed surface of a label of an image: labels with x fastest, and the 4x4 matrix, row-major, from voxel numbers to
+/// positions; `None`: positions are voxel numbers. Panics unless the number of labels is the product of the sizes.
+pub fn surface_of_label(labels: &[i32], size: [usize; 3], to_world: Option<&[f64; 16]>, options: &LabelOptions, host: &mut Host)
+                        -> Result<LabelSurface, Error> {
+    let count = size[0].checked_mul(size[1]).and_then(|n| n.checked_mul(size[2]));
+    assert_eq!(count, Some(labels.len()), "the number of labels is not the product of the sizes");
+    let matrix = to_world.map_or(std::ptr::null(), |m| m.as_ptr());
+    let mut out = std::ptr::null_mut();
+    call(host, |host, error| unsafe {
+        obc_repair_surface_of_label(labels.as_ptr(), size.as_ptr(), matrix, &options.0, host, &mut out, error)
+    })?;
+    let handle = Handle::own(out);
+    let out = handle.as_ptr();
+    unsafe {
+        let mut result = LabelSurface {
+            positions: vec![0.0; 3 * obc_repair_vertex_count(out)],
+            triangles: vec![0; 3 * obc_repair_triangle_count(out)],
+            label_report: LabelReport::default(),
+            report: Report::default(),
+        };
+        let none = std::ptr::null_mut();
+        checked(|error| obc_repair_copy(out, result.positions.as_mut_ptr(), result.triangles.as_mut_ptr(), none, none, error))?;
+        checked(|error| obc_repair_get_report(out, &mut result.report.0, error))?;
+        checked(|error| obc_repair_get_label_report(out, &mut result.label_report.0, error))?;
+        Ok(result)
+    }
+}

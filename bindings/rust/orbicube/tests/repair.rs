@@ -1,7 +1,7 @@
 //! A surface without one of its faces.
 
 use orbicube::mesh::Surface;
-use orbicube::repair::{repair, Options};
+use orbicube::repair::{repair, surface_of_label, LabelOptions, Options};
 use orbicube::sys::repair::OBC_REPAIR_FILLED_HOLE;
 use orbicube::Host;
 
@@ -24,4 +24,20 @@ fn a_hole_is_filled_and_reported() {
     options.weld_distance = f64::NAN;
     let surface = Surface::new(&positions, &triangles).unwrap();
     assert!(repair(surface, &options, &mut Host::new()).is_err());
+}
+
+#[test]
+fn a_label_has_a_closed_surface() {
+    let mut labels = vec![0i32; 5 * 6 * 7];
+    for (i, label) in labels.iter_mut().enumerate() {
+        let (x, y, z) = (i % 5, i / 5 % 6, i / 30);
+        *label = ((1..4).contains(&x) && (1..5).contains(&y) && (1..6).contains(&z) && (x, y) != (2, 2)) as i32 * 8;
+    }
+    let matrix = [2.0, 0.0, 0.0, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0];
+    let made = surface_of_label(&labels, [5, 6, 7], Some(&matrix), &LabelOptions::default(), &mut Host::new()).unwrap();
+    assert_eq!((made.report.closed, made.report.genus, made.label_report.label, made.label_report.handles), (1, 0, 8, 1));
+    assert!(made.positions.iter().step_by(3).all(|x| (1.0..9.1).contains(x)));
+    let mut options = LabelOptions::default();
+    options.label = 7;
+    assert!(surface_of_label(&labels, [5, 6, 7], None, &options, &mut Host::new()).is_err());
 }
