@@ -31,6 +31,7 @@ void add_examples(CLI::App& app) {
       {"info", "scan.ply"},
       {"convert", "scan.stl scan.ply"},
       {"repair", "scan.ply -o closed.ply"},
+      {"surface", "labels.nii.gz --label 4 -o ventricle.ply"},
       {"make", "bracket -o bracket.obj --resolution 50000"},
       {"sphere", "creature.obj -o creature.glb --page creature.html"},
       {"frames", "part.mesh -o part.frames --glb part.glb"},
@@ -64,6 +65,7 @@ int run(int argc, char** argv) {
   orbicube::cli::add_info(app, common);
   orbicube::cli::add_convert(app, common);
   orbicube::cli::add_repair(app, common);
+  orbicube::cli::add_surface(app, common);
   orbicube::cli::add_make(app, common);
   orbicube::cli::add_sphere(app, common);
   orbicube::cli::add_frames(app, common);

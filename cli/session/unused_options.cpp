@@ -75,6 +75,13 @@ void refuse_unused_repair_options(const CLI::App& verb) {
             "--cavities", "several parts; give --keep N, or 0 for all");
 }
 
+void refuse_unused_surface_options(const CLI::App& verb) {
+  refuse_if(verb.count("--cavities") > 0 && given_or(verb, "--genus", "0") != "keep", "--cavities", "--genus keep");
+  refuse_if(verb.count("--smoothing") > 0 && verb.count("--max-slide") > 0 &&
+                !(verb.get_option("--max-slide")->as<double>() > 0),
+            "--smoothing", "a positive --max-slide");
+}
+
 void refuse_unused_frames_options(const CLI::App& verb) {
   for (const char* option :
        {"--boundary", "--method", "--face-weights", "--feature-angle", "--rounds", "--no-align-boundary"})

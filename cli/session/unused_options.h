@@ -8,6 +8,7 @@ namespace orbicube::cli {
 // Each throws Failure "usage" with the option and what it is for.
 void refuse_unused_sphere_options(const CLI::App& verb);
 void refuse_unused_repair_options(const CLI::App& verb);
+void refuse_unused_surface_options(const CLI::App& verb);
 void refuse_unused_frames_options(const CLI::App& verb);
 void refuse_unused_polycube_options(const CLI::App& verb);
 void refuse_unused_harmonics_options(const CLI::App& verb);

@@ -13,18 +13,6 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return std::to_string(n) + " " + (n == 1 ? one : many);
 }
 
-Json certificate_json(const repair::Certificate& c) {
-  return {{"closed", c.closed},
-          {"manifold", c.manifold},
-          {"oriented", c.oriented},
-          {"parts", c.parts},
-          {"genus", c.is_solid() ? Json(c.genus) : Json()},
-          {"boundary_loops", c.boundary_loops},
-          {"self_intersections", c.self_intersections},
-          {"area", c.area},
-          {"volume", c.is_solid() ? Json(c.volume) : Json()}};
-}
-
 Json steps_json(const repair::Report& r) {
   return {{"weld",
            {{"vertices", r.weld.vertices}, {"lost_triangles", r.weld.triangles}, {"max_move", r.weld.largest_move}}},
@@ -141,6 +129,18 @@ std::vector<std::string> lines_of(const repair::Report& r) {
   add(r.changed && r.certificate.self_intersections > 0,
       count(r.certificate.self_intersections, "pair of triangles intersects", "pairs of triangles intersect"));
   return lines;
+}
+
+Json certificate_json(const repair::Certificate& c) {
+  return {{"closed", c.closed},
+          {"manifold", c.manifold},
+          {"oriented", c.oriented},
+          {"parts", c.parts},
+          {"genus", c.is_solid() ? Json(c.genus) : Json()},
+          {"boundary_loops", c.boundary_loops},
+          {"self_intersections", c.self_intersections},
+          {"area", c.area},
+          {"volume", c.is_solid() ? Json(c.volume) : Json()}};
 }
 
 Json figures_of_repair(const repair::Repaired& repaired) {

@@ -27,6 +27,8 @@ InputMesh read_mended(const std::filesystem::path& path, const Mending& mending,
 
 // What the steps did, one sentence each; empty for a clean surface.
 std::vector<std::string> lines_of(const repair::Report& report);
+// The entry "certificate" of reports.
+Json certificate_json(const repair::Certificate& certificate);
 // All figures, and places with their actions.
 Json figures_of_repair(const repair::Repaired& repaired);
 

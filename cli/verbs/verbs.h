@@ -10,6 +10,7 @@ namespace orbicube::cli {
 void add_info(CLI::App& app, CommonOptions& common);
 void add_convert(CLI::App& app, CommonOptions& common);
 void add_repair(CLI::App& app, CommonOptions& common);
+void add_surface(CLI::App& app, CommonOptions& common);
 void add_make(CLI::App& app, CommonOptions& common);
 void add_sphere(CLI::App& app, CommonOptions& common);
 void add_frames(CLI::App& app, CommonOptions& common);
