@@ -74,7 +74,8 @@ Sizing scaled_sizing(const Options& options, const ScaledSurface& surface, std::
 }
 
 // The most vertices that TetGen may add, negative for any number. Where the surface may be cut, good tetrahedra of a
-// plate 1000 times as wide as thick are millions whatever its triangles are. Who gives a size asks for their number.
+// plate 1000 times as wide as thick are millions whatever its triangles are. Sizes that the caller gives hold whatever
+// their number is.
 int addition_limit(const Options& options, std::size_t vertices) {
   if (options.keep_surface || options.max_volume > 0 || options.edge_length > 0 || !options.sizes.empty()) return -1;
   constexpr std::size_t at_least = 50'000, a_vertex = 20, at_most = 1'000'000'000;
