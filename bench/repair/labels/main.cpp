@@ -3,7 +3,7 @@
 //
 //   bench-labels [--images N] [--files FOLDER]
 //
-// --files also writes each image as KIND-NUMBER.mha, for peers.py, which compares other programs.
+// --files also writes each image as KIND-NUMBER.mha, for other programs.
 #include <chrono>
 #include <cmath>
 #include <cstdio>
