@@ -30,7 +30,10 @@ std::size_t size_of(VoxelType type) {
 }
 
 void refuse_image(const char* kind, const std::string& text) {
-  throw base::Error(kind, text);
+  std::string shown = text;
+  for (char& c : shown)
+    c = c >= ' ' && c <= '~' ? c : '?';
+  throw base::Error(kind, shown);
 }
 
 const std::string* find_field(const HeaderFields& fields, std::initializer_list<const char*> names) {

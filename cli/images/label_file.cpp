@@ -168,7 +168,7 @@ LabelFile read_labels(const std::filesystem::path& path, Session& session) {
     try {
       data = base::read_file(path.parent_path() / file.header.data_file, host, base::Links::refuse);
     } catch (const base::Error& error) {
-      throw base::Error(error.kind(), "the data file " + file.header.data_file + ": " + error.what());
+      refuse_image(error.kind(), "the data file " + file.header.data_file + ": " + error.what());
     }
     read_voxels(data, false, file, host);
   }

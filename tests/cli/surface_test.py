@@ -251,6 +251,10 @@ class Surface(InFolder):
         os.symlink("/etc/passwd", self.path("link.raw"))
         self.put("link.mhd", metaimage(file="link.raw"))
         self.refused("link.mhd", "unsafe-path")
+        # What a file holds does not reach a terminal as it is.
+        self.put("escape.nrrd", nrrd(extra="\x1b[31m\n") + data)
+        done = run("surface", self.path("escape.nrrd"), "-o", self.path("out.off"))
+        self.assertIn('the line "?[31m" of the header', done.stderr)
         # Any byte of a header changed: a surface or a refusal, in time.
         for at in range(0, 352, 7):
             broken = bytearray(whole)
