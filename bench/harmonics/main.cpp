@@ -4,21 +4,27 @@
 //
 //   bench-harmonics errors FOLDER [stretch|balanced|...]   the models of the table below that FOLDER has
 //   bench-harmonics fit FOLDER FILE...                     CPU seconds of fits of these models by degree
+//   bench-harmonics scattered                              milliseconds of sums at 50000 points by degree, and errors
 //
 // Bands are degrees 0 to 5, 15 and 31: 6 x 6, 16 x 16 and 32 x 32 coefficients. Surfaces count as scaled to the area 4
 // pi.
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <ctime>
 #include <filesystem>
 #include <map>
 #include <numbers>
+#include <random>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "base/random.h"
 #include "harmonics/fitting/fit.h"
 #include "harmonics/fitting/map_refinement.h"
+#include "harmonics/functions/basis.h"
 #include "mesh/files/read.h"
 #include "mesh/search/distances.h"
 #include "mesh/search/measures.h"
@@ -189,6 +195,61 @@ int fit_times(const std::filesystem::path& folder, const std::vector<std::string
   return 0;
 }
 
+// Uniformly distributed, of a fixed sequence.
+std::vector<Vector3> random_directions(std::size_t count) {
+  std::mt19937_64 engine(1);
+  std::vector<Vector3> directions(count);
+  for (Vector3& d : directions) {
+    const double z = 2 * base::unit_interval(engine()) - 1, turn = 2 * std::numbers::pi * base::unit_interval(engine());
+    d = Vector3(std::sqrt(1 - z * z) * std::cos(turn), std::sqrt(1 - z * z) * std::sin(turn), z);
+  }
+  return directions;
+}
+
+// The minimum CPU time of some calls, in milliseconds.
+template <class Work>
+double milliseconds(const Work& work) {
+  double least = 1e300;
+  for (int run = 0; run < 5; ++run) {
+    const double start = cpu_seconds();
+    work();
+    least = std::min(least, 1e3 * (cpu_seconds() - start));
+  }
+  return least;
+}
+
+// Sums at scattered points and their transpose, one core. The error is to sums of so few points that they are computed
+// one by one.
+int scattered() {
+  base::Host host;
+  host.thread_count = 1;
+  constexpr std::size_t point_count = 50000, few = 128;  // two blocks of lanes
+  const std::vector<Vector3> directions = random_directions(point_count);
+  std::printf(
+      "| degree | synthesis, ms | analysis, ms | points one by one, ms | largest error, of the largest value |\n"
+      "|---|---|---|---|---|\n");
+  for (const std::uint32_t degree : {31U, 100U, 250U, 500U, 1000U}) {
+    harmonics::Coefficients coefficients(degree, 1, host.memory), sums(degree, 1, host.memory);
+    std::mt19937_64 engine(2);
+    for (double& value : coefficients.values)
+      value = 2 * base::unit_interval(engine()) - 1;
+    std::vector<double> values(point_count), exact(few);
+    const double forward = milliseconds([&] { harmonics::synthesise(coefficients, directions, values, host); });
+    const double backward = milliseconds([&] { harmonics::analyse(directions, {}, values, sums, "analysis", host); });
+    const double direct =
+        milliseconds([&] { harmonics::synthesise(coefficients, std::span(directions).first(few), exact, host); });
+    double error = 0, largest = 0;
+    for (std::size_t i = 0; i < few; ++i) {
+      error = std::max(error, std::abs(values[i] - exact[i]));
+      largest = std::max(largest, std::abs(exact[i]));
+    }
+    std::printf("| %u | %.1f | %.1f | %.0f | %.1e |\n", degree, forward, backward,
+                direct * static_cast<double>(point_count) / few, error / largest);
+    std::fflush(stdout);
+  }
+  return 0;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -200,10 +261,11 @@ int main(int argc, char** argv) {
     }
     if (arguments.size() >= 3 && arguments[0] == "fit")
       return fit_times(arguments[1], {arguments.begin() + 2, arguments.end()});
+    if (arguments.size() == 1 && arguments[0] == "scattered") return scattered();
   } catch (const base::Error& error) {
     std::fprintf(stderr, "bench-harmonics: %s: %s\n", error.kind(), error.what());
     return 1;
   }
-  std::fprintf(stderr, "usage: bench-harmonics errors FOLDER [METHOD] | fit FOLDER FILE...\n");
+  std::fprintf(stderr, "usage: bench-harmonics errors FOLDER [METHOD] | fit FOLDER FILE... | scattered\n");
   return 2;
 }

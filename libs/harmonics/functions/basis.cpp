@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string>
 
+#include "harmonics/scattered/fast_sums.h"
+
 namespace orbicube::harmonics {
 namespace {
 
@@ -113,6 +115,7 @@ void evaluate(std::span<const Vector3> directions, std::uint32_t degree, std::sp
 void synthesise(const Coefficients& coefficients, std::span<const Vector3> directions, std::span<double> values,
                 const base::Host& host) {
   const Array<Vector3> unit = unit_directions(directions, host);
+  if (synthesise_fast(coefficients, unit, values, evaluating, host)) return;
   const LegendreTable table(coefficients.degree, host.memory);
   const std::size_t channels = coefficients.channels;
   for (std::size_t from = 0; from < channels; from += channel_group) {
@@ -206,6 +209,7 @@ void synthesise_with_gradients(const Coefficients& coefficients, std::span<const
 void analyse(std::span<const Vector3> directions, std::span<const double> weights, std::span<const double> values,
              Coefficients& coefficients, const char* phase, const base::Host& host) {
   const Array<Vector3> unit = unit_directions(directions, host);
+  if (analyse_fast(unit, weights, values, coefficients, phase, host)) return;
   const LegendreTable table(coefficients.degree, host.memory);
   const std::size_t channels = coefficients.channels;
   for (std::size_t from = 0; from < channels; from += channel_group) {
