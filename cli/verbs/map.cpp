@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "correspondence/shape_maps.h"
 #include "files/surface_file.h"
 #include "files/vertex_values.h"
@@ -155,8 +156,8 @@ VertexValues read_values(const MapOptions& options, const mesh::Mesh& to, const 
   return about(options.values, Role::input, [&] {
     VertexValues result = read_value_table(options.values, host);
     if (result.values.size() != result.channels() * to.positions.size())
-      throw base::Error("parse", std::to_string(result.values.size() / result.channels()) + " lines of values for " +
-                                     std::to_string(to.positions.size()) + " vertices");
+      throw base::Error("parse", base::counted(result.values.size() / result.channels(), "line") + " of values for " +
+                                     base::counted(to.positions.size(), "vertex", "vertices"));
     return result;
   });
 }
@@ -187,14 +188,14 @@ void write_outputs(const MapOptions& options, const MappedPair& pair, Session& s
         });
     about(options.table, Role::output, [&] { write_table(session.stage(options.table), table, host); });
     session.figures()["points"] = table.size();
-    session.say("wrote " + options.table + ": " + std::to_string(table.size()) + " points");
+    session.say("wrote " + options.table + ": " + base::counted(table.size(), "point"));
   }
   if (!options.attributes.empty()) {
     const VertexValues values = values_at(read_values(options, to, host), to.triangles, vertices, host);
     about(options.attributes, Role::output,
           [&] { write_values(session.stage(options.attributes), from, values, host); });
     session.figures()["attributes"] = values.names;
-    session.say("wrote " + options.attributes + ": " + std::to_string(values.channels()) + " values a vertex");
+    session.say("wrote " + options.attributes + ": " + base::counted(values.channels(), "value") + " a vertex");
   }
 }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <string>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "frame_field/frames_file.h"
 #include "mesh/search/unit_scale.h"
@@ -134,9 +135,9 @@ void run_parameterize(const ParameterizeVerb& verb, Session& session) {
   for (const std::string& note : session.notes())
     session.say("note: " + note);
   session.say("wrote " + verb.output + ": energy " + number(map.energy) + ", " + std::to_string(map.inverted) + " of " +
-              std::to_string(solid.tetrahedra.size()) + " tetrahedra inverted, " +
-              std::to_string(map.singular_edges.size()) + " singular edges, " + std::to_string(map.patches) +
-              " planes on the boundary; constraints to " + number(map.residual));
+              base::counted(solid.tetrahedra.size(), "tetrahedron", "tetrahedra") + " inverted, " +
+              base::counted(map.singular_edges.size(), "singular edge") + ", " + base::counted(map.patches, "plane") +
+              " on the boundary; constraints to " + number(map.residual));
 }
 
 }  // namespace

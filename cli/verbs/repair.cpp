@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/counted.h"
 #include "files/surface_file.h"
 #include "report/text.h"
 #include "session/unused_options.h"
@@ -73,13 +74,15 @@ void say_result(const RepairVerb& verb, const repair::Repaired& repaired, Sessio
     session.say("note: " + note);
   for (const std::string& line : lines_of(r))
     session.say("  " + line);
-  session.say("wrote " + verb.output + ": " + std::to_string(repaired.surface.positions.size()) + " vertices, " +
-              std::to_string(repaired.surface.triangles.size()) + " triangles" + (r.changed ? "" : ", as they were"));
+  session.say("wrote " + verb.output + ": " + base::counted(repaired.surface.positions.size(), "vertex", "vertices") +
+              ", " + base::counted(repaired.surface.triangles.size(), "triangle") +
+              (r.changed ? "" : ", as they were"));
   session.say(std::string("  ") + (c.closed ? "closed" : "open") + ", " + (c.manifold ? "manifold" : "not manifold") +
-              ", " + (c.oriented ? "oriented" : "not oriented") + ", " + std::to_string(c.parts) +
-              (c.parts == 1 ? " part" : " parts") + (c.is_solid() ? ", genus " + std::to_string(c.genus) : "") + ", " +
+              ", " + (c.oriented ? "oriented" : "not oriented") + ", " + base::counted(c.parts, "part") +
+              (c.is_solid() ? ", genus " + std::to_string(c.genus) : "") + ", " +
               (c.self_intersections == 0 ? "no self-intersection"
-                                         : std::to_string(c.self_intersections) + " pairs of triangles intersect"));
+                                         : base::counted(c.self_intersections, "pair of triangles intersects",
+                                                         "pairs of triangles intersect")));
   if (r.changed) {
     session.say("  distance of changed triangles " + number(std::max(r.move.from_input, r.move.from_result)) +
                 (r.holes.filled > 0 ? ", of patches " + number(r.move.patches) : ""));
