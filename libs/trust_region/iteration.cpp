@@ -292,6 +292,28 @@ bool Solver::models_are_flat() {
          !(predicted > std::max(least, proportion * fallen * state_.resolution / state_.radius_begin));
 }
 
+// Whether a scale that the caller gave is far from the lengths by which f bends, so that the resolution ends too early:
+// along an axis the models slope by a part of what f has fallen, where they do not see how f bends in so short a step,
+// or the resolution of an unknown is lost in its rounding.
+bool Solver::scale_misleads() {
+  constexpr double proportion = 1e-4, resolutions = 10, rounding = 1e-14;
+  const std::size_t n = variables_.free_size();
+  if (!scale_given_ || n > Variables::max_turned || options_.method != Method::two_radii) return false;
+  const double* best = interpolation_.point(interpolation_.best());
+  std::fill_n(move_.data(), n, 0.0);
+  models_.expand(move_.data(), interpolation_.best(), gradient_.data(), hessian_.data());
+  relative_bounds(nullptr);
+  const double fallen = state_.first_value - state_.best_value, resolution = state_.resolution;
+  const double least_slope = (rounding * std::abs(state_.best_value) + noise()) / resolution;
+  const double least = std::max(proportion, resolutions * resolution / state_.radius_begin) * fallen;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double room = gradient_[i] > 0 ? -low_[i] : high_[i], slope = std::abs(gradient_[i]);
+    if (slope > least_slope && slope * std::min(state_.radius_begin, room) > least) return true;
+    if (best[i] + 0.25 * resolution == best[i]) return true;
+  }
+  return false;
+}
+
 Request Solver::reduce_resolution() {
   state_.next = Next::step;
   const double end = options_.radius_end;
@@ -301,7 +323,7 @@ Request Solver::reduce_resolution() {
   }
   if (at_noise_level()) return restart_or_finish(Stop::noise_limit);
   if (state_.resolution <= 1.0001 * end)
-    return restart_or_finish(models_are_flat() ? Stop::converged : Stop::resolution_limit);
+    return restart_or_finish(models_are_flat() && !scale_misleads() ? Stop::converged : Stop::resolution_limit);
   // What is known of edges is from longer steps.
   edges_.forget();
   state_.failures_of_level = 0;

@@ -54,7 +54,8 @@ enum class Stop : std::int32_t {
   stalled = 5,      // no step that the arithmetic resolves
   cancelled = 6,
   evaluation_failed = 7,  // no value at the start, or too many failures in a row
-  resolution_limit = 8,   // the resolution reached radius_end where f ends or is not smooth: the models still slope
+  resolution_limit = 8,   // the resolution reached radius_end, and the models still slope: f ends there, is not smooth,
+                          // or bends by lengths that the given scale is far from
 };
 
 const char* stop_name(Stop stop);

@@ -67,6 +67,7 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
       options_(checked(options)),
       variables_(problem, start, options.radius_begin != 0, host.memory),
       max_points_(max_points(problem, options, variables_.free_size())),
+      scale_given_(!problem.scale.empty()),
       interpolation_(variables_.free_size(), host.memory),
       models_(variables_.free_size(), problem.outputs(), problem.residuals > 0, problem.sign,
               two_families(problem, variables_, max_points_), host.memory),

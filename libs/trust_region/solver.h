@@ -154,6 +154,7 @@ class Solver {
   Request try_step();
   Request take_trial();
   bool models_are_flat();
+  bool scale_misleads();
   Request reduce_resolution();
   void include(std::size_t j, double value);
   std::size_t who_leaves(bool better);
@@ -181,6 +182,7 @@ class Solver {
   Options options_;
   Variables variables_;
   std::size_t max_points_ = 0;  // that a budget without end would have
+  bool scale_given_ = false;    // by the caller
   bool cross_ = false;          // the first points are those of Start::cross
   std::uint64_t whole_ = 0;     // 1: there is room for max_points_ and a model, whatever the budget
   Interpolation interpolation_;

@@ -106,6 +106,28 @@ TEST_CASE("Boxes that are alike, and a scale that is given, leave lengths as the
   CHECK(alike.asked[1][0] == -1.2 + 0.12);
 }
 
+TEST_CASE("A given scale far from the lengths by which f bends does not end a run far from the minimum as converged") {
+  std::size_t far = 0;
+  for (const bool with_residuals : {false, true}) {
+    for (const std::vector<double>& scale : std::vector<std::vector<double>>{
+             {1, 1}, {1, 1e4}, {1e-2, 1e2}, {1e-4, 1}, {1e-4, 1e4}, {1e-2, 1}, {1e-4, 1e-4}}) {
+      Case c = chain({1e-4, 1e4}, with_residuals);
+      box(c, {1e-4, 1e4});
+      c.scale = scale;
+      const Run end = run(c);
+      CAPTURE(scale[0]);
+      CAPTURE(scale[1]);
+      CAPTURE(end.result.value);
+      if (end.result.value > 1e-6) {
+        ++far;
+        CHECK(end.result.stop != trust_region::Stop::converged);
+      }
+      if (scale[1] == 1e8 * scale[0]) CHECK(end.result.stop == trust_region::Stop::converged);
+    }
+  }
+  CHECK(far > 0);
+}
+
 TEST_CASE("A first radius that is given is a length of the unknown in the narrowest box") {
   Case c = chain({1e-3, 1e3}, false);
   box(c, {1e-3, 1e3});
