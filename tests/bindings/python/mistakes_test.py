@@ -142,6 +142,7 @@ CALLS = {
     "projected_gradient.Solver": (projected_gradient.Solver, {
         "x0": [1.0, 2.0], "lower": [-1, -1], "upper": [4, 4], "A": [[1.0, 1.0]], "b": [3.0]}),
     "repair.repair": (repair.repair, {"surface": SURFACE}),
+    "repair.surface_of_label": (repair.surface_of_label, {"labels": np.pad(np.ones((3, 3, 3), dtype=np.int32), 1)}),
     "projected_gradient.Solver.load": (projected_gradient.Solver.load, {
         "blob": projected_gradient.Solver([1.0, 2.0], lower=[-1, -1], upper=4, A=[[1.0, 1.0]], b=[3.0]).save(),
         "x0": [1.0, 2.0], "lower": [-1, -1], "upper": [4, 4], "A": [[1.0, 1.0]], "b": [3.0]}),
@@ -235,7 +236,7 @@ if HAS_TETRAHEDRA:
 # conversions for packages that need not be there. scipy.optimize calls the methods for it, with its own arguments (scipy_test.py).
 NOT_WALKED = {"projected_gradient.scipy_method", "trust_region.scipy_method", "correspondence.Correspondence", "mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
               "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
-              "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.Repaired", "sphere_map.SphereMap",
+              "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.LabelSurface", "repair.Repaired", "sphere_map.SphereMap",
               "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.FrameMap", "volume_map.Solid",
               "hexmesh.Hexes"}
 EACH_EVALUATION = ("ask", "ask_all", "tell", "save", "close")
