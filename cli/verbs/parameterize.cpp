@@ -20,7 +20,20 @@
 namespace orbicube::cli {
 namespace {
 
-constexpr const char* parameter_endings = ".vtk .hexex .obj .glb .gltf";
+constexpr const char* hexex_ending = ".hexex";
+
+std::string parameter_ending(mesh::Format format) {
+  return mesh::row_of(format).ending;
+}
+
+// What holds coordinates of the corners of tetrahedra, and what holds texture coordinates of the boundary.
+std::string solid_endings() {
+  return parameter_ending(mesh::Format::vtk) + " " + hexex_ending;
+}
+
+std::string boundary_endings() {
+  return parameter_ending(mesh::Format::obj) + " " + gltf_endings;
+}
 
 struct ParameterizeVerb {
   std::string input;
@@ -94,11 +107,12 @@ void write(const ParameterizeVerb& verb, const mesh::Mesh& solid, int exponent, 
   const ParameterSurface surface = parameter_surface(positions, solid.tetrahedra, map, host);
   about(verb.output, Role::output, [&] {
     const std::filesystem::path file = session.stage(verb.output);
-    if (has_ending(verb.output, ".vtk"))
+    const auto format = mesh::format_of_path(verb.output);
+    if (format == mesh::Format::vtk)
       volume_map::write_parameter_vtk(file, positions, solid.tetrahedra, map, host);
-    else if (has_ending(verb.output, ".hexex"))
+    else if (has_ending(verb.output, hexex_ending))
       volume_map::write_hexex(file, positions, solid.tetrahedra, map, host);
-    else if (has_ending(verb.output, ".obj"))
+    else if (format == mesh::Format::obj)
       write_parameter_obj(file, surface, host);
     else
       write_parameter_scene(file, surface, name, host);
@@ -113,10 +127,11 @@ void write(const ParameterizeVerb& verb, const mesh::Mesh& solid, int exponent, 
 }
 
 void run_parameterize(const ParameterizeVerb& verb, Session& session) {
-  if (!has_ending(verb.output, ".vtk") && !has_ending(verb.output, ".hexex") && !has_ending(verb.output, ".obj") &&
+  const auto format = mesh::format_of_path(verb.output);
+  if (format != mesh::Format::vtk && format != mesh::Format::obj && !has_ending(verb.output, hexex_ending) &&
       !is_gltf(verb.output))
     throw Failure(Exit::wrong_input, verb.output, "unsupported-format",
-                  std::string("parameterizations are written to ") + parameter_endings);
+                  "parameterizations are written to " + solid_endings() + " " + boundary_endings());
   if (!verb.frames.empty() && verb.feature_angle > 0)
     throw Failure(Exit::wrong_input, "", "usage", "--feature-angle is for frames that are computed, without --frames");
   require_folder(verb.output);
@@ -146,10 +161,9 @@ void add_parameterize(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("parameterize", "compute coordinates of a solid along a frame field");
   const auto options = std::make_shared<ParameterizeVerb>();
   verb->add_option("SOLID", options->input, "tetrahedral mesh: " + cell_endings)->required()->type_name("");
-  verb->add_option(
-          "-o,--output", options->output,
-          "tetrahedra with the coordinates of their corners: .vtk .hexex; the boundary with the coordinates as "
-          "texture coordinates: .obj .glb .gltf")
+  verb->add_option("-o,--output", options->output,
+                   "tetrahedra with the coordinates of their corners: " + solid_endings() +
+                       "; the boundary with the coordinates as texture coordinates: " + boundary_endings())
       ->required()
       ->type_name("OUT");
   verb->add_option("--frames", options->frames, "frame field of SOLID; default: computed")->type_name("FILE.frames");
