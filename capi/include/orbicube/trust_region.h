@@ -91,8 +91,9 @@ enum {
   OBC_TRUST_REGION_STALLED = 5,           /* no set of points that double precision resolves */
   OBC_TRUST_REGION_CANCELLED = 6,         /* by the host's progress callback or by the callback f */
   OBC_TRUST_REGION_EVALUATION_FAILED = 7, /* no value at x0 of a CHAIN, or more than 80 + 8n (DISSERTATION: 20 + 2n) failures in a row */
-  OBC_TRUST_REGION_RESOLUTION_LIMIT = 8   /* the resolution reached radius_end at the boundary of the domain of f or where f is not
-                                             smooth; the models still have a descent direction */
+  OBC_TRUST_REGION_RESOLUTION_LIMIT = 8   /* the resolution reached radius_end while the models still have a descent direction: at the
+                                             boundary of the domain of f, where f is not smooth, or where the given scale is
+                                             far from the lengths over which f bends */
 };
 
 /* Return values of a callback f. */

@@ -6,8 +6,8 @@
 // Where this departs from section 6.1.4: there the matchings pi_ij are unknowns too, unit quaternions that are rounded
 // to one of the 24 rotations afterwards, and eq. 6.12 is a sextic in q_i, q_j and pi_ij. That sextic says nothing of
 // the frames: pi_ij = (q_j q_i^-1)^-1 has s0_ij = 1 on every face, the minimum, whatever the frames are
-// (tests/frame_field/frame_field_test.cpp), so that all fields are minima and what is found is decided by the start and
-// by when one stops. Rounding comes first here, which fixes the energy of the frames: pi_ij is the rotation that is
+// (tests/frame_field/frame_field_test.cpp), so that all fields are minima, and the start and the time of stopping
+// decide the result. Rounding comes first here, which fixes the energy of the frames: pi_ij is the rotation that is
 // nearest to (q_j q_i^-1)^-1 for the start, as rounding afterwards has it where the frames have not moved.
 //
 // The boundary frames of its experiments came with the data of another method. Where none are given, they are those of

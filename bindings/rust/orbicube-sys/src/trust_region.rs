@@ -39,8 +39,9 @@ pub const OBC_TRUST_REGION_STALLED: i32 = 5;
 pub const OBC_TRUST_REGION_CANCELLED: i32 = 6;
 /// no value at x0 of a CHAIN, or more than 80 + 8n (DISSERTATION: 20 + 2n) failures in a row
 pub const OBC_TRUST_REGION_EVALUATION_FAILED: i32 = 7;
-/// the resolution reached radius\_end at the boundary of the domain of f or where f is not
-/// smooth; the models still have a descent direction
+/// the resolution reached radius\_end while the models still have a descent direction: at the
+/// boundary of the domain of f, where f is not smooth, or where the given scale is
+/// far from the lengths over which f bends
 pub const OBC_TRUST_REGION_RESOLUTION_LIMIT: i32 = 8;
 
 /// outputs are set
