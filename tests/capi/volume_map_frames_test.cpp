@@ -108,6 +108,8 @@ TEST_CASE("Wrong arguments of parameterizations are refused") {
   options.integer = 0;
   options.cell_length = -1;
   CHECK(compute() == OBC_INVALID_ARGUMENT);
+  options.cell_length = 1e-310;  // the parameters overflow
+  CHECK(compute() == OBC_NO_VALID_RESULT);
   options.cell_length = 0;
   options.feature_angle = 40;
   CHECK(compute() == OBC_INVALID_ARGUMENT);

@@ -14,7 +14,7 @@ import sys
 INTEGERS = {"size_t", "uint64_t", "uint32_t", "int32_t", "int64_t", "uint8_t", "int8_t"}
 NUMBERS = INTEGERS | {"double", "float"}
 # Integers that are lengths of arrays. All other integers are wishes, choices or numbers of things, which may have any value.
-COUNT = re.compile(r"(.*_)?(count|size|degree)|n|m|residuals|capacity|channels|components|dimension|resolution")
+COUNT = re.compile(r"(.*_)?(count|size|degree)|n|m|residuals|capacity|channels|columns|components|dimension|resolution")
 CORNERS = {"triangles": 3, "tetrahedra": 4, "hexahedra": 8}
 TEXTS = {"path": "path", "folder": "path", "shape": "shape", "name": "text", "extras": "text", "morph_target": "text"}
 # Outputs of callbacks with as many entries as the callback's own counts say; of all others, one entry is written.

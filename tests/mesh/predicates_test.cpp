@@ -7,7 +7,10 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <limits>
 #include <random>
+
+#include "base/error.h"
 
 using namespace orbicube::mesh;
 using Rational = boost::multiprecision::cpp_rational;
@@ -146,5 +149,14 @@ TEST_CASE("Points whose products underflow or whose coordinates differ by hundre
     REQUIRE(orientation_from_origin(p, q, r) == exact_sign(p, q, r));
     const Vector3 s = trial % 4 == 0 ? Vector3(q * 0.25) : point();
     REQUIRE(orientation_3d(p, q, r, s) == exact_sign(p, q, r, s));
+  }
+}
+
+TEST_CASE("Coordinates that are not finite are refused") {
+  const Vector3 a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+  for (const double odd : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    CHECK_THROWS_AS(orientation_3d(a, b, c, Vector3(0, 0, odd)), orbicube::base::Error);
+    CHECK_THROWS_AS(orientation_from_origin(b, c, Vector3(1, odd, 1)), orbicube::base::Error);
+    CHECK_THROWS_AS(orientation_2d({0, 0}, {1, 0}, {odd, 1}), orbicube::base::Error);
   }
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "base/error.h"
+
 namespace orbicube::mesh {
 namespace {
 
@@ -70,8 +72,10 @@ template <int dimension, std::size_t count>
 auto integers(const std::array<const Eigen::Matrix<double, dimension, 1>*, count>& points) {
   int exponent = std::numeric_limits<int>::max();
   for (const auto* point : points) {
-    for (const double x : *point)
+    for (const double x : *point) {
+      if (!std::isfinite(x)) throw base::Error("no-valid-result", "a coordinate has overflowed: it is not finite");
       exponent = std::min(exponent, last_exponent(x));
+    }
   }
   std::array<std::array<Integer, dimension>, count> result;
   for (std::size_t i = 0; i < count; ++i) {

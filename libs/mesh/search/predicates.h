@@ -1,5 +1,6 @@
 // Exact signs of determinants of coordinates. A floating-point filter with a proven bound returns nearly always; what
-// it leaves open is decided exactly, for every finite double.
+// it leaves open is decided exactly, for every finite double. All throw no-valid-result for a coordinate that is not
+// finite.
 #pragma once
 
 #include "mesh/mesh.h"

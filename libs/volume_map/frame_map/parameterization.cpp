@@ -72,6 +72,10 @@ void set_corners(const FramedSolid& solid, const FrameCut& cut, const SeamlessSy
     for (std::size_t k = 0; k < 4; ++k) {
       p[k] = solid.positions[solid.tetrahedra[t][k]];
       map.corners[t][k] = Eigen::Map<const Vector3>(&coordinates[3 * std::size_t{cut.copies[t][k]}]);
+      if (!map.corners[t][k].allFinite()) {
+        throw base::Error("no-valid-result", "the parameters overflow at tetrahedron " + std::to_string(t) +
+                                                 ": the length of cells is too small for this solid");
+      }
       image.row(static_cast<Eigen::Index>(k)) = map.corners[t][k];
     }
     const Quaternion& q = cut.frames[t];
