@@ -45,6 +45,7 @@ std::vector<base::Array<TrianglePoint>> landmarks_on(std::span<const mesh::Mesh*
     for (const Vector3& p : landmarks[i]) {
       base::require(p.allFinite(), "a landmark is not finite");
       const mesh::SurfacePoint nearest = search.nearest(p);
+      base::require(nearest.triangle != mesh::no_index, "a landmark is too far from its surface");
       points.push_back({nearest.triangle, nearest.weights});
     }
   }

@@ -142,6 +142,11 @@ TEST_CASE("Landmarks and grids of the sphere are options") {
   options.landmark_count = 3;
   options.landmarks = landmarks;
   CHECK(create(shapes, options) == OBC_OK);
+  double far[18];
+  std::copy(std::begin(landmarks), std::end(landmarks), far);
+  far[4] = -1e300;  // the square of its distance overflows
+  options.landmarks = far;
+  CHECK(create(shapes, options) == OBC_INVALID_ARGUMENT);
   options.landmarks = nullptr;
   CHECK(create(shapes, options) == OBC_INVALID_ARGUMENT);
   options.landmark_count = 0;

@@ -42,10 +42,10 @@ class VertexSearch {
 };
 
 struct SurfacePoint {
-  Index triangle = no_index;  // none on a surface without triangles
+  Index triangle = no_index;  // none on a surface without triangles, or where the square of the distance overflows
   Vector3 position = Vector3::Zero();
   Vector3 weights = Vector3::Zero();  // at the corners of the triangle
-  double distance = 0;
+  double distance = std::numeric_limits<double>::infinity();
 };
 
 // Searches a surface. Keeps views of both arrays; what is said of VertexSearch holds here too.
