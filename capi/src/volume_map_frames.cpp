@@ -68,12 +68,8 @@ obc_volume_map_frame_map_report report_of(const volume_map::Parameterization& ma
 volume_map::Parameterization parameterize(mesh::Mesh&& solid, const double* frames,
                                           const obc_volume_map_frame_map_options& o, const base::Host& host) {
   const volume_map::ParameterizationOptions options = {.cell_length = o.cell_length, .integer = o.integer != 0};
-  if (frames == nullptr) {
-    return volume_map::parameterize_by_computed_frames(solid.positions, solid.tetrahedra,
-                                                       o.feature_angle * std::numbers::pi / 180, options, host);
-  }
   volume_map::FramedSolid framed(host.memory);
-  for (std::size_t t = 0; t < solid.tetrahedra.size(); ++t) {
+  for (std::size_t t = 0; frames != nullptr && t < solid.tetrahedra.size(); ++t) {
     const quaternion::Quaternion q{frames[4 * t], frames[4 * t + 1], frames[4 * t + 2], frames[4 * t + 3]};
     // Written so that NaN is refused.
     if (!(std::abs(quaternion::dot(q, q) - 1) < 1e-6))
@@ -82,6 +78,10 @@ volume_map::Parameterization parameterize(mesh::Mesh&& solid, const double* fram
   }
   framed.positions = std::move(solid.positions);
   framed.tetrahedra = std::move(solid.tetrahedra);
+  if (frames == nullptr) {
+    return volume_map::parameterize_by_computed_frames(framed, o.feature_angle * std::numbers::pi / 180, false, options,
+                                                       host);
+  }
   return volume_map::parameterize(framed, options, host);
 }
 

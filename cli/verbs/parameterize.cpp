@@ -12,10 +12,12 @@
 #include "mesh/topology/cells.h"
 #include "report/text.h"
 #include "scenes/parameter_scene.h"
+#include "solids/solid_input.h"
 #include "untangle/tetrahedra/elements.h"
 #include "verbs/verbs.h"
 #include "volume_map/frame_map/computed_frames.h"
 #include "volume_map/frame_map/parameter_file.h"
+#include "volume_map/frame_map/split_parameterization.h"
 
 namespace orbicube::cli {
 namespace {
@@ -40,6 +42,7 @@ struct ParameterizeVerb {
   std::string output;
   std::string frames;
   std::string page;
+  std::string split;
   bool integer = false;
   double feature_angle = 0;  // degrees
   std::size_t cells = 10000;
@@ -61,25 +64,32 @@ mesh::Mesh read_tetrahedra(const ParameterizeVerb& verb, Session& session) {
   return std::move(input.mesh);
 }
 
-volume_map::Parameterization compute(const ParameterizeVerb& verb, const mesh::Mesh& solid, Session& session) {
+// The tetrahedra of `solid` are split where --split requires that.
+volume_map::Parameterization compute(const ParameterizeVerb& verb, mesh::Mesh& solid, Session& session) {
   const base::Host& host = session.host();
   double volume = 0;
   for (const mesh::Tetrahedron& t : solid.tetrahedra)
     volume += untangle::six_volumes(solid.positions, t) / 6;
   const volume_map::ParameterizationOptions options = {
       .cell_length = std::cbrt(volume / static_cast<double>(verb.cells)), .integer = verb.integer};
-  if (verb.frames.empty()) {
-    return about(verb.input, Role::input, [&] {
-      return volume_map::parameterize_by_computed_frames(solid.positions, solid.tetrahedra,
-                                                         verb.feature_angle * std::numbers::pi / 180, options, host);
-    });
-  }
   volume_map::FramedSolid framed(host.memory);
   framed.positions.assign(solid.positions.begin(), solid.positions.end());
   framed.tetrahedra.assign(solid.tetrahedra.begin(), solid.tetrahedra.end());
-  framed.frames = about(verb.frames, Role::input,
-                        [&] { return frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host); });
-  return about(verb.frames, Role::input, [&] { return volume_map::parameterize(framed, options, host); });
+  const bool computed = verb.frames.empty(), split = !verb.split.empty();
+  volume_map::Parameterization map = about(computed ? verb.input : verb.frames, Role::input, [&] {
+    if (computed) {
+      return volume_map::parameterize_by_computed_frames(framed, verb.feature_angle * std::numbers::pi / 180, split,
+                                                         options, host);
+    }
+    framed.frames = frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host);
+    return split ? volume_map::parameterize_split(framed, options, host)
+                 : volume_map::parameterize(framed, options, host);
+  });
+  if (split) {
+    solid.positions.assign(framed.positions.begin(), framed.positions.end());
+    solid.tetrahedra.assign(framed.tetrahedra.begin(), framed.tetrahedra.end());
+  }
+  return map;
 }
 
 Json figures_of(const mesh::Mesh& solid, const volume_map::Parameterization& map, double cell_length) {
@@ -117,6 +127,12 @@ void write(const ParameterizeVerb& verb, const mesh::Mesh& solid, int exponent, 
     else
       write_parameter_scene(file, surface, name, host);
   });
+  if (!verb.split.empty()) {
+    mesh::Mesh cells(host.memory);
+    cells.positions = positions;
+    cells.tetrahedra = solid.tetrahedra;
+    write_cells_exactly(verb.split, cells, false, session);
+  }
   if (verb.page.empty()) return;
   write_parameter_page(verb.page, surface, name,
                        {{"Tetrahedra", std::to_string(solid.tetrahedra.size())},
@@ -136,14 +152,17 @@ void run_parameterize(const ParameterizeVerb& verb, Session& session) {
     throw Failure(Exit::wrong_input, "", "usage", "--feature-angle is for frames that are computed, without --frames");
   require_folder(verb.output);
   if (!verb.page.empty()) require_folder(verb.page);
+  if (!verb.split.empty()) require_cells_writable(verb.split);
   session.options() = {{"output", verb.output},   {"frames", verb.frames},
                        {"integer", verb.integer}, {"feature_angle", verb.feature_angle},
-                       {"cells", verb.cells},     {"page", verb.page}};
+                       {"cells", verb.cells},     {"page", verb.page},
+                       {"split", verb.split}};
   mesh::Mesh solid = session.portion(0.05, [&] { return read_tetrahedra(verb, session); });
   const int exponent = mesh::bring_to_unit_size(solid);
   const double start = session.seconds();
   const volume_map::Parameterization map = session.portion(0.9, [&] { return compute(verb, solid, session); });
   session.figures()["output"] = verb.output;
+  if (!verb.split.empty()) session.figures()["split"] = verb.split;
   session.figures().update(figures_of(solid, map, std::ldexp(map.cell_length, -exponent)));
   session.figures()["seconds_compute"] = session.seconds() - start;
   write(verb, solid, exponent, map, session);
@@ -178,6 +197,11 @@ void add_parameterize(CLI::App& app, CommonOptions& common) {
                    "[default: 0]")
       ->check(unnamed(CLI::Range(0.0, 179.0)))
       ->type_name("DEGREES");
+  verb->add_option("--split", options->split,
+                   "split tetrahedra first that have no room between planes of the boundary and singular edges, and "
+                   "around inverted ones, and write the split solid: " +
+                       cell_endings)
+      ->type_name("SOLID2");
   verb->add_option("--page", options->page, "one HTML file with the boundary and its coordinates")
       ->type_name("FILE.html");
   add_common_options(*verb, common);

@@ -42,6 +42,15 @@ class Parameterize(InFolder):
                 for a in range(3):
                     self.assertAlmostEqual(values[12 * t + 3 * k + a], 3 * self.points[v][a] + origin[a], places=6)
 
+    def test_a_split_solid_is_that_of_the_map(self):
+        split = self.path("split.mesh")
+        figures = self.report("parameterize", self.solid, "-o", self.path("map.vtk"), "--split", split, "--cells", 27)
+        self.assertEqual((figures["inverted"], figures["split"]), (0, split))
+        self.assertEqual(run("frames", split, "-o", self.path("split.frames")).returncode, 0)
+        self.report("parameterize", split, "-o", self.path("map.vtk"), "--frames", self.path("split.frames"))
+        self.refused(2, "unsupported-format", self.path("split.obj"), "parameterize", self.solid, "-o", self.path("map.vtk"),
+                     "--split", self.path("split.obj"))
+
     def test_other_files_are_written(self):
         for name in ("map.obj", "map.glb", "map.hexex"):
             self.report("parameterize", self.solid, "-o", self.path(name), "--page", self.path("page.html"))

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -12,6 +13,7 @@
 #include "untangle/tetrahedra/untangle_tetrahedra.h"
 #include "volume_map/frame_map/frame_guided.h"
 #include "volume_map/frame_map/parameterization.h"
+#include "volume_map/frame_map/split_parameterization.h"
 #include "volume_map/frames/frame_energy.h"
 #include "volume_map/frames/transitions.h"
 #include "volume_map/sampling/grid_resampling.h"
@@ -43,6 +45,20 @@ TEST_CASE("transitions across faces and around singular edges hold to rounding")
     Parameterization moved = map;
     moved.corners[5][2][1] += 0.25;
     CHECK(constraint_residual(solid, moved, {}) >= 0.25 - 1e-12);
+  }
+}
+
+TEST_CASE("splits leave fewer tetrahedra inverted, keep the vertices, and the constraints hold") {
+  for (const bool integer : {false, true}) {
+    const ParameterizationOptions options = {.cell_length = 0.2, .integer = integer};
+    const FramedSolid before = cylinder(8, 3, 0.8);
+    FramedSolid solid = cylinder(8, 3, 0.8);
+    const Parameterization map = parameterize_split(solid, options, {});
+    CHECK(map.inverted < parameterize(before, options, {}).inverted);
+    CHECK(map.corners.size() == solid.tetrahedra.size());
+    CHECK(solid.frames.size() == solid.tetrahedra.size());
+    CHECK_UNARY(std::equal(before.positions.begin(), before.positions.end(), solid.positions.begin()));
+    CHECK(constraint_residual(solid, map, {}) < 1e-12);
   }
 }
 

@@ -299,7 +299,6 @@ VolumeMap map_to_polycube_by_frames(const PolycubeSolid& solid, std::span<const 
     name_by_gradients(map.source, image, map.tetrahedra, map.scale, named, host);
     figures.harmonic_energy = energy_of(map, image);
     minimize(map.source, map.tetrahedra, named, map.scale, held, image, host);
-    figures.minimum_energy = energy_of(map, image);
     figures.mismatched_faces = count_mismatches(map.source, map.tetrahedra, named, host);
   };
   SolidMap map = map_solid(solid.map, solid.map.polycube, refined.positions, refined.tetrahedra,
@@ -309,6 +308,7 @@ VolumeMap map_to_polycube_by_frames(const PolycubeSolid& solid, std::span<const 
   std::fill_n(held.begin(), solid.map.positions.size(), std::uint8_t{1});
   Array<Vector3> best(map.image, host.memory);
   minimize(map.source, map.tetrahedra, named, map.scale, held, best, host);
+  figures.minimum_energy = energy_of(map, best);
   go_towards(map, best, map.image, host);
   PositiveDescent(map, named, host).run(max_sweeps, held, map.image);
   figures.energy = energy_of(map, map.image);

@@ -1,6 +1,6 @@
 // Maps of solids to polycubes that a frame field guides, the experiment of the dissertation's section 5.2: positions on
 // the boundary are those of a polycube map, transitions are identities without gaps, and inside eq. 5.3 has its
-// minimum. Inverted tetrahedra are untangled then.
+// minimum. Inverted tetrahedra are untangled then, by vertices of the boundary that slide within their patches too.
 #pragma once
 
 #include "quaternion/quaternion.h"
@@ -10,7 +10,7 @@ namespace orbicube::volume_map {
 
 // Energies are eq. 5.3 over the volume of the solid, for an image scaled to that volume.
 struct GuidedFigures {
-  double minimum_energy = 0;         // with the boundary fixed, before anything is untangled
+  double minimum_energy = 0;         // with the boundary of the map, where tetrahedra may be inverted
   double energy = 0;                 // of the map
   std::size_t mismatched_faces = 0;  // inner faces across which the frames match by another rotation than the identity
   double harmonic_energy = 0;        // of the map by harmonic coordinates, to compare with
