@@ -222,6 +222,77 @@ SECTION_4_5 = [
         "--quads quads.obj", true("no triangle is flipped on the polycube", lambda r: r["flipped"] == 0), model=True),
 ]
 
+L_SHAPE = "orbicube make l-shape -o a.obj --resolution 3000 && "
+PRINTED = L_SHAPE + "orbicube polycube a.obj -o p.obj --method dissertation"
+
+
+def polycube_case(label, what, case):
+    return test(label, what, "polycube", case)
+
+
+def optimized_domain(label, what):
+    return Row(label, what, PRINTED, true("proportions are optimized", lambda r: r["dissertation"]["domain_evaluations"] > 0),
+               true("the energy falls", lambda r: r["dissertation"]["energies"][-1] < r["dissertation"]["energies"][0]))
+
+
+def table_4_2(model, corners, result):
+    """A row of Table 4.2 by the printed method: its distortion after the optimization, from our page."""
+    return Row("Table 4.2", f"{model}, {corners} corner points, the printed method; all rows are in [tables](polycube_tables.md)",
+               f"orbicube polycube {model} -o p.obj --method dissertation --corners {corners}",
+               true("angles after the optimization", lambda r: abs(r["distortion"]["angle_mean"] - result) < 2e-3), model=True)
+
+
+CHAPTER_4 = [
+    polycube_case("Eq. 4.1", "harmonic maps of rectangles, cotangent weights", "Harmonic maps of a box*"),
+    *(polycube_case(f"Eq. 4.{k}", what, "The derivative of the energy of proportions*")
+      for k, what in ((2, "harmonic energy of one coordinate, over the rectangles"), (3, "area term"), (4, "their sum with the weight alpha"),
+                      (5, "energy of a coordinate by the proportions beta"), (6, "the same by alpha and beta"), (7, "area term by alpha and beta"),
+                      (8, "their sum, whose derivative is that of differences"))),
+    polycube_case("Eq. 4.9", "constraints of the proportions: the area stays", "Optimal proportions keep the area*"),
+    optimized_domain("Eq. 4.10", "minimization with bounds and rows, by projected gradients"),
+    test("Eq. 4.11", "steps along projected directions, to known minima", "projected-gradient", "Hock and Schittkowski*"),
+    test("Eq. 4.12", "Barzilai-Borwein steps", "projected-gradient", "Random quadratics in a box with rows*"),
+    test("Eq. 4.13", "their closed form", "projected-gradient", "Random quadratics in a box with rows*"),
+    polycube_case("Eq. 4.14", "energy over two coordinates of each corner point", "A corner point that is displaced*"),
+    test("Eq. 4.15", "signed sums of squares within bounds", "trust-region", "Signed sums go to the same minimum*"),
+    test("Eq. 4.16", "models of minimum norm in a trust region", "trust-region", "Updated point by point*"),
+    Row("Algorithm 3", "proportions and corners in turn: `energies` under `dissertation`", PRINTED,
+        true("the energy does not rise", lambda r: r["dissertation"]["energies"] == sorted(r["dissertation"]["energies"], reverse=True)),
+        true("it ends", lambda r: r["dissertation"]["converged"])),
+    Row("Table 4.1", "the column of this library: automatic, optimal, at most N corners, common",
+        TWO + "orbicube polycube a.obj b.obj -o q.obj --corners 20 --optimize all --corner-search gradient",
+        true("at most 20 corners", lambda r: r["polycube"]["corners"] <= 20)),
+    table_4_2("bimba.obj", 20, 1.125),
+    table_4_2("david.obj", 60, 1.047),
+    Row("Table 4.3", "the weight alpha of areas: 1.5 after 0.1; real models are in [tables](polycube_tables.md)",
+        "orbicube make blob -o a.obj --resolution 1000 && "
+        "orbicube polycube a.obj -o p.obj --corners 8 --optimize all --corner-search gradient --area-weight 0.1 && "
+        "orbicube polycube a.obj -o q.obj --corners 8 --optimize all --corner-search gradient --area-weight 1.5",
+        lambda reports: None if reports[-1]["distortion"]["area_mean"] < reports[-2]["distortion"]["area_mean"]
+        and reports[-1]["distortion"]["angle_mean"] > reports[-2]["distortion"]["angle_mean"] else "not so: areas for angles"),
+    Row("Figure 4.1", "dual graph of the patches, in the file of the domain", L_SHAPE + "orbicube polycube a.obj -o p.obj --domain p.json",
+        true("eight patches", lambda r: r["patches"] == 8)),
+    Row("Figure 4.2", "initial map, domain and map optimized in turn", PRINTED + " --page p.html",
+        true("the energy falls", lambda r: r["dissertation"]["energies"][-1] < r["dissertation"]["energies"][0])),
+    polycube_case("Figure 4.3", "construction by an octree, whose faces are merged", "Merged rectangles cover*"),
+    polycube_case("Figure 4.4", "coordinates alpha and beta of a polycube", "Optimal proportions keep the area*"),
+    optimized_domain("Figure 4.5", "domain before and after: `distortion_before`"),
+    polycube_case("Figure 4.6", "corners that move to where the energy is less", "A corner point that is displaced*"),
+    Row("Figure 4.7", "corners of the horse move, on a polycube of at most 60",
+        "orbicube polycube horse.ply -o p.obj --corners 60 --optimize corners --corner-search gradient",
+        true("the energy falls", lambda r: r["corner_optimization"]["energies"][-1] < r["corner_optimization"]["energies"][0]), model=True),
+    Row("Figure 4.11", "more corners, less distortion: bimba by 8 and by 20",
+        "orbicube polycube bimba.obj -o p.obj --corners 8 && orbicube polycube bimba.obj -o q.obj --corners 20",
+        lambda reports: None if reports[-1]["distortion"]["angle_mean"] <= reports[-2]["distortion"]["angle_mean"] else "not so: angles", model=True),
+    Row("Figure 4.12", "weights 1000 and 0.01 of areas",
+        "orbicube make blob -o a.obj --resolution 1000 && "
+        "orbicube polycube a.obj -o p.obj --corners 8 --optimize domain --area-weight 1000 && "
+        "orbicube polycube a.obj -o q.obj --corners 8 --optimize domain --area-weight 0.01",
+        lambda reports: None if reports[-1]["distortion"]["angle_mean"] <= reports[-2]["distortion"]["angle_mean"] else "not so: angles for areas"),
+    Row("Figure 4.13", "domain of a torus", "orbicube make torus -o a.obj --resolution 2000 && orbicube polycube a.obj -o p.obj --optimize domain",
+        true("genus 1", lambda r: r["genus"] == 1)),
+]
+
 CHAPTER_6 = [
     test("Eq. 6.1", "quaternions", "quaternion", "The product is Hamilton's*"),
     test("Eq. 6.2", "by axis and angle", "quaternion", "Axis and angle*"),
@@ -255,7 +326,8 @@ CHAPTER_6 = [
     Row("Figure 6.3", "distribution of angles", SOLID + " && orbicube frames solid.mesh -o f.frames --method dissertation --plot angles.png",
         true("all faces are counted", lambda r: sum(r["histogram"]) == r["interior_faces"])),
 ]
-CHAPTERS = (("Chapter 3: spherical maps", CHAPTER_3), ("Section 4.5: polycubes of several objects", SECTION_4_5),
+CHAPTERS = (("Chapter 3: spherical maps", CHAPTER_3), ("Chapter 4: polycube maps", CHAPTER_4),
+            ("Section 4.5: polycubes of several objects", SECTION_4_5),
             ("Chapter 5: volumetric parameterization", CHAPTER_5), ("Chapter 6: frame fields", CHAPTER_6))
 INTRODUCTION = """# The dissertation, by command
 
@@ -263,7 +335,7 @@ Written by `scripts/dissertation.py --write` from the list that `scripts/dissert
 the value that is known or from our page. `tetrahedron.obj` is a regular tetrahedron, whose figures are computed by hand; a name with `-split` is a
 model with each triangle split in four, as in [the tables of sphere maps](sphere_map_tables.md). Complete tables beside the printed figures:
 [sphere maps](sphere_map_tables.md), [harmonics](harmonics_figures.md), [frame fields](frame_field_tables.md). Where a method departs from the text,
-[sphere_map](sphere_map.md#the-dissertations-method) and [frame_field](frame_field.md#the-dissertations-tables) say so. Of chapter 4, section 4.5 is in the list.
+[sphere_map](sphere_map.md#the-dissertations-method), [polycube](polycube.md#the-dissertations-method) and [frame_field](frame_field.md#the-dissertations-tables) say so.
 """
 
 
