@@ -36,6 +36,8 @@ To converted(To to, const From& from) {
   capi::assign(to.target, from.target);
   capi::assign(to.max_evaluations, from.max_evaluations);
   capi::assign(to.max_iterations, from.max_iterations);
+  capi::assign(to.starts, from.starts);
+  capi::assign(to.seed, from.seed);
   return to;
 }
 
@@ -59,6 +61,8 @@ void copy_result(const so::Solver& solver, obc_sphere_optimizer_result* result, 
     to.evaluations = from.evaluations;
     to.failed_evaluations = from.failed_evaluations;
     to.iterations = from.iterations;
+    to.starts = from.starts;
+    to.best_start = from.best_start;
     capi::write_versioned(result, to);
   }
   const std::span<const double> best = solver.best_point();

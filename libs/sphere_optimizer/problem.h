@@ -28,6 +28,8 @@ struct Options {
   double gradient_tolerance = 1e-8;  // on the longest of the blocks' tangent gradients
   double target = -std::numeric_limits<double>::infinity();
   std::uint64_t max_evaluations = 100000, max_iterations = 100000;
+  std::uint64_t starts = 1;  // points to start from: the given one, then random ones
+  std::uint64_t seed = 0;    // of the random ones
 };
 
 enum class Stop : std::int32_t {
@@ -50,6 +52,7 @@ struct Result {
   double gradient_norm =
       std::numeric_limits<double>::infinity();  // longest tangent gradient of a block, at the iterate
   std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
+  std::uint64_t starts = 0, best_start = 0;  // how many were begun; the one that led to the value, from 0
 };
 
 }  // namespace orbicube::sphere_optimizer

@@ -33,6 +33,7 @@ const Options& checked(const Options& options) {
   require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
   require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
   require(!std::isnan(options.target), "target must be a number");
+  require(options.starts >= 1, "there must be a start");
   return options;
 }
 
@@ -63,6 +64,7 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
       direction_(shape.size(), 0.0, host.memory),
       velocity_(shape.size(), 0.0, host.memory),
       best_(shape.size(), 0.0, host.memory),
+      lowest_point_(options.starts > 1 ? shape.size() : 0, 0.0, host.memory),
       radial_(shape.count, 0.0, host.memory),
       trial_radial_(shape.count, 0.0, host.memory),
       curvature_(shape.count, 1.0, host.memory),
@@ -83,25 +85,13 @@ Request Solver::step() {
   return state_.step(host_, phase_name, options_.max_evaluations, [this] { return advance(); });
 }
 
-template <class Body>
-void Solver::for_each_block(const Body& body) const {
-  constexpr std::size_t piece = 16384;
-  with_dimension(shape_.dimension, [&](auto d) {
-    for (std::size_t begin = 0; begin < shape_.count; begin += piece) {
-      if (begin > 0) report();
-      for (std::size_t i = begin; i < std::min(begin + piece, shape_.count); ++i)
-        body(d, i);
-    }
-  });
-}
-
 Request Solver::advance() {
   switch (state_.phase) {
     case Phase::created:
       std::copy(x_.begin(), x_.end(), trial_.begin());
       return state_.ask(Phase::asked_first, options_.max_evaluations);
     case Phase::told_first:
-      if (!std::isfinite(state_.trial_value)) return state_.finish(Stop::evaluation_failed);
+      if (!std::isfinite(state_.trial_value)) return end_start(Stop::evaluation_failed);
       begin_at_trial();
       return Request::iteration;
     case Phase::iterate:
@@ -150,8 +140,8 @@ void Solver::begin_at_trial() {
 
 Request Solver::begin_iteration() {
   const Stop reason = state_.reason_to_end(options_);
-  if (reason != Stop::running) return state_.finish(reason);
-  if (!choose_direction()) return state_.finish(Stop::stalled);
+  if (reason != Stop::running) return end_start(reason);
+  if (!choose_direction()) return end_start(Stop::stalled);
   place_trial(trial_length());
   return state_.ask(Phase::asked, options_.max_evaluations);
 }
@@ -182,7 +172,7 @@ bool Solver::choose_direction() {
       break;
     case Method::barzilai_borwein: {
       const double longest = quarter_circle / state_.measure;
-      follow_gradient(state_.iterations == 0 ? first_angle / state_.measure : std::min(state_.step_length, longest));
+      follow_gradient(state_.step_length == 0 ? first_angle / state_.measure : std::min(state_.step_length, longest));
       break;
     }
     default:
@@ -198,6 +188,7 @@ bool Solver::choose_direction() {
   if (!(slope < 0)) return false;
   if (options_.method == Method::limited_memory) {
     state_.wolfe.start(state_.value, state_.best_value, slope, quarter_circle / angle);
+    state_.wolfe.level = std::max(state_.wolfe.level, state_.best_value + cancelled_part());
   } else {
     const bool nonmonotone = options_.method == Method::barzilai_borwein;
     state_.backtracking.start(nonmonotone ? *std::max_element(last_values_.begin(), last_values_.end()) : state_.value,
@@ -214,6 +205,12 @@ void Solver::estimate_curvature() {
                       static_cast<double>(radial_.size());
   for (std::size_t i = 0; i < radial_.size(); ++i)
     curvature_[i] = mean > 0 ? std::clamp(-radial_[i] / mean, 1 / range, range) : 1.0;
+}
+
+// What rounding may add to a value whose terms cancel: they are about as large as the radial parts of the gradient.
+double Solver::cancelled_part() const {
+  constexpr double rounding = 0x1p-52;
+  return rounding * base::blocked_sum(radial_.size(), [&](std::size_t i) { return std::abs(radial_[i]); });
 }
 
 // Algorithm 2 as printed, for every block at once. A block whose violation of the first-order condition is within the
@@ -315,18 +312,11 @@ Request Solver::take_trial() {
   }
   const bool failed = !std::isfinite(state_.trial_value);
   if (options_.method != Method::limited_memory || state_.without_memory) {
-    return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
+    return end_start(failed ? Stop::evaluation_failed : Stop::stalled);
   }
   // The memory may be at fault: again along the gradient.
   memory_.clear();
   return begin_iteration();
-}
-
-Result Solver::result() const {
-  Result result;
-  state_.describe(result);
-  result.gradient_norm = state_.measure;
-  return result;
 }
 
 }  // namespace orbicube::sphere_optimizer

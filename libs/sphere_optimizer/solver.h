@@ -2,8 +2,11 @@
 // allocated when the solver is made; a run can be saved between any two calls and goes on with the same bits.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numbers>
 #include <span>
 
@@ -13,6 +16,7 @@
 #include "base/line_search.h"
 #include "sphere_optimizer/limited_memory.h"
 #include "sphere_optimizer/problem.h"
+#include "sphere_optimizer/spheres.h"
 
 namespace orbicube::sphere_optimizer {
 
@@ -41,7 +45,9 @@ class Solver {
   Result result() const;
   // The point that result() speaks of: the iterate that met the tolerance, else the lowest point evaluated (among
   // values that differ by rounding only, the one with the minimum gradient); before the first evaluation, the start.
-  std::span<const double> best_point() const { return state_.stop == Stop::converged ? x_ : best_; }
+  std::span<const double> best_point() const {
+    return earlier_is_lower() ? lowest_point_ : state_.stop == Stop::converged ? x_ : best_;
+  }
   const Shape& shape() const { return shape_; }
 
   // The run's whole state as save_size() bytes, and back into a solver of the same shape and options (options_of).
@@ -56,11 +62,19 @@ class Solver {
  private:
   using Phase = base::RunPhase;
 
+  // How the earlier start ended that led to the lowest value.
+  struct Ended {
+    std::uint64_t start = 0, converged = 0;
+    double value = std::numeric_limits<double>::infinity(), measure = std::numeric_limits<double>::infinity();
+  };
+
   // All that a run is besides its arrays and its memory; saved as bytes, so it holds no pointer and no padding. Its
   // measure is the longest tangent gradient of a block.
   struct State : base::GradientRun<Stop> {
-    std::uint64_t without_memory = 0;     // 1 while the current direction is along the gradient
-    double step_length = 0;               // of barzilai_borwein, times the gradient
+    std::uint64_t without_memory = 0;  // 1 while the current direction is along the gradient
+    std::uint64_t start = 0;           // number of the current start
+    Ended lowest;
+    double step_length = 0;               // of barzilai_borwein, times the gradient; 0 while it is not known
     double arc = 0.5 * std::numbers::pi;  // of great_circle: angle of the block that turned farthest, last time
     base::WolfeSearch wolfe{};
     base::BacktrackingSearch backtracking{};
@@ -69,15 +83,24 @@ class Solver {
   static constexpr const char* phase_name = "sphere optimizer";
 
   // Reports to the host how far the run is; throws when it cancels.
-  void report() const { host_.report(phase_name, state_.evaluations, options_.max_evaluations, state_.best_value); }
+  void report() const {
+    host_.report(phase_name, state_.evaluations, options_.max_evaluations,
+                 std::min(state_.best_value, state_.lowest.value));
+  }
   // body(d, i) for every block i, with reports in between.
   template <class Body>
   void for_each_block(const Body& body) const;
   Request advance();
+  Request end_start(Stop reason);
+  void place_random_start();
+  double reached_value() const { return state_.stop == Stop::converged ? state_.value : state_.best_value; }
+  // The first of equals is the result.
+  bool earlier_is_lower() const { return std::isfinite(state_.lowest.value) && state_.lowest.value <= reached_value(); }
   Request begin_iteration();
   Request take_trial();
   bool choose_direction();
   void estimate_curvature();
+  double cancelled_part() const;
   void choose_printed_direction();
   double longest_block(std::span<const double> v) const;
   double chord_slope() const;
@@ -95,10 +118,23 @@ class Solver {
   LimitedMemory memory_;
   State state_;
   base::Array<double> x_, gradient_, trial_, trial_gradient_, direction_, velocity_, best_;  // N d each
+  base::Array<double> lowest_point_;             // N d for several starts: the lowest point of those that have ended
   base::Array<double> radial_, trial_radial_;    // N each: parts of the gradient along the points
   base::Array<double> curvature_;                // N: what is known of the Hessian's size, by block
   base::Array<double> ambient_, trial_ambient_;  // the gradients as supplied, for Method::dissertation
   base::Array<double> last_values_;              // ring of Options::history values of f, for barzilai_borwein
 };
+
+template <class Body>
+void Solver::for_each_block(const Body& body) const {
+  constexpr std::size_t piece = 16384;
+  with_dimension(shape_.dimension, [&](auto d) {
+    for (std::size_t begin = 0; begin < shape_.count; begin += piece) {
+      if (begin > 0) report();
+      for (std::size_t i = begin; i < std::min(begin + piece, shape_.count); ++i)
+        body(d, i);
+    }
+  });
+}
 
 }  // namespace orbicube::sphere_optimizer

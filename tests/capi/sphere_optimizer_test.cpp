@@ -75,6 +75,29 @@ TEST_CASE("Minimizing with a callback and by steps ends in the same bits") {
   }
 }
 
+TEST_CASE("Several starts are one run") {
+  obc_sphere_optimizer_options options;
+  REQUIRE(obc_sphere_optimizer_options_init(&options, sizeof options) == OBC_OK);
+  CHECK(options.starts == 1);
+  int calls = 0;
+  const auto run = [&](std::uint64_t starts) {
+    options.starts = starts;
+    Points x = start();
+    auto result = empty<obc_sphere_optimizer_result>();
+    REQUIRE(obc_sphere_optimizer_minimize(charges, 3, &options, callback, &calls, x.data(), &result, nullptr,
+                                          nullptr) == OBC_OK);
+    CHECK(result.stop == OBC_SPHERE_OPTIMIZER_CONVERGED);
+    CHECK(result.starts == starts);
+    CHECK(result.best_start < starts);
+    Points gradient;
+    CHECK(evaluate(x.data(), gradient.data()) == result.value);
+    return result;
+  };
+  const obc_sphere_optimizer_result one = run(1), five = run(5);
+  CHECK(five.value <= one.value);
+  CHECK(static_cast<std::uint64_t>(calls) == one.evaluations + five.evaluations);
+}
+
 TEST_CASE("Block by block, with gradients or Hessians, the same energy is reached as all at once") {
   const Blocks fixture;
   Points gradient, together = start();
@@ -325,8 +348,9 @@ TEST_CASE("Arguments that cannot be are refused") {
   bad[3] = bad[4] = bad[5] = 0;
   CHECK(refused(charges, 3, nullptr, bad.data()));
   obc_sphere_optimizer_options options;
-  for (const int which : {0, 1, 2, 3, 4, 5}) {
+  for (const int which : {0, 1, 2, 3, 4, 5, 6}) {
     obc_sphere_optimizer_options_init(&options, sizeof options);
+    if (which == 6) options.starts = 0;
     if (which == 0) options.method = 4;
     if (which == 1) options.method = -1;
     if (which == 2) options.memory = 0;

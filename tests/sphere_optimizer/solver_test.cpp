@@ -2,6 +2,7 @@
 #include "sphere_optimizer/solver.h"
 
 #include "base/error.h"
+#include "lattice.h"
 #include "problems.h"
 #include "sphere_optimizer/spheres.h"
 
@@ -199,6 +200,21 @@ TEST_CASE("Great circles and parallel transport keep lengths, angles and derivat
   }
   double nothing[4] = {0, 0, 0, 0};
   CHECK(!normalize(four, nothing));
+}
+
+TEST_CASE("Gradients of 1e-12 are reached, also where the terms of the value cancel") {
+  // The lattice's minimum is 0, from terms of 1: its value is rounding errors long before the end.
+  constexpr std::size_t side = 8, count = side * side * side;
+  Problem lattice{{count, 4}, normal_numbers(4 * count, 10), [](std::span<const double> x, std::span<double> g) {
+                    return LatticeEnergy(side, x).all(g);
+                  }};
+  for (std::size_t i = 0; i < count; ++i)
+    lattice.start[4 * i] += 1.5;
+  for (const Problem& problem : {thomson(50, 1), laplacian(60, 1), maximum_cut(10, 16, 5), lattice}) {
+    const Run end = run(problem, with(Method::limited_memory, 1e-12));
+    CHECK(end.result.stop == Stop::converged);
+    CHECK(end.result.gradient_norm <= 1e-12);
+  }
 }
 
 TEST_CASE("Arguments that cannot be are refused") {

@@ -749,7 +749,7 @@ export const layouts = {
     },
   },
   obc_sphere_optimizer_options: {
-    size: 48,
+    size: 64,
     fields: {
       struct_size: ['u32', 0],
       method: ['i32', 4],
@@ -759,10 +759,12 @@ export const layouts = {
       target: ['f64', 24],
       max_evaluations: ['u64', 32],
       max_iterations: ['u64', 40],
+      starts: ['u64', 48],
+      seed: ['u64', 56],
     },
   },
   obc_sphere_optimizer_result: {
-    size: 48,
+    size: 64,
     fields: {
       struct_size: ['u32', 0],
       stop: ['i32', 4],
@@ -771,6 +773,8 @@ export const layouts = {
       evaluations: ['u64', 24],
       failed_evaluations: ['u64', 32],
       iterations: ['u64', 40],
+      starts: ['u64', 48],
+      best_start: ['u64', 56],
     },
   },
   obc_sphere_optimizer_blocks: {

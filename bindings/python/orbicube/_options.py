@@ -305,6 +305,12 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                doc="maximum number of evaluations. Default: 100000."),
         Option("max_iterations", "int", 100000, low=0, high=18446744073709551615,
                doc="maximum number of iterations. Default: 100000."),
+        Option("starts", "int", 1, low=0, high=18446744073709551615,
+               doc="number of points to start from, at least 1: x0, then random points. A run that CONVERGED, STALLED or "
+                   "failed at one continues at the next; the lowest point of all is the result, and all limits are of the "
+                   "whole run. Default: 1."),
+        Option("seed", "int", 0, low=0, high=18446744073709551615,
+               doc="of the random points. Default: 0."),
     ),
     "obc_sphere_optimizer_relaxation_options": (
         Option("method", "word", "great-circle", words={"great-circle": 2, "dissertation": 3},

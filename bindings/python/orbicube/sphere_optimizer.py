@@ -43,7 +43,7 @@ class Solver(GradientRun):
                  # options of obc_sphere_optimizer_options, written by scripts/bindings.py
                  method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation"] = "limited-memory",
                  memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
-                 max_evaluations: int = 100000, max_iterations: int = 100000,
+                 max_evaluations: int = 100000, max_iterations: int = 100000, starts: int = 1, seed: int = 0,
                  # end of options
                  ) -> None:
         chosen = filled(raw.obc_sphere_optimizer_options, raw.obc_sphere_optimizer_options_init, locals())
@@ -68,7 +68,7 @@ def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *,
              # options of obc_sphere_optimizer_options, written by scripts/bindings.py
              method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation"] = "limited-memory",
              memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
-             max_evaluations: int = 100000, max_iterations: int = 100000,
+             max_evaluations: int = 100000, max_iterations: int = 100000, starts: int = 1, seed: int = 0,
              # end of options
              progress: Progress = None) -> Result:
     """The minimum value of f that is found from x0, a row a sphere; f returns (value, gradient)."""

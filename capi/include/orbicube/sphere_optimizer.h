@@ -7,7 +7,7 @@
  *   BARZILAI_BORWEIN          nonmonotone Barzilai-Borwein steps (Iannazzo, Porcelli 2018); low memory
  *   GREAT_CIRCLE              the great-circle search of the dissertation's Algorithm 2 (section 3.1.4), corrected: it follows the
  *                             tangent gradient, starts from the length of the last step, and bisects the angle
- *   DISSERTATION                      Algorithm 2 as printed, for comparison: the first arc ends at -G / |G| or its mirror image
+ *   DISSERTATION              Algorithm 2 as printed, for comparison: the first arc ends at -G / |G| or its mirror image
  *
  *   const double *x;
  *   while ((request = obc_sphere_optimizer_step(solver, &x)) > 0 && request != OBC_SPHERE_OPTIMIZER_DONE)
@@ -19,8 +19,8 @@
  * gradient as a whole; all at once reaches high accuracy in fewer evaluations.
  *
  * Memory, in numbers, allocated by _create, _load and at the start of _relax: (7 + 2 memory) N d + 3 N for LIMITED_MEMORY,
- * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for DISSERTATION; 18 bytes a block for _relax. An iteration takes
- * O(N d memory) time and usually 1.0 to 1.1 evaluations.
+ * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for DISSERTATION, N d more for several starts; 18 bytes a block
+ * for _relax. An iteration takes O(N d memory) time and usually 1.0 to 1.1 evaluations.
  *
  * Thread safety: a solver serves one thread at a time; distinct solvers may run at the same time. All work is done on the calling
  * thread.
@@ -107,6 +107,10 @@ typedef struct obc_sphere_optimizer_options {
   double target;             /* ends the run at f <= target. Default: -infinity. */
   uint64_t max_evaluations;  /* maximum number of evaluations. Default: 100000. */
   uint64_t max_iterations;   /* maximum number of iterations. Default: 100000. */
+
+  uint64_t starts; /* number of points to start from, at least 1: x0, then random points. A run that CONVERGED, STALLED or failed at one
+                      continues at the next; the lowest point of all is the result, and all limits are of the whole run. Default: 1. */
+  uint64_t seed;   /* of the random points. Default: 0. */
 } obc_sphere_optimizer_options;
 
 /* State of a run. The caller sets struct_size. */
@@ -120,6 +124,9 @@ typedef struct obc_sphere_optimizer_result {
   uint64_t evaluations;        /* number of evaluations, including failed ones */
   uint64_t failed_evaluations; /* number of evaluations without a value */
   uint64_t iterations;         /* number of iterations */
+
+  uint64_t starts;     /* number of starts that have begun */
+  uint64_t best_start; /* number of the start that led to the returned point, from 0 */
 } obc_sphere_optimizer_result;
 
 /* Evaluates f at x (count blocks of dimension numbers, consecutive) and its gradient in the same order: the gradient in R^d of each

@@ -35,6 +35,8 @@ mutable struct obc_sphere_optimizer_options <: CStruct
     target::Float64
     max_evaluations::UInt64
     max_iterations::UInt64
+    starts::UInt64
+    seed::UInt64
     obc_sphere_optimizer_options() = zeroed!(new())
 end
 
@@ -46,6 +48,8 @@ mutable struct obc_sphere_optimizer_result <: CStruct
     evaluations::UInt64
     failed_evaluations::UInt64
     iterations::UInt64
+    starts::UInt64
+    best_start::UInt64
     obc_sphere_optimizer_result() = zeroed!(new())
 end
 

@@ -46,6 +46,8 @@ class obc_sphere_optimizer_options(_Struct):
         ("target", _c.c_double),
         ("max_evaluations", _c.c_uint64),
         ("max_iterations", _c.c_uint64),
+        ("starts", _c.c_uint64),
+        ("seed", _c.c_uint64),
     ]
 
 
@@ -59,6 +61,8 @@ class obc_sphere_optimizer_result(_Struct):
         ("evaluations", _c.c_uint64),
         ("failed_evaluations", _c.c_uint64),
         ("iterations", _c.c_uint64),
+        ("starts", _c.c_uint64),
+        ("best_start", _c.c_uint64),
     ]
 
 

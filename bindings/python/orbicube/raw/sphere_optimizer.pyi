@@ -42,7 +42,9 @@ class obc_sphere_optimizer_options(Struct):
     target: float
     max_evaluations: int
     max_iterations: int
-    def __init__(self, struct_size: int = ..., method: int = ..., memory: int = ..., history: int = ..., gradient_tolerance: float = ..., target: float = ..., max_evaluations: int = ..., max_iterations: int = ...) -> None: ...
+    starts: int
+    seed: int
+    def __init__(self, struct_size: int = ..., method: int = ..., memory: int = ..., history: int = ..., gradient_tolerance: float = ..., target: float = ..., max_evaluations: int = ..., max_iterations: int = ..., starts: int = ..., seed: int = ...) -> None: ...
 
 class obc_sphere_optimizer_result(Struct):
     struct_size: int
@@ -52,7 +54,9 @@ class obc_sphere_optimizer_result(Struct):
     evaluations: int
     failed_evaluations: int
     iterations: int
-    def __init__(self, struct_size: int = ..., stop: int = ..., value: float = ..., gradient_norm: float = ..., evaluations: int = ..., failed_evaluations: int = ..., iterations: int = ...) -> None: ...
+    starts: int
+    best_start: int
+    def __init__(self, struct_size: int = ..., stop: int = ..., value: float = ..., gradient_norm: float = ..., evaluations: int = ..., failed_evaluations: int = ..., iterations: int = ..., starts: int = ..., best_start: int = ...) -> None: ...
 
 class obc_sphere_optimizer_blocks(Struct):
     struct_size: int

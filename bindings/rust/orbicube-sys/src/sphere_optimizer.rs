@@ -93,6 +93,11 @@ pub struct obc_sphere_optimizer_options {
     pub max_evaluations: u64,
     /// maximum number of iterations. Default: 100000.
     pub max_iterations: u64,
+    /// number of points to start from, at least 1: x0, then random points. A run that CONVERGED, STALLED or failed at one
+    /// continues at the next; the lowest point of all is the result, and all limits are of the whole run. Default: 1.
+    pub starts: u64,
+    /// of the random points. Default: 0.
+    pub seed: u64,
 }
 
 /// State of a run. The caller sets struct\_size.
@@ -112,6 +117,10 @@ pub struct obc_sphere_optimizer_result {
     pub failed_evaluations: u64,
     /// number of iterations
     pub iterations: u64,
+    /// number of starts that have begun
+    pub starts: u64,
+    /// number of the start that led to the returned point, from 0
+    pub best_start: u64,
 }
 
 /// The spheres and their adjacency. Fill with \_blocks\_init.
@@ -253,7 +262,7 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_sphere_optimizer_options>(), align_of::<obc_sphere_optimizer_options>()), (48, 8));
+        assert_eq!((size_of::<obc_sphere_optimizer_options>(), align_of::<obc_sphere_optimizer_options>()), (64, 8));
         let it = MaybeUninit::<obc_sphere_optimizer_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_optimizer_options.struct_size");
@@ -264,7 +273,9 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).target) } as usize - start as usize, 24, "obc_sphere_optimizer_options.target");
         assert_eq!(unsafe { addr_of!((*start).max_evaluations) } as usize - start as usize, 32, "obc_sphere_optimizer_options.max_evaluations");
         assert_eq!(unsafe { addr_of!((*start).max_iterations) } as usize - start as usize, 40, "obc_sphere_optimizer_options.max_iterations");
-        assert_eq!((size_of::<obc_sphere_optimizer_result>(), align_of::<obc_sphere_optimizer_result>()), (48, 8));
+        assert_eq!(unsafe { addr_of!((*start).starts) } as usize - start as usize, 48, "obc_sphere_optimizer_options.starts");
+        assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 56, "obc_sphere_optimizer_options.seed");
+        assert_eq!((size_of::<obc_sphere_optimizer_result>(), align_of::<obc_sphere_optimizer_result>()), (64, 8));
         let it = MaybeUninit::<obc_sphere_optimizer_result>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_optimizer_result.struct_size");
@@ -274,6 +285,8 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).evaluations) } as usize - start as usize, 24, "obc_sphere_optimizer_result.evaluations");
         assert_eq!(unsafe { addr_of!((*start).failed_evaluations) } as usize - start as usize, 32, "obc_sphere_optimizer_result.failed_evaluations");
         assert_eq!(unsafe { addr_of!((*start).iterations) } as usize - start as usize, 40, "obc_sphere_optimizer_result.iterations");
+        assert_eq!(unsafe { addr_of!((*start).starts) } as usize - start as usize, 48, "obc_sphere_optimizer_result.starts");
+        assert_eq!(unsafe { addr_of!((*start).best_start) } as usize - start as usize, 56, "obc_sphere_optimizer_result.best_start");
         assert_eq!((size_of::<obc_sphere_optimizer_blocks>(), align_of::<obc_sphere_optimizer_blocks>()), (32, 8));
         let it = MaybeUninit::<obc_sphere_optimizer_blocks>::uninit();
         let start = it.as_ptr();
