@@ -1,5 +1,5 @@
-/* Orbicube mesh: triangle surfaces and meshes of tetrahedra and hexahedra: files (OBJ, OFF, PLY, STL, MEDIT, legacy VTK),
- * topology, consistent orientation, search, and exact predicates.
+/* Orbicube mesh: triangle surfaces and meshes of tetrahedra and hexahedra: files (OBJ, OFF, PLY, STL, MEDIT, legacy VTK,
+ * Gmsh), topology, consistent orientation, search, and exact predicates.
  *
  * Arrays are the caller's. Positions are x y z a vertex (3 * vertex_count finite doubles). Triangles are three vertex indices each
  * (from 0, counter-clockwise seen from outside). Tetrahedra are four, the fourth on the side from which the first three are clockwise, so
@@ -141,7 +141,8 @@ enum {
   OBC_MESH_PLY = 2,   /* text and binary of either byte order, triangle strips */
   OBC_MESH_STL = 3,   /* text and binary */
   OBC_MESH_MEDIT = 4, /* text */
-  OBC_MESH_VTK = 5    /* legacy, text and binary */
+  OBC_MESH_VTK = 5,   /* legacy, text and binary */
+  OBC_MESH_MSH = 6    /* Gmsh, versions 2.2 and 4.1, text and binary; written as text of version 2.2 */
 };
 
 /* What files of a format can hold: bits of obc_mesh_format_contents. */
@@ -200,7 +201,7 @@ typedef struct obc_mesh_write_options {
 /* Fills options with the defaults. */
 OBC_API obc_status obc_mesh_write_options_init(obc_mesh_write_options *options, size_t struct_size);
 
-/* Writes to `path` in the format of its ending: triangles to OBJ, OFF, PLY and STL, also cells to MEDIT and VTK. Reading the file
+/* Writes to `path` in the format of its ending: triangles to OBJ, OFF, PLY and STL, also cells to MEDIT, VTK and MSH. Reading the file
  * returns a bit-identical mesh, except for STL, which has float32. The file appears when it is complete; after an error the
  * previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
  * format does not have), io, out of memory, cancelled. */

@@ -36,6 +36,11 @@ Mesh read_medit(std::span<const std::byte> bytes, const base::Host& host, ReadRe
 // refused, data on points and cells is passed over.
 Mesh read_vtk(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
+// Gmsh .msh, versions 2.0 to 2.2 and 4.1, ASCII and binary of either byte order: triangles, quadrangles, tetrahedra and
+// hexahedra, prisms and pyramids cut into tetrahedra; lines and points are tags. Elements of other types are refused,
+// data on nodes and elements is passed over.
+Mesh read_msh(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
 void write_obj(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 void write_off(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
@@ -46,6 +51,9 @@ void write_ply(OutputFile& file, const Mesh& mesh, const WriteOptions& options, 
 void write_stl(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
 void write_medit(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// Version 2.2, ASCII, which all programs that know Gmsh's format read.
+void write_msh(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
 // Version 3.0: PolyData for surfaces, an unstructured grid for meshes with cells; binary files are big-endian.
 void write_vtk(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);

@@ -17,6 +17,7 @@ constexpr std::array rows = {
     FormatRow{Format::stl, ".stl", "STL", false, false, true, read_stl, write_stl},
     FormatRow{Format::medit, ".mesh", "MEDIT", true, true, false, read_medit, write_medit},
     FormatRow{Format::vtk, ".vtk", "VTK", true, true, true, read_vtk, write_vtk},
+    FormatRow{Format::msh, ".msh", "MSH", true, true, false, read_msh, write_msh},
 };
 
 constexpr bool in_order() {

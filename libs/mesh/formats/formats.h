@@ -18,7 +18,7 @@ struct ReadReport;    // read.h
 struct WriteOptions;  // write.h
 
 // Numbers the rows of the table, and OBC_MESH_... of the C interface.
-enum class Format { obj, off, ply, stl, medit, vtk };
+enum class Format { obj, off, ply, stl, medit, vtk, msh };
 
 // What a file can hold. Polygons: faces of any number of corners that share vertices, whose coordinates read back
 // bit-identically. Cells: tetrahedra and hexahedra.
@@ -30,7 +30,7 @@ struct FormatRow {
   const char* name;    // as "PLY"; in lower case the word for it in other languages
   bool polygons;       // whether it has Holds::polygons
   bool cells;          // whether it has Holds::cells
-  bool binary;         // whether files may be binary; all may be text
+  bool binary;         // whether files are written in binary, too; all may be text
   Mesh (*read)(std::span<const std::byte>, const base::Host&, ReadReport&);
   void (*write)(OutputFile&, const Mesh&, const WriteOptions&, const base::Host&);
 };

@@ -16,6 +16,8 @@ pub const OBC_MESH_STL: i32 = 3;
 pub const OBC_MESH_MEDIT: i32 = 4;
 /// legacy, text and binary
 pub const OBC_MESH_VTK: i32 = 5;
+/// Gmsh, versions 2.2 and 4.1, text and binary; written as text of version 2.2
+pub const OBC_MESH_MSH: i32 = 6;
 
 /// triangles; all formats do
 pub const OBC_MESH_HOLDS_SURFACES: i32 = 1;
@@ -323,7 +325,7 @@ extern "C" {
     pub fn obc_mesh_note(mesh: *const obc_mesh, index: usize) -> *const c_char;
     /// Fills options with the defaults.
     pub fn obc_mesh_write_options_init(options: *mut obc_mesh_write_options, struct_size: usize) -> i32;
-    /// Writes to \`path\` in the format of its ending: triangles to OBJ, OFF, PLY and STL, also cells to MEDIT and VTK. Reading the file
+    /// Writes to \`path\` in the format of its ending: triangles to OBJ, OFF, PLY and STL, also cells to MEDIT, VTK and MSH. Reading the file
     /// returns a bit-identical mesh, except for STL, which has float32. The file appears when it is complete; after an error the
     /// previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
     /// format does not have), io, out of memory, cancelled.
