@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,27 +9,12 @@
 #include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/left_out.h"
-#include "mesh/files/polygons.h"
-#include "mesh/files/polyhedral_cells.h"
 #include "mesh/formats/codecs.h"
 #include "mesh/formats/vtk_body.h"
+#include "mesh/formats/vtk_cells.h"
 
 namespace orbicube::mesh {
 namespace {
-
-// The names of what vtkCellType.h counts, for messages.
-std::string cell_name(std::int64_t type) {
-  static constexpr std::array names = {std::pair{21, "quadratic edge"},          std::pair{22, "quadratic triangle"},
-                                       std::pair{23, "quadratic quad"},          std::pair{24, "quadratic tetrahedron"},
-                                       std::pair{25, "quadratic hexahedron"},    std::pair{26, "quadratic wedge"},
-                                       std::pair{27, "quadratic pyramid"},       std::pair{28, "biquadratic quad"},
-                                       std::pair{29, "triquadratic hexahedron"}, std::pair{42, "polyhedron"},
-                                       std::pair{69, "Lagrange triangle"},       std::pair{70, "Lagrange quad"},
-                                       std::pair{71, "Lagrange tetrahedron"},    std::pair{72, "Lagrange hexahedron"},
-                                       std::pair{73, "Lagrange wedge"},          std::pair{74, "Lagrange pyramid"}};
-  const auto found = std::find_if(names.begin(), names.end(), [&](const auto& name) { return name.first == type; });
-  return "type " + std::to_string(type) + (found == names.end() ? "" : std::string(" (") + found->second + ")");
-}
 
 // Data arrays behind the geometry: lines that begin as such an array does. A field has several.
 std::size_t data_arrays(std::string_view text) {
@@ -65,8 +48,7 @@ class VtkReader {
         host_(host),
         report_(report),
         mesh_(host.memory),
-        faces_(host.memory),
-        others_(host.memory),
+        cells_(mesh_, host, report),
         offsets_(host.memory),
         connectivity_(host.memory) {}
 
@@ -82,12 +64,7 @@ class VtkReader {
     for (auto words = body_.words(); !words.empty(); words = body_.words()) {
       if (!section(words)) break;
     }
-    refuse_unread_cells();
-    report_.polygons = faces_.larger_than_triangles();
-    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
-    if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
-    others_.cut_into_tetrahedra(mesh_, report_.notes, host_);
-    if (!passed_over_.empty()) report_.notes.push_back("passed over: " + passed_over_);
+    cells_.finish(body_);
     note_left_out({{field_arrays_ + data_arrays(body_.rest()), "data array", "data arrays"}}, report_.notes);
     return std::move(mesh_);
   }
@@ -107,10 +84,10 @@ class VtkReader {
       points(words);
     } else if (name == "polygons") {
       cell_array(words);
-      for_each_cell([&](std::span<const Index> cell) { faces_.add(cell, body_); });
+      for_each_cell([&](std::span<const Index> cell) { cells_.add_polygon(cell, body_); });
     } else if (name == "triangle_strips") {
       cell_array(words);
-      for_each_cell([&](std::span<const Index> cell) { add_strip(cell); });
+      for_each_cell([&](std::span<const Index> cell) { cells_.add_strip(cell); });
     } else if (name == "cells") {
       cell_array(words);
     } else if (name == "cell_types") {
@@ -118,9 +95,10 @@ class VtkReader {
     } else if (name == "lines" || name == "vertices") {
       cell_array(words);
       if (report_.tags)
-        for_each_cell([&](std::span<const Index> cell) { add_tag(name == "lines" ? 4 : 2, cell); });
+        for_each_cell([&](std::span<const Index> cell) { cells_.add_tag(name == "lines" ? 4 : 2, cell); });
       else if (offsets_.size() > 1)
-        pass_over(offsets_.size() - 1, name == "lines" ? "line" : "vertex", name == "lines" ? "lines" : "vertices");
+        cells_.pass_over(offsets_.size() - 1, name == "lines" ? "line" : "vertex",
+                         name == "lines" ? "lines" : "vertices");
     } else {
       body_.fail("parse", in_quotes(words[0]) + " is no section of a dataset");
     }
@@ -225,13 +203,6 @@ class VtkReader {
     }
   }
 
-  void add_strip(std::span<const Index> cell) {
-    for (std::size_t i = 2; i < cell.size(); ++i) {
-      const bool even = i % 2 == 0;
-      faces_.add_triangle(cell[even ? i - 2 : i - 1], cell[even ? i - 1 : i - 2], cell[i]);
-    }
-  }
-
   // The kind of each cell of the section CELLS, which must have come before.
   void cell_types(const Words& words) {
     const std::uint64_t n = count(words, 1);
@@ -242,99 +213,10 @@ class VtkReader {
     body_.require_room(n, VtkNumber::int32, "types of cells");
     std::uint64_t i = 0;
     std::size_t passed_over = 0;
-    for_each_cell(
-        [&](std::span<const Index> cell) { passed_over += !add_cell(body_.integer(VtkNumber::int32), cell, i++); });
-    if (passed_over > 0) pass_over(passed_over, "point or line", "points and lines");
-  }
-
-  void pass_over(std::size_t count, const char* one, const char* many) {
-    passed_over_.append(passed_over_.empty() ? "" : ", ").append(base::counted(count, one, many));
-  }
-
-  // Leaving cells out would leave a hole.
-  void refuse_unread_cells() {
-    if (unread_.empty()) return;
-    std::string text;
-    for (const auto& [type, count] : unread_) {
-      text.append(text.empty() ? "" : ", ").append(std::to_string(count)).append(" of ").append(cell_name(type));
-    }
-    body_.fail("unsupported",
-               "cells that are not read: " + text + "; without them a part of the shape would be missing");
-  }
-
-  // Returns false for points and lines that are passed over. The numbers are those of vtkCellType.h.
-  bool add_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
-    // An empty cell; a vertex, vertices, a line, lines; curved lines.
-    constexpr std::array<std::int64_t, 8> no_faces{0, 1, 2, 3, 4, 21, 35, 68};
-    if (std::ranges::find(no_faces, cell_type) != no_faces.end()) return add_tag(cell_type, c);
-    if (cell_type >= 5 && cell_type <= 9)
-      add_face(cell_type, c, number);
-    else if (cell_type >= 10 && cell_type <= 16)
-      add_solid_cell(cell_type, c, number);
-    else if (unread_.size() < 32 || unread_.contains(cell_type))
-      ++unread_[cell_type];
-    return true;
-  }
-
-  // Returns whether points and straight lines are kept as tags.
-  bool add_tag(std::int64_t cell_type, std::span<const Index> c) {
-    if (!report_.tags) return false;
-    if (cell_type == 1 || cell_type == 2)
-      report_.tags->vertices.insert(report_.tags->vertices.end(), c.begin(), c.end());
-    if (cell_type == 3 || cell_type == 4) report_.tags->add_line(c);
-    return cell_type <= 4;
-  }
-
-  void require_corners(std::size_t corners, std::span<const Index> c, std::uint64_t number) {
-    if (c.size() != corners) {
-      body_.fail("parse", "cell " + std::to_string(number) + " has " + base::counted(c.size(), "corner") +
-                              ", where its type has " + std::to_string(corners));
-    }
-  }
-
-  // Triangle, strip of triangles, polygon, pixel (a square by rows) or quadrilateral.
-  void add_face(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
-    if (cell_type == 6) {
-      add_strip(c);
-      return;
-    }
-    if (cell_type != 7) require_corners(cell_type == 5 ? 3 : 4, c, number);
-    if (cell_type == 8)
-      faces_.add(std::array{c[0], c[1], c[3], c[2]}, body_);
-    else
-      faces_.add(c, body_);
-  }
-
-  void add_solid_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number) {
-    const auto add_other = [&](Polyhedron kind) {
-      require_corners(corner_count(kind), c, number);
-      others_.add(kind, c);
-    };
-    switch (cell_type) {
-      case 10:
-        require_corners(4, c, number);
-        mesh_.tetrahedra.push_back({c[0], c[1], c[2], c[3]});
-        break;
-      case 11:  // voxel: a box by rows
-        require_corners(8, c, number);
-        mesh_.hexahedra.push_back({c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]});
-        break;
-      case 12:
-        require_corners(8, c, number);
-        mesh_.hexahedra.push_back({c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]});
-        break;
-      case 13:
-        add_other(Polyhedron::prism);
-        break;
-      case 14:
-        add_other(Polyhedron::pyramid);
-        break;
-      case 15:
-        add_other(Polyhedron::pentagonal_prism);
-        break;
-      default:
-        add_other(Polyhedron::hexagonal_prism);
-    }
+    for_each_cell([&](std::span<const Index> cell) {
+      passed_over += !cells_.add(body_.integer(VtkNumber::int32), cell, i++, body_);
+    });
+    if (passed_over > 0) cells_.pass_over(passed_over, "point or line", "points and lines");
   }
 
   // FIELD name n, then n arrays: name, components, tuples, type, and their numbers.
@@ -361,10 +243,7 @@ class VtkReader {
   const base::Host& host_;
   ReadReport& report_;
   Mesh mesh_;
-  Polygons faces_;
-  PolyhedralCells others_;
-  std::map<std::int64_t, std::size_t> unread_;  // cells of each type that is not read
-  std::string passed_over_;
+  VtkCells cells_;
   std::size_t field_arrays_ = 0;
   Array<std::size_t> offsets_;
   Array<Index> connectivity_;
