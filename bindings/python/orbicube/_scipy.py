@@ -55,51 +55,75 @@ def rows_of(constraints: Any, n: int) -> dict[str, Any]:
 
 
 def options_of(given: Mapping[str, Any], struct: str, other_words: Mapping[str, str]) -> dict[str, Any]:
-    """The options of a struct by their own names or by SciPy's words for them."""
+    """The options of a struct by their own names or by SciPy's words for them. `tol`, which `minimize` has beside `options`, counts
+    where no option says the same; two words for one option are refused."""
     allowed = [option.name for option in OPTIONS[struct]]
     chosen: dict[str, Any] = {}
+    said: dict[str, str] = {}
     for name, value in given.items():
         own = other_words.get(name, name)
         if own not in allowed:
             words = [*allowed, *other_words]
             raise TypeError(f"options: there is no {name!r}{nearest(name, words) or '.'} There are: {', '.join(words)}")
-        if value is not None:
-            chosen[own] = value
+        if value is None or (name == "tol" and own in chosen):
+            continue
+        if said.get(own, "tol") != "tol":
+            raise TypeError(f"options: {said[own]} and {name} both say {own}; give one of them")
+        chosen[own], said[own] = value, name
     return chosen
 
 
-def outcome(result: Result) -> Any:
-    """scipy.optimize.OptimizeResult of a run that has ended."""
+def arguments_of(args: Any) -> tuple[Any, ...]:
+    """Further arguments of a function, of which a single one need not be in a tuple."""
+    return args if isinstance(args, tuple) else (args,)
+
+
+def outcome(result: Result, gradients: bool = False) -> Any:
+    """scipy.optimize.OptimizeResult of a run, which has ended or goes on."""
     found = importlib.import_module("scipy.optimize").OptimizeResult()
-    found.update(x=result.x, fun=result.fun, nfev=result.nfev, nit=result.nit, success=result.success, status=int(result.report.stop),
+    found.update(x=result.x, fun=result.fun, nfev=result.nfev, nit=result.nit, success=result.success, status=result.status,
                  message=result.message, report=result.report)
+    if gradients:
+        found.njev = result.nfev
     return found
 
 
-def follow(run: Run, callback: Optional[Callable[..., Any]]) -> Optional[Callable[[str, int, int, float], bool]]:
-    """A progress function that calls back after each iteration as SciPy does: with the best point, or with an OptimizeResult if
-    the only parameter is named intermediate_result. StopIteration, or True as the return value, ends the run."""
-    if callback is None:
-        return None
-    told: Callable[..., Any] = callback
-    try:
-        whole = list(inspect.signature(told).parameters) == ["intermediate_result"]
-    except (TypeError, ValueError):  # a function of C, which tells no names
-        whole = False
+class Follower:
+    """A progress function that calls back after each iteration as SciPy does: with the best point, or with what `show` makes of the
+    result if the only parameter is named intermediate_result. StopIteration, or True as the return value, ends the run, and
+    so does the iteration of number `most`."""
 
-    def report(*_: Any) -> bool:
+    def __init__(self, run: Run, callback: Optional[Callable[..., Any]], most: Optional[int], show: Callable[[Result], Any]) -> None:
+        if callback is not None and not callable(callback):
+            raise TypeError(f"callback: a function is needed, not {shown(callback)}")
+        self.run, self.callback, self.most, self.show = run, callback, most, show
+        self.done, self.spent = 0, False
         try:
-            result = run.result
-            return (told(intermediate_result=outcome(result)) if whole else told(result.x)) is True
-        except StopIteration:
-            return True
+            self.whole = callback is not None and list(inspect.signature(callback).parameters) == ["intermediate_result"]
+        except (TypeError, ValueError):  # a function of C, which tells no names
+            self.whole = False
 
-    return report
+    def __call__(self, *_: Any) -> bool:
+        self.done += 1
+        if self.callback is not None:
+            result = self.run.result
+            try:
+                if (self.callback(intermediate_result=self.show(result)) if self.whole else self.callback(result.x)) is True:
+                    return True
+            except StopIteration:
+                return True
+        self.spent = self.most is not None and self.done >= self.most
+        return self.spent
 
 
-def minimized(run: Run, f: Callable[[Any], Any], callback: Any, disp: Any) -> Any:
-    """Runs a solver to its end."""
-    result = run.run(f, follow(run, callback))
+def minimized(run: Run, f: Callable[[Any], Any], callback: Any, disp: Any, most: Optional[int] = None,
+              show: Callable[[Result], Any] = outcome) -> Any:
+    """Runs a solver to its end, which is also that of `most` iterations."""
+    follower = Follower(run, callback, most, show) if callback is not None or most is not None else None
+    result = run.run(f, follower)
+    found = show(result)
+    if follower is not None and follower.spent:
+        found.message = "iteration budget"
     if disp:
-        print(f"{result.message}: {result.fun!r} after {result.nfev} evaluations")
-    return outcome(result)
+        print(f"{found.message}: {result.fun!r} after {result.nfev} evaluations")
+    return found

@@ -22,7 +22,7 @@ class EvaluationFailed(Exception):
 
 class Result:
     """How a run ended: the point `x`, the `value` there, why it `stop`ped (text), and all figures in `report`; also by the words of
-    scipy.optimize: `fun`, `nfev`, `nit`, `success`, `message`."""
+    scipy.optimize: `fun`, `nfev`, `nit`, `success`, `status`, `message`."""
 
     def __init__(self, x: Doubles, report: Any, stop: str) -> None:
         self.x, self.value, self.stop, self.report = x, float(report.value), stop, report
@@ -50,6 +50,10 @@ class Result:
     @property
     def success(self) -> bool:
         return self.stop in ("converged", "target reached", "noise limit")
+
+    @property
+    def status(self) -> int:
+        return int(self.report.stop)
 
     @property
     def message(self) -> str:

@@ -20,7 +20,7 @@ from numpy.typing import ArrayLike
 from ._arrays import Doubles, address, doubles, indices, memory_of, numbers, put, spread, start_of
 from ._call import HOST, Cancelled, Progress, Stop, call, call_init, filled, picked, sized, text, with_options
 from ._checks import public
-from ._scipy import bounds_of, minimized, options_of, rows_of
+from ._scipy import arguments_of, bounds_of, minimized, options_of, outcome, rows_of
 from ._solver import EvaluationFailed, GradientRun, Result, explain_pair
 from .raw import projected_gradient as raw
 
@@ -183,7 +183,8 @@ def scipy_method(fun: Callable[..., Any], x0: ArrayLike, args: tuple[Any, ...] =
     solver = Solver(start, **bounds_of(bounds, start.size), **rows_of(constraints, start.size),
                     **options_of(options, "obc_projected_gradient_options", words))
     solver._asked_name = "fun, jac"
-    return minimized(solver, lambda x: (fun(x, *args), jac(x, *args)), callback, disp)
+    rest = arguments_of(args)
+    return minimized(solver, lambda x: (fun(x, *rest), jac(x, *rest)), callback, disp, show=lambda result: outcome(result, True))
 
 
 class Projection:

@@ -13,6 +13,7 @@ or, one evaluation at a time, by any program:
 or by SciPy:
 
     scipy.optimize.minimize(f, [0, 0], method=scipy_method, bounds=[(-1, 1), (None, 0)], options={"maxfev": 200})
+    scipy_least_squares(residuals, [1, 0.1, 0], bounds=([0, 0, -1], [10, 2, 1]))    # as scipy.optimize.least_squares
 
 Options are the members of `obc_trust_region_options`, docs/trust_region.md of the library describes them.
 """
@@ -22,19 +23,20 @@ from __future__ import annotations
 import ctypes
 import warnings
 from ctypes import byref
-from typing import Any, Callable, Literal, Optional
+from typing import Any, Callable, Literal, Mapping, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from ._arrays import Doubles, address, buffer, doubles, memory_of, numbers, put, spread, start_of
 from ._call import Progress, Stop, call, call_init, filled, picked, with_options
-from ._checks import integer, public
-from ._scipy import bounds_of, minimized, options_of
+from ._checks import integer, public, shown
+from ._scipy import arguments_of, bounds_of, minimized, options_of, outcome
 from ._solver import DONE, NO_VALUE, EvaluationFailed, Result, Run
 from .raw import trust_region as raw
 
-__all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "scipy_method", "version"]
+__all__ = ["EvaluationFailed", "Result", "Solver", "Stop", "least_squares", "minimize", "scipy_least_squares", "scipy_method",
+           "version"]
 
 
 def _problem(n: int, residuals: int, lower: Any, upper: Any, scale: Any, sign: Any) -> tuple[Any, list[Any]]:
@@ -184,21 +186,76 @@ def least_squares(residuals: Callable[[Doubles], ArrayLike], x0: ArrayLike, coun
     return solver.run(residuals, progress)
 
 
+_WORDS = {"maxfev": "max_evaluations", "tol": "radius_end", "rhobeg": "radius_begin", "rhoend": "radius_end"}
+
+
 def scipy_method(fun: Callable[..., Any], x0: ArrayLike, args: tuple[Any, ...] = (), *, bounds: Any = None, callback: Any = None,
                  constraints: Any = (), jac: Any = None, hess: Any = None, hessp: Any = None, scale: Optional[ArrayLike] = None,
-                 disp: bool = False, **options: Any) -> Any:
+                 maxiter: Optional[int] = None, disp: bool = False, **options: Any) -> Any:
     """scipy.optimize.minimize(fun, x0, method=scipy_method): fun from its values alone within bounds. `tol` is radius_end, and
-    `options` has those of `minimize` here, also as maxfev, rhobeg and rhoend, and `scale`."""
+    `options` has those of `minimize` here, also as maxfev, rhobeg and rhoend, and `scale` and `maxiter`."""
     if constraints is not None and np.size(constraints):
         raise ValueError("constraints: this method has bounds only; projected_gradient.scipy_method has linear equations")
     for name, value in (("jac", jac), ("hess", hess), ("hessp", hessp)):
         if value:
             warnings.warn(f"trust_region.scipy_method does not use derivatives ({name})", RuntimeWarning, stacklevel=3)
-    words = {"maxfev": "max_evaluations", "tol": "radius_end", "rhobeg": "radius_begin", "rhoend": "radius_end"}
-    start = start_of(x0, "x0")
-    solver = Solver(start, scale=scale, **bounds_of(bounds, start.size), **options_of(options, "obc_trust_region_options", words))
+    start, rest = start_of(x0, "x0"), arguments_of(args)
+    most = None if maxiter is None else integer(maxiter, "maxiter", 1)
+    solver = Solver(start, scale=scale, **bounds_of(bounds, start.size), **options_of(options, "obc_trust_region_options", _WORDS))
     solver._asked_name = "fun"
-    return minimized(solver, lambda x: fun(x, *args), callback, disp)
+    return minimized(solver, lambda x: fun(x, *rest), callback, disp, most)
+
+
+def scipy_least_squares(fun: Callable[..., Any], x0: ArrayLike, jac: Any = None, bounds: Any = (-np.inf, np.inf), *,
+                        xtol: Optional[float] = None, x_scale: Any = None, max_nfev: Optional[int] = None, args: tuple[Any, ...] = (),
+                        kwargs: Optional[Mapping[str, Any]] = None, callback: Any = None, verbose: int = 0,
+                        sign: Optional[ArrayLike] = None, maxiter: Optional[int] = None, **options: Any) -> Any:
+    """scipy.optimize.least_squares(fun, x0, ...) without derivatives: fun returns residuals, as many as it does at x0. `bounds` is
+    (lower, upper), a number for all unknowns or one each, or scipy.optimize.Bounds; `xtol` is radius_end, `max_nfev`
+    max_evaluations, and further arguments are the options of `least_squares` here. The result has x, cost (half the sum of
+    squares), fun (the residuals at x), active_mask, nfev, nit, success, status and message."""
+    if callable(jac):
+        warnings.warn("trust_region.scipy_least_squares does not use derivatives (jac)", RuntimeWarning, stacklevel=2)
+    for name, unchanged in _WITHOUT_USE.items():
+        value = options.pop(name, None)
+        if value is not None and (type(value) is not type(unchanged) or value != unchanged):
+            raise TypeError(f"{name}: this method has no use for it: squares are summed as they are, and xtol, max_nfev, maxiter, target "
+                            "and noise_absolute end a run")
+    if isinstance(x_scale, str):
+        raise TypeError(f"x_scale: one number or one for each unknown is needed, not {x_scale!r}")
+    pair = (bounds.lb, bounds.ub) if hasattr(bounds, "lb") and hasattr(bounds, "ub") else tuple(bounds)
+    if len(pair) != 2:
+        raise ValueError(f"bounds: (lower, upper) or scipy.optimize.Bounds is needed, not {shown(bounds)}")
+    start, rest, named = start_of(x0, "x0"), arguments_of(args), dict(kwargs or {})
+    lower, upper = (spread(side, start.size, f"bounds[{i}]") for i, side in enumerate(pair))
+    words = {"max_nfev": "max_evaluations", "xtol": "radius_end", "tol": "radius_end"}
+    chosen = options_of({"xtol": xtol, "max_nfev": max_nfev, **options}, "obc_trust_region_options", words)
+    most = None if maxiter is None else integer(maxiter, "maxiter", 1)
+    seen: dict[bytes, Any] = {}
+
+    def residuals(x: Doubles) -> Any:
+        key = x.tobytes()
+        return seen.pop(key) if key in seen else np.ravel(numbers(fun(x, *rest, **named), "what fun returned"))
+
+    first = np.clip(start, lower, upper)
+    seen[first.tobytes()] = at_first = residuals(first)  # which says how many there are, and is not evaluated again
+    if at_first.size == 0:
+        raise ValueError("fun returned no numbers at x0: one residual at least is needed")
+    solver = Solver(first, at_first.size, lower=lower, upper=upper, scale=x_scale, sign=sign, **chosen)
+    solver._asked_name = "fun"
+
+    def show(result: Result) -> Any:
+        found = outcome(result)
+        found.update(cost=0.5 * result.value, fun=solver.outputs,
+                     active_mask=(result.x >= upper).astype(int) - (result.x <= lower).astype(int))
+        return found
+
+    return minimized(solver, residuals, callback, verbose, most, show)
+
+
+# Arguments of scipy.optimize.least_squares without a meaning here, with the values that change nothing.
+_WITHOUT_USE = {"loss": "linear", "f_scale": 1.0, "ftol": None, "gtol": None, "diff_step": None, "tr_solver": None, "tr_options": {},
+                "jac_sparsity": None, "workers": None}
 
 
 def version() -> int:

@@ -9,7 +9,7 @@ from orbicube import projected_gradient, trust_region
 
 try:
     import scipy.sparse
-    from scipy.optimize import Bounds, LinearConstraint, NonlinearConstraint, minimize, rosen, rosen_der
+    from scipy.optimize import Bounds, LinearConstraint, NonlinearConstraint, basinhopping, least_squares, minimize, rosen, rosen_der
 except ImportError:
     print("there is no scipy: the methods for it are not tested")
     sys.exit(77)
@@ -43,6 +43,30 @@ class Values(unittest.TestCase):
         coarse = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, tol=1e-2)
         fine = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, options={"rhoend": 1e-10, "rhobeg": 0.5})
         self.assertLess(coarse.nfev, fine.nfev)
+
+    def test_words_for_limits(self):
+        few = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, options={"maxiter": 7})
+        self.assertEqual((few.nit, few.message, few.success), (7, "iteration budget", False))
+        plenty = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, options={"maxiter": 10000})
+        self.assertEqual((plenty.message, plenty.status, plenty.success), ("converged", 1, True))
+        both = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, tol=1e-2, options={"rhoend": 1e-10})
+        fine = minimize(rosen, [-1.2, 1], method=trust_region.scipy_method, options={"radius_end": 1e-10})
+        self.assertEqual(both.x.tobytes(), fine.x.tobytes())  # an option counts more than tol
+        with self.assertRaisesRegex(TypeError, "rhoend and radius_end both say radius_end"):
+            minimize(rosen, [0, 0], method=trust_region.scipy_method, options={"rhoend": 1e-3, "radius_end": 1e-4})
+        with self.assertRaisesRegex(TypeError, "there is no 'ftol'.*maxfev"):
+            minimize(rosen, [0, 0], method=trust_region.scipy_method, options={"ftol": 1e-3})
+        with self.assertRaisesRegex(ValueError, "maxiter=0: out of range"):
+            minimize(rosen, [0, 0], method=trust_region.scipy_method, options={"maxiter": 0})
+        with self.assertRaisesRegex(TypeError, "callback: a function is needed, not 3"):
+            minimize(rosen, [0, 0], method=trust_region.scipy_method, callback=3)
+
+    def test_other_callers_of_minimize(self):
+        def waves(x):
+            return float(np.sum(x ** 2 / 20 + 1 - np.cos(3 * x)))
+
+        found = basinhopping(waves, [3.0, -2.5], niter=30, stepsize=2.0, seed=2, minimizer_kwargs={"method": trust_region.scipy_method})
+        np.testing.assert_allclose(found.x, 0, atol=1e-6)
 
     def test_callback_sees_decreasing_values_and_ends_the_run(self):
         seen = []
@@ -82,6 +106,77 @@ class Values(unittest.TestCase):
             minimize(lambda x: None, [0, 0], method=trust_region.scipy_method)
 
 
+def misfit(x, t, measured, *, weight=1.0):
+    return weight * (x[0] / (1 + x[1] * t) + x[2] - measured)
+
+
+TIMES = 0.5 * np.arange(8)
+MEASURED = 2.5 / (1 + 0.7 * TIMES) + 0.4 + 0.01 * np.cos(5 * TIMES)
+
+
+class Residuals(unittest.TestCase):
+    def test_minimum_is_that_of_scipy_and_of_the_library(self):
+        for bounds in ((-np.inf, np.inf), ([0, 0, -1], [2, 2, 1]), Bounds([0, 0, -1], [2, 2, 1])):
+            # SciPy 1.10 asks for pairs of arrays where it knows no Bounds.
+            pair = (bounds.lb, bounds.ub) if isinstance(bounds, Bounds) else bounds
+            known = least_squares(misfit, [1, 0.1, 0], bounds=pair, args=(TIMES, MEASURED), xtol=1e-12, ftol=1e-14, gtol=1e-12)
+            found = trust_region.scipy_least_squares(misfit, [1, 0.1, 0], bounds=bounds, args=(TIMES, MEASURED), xtol=1e-10)
+            np.testing.assert_allclose(found.x, known.x, rtol=1e-5)
+            np.testing.assert_allclose(found.cost, known.cost, rtol=1e-8)
+            self.assertEqual(found.fun.tobytes(), misfit(found.x, TIMES, MEASURED).tobytes())
+            self.assertEqual(found.active_mask.tolist(), [0, 0, 0] if pair[1] is np.inf else [1, 0, 0])
+            self.assertTrue(found.success)
+            own = trust_region.least_squares(lambda x: misfit(x, TIMES, MEASURED), [1, 0.1, 0], 8, lower=pair[0], upper=pair[1],
+                                             radius_end=1e-10)
+            self.assertEqual(found.x.tobytes(), own.x.tobytes())
+
+    def test_each_point_is_evaluated_once(self):
+        called = []
+
+        def counted(x, t, measured, weight):
+            called.append(x.tobytes())
+            return misfit(x, t, measured, weight=weight)
+
+        found = trust_region.scipy_least_squares(counted, [1, 0.1, 0], args=(TIMES, MEASURED), kwargs={"weight": 3.0}, max_nfev=20)
+        self.assertEqual((found.nfev, len(called), len(set(called))), (20, 20, 20))
+        self.assertFalse(found.success)
+
+    def test_callback(self):
+        seen = []
+
+        def follow(intermediate_result):
+            seen.append(intermediate_result.cost)
+            if len(seen) == 5:
+                raise StopIteration
+
+        found = trust_region.scipy_least_squares(misfit, [1, 0.1, 0], args=(TIMES, MEASURED), callback=follow)
+        self.assertEqual(found.cost, seen[-1])
+        self.assertEqual(len(seen), 5)
+        few = trust_region.scipy_least_squares(misfit, [1, 0.1, 0], args=(TIMES, MEASURED), maxiter=3)
+        self.assertEqual((few.nit, few.message), (3, "iteration budget"))
+
+    def test_refusals(self):
+        def call(**named):
+            return trust_region.scipy_least_squares(misfit, [1, 0.1, 0], args=(TIMES, MEASURED), **named)
+
+        call(loss="linear", ftol=None, f_scale=1.0, jac="2-point", maxiter=2)
+        for named, error, message in (
+                ({"loss": "huber"}, TypeError, "loss: this method has no use"),
+                ({"gtol": 1e-3}, TypeError, "gtol: this method has no use.* xtol"),
+                ({"x_scale": "jac"}, TypeError, "x_scale: one number"),
+                ({"max_nfevs": 3}, TypeError, "'max_nfevs'; did you mean 'max_nfev'"),
+                ({"bounds": [(0, 1)] * 3}, ValueError, r"bounds: \(lower, upper\)"),
+                ({"bounds": ([0, 0], [1, 1])}, ValueError, r"bounds\[0\]: one number or 3")):
+            with self.subTest(named), self.assertRaisesRegex(error, message):
+                call(**named)
+        with self.assertRaisesRegex(ValueError, "fun returned no numbers"):
+            trust_region.scipy_least_squares(lambda x: [], [0.0])
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            call(jac=lambda x: x, maxiter=1)
+        self.assertIn("does not use derivatives (jac)", "".join(str(one.message) for one in said))
+
+
 class Gradients(unittest.TestCase):
     def test_minimum_is_that_of_the_library_to_the_bit(self):
         start = np.full(50, -0.5)
@@ -89,7 +184,7 @@ class Gradients(unittest.TestCase):
         for jac, f in ((rosen_der, rosen), (True, lambda x: (rosen(x), rosen_der(x)))):
             found = minimize(f, start, jac=jac, method=projected_gradient.scipy_method, bounds=[(-2, 0.8)] * 50)
             self.assertEqual(found.x.tobytes(), own.x.tobytes())
-            self.assertEqual(found.nfev, own.nfev)
+            self.assertEqual((found.nfev, found.njev, found.status), (own.nfev, own.nfev, own.status))
             self.assertTrue(found.success)
 
     def test_linear_equations(self):
