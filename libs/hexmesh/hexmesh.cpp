@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <exception>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -200,38 +199,51 @@ bool must_end(const base::Error& error) {
   return error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory;
 }
 
-Hexahedra best_hexahedra(const Work& work) {
-  constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
+constexpr double poor = 0.7;  // about what the corners of a polycube leave on round shapes
+
+// Layers are those of a polycube.
+bool frames_may(const Work& work) {
+  return work.options.padding == Padding::automatic;
+}
+
+std::optional<Hexahedra> tried_along_frames(const Work& work) {
   // Each takes long, and what has a map at all has one along the first or the second most often.
   constexpr std::size_t few_fields = 3;
-  // Layers are those of a polycube.
-  const bool frames_may = work.options.padding == Padding::automatic, machined = frames_may && looks_machined(work);
-  const double distance = work.options.distance;
-  std::optional<Hexahedra> made;
-  const auto take = [&](Hexahedra now) {
-    if (!made || better(now.result, made->result, distance)) made = std::move(now);
-  };
-  const auto try_frames = [&] {
-    try {
-      take(hexahedra_along_frames(work, feature_angle_of(work.options), few_fields));
-    } catch (const base::Error& error) {
-      if (must_end(error)) throw;
-      work.host.log(std::string("no hexahedra along frames: ") + error.what());
-    }
-  };
-  if (machined) try_frames();
-  if (made && made->result.quality.min_scaled_jacobian > poor && excess(made->result, distance) <= 1)
-    return std::move(*made);
   try {
-    take(hexahedra_of_cells(work, frames_may ? HexMethod::automatic : HexMethod::polycube));
+    return hexahedra_along_frames(work, feature_angle_of(work.options), few_fields);
+  } catch (const base::Error& error) {
+    if (must_end(error)) throw;
+    work.host.log(std::string("no hexahedra along frames: ") + error.what());
+    return {};
+  }
+}
+
+// By the polycube and grid-based; `made`: what there is along frames.
+Hexahedra best_of_cells(const Work& work, bool machined, std::optional<Hexahedra> made) {
+  const double distance = work.options.distance;
+  const auto take = [&](std::optional<Hexahedra> now) {
+    if (now && (!made || better(now->result, made->result, distance))) made = std::move(now);
+  };
+  try {
+    take(hexahedra_of_cells(work, frames_may(work) ? HexMethod::automatic : HexMethod::polycube));
   } catch (const base::Error& error) {
     if (must_end(error)) throw;
     const bool examined = work.findings.examined;
-    if (!made && !machined && frames_may && std::string_view(error.kind()) == "no-valid-result") try_frames();
+    if (!made && !machined && frames_may(work) && std::string_view(error.kind()) == "no-valid-result")
+      take(tried_along_frames(work));
     work.findings.examined = examined;
     if (!made) throw;
   }
   return std::move(*made);
+}
+
+Hexahedra best_hexahedra(const Work& work) {
+  const bool machined = frames_may(work) && looks_machined(work);
+  std::optional<Hexahedra> made;
+  if (machined) made = tried_along_frames(work);
+  if (made && made->result.quality.min_scaled_jacobian > poor && excess(made->result, work.options.distance) <= 1)
+    return std::move(*made);
+  return best_of_cells(work, machined, std::move(made));
 }
 
 Hexahedra by_strategy(const Work& work) {
@@ -243,43 +255,78 @@ Hexahedra by_strategy(const Work& work) {
   return best_hexahedra(work);
 }
 
-// The hexahedra of the method, or those with the features embedded where these have more of them.
-Hexahedra with_features(const Work& work) {
-  const Options& o = work.options;
-  std::optional<Hexahedra> made;
-  std::exception_ptr failed;
-  try {
-    const base::Stage stage(work.host, 0.6);
-    made = by_strategy(work);
-  } catch (const base::Error& error) {
-    if (error.status() != base::Status::no_valid_result) throw;
-    failed = std::current_exception();
+// The hexahedra that keep most of the features, of strategies from the cheapest to the dearest, until one keeps them.
+class WithFeatures {
+ public:
+  explicit WithFeatures(const Work& work)
+      : work_(work),
+        keeper_(work.input,
+                {.request = {work.options.features, feature_angle_of(work.options), work.options.tagged_edges,
+                             work.options.tagged_vertices},
+                 .cells = work.options.cells,
+                 .max_cells = work.options.max_cells,
+                 .distance = work.options.distance,
+                 .rounds = work.options.rounds},
+                work.host),
+        by_grid_(work.options.method == Method::grid),
+        embeds_((by_grid_ || work.options.method == Method::automatic) && !by_frames(work.options) &&
+                work.options.given.target == nullptr && work.options.padding != Padding::without && keeper_.any()) {}
+
+  Hexahedra made() {
+    embeds_ ? embed_or_strategy() : take(by_strategy(work_), false);
+    best_->features = keeper_.figures();
+    best_->compute_seconds += seconds_;
+    return std::move(*best_);
   }
-  const auto start = Clock::now();
-  std::optional<HexResult> result;
-  if (made) result = std::move(made->result);
-  const bool grid_may = o.method == Method::automatic || o.method == Method::grid;
-  FeatureFigures figures =
-      keep_features(work.input,
-                    {.request = {o.features, feature_angle_of(o), o.tagged_edges, o.tagged_vertices},
-                     .may_replace = grid_may && !by_frames(o) && o.padding != Padding::without,
-                     .cells = o.cells,
-                     .max_cells = o.max_cells,
-                     .distance = o.distance,
-                     .rounds = o.rounds},
-                    result, work.host);
-  if (!result) std::rethrow_exception(failed);
-  const double before = made ? made->compute_seconds : 0;
-  if (figures.replaced) {
-    made.emplace(work.host.memory);
-    made->method = Method::grid;
-    work.findings.examined = true;
+
+ private:
+  bool near() const { return best_ && excess(best_->result, work_.options.distance) <= 1; }
+  double least() const { return best_->result.quality.min_scaled_jacobian; }
+
+  // On frames, or on a polycube where all is at right angles, there may be a better mesh than that with the graph
+  // embedded, which has a layer around. Elsewhere those only take long.
+  void embed_or_strategy() {
+    const bool machined = !by_grid_ && frames_may(work_) && looks_machined(work_);
+    if (machined) {
+      const base::Stage stage(work_.host, 0.3);
+      if (auto now = tried_along_frames(work_)) take(std::move(*now), false);
+      if (near() && keeper_.complete() && least() >= std::min(poor, keeper_.bound())) return;
+    }
+    embed();
+    if (near() && keeper_.nearly_complete() && (by_grid_ || !keeper_.rectangular() || least() > poor)) return;
+    Options options = work_.options;
+    if (near()) options.max_cells = options.cells;  // more cells are for the distance only
+    const Work work = {work_.input, options, work_.findings, work_.host, work_.exponent};
+    try {
+      take(by_grid_ ? by_strategy(work) : best_of_cells(work, machined, {}), false);
+    } catch (const base::Error& error) {
+      if (must_end(error) || !best_) throw;
+    }
+    work_.findings.examined = true;
   }
-  made->result = std::move(*result);
-  made->features = std::move(figures);
-  made->compute_seconds = before + seconds_since(start);
-  return std::move(*made);
-}
+
+  void embed() {
+    const auto start = Clock::now();
+    const base::Stage stage(work_.host, 0.5);
+    std::optional<HexResult> result = keeper_.embed();
+    seconds_ += seconds_since(start);
+    if (!result) return;
+    Hexahedra now(work_.host.memory);
+    now.method = Method::grid;
+    now.result = std::move(*result);
+    take(std::move(now), true);
+  }
+
+  void take(Hexahedra now, bool embedded) {
+    if (keeper_.offer(now.result, embedded, best_ ? &best_->result : nullptr)) best_ = std::move(now);
+  }
+
+  const Work& work_;
+  FeatureKeeper keeper_;
+  const bool by_grid_, embeds_;
+  std::optional<Hexahedra> best_;
+  double seconds_ = 0;
+};
 
 void scale_back(FeatureFigures& figures, int exponent) {
   for (MissingFeature& missing : figures.missing) {
@@ -325,7 +372,7 @@ Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume
   mesh::Mesh near_unit = copy_of(input, host);
   const int exponent = mesh::bring_to_unit_size(near_unit);
   const Work work{near_unit, options, findings, host, exponent};
-  Hexahedra made = options.features == Features::off ? by_strategy(work) : with_features(work);
+  Hexahedra made = options.features == Features::off ? by_strategy(work) : WithFeatures(work).made();
   scale_back(made.result, exponent);
   if (made.features) scale_back(*made.features, exponent);
   return made;

@@ -110,26 +110,38 @@ TEST_CASE("The edges of a cube are captured where the mesh has them, and named w
   CHECK(missing_text(figures, 1).find("1 of 8 corners are missing") != std::string::npos);
 }
 
-TEST_CASE("The mesh that keeps more features is taken, and the others are not touched") {
-  mesh::Mesh surface = octahedron(1);
-  std::optional<HexResult> made;
-  FeatureChoice choice{.request = by_angles, .may_replace = false, .cells = 900};
-  const FeatureFigures without = keep_features(surface, choice, made, host);
-  CHECK_FALSE(made);
-  CHECK_FALSE(without.replaced);
-  choice.may_replace = true;
-  const FeatureFigures figures = keep_features(surface, choice, made, host);
+TEST_CASE("The mesh that keeps more features is taken") {
+  const mesh::Mesh surface = octahedron(1);
+  FeatureKeeper keeper(surface, {.request = by_angles, .cells = 900}, host);
+  REQUIRE(keeper.any());
+  CHECK_FALSE(keeper.rectangular());  // four edges at a corner
+  const std::optional<HexResult> made = keeper.embed();
   REQUIRE(made);
+  CHECK(keeper.offer(*made, true, nullptr));
+  CHECK(keeper.complete());
+  const FeatureFigures figures = keeper.figures();
   CHECK(figures.replaced);
-  CHECK(figures.missing.empty());
   CHECK(figures.captured == doctest::Approx(1));
   CHECK(made->quality.valid());
   CHECK(made->quality.min_scaled_jacobian <= figures.bound + 1e-9);
   CHECK(made->quality.min_scaled_jacobian > figures.bound - 0.05);
-  // What has all features stays.
-  const double before = made->quality.mean_scaled_jacobian;
-  CHECK_FALSE(keep_features(surface, choice, made, host).replaced);
-  CHECK(made->quality.mean_scaled_jacobian == before);
+  // One that has lost a corner is not.
+  HexResult other = *made;
+  for (Vector3& p : other.mesh.positions)
+    p.z() = std::min(p.z(), 0.95);
+  CHECK_FALSE(keeper.offer(other, false, &*made));
+  CHECK(keeper.complete());
+  FeatureKeeper again(surface, {.request = by_angles, .cells = 900}, host);
+  CHECK(again.offer(other, false, nullptr));
+  CHECK_FALSE(again.complete());
+  CHECK(again.figures().missing[0].why == "the method does not follow it, and the mesh is not to be replaced");
+  CHECK(again.offer(*made, true, &other));
+  CHECK(again.complete());
+}
+
+TEST_CASE("Right angles are those of a polycube") {
+  CHECK(has_right_angles(feature_surface(cube_surface(), by_angles, host), host));
+  CHECK_FALSE(has_right_angles(feature_surface(octahedron(1), by_angles, host), host));
 }
 
 TEST_CASE("Features of tags: of unknown vertices they are refused, and places have the scale of the input") {

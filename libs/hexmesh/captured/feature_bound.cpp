@@ -56,19 +56,26 @@ double bound_at_corner(std::span<const Sector> sectors, std::pmr::memory_resourc
   return distance_of_hull(vectors);
 }
 
-double bound_along(const FeatureSurface& surface, const mesh::Connectivity& connectivity, const mesh::FeatureArc& arc) {
+// Visits the angle, in degrees, by which the surface turns at each edge of an arc.
+template <class Visit>
+void for_each_turn(const FeatureSurface& surface, const mesh::Connectivity& connectivity, const mesh::FeatureArc& arc,
+                   const Visit& visit) {
   const auto vertices = surface.graph.vertices_of(arc);
-  double least = 1;
   for (std::size_t i = 1; i < vertices.size(); ++i) {
     connectivity.for_each_outgoing(vertices[i - 1], [&](Index h) {
       if (connectivity.end(h) != vertices[i]) return;
       const auto normal = [&](Index half_edge) {
         return mesh::triangle_normal(surface.positions, surface.triangles[mesh::triangle_of(half_edge)]);
       };
-      const double turn = mesh::degrees_between(normal(h), normal(connectivity.opposite(h)));
-      least = std::min(least, std::cos(turn * radians / 2));
+      visit(mesh::degrees_between(normal(h), normal(connectivity.opposite(h))));
     });
   }
+}
+
+double bound_along(const FeatureSurface& surface, const mesh::Connectivity& connectivity, const mesh::FeatureArc& arc) {
+  double least = 1;
+  for_each_turn(surface, connectivity, arc,
+                [&](double turn) { least = std::min(least, std::cos(turn * radians / 2)); });
   return least;
 }
 
@@ -111,6 +118,21 @@ double scaled_jacobian_bound(const FeatureSurface& surface, const base::Host& ho
     least = std::min(least, bound_along(surface, connectivity, arc));
   }
   return least;
+}
+
+bool has_right_angles(const FeatureSurface& surface, const base::Host& host) {
+  constexpr double low = 70, high = 110;  // degrees
+  const mesh::FeatureGraph& graph = surface.graph;
+  for (Index c = 0; c < graph.corners.size(); ++c) {
+    if (!graph.corners[c].soft && graph.around.size(c) != 3) return false;
+  }
+  const mesh::Connectivity connectivity(surface.positions.size(), surface.triangles, host);
+  bool right = true;
+  for (const mesh::FeatureArc& arc : graph.arcs) {
+    host.report("features", 0, 0);
+    for_each_turn(surface, connectivity, arc, [&](double turn) { right = right && turn >= low && turn <= high; });
+  }
+  return right;
 }
 
 }  // namespace orbicube::hexmesh

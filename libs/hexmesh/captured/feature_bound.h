@@ -11,6 +11,10 @@ namespace orbicube::hexmesh {
 // sector's mean normal n and angle t. 0: no direction sees all sectors. O(n).
 double scaled_jacobian_bound(const FeatureSurface& surface, const base::Host& host);
 
+// Whether the surface turns by 70 to 110 degrees along all arcs, and three of them meet at each corner that is not soft:
+// what the edges of a polycube can follow. O(n).
+bool has_right_angles(const FeatureSurface& surface, const base::Host& host);
+
 // Returns the distance of the origin from the convex hull of vectors, which is the largest minimum over them of v d
 // for unit directions d; 0 where the hull has the origin. O(n^3).
 double distance_of_hull(std::span<const Vector3> vectors);

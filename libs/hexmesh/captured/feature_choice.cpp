@@ -7,7 +7,6 @@
 #include "base/error.h"
 #include "hexmesh/captured/captured_features.h"
 #include "hexmesh/captured/feature_bound.h"
-#include "hexmesh/features/feature_hexes.h"
 
 namespace orbicube::hexmesh {
 namespace {
@@ -29,10 +28,11 @@ bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult&
 }
 
 // The reason for a missing feature: what was in the way of the embedding, at this curve or corner where that is known.
-std::string reason(const MissingFeature& missing, const std::optional<FeatureHexes>& tried, bool replaced,
-                   const std::string& untried) {
-  if (replaced) return "edges of the mesh are farther than a tenth of the mean edge from it";
-  if (!tried) return untried;
+std::string reason(const MissingFeature& missing, const std::optional<FeatureHexes>& tried, bool embedded,
+                   std::size_t pieces) {
+  if (embedded) return "edges of the mesh are farther than a tenth of the mean edge from it";
+  if (pieces > 1) return "features of several pieces are those that the method follows";
+  if (!tried) return "the method does not follow it, and the mesh is not to be replaced";
   if (tried->found) return "the mesh that has the graph of the features keeps less of it";
   const bool own = missing.corner ? tried->obstacle_corner == missing.number : tried->obstacle_arc == missing.number;
   return own ? tried->obstacle : "the feature graph has no mesh: " + tried->obstacle;
@@ -40,42 +40,59 @@ std::string reason(const MissingFeature& missing, const std::optional<FeatureHex
 
 }  // namespace
 
-FeatureFigures keep_features(const mesh::Mesh& input, const FeatureChoice& choice, std::optional<HexResult>& made,
-                             const base::Host& host) {
-  FeatureFigures figures;
+FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host)
+    : choice_(choice), host_(host) {
   try {
-    const FeatureSurface surface = feature_surface(input, choice.request, host);
-    if (surface.graph.corners.empty()) return figures;
-    figures.bound = scaled_jacobian_bound(surface, host);
-    if (made) measure_captured(made->mesh, surface, figures, host);
-    if (made && figures.missing.empty()) return figures;
-    std::string untried = "the method does not follow it, and the mesh is not to be replaced";
-    if (surface.pieces > 1) untried = "features of several pieces are those that the method follows";
-    std::optional<FeatureHexes> tried;
-    if (choice.may_replace && surface.pieces == 1 && !surface.graph.arcs.empty()) {
-      const base::Stage stage(host, 0.95);
-      tried = feature_hexahedra(
-          surface.positions, surface.triangles, surface.graph,
-          {.cells = choice.cells, .max_cells = choice.max_cells, .distance = choice.distance, .rounds = choice.rounds},
-          host);
-      if (tried->found) {
-        FeatureFigures now = figures;
-        measure_captured(tried->result.mesh, surface, now, host);
-        if (!made || keeps_more(tried->result, now, *made, figures, choice.distance)) {
-          made = std::move(tried->result);
-          figures = std::move(now);
-          figures.replaced = true;
-        }
-      } else {
-        host.log("sharp edges are not kept: " + tried->obstacle);
-      }
-    }
-    for (MissingFeature& missing : figures.missing)
-      missing.why = reason(missing, tried, figures.replaced, untried);
+    surface_.emplace(feature_surface(input, choice.request, host));
+    if (!any()) return;
+    figures_.bound = scaled_jacobian_bound(*surface_, host);
+    rectangular_ = has_right_angles(*surface_, host);
   } catch (const base::Error& error) {
     if (must_end(error)) throw;
+    surface_.reset();
     host.log(std::string("sharp edges are not kept: ") + error.what());
   }
+}
+
+bool FeatureKeeper::offer(const HexResult& now, bool embedded, const HexResult* best) {
+  FeatureFigures of_now;
+  of_now.bound = figures_.bound;
+  of_now.replaced = embedded;
+  if (any()) measure_captured(now.mesh, *surface_, of_now, host_);
+  if (best != nullptr && !keeps_more(now, of_now, *best, figures_, choice_.distance)) return false;
+  figures_ = std::move(of_now);
+  return true;
+}
+
+std::optional<HexResult> FeatureKeeper::embed() {
+  if (!any() || surface_->pieces != 1 || surface_->graph.arcs.empty()) return {};
+  try {
+    tried_ = feature_hexahedra(surface_->positions, surface_->triangles, surface_->graph,
+                               {.cells = choice_.cells,
+                                .max_cells = choice_.max_cells,
+                                .distance = choice_.distance,
+                                .rounds = choice_.rounds,
+                                .bound = figures_.bound},
+                               host_);
+  } catch (const base::Error& error) {
+    if (must_end(error)) throw;
+    tried_.emplace(host_.memory);
+    tried_->obstacle = error.what();
+  }
+  if (tried_->found) return std::move(tried_->result);
+  host_.log("sharp edges are not kept: " + tried_->obstacle);
+  return {};
+}
+
+bool FeatureKeeper::nearly_complete() const {
+  constexpr double enough = 0.95;  // of the length
+  return complete() || figures_.captured >= enough;
+}
+
+FeatureFigures FeatureKeeper::figures() const {
+  FeatureFigures figures = figures_;
+  for (MissingFeature& missing : figures.missing)
+    missing.why = reason(missing, tried_, figures.replaced, surface_->pieces);
   return figures;
 }
 

@@ -1,27 +1,53 @@
-// The choice between the mesh of a method and one that has the feature graph of the surface embedded.
+// The choice between meshes of one solid by the features that they keep, and the mesh that has the graph embedded.
 #pragma once
 
 #include <optional>
 
 #include "hexmesh/captured/feature_surface.h"
+#include "hexmesh/features/feature_hexes.h"
 #include "hexmesh/strategies/hex_draft.h"
 
 namespace orbicube::hexmesh {
 
 struct FeatureChoice {
   FeatureRequest request;
-  bool may_replace = true;  // otherwise the mesh of the method is measured only
   // As in Options.
   std::size_t cells = 10000, max_cells = 100'000;
   double distance = 1;
   int rounds = 40;
 };
 
-// Measures the features that a mesh of the input has; where it lacks some, or there is no mesh, makes one grid-based
-// with the graph embedded (feature_hexes.h), and takes that if it has more of them: a larger captured length, or as
-// much and more corners. Each missing feature gets a reason. The same for any number of threads. Throws Error
-// "cancelled"; other errors are reasons.
-FeatureFigures keep_features(const mesh::Mesh& input, const FeatureChoice& choice, std::optional<HexResult>& made,
-                             const base::Host& host);
+class FeatureKeeper {
+ public:
+  // Where the input has no feature graph, the log says why. Throws Error "cancelled".
+  FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host);
+
+  // Whether there are features.
+  bool any() const { return surface_ && !surface_->graph.corners.empty(); }
+  // Whether all features are edges of about right angles that meet three at a corner, as on a polycube.
+  bool rectangular() const { return rectangular_; }
+  // The largest scaled Jacobian of a mesh with the graph embedded (feature_bound.h).
+  double bound() const { return figures_.bound; }
+
+  // Measures a mesh of the input and returns whether it is to be preferred to the one that was so far, `best`: by a
+  // larger captured length, or as much and more corners; as many: the better mesh (hex_draft.h).
+  bool offer(const HexResult& now, bool embedded, const HexResult* best);
+  // Makes a grid-based mesh with the graph embedded (feature_hexes.h). Nothing: there is none, and figures() say why.
+  std::optional<HexResult> embed();
+
+  // Of the preferred mesh: whether it has all features; whether hardly more can be expected.
+  bool complete() const { return figures_.missing.empty(); }
+  bool nearly_complete() const;
+  // Its figures; each missing feature has a reason.
+  FeatureFigures figures() const;
+
+ private:
+  const FeatureChoice choice_;
+  const base::Host& host_;
+  std::optional<FeatureSurface> surface_;
+  bool rectangular_ = false;
+  FeatureFigures figures_;
+  std::optional<FeatureHexes> tried_;
+};
 
 }  // namespace orbicube::hexmesh

@@ -4,8 +4,25 @@
 
 namespace orbicube::hexmesh {
 
-FeatureFigures keep_features(const mesh::Mesh&, const FeatureChoice&, std::optional<HexResult>&, const base::Host&) {
+FeatureKeeper::FeatureKeeper(const mesh::Mesh&, const FeatureChoice& choice, const base::Host& host)
+    : choice_(choice), host_(host) {
   throw base::Error("unsupported", "hexahedra with sharp edges are not part of the module for web pages");
+}
+
+bool FeatureKeeper::offer(const HexResult&, bool, const HexResult*) {
+  return false;
+}
+
+std::optional<HexResult> FeatureKeeper::embed() {
+  return {};
+}
+
+bool FeatureKeeper::nearly_complete() const {
+  return false;
+}
+
+FeatureFigures FeatureKeeper::figures() const {
+  return figures_;
 }
 
 }  // namespace orbicube::hexmesh

@@ -14,9 +14,9 @@ struct FeatureFitOptions {
 bool fit_to_features(HexMesh& mesh, FeatureTargets& targets, const FeatureFitOptions& options, const base::Host& host);
 
 // Moves the boundary onto its targets as far as the hexahedra allow, improves the inside with the boundary fixed, and
-// tries other positions for the vertices of the worst hexahedra, those of the boundary on their arc or patch. Returns
-// the number of boundary vertices off their targets.
-std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, const base::Host& host);
+// tries other positions for the vertices of the worst hexahedra, those of the boundary on their arc or patch, until the
+// worst scaled Jacobian is near to its bound. Returns the number of boundary vertices off their targets.
+std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host);
 
 // Improves the positions inside with the boundary fixed.
 void smooth_inside(HexMesh& mesh, const FeatureTargets& targets, int steps, const base::Host& host);

@@ -49,10 +49,10 @@ class Attempt {
   }
 
   // Returns whether the mesh has no inverted corner.
-  bool fit(int rounds) {
+  bool fit(int rounds, double bound) {
     FeatureTargets targets(grid_.mesh, shape_, embedding_, host_);
     if (!fit_to_features(grid_.mesh, targets, {.rounds = rounds}, host_)) return false;
-    off_surface_ = snap_to_features(grid_.mesh, targets, host_);
+    off_surface_ = snap_to_features(grid_.mesh, targets, bound, host_);
     return true;
   }
 
@@ -145,7 +145,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
         made.obstacle_corner = obstacle->corner;
         continue;
       }
-      if (!now.fit(options.rounds)) {
+      if (!now.fit(options.rounds, options.bound)) {
         made.obstacle = "the cells along the arcs do not untangle";
         continue;
       }

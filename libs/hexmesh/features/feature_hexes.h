@@ -15,6 +15,7 @@ struct FeatureHexOptions {
   std::size_t max_cells = 100'000;  // where short arcs need more
   double distance = 1;              // as in HexOptions
   int rounds = 40;                  // of fitting
+  double bound = 1;                 // of scaled Jacobians, by the features (feature_bound.h)
 };
 
 // A certified mesh whose quads have the patches of the graph, or none, with what was in the way and where.

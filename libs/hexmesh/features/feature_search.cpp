@@ -9,17 +9,19 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr double good = 0.35;           // hexahedra below are searched
+// Hexahedra below are searched: those below the best that the features allow everywhere, or else the worst ones.
+constexpr double good = 0.35, below_bound = 0.02;
 constexpr std::size_t max_worst = 400;  // of a pass
 constexpr int max_passes = 60, idle_passes = 6;
 constexpr double first_radius = 0.25, last_radius = 0.02, shrinking = 0.96;  // times the shortest edge
 
 class Search {
  public:
-  Search(HexMesh& mesh, FeatureTargets& targets, const base::Host& host)
+  Search(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host)
       : mesh_(mesh),
         targets_(targets),
         host_(host),
+        bound_(bound),
         around_(base::cells_around(std::span<const Hexahedron>(mesh.hexahedra), mesh.positions.size(), host.memory)) {}
 
   // Returns how many vertices are not on their targets.
@@ -53,7 +55,7 @@ class Search {
   void improve() {
     double radius = first_radius, last = worst_of_all();
     int idle = 0;
-    for (int pass = 0; pass < max_passes && idle < idle_passes; ++pass) {
+    for (int pass = 0; pass < max_passes && idle < idle_passes && last < bound_ - below_bound; ++pass) {
       const Array<Index> vertices = worst_vertices();
       if (vertices.empty()) return;
       bool moved = false;
@@ -99,7 +101,7 @@ class Search {
   Array<Index> worst_vertices() const {
     Array<std::pair<double, Index>> worst(host_.memory);
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i) {
-      if (const double q = quality(i); q < good) worst.push_back({q, i});
+      if (const double q = quality(i); q < std::max(good, bound_ - below_bound)) worst.push_back({q, i});
     }
     std::sort(worst.begin(), worst.end());
     if (worst.size() > max_worst) worst.resize(max_worst);
@@ -162,15 +164,16 @@ class Search {
   HexMesh& mesh_;
   FeatureTargets& targets_;
   const base::Host& host_;
+  const double bound_;
   base::Groups<Index, Index> around_;
   std::mt19937_64 random_{1};
 };
 
 }  // namespace
 
-std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, const base::Host& host) {
+std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host) {
   constexpr int steps = 10;
-  Search search(mesh, targets, host);
+  Search search(mesh, targets, bound, host);
   search.snap();
   smooth_inside(mesh, targets, steps, host);
   const std::size_t left = search.snap();
