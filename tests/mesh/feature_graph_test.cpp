@@ -116,3 +116,18 @@ TEST_CASE("Tags follow the vertices that are welded") {
   CHECK(tags.edges == std::vector<Edge>{{2, 4}, {4, 6}});
   CHECK(tags.vertices == std::vector<Index>{2, 10});
 }
+
+TEST_CASE("A line of noise is left out, and one that fades goes on where the surface still turns") {
+  // A prism whose lower edge turns by 90 degrees; along its upper ends some walls are nearly level with the end.
+  Mesh prism24 = prism(regular(24), 2);
+  const FeatureGraph whole = graph_of(prism24, {.angle = 80});
+  CHECK(whole.arcs.size() == 6);  // two circles, three arcs each
+  // Two neighboring vertices of the upper circle lower: the edges beside them turn by less than 80 degrees, but by more
+  // than half of that.
+  for (const Index v : {Index{3}, Index{5}})
+    prism24.positions[v] = Vector3(prism24.positions[v].x(), prism24.positions[v].y(), 1.7);
+  const FeatureGraph faded = graph_of(prism24, {.angle = 80});
+  CHECK(faded.arcs.size() == 6);
+  CHECK(faded.euler == whole.euler);
+  CHECK(std::all_of(faded.corners.begin(), faded.corners.end(), [](const FeatureCorner& c) { return c.soft; }));
+}

@@ -30,6 +30,7 @@ bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult&
 // The reason for a missing feature: what was in the way of the embedding, at this curve or corner where that is known.
 std::string reason(const MissingFeature& missing, const std::optional<FeatureHexes>& tried, bool embedded,
                    std::size_t pieces) {
+  if (embedded && tried && !tried->obstacle.empty()) return "the graph with it has no mesh: " + tried->obstacle;
   if (embedded) return "edges of the mesh are farther than a tenth of the mean edge from it";
   if (pieces > 1) return "features of several pieces are those that the method follows";
   if (!tried) return "the method does not follow it, and the mesh is not to be replaced";
@@ -41,7 +42,7 @@ std::string reason(const MissingFeature& missing, const std::optional<FeatureHex
 }  // namespace
 
 FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host)
-    : choice_(choice), host_(host) {
+    : input_(input), choice_(choice), host_(host) {
   try {
     surface_.emplace(feature_surface(input, choice.request, host));
     if (!any()) return;
@@ -64,20 +65,37 @@ bool FeatureKeeper::offer(const HexResult& now, bool embedded, const HexResult* 
   return true;
 }
 
-std::optional<HexResult> FeatureKeeper::embed() {
-  if (!any() || surface_->pieces != 1 || surface_->graph.arcs.empty()) return {};
+FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, double bound) const {
   try {
-    tried_ = feature_hexahedra(surface_->positions, surface_->triangles, surface_->graph,
-                               {.cells = choice_.cells,
-                                .max_cells = choice_.max_cells,
-                                .distance = choice_.distance,
-                                .rounds = choice_.rounds,
-                                .bound = figures_.bound},
-                               host_);
+    return feature_hexahedra(surface.positions, surface.triangles, surface.graph,
+                             {.cells = choice_.cells,
+                              .max_cells = choice_.max_cells,
+                              .distance = choice_.distance,
+                              .rounds = choice_.rounds,
+                              .bound = bound},
+                             host_);
   } catch (const base::Error& error) {
     if (must_end(error)) throw;
-    tried_.emplace(host_.memory);
-    tried_->obstacle = error.what();
+    FeatureHexes none(host_.memory);
+    none.obstacle = error.what();
+    return none;
+  }
+}
+
+std::optional<HexResult> FeatureKeeper::embed() {
+  if (!any() || surface_->pieces != 1 || surface_->graph.arcs.empty()) return {};
+  tried_ = hexahedra_of(*surface_, figures_.bound);
+  const bool marked = choice_.request.features == Features::automatic && !choice_.request.tagged_edges.empty();
+  if (!tried_->found && marked) {
+    host_.log("features: without those that are marked and not sharp");
+    FeatureRequest sharp = choice_.request;
+    sharp.features = Features::angles;
+    const FeatureSurface surface = feature_surface(input_, sharp, host_);
+    if (!surface.graph.arcs.empty() && surface.graph.arcs.size() < surface_->graph.arcs.size()) {
+      FeatureHexes fewer = hexahedra_of(surface, scaled_jacobian_bound(surface, host_));
+      tried_->found = fewer.found;
+      if (fewer.found) tried_->result = std::move(fewer.result);
+    }
   }
   if (tried_->found) return std::move(tried_->result);
   host_.log("sharp edges are not kept: " + tried_->obstacle);

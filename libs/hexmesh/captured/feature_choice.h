@@ -19,7 +19,7 @@ struct FeatureChoice {
 
 class FeatureKeeper {
  public:
-  // Where the input has no feature graph, the log says why. Throws Error "cancelled".
+  // Keeps a reference to the input. Where it has no feature graph, the log says why. Throws Error "cancelled".
   FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host);
 
   // Whether there are features.
@@ -32,7 +32,8 @@ class FeatureKeeper {
   // Measures a mesh of the input and returns whether it is to be preferred to the one that was so far, `best`: by a
   // larger captured length, or as much and more corners; as many: the better mesh (hex_draft.h).
   bool offer(const HexResult& now, bool embedded, const HexResult* best);
-  // Makes a grid-based mesh with the graph embedded (feature_hexes.h). Nothing: there is none, and figures() say why.
+  // Makes a grid-based mesh with the graph embedded (feature_hexes.h); where that of sharp and of marked edges has
+  // none, with that of the sharp ones. Nothing: there is none, and figures() say why.
   std::optional<HexResult> embed();
 
   // Of the preferred mesh: whether it has all features; whether hardly more can be expected.
@@ -42,6 +43,10 @@ class FeatureKeeper {
   FeatureFigures figures() const;
 
  private:
+  // Makes hexahedra with the graph of `surface` embedded; errors are obstacles.
+  FeatureHexes hexahedra_of(const FeatureSurface& surface, double bound) const;
+
+  const mesh::Mesh& input_;
   const FeatureChoice choice_;
   const base::Host& host_;
   std::optional<FeatureSurface> surface_;

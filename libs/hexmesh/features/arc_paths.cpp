@@ -9,7 +9,7 @@
 namespace orbicube::hexmesh {
 namespace {
 
-constexpr int max_trials = 80;
+constexpr int max_trials = 60, idle_trials = 15;             // the latter without fewer shared vertices than ever
 constexpr double first_sharing = 0.3, sharing_growth = 1.3;  // price of a shared vertex, in cells
 constexpr int growing_trials = 30;
 constexpr double history = 0.4;                         // more for each trial in which a vertex was shared
@@ -38,8 +38,9 @@ class Router {
     Array<Index> order(shape_.arcs(), host_.memory);
     std::iota(order.begin(), order.end(), Index{0});
     std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return shape_.length(a) < shape_.length(b); });
-    FeatureObstacle obstacle;
-    for (int trial = 0; trial < max_trials; ++trial) {
+    std::size_t least = no_index;
+    int idle = 0;
+    for (int trial = 0; trial < max_trials && idle < idle_trials; ++trial) {
       sharing_ = first_sharing * std::pow(sharing_growth, std::min(trial, growing_trials));
       for (const Index a : order) {
         if (!find_path(a)) return FeatureObstacle{no_index, a, "other arcs shut the arc in"};
@@ -51,13 +52,15 @@ class Router {
         history_[v] += history;
       }
       if (conflicts == 0) return {};
+      idle = conflicts < least ? 0 : idle + 1;
+      least = std::min(least, conflicts);
     }
     for (const Index a : order) {
       const auto& path = embedding_.paths[a];
       if (std::any_of(path.begin(), path.end(), [&](Index v) { return used_[v] > 1; }))
         return FeatureObstacle{no_index, a, "the arc and others need the same edges; there are too few cells along it"};
     }
-    return obstacle;
+    return {};
   }
 
  private:

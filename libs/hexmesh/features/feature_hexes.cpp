@@ -21,8 +21,10 @@ namespace {
 constexpr double cells_an_arc = 3;  // that the shortest arc should have
 constexpr double most_growth = 3;   // of the number of cells, for that
 constexpr double grid_part = 0.55;  // of the cells: the rest are rings
-constexpr int max_attempts = 4;     // to embed, with more cells each time
-constexpr double more_cells = 1.6;
+// Attempts to embed, with more cells each time, up to so many times those that are wanted. They limit the work, which
+// is proportional to the cells; hardly any part embeds later.
+constexpr int max_attempts = 3;
+constexpr double more_cells = 1.6, most_cells = 8;
 
 // Cells with a layer, in units of a cell, and the surface in the same units.
 class Attempt {
@@ -131,27 +133,31 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
   const double volume = mesh::measures(positions, triangles, host).volume;
   const double cell = shortest_arc(positions, graph) / cells_an_arc;
   const auto given = static_cast<double>(options.cells);
-  const double most = std::max(given, static_cast<double>(options.max_cells));
+  const double most = std::max(given, std::min(most_cells * given, static_cast<double>(options.max_cells)));
   // Half of the cells or so are inside, at their full size.
   double cells = std::clamp(2 * volume / (cell * cell * cell), given, std::min(most, most_growth * given));
   for (int attempt = 0; attempt < max_attempts; ++attempt, cells *= more_cells) {
     if (attempt > 0 && cells > most) break;
     const base::Stage stage(host, 0.5);
+    const auto missed = [&](std::string why) {
+      host.log("features in about " + std::to_string(static_cast<std::size_t>(cells)) + " hexahedra: " + why);
+      made.obstacle = std::move(why);
+    };
     try {
       Attempt now(positions, triangles, graph, static_cast<std::size_t>(grid_part * cells) + 1, host);
       if (auto obstacle = now.embed()) {
-        made.obstacle = text_of(*obstacle, graph, positions);
+        missed(text_of(*obstacle, graph, positions));
         made.obstacle_arc = obstacle->arc;
         made.obstacle_corner = obstacle->corner;
         continue;
       }
       if (!now.fit(options.rounds, options.bound)) {
-        made.obstacle = "the cells along the arcs do not untangle";
+        missed("the cells along the arcs do not untangle");
         continue;
       }
       HexResult result = now.result(positions, triangles);
       if (!result.quality.valid()) {
-        made.obstacle = what_is_wrong(result.quality);
+        missed(what_is_wrong(result.quality));
         continue;
       }
       const bool better_one = !made.found || better(result, made.result, options.distance);
@@ -160,9 +166,10 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       if (excess(made.result, options.distance) <= 1) break;
     } catch (const base::Error& error) {
       if (error.status() != base::Status::no_valid_result) throw;
-      made.obstacle = error.what();
+      missed(error.what());
     }
   }
+  if (made.found) made.obstacle.clear();
   return made;
 }
 

@@ -204,6 +204,21 @@ class Builder {
   Array<Index> corner_;  // of each vertex
 };
 
+constexpr double shortest_end = 0.025;  // of the diagonal: lines that end inside a patch are longer
+constexpr double weaker = 0.5;          // of the angle: edges along which a sharp line is continued
+
+double diagonal_of(std::span<const Vector3> positions, std::span<const Triangle> triangles) {
+  if (triangles.empty()) return 0;
+  Vector3 low = positions[triangles[0][0]], high = low;
+  for (const Triangle& t : triangles) {
+    for (const Index v : t) {
+      low = low.cwiseMin(positions[v]);
+      high = high.cwiseMax(positions[v]);
+    }
+  }
+  return (high - low).norm();
+}
+
 }  // namespace
 
 FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const Triangle> triangles,
@@ -236,6 +251,10 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
     if (!lines.contains(h) || connectivity.opposite(h) < h) continue;
     ++graph.sharp_edges;
     graph.sharp_length += (positions[connectivity.end(h)] - positions[connectivity.start(h)]).norm();
+  }
+  if (options.sharp) {
+    drop_short_ends(lines, guides, shortest_end * diagonal_of(positions, triangles), host);
+    guides.add_sharp(options.angle * weaker, triangles);
   }
   Array<Index> ends = continue_ends(lines, guides, host);
   graph.continued = ends.size();

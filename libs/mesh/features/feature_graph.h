@@ -56,10 +56,11 @@ struct FeatureOptions {
   std::span<const Index> corners = {};  // vertices that are corners whatever meets there
 };
 
-// Finds sharp edges and joins them to arcs. Lines that end inside a patch are continued, sectors of more than 300
-// degrees are cut, closed arcs get three soft corners, and arcs longer than 1.8 times their chord are halved. Edges and
-// corners of the options that are none of the surface are left out. Throws Error as Connectivity does, "not-closed",
-// "cancelled". O(n log n).
+// Finds sharp edges and joins them to arcs. Lines that end inside a patch are continued, along edges of half the angle
+// and `lines` first; those up to a fortieth of the diagonal that are none of `lines` are left out. Sectors of more than
+// 300 degrees are cut, closed arcs get three soft corners, and arcs longer than 1.8 times their chord are halved. Edges
+// and corners of the options that are none of the surface are left out. Throws Error as Connectivity does,
+// "not-closed", "cancelled". O(n log n).
 FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const Triangle> triangles,
                            const FeatureOptions& options, const base::Host& host);
 

@@ -59,6 +59,12 @@ class FeatureLines {
   }
 
   std::span<const Vector3> positions() const { return positions_; }
+  // Removes the edge of a half-edge.
+  void remove(Index half_edge) {
+    marked_[half_edge] = 0;
+    marked_[connectivity_->opposite(half_edge)] = 0;
+  }
+
   const Connectivity& connectivity() const { return *connectivity_; }
 
  private:

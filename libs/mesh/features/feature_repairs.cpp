@@ -42,7 +42,8 @@ class WayFinder {
       if (v == start || from_[v] != no_index) continue;
       from_[v] = open.half_edge;
       if (const std::size_t degree = lines_.degree(v); degree > 0) {
-        if (own_[v] == 0 || (branches && degree > 2)) hit = v;
+        const bool closes = branches && degree == 1 && along_guides(start, v);
+        if (own_[v] == 0 || (branches && degree > 2) || closes) hit = v;
         continue;
       }
       lines_.connectivity().for_each_outgoing(v, [&](Index h) {
@@ -52,10 +53,14 @@ class WayFinder {
     queue_.clear();
     own_.assign(own_.size(), 0);
     if (hit == no_index) return false;
+    by_guides_ = along_guides(start, hit);
     for (Index v = hit; v != start; v = lines_.connectivity().start(from_[v]))
       lines_.add(from_[v]);
     return true;
   }
+
+  // Whether the last way that was added has only guides.
+  bool by_guides() const { return by_guides_; }
 
  private:
   struct Open {
@@ -67,6 +72,12 @@ class WayFinder {
     }
   };
 
+  bool along_guides(Index start, Index v) const {
+    for (; v != start; v = lines_.connectivity().start(from_[v])) {
+      if (!guides_.contains(from_[v])) return false;
+    }
+    return true;
+  }
   Index end(Index half_edge) const { return lines_.connectivity().end(half_edge); }
   double price(Index half_edge) const {
     const double length = (positions_[end(half_edge)] - positions_[lines_.connectivity().start(half_edge)]).norm();
@@ -80,6 +91,7 @@ class WayFinder {
   Array<Index> from_;        // the half-edge that a vertex was reached by
   Array<std::uint8_t> own_;  // of the lines that the way begins at
   base::Heap<Open> queue_;
+  bool by_guides_ = false;
 };
 
 // A sector between two neighboring feature lines at a corner: its edges, with the angle up to each, and its angle.
@@ -115,6 +127,28 @@ std::vector<Sector> sectors_at(Index corner, const FeatureLines& lines) {
 
 }  // namespace
 
+void drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double length, const base::Host& host) {
+  const Connectivity& connectivity = lines.connectivity();
+  Array<Index> line(host.memory);
+  for (Index v = 0; v < lines.positions().size(); ++v) {
+    if (v % 4096 == 0) host.report("features", 0, 0);
+    if (lines.degree(v) != 1) continue;
+    line.clear();
+    double sum = 0;
+    bool keep = false;
+    lines.for_each(v, [&](Index first) {
+      lines.follow(first, [&](Index h) {
+        line.push_back(h);
+        sum += (lines.positions()[connectivity.end(h)] - lines.positions()[connectivity.start(h)]).norm();
+        keep = keep || kept.contains(h);
+      });
+    });
+    if (keep || sum > length) continue;
+    for (const Index h : line)
+      lines.remove(h);
+  }
+}
+
 Array<Index> continue_ends(FeatureLines& lines, const FeatureLines& guides, const base::Host& host) {
   Array<Index> ends(host.memory);
   WayFinder finder(lines, guides, host);
@@ -122,13 +156,12 @@ Array<Index> continue_ends(FeatureLines& lines, const FeatureLines& guides, cons
   for (Index v = 0; v < lines.positions().size(); ++v) {
     if (v % 4096 == 0) host.report("features", 0, 0);
     if (lines.degree(v) != 1) continue;
-    ends.push_back(v);
     finder.keep_off(v);
     lines.for_each(v, [&](Index h) { lines.follow(h, [&](Index way) { finder.keep_off(connectivity.end(way)); }); });
     connectivity.for_each_outgoing(v, [&](Index h) {
       if (!lines.contains(h)) finder.offer(h, 0);
     });
-    finder.add_way(v, true);
+    if (!finder.add_way(v, true) || !finder.by_guides()) ends.push_back(v);
   }
   return ends;
 }
