@@ -21,8 +21,8 @@ namespace {
 constexpr double cells_an_arc = 3;  // that the shortest arc should have
 constexpr double most_growth = 3;   // of the number of cells, for that
 constexpr double grid_part = 0.55;  // of the cells: the rest are rings
-// Attempts to embed, with more cells each time, up to so many times those that are wanted. They limit the work, which
-// is proportional to the cells; hardly any part embeds later.
+// Attempts to embed, each with more cells, up to a multiple of the option. They limit the work, which is proportional
+// to the cells; hardly any part embeds later.
 constexpr int max_attempts = 3;
 constexpr double more_cells = 1.6, most_cells = 8;
 
