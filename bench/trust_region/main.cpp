@@ -14,6 +14,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <ctime>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <vector>
@@ -29,7 +30,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array<int, 6> kappas = {10, 25, 50, 100, 200, 500};
 
-enum class Kind { residuals, growing, fixed_points, seed, nlopt };
+enum class Kind { residuals, growing, fixed_points, dissertation, nlopt };
 
 const char* name_of(Kind kind) {
   switch (kind) {
@@ -40,7 +41,7 @@ const char* name_of(Kind kind) {
     case Kind::fixed_points:
       return "scalar, 2n + 1 points";
     case Kind::dissertation:
-      return "residuals, seed";
+      return "residuals, dissertation";
     case Kind::nlopt:
       return "NLopt BOBYQA";
   }
@@ -246,7 +247,7 @@ void noise() {
 void large() {
   std::printf("\n### Many unknowns: evaluations / (n + 1) until f <= tau f(x0), at most 100\n\n");
   std::printf("| problem | solver | 1e-3 | 1e-5 | 1e-7 | ms an evaluation outside of f |\n|---|---|---|---|---|---|\n");
-  for (const std::size_t n : {60, 120}) {
+  for (const std::size_t n : std::initializer_list<std::size_t>{60, 120}) {
     for (int kind_of_problem = 0; kind_of_problem < large_count; ++kind_of_problem) {
       const Problem p = make_large(kind_of_problem, n);
       for (const Kind kind : {Kind::residuals, Kind::growing, Kind::fixed_points, Kind::nlopt}) {
@@ -266,7 +267,7 @@ void cost() {
   std::printf(
       "\n### Microseconds an evaluation outside of f, chained Rosenbrock, 40 (n + 1) evaluations, best of 5\n\n");
   std::printf("| n | scalar, 2n + 1 points | scalar, growing | NLopt BOBYQA |\n|---|---|---|---|\n");
-  for (const std::size_t n : {6, 12, 24, 48, 96}) {
+  for (const std::size_t n : std::initializer_list<std::size_t>{6, 12, 24, 48, 96}) {
     const Problem p = make_large(0, n);
     std::printf("| %zu |", n);
     for (const Kind kind : {Kind::fixed_points, Kind::growing, Kind::nlopt}) {

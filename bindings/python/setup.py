@@ -1,6 +1,7 @@
 """Puts the shared libraries into the package. They are those of the folder named by ORBICUBE_LIBRARIES, or else built by
 Meson from the tree that this folder lies in: all, or those that ORBICUBE_BUILD lists (trust_region,mesh) with what they
-use. Without either the package has none, and uses those that are installed.
+use. Without either the package has none, and uses those that are installed. Where Meson or ninja are not installed, pip fetches
+them for the build alone.
 
 TetGen's license, the AGPL 3, binds those who link it: the library `tetrahedra` is only put in with ORBICUBE_TETGEN=1.
 """
@@ -9,6 +10,7 @@ import glob
 import os
 import shutil
 import subprocess
+import sys
 
 from setuptools import Distribution, setup
 from setuptools.command.build_py import build_py
@@ -27,7 +29,7 @@ def built_libraries(folder):
     named = os.environ.get("ORBICUBE_LIBRARIES")
     if named:
         return named.split(os.pathsep)[0]
-    if not os.path.exists(os.path.join(TREE, "capi", "meson.build")):
+    if not builds_libraries():
         return None
     build = os.path.join(folder, "orbicube-libraries")
     if not os.path.exists(os.path.join(build, "build.ninja")):
@@ -37,10 +39,28 @@ def built_libraries(folder):
             options.append("-Dtetgen=disabled")
         if os.environ.get("ORBICUBE_BUILD"):
             options.append("-Dlibraries=" + os.environ["ORBICUBE_BUILD"])
-        subprocess.run(["meson", "setup", build, TREE] + options, check=True)
-    subprocess.run(["ninja", "-C", build], check=True)
-    subprocess.run(["meson", "install", "-C", build, "--no-rebuild", "--quiet"], check=True)
+        run(["meson", "setup", build, TREE] + options)
+    run(["ninja", "-C", build])
+    run(["meson", "install", "-C", build, "--no-rebuild", "--quiet"])
     return os.path.join(build, "prefix", "lib")
+
+
+def run(command):
+    if shutil.which(command[0]) is None:
+        sys.exit(f"orbicube: {command[0]} is needed to build the libraries, and is not on the path. Install it (pip install {command[0]}), "
+                 "let pip build without --no-build-isolation, or name a folder of built libraries by ORBICUBE_LIBRARIES")
+    subprocess.run(command, check=True)
+
+
+def tools_to_fetch():
+    """Those of the build that are missing, which pip puts on the path of an isolated build."""
+    if os.environ.get("ORBICUBE_LIBRARIES") or not builds_libraries():
+        return []
+    return [tool for tool in ("meson", "ninja") if shutil.which(tool) is None]
+
+
+def builds_libraries():
+    return os.path.exists(os.path.join(TREE, "capi", "meson.build"))
 
 
 def with_tetgen():
@@ -72,4 +92,5 @@ class AnyPython(bdist_wheel):
         return ("py3", "none", super().get_tag()[2])
 
 
-setup(distclass=OfThisPlatform, cmdclass={"build_py": WithLibraries, "bdist_wheel": AnyPython})
+setup(distclass=OfThisPlatform, cmdclass={"build_py": WithLibraries, "bdist_wheel": AnyPython},
+      setup_requires=tools_to_fetch())

@@ -389,6 +389,32 @@ TEST_CASE("Arguments that cannot be are refused") {
   obc_projected_gradient_destroy(nullptr);
 }
 
+TEST_CASE("A problem of zeros with its size is the one that init fills") {
+  const std::array<double, 2> lower{1.5, -10};
+  obc_projected_gradient_problem written{};
+  written.struct_size = sizeof written;
+  written.n = 2;
+  written.lower = lower.data();
+  obc_projected_gradient_problem filled;
+  obc_projected_gradient_problem_init(&filled, sizeof filled);
+  filled.n = 2;
+  filled.lower = lower.data();
+  const obc_projected_gradient_function f = [](const double* x, size_t, double* value, double* gradient,
+                                               void*) -> int32_t {
+    const double away = x[1] - x[0];
+    *value = (x[0] - 1) * (x[0] - 1) + 10 * away * away;
+    gradient[0] = 2 * (x[0] - 1) - 20 * away;
+    gradient[1] = 20 * away;
+    return OBC_PROJECTED_GRADIENT_CONTINUE;
+  };
+  std::array<double, 2> y{2, 3}, z = y;
+  CHECK(obc_projected_gradient_minimize(&written, nullptr, f, nullptr, y.data(), nullptr, nullptr, nullptr) == OBC_OK);
+  CHECK(obc_projected_gradient_minimize(&filled, nullptr, f, nullptr, z.data(), nullptr, nullptr, nullptr) == OBC_OK);
+  CHECK(y == z);
+  CHECK(y[0] == 1.5);
+  CHECK(std::abs(y[1] - 1.5) < 1e-7);
+}
+
 TEST_CASE("Every stop has a name of its own") {
   CHECK(test::names_differ(obc_projected_gradient_stop_name, OBC_PROJECTED_GRADIENT_PROJECTION_FAILED));
   CHECK(obc_projected_gradient_version() >= 100);

@@ -322,6 +322,31 @@ TEST_CASE("Arguments that cannot be are refused") {
   CHECK(obc_trust_region_tell(idle.get(), start.data(), &error) == OBC_INVALID_ARGUMENT);
 }
 
+TEST_CASE("A problem of zeros with its size is the one that init fills") {
+  const std::array<double, 2> upper{0.5, 3};
+  obc_trust_region_problem written{};
+  written.struct_size = sizeof written;
+  written.n = written.residuals = 2;
+  written.upper = upper.data();
+  obc_trust_region_problem filled;
+  obc_trust_region_problem_init(&filled, sizeof filled);
+  filled.n = filled.residuals = 2;
+  filled.upper = upper.data();
+  const obc_trust_region_function rosenbrock = [](const double* x, size_t, double* outputs, void*) -> int32_t {
+    outputs[0] = 10 * (x[1] - x[0] * x[0]);
+    outputs[1] = 1 - x[0];
+    return OBC_TRUST_REGION_CONTINUE;
+  };
+  std::array<double, 2> x{-1.2, 1}, y = x;
+  CHECK(obc_trust_region_minimize(&written, nullptr, rosenbrock, nullptr, x.data(), nullptr, nullptr, nullptr) ==
+        OBC_OK);
+  CHECK(obc_trust_region_minimize(&filled, nullptr, rosenbrock, nullptr, y.data(), nullptr, nullptr, nullptr) ==
+        OBC_OK);
+  CHECK(x == y);
+  CHECK(x[0] == 0.5);
+  CHECK(std::abs(x[1] - 0.25) < 1e-6);
+}
+
 TEST_CASE("Every stop has a name of its own") {
   CHECK(test::names_differ(obc_trust_region_stop_name, OBC_TRUST_REGION_EVALUATION_FAILED));
   CHECK(obc_trust_region_version() >= 100);

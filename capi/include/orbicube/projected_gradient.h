@@ -116,7 +116,8 @@ typedef int32_t (*obc_projected_gradient_function)(const double *x, size_t n, do
  * alone. Returns 0, or another value on failure. */
 typedef int32_t (*obc_projected_gradient_projection)(const double *y, size_t n, double *x, void *user);
 
-/* The feasible set: either bounds and rows, or a projection of the caller. Arrays are copied. Fill with _problem_init. */
+/* The feasible set: either bounds and rows, or a projection of the caller. Arrays are copied. Fill with _problem_init, or with zeros
+ * and struct_size, which is the same: in C99 {.struct_size = sizeof(obc_projected_gradient_problem), .n = 2}. */
 typedef struct obc_projected_gradient_problem {
   uint32_t struct_size;
 

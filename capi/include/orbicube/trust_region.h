@@ -110,7 +110,8 @@ enum {
  * of the constants above. */
 typedef int32_t (*obc_trust_region_function)(const double *x, size_t n, double *outputs, void *user);
 
-/* The problem. Arrays are copied. Fill with _problem_init. */
+/* The problem. Arrays are copied. Fill with _problem_init, or with zeros and struct_size, which is the same: in C99
+ * {.struct_size = sizeof(obc_trust_region_problem), .n = 2}. */
 typedef struct obc_trust_region_problem {
   uint32_t struct_size;
 

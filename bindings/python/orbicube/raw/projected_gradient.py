@@ -36,7 +36,8 @@ obc_projected_gradient_projection = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_s
 
 
 class obc_projected_gradient_problem(_Struct):
-    """The feasible set: either bounds and rows, or a projection of the caller. Arrays are copied. Fill with _problem_init."""
+    """The feasible set: either bounds and rows, or a projection of the caller. Arrays are copied. Fill with _problem_init, or with zeros
+    and struct_size, which is the same: in C99 {.struct_size = sizeof(obc_projected_gradient_problem), .n = 2}."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("n", _c.c_size_t),

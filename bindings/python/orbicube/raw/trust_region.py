@@ -33,7 +33,8 @@ obc_trust_region_function = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_size_t, _
 
 
 class obc_trust_region_problem(_Struct):
-    """The problem. Arrays are copied. Fill with _problem_init."""
+    """The problem. Arrays are copied. Fill with _problem_init, or with zeros and struct_size, which is the same: in C99
+    {.struct_size = sizeof(obc_trust_region_problem), .n = 2}."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("n", _c.c_size_t),

@@ -68,7 +68,8 @@ pub type obc_projected_gradient_function = Option<unsafe extern "C" fn(x: *const
 /// alone. Returns 0, or another value on failure.
 pub type obc_projected_gradient_projection = Option<unsafe extern "C" fn(y: *const f64, n: usize, x: *mut f64, user: *mut c_void) -> i32>;
 
-/// The feasible set: either bounds and rows, or a projection of the caller. Arrays are copied. Fill with \_problem\_init.
+/// The feasible set: either bounds and rows, or a projection of the caller. Arrays are copied. Fill with \_problem\_init, or with zeros
+/// and struct\_size, which is the same: in C99 {.struct\_size = sizeof(obc\_projected\_gradient\_problem), .n = 2}.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_projected_gradient_problem {

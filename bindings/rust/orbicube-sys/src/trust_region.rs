@@ -63,7 +63,8 @@ pub struct obc_trust_region {
 /// of the constants above.
 pub type obc_trust_region_function = Option<unsafe extern "C" fn(x: *const f64, n: usize, outputs: *mut f64, user: *mut c_void) -> i32>;
 
-/// The problem. Arrays are copied. Fill with \_problem\_init.
+/// The problem. Arrays are copied. Fill with \_problem\_init, or with zeros and struct\_size, which is the same: in C99
+/// {.struct\_size = sizeof(obc\_trust\_region\_problem), .n = 2}.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_trust_region_problem {

@@ -59,6 +59,20 @@ impl From<f64> for Evaluation {
     }
 }
 
+/// `Err` is [`Evaluation::Failed`]: the error is dropped, and the method goes on elsewhere.
+impl<E> From<Result<f64, E>> for Evaluation {
+    fn from(value: Result<f64, E>) -> Evaluation {
+        value.map_or(Evaluation::Failed, Evaluation::Value)
+    }
+}
+
+/// `None` is [`Evaluation::Failed`].
+impl From<Option<f64>> for Evaluation {
+    fn from(value: Option<f64>) -> Evaluation {
+        value.map_or(Evaluation::Failed, Evaluation::Value)
+    }
+}
+
 /// What a function returns that only fills arrays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Answer {
@@ -70,6 +84,13 @@ pub enum Answer {
 impl From<()> for Answer {
     fn from(_: ()) -> Answer {
         Answer::Done
+    }
+}
+
+/// `Err` is [`Answer::Failed`]: the error is dropped, and the method goes on elsewhere.
+impl<E> From<Result<(), E>> for Answer {
+    fn from(filled: Result<(), E>) -> Answer {
+        filled.map_or(Answer::Failed, Answer::from)
     }
 }
 

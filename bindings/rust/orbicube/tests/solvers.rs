@@ -187,6 +187,52 @@ fn a_function_may_stop_or_have_no_value() {
     assert_eq!(report.stop_name(), "cancelled");
 }
 
+/// What packages of optimizers have as the trait of a problem: nothing of this crate.
+struct Cup {
+    center: Vec<f64>,
+}
+
+impl Cup {
+    fn cost(&self, x: &Vec<f64>) -> Result<f64, String> {
+        if x[0] > 2.0 {
+            return Err("outside of the domain".into());
+        }
+        Ok(x.iter().zip(&self.center).map(|(a, b)| (a - b).powi(2)).sum())
+    }
+    fn gradient(&self, x: &Vec<f64>) -> Result<Vec<f64>, String> {
+        Ok(x.iter().zip(&self.center).map(|(a, b)| 2.0 * (a - b)).collect())
+    }
+    fn differences(&self, x: &[f64], out: &mut [f64]) -> Result<(), String> {
+        self.gradient(&x.to_vec()).map(|all| out.copy_from_slice(&all))
+    }
+}
+
+#[test]
+fn methods_of_a_problem_that_return_results() {
+    let cup = Cup { center: vec![1.0, -2.0] };
+    let mut x = [3.0, 0.0]; // which has no value: a chain cannot begin there
+    let report = trust_region::minimize(|x: &[f64]| cup.cost(&x.to_vec()), &mut x, &Default::default(), &Default::default()).unwrap();
+    assert_eq!((report.stop_name().as_str(), report.failed_evaluations), ("evaluation failed", 1));
+    let mut x = [1.9, 0.0];
+    let report = trust_region::minimize(|x: &[f64]| cup.cost(&x.to_vec()), &mut x, &Default::default(), &Default::default()).unwrap();
+    assert!(report.converged() && (x[0] - 1.0).abs() < 1e-6 && (x[1] + 2.0).abs() < 1e-6);
+    let mut y = [1.9, 0.0];
+    let report = projected_gradient::minimize(
+        |y: &[f64], gradient: &mut [f64]| {
+            gradient.copy_from_slice(&cup.gradient(&y.to_vec())?);
+            cup.cost(&y.to_vec())
+        },
+        &mut y, &Default::default(), &Default::default(),
+    ).unwrap();
+    assert!(report.converged() && (y[0] - 1.0).abs() < 1e-7 && (y[1] + 2.0).abs() < 1e-7);
+    let mut z = [1.9, 0.0];
+    let report = trust_region::least_squares(|z: &[f64], out: &mut [f64]| cup.differences(z, out), 2, &mut z, &Default::default(),
+                                             &Default::default()).unwrap();
+    assert!(report.converged() && report.value < 1e-12);
+    let report = trust_region::minimize(|_: &[f64]| None, &mut z, &Default::default(), &Default::default()).unwrap();
+    assert_eq!(report.stop_name(), "evaluation failed");
+}
+
 #[test]
 fn projections() {
     let mut x = [0.0, 0.0];
