@@ -40,7 +40,7 @@ obc_status write_and_read(const obc_host& host) {
   const Cube cube;
   const obc_surface surface = cube.surface();
   obc_status status = OBC_OK;
-  for (const char* ending : {".obj", ".off", ".ply", ".stl", ".mesh", ".vtk"}) {
+  for (const char* ending : {".obj", ".off", ".ply", ".stl", ".mesh", ".vtk", ".msh"}) {
     // Not std::filesystem: the call must not allocate for itself.
     char path[64];
     std::snprintf(path, sizeof path, "orbicube-mesh-test-%ld%s", static_cast<long>(::getpid()), ending);
@@ -60,7 +60,7 @@ TEST_CASE("A mesh written to each format is read again to the bit") {
   for (double& x : cube.positions)
     x = x / 3 + 0.1;
   const obc_surface surface = cube.surface();
-  for (const char* ending : {".obj", ".off", ".ply", ".mesh", ".vtk"}) {
+  for (const char* ending : {".obj", ".off", ".ply", ".mesh", ".vtk", ".msh"}) {
     for (const std::int32_t binary : {0, 1}) {
       const TemporaryFile file(ending);
       obc_mesh_write_options options;
@@ -100,7 +100,7 @@ TEST_CASE("The table of formats: endings, names, contents") {
   CHECK(std::string(obc_mesh_format_name(OBC_MESH_MEDIT)) == "MEDIT");
   CHECK(obc_mesh_format_contents(OBC_MESH_STL) == (OBC_MESH_HOLDS_SURFACES | OBC_MESH_HOLDS_BINARY));
   CHECK((obc_mesh_format_contents(OBC_MESH_VTK) & OBC_MESH_HOLDS_CELLS) != 0);
-  for (const std::int32_t none : {-1, OBC_MESH_VTK + 1, INT32_MAX}) {
+  for (const std::int32_t none : {-1, OBC_MESH_MSH + 1, INT32_MAX}) {
     CHECK(obc_mesh_format_ending(none) == nullptr);
     CHECK(obc_mesh_format_name(none) == nullptr);
     CHECK(obc_mesh_format_contents(none) == 0);
@@ -154,7 +154,7 @@ TEST_CASE("Files in memory: changes are reported, defects are reported with thei
   CHECK(obc_mesh_read_memory(nullptr, 0, OBC_MESH_OFF, nullptr, nullptr, &made, &error) == OBC_MALFORMED_FILE);
   CHECK(std::string(error.kind) == "empty-file");
   CHECK(obc_mesh_read_memory(nullptr, 5, OBC_MESH_OFF, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_mesh_read_memory("OFF", 3, 6, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_read_memory("OFF", 3, OBC_MESH_MSH + 1, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_mesh_read_memory("OFF", 3, OBC_MESH_OFF, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_mesh_read("/nowhere/at/all.off", nullptr, nullptr, &made, &error) == OBC_IO);
   CHECK(std::string(error.message).find("/nowhere/at/all.off: ") == 0);
