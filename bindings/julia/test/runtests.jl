@@ -2,6 +2,7 @@ using Test
 using Orbicube
 using SparseArrays
 include("layouts.jl")
+include("optim.jl")
 
 model(x, i) = x[1] / (1 + x[2] * (0.5 * i)) + x[3]
 const truth = (2.5, 0.7, 0.4)
