@@ -52,7 +52,7 @@ class MshText {
     scanner_.skip_space();
     scanner_.skip_word("a parameter");
   }
-  // Items of at least so many numbers, each of two characters or more.
+  // Items of at least that number of numbers, each of two characters or more.
   void require_room(std::uint64_t items, std::size_t numbers_each, std::size_t /*bytes_each*/, const char* what) const {
     scanner_.require_room(items, 2 * numbers_each, what);
   }

@@ -341,10 +341,10 @@ Header header_of(std::span<const std::byte> bytes, const base::Host& host) {
     scanner.fail("unsupported", "form and size of numbers " + in_quotes(form) + ", where 0 8 (text) and 1 8 are read");
   header.binary = form == "1 8";
   if (header.binary) {
-    scanner.require(4, "the number that tells the order of bytes");
+    scanner.require(4, "the number for the order of bytes");
     const auto one = scanner.next<std::uint32_t>();
     constexpr std::uint32_t turned = 0x01000000;
-    if (one != 1 && one != turned) scanner.fail("parse", "the number 1 expected, which tells the order of bytes");
+    if (one != 1 && one != turned) scanner.fail("parse", "the number 1 expected, for the order of bytes");
     if (one == turned)
       header.order = std::endian::native == std::endian::little ? std::endian::big : std::endian::little;
     if (!line().empty()) scanner.fail("parse", "an end of line expected");
