@@ -99,7 +99,7 @@ class Readers(InFolder):
         other, cube = self.written("a.vtu", "<VTKFile/>"), self.made("cube")
         for done in (run("info", other), run("convert", cube, self.path("b.vtu"))):
             self.assertEqual(done.returncode, 2)
-            self.assertIn("the ending '.vtu' is none of .obj .off .ply .stl .mesh .vtk .glb .gltf", done.stderr)
+            self.assertIn("the ending '.vtu' is none of .obj .off .ply .stl .mesh .vtk .msh .glb .gltf", done.stderr)
 
     def test_spheres_of_long_shapes_are_on_the_sphere_and_their_surface_is_that_of_the_file(self):
         for name, factors in (("long", (1000, 1, 1)), ("flat", (1000, 1000, 1)), ("large", (3e4, 3e4, 3e4)),
