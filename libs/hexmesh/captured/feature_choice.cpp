@@ -1,6 +1,7 @@
 #include "hexmesh/captured/feature_choice.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -39,6 +40,29 @@ std::string reason(const MissingFeature& missing, const std::optional<FeatureHex
   return own ? tried->obstacle : "the feature graph has no mesh: " + tried->obstacle;
 }
 
+double length_of(const FeatureSurface& surface, Index arc) {
+  const auto v = surface.graph.vertices_of(surface.graph.arcs[arc]);
+  double sum = 0;
+  for (std::size_t i = 1; i < v.size(); ++i)
+    sum += (surface.positions[v[i]] - surface.positions[v[i - 1]]).norm();
+  return sum;
+}
+
+// The arc that stopped an embedding, or the shortest at the corner that did.
+Index arc_in_the_way(const FeatureHexes& made, const FeatureSurface& surface) {
+  const mesh::FeatureGraph& graph = surface.graph;
+  if (made.obstacle_arc != no_index || made.obstacle_corner == no_index) return made.obstacle_arc;
+  Index shortest = no_index;
+  double least = std::numeric_limits<double>::infinity();
+  for (const mesh::FeatureEnd& end : graph.around[made.obstacle_corner]) {
+    const double length = length_of(surface, end.arc);
+    if (length >= least) continue;
+    least = length;
+    shortest = end.arc;
+  }
+  return shortest;
+}
+
 }  // namespace
 
 FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host)
@@ -65,14 +89,15 @@ bool FeatureKeeper::offer(const HexResult& now, bool embedded, const HexResult* 
   return true;
 }
 
-FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, double bound) const {
+FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool once) const {
   try {
     return feature_hexahedra(surface.positions, surface.triangles, surface.graph,
                              {.cells = choice_.cells,
                               .max_cells = choice_.max_cells,
                               .distance = choice_.distance,
                               .rounds = choice_.rounds,
-                              .bound = bound},
+                              .bound = scaled_jacobian_bound(surface, host_),
+                              .once = once},
                              host_);
   } catch (const base::Error& error) {
     if (must_end(error)) throw;
@@ -82,20 +107,50 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, double b
   }
 }
 
+// Leaves out one arc after the other that is in the way.
+FeatureHexes FeatureKeeper::without_obstacles(FeatureSurface& surface, const FeatureRequest& request,
+                                              FeatureHexes made) const {
+  constexpr int most = 6;             // arcs
+  constexpr double least_kept = 0.5;  // of the length of the sharp edges: less is hardly worth a mesh with a layer
+  const auto length_of_all = [&] {
+    double sum = 0;
+    for (Index a = 0; a < surface.graph.arcs.size(); ++a)
+      sum += length_of(surface, a);
+    return sum;
+  };
+  const double whole = length_of_all();
+  Array<mesh::Edge> without(host_.memory);
+  for (int i = 0; i < most && !made.found; ++i) {
+    const Index arc = arc_in_the_way(made, surface);
+    if (arc == no_index) break;
+    const auto v = surface.graph.vertices_of(surface.graph.arcs[arc]);
+    for (std::size_t k = 1; k < v.size(); ++k)
+      without.push_back({v[k - 1], v[k]});
+    surface.graph = graph_without(surface, request, without, host_);
+    if (surface.graph.arcs.empty() || length_of_all() < least_kept * whole) break;
+    made = hexahedra_of(surface, true);
+  }
+  return made;
+}
+
 std::optional<HexResult> FeatureKeeper::embed() {
   if (!any() || surface_->pieces != 1 || surface_->graph.arcs.empty()) return {};
-  tried_ = hexahedra_of(*surface_, figures_.bound);
-  const bool marked = choice_.request.features == Features::automatic && !choice_.request.tagged_edges.empty();
-  if (!tried_->found && marked) {
-    host_.log("features: without those that are marked and not sharp");
-    FeatureRequest sharp = choice_.request;
-    sharp.features = Features::angles;
-    const FeatureSurface surface = feature_surface(input_, sharp, host_);
-    if (!surface.graph.arcs.empty() && surface.graph.arcs.size() < surface_->graph.arcs.size()) {
-      FeatureHexes fewer = hexahedra_of(surface, scaled_jacobian_bound(surface, host_));
-      tried_->found = fewer.found;
-      if (fewer.found) tried_->result = std::move(fewer.result);
-    }
+  tried_ = hexahedra_of(*surface_, false);
+  if (!tried_->found) {
+    FeatureRequest request = choice_.request;
+    const bool marked = request.features == Features::automatic && !surface_->lines.empty();
+    if (marked) request.features = Features::angles;
+    FeatureSurface surface = feature_surface(input_, request, host_);
+    FeatureHexes fewer(host_.memory);
+    fewer.obstacle_arc = tried_->obstacle_arc;
+    fewer.obstacle_corner = tried_->obstacle_corner;
+    const bool sharp_only = surface.graph.arcs.size() < surface_->graph.arcs.size();
+    if (sharp_only) host_.log("features: without those that are marked and not sharp");
+    const bool some = !surface.graph.arcs.empty();
+    if (some && sharp_only) fewer = hexahedra_of(surface, false);
+    if (some && !fewer.found) fewer = without_obstacles(surface, request, std::move(fewer));
+    tried_->found = fewer.found;
+    if (fewer.found) tried_->result = std::move(fewer.result);
   }
   if (tried_->found) return std::move(tried_->result);
   host_.log("sharp edges are not kept: " + tried_->obstacle);

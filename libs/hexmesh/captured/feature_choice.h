@@ -33,7 +33,8 @@ class FeatureKeeper {
   // larger captured length, or as much and more corners; as many: the better mesh (hex_draft.h).
   bool offer(const HexResult& now, bool embedded, const HexResult* best);
   // Makes a grid-based mesh with the graph embedded (feature_hexes.h); where that of sharp and of marked edges has
-  // none, with that of the sharp ones. Nothing: there is none, and figures() say why.
+  // none, with that of the sharp ones, then without up to six arcs in the way. Nothing: there is none, and figures()
+  // say why.
   std::optional<HexResult> embed();
 
   // Of the preferred mesh: whether it has all features; whether hardly more can be expected.
@@ -44,7 +45,9 @@ class FeatureKeeper {
 
  private:
   // Makes hexahedra with the graph of `surface` embedded; errors are obstacles.
-  FeatureHexes hexahedra_of(const FeatureSurface& surface, double bound) const;
+  FeatureHexes hexahedra_of(const FeatureSurface& surface, bool once) const;
+  // With the graph of `surface`, whose obstacle `made` has, without the arcs in the way.
+  FeatureHexes without_obstacles(FeatureSurface& surface, const FeatureRequest& request, FeatureHexes made) const;
 
   const mesh::Mesh& input_;
   const FeatureChoice choice_;

@@ -41,29 +41,34 @@ FeatureSurface feature_surface(const mesh::Mesh& input, const FeatureRequest& re
   take_boundary(input, surface, host);
   Array<Index> number(host.memory);
   take_used(input.positions, surface, number);
-  Array<mesh::Edge> edges(host.memory);
   Array<std::uint8_t> on_line(number.size(), 0, host.memory);
   for (const auto& [from, end] : request.tagged_edges) {
     if (number[from] == no_index || number[end] == no_index) continue;
-    edges.push_back({number[from], number[end]});
+    surface.lines.push_back({number[from], number[end]});
     on_line[from] = on_line[end] = 1;
   }
   const bool all_tags = request.features == Features::tags;
-  Array<Index> corners(host.memory);
   // The ends of curves of a CAD model cut others that are sharp there; only of curves that are all kept are they
   // corners.
   for (const Index v : request.tagged_vertices) {
-    if (number[v] != no_index && (all_tags || on_line[v] == 0)) corners.push_back(number[v]);
+    if (number[v] != no_index && (all_tags || on_line[v] == 0)) surface.ends.push_back(number[v]);
   }
+  surface.graph = graph_without(surface, request, {}, host);
+  return surface;
+}
+
+mesh::FeatureGraph graph_without(const FeatureSurface& surface, const FeatureRequest& request,
+                                 std::span<const mesh::Edge> edges, const base::Host& host) {
+  const bool all_tags = request.features == Features::tags;
   mesh::FeatureOptions options;
   options.sharp = !all_tags && request.angle > 0;
   if (request.angle > 0) options.angle = request.angle;
-  if (all_tags) options.edges = edges;
-  options.lines = edges;
+  if (all_tags) options.edges = surface.lines;
+  options.lines = surface.lines;
   options.weak_lines = request.features == Features::automatic;
-  if (request.features != Features::angles) options.corners = corners;
-  surface.graph = mesh::feature_graph(surface.positions, surface.triangles, options, host);
-  return surface;
+  options.without = edges;
+  if (request.features != Features::angles) options.corners = surface.ends;
+  return mesh::feature_graph(surface.positions, surface.triangles, options, host);
 }
 
 }  // namespace orbicube::hexmesh

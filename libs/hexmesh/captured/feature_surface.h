@@ -14,16 +14,23 @@ struct FeatureRequest {
 };
 
 struct FeatureSurface {
-  explicit FeatureSurface(std::pmr::memory_resource* memory) : positions(memory), triangles(memory), graph(memory) {}
+  explicit FeatureSurface(std::pmr::memory_resource* memory)
+      : positions(memory), triangles(memory), lines(memory), ends(memory), graph(memory) {}
 
   Array<Vector3> positions;
   Array<mesh::Triangle> triangles;  // outward-oriented
   std::size_t pieces = 0;           // of the solid
+  Array<mesh::Edge> lines;          // tagged edges and vertices of it
+  Array<Index> ends;
   mesh::FeatureGraph graph;
 };
 
 // Of a closed surface, or of the boundary of tetrahedra. Throws Error as volume_map::pieces_of_surface() and
 // mesh::feature_graph() do.
 FeatureSurface feature_surface(const mesh::Mesh& input, const FeatureRequest& request, const base::Host& host);
+
+// The graph of a surface without some edges of its arcs, and without the arcs that would end inside a patch then.
+mesh::FeatureGraph graph_without(const FeatureSurface& surface, const FeatureRequest& request,
+                                 std::span<const mesh::Edge> edges, const base::Host& host);
 
 }  // namespace orbicube::hexmesh

@@ -58,6 +58,30 @@ class Attempt {
     return true;
   }
 
+  // The arc nearest to the worst hexahedron.
+  Index arc_at_worst() const {
+    const HexMesh& mesh = grid_.mesh;
+    double worst = std::numeric_limits<double>::infinity();
+    Vector3 place = Vector3::Zero();
+    for (const Hexahedron& h : mesh.hexahedra) {
+      const double now = scaled_jacobian(mesh.positions, h);
+      if (now >= worst) continue;
+      worst = now;
+      place.setZero();
+      for (const Index v : h)
+        place += mesh.positions[v] / 8;
+    }
+    double least = std::numeric_limits<double>::infinity();
+    Index arc = no_index;
+    for (Index a = 0; a < shape_.arcs(); ++a) {
+      const double distance = shape_.nearest_on_arc(a, place).distance;
+      if (distance >= least) continue;
+      least = distance;
+      arc = a;
+    }
+    return arc;
+  }
+
   HexResult result(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles) const {
     HexResult made(host_.memory);
     made.mesh = grid_.mesh;
@@ -136,28 +160,29 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
   const double most = std::max(given, std::min(most_cells * given, static_cast<double>(options.max_cells)));
   // Half of the cells or so are inside, at their full size.
   double cells = std::clamp(2 * volume / (cell * cell * cell), given, std::min(most, most_growth * given));
-  for (int attempt = 0; attempt < max_attempts; ++attempt, cells *= more_cells) {
+  if (options.once) cells = std::min(most, more_cells * cells);
+  for (int attempt = 0; attempt < (options.once ? 1 : max_attempts); ++attempt, cells *= more_cells) {
     if (attempt > 0 && cells > most) break;
     const base::Stage stage(host, 0.5);
-    const auto missed = [&](std::string why) {
+    const auto missed = [&](std::string why, Index arc = no_index, Index corner = no_index) {
       host.log("features in about " + std::to_string(static_cast<std::size_t>(cells)) + " hexahedra: " + why);
       made.obstacle = std::move(why);
+      made.obstacle_arc = arc;
+      made.obstacle_corner = corner;
     };
     try {
       Attempt now(positions, triangles, graph, static_cast<std::size_t>(grid_part * cells) + 1, host);
       if (auto obstacle = now.embed()) {
-        missed(text_of(*obstacle, graph, positions));
-        made.obstacle_arc = obstacle->arc;
-        made.obstacle_corner = obstacle->corner;
+        missed(text_of(*obstacle, graph, positions), obstacle->arc, obstacle->corner);
         continue;
       }
       if (!now.fit(options.rounds, options.bound)) {
-        missed("the cells along the arcs do not untangle");
+        missed("the cells along the arcs do not untangle", now.arc_at_worst());
         continue;
       }
       HexResult result = now.result(positions, triangles);
       if (!result.quality.valid()) {
-        missed(what_is_wrong(result.quality));
+        missed(what_is_wrong(result.quality), now.arc_at_worst());
         continue;
       }
       const bool better_one = !made.found || better(result, made.result, options.distance);

@@ -16,6 +16,7 @@ struct FeatureHexOptions {
   double distance = 1;              // as in HexOptions
   int rounds = 40;                  // of fitting
   double bound = 1;                 // of scaled Jacobians, by the features (feature_bound.h)
+  bool once = false;                // one attempt, with the cells of the second of three
 };
 
 // A certified mesh whose quads have the patches of the graph, or none, with what was in the way and where.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "base/error.h"
@@ -219,6 +220,16 @@ double diagonal_of(std::span<const Vector3> positions, std::span<const Triangle>
   return (high - low).norm();
 }
 
+// Removes edges, and lines that end inside a patch without them.
+void leave_out(FeatureLines& lines, std::span<const Edge> edges, const FeatureLines& none, const base::Host& host) {
+  for (const auto& [from, end] : edges) {
+    const Index h = from < lines.positions().size() ? lines.find(from, end) : no_index;
+    if (h != no_index) lines.remove(h);
+  }
+  while (drop_short_ends(lines, none, std::numeric_limits<double>::infinity(), host)) {
+  }
+}
+
 }  // namespace
 
 FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const Triangle> triangles,
@@ -259,6 +270,10 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
   Array<Index> ends = continue_ends(lines, guides, host);
   graph.continued = ends.size();
   graph.cut_sectors = cut_wide_sectors(lines, guides, options.angle, host);
+  if (!options.without.empty()) {
+    leave_out(lines, options.without, FeatureLines(positions, connectivity, triangles.size(), host), host);
+    std::erase_if(ends, [&](Index v) { return lines.degree(v) == 0; });
+  }
   for (const Index v : options.corners) {
     if (v < positions.size() && connectivity.outgoing(v) != no_index) ends.push_back(v);
   }

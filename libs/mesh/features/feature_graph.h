@@ -53,6 +53,7 @@ struct FeatureOptions {
   std::span<const Edge> edges = {};     // features whatever their angle
   std::span<const Edge> lines = {};     // that repairs follow, such as the curves of a CAD model
   bool weak_lines = false;              // lines at which the surface turns more than beside them are features, too
+  std::span<const Edge> without = {};   // none of the features, nor what is then left to end inside a patch
   std::span<const Index> corners = {};  // vertices that are corners whatever meets there
 };
 

@@ -127,9 +127,10 @@ std::vector<Sector> sectors_at(Index corner, const FeatureLines& lines) {
 
 }  // namespace
 
-void drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double length, const base::Host& host) {
+bool drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double length, const base::Host& host) {
   const Connectivity& connectivity = lines.connectivity();
   Array<Index> line(host.memory);
+  bool dropped = false;
   for (Index v = 0; v < lines.positions().size(); ++v) {
     if (v % 4096 == 0) host.report("features", 0, 0);
     if (lines.degree(v) != 1) continue;
@@ -146,7 +147,9 @@ void drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double lengt
     if (keep || sum > length) continue;
     for (const Index h : line)
       lines.remove(h);
+    dropped = true;
   }
+  return dropped;
 }
 
 Array<Index> continue_ends(FeatureLines& lines, const FeatureLines& guides, const base::Host& host) {

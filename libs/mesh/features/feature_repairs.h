@@ -6,8 +6,8 @@
 namespace orbicube::mesh {
 
 // Removes lines of at most `length` that end inside a patch at one end or both, but for those with an edge of `kept`:
-// too short for a mesh of the solid, as those of noise. O(n).
-void drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double length, const base::Host& host);
+// too short for a mesh of the solid, as those of noise. Returns whether there were any. O(n).
+bool drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double length, const base::Host& host);
 
 // Continues lines that end inside a patch to another line, along the guides where there are any: edges of `guides`
 // cost their length, others eight times as much. Along guides alone a line may close. Returns the vertices at which
