@@ -12,6 +12,7 @@
 #include "hexmesh/features/feature_fitting.h"
 #include "hexmesh/features/pillowing.h"
 #include "hexmesh/grid/voxel_hexes.h"
+#include "hexmesh/quality/gap_opening.h"
 #include "mesh/search/measures.h"
 #include "mesh/topology/place_text.h"
 
@@ -58,6 +59,8 @@ class Attempt {
     return true;
   }
 
+  // The arc nearest to where the boundary meets itself, in the coordinates of the surface.
+  Index arc_at(const Vector3& place) const { return nearest_arc(grid_.scale * place); }
   // The arc nearest to the worst hexahedron.
   Index arc_at_worst() const {
     const HexMesh& mesh = grid_.mesh;
@@ -71,15 +74,7 @@ class Attempt {
       for (const Index v : h)
         place += mesh.positions[v] / 8;
     }
-    double least = std::numeric_limits<double>::infinity();
-    Index arc = no_index;
-    for (Index a = 0; a < shape_.arcs(); ++a) {
-      const double distance = shape_.nearest_on_arc(a, place).distance;
-      if (distance >= least) continue;
-      least = distance;
-      arc = a;
-    }
-    return arc;
+    return nearest_arc(place);
   }
 
   HexResult result(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles) const {
@@ -89,8 +84,12 @@ class Attempt {
       p /= grid_.scale;
     made.padded = made.grid_based = made.follows_sharp_edges = true;
     made.off_surface = off_surface_;
-    made.quality = measure_hexahedra(made.mesh.positions, made.mesh.hexahedra, host_);
-    measure_embedding(made.mesh.positions, made.mesh.quads, made.quality, host_);
+    const auto measure_quality = [&] {
+      made.quality = measure_hexahedra(made.mesh.positions, made.mesh.hexahedra, host_);
+      measure_embedding(made.mesh.positions, made.mesh.quads, made.quality, host_);
+    };
+    measure_quality();
+    if (made.quality.positive() && made.quality.intersections > 0 && open_gaps(made.mesh, host_)) measure_quality();
     const HexFigures figures = figures_of(made.mesh.positions, made.mesh.hexahedra, positions, triangles, host_);
     made.distance = figures.distance;
     made.volume_error = figures.volume_error;
@@ -102,6 +101,18 @@ class Attempt {
   }
 
  private:
+  Index nearest_arc(const Vector3& place) const {
+    double least = std::numeric_limits<double>::infinity();
+    Index arc = no_index;
+    for (Index a = 0; a < shape_.arcs(); ++a) {
+      const double distance = shape_.nearest_on_arc(a, place).distance;
+      if (distance >= least) continue;
+      least = distance;
+      arc = a;
+    }
+    return arc;
+  }
+
   // A layer on each patch, closed along its border: arcs get two quads a side at their corners, whatever their paths.
   std::optional<FeatureObstacle> add_rings(const BoundaryQuads& quads) {
     HexMesh& mesh = grid_.mesh;
@@ -182,7 +193,9 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       }
       HexResult result = now.result(positions, triangles);
       if (!result.quality.valid()) {
-        missed(what_is_wrong(result.quality), now.arc_at_worst());
+        const bool meets = result.quality.positive() && result.quality.intersections > 0;
+        missed(what_is_wrong(result.quality),
+               meets ? now.arc_at(result.quality.first_intersection) : now.arc_at_worst());
         continue;
       }
       const bool better_one = !made.found || better(result, made.result, options.distance);
