@@ -131,3 +131,19 @@ TEST_CASE("A line of noise is left out, and one that fades goes on where the sur
   CHECK(faded.euler == whole.euler);
   CHECK(std::all_of(faded.corners.begin(), faded.corners.end(), [](const FeatureCorner& c) { return c.soft; }));
 }
+
+TEST_CASE("Edges that are left out join patches, and take with them what would end inside one") {
+  const Mesh cube = prism(regular(4), std::numbers::sqrt2);
+  // One edge of the lower end; then another one at the same corner, whose third edge would end there.
+  const std::vector<Edge> edges = {{2, 4}, {4, 6}};
+  const FeatureGraph one = graph_of(cube, {.without = std::span(edges).first(1)});
+  CHECK(one.arcs.size() == 11);
+  CHECK(one.euler == Array<std::int64_t>(5, 1));
+  const FeatureGraph two = graph_of(cube, {.without = edges});
+  CHECK(two.arcs.size() == 9);
+  CHECK(two.euler == Array<std::int64_t>(4, 1));  // three faces at the corner are one
+  for (std::size_t c = 0; c < two.corners.size(); ++c)
+    CHECK(two.around.size(static_cast<Index>(c)) > 1);
+  const std::vector<Edge> unknown = {{2, 1000}, {1000, 2}};
+  CHECK(graph_of(cube, {.without = unknown}).arcs.size() == 12);
+}
