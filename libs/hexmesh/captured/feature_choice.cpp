@@ -110,7 +110,7 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
 // Leaves out one arc after the other that is in the way.
 FeatureHexes FeatureKeeper::without_obstacles(FeatureSurface& surface, const FeatureRequest& request,
                                               FeatureHexes made) const {
-  constexpr int most = 6;             // arcs
+  constexpr int most = 3;             // arcs
   constexpr double least_kept = 0.5;  // of the length of the sharp edges: less is hardly worth a mesh with a layer
   const auto length_of_all = [&] {
     double sum = 0;

@@ -33,7 +33,7 @@ class FeatureKeeper {
   // larger captured length, or as much and more corners; as many: the better mesh (hex_draft.h).
   bool offer(const HexResult& now, bool embedded, const HexResult* best);
   // Makes a grid-based mesh with the graph embedded (feature_hexes.h); where that of sharp and of marked edges has
-  // none, with that of the sharp ones, then without up to six arcs in the way. Nothing: there is none, and figures()
+  // none, with that of the sharp ones, then without up to three arcs in the way. Nothing: there is none, and figures()
   // say why.
   std::optional<HexResult> embed();
 
