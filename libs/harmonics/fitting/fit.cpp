@@ -10,24 +10,16 @@
 #include "base/random.h"
 #include "base/sums.h"
 #include "harmonics/fitting/conjugate_gradients.h"
+#include "harmonics/fitting/fit_samples.h"
 #include "harmonics/fitting/gram_operator.h"
 #include "harmonics/fitting/householder.h"
+#include "harmonics/fitting/large_fit.h"
 
 namespace orbicube::harmonics {
 namespace {
 
-struct Samples {
-  std::span<const Vector3> directions;
-  std::span<const double> weights, values;
-  std::size_t channels;
-  double total_weight;
-
-  std::size_t count() const { return directions.size(); }
-  double weight(std::size_t i) const { return weights.empty() ? 1 : weights[i]; }
-};
-
-Samples checked(std::span<const Vector3> directions, std::span<const double> weights, std::span<const double> values,
-                std::size_t channels, const FitOptions& options) {
+FitSamples checked(std::span<const Vector3> directions, std::span<const double> weights, std::span<const double> values,
+                   std::size_t channels, const FitOptions& options) {
   const auto wrong = [](const std::string& text) -> base::Error { return {"invalid-argument", text}; };
   require_degree(options.degree);
   if (!(options.smoothing >= 0) || !std::isfinite(options.smoothing)) throw wrong("smoothing is negative");
@@ -47,23 +39,18 @@ Samples checked(std::span<const Vector3> directions, std::span<const double> wei
     if (!(weights[i] >= 0) || !std::isfinite(weights[i]))
       throw wrong("weight " + std::to_string(i) + " is negative or not finite");
   }
-  Samples samples{directions, weights, values, channels, 0};
+  FitSamples samples{directions, weights, values, channels, 0};
   samples.total_weight = base::blocked_sum(samples.count(), [&](std::size_t i) { return samples.weight(i); });
   if (!(samples.total_weight > 0) || !std::isfinite(samples.total_weight)) throw wrong("the weights add up to nothing");
   return samples;
-}
-
-// What the smoothing adds to the diagonal of the normal equations, for each degree.
-double penalty(const Samples& samples, const FitOptions& options, std::uint32_t l) {
-  const double degree = l, laplacian = degree * (degree + 1);
-  return options.smoothing * samples.total_weight / (4 * std::numbers::pi) * laplacian * laplacian;
 }
 
 // Of the iterative method.
 constexpr int max_passes = 8;
 constexpr std::uint64_t max_iterations = 2000;  // in each
 
-Coefficients fit_dense(const Samples& samples, const FitOptions& options, const base::Host& host, FitReport& report) {
+Coefficients fit_dense(const FitSamples& samples, const FitOptions& options, const base::Host& host,
+                       FitReport& report) {
   const std::size_t unknowns = basis_size(options.degree), n = samples.count(), channels = samples.channels;
   const std::size_t rows = n + (options.smoothing > 0 ? unknowns : 0);
   Array<double> matrix(rows * unknowns, host.memory), right(rows * channels, host.memory),
@@ -81,7 +68,7 @@ Coefficients fit_dense(const Samples& samples, const FitOptions& options, const 
   }
   for (std::uint32_t l = 0; l <= options.degree && rows > n; ++l) {
     for (std::size_t k = basis_index(l, -static_cast<std::int32_t>(l)); k < basis_size(l); ++k)
-      matrix[k * rows + n + k] = std::sqrt(penalty(samples, options, l));
+      matrix[k * rows + n + k] = std::sqrt(smoothing_penalty(samples, options, l));
   }
   const DenseSolution solution = solve_dense(matrix, rows, unknowns, right, channels, x, host);
   report.rank = solution.rank;
@@ -96,11 +83,12 @@ Coefficients fit_dense(const Samples& samples, const FitOptions& options, const 
 
 class NormalEquations {
  public:
-  NormalEquations(const Samples& samples, const FitOptions& options, const base::Host& host)
-      : gram_(moments(samples, options, host), host), penalties_(basis_size(options.degree), host.memory) {
+  NormalEquations(const FitSamples& samples, const FitOptions& options, const base::Host& host)
+      : gram_(weight_moments(samples, options.degree, host), host),
+        penalties_(basis_size(options.degree), host.memory) {
     for (std::uint32_t l = 0; l <= options.degree; ++l) {
       for (std::size_t k = std::size_t{l} * l; k < basis_size(l); ++k)
-        penalties_[k] = penalty(samples, options, l);
+        penalties_[k] = smoothing_penalty(samples, options, l);
     }
   }
 
@@ -153,14 +141,6 @@ class NormalEquations {
   }
 
  private:
-  static Coefficients moments(const Samples& samples, const FitOptions& options, const base::Host& host) {
-    Coefficients moments(2 * options.degree, 1, host.memory);
-    const Array<double> ones(samples.weights.empty() ? samples.count() : 0, 1.0, host.memory);
-    analyse(samples.directions, {}, samples.weights.empty() ? std::span<const double>(ones) : samples.weights, moments,
-            "moments of the weights", host);
-    return moments;
-  }
-
   GramOperator gram_;
   Array<double> penalties_;
 };
@@ -169,7 +149,7 @@ double norm(std::span<const double> v) {
   return std::sqrt(base::dot(v, v));
 }
 
-Coefficients fit_iterative(const Samples& samples, const FitOptions& options, const base::Host& host,
+Coefficients fit_iterative(const FitSamples& samples, const FitOptions& options, const base::Host& host,
                            FitReport& report) {
   const std::size_t unknowns = basis_size(options.degree), channels = samples.channels;
   NormalEquations equations(samples, options, host);
@@ -243,9 +223,17 @@ void refuse_too_high_degree(std::size_t samples, const FitOptions& options) {
 
 }  // namespace
 
+Coefficients weight_moments(const FitSamples& samples, std::uint32_t degree, const base::Host& host) {
+  Coefficients moments(2 * degree, 1, host.memory);
+  const Array<double> ones(samples.weights.empty() ? samples.count() : 0, 1.0, host.memory);
+  analyse(samples.directions, {}, samples.weights.empty() ? std::span<const double>(ones) : samples.weights, moments,
+          "moments of the weights", host);
+  return moments;
+}
+
 Coefficients fit(std::span<const Vector3> directions, std::span<const double> weights, std::span<const double> values,
                  std::size_t channels, const FitOptions& options, const base::Host& host, FitReport& report) {
-  const Samples samples = checked(directions, weights, values, channels, options);
+  const FitSamples samples = checked(directions, weights, values, channels, options);
   report = {};
   report.unknowns = basis_size(options.degree);
   const double n = static_cast<double>(samples.count()), k = static_cast<double>(report.unknowns);
@@ -256,8 +244,11 @@ Coefficients fit(std::span<const Vector3> directions, std::span<const double> we
   report.method = options.method != FitMethod::automatic ? options.method
                   : dense                                ? FitMethod::dense
                                                          : FitMethod::iterative;
-  Coefficients coefficients = report.method == FitMethod::dense ? fit_dense(samples, options, host, report)
-                                                                : fit_iterative(samples, options, host, report);
+  Coefficients coefficients(host.memory);
+  if (report.method == FitMethod::dense)
+    coefficients = fit_dense(samples, options, host, report);
+  else if (!fit_large(samples, options, host, coefficients, report))
+    coefficients = fit_iterative(samples, options, host, report);
   Array<double> fitted(values.size(), host.memory);
   synthesise(coefficients, directions, fitted, host);
   const double sum = base::blocked_sum(values.size(), [&](std::size_t i) {

@@ -35,6 +35,10 @@ class LegendreTable {
   std::size_t pair_count() const { return step_.size(); }
   std::size_t start(std::uint32_t m) const { return std::size_t{m} * (2 * std::size_t{degree_} + 3 - m) / 2; }
 
+  // What the recurrence of an order starts with, Q_mm, and its steps: Q_l = [0] z Q_l-1 - [1] Q_l-2 for step[l - m].
+  double first(std::uint32_t m) const { return first_[m]; }
+  const std::array<double, 2>* steps(std::uint32_t m) const { return step_.data() + start(m); }
+
   // Values of one order at a block of heights z: Q_lm is written to column[l - m].
   void values(std::uint32_t m, const Lanes& z, Lanes* column) const;
   // The same and the derivatives dQ_lm / dz.

@@ -1,0 +1,321 @@
+#include "harmonics/fitting/gauss_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "base/vector_variants.h"
+#include "harmonics/functions/gauss_legendre.h"
+
+#if defined(__GNUC__)
+#define ORBICUBE_INLINE inline __attribute__((always_inline))
+#else
+#define ORBICUBE_INLINE inline
+#endif
+
+namespace orbicube::harmonics {
+namespace {
+
+// Tasks between two reports.
+constexpr std::size_t wave = 16;
+constexpr std::size_t width = 16;
+using Column = std::array<double, width>;
+
+// Four numbers that are worked on at once: one vector register where there is AVX2, else two.
+using Four = double __attribute__((vector_size(32)));
+
+ORBICUBE_INLINE Four load(const double* from) {
+  Four four;
+  std::memcpy(&four, from, sizeof four);
+  return four;
+}
+ORBICUBE_INLINE void store(double* to, Four four) {
+  std::memcpy(to, &four, sizeof four);
+}
+
+// Q_lm at `width` heights z for l = m, m + 1, ..., one after the other.
+ORBICUBE_VECTOR_VARIANTS
+void legendre_columns(double first, const std::array<double, 2>* step, std::size_t count, const double* z,
+                      double* column) {
+  Four last[4], before[4], height[4];
+  for (std::size_t r = 0; r < 4; ++r) {
+    height[r] = load(z + 4 * r);
+    last[r] = Four{first, first, first, first};
+    before[r] = Four{};
+    store(column + 4 * r, last[r]);
+  }
+  for (std::size_t l = 1; l < count; ++l) {
+    for (std::size_t r = 0; r < 4; ++r) {
+      const Four next = step[l][0] * height[r] * last[r] - step[l][1] * before[r];
+      before[r] = last[r];
+      last[r] = next;
+      store(column + l * width + 4 * r, next);
+    }
+  }
+}
+
+// Sums over every other degree of cosine and sine coefficients times the columns.
+ORBICUBE_VECTOR_VARIANTS
+void add_columns(const double* packed, std::size_t count, const double* column, double* cosine, double* sine) {
+  Four c[4] = {}, s[4] = {};
+  for (std::size_t l = 0; l < count; l += 2) {
+    for (std::size_t r = 0; r < 4; ++r) {
+      const Four value = load(column + l * width + 4 * r);
+      c[r] += packed[2 * l] * value;
+      s[r] += packed[2 * l + 1] * value;
+    }
+  }
+  for (std::size_t r = 0; r < 4; ++r) {
+    store(cosine + 4 * r, c[r]);
+    store(sine + 4 * r, s[r]);
+  }
+}
+
+// The transpose: adds to sums of four lanes each, [degree][cosine, sine][lane].
+ORBICUBE_VECTOR_VARIANTS
+void add_products(const double* cosine, const double* sine, std::size_t count, const double* column, double* sums) {
+  Four c[4], s[4];
+  for (std::size_t r = 0; r < 4; ++r) {
+    c[r] = load(cosine + 4 * r);
+    s[r] = load(sine + 4 * r);
+  }
+  for (std::size_t l = 0; l < count; l += 2) {
+    const double* value = column + l * width;
+    double* to = sums + 8 * l;
+    const Four q[4] = {load(value), load(value + 4), load(value + 8), load(value + 12)};
+    store(to, load(to) + ((c[0] * q[0] + c[1] * q[1]) + (c[2] * q[2] + c[3] * q[3])));
+    store(to + 4, load(to + 4) + ((s[0] * q[0] + s[1] * q[1]) + (s[2] * q[2] + s[3] * q[3])));
+  }
+}
+
+ORBICUBE_VECTOR_VARIANTS
+void multiply_lanes(const ComplexLanes* density, std::size_t count, ComplexLanes* data) {
+  for (std::size_t j = 0; j < count; ++j) {
+    for (std::size_t i = 0; i < fourier_lanes; ++i) {
+      data[j].real[i] *= density[j].real[i];
+      data[j].imaginary[i] *= density[j].imaginary[i];
+    }
+  }
+}
+
+double power(double base, std::uint32_t exponent) {
+  double to = 1;
+  for (; exponent > 0; exponent /= 2, base *= base) {
+    if (exponent % 2 == 1) to *= base;
+  }
+  return to;
+}
+
+// Whether all Y_lm up to the degree are negligible on circles of at most this radius (Reinecke and Seljebotn 2013).
+bool negligible(std::uint32_t m, std::uint32_t degree, double radius) {
+  return static_cast<double>(m) > radius * degree + std::max(100.0, 0.01 * degree);
+}
+
+}  // namespace
+
+template <class Body>
+void GaussGrid::run(std::size_t count, const Body& body) const {
+  for (std::size_t begin = 0; begin < count; begin += wave) {
+    host_.report("fitting", 0, 0);
+    host_.parallel_for(std::min(wave, count - begin), [&](std::size_t k) { body(begin + k, k); });
+  }
+}
+
+GaussGrid::GaussGrid(std::uint32_t degree, const base::Host& host)
+    : host_(host),
+      table_(degree, host.memory),
+      fourier_(FourierTransform::fitting_length(4 * std::size_t{degree} + 1), host.memory),
+      height_((degree + lanes) / lanes * lanes, host.memory),
+      radius_(height_.size(), host.memory),
+      weight_(height_.size(), host.memory),
+      spectra_(host.memory),
+      work_(2 * wave * fourier_.length(), host.memory),
+      columns_(host.memory),
+      packed_(host.memory) {
+  static_assert(lanes == width);
+  const std::size_t circles = 2 * std::size_t{degree} + 1;
+  Array<double> node(circles, host.memory), weight(circles, host.memory);
+  gauss_legendre(node, weight);
+  for (std::size_t t = 0; t <= degree; ++t) {
+    height_[t] = node[t];
+    radius_[t] = std::sqrt((1 - node[t]) * (1 + node[t]));
+    // The equator is a circle and its opposite.
+    weight_[t] = weight[t] * (t == degree ? 0.5 : 1) * 2 * std::numbers::pi / static_cast<double>(longitudes());
+  }
+}
+
+// Writes the spectra of the circles of one order.
+void GaussGrid::synthesize_order(const LegendreTable& table, std::uint32_t m, const double* packed,
+                                 std::size_t channels, double* column) {
+  const std::size_t count = table.degree() + std::size_t{1} - m, groups = group_count();
+  ComplexLanes* positive = spectrum(m > 0 ? 2 * std::size_t{m} - 1 : 0, channels);
+  ComplexLanes* negative = spectrum(2 * std::size_t{m}, channels);
+  for (std::size_t block = 0; block < height_.size(); block += lanes) {
+    const std::size_t to = block / fourier_lanes;
+    if (negligible(m, table.degree(), *std::max_element(&radius_[block], &radius_[block] + lanes))) {
+      for (std::size_t c = 0; c < channels; ++c) {
+        std::fill_n(positive + c * groups + to, lanes / fourier_lanes, ComplexLanes{});
+        std::fill_n(negative + c * groups + to, lanes / fourier_lanes, ComplexLanes{});
+      }
+      continue;
+    }
+    legendre_columns(table.first(m), table.steps(m), count, &height_[block], column);
+    Column factor;
+    for (std::size_t i = 0; i < lanes; ++i)
+      factor[i] = (m > 0 ? 0.5 : 1) * power(radius_[block + i], m);
+    for (std::size_t c = 0; c < channels; ++c) {
+      const double* from = packed + c * 2 * count;
+      Column even_cosine, even_sine, odd_cosine{}, odd_sine{};
+      add_columns(from, count, column, even_cosine.data(), even_sine.data());
+      if (count > 1) add_columns(from + 2, count - 1, column + width, odd_cosine.data(), odd_sine.data());
+      for (std::size_t i = 0; i < lanes; ++i) {
+        // c_m - i s_m of the circle z, and of the circle -z, which is i times that.
+        const double a = (even_cosine[i] + odd_cosine[i]) * factor[i], b = -(even_sine[i] + odd_sine[i]) * factor[i];
+        const double p = (even_cosine[i] - odd_cosine[i]) * factor[i], q = -(even_sine[i] - odd_sine[i]) * factor[i];
+        const std::size_t at = c * groups + to + i / fourier_lanes, lane = i % fourier_lanes;
+        if (m > 0) {
+          negative[at].real[lane] = a + q;
+          negative[at].imaginary[lane] = p - b;
+        }
+        positive[at].real[lane] = a - q;
+        positive[at].imaginary[lane] = b + p;
+      }
+    }
+  }
+}
+
+// The transpose: writes the coefficients.
+void GaussGrid::analyze_order(std::uint32_t m, double* packed, std::size_t channels, double* column) {
+  const std::size_t count = table_.degree() + std::size_t{1} - m, groups = group_count();
+  double* sums = column + count * width;  // [channel][degree][cosine, sine][lane]
+  std::fill_n(sums, channels * count * 8, 0.0);
+  const ComplexLanes* positive = spectrum(m > 0 ? 2 * std::size_t{m} - 1 : 0, channels);
+  const ComplexLanes* negative = spectrum(2 * std::size_t{m}, channels);
+  for (std::size_t block = 0; block < height_.size(); block += lanes) {
+    if (negligible(m, table_.degree(), *std::max_element(&radius_[block], &radius_[block] + lanes))) continue;
+    legendre_columns(table_.first(m), table_.steps(m), count, &height_[block], column);
+    for (std::size_t c = 0; c < channels; ++c) {
+      Column even_cosine, even_sine, odd_cosine, odd_sine;
+      for (std::size_t i = 0; i < lanes; ++i) {
+        const std::size_t at = c * groups + block / fourier_lanes + i / fourier_lanes, lane = i % fourier_lanes;
+        const ComplexLanes &plus = positive[at], &minus = negative[at];
+        const double factor = 0.5 * power(radius_[block + i], m);
+        const double a = factor * (plus.real[lane] + minus.real[lane]);
+        const double b = factor * (minus.imaginary[lane] - plus.imaginary[lane]);
+        const double p = factor * (plus.imaginary[lane] + minus.imaginary[lane]);
+        const double q = factor * (plus.real[lane] - minus.real[lane]);
+        even_cosine[i] = a + p;
+        even_sine[i] = b + q;
+        odd_cosine[i] = a - p;
+        odd_sine[i] = b - q;
+      }
+      double* to = sums + c * count * 8;
+      add_products(even_cosine.data(), even_sine.data(), count, column, to);
+      if (count > 1) add_products(odd_cosine.data(), odd_sine.data(), count - 1, column + width, to + 8);
+    }
+  }
+  for (std::size_t j = 0; j < channels * count * 2; ++j)
+    packed[j] = (sums[4 * j] + sums[4 * j + 1]) + (sums[4 * j + 2] + sums[4 * j + 3]);
+}
+
+// Spectra of all circles from packed_.
+void GaussGrid::synthesize_orders(const LegendreTable& table, std::size_t channels) {
+  const std::size_t stride = (table.degree() + std::size_t{1}) * (width + 8 * channels);
+  spectra_.resize((2 * std::size_t{table.degree()} + 1) * channels * group_count());
+  columns_.resize(wave * stride);
+  run(table.degree() + std::size_t{1}, [&](std::size_t m, std::size_t slot) {
+    const auto order = static_cast<std::uint32_t>(m);
+    synthesize_order(table, order, packed_.data() + table.start(order) * 2 * channels, channels,
+                     columns_.data() + slot * stride);
+  });
+}
+
+void GaussGrid::read_spectrum(std::size_t group, std::size_t channel, std::size_t channels, std::uint32_t degree,
+                              ComplexLanes* data) {
+  std::fill_n(data, longitudes(), ComplexLanes{});
+  const std::size_t at = channel * group_count() + group;
+  data[0] = spectrum(0, channels)[at];
+  for (std::size_t m = 1; m <= degree; ++m) {
+    data[m] = spectrum(2 * m - 1, channels)[at];
+    data[longitudes() - m] = spectrum(2 * m, channels)[at];
+  }
+}
+
+GaussGrid::Values GaussGrid::values(const Coefficients& function) {
+  const LegendreTable table(function.degree, host_.memory);
+  packed_.assign(table.pair_count() * 2, 0);
+  for (std::uint32_t m = 0; m <= function.degree; ++m) {
+    double* to = packed_.data() + table.start(m) * 2;
+    for (std::uint32_t l = m; l <= function.degree; ++l, to += 2) {
+      to[0] = function.at(l, static_cast<std::int32_t>(m), 0);
+      to[1] = m > 0 ? function.at(l, -static_cast<std::int32_t>(m), 0) : 0;
+    }
+  }
+  synthesize_orders(table, 1);
+  Values values(group_count() * longitudes(), host_.memory);
+  run(group_count(), [&](std::size_t group, std::size_t slot) {
+    ComplexLanes* data = values.data() + group * longitudes();
+    read_spectrum(group, 0, 1, function.degree, data);
+    fourier_.transform(1, data, work_.data() + 2 * slot * longitudes());
+  });
+  return values;
+}
+
+void GaussGrid::weigh(Values& values) const {
+  for (std::size_t group = 0; group < group_count(); ++group) {
+    for (std::size_t j = 0; j < longitudes(); ++j) {
+      ComplexLanes& value = values[group * longitudes() + j];
+      for (std::size_t i = 0; i < fourier_lanes; ++i) {
+        value.real[i] *= weight_[group * fourier_lanes + i];
+        value.imaginary[i] *= weight_[group * fourier_lanes + i];
+      }
+    }
+  }
+}
+
+void GaussGrid::multiply(const Values& density, std::span<const double> c, std::size_t channels,
+                         std::span<double> product) {
+  const std::uint32_t degree = table_.degree();
+  packed_.resize(table_.pair_count() * 2 * channels);
+  const auto each = [&](const auto& copy) {
+    for (std::uint32_t m = 0; m <= degree; ++m) {
+      double* at = packed_.data() + table_.start(m) * 2 * channels;
+      for (std::size_t channel = 0; channel < channels; ++channel) {
+        for (std::uint32_t l = m; l <= degree; ++l, at += 2) {
+          copy(at[0], basis_index(l, static_cast<std::int32_t>(m)) * channels + channel, true);
+          copy(at[1], basis_index(l, -static_cast<std::int32_t>(m)) * channels + channel, m > 0);
+        }
+      }
+    }
+  };
+  each([&](double& packed, std::size_t k, bool used) { packed = used ? c[k] : 0; });
+  synthesize_orders(table_, channels);
+  run(group_count(), [&](std::size_t group, std::size_t slot) {
+    ComplexLanes* data = work_.data() + 2 * slot * longitudes();
+    ComplexLanes* scratch = data + longitudes();
+    for (std::size_t channel = 0; channel < channels; ++channel) {
+      read_spectrum(group, channel, channels, degree, data);
+      fourier_.transform(1, data, scratch);
+      multiply_lanes(density.data() + group * longitudes(), longitudes(), data);
+      fourier_.transform(-1, data, scratch);
+      const std::size_t at = channel * group_count() + group;
+      spectrum(0, channels)[at] = data[0];
+      for (std::size_t m = 1; m <= degree; ++m) {
+        spectrum(2 * m - 1, channels)[at] = data[m];
+        spectrum(2 * m, channels)[at] = data[longitudes() - m];
+      }
+    }
+  });
+  const std::size_t stride = (degree + std::size_t{1}) * (width + 8 * channels);
+  run(degree + std::size_t{1}, [&](std::size_t m, std::size_t slot) {
+    const auto order = static_cast<std::uint32_t>(m);
+    analyze_order(order, packed_.data() + table_.start(order) * 2 * channels, channels,
+                  columns_.data() + slot * stride);
+  });
+  each([&](double& packed, std::size_t k, bool used) {
+    if (used) product[k] = packed;
+  });
+}
+
+}  // namespace orbicube::harmonics
