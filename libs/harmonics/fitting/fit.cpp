@@ -207,10 +207,11 @@ Coefficients fit_iterative(const FitSamples& samples, const FitOptions& options,
 
 // Hours that end in coefficients that the samples do not determine are for who chooses them.
 void refuse_too_high_degree(std::size_t samples, const FitOptions& options) {
-  const double degree = options.degree;
-  constexpr double seconds_of_product = 5e-8;  // by the third power of the degree, of one processor
-  const double iterations = max_passes * max_iterations + 4 * degree;
-  const double seconds = seconds_of_product * std::pow(degree + 1, 3) * iterations;
+  // By the third power of the degree, of one processor, for the most iterations of either iterative method.
+  const double degree = options.degree, most = 400 + 4 * degree;
+  const double seconds_of_cube =
+      options.degree < large_fit_degree ? 5e-8 * (max_passes * max_iterations + 4 * degree) : 1.5e-8 * most;
+  const double seconds = std::max(60.0, seconds_of_cube * std::pow(degree + 1, 3));
   const auto highest = static_cast<std::uint32_t>(std::sqrt(static_cast<double>(samples))) - 1;
   throw base::Error("invalid-argument", "degree " + std::to_string(options.degree) + " has " +
                                             base::counted(basis_size(options.degree), "coefficient") +

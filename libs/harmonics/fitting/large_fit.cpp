@@ -12,8 +12,6 @@
 namespace orbicube::harmonics {
 namespace {
 
-// Degrees below are fitted as ever, to the same bits.
-constexpr std::uint32_t min_degree = 80;
 // Width of the kernel that smooths the density for the preconditioner, in radians times degree: less resolves gaps
 // whose small eigenvalues come back as large ones, more does not see the density.
 constexpr double smoothing_width = 0.8;
@@ -177,7 +175,7 @@ class BlockSolver {
 
 bool fit_large(const FitSamples& samples, const FitOptions& options, const base::Host& host, Coefficients& coefficients,
                FitReport& report) {
-  if (options.degree < min_degree) return false;
+  if (options.degree < large_fit_degree) return false;
   const std::size_t channels = samples.channels;
   LargeNormalEquations equations(samples, options, host);
   BlockSolver solver(equations, options.degree, host);

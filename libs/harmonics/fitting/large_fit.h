@@ -11,6 +11,9 @@
 
 namespace orbicube::harmonics {
 
+// Degrees below are fitted by the matrix of low degrees, to the bits that they always had.
+inline constexpr std::uint32_t large_fit_degree = 80;
+
 // Fits, unless sums and the matrix of low degrees take less time, or this is not built in (the module of WebAssembly):
 // then returns false with nothing done.
 bool fit_large(const FitSamples& samples, const FitOptions& options, const base::Host& host, Coefficients& coefficients,
