@@ -82,7 +82,8 @@ BlockReport block_conjugate_gradients(const Multiply& multiply, const Multiply& 
   const Eigen::VectorXd start = products(b, b, channels).diagonal();
   BlockReport report;
   for (;; ++report.iterations) {
-    host.report("solving", report.iterations, 0);
+    const auto pause = [&] { host.report("solving", report.iterations, 0); };
+    pause();
     const Eigen::VectorXd square = products(residual, residual, channels).diagonal();
     report.converged = true;
     for (std::size_t c = 0; c < channels; ++c) {
@@ -91,6 +92,7 @@ BlockReport block_conjugate_gradients(const Multiply& multiply, const Multiply& 
     }
     if (report.converged || report.iterations == max_iterations || !square.allFinite()) return report;
     precondition(residual, channels, next);
+    pause();
     // Columns of very different length would look dependent.
     Small scale = products(next, residual, channels).diagonal().asDiagonal();
     for (Eigen::Index c = 0; c < scale.rows(); ++c)
@@ -101,13 +103,16 @@ BlockReport block_conjugate_gradients(const Multiply& multiply, const Multiply& 
     }
     if (report.iterations > 0)
       add_combination(direction, products(direction_image, next, channels), -1, channels, next);
+    pause();
     multiply(next, channels, image);
+    pause();
     const Small turn = orthonormalizing(products(next, image, channels));
     if (turn.isZero(0)) return report;
     std::fill(direction.begin(), direction.end(), 0.0);
     std::fill(direction_image.begin(), direction_image.end(), 0.0);
     add_combination(next, turn, 1, channels, direction);
     add_combination(image, turn, 1, channels, direction_image);
+    pause();
     const Small step = products(direction, residual, channels);
     add_combination(direction, step, 1, channels, x);
     add_combination(direction_image, step, -1, channels, residual);

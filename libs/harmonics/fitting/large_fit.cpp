@@ -42,7 +42,7 @@ class LargeNormalEquations {
     density_ = grid_.values(moments);
     grid_.weigh(density_);
     const double mean = samples.total_weight / (4 * std::numbers::pi);
-    set_inverse(moments, options.degree, mean);
+    set_inverse(moments, options.degree, mean, host);
     for (std::uint32_t l = 0; l <= options.degree; ++l) {
       const double penalty = smoothing_penalty(samples, options, l);
       penalties_.insert(penalties_.end(), 2 * std::size_t{l} + 1, penalty);
@@ -69,13 +69,16 @@ class LargeNormalEquations {
 
  private:
   // The inverse of the density that a heat kernel has smoothed.
-  void set_inverse(Coefficients& moments, std::uint32_t degree, double mean) {
+  void set_inverse(Coefficients& moments, std::uint32_t degree, double mean, const base::Host& host) {
+    constexpr const char* phase = "preparing the normal equations";
     const double time = 0.5 * smoothing_width * smoothing_width / (static_cast<double>(degree) * degree);
     for (std::uint32_t l = 0; l <= moments.degree; ++l) {
+      const double factor = std::exp(-time * l * (l + 1.0));
       for (std::size_t k = std::size_t{l} * l; k < basis_size(l); ++k)
-        moments.values[k] *= std::exp(-time * l * (l + 1.0));
+        moments.values[k] *= factor;
     }
     inverse_ = grid_.values(moments);
+    host.report(phase, 0, 0);
     Array<double> sorted(density_.get_allocator().resource());
     for (std::size_t k = 0; k < inverse_.size(); ++k) {
       for (std::size_t lane = 0; lane < fourier_lanes; ++lane) {
@@ -84,8 +87,10 @@ class LargeNormalEquations {
         sorted.push_back(inverse_[k].imaginary[lane]);
       }
     }
+    host.report(phase, 0, 0);
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
+    host.report(phase, 0, 0);
     const double least = std::max(floor_of_median * *middle, floor_of_mean * mean);
     for (ComplexLanes& value : inverse_) {
       for (std::size_t lane = 0; lane < fourier_lanes; ++lane) {
@@ -93,6 +98,7 @@ class LargeNormalEquations {
         value.imaginary[lane] = 1 / std::max(value.imaginary[lane], least);
       }
     }
+    host.report(phase, 0, 0);
     grid_.weigh(inverse_);
   }
 

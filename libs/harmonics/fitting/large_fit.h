@@ -11,7 +11,7 @@
 
 namespace orbicube::harmonics {
 
-// Degrees below are fitted by the matrix of low degrees, to the bits that they always had.
+// Degrees below are fitted with the matrix of gram_operator.h.
 inline constexpr std::uint32_t large_fit_degree = 80;
 
 // Fits, unless sums and the matrix of low degrees take less time, or this is not built in (the module of WebAssembly):
