@@ -83,11 +83,13 @@ class LargeNormalEquations {
     for (std::size_t k = 0; k < inverse_.size(); ++k) {
       for (std::size_t lane = 0; lane < fourier_lanes; ++lane) {
         if (!grid_.exists(k / grid_.longitudes(), lane)) continue;
-        sorted.push_back(inverse_[k].real[lane]);
-        sorted.push_back(inverse_[k].imaginary[lane]);
+        for (const double value : {inverse_[k].real[lane], inverse_[k].imaginary[lane]}) {
+          if (std::isfinite(value)) sorted.push_back(value);
+        }
       }
     }
     host.report(phase, 0, 0);
+    if (sorted.empty()) sorted.push_back(0);  // weights beyond the range of double
     const auto middle = sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2);
     std::nth_element(sorted.begin(), middle, sorted.end());
     host.report(phase, 0, 0);
