@@ -1,0 +1,128 @@
+#include "correspondence/statistics/group_test.h"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "base/error.h"
+#include "base/random.h"
+
+namespace orbicube::correspondence {
+
+namespace {
+
+using Group = std::vector<std::uint8_t>;
+
+constexpr std::size_t piece = 16;  // points that a thread takes at once
+constexpr double ridge = 1e-12;    // of the trace, added to covariances: points that move in a plane only
+constexpr double tie = 1 - 1e-10;  // a permutation with the same groups counts, whatever its rounding
+
+// Returns the groups as they are, and then permutations of them.
+std::vector<Group> permuted_groups(std::span<const std::uint8_t> group, const GroupTestOptions& options) {
+  std::vector<Group> result(options.permutations + 1, Group(group.begin(), group.end()));
+  for (std::size_t k = 1; k < result.size(); ++k) {
+    base::Random random(base::Random(options.seed + k).next());
+    for (std::size_t i = result[k].size(); i > 1; --i)
+      std::swap(result[k][i - 1], result[k][random.below(i)]);
+  }
+  return result;
+}
+
+Eigen::Vector3d mean_difference(const Eigen::Matrix3Xd& centered, const Group& group, double n0, double n1) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < group.size(); ++i)
+    if (group[i] != 0) sum += centered.col(static_cast<Eigen::Index>(i));
+  return sum * (1 / n1 + 1 / n0);  // the sum over both groups is zero
+}
+
+// Returns T2 for a difference of means d: the scatter within groups is the whole scatter minus n0 n1 / n d d'.
+double hotelling(const Eigen::Matrix3d& scatter, const Eigen::Vector3d& d, double n0, double n1) {
+  const double weight = n0 * n1 / (n0 + n1);
+  Eigen::Matrix3d within = scatter - weight * d * d.transpose();
+  const double trace = scatter.trace();
+  if (!(trace > 0)) return 0;
+  within.diagonal().array() += ridge * trace;
+  return std::max(0.0, weight * (n0 + n1 - 2) * d.dot(within.ldlt().solve(d)));
+}
+
+void require_groups(const Population& subjects, std::span<const std::uint8_t> group) {
+  const auto ones = static_cast<std::size_t>(std::ranges::count_if(group, [](std::uint8_t g) { return g != 0; }));
+  if (group.size() != static_cast<std::size_t>(subjects.rows()))
+    throw base::Error("invalid-argument", "there is not one group a subject");
+  if (ones < 2 || group.size() - ones < 2 || group.size() < 5)
+    throw base::Error("invalid-argument", "a test of two groups needs two subjects in each and five together");
+  if (subjects.cols() % 3 != 0) throw base::Error("invalid-argument", "coordinates are not three a point");
+  if (!subjects.allFinite()) throw base::Error("invalid-argument", "a coordinate of a subject is not finite");
+}
+
+}  // namespace
+
+std::vector<double> false_discovery_rates(std::span<const double> p) {
+  std::vector<std::size_t> order(p.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return p[a] < p[b]; });
+  std::vector<double> q(p.size());
+  double least = 1;
+  for (std::size_t k = order.size(); k-- > 0;) {
+    least = std::min(least, p[order[k]] * static_cast<double>(p.size()) / static_cast<double>(k + 1));
+    q[order[k]] = least;
+  }
+  return q;
+}
+
+GroupTest compare_groups(const Population& subjects, std::span<const std::uint8_t> group,
+                         const GroupTestOptions& options, const base::Host& host) {
+  require_groups(subjects, group);
+  const std::vector<Group> groups = permuted_groups(group, options);
+  const auto points = static_cast<std::size_t>(subjects.cols() / 3);
+  const auto n1 = static_cast<double>(std::ranges::count_if(group, [](std::uint8_t g) { return g != 0; }));
+  const double n0 = static_cast<double>(group.size()) - n1;
+  GroupTest result;
+  result.t2.resize(points);
+  result.p.resize(points);
+  result.p_family_wise.resize(points);
+  result.difference.resize(3 * points);
+  const std::size_t pieces = (points + piece - 1) / piece;
+  std::vector<std::vector<double>> max_of_piece(pieces, std::vector<double>(groups.size(), 0.0));
+  const auto test_point = [&](std::size_t v, std::vector<double>& max_t2) {
+    Eigen::Matrix3Xd x = subjects.middleCols(static_cast<Eigen::Index>(3 * v), 3).transpose();
+    x.colwise() -= Eigen::Vector3d(x.rowwise().mean());
+    const Eigen::Matrix3d scatter = x * x.transpose();
+    std::size_t reached = 0;
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      const Eigen::Vector3d d = mean_difference(x, groups[k], n0, n1);
+      const double t2 = hotelling(scatter, d, n0, n1);
+      if (k == 0) {
+        result.t2[v] = t2;
+        for (std::size_t c = 0; c < 3; ++c)
+          result.difference[3 * v + c] = d(static_cast<Eigen::Index>(c));
+      }
+      max_t2[k] = std::max(max_t2[k], t2);
+      if (t2 >= tie * result.t2[v]) ++reached;
+    }
+    result.p[v] = static_cast<double>(reached) / static_cast<double>(groups.size());
+  };
+  // Blocks of pieces between reports.
+  constexpr std::size_t block = 8;
+  for (std::size_t first = 0; first < pieces; first += block) {
+    host.report("group test", first, pieces);
+    host.parallel_for(std::min(block, pieces - first), [&](std::size_t i) {
+      const std::size_t begin = (first + i) * piece;
+      for (std::size_t v = begin; v < std::min(points, begin + piece); ++v)
+        test_point(v, max_of_piece[first + i]);
+    });
+  }
+  std::vector<double> max_t2(groups.size(), 0.0);
+  for (const std::vector<double>& of_piece : max_of_piece)
+    for (std::size_t k = 0; k < max_t2.size(); ++k)
+      max_t2[k] = std::max(max_t2[k], of_piece[k]);
+  for (std::size_t v = 0; v < points; ++v) {
+    const auto reached = std::ranges::count_if(max_t2, [&](double t2) { return t2 >= tie * result.t2[v]; });
+    result.p_family_wise[v] = static_cast<double>(reached) / static_cast<double>(groups.size());
+  }
+  result.q = false_discovery_rates(result.p);
+  return result;
+}
+
+}  // namespace orbicube::correspondence
