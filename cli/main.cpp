@@ -74,6 +74,7 @@ int run(int argc, char** argv) {
   orbicube::cli::add_harmonics(app, common);
   orbicube::cli::add_compare(app, common);
   orbicube::cli::add_page(app, common);
+  orbicube::cli::add_study(app, common);
 #ifdef ORBICUBE_WITH_POLYCUBE
   orbicube::cli::add_polycube(app, common);
 #endif

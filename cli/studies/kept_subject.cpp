@@ -1,0 +1,92 @@
+#include "studies/kept_subject.h"
+
+#include <array>
+#include <charconv>
+#include <utility>
+
+#include "base/files/file.h"
+#include "base/hash.h"
+#include "files/surface_file.h"
+#include "mesh/files/read.h"
+
+namespace orbicube::cli {
+namespace {
+
+std::string text_of(std::uint64_t hash) {
+  std::array<char, 16> digits;
+  const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16).ptr;
+  const std::string text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  return std::string(digits.size() - text.size(), '0') + text;
+}
+
+// Names that are not UTF-8 must not keep the figures from being written.
+std::string dumped(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+std::filesystem::path beside(const std::filesystem::path& folder, const std::string& name, const char* ending) {
+  return folder / (name + ending);
+}
+
+}  // namespace
+
+std::string hash_of_input(const std::filesystem::path& file, const std::string& key, Session& session) {
+  base::Hash hash;
+  hash.add(std::as_bytes(std::span(key.data(), key.size())));
+  if (is_gltf(file)) {
+    const InputMesh input = read_input(file, false, session);
+    hash.add(std::as_bytes(std::span<const mesh::Vector3>(input.mesh.positions)));
+    hash.add(std::as_bytes(std::span<const mesh::Triangle>(input.mesh.triangles)));
+  } else {
+    hash.add(about(file, Role::input, [&] { return base::read_file(file, session.host()); }));
+  }
+  return text_of(hash.value());
+}
+
+std::string hash_of(std::span<const mesh::Vector3> positions, const std::string& text) {
+  base::Hash hash;
+  hash.add(std::as_bytes(positions));
+  hash.add(std::as_bytes(std::span(text.data(), text.size())));
+  return text_of(hash.value());
+}
+
+std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, const std::string& name,
+                                          const std::string& hash, const base::Host& host) {
+  try {
+    const base::Array<std::byte> bytes = base::read_file(beside(folder, name, ".json"), host);
+    const char* text = reinterpret_cast<const char*>(bytes.data());
+    Json json = Json::parse(text, text + bytes.size(), nullptr, false);
+    if (!json.is_object() || json.value("hash", Json()) != Json(hash) || !json.contains("figures")) return std::nullopt;
+    mesh::Mesh mesh = mesh::read_mesh(beside(folder, name, ".ply"), {}, host);
+    if (json.value("result_hash", Json()) !=
+        Json(hash_of(mesh.positions, dumped(json["figures"]) + dumped(json.value("functions", Json())))))
+      return std::nullopt;
+    return MappedSubject{
+        0, std::move(mesh.positions), std::move(json["figures"]), json.value("functions", Json()), true, 0};
+  } catch (const base::Error& error) {
+    // What cannot be read is made again.
+    if (std::string(error.kind()) == "cancelled") throw;
+    return std::nullopt;
+  }
+}
+
+void keep_subject(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
+                  const MappedSubject& subject, std::span<const mesh::Triangle> triangles, Session& session) {
+  mesh::Mesh mesh(session.host().memory);
+  mesh.positions = subject.positions;
+  mesh.triangles.assign(triangles.begin(), triangles.end());
+  write_output(beside(folder, name, ".ply"), mesh, true, session);
+  const std::filesystem::path json = beside(folder, name, ".json");
+  Json content = {{"hash", hash},
+                  {"result_hash", hash_of(subject.positions, dumped(subject.figures) + dumped(subject.functions))},
+                  {"figures", subject.figures}};
+  if (!subject.functions.is_null()) content["functions"] = subject.functions;
+  about(json, Role::output, [&] {
+    base::OutputFile file(session.stage(json));
+    file.write(dumped(content) + "\n");
+    file.commit();
+  });
+  session.keep();
+}
+
+}  // namespace orbicube::cli

@@ -1,0 +1,29 @@
+// The files of one subject of a study, and whether they belong to an input and its options.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "session/session.h"
+#include "studies/study_subjects.h"
+
+namespace orbicube::cli {
+
+// Returns a hash of what the result of a subject depends on: the bytes of its file (of a glTF file, which may have
+// others beside it, the surface), and `key`, a text of the options. Throws Failure.
+std::string hash_of_input(const std::filesystem::path& file, const std::string& key, Session& session);
+
+// Returns a hash of positions and a text.
+std::string hash_of(std::span<const mesh::Vector3> positions, const std::string& text = {});
+
+// Returns what NAME.json and NAME.ply of the folder hold if they were made from this hash and are as they were written.
+std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, const std::string& name,
+                                          const std::string& hash, const base::Host& host);
+
+// Writes both files, the JSON last. Throws Failure.
+void keep_subject(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
+                  const MappedSubject& subject, std::span<const mesh::Triangle> triangles, Session& session);
+
+}  // namespace orbicube::cli

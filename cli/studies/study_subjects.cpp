@@ -1,0 +1,209 @@
+#include "studies/study_subjects.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <mutex>
+#include <optional>
+#include <utility>
+
+#include "base/counted.h"
+#include "mesh/search/measures.h"
+#include "report/sphere_uses.h"
+#include "report/unit_size.h"
+#include "solids/closed_surface.h"
+#include "studies/kept_subject.h"
+
+namespace orbicube::cli {
+namespace {
+
+// Written into the hash of each subject: raise it when results of the same input change.
+constexpr const char* version_of_results = "1";
+
+std::string key_of(const correspondence::SubjectOptions& options) {
+  return std::string(version_of_results) + " " + std::to_string(static_cast<int>(options.grid)) + ":" +
+         std::to_string(options.resolution) + " " + (options.align ? "" : "not ") + "aligned" +
+         (options.joint ? " jointly" : "") + " " + std::to_string(options.seed) + " ";
+}
+
+Json json_from(const harmonics::Coefficients& functions) {
+  return {{"degree", functions.degree}, {"channels", functions.channels}, {"values", functions.values}};
+}
+
+// Throws Error "parse" for other functions than those that were written.
+harmonics::Coefficients coefficients_from(const Json& json) {
+  harmonics::Coefficients functions(json.at("degree").get<std::uint32_t>(), json.at("channels").get<std::size_t>(),
+                                    std::pmr::get_default_resource());
+  const auto values = json.at("values").get<std::vector<double>>();
+  if (values.size() != functions.values.size()) throw base::Error("parse", "the first subject has other functions");
+  std::copy(values.begin(), values.end(), functions.values.begin());
+  return functions;
+}
+
+// How far all subjects together are, which threads report.
+class SharedProgress {
+ public:
+  SharedProgress(const base::Host& host, std::size_t count) : host_(host), fractions_(count, 0.0) {}
+
+  // Returns false if the work is to stop.
+  bool update(std::size_t i, double fraction) {
+    const std::scoped_lock lock(mutex_);
+    sum_ += std::max(0.0, fraction - fractions_[i]);
+    fractions_[i] = std::max(fractions_[i], fraction);
+    constexpr double steps = 1000;
+    const auto total = static_cast<std::uint64_t>(steps) * fractions_.size();
+    try {
+      host_.report("mapping the subjects", std::min(total, static_cast<std::uint64_t>(steps * sum_)), total);
+    } catch (const base::Error&) {
+      cancelled_ = true;
+    }
+    return !cancelled_;
+  }
+  void cancel() { cancelled_ = true; }
+  void require_not_cancelled() const {
+    if (cancelled_) throw base::Error("cancelled", "stopped while subjects were mapped");
+  }
+
+ private:
+  const base::Host& host_;
+  std::mutex mutex_;
+  std::vector<double> fractions_;
+  double sum_ = 0;
+  std::atomic<bool> cancelled_ = false;
+};
+
+class SubjectMaker {
+ public:
+  SubjectMaker(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
+               const correspondence::SubjectOptions& options, const CommonOptions& common, Session& session)
+      : list_(list),
+        folder_(folder),
+        options_(options),
+        common_(common),
+        session_(session),
+        progress_(session.host(), list.size()),
+        grid_(sphere_map::make_grid(options.grid, options.resolution, session.host())),
+        key_(key_of(options)),
+        mapped_(list.size()),
+        failed_(list.size()) {}
+
+  StudySubjects run() {
+    std::size_t first = 0;
+    // The first one uses all threads; the others one each.
+    while (first < list_.size() && !make(first, session_.host().thread_count))
+      ++first;
+    if (first < list_.size()) {
+      key_ += hash_of(mapped_[first]->positions);
+      if (options_.align) functions_.emplace(coefficients_from(mapped_[first]->functions));
+      session_.host().parallel_for(list_.size() - first - 1, [&](std::size_t i) { make(first + 1 + i, 1); });
+    }
+    progress_.require_not_cancelled();
+    return collected();
+  }
+
+ private:
+  // Returns whether the subject was mapped. Throws Error "cancelled".
+  bool make(std::size_t i, unsigned threads) {
+    progress_.require_not_cancelled();
+    try {
+      mapped_[i] = made(i, threads);
+      mapped_[i]->number = i;
+    } catch (const Failure& failure) {
+      fail(i, failure.kind(), failure.what());
+    } catch (const base::Error& error) {
+      fail(i, error.kind(), error.what());
+    } catch (const std::bad_alloc&) {
+      fail(i, "out-of-memory", "there is not enough memory");
+    }
+    progress_.update(i, 1);
+    progress_.require_not_cancelled();
+    return mapped_[i].has_value();
+  }
+
+  void fail(std::size_t i, const std::string& kind, const std::string& text) {
+    if (kind == "cancelled" || kind == "time-limit") progress_.cancel();
+    failed_[i] = FailedSubject{i, kind, text};
+  }
+
+  MappedSubject made(std::size_t i, unsigned threads) {
+    const StudySubject& subject = list_[i];
+    const std::string file = subject.file.string();
+    CommonOptions own = common_;
+    own.quiet = true;
+    own.threads = threads;
+    own.report.clear();
+    if (own.time_limit > 0) own.time_limit = std::max(1e-3, own.time_limit - session_.seconds());
+    Session reading(own, "study", file);
+    const std::string hash = hash_of_input(file, key_, reading);
+    if (std::optional<MappedSubject> kept = kept_subject(folder_, subject.name, hash, reading.host())) {
+      if (kept->positions.size() == grid_.directions.size()) return std::move(*kept);
+    }
+    const double start = session_.seconds();
+    const ClosedSurface surface = read_closed_surface(file, {.weld = false, .repair = true}, reading);
+    require_ordinary_size(surface.mesh, file);
+    base::Host host;
+    host.memory = session_.host().memory;
+    host.thread_count = threads;
+    host.on_progress = [&](const base::Progress& p) { return progress_.update(i, 0.99 * p.fraction); };
+    correspondence::Subject result =
+        correspondence::map_subject(surface.mesh, functions_ ? &*functions_ : nullptr, options_, host);
+    MappedSubject mapped{i, std::move(result.positions), figures_of(result, surface, reading)};
+    if (result.functions) mapped.functions = json_from(*result.functions);
+    mapped.figures["notes"] = reading.notes();
+    mesh::Mesh on_grid(host.memory);
+    on_grid.positions = mapped.positions;
+    on_grid.triangles = grid_.triangles;
+    mapped.figures["max_distance_percent"] =
+        100 * json_of_distance(surface.mesh, on_grid, host)["from_surface"]["max_of_diagonal"].get<double>();
+    keep_subject(folder_, subject.name, hash, mapped, grid_.triangles, reading);
+    mapped.seconds = session_.seconds() - start;
+    return mapped;
+  }
+
+  static Json figures_of(const correspondence::Subject& result, const ClosedSurface& surface, const Session& reading) {
+    const mesh::Measures measures = mesh::measures(surface.mesh.positions, surface.mesh.triangles, reading.host());
+    return {{"vertices", surface.mesh.positions.size()},
+            {"triangles", surface.mesh.triangles.size()},
+            {"area", measures.area},
+            {"volume", measures.volume},
+            {"correlation", result.correlation},
+            {"turn", result.turn},
+            {"flipped", result.flipped}};
+  }
+
+  StudySubjects collected() {
+    StudySubjects result;
+    for (std::size_t i = 0; i < list_.size(); ++i) {
+      if (mapped_[i]) result.mapped.push_back(std::move(*mapped_[i]));
+      if (failed_[i]) result.failed.push_back(*failed_[i]);
+    }
+    return result;
+  }
+
+  const std::vector<StudySubject>& list_;
+  const std::filesystem::path& folder_;
+  const correspondence::SubjectOptions& options_;
+  const CommonOptions& common_;
+  Session& session_;
+  SharedProgress progress_;
+  sphere_map::Grid grid_;
+  std::string key_;
+  std::optional<harmonics::Coefficients> functions_;  // of the first subject
+  std::vector<std::optional<MappedSubject>> mapped_;
+  std::vector<std::optional<FailedSubject>> failed_;
+};
+
+}  // namespace
+
+StudySubjects map_subjects(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
+                           const correspondence::SubjectOptions& options, const CommonOptions& common,
+                           Session& session) {
+  StudySubjects result = SubjectMaker(list, folder, options, common, session).run();
+  if (result.mapped.size() >= 2) return result;
+  const FailedSubject& failed = result.failed.front();
+  throw Failure(Exit::no_result, list[failed.number].file.string(), "no-valid-result",
+                base::counted(result.failed.size(), "subject", "subjects") + " of " + std::to_string(list.size()) +
+                    " cannot be mapped; this one: " + failed.kind + ": " + failed.text);
+}
+
+}  // namespace orbicube::cli

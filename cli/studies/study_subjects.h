@@ -1,0 +1,41 @@
+// The subjects of a study on one grid: each is mapped once, and its result is kept in files that a study that continues
+// takes over.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "correspondence/study/subject.h"
+#include "session/session.h"
+#include "studies/study_list.h"
+
+namespace orbicube::cli {
+
+struct MappedSubject {
+  std::size_t number = 0;  // in the list
+  base::Array<mesh::Vector3> positions;
+  Json figures;         // the same for every run
+  Json functions{};     // of the first subject, which the others are aligned with: coefficients, or null
+  bool reused = false;  // taken from a study before
+  double seconds = 0;   // for a subject that was not
+};
+
+struct FailedSubject {
+  std::size_t number = 0;
+  std::string kind, text;
+};
+
+struct StudySubjects {
+  std::vector<MappedSubject> mapped;  // in the order of the list
+  std::vector<FailedSubject> failed;
+};
+
+// Repairs and maps each subject, and carries the grid to it: FOLDER/NAME.ply has its positions and FOLDER/NAME.json its
+// figures, with hashes of the input, the options and the positions. The first subject that can be mapped is what the
+// others are aligned with. As many subjects at a time as there are threads; the same bits for any number. A subject
+// that fails does not end the study. Throws Failure "no-valid-result" where less than two are left, and "cancelled".
+StudySubjects map_subjects(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
+                           const correspondence::SubjectOptions& options, const CommonOptions& common,
+                           Session& session);
+
+}  // namespace orbicube::cli

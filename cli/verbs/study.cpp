@@ -1,0 +1,144 @@
+// orbicube study: many subjects on one grid, and what is common to them and differs.
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include "base/counted.h"
+#include "files/surface_file.h"
+#include "report/grid_choice.h"
+#include "report/text.h"
+#include "studies/study_list.h"
+#include "studies/study_outputs.h"
+#include "studies/study_subjects.h"
+#include "verbs/verbs.h"
+
+namespace orbicube::cli {
+namespace {
+
+struct StudyOptions {
+  std::string input, output;
+  std::string grid = "icosphere:5";
+  std::string align = "shape";
+  std::string placement = "turned";
+  std::size_t modes = 5;
+};
+
+Json json_of(const StudyOptions& options) {
+  return {{"output", options.output},
+          {"grid", options.grid},
+          {"align", options.align},
+          {"placement", options.placement},
+          {"modes", options.modes}};
+}
+
+// Makes the folders and returns the first. Throws Failure.
+std::filesystem::path made_folder(const StudyOptions& options) {
+  std::filesystem::path folder = std::filesystem::path(options.output).lexically_normal();
+  if (!folder.has_filename()) folder = folder.parent_path();  // a slash at its end
+  require_folder(folder);
+  std::error_code problem;
+  if (std::filesystem::equivalent(folder, options.input, problem))
+    throw Failure(Exit::wrong_input, options.output, "usage", "this is the folder of the subjects; give another");
+  std::filesystem::create_directories(folder / "subjects", problem);
+  if (problem) {
+    throw Failure(Exit::wrong_input, options.output, "io", "cannot create the folder: " + problem.message());
+  }
+  return folder;
+}
+
+correspondence::Pose pose_of(const std::string& placement) {
+  if (placement == "kept") return correspondence::Pose::kept;
+  return placement == "scaled" ? correspondence::Pose::scaled : correspondence::Pose::turned;
+}
+
+correspondence::Population population_of(StudySubjects& subjects) {
+  const auto rows = static_cast<Eigen::Index>(subjects.mapped.size());
+  const auto columns = static_cast<Eigen::Index>(3 * subjects.mapped[0].positions.size());
+  correspondence::Population shapes(rows, columns);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const base::Array<mesh::Vector3>& positions = subjects.mapped[static_cast<std::size_t>(i)].positions;
+    shapes.row(i) = Eigen::Map<const Eigen::RowVectorXd>(positions.front().data(), columns);
+  }
+  return shapes;
+}
+
+void say_result(const StudyResult& result, const std::string& output, Session& session) {
+  const StudySubjects& subjects = result.subjects;
+  for (const FailedSubject& failed : subjects.failed) {
+    session.note(result.list[failed.number].file.string() + ": left out: " + failed.kind + ": " + failed.text);
+  }
+  const auto reused = session.figures()["reused"].get<std::size_t>();
+  session.say("wrote " + output + ": " + base::counted(subjects.mapped.size(), "subject") + " on " +
+              base::counted(subjects.mapped[0].positions.size(), "vertex", "vertices") +
+              (reused > 0 ? ", " + std::to_string(reused) + " of them taken from the study before" : ""));
+  const Json& fractions = session.figures()["modes"]["fractions"];
+  for (std::size_t k = 0; k < std::min<std::size_t>(3, fractions.size()); ++k)
+    session.say("  mode " + std::to_string(k + 1) + ": " + number(100 * fractions[k].get<double>()) +
+                " % of the variance");
+  for (const std::string& note : session.notes())
+    session.say("  note: " + note);
+}
+
+void study(const StudyOptions& options, const CommonOptions& common, Session& session) {
+  session.options() = json_of(options);
+  const GridChoice grid = grid_choice(options.grid, "--grid");
+  const base::Host& host = session.host();
+  const std::vector<StudySubject> list = read_study_list(options.input, host);
+  const std::filesystem::path folder = made_folder(options);
+  const correspondence::SubjectOptions of_subjects{grid.kind, grid.resolution, options.align != "none",
+                                                   options.align == "shape", session.seed()};
+  StudySubjects subjects =
+      session.portion(0.95, [&] { return map_subjects(list, folder / "subjects", of_subjects, common, session); });
+  correspondence::Population shapes = population_of(subjects);
+  const sphere_map::Grid common_grid = sphere_map::make_grid(grid.kind, grid.resolution, host);
+  StudyResult result{list, subjects, common_grid.triangles, {}, {}, {}, {}};
+  about(options.input, Role::input, [&] {
+    result.pose = correspondence::place_group(pose_of(options.placement), shapes, host);
+    result.distances = correspondence::distances_between(shapes, host);
+    result.modes = correspondence::principal_modes(shapes, host);
+  });
+  write_study(result, folder, options.modes, session);
+  say_result(result, options.output, session);
+}
+
+}  // namespace
+
+void add_study(CLI::App& app, CommonOptions& common) {
+  CLI::App* verb = app.add_subcommand("study", "analyze the shapes of a group of subjects");
+  const auto options = std::make_shared<StudyOptions>();
+  verb->add_option("SUBJECTS", options->input,
+                   "folder of closed genus-0 surfaces, or a table of them: CSV with a column 'file'. Surfaces: " +
+                       surface_endings)
+      ->required()
+      ->type_name("FOLDER|LIST");
+  verb->add_option("-o,--output", options->output, "folder to write to; it is made if it is not there")
+      ->required()
+      ->type_name("FOLDER");
+  verb->add_option("--grid", options->grid,
+                   std::string("vertices of every subject [default: icosphere:5]: ") + grid_help)
+      ->type_name("GRID");
+  verb->add_option("--align", options->align,
+                   "rotation of the spheres: shape, to maximum correlation with the first subject for any poses; "
+                   "rotation, the same for equal poses; none [default: shape]")
+      ->check(unnamed(CLI::IsMember({"shape", "rotation", "none"})))
+      ->type_name("HOW");
+  verb->add_option("--placement", options->placement,
+                   "of the subjects before they are compared: turned, translated and rotated to their mean; scaled, to "
+                   "one size as well; kept [default: turned]")
+      ->check(unnamed(CLI::IsMember({"kept", "turned", "scaled"})))
+      ->type_name("HOW");
+  verb->add_option("--modes", options->modes, "number of principal modes in mean.vtk and modes.glb [default: 5]")
+      ->check(unnamed(CLI::Range(0, 100)))
+      ->type_name("N");
+  add_common_options(*verb, common);
+  verb->footer(
+      "Each subject is repaired, mapped to the sphere and aligned with the first; a subject that fails is reported and "
+      "left\nout. Finished subjects are kept in FOLDER/subjects: a study that was stopped continues with the others.\n"
+      "For example:\n  orbicube study scans -o results");
+  verb->callback([options, &common] {
+    Session session(common, "study", options->input);
+    session.run([&] { study(*options, common, session); });
+  });
+}
+
+}  // namespace orbicube::cli
