@@ -147,4 +147,8 @@ void refuse_unused_tetrahedralize_options(const CLI::App& verb) {
   refuse_without(verb, "--growth", {"--sizing"});
 }
 
+void refuse_unused_study_options(const CLI::App& verb) {
+  refuse_without(verb, "--permutations", {"--groups", "--covariate"});
+}
+
 }  // namespace orbicube::cli

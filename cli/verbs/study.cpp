@@ -7,9 +7,11 @@
 #include "files/surface_file.h"
 #include "report/grid_choice.h"
 #include "report/text.h"
+#include "session/unused_options.h"
 #include "studies/study_list.h"
 #include "studies/study_outputs.h"
 #include "studies/study_subjects.h"
+#include "studies/study_tests.h"
 #include "verbs/verbs.h"
 
 namespace orbicube::cli {
@@ -21,6 +23,7 @@ struct StudyOptions {
   std::string align = "shape";
   std::string placement = "turned";
   std::size_t modes = 5;
+  StudyTests tests;
 };
 
 Json json_of(const StudyOptions& options) {
@@ -28,7 +31,10 @@ Json json_of(const StudyOptions& options) {
           {"grid", options.grid},
           {"align", options.align},
           {"placement", options.placement},
-          {"modes", options.modes}};
+          {"modes", options.modes},
+          {"groups", options.tests.groups},
+          {"covariate", options.tests.covariate},
+          {"permutations", options.tests.permutations}};
 }
 
 // Makes the folders and returns the first. Throws Failure.
@@ -84,6 +90,7 @@ void study(const StudyOptions& options, const CommonOptions& common, Session& se
   const GridChoice grid = grid_choice(options.grid, "--grid");
   const base::Host& host = session.host();
   const std::vector<StudySubject> list = read_study_list(options.input, host);
+  require_columns(options.tests, list, options.input);
   const std::filesystem::path folder = made_folder(options);
   const correspondence::SubjectOptions of_subjects{grid.kind, grid.resolution, options.align != "none",
                                                    options.align == "shape", session.seed()};
@@ -96,6 +103,7 @@ void study(const StudyOptions& options, const CommonOptions& common, Session& se
     result.pose = correspondence::place_group(pose_of(options.placement), shapes, host);
     result.distances = correspondence::distances_between(shapes, host);
     result.modes = correspondence::principal_modes(shapes, host);
+    result.tests = run_tests(options.tests, list, subjects, shapes, session);
   });
   write_study(result, folder, options.modes, session);
   say_result(result, options.output, session);
@@ -130,14 +138,27 @@ void add_study(CLI::App& app, CommonOptions& common) {
   verb->add_option("--modes", options->modes, "number of principal modes in mean.vtk and modes.glb [default: 5]")
       ->check(unnamed(CLI::Range(0, 100)))
       ->type_name("N");
+  verb->add_option("--groups", options->tests.groups,
+                   "column of LIST with two values: test where the groups differ (Hotelling's T2 of each point)")
+      ->type_name("COLUMN");
+  verb->add_option("--covariate", options->tests.covariate,
+                   "column of LIST with numbers: test where the shapes change with it (regression of each point)")
+      ->type_name("COLUMN");
+  verb->add_option("--permutations", options->tests.permutations,
+                   "number of permutations that p-values are from [default: 1000]")
+      ->check(unnamed(CLI::Range(1, 1'000'000)))
+      ->type_name("N");
   add_common_options(*verb, common);
   verb->footer(
       "Each subject is repaired, mapped to the sphere and aligned with the first; a subject that fails is reported and "
       "left\nout. Finished subjects are kept in FOLDER/subjects: a study that was stopped continues with the others.\n"
       "For example:\n  orbicube study scans -o results");
-  verb->callback([options, &common] {
+  verb->callback([options, verb, &common] {
     Session session(common, "study", options->input);
-    session.run([&] { study(*options, common, session); });
+    session.run([&] {
+      refuse_unused_study_options(*verb);
+      study(*options, common, session);
+    });
   });
 }
 

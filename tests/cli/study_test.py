@@ -172,6 +172,49 @@ class Study(InFolder):
         self.assertAlmostEqual(float(distances[0]["c3-2"]), 0, places=9)
         self.assertGreater(float(distances[0]["c,2"]), 0.01)
 
+    def grown(self, count):
+        """Copies of a shape, of which every second has one side pulled out, more with each; the table of them."""
+        positions, triangles = read_obj(self.made("sphere", 300))
+        rows = []
+        for i in range(count):
+            far = 0.3 * (i % 2) + 0.01 * math.sin(5 * i)
+            with open(self.path(f"s{i}.obj"), "w", encoding="ascii") as file:
+                for x, y, z in positions:
+                    away = 1 + far * max(0, z) ** 4 + 0.01 * math.sin(3 * x + i) + 0.2 * max(0, x) ** 2 + 0.1 * y
+                    file.write(f"v {1.5 * x * away} {1.2 * y * away} {z * away}\n")
+                file.writelines("f " + " ".join(str(v + 1) for v in t) + "\n" for t in triangles)
+            rows.append(f"s{i}.obj,{'patient' if i % 2 else 'control'},{10 * far + 50}")
+        table = self.path("list.csv")
+        with open(table, "w", encoding="ascii") as file:
+            file.write("file,diagnosis,age\n" + "\n".join(rows) + "\n")
+        return table
+
+    def test_groups_and_covariates_are_tested(self):
+        table = self.grown(8)
+        report = self.study(table, "--align", "rotation", "--placement", "kept", "--groups", "diagnosis", "--covariate", "age",
+                            "--permutations", 69)
+        groups, age = report["groups"], report["covariate"]
+        self.assertEqual((groups["values"], groups["subjects"]), (["control", "patient"], [4, 4]))
+        data = point_data(self.path("out/mean.vtk"))
+        points = [data[""][i:i + 3] for i in range(0, 3 * POINTS, 3)]
+        top = max(range(POINTS), key=lambda v: points[v][2])
+        for name in ("group", "covariate"):
+            self.assertEqual(len(data[f"{name}_t2"]), POINTS)
+            for p, q, wise in zip(data[f"{name}_p"], data[f"{name}_q"], data[f"{name}_p_family_wise"]):
+                self.assertTrue(1 / 70 - 1e-12 <= p <= q <= 1 and p <= wise <= 1)
+            self.assertLess(data[f"{name}_p"][top], 0.1)
+        difference, slope = data["group_difference"], data["covariate_slope"]
+        self.assertGreater(difference[3 * top + 2], 0.2)  # the patients' minus the controls'
+        self.assertAlmostEqual(slope[3 * top + 2], difference[3 * top + 2] / 3, delta=0.02)
+        self.assertEqual(groups["min_q"], min(data["group_q"]))
+        self.assertEqual(age["min_p_family_wise"], min(data["covariate_p_family_wise"]))
+        out = self.path("out")
+        self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--groups", "none")
+        self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--groups", "age")
+        self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--covariate", "diagnosis")
+        done = run("study", table, "-o", out, "--permutations", 5)
+        self.assertEqual((done.returncode, "--permutations is for --groups and --covariate" in done.stderr), (2, True), done.stderr)
+
     def test_wrong_requests_are_refused(self):
         folder = self.subjects(1)
         self.refused(2, "invalid-argument", folder, "study", folder, "-o", self.path("out"))

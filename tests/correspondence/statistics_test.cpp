@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "base/error.h"
 #include "base/random.h"
 #include "correspondence/statistics/group_test.h"
 #include "correspondence/statistics/principal_modes.h"
@@ -107,4 +108,27 @@ TEST_CASE("false-discovery rates are those of Benjamini and Hochberg") {
   CHECK(q[2] == doctest::Approx(0.16 / 3));
   CHECK(q[0] == doctest::Approx(0.16 / 3));
   CHECK(q[3] == doctest::Approx(0.5));
+}
+
+TEST_CASE("a regression on groups is the test of the groups, and finds a slope that is there") {
+  Population x = noise(12, 3, 11);
+  const std::vector<std::uint8_t> group = halves(12);
+  const std::vector<double> values(group.begin(), group.end());
+  const correspondence::GroupTest by_group = correspondence::compare_groups(x, group, {.permutations = 50}, host_of(1));
+  const correspondence::GroupTest by_value = correspondence::regress(x, values, {.permutations = 50}, host_of(2));
+  CHECK(by_group.p == by_value.p);
+  CHECK(by_group.difference == by_value.difference);
+  std::vector<double> age(12);
+  for (std::size_t i = 0; i < age.size(); ++i) {
+    age[i] = 50 + 3 * static_cast<double>(i * i);
+    x.row(static_cast<Eigen::Index>(i)) *= 1e-9;
+    x(static_cast<Eigen::Index>(i), 4) += 0.25 * age[i];
+  }
+  const correspondence::GroupTest slope = correspondence::regress(x, age, {.permutations = 99}, host_of(2));
+  CHECK(slope.difference[4] == doctest::Approx(0.25));
+  CHECK(std::abs(slope.difference[3]) < 1e-9);
+  CHECK(slope.p[1] == doctest::Approx(0.01));
+  CHECK_THROWS_AS(correspondence::regress(x, std::vector<double>(12, 3.0), {}, host_of(1)), base::Error);
+  age[2] = std::nan("");
+  CHECK_THROWS_AS(correspondence::regress(x, age, {}, host_of(1)), base::Error);
 }

@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -12,15 +14,15 @@ namespace orbicube::correspondence {
 
 namespace {
 
-using Group = std::vector<std::uint8_t>;
+using Values = std::vector<double>;  // one a subject, their sum zero
 
 constexpr std::size_t piece = 16;  // points that a thread takes at once
 constexpr double ridge = 1e-12;    // of the trace, added to covariances: points that move in a plane only
 constexpr double tie = 1 - 1e-10;  // a permutation with the same groups counts, whatever its rounding
 
-// Returns the groups as they are, and then permutations of them.
-std::vector<Group> permuted_groups(std::span<const std::uint8_t> group, const GroupTestOptions& options) {
-  std::vector<Group> result(options.permutations + 1, Group(group.begin(), group.end()));
+// Returns the values as they are, and then permutations of them.
+std::vector<Values> permuted(const Values& values, const GroupTestOptions& options) {
+  std::vector<Values> result(options.permutations + 1, values);
   for (std::size_t k = 1; k < result.size(); ++k) {
     base::Random random(base::Random(options.seed + k).next());
     for (std::size_t i = result[k].size(); i > 1; --i)
@@ -29,21 +31,36 @@ std::vector<Group> permuted_groups(std::span<const std::uint8_t> group, const Gr
   return result;
 }
 
-Eigen::Vector3d mean_difference(const Eigen::Matrix3Xd& centered, const Group& group, double n0, double n1) {
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (std::size_t i = 0; i < group.size(); ++i)
-    if (group[i] != 0) sum += centered.col(static_cast<Eigen::Index>(i));
-  return sum * (1 / n1 + 1 / n0);  // the sum over both groups is zero
+// Returns the values minus their mean, divided by the largest, which goes to `scale`: no square of them overflows.
+Values standardized(std::span<const double> values, double& scale) {
+  const auto [low, high] = std::ranges::minmax(values);
+  scale = high / 2 - low / 2;
+  Values result;
+  double sum = 0;
+  for (const double value : values) {
+    result.push_back((value / 2 - low / 2) / scale);
+    sum += result.back();
+  }
+  for (double& value : result)
+    value -= sum / static_cast<double>(values.size());
+  return result;
 }
 
-// Returns T2 for a difference of means d: the scatter within groups is the whole scatter minus n0 n1 / n d d'.
-double hotelling(const Eigen::Matrix3d& scatter, const Eigen::Vector3d& d, double n0, double n1) {
-  const double weight = n0 * n1 / (n0 + n1);
-  Eigen::Matrix3d within = scatter - weight * d * d.transpose();
+// Returns the slope of the regression on values whose squares have this sum.
+Eigen::Vector3d slope_of(const Eigen::Matrix3Xd& centered, const Values& values, double squares) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    sum += values[i] * centered.col(static_cast<Eigen::Index>(i));
+  return sum / squares;
+}
+
+// Returns T2 for a slope d: the scatter of the residuals is the whole scatter minus squares d d'.
+double hotelling(const Eigen::Matrix3d& scatter, const Eigen::Vector3d& d, double squares, std::size_t subjects) {
+  Eigen::Matrix3d within = scatter - squares * d * d.transpose();
   const double trace = scatter.trace();
   if (!(trace > 0)) return 0;
   within.diagonal().array() += ridge * trace;
-  return std::max(0.0, weight * (n0 + n1 - 2) * d.dot(within.ldlt().solve(d)));
+  return std::max(0.0, squares * static_cast<double>(subjects - 2) * d.dot(within.ldlt().solve(d)));
 }
 
 void require_groups(const Population& subjects, std::span<const std::uint8_t> group) {
@@ -52,8 +69,19 @@ void require_groups(const Population& subjects, std::span<const std::uint8_t> gr
     throw base::Error("invalid-argument", "there is not one group a subject");
   if (ones < 2 || group.size() - ones < 2 || group.size() < 5)
     throw base::Error("invalid-argument", "a test of two groups needs two subjects in each and five together");
+}
+
+void require_values(const Population& subjects, std::span<const double> values) {
+  if (values.size() != static_cast<std::size_t>(subjects.rows()))
+    throw base::Error("invalid-argument", "there is not one value a subject");
+  if (values.size() < 5) throw base::Error("invalid-argument", "a regression needs five subjects or more");
   if (subjects.cols() % 3 != 0) throw base::Error("invalid-argument", "coordinates are not three a point");
   if (!subjects.allFinite()) throw base::Error("invalid-argument", "a coordinate of a subject is not finite");
+  if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
+    throw base::Error("invalid-argument", "a value of a subject is not finite");
+  const auto [low, high] = std::ranges::minmax(values);
+  if (!(high / 2 - low / 2 > std::numeric_limits<double>::min()))
+    throw base::Error("invalid-argument", "all subjects have the same value");
 }
 
 }  // namespace
@@ -74,34 +102,46 @@ std::vector<double> false_discovery_rates(std::span<const double> p) {
 GroupTest compare_groups(const Population& subjects, std::span<const std::uint8_t> group,
                          const GroupTestOptions& options, const base::Host& host) {
   require_groups(subjects, group);
-  const std::vector<Group> groups = permuted_groups(group, options);
+  std::vector<double> values;
+  for (const std::uint8_t g : group)
+    values.push_back(g != 0 ? 1 : 0);
+  return regress(subjects, values, options, host);
+}
+
+GroupTest regress(const Population& subjects, std::span<const double> covariate, const GroupTestOptions& options,
+                  const base::Host& host) {
+  require_values(subjects, covariate);
+  double scale = 1;
+  const Values values = standardized(covariate, scale);
+  double squares = 0;
+  for (const double value : values)
+    squares += value * value;
+  const std::vector<Values> all_values = permuted(values, options);
   const auto points = static_cast<std::size_t>(subjects.cols() / 3);
-  const auto n1 = static_cast<double>(std::ranges::count_if(group, [](std::uint8_t g) { return g != 0; }));
-  const double n0 = static_cast<double>(group.size()) - n1;
   GroupTest result;
   result.t2.resize(points);
   result.p.resize(points);
   result.p_family_wise.resize(points);
   result.difference.resize(3 * points);
   const std::size_t pieces = (points + piece - 1) / piece;
-  std::vector<std::vector<double>> max_of_piece(pieces, std::vector<double>(groups.size(), 0.0));
+  std::vector<std::vector<double>> max_of_piece(pieces, std::vector<double>(all_values.size(), 0.0));
   const auto test_point = [&](std::size_t v, std::vector<double>& max_t2) {
     Eigen::Matrix3Xd x = subjects.middleCols(static_cast<Eigen::Index>(3 * v), 3).transpose();
     x.colwise() -= Eigen::Vector3d(x.rowwise().mean());
     const Eigen::Matrix3d scatter = x * x.transpose();
     std::size_t reached = 0;
-    for (std::size_t k = 0; k < groups.size(); ++k) {
-      const Eigen::Vector3d d = mean_difference(x, groups[k], n0, n1);
-      const double t2 = hotelling(scatter, d, n0, n1);
+    for (std::size_t k = 0; k < all_values.size(); ++k) {
+      const Eigen::Vector3d d = slope_of(x, all_values[k], squares);
+      const double t2 = hotelling(scatter, d, squares, values.size());
       if (k == 0) {
         result.t2[v] = t2;
         for (std::size_t c = 0; c < 3; ++c)
-          result.difference[3 * v + c] = d(static_cast<Eigen::Index>(c));
+          result.difference[3 * v + c] = d(static_cast<Eigen::Index>(c)) / (2 * scale);
       }
       max_t2[k] = std::max(max_t2[k], t2);
       if (t2 >= tie * result.t2[v]) ++reached;
     }
-    result.p[v] = static_cast<double>(reached) / static_cast<double>(groups.size());
+    result.p[v] = static_cast<double>(reached) / static_cast<double>(all_values.size());
   };
   // Blocks of pieces between reports.
   constexpr std::size_t block = 8;
@@ -113,13 +153,13 @@ GroupTest compare_groups(const Population& subjects, std::span<const std::uint8_
         test_point(v, max_of_piece[first + i]);
     });
   }
-  std::vector<double> max_t2(groups.size(), 0.0);
+  std::vector<double> max_t2(all_values.size(), 0.0);
   for (const std::vector<double>& of_piece : max_of_piece)
     for (std::size_t k = 0; k < max_t2.size(); ++k)
       max_t2[k] = std::max(max_t2[k], of_piece[k]);
   for (std::size_t v = 0; v < points; ++v) {
     const auto reached = std::ranges::count_if(max_t2, [&](double t2) { return t2 >= tie * result.t2[v]; });
-    result.p_family_wise[v] = static_cast<double>(reached) / static_cast<double>(groups.size());
+    result.p_family_wise[v] = static_cast<double>(reached) / static_cast<double>(all_values.size());
   }
   result.q = false_discovery_rates(result.p);
   return result;
