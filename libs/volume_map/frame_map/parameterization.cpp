@@ -5,6 +5,7 @@
 #include <cmath>
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 #include "mesh/topology/place_text.h"
@@ -156,8 +157,8 @@ Parameterization parameterize(const FramedSolid& solid, const ParameterizationOp
     if (rounding.violated > 0) {
       const std::size_t b = rounding.first_violated;
       throw base::Error("no-valid-result",
-                        std::to_string(rounding.violated) + " of " + std::to_string(layers.bounds.size()) +
-                            " layers of cells would collapse, the first between " + mesh::place_text(layers.from[b]) +
+                        std::to_string(rounding.violated) + " of " + base::counted(layers.bounds.size(), "layer") +
+                            " of cells would collapse, the first between " + mesh::place_text(layers.from[b]) +
                             " and " + mesh::place_text(layers.to[b]) + "; request more cells");
     }
     integers = rounding.integers;
