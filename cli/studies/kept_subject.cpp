@@ -28,6 +28,11 @@ std::filesystem::path beside(const std::filesystem::path& folder, const std::str
   return folder / (name + ending);
 }
 
+// The file of a subject's surface, which keeps vertices and doubles.
+std::filesystem::path surface_of(const std::filesystem::path& folder, const std::string& name) {
+  return beside(folder, name, mesh::row_of(mesh::Format::ply).ending);
+}
+
 }  // namespace
 
 std::string hash_of_input(const std::filesystem::path& file, const std::string& key, Session& session) {
@@ -57,7 +62,7 @@ std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, c
     const char* text = reinterpret_cast<const char*>(bytes.data());
     Json json = Json::parse(text, text + bytes.size(), nullptr, false);
     if (!json.is_object() || json.value("hash", Json()) != Json(hash) || !json.contains("figures")) return std::nullopt;
-    mesh::Mesh mesh = mesh::read_mesh(beside(folder, name, ".ply"), {}, host);
+    mesh::Mesh mesh = mesh::read_mesh(surface_of(folder, name), {}, host);
     if (json.value("result_hash", Json()) !=
         Json(hash_of(mesh.positions, dumped(json["figures"]) + dumped(json.value("functions", Json())))))
       return std::nullopt;
@@ -75,7 +80,7 @@ void keep_subject(const std::filesystem::path& folder, const std::string& name, 
   mesh::Mesh mesh(session.host().memory);
   mesh.positions = subject.positions;
   mesh.triangles.assign(triangles.begin(), triangles.end());
-  write_output(beside(folder, name, ".ply"), mesh, true, session);
+  write_output(surface_of(folder, name), mesh, true, session);
   const std::filesystem::path json = beside(folder, name, ".json");
   Json content = {{"hash", hash},
                   {"result_hash", hash_of(subject.positions, dumped(subject.figures) + dumped(subject.functions))},
