@@ -17,7 +17,9 @@ constexpr std::array rows = {
     FormatRow{Format::stl, ".stl", "STL", false, false, true, read_stl, write_stl},
     FormatRow{Format::medit, ".mesh", "MEDIT", true, true, false, read_medit, write_medit},
     FormatRow{Format::vtk, ".vtk", "VTK", true, true, true, read_vtk, write_vtk},
+#ifndef __EMSCRIPTEN__  // the module for web pages has to stay small
     FormatRow{Format::msh, ".msh", "MSH", true, true, false, read_msh, write_msh},
+#endif
 };
 
 constexpr bool in_order() {
