@@ -2,11 +2,14 @@
 """Which command computes each equation, algorithm, table and figure of the dissertation, and whether it still does.
 
     dissertation.py --write                  writes docs/dissertation.md from the list below
-    dissertation.py BUILD [--models FOLDER] [--only WORD]
-                                             runs the rows (those whose label has WORD) and prints ok or the difference
+    dissertation.py BUILD [--models FOLDER] [--only WORD] [--timeout SECONDS]
+                                             runs the rows (those whose label has WORD) and prints ok or the difference, and the seconds
+    dissertation.py --check                  fails, with their names, where an equation, algorithm, table or figure of chapters 3 to 6 has
+                                             no row in the page, or where --write would change the page
 
 BUILD has cli/orbicube and the tests. Rows of real models are skipped, saying so, without FOLDER (ORBICUBE_MODELS), whose folders dev and
-tets have them. The figures of our pages that a row names are read from the page. Exits with 1 where a row fails.
+tets have them. The figures of our pages that a row names are read from the page. Exits with 1 where a row fails or --check finds something.
+A label names one thing ("Eq. 3.1", "Figure 5.2a") or several ("Eq. 3.1-3.4").
 """
 
 import argparse
@@ -18,6 +21,7 @@ import shlex
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 PAGE = os.path.join(ROOT, "docs", "dissertation.md")
@@ -348,8 +352,46 @@ def write():
     return "\n".join(lines)
 
 
+# The numbered things of chapters 3 to 6: of which chapter, and up to which number. Algorithms are numbered through.
+NUMBERED = {"Eq.": ((3, 9), (4, 16), (5, 11), (6, 12)),
+            "Table": ((3, 5), (4, 3), (6, 7)),
+            "Figure": ((3, 12), (4, 13), (5, 3), (6, 3))}
+NAMES = [f"{kind} {chapter}.{k}" for kind, chapters in NUMBERED.items() for chapter, last in chapters for k in range(1, last + 1)]
+NAMES += [f"Algorithm {k}" for k in (1, 2, 3)]
+
+
+def names_of(label):
+    """The names in a label, which may have ranges, lists and parts: of "Eq. 3.1-3.3, 3.5" four, of "Figure 5.2a" one."""
+    kind, _, numbers = label.partition(" ")
+    found = set()
+    for part in re.split(r", *| and ", numbers):
+        ends = [re.fullmatch(r"((?:\d+\.)?)(\d+)[a-z]?", end.strip()) for end in re.split("[-\u2013]", part)]
+        if not all(ends):
+            return set()
+        found |= {f"{kind} {ends[0][1]}{k}" for k in range(int(ends[0][2]), int(ends[-1][2]) + 1)}
+    return found
+
+
+def missing_names(page):
+    """The names that no row of the page has, in their order."""
+    labels = [line.split("|")[1].strip() for line in page.splitlines() if line.startswith("|")]
+    named = set().union(*map(names_of, labels))
+    return [name for name in NAMES if name not in named]
+
+
+def check():
+    """What is wrong with the page, or an empty text."""
+    with open(PAGE, encoding="utf-8") as file:
+        page = file.read()
+    missing = missing_names(page)
+    if missing:
+        return "docs/dissertation.md has no row for " + ", ".join(missing)
+    return "" if page == write() else "docs/dissertation.md is not what scripts/dissertation.py --write writes"
+
+
 class Runner:
-    def __init__(self, build, models, folder):
+    def __init__(self, build, models, folder, timeout):
+        self.timeout, self.end = timeout, None
         self.build, self.models, self.folder, self.known = os.path.abspath(build), models, folder, {}
         corners = ((1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1))
         with open(self.at("tetrahedron.obj"), "w", encoding="ascii") as file:
@@ -408,7 +450,8 @@ class Runner:
                 self.input(word)
             words[0] = os.path.join(self.build, "cli", "orbicube")
             words += ["--quiet", "--report", "report.json"]
-        done = subprocess.run(words, cwd=self.folder, check=True, capture_output=True, text=True)
+        done = subprocess.run(words, cwd=self.folder, check=True, capture_output=True, text=True,
+                              timeout=max(1, self.end - time.monotonic()) if self.end else None)
         if re.search(r"test cases: +0 \|", done.stdout):
             raise subprocess.CalledProcessError(1, words, stderr="no test has that name")
         if "--report" not in words:
@@ -421,8 +464,11 @@ class Runner:
             return "skipped: no models"
         if row.commands[0].startswith("BUILD") and not os.path.exists(row.commands[0].split(" -tc=")[0].replace("BUILD", self.build)):
             return "skipped: " + row.commands[0].split(" ")[0] + " is not built"
+        self.end = time.monotonic() + self.timeout if self.timeout else None
         try:
             reports = [self.run(command) for command in row.commands]
+        except subprocess.TimeoutExpired as error:
+            return f"failed: not done after {self.timeout} s: {shlex.join(map(os.path.basename, error.cmd[:2]))}"
         except subprocess.CalledProcessError as error:
             return "failed: " + (error.stderr or error.stdout or "").strip().splitlines()[-1]
         differences = [difference for check in row.checks if (difference := check(reports))]
@@ -434,28 +480,29 @@ def main():
     parser.add_argument("build", nargs="?")
     parser.add_argument("--models", default=os.environ.get("ORBICUBE_MODELS"))
     parser.add_argument("--only", default="")
+    parser.add_argument("--timeout", type=float, help="seconds that a row may take [default: no limit]")
     parser.add_argument("--write", action="store_true")
-    parser.add_argument("--check", action="store_true", help="fail when --write would change the page")
+    parser.add_argument("--check", action="store_true", help="fail when a name has no row, or --write would change the page")
     options = parser.parse_args()
     if options.write:
         with open(PAGE, "w", encoding="utf-8") as file:
             file.write(write())
     if options.check:
-        with open(PAGE, encoding="utf-8") as file:
-            if file.read() != write():
-                sys.exit("docs/dissertation.md is not what scripts/dissertation.py --write writes")
+        sys.exit(check() or 0)
     if not options.build:
         return
     wrong = 0
     with tempfile.TemporaryDirectory() as folder:
-        runner = Runner(options.build, options.models, folder)
+        runner = Runner(options.build, options.models, folder, options.timeout)
         for _, rows in CHAPTERS:
             for row in rows:
                 if options.only in row.label:
+                    start = time.monotonic()
                     outcome = runner.outcome(row)
                     wrong += not outcome.startswith(("ok", "skipped"))
-                    print(f"{row.label:12} {outcome}", flush=True)
+                    print(f"{row.label:12} {time.monotonic() - start:6.1f} s  {outcome}", flush=True)
     sys.exit(1 if wrong else 0)
 
 
-main()
+if __name__ == "__main__":
+    main()
