@@ -1,6 +1,8 @@
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <span>
 #include <string>
@@ -28,6 +30,8 @@ obc_polycube_options default_options() {
   o.construction = OBC_POLYCUBE_AUTO;
   o.corners = defaults.corners;
   o.seed = defaults.seed;
+  o.area_weight = defaults.area_weight;
+  o.rounds = static_cast<std::uint32_t>(defaults.rounds);
   return o;
 }
 
@@ -83,12 +87,18 @@ obc_status obc_polycube_compute(const obc_surface* surface, const obc_polycube_o
     const obc_polycube_options o = capi::copy_versioned(options, default_options());
     capi::require(o.construction >= OBC_POLYCUBE_AUTO && o.construction <= OBC_POLYCUBE_DISSERTATION,
                   "construction is not one of OBC_POLYCUBE_...");
+    capi::require(std::isfinite(o.area_weight) && o.area_weight >= 0, "area_weight must not be negative");
+    constexpr std::uint32_t max_rounds = std::numeric_limits<int>::max();
     auto made = std::make_unique<obc_polycube>(host);
     const base::Host& on = made->adapter.host();
     capi::require_one_surface(s, on);
-    auto [best, method, printed] = polycube::construct(
-        s.positions, s.triangles,
-        {.method = static_cast<polycube::Method>(o.construction), .corners = o.corners, .seed = o.seed}, on);
+    auto [best, method, printed] = polycube::construct(s.positions, s.triangles,
+                                                       {.method = static_cast<polycube::Method>(o.construction),
+                                                        .corners = o.corners,
+                                                        .seed = o.seed,
+                                                        .area_weight = o.area_weight,
+                                                        .rounds = static_cast<int>(std::min(o.rounds, max_rounds))},
+                                                       on);
     made->map = std::move(best.map);
     made->corners = best.certificate.corners;
     made->patches = best.certificate.patch_count;

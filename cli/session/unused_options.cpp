@@ -101,10 +101,15 @@ void refuse_unused_polycube_options(const CLI::App& verb) {
   const std::string optimize = given_or(verb, "--optimize", "");
   refuse_if(verb.count("--measure") > 0 && optimize != "domain" && !common, "--measure",
             "--optimize domain and for several surfaces; corners minimize the mean over the surface");
-  refuse_if(verb.count("--area-weight") > 0 && optimize.empty() && !common, "--area-weight",
-            "--optimize and for several surfaces");
-  refuse_if(verb.count("--corner-search") > 0 && optimize != "corners" && optimize != "all", "--corner-search",
-            "--optimize corners and --optimize all");
+  const bool printed = given_or(verb, "--construct", "auto") == "dissertation";
+  refuse_if(verb.count("--area-weight") > 0 && optimize.empty() && !common && !printed, "--area-weight",
+            "--optimize, for --method dissertation and for several surfaces");
+  const bool corners = optimize == "corners" || optimize == "all";
+  refuse_if(verb.count("--corner-search") > 0 && !corners, "--corner-search", "--optimize corners and --optimize all");
+  refuse_if(verb.count("--rounds") > 0 && (common || !(printed || corners)), "--rounds",
+            "--method dissertation and for --optimize corners and --optimize all of one surface");
+  refuse_if(corners && verb.count("--rounds") > 0 && verb.get_option("--rounds")->as<int>() == 0, "--rounds 0",
+            "--method dissertation; --optimize " + optimize + " has one round or more");
   refuse_if(verb.count("--landmarks") > 0 && !common, "--landmarks", "several surfaces");
   refuse_without(verb, "--cells", {"--quads"});
   refuse_without(verb, "--cell-size", {"--quads"});

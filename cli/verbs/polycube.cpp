@@ -47,14 +47,13 @@ base::Array<double> optimize_domain(const PolycubeOptions& options, polycube::Co
 // The best of our own polycubes, or the one that is given.
 polycube::BestConstruction construct(const PolycubeOptions& options, const mesh::Mesh& input, Session& session) {
   if (options.from.empty()) {
-    return about(options.input, Role::input, [&] {
-      return polycube::construct(input.positions, input.triangles,
-                                 {.method = polycube_method_named(options.construct),
-                                  .corners = options.corners,
-                                  .seed = session.seed(),
-                                  .area_weight = options.area_weight},
-                                 session.host());
-    });
+    polycube::ConstructionOptions construction{.method = polycube_method_named(options.construct),
+                                               .corners = options.corners,
+                                               .seed = session.seed(),
+                                               .area_weight = options.area_weight};
+    if (options.rounds >= 0) construction.rounds = options.rounds;
+    return about(options.input, Role::input,
+                 [&] { return polycube::construct(input.positions, input.triangles, construction, session.host()); });
   }
   const GivenPolycube given = read_given_polycube(options.from, session);
   std::vector<polycube::CornerPlace> places;
@@ -79,6 +78,7 @@ base::Array<double> optimize_corners(const PolycubeOptions& options, polycube::C
   if (options.corner_search == "gradient") corners.method = polycube::CornerMethod::gradient;
   corners.area_weight = options.area_weight;
   corners.domain = options.optimize == "all";
+  if (options.rounds >= 0) corners.rounds = options.rounds;
   polycube::OptimalCorners found = polycube::optimize_corners(made.map, corners, session.host());
   session.figures()["corner_optimization"] = {{"distortion_before", distortion_figures(made.distortion)},
                                               {"energies", found.energies},
@@ -113,6 +113,7 @@ Json json_of(const PolycubeOptions& options) {
   if (!options.optimize.empty() || options.construct == "dissertation")
     result.update(Json{
         {"measure", options.measure}, {"area_weight", options.area_weight}, {"corner_search", options.corner_search}});
+  if (options.rounds >= 0) result["rounds"] = options.rounds;
   return result;
 }
 
@@ -237,6 +238,11 @@ void add_optimization_options(CLI::App& verb, PolycubeOptions& options) {
                   "trust-region]")
       ->check(unnamed(CLI::IsMember({"trust-region", "gradient"})))
       ->type_name("METHOD");
+  verb.add_option("--rounds", options.rounds,
+                  "maximum number of rounds that optimize proportions and corners in turn: of --method dissertation, "
+                  "where 0 is the initial map [default: 10], and of --optimize corners and all [default: 6]")
+      ->check(unnamed(CLI::Range(0, 1'000'000)))
+      ->type_name("N");
   verb.add_option("--measure", options.measure,
                   "distortion that domain minimizes: mean over surface or faces, or harmonic [default: surface]")
       ->check(unnamed(CLI::IsMember({"surface", "faces", "harmonic"})))

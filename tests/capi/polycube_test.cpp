@@ -213,6 +213,20 @@ TEST_CASE("The dissertation's method makes a certified map of a box, and its cor
   CHECK(obc_polycube_corner_points(map, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   check_every_end([&](const obc_host& host) { return obc_polycube_corner_points(map, &host, &count, nullptr); });
   obc_polycube_destroy(map);
+  CHECK(options.area_weight == 1);
+  CHECK(options.rounds == 10);
+  for (const std::uint32_t rounds : {0u, std::numeric_limits<std::uint32_t>::max()}) {
+    options.rounds = rounds;
+    REQUIRE(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_OK);
+    obc_polycube_destroy(map);
+  }
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  for (const double weight : {-1.0, infinity, std::numeric_limits<double>::quiet_NaN()}) {
+    options.area_weight = weight;
+    CHECK(obc_polycube_compute(&surface, &options, nullptr, &map, &error) == OBC_INVALID_ARGUMENT);
+    CHECK(map == nullptr);
+  }
+  options.area_weight = 1;
   std::vector<double> wild = cube;
   wild[4] = std::numeric_limits<double>::quiet_NaN();
   const obc_surface not_finite = {wild.data(), 8, triangles.data(), 12};

@@ -88,6 +88,28 @@ class Polycube(InFolder):
         self.assertLessEqual(figures["corners"], figures["corner_points"])
         energies = figures["dissertation"]["energies"]
         self.assertEqual(energies, sorted(energies, reverse=True))
+        # No round is the map before the first step, and the rounds that it takes to convergence are those of no limit.
+        runs = {}
+        for rounds in (0, 1, figures["dissertation"]["rounds"], 100):
+            done = run("polycube", path, "-o", out, "--method", "dissertation", "--rounds", rounds, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                of = json.load(file)
+            self.assertEqual(of["options"]["rounds"], rounds)
+            runs[rounds] = of["dissertation"]
+            self.assertLessEqual(runs[rounds]["rounds"], rounds)
+            self.assertEqual(runs[rounds]["energies"], energies[:len(runs[rounds]["energies"])])
+        self.assertEqual((len(runs[0]["energies"]), runs[0]["rounds"], runs[0]["converged"]), (1, 0, False))
+        self.assertEqual((runs[100]["energies"], runs[100]["converged"]), (energies, True))
+        # The energy of one map is linear in the weight of areas.
+        first = {1: energies[0]}
+        for weight in (0, 100):
+            done = run("polycube", path, "-o", out, "--method", "dissertation", "--rounds", 0, "--area-weight", weight, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                first[weight] = json.load(file)["dissertation"]["energies"][0]
+        self.assertLess(first[0], first[1])
+        self.assertAlmostEqual(first[100], first[0] + 100 * (first[1] - first[0]), delta=1e-9 * first[100])
         # Of genus 3, with fewer corner points than its octree needs.
         out = self.path("none.obj")
         holes = self.made("three-holes", 1500)
@@ -96,6 +118,22 @@ class Polycube(InFolder):
         self.assertFalse(os.path.exists(out))
         done = run("polycube", path, path, "-o", out, "--method", "dissertation")
         self.assertEqual(done.returncode, 2)
+
+    def test_rounds_without_what_they_limit_are_refused(self):
+        path, out = self.made("sphere", 800), self.path("out.obj")
+        for options in (("--rounds", 3), ("--rounds", 3, "--optimize", "domain"), ("--rounds", 0, "--optimize", "corners"),
+                        ("--rounds", -1, "--method", "dissertation"), (path, "--rounds", 2, "--optimize", "corners")):
+            done = run("polycube", path, "-o", out, *options)
+            self.assertEqual(done.returncode, 2, options)
+            self.assertIn("--rounds", done.stderr)
+            self.assertFalse(os.path.exists(out))
+        report = self.path("report.json")
+        for rounds in (1, 6):
+            done = run("polycube", path, "-o", out, "--corners", 8, "--optimize", "all", "--rounds", rounds, "--report", report)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            with open(report, encoding="utf-8") as file:
+                # In a round two steps at most.
+                self.assertLessEqual(len(json.load(file)["corner_optimization"]["energies"]), 1 + 2 * rounds)
 
     def test_unknown_constructions_are_refused(self):
         path, out = self.made("sphere", 800), self.path("out.obj")

@@ -538,12 +538,14 @@ export const layouts = {
     },
   },
   obc_polycube_options: {
-    size: 24,
+    size: 40,
     fields: {
       struct_size: ['u32', 0],
       construction: ['i32', 4],
       corners: ['u32', 8],
       seed: ['u64', 16],
+      area_weight: ['f64', 24],
+      rounds: ['u32', 32],
     },
   },
   obc_polycube_domain_options: {

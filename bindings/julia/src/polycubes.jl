@@ -43,7 +43,7 @@ domain_options(given) = filled(Raw.obc_polycube_domain_options, Raw.obc_polycube
 
 """
 A polycube of a closed surface of any genus; with `optimize_domain` the one with the best proportions. Options: construction (`:auto`,
-`:labels`, `:voxels`, `:dissertation`), corners, seed.
+`:labels`, `:voxels`, `:dissertation`), corners, seed; of `:dissertation` also area_weight and rounds.
 """
 function polycube(surface::Surface; optimize_domain=true, threads=0, progress=nothing, options...)
     chosen = filled(Raw.obc_polycube_options, Raw.obc_polycube_options_init, values(options), "OBC_POLYCUBE_")

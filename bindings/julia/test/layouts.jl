@@ -31,7 +31,7 @@ const layouts = [
     (Orbicube.Raw.obc_mesh_orient_report, 16, [0, 4, 8]),
     (Orbicube.Raw.obc_mesh_distance, 56, [0, 4, 8, 16, 24, 32, 40, 48]),
     (Orbicube.Raw.obc_polycube_certificate, 288, [0, 4, 8, 16, 24, 32]),
-    (Orbicube.Raw.obc_polycube_options, 24, [0, 4, 8, 16]),
+    (Orbicube.Raw.obc_polycube_options, 40, [0, 4, 8, 16, 24, 32]),
     (Orbicube.Raw.obc_polycube_domain_options, 16, [0, 4, 8]),
     (Orbicube.Raw.obc_polycube_domain_report, 88, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80]),
     (Orbicube.Raw.obc_polycube_corner_options, 24, [0, 4, 8, 16, 20]),

@@ -149,6 +149,12 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                    "maximum number of corner points (obc_polycube_corner_points); 0: 60. Default: 0."),
         Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="seed of random choices of LABELS. Default: 0."),
+        Option("area_weight", "float", 1.0,
+               doc="of DISSERTATION: weight of area relative to angle distortion (alpha of eq. 4.4), nonnegative. Default: "
+                   "1."),
+        Option("rounds", "int", 10, low=0, high=4294967295,
+               doc="of DISSERTATION: maximum number of rounds of Algorithm 3, each of which optimizes proportions and "
+                   "corner points; 0: the initial map. Default: 10."),
     ),
     "obc_polycube_domain_options": (
         Option("measure", "word", "surface-mean", words={"surface-mean": 0, "face-mean": 1, "harmonic": 2},

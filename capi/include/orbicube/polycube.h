@@ -83,6 +83,9 @@ typedef struct obc_polycube_options {
   size_t corners;       /* maximum number of corners, or 8 + 8 g for genus g if that is larger; 0: no limit. Of DISSERTATION the
                            maximum number of corner points (obc_polycube_corner_points); 0: 60. Default: 0. */
   uint64_t seed;        /* seed of random choices of LABELS. Default: 0. */
+  double area_weight;   /* of DISSERTATION: weight of area relative to angle distortion (alpha of eq. 4.4), nonnegative. Default: 1. */
+  uint32_t rounds;      /* of DISSERTATION: maximum number of rounds of Algorithm 3, each of which optimizes proportions and corner
+                           points; 0: the initial map. Default: 10. */
 } obc_polycube_options;
 
 /* Fills options with the defaults. */

@@ -27,6 +27,8 @@ mutable struct obc_polycube_options <: CStruct
     construction::Int32
     corners::Csize_t
     seed::UInt64
+    area_weight::Float64
+    rounds::UInt32
     obc_polycube_options() = zeroed!(new())
 end
 

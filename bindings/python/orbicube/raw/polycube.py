@@ -36,6 +36,8 @@ class obc_polycube_options(_Struct):
         ("construction", _c.c_int32),
         ("corners", _c.c_size_t),
         ("seed", _c.c_uint64),
+        ("area_weight", _c.c_double),
+        ("rounds", _c.c_uint32),
     ]
 
 

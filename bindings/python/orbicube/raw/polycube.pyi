@@ -29,7 +29,9 @@ class obc_polycube_options(Struct):
     construction: int
     corners: int
     seed: int
-    def __init__(self, struct_size: int = ..., construction: int = ..., corners: int = ..., seed: int = ...) -> None: ...
+    area_weight: float
+    rounds: int
+    def __init__(self, struct_size: int = ..., construction: int = ..., corners: int = ..., seed: int = ..., area_weight: float = ..., rounds: int = ...) -> None: ...
 
 class obc_polycube_domain_options(Struct):
     struct_size: int

@@ -81,6 +81,11 @@ pub struct obc_polycube_options {
     pub corners: usize,
     /// seed of random choices of LABELS. Default: 0.
     pub seed: u64,
+    /// of DISSERTATION: weight of area relative to angle distortion (alpha of eq. 4.4), nonnegative. Default: 1.
+    pub area_weight: f64,
+    /// of DISSERTATION: maximum number of rounds of Algorithm 3, each of which optimizes proportions and corner
+    /// points; 0: the initial map. Default: 10.
+    pub rounds: u32,
 }
 
 /// Options of the optimization of proportions. Fill with \_init.
@@ -411,13 +416,15 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 16, "obc_polycube_certificate.corners");
         assert_eq!(unsafe { addr_of!((*start).patches) } as usize - start as usize, 24, "obc_polycube_certificate.patches");
         assert_eq!(unsafe { addr_of!((*start).reason) } as usize - start as usize, 32, "obc_polycube_certificate.reason");
-        assert_eq!((size_of::<obc_polycube_options>(), align_of::<obc_polycube_options>()), (24, 8));
+        assert_eq!((size_of::<obc_polycube_options>(), align_of::<obc_polycube_options>()), (40, 8));
         let it = MaybeUninit::<obc_polycube_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_polycube_options.struct_size");
         assert_eq!(unsafe { addr_of!((*start).construction) } as usize - start as usize, 4, "obc_polycube_options.construction");
         assert_eq!(unsafe { addr_of!((*start).corners) } as usize - start as usize, 8, "obc_polycube_options.corners");
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 16, "obc_polycube_options.seed");
+        assert_eq!(unsafe { addr_of!((*start).area_weight) } as usize - start as usize, 24, "obc_polycube_options.area_weight");
+        assert_eq!(unsafe { addr_of!((*start).rounds) } as usize - start as usize, 32, "obc_polycube_options.rounds");
         assert_eq!((size_of::<obc_polycube_domain_options>(), align_of::<obc_polycube_domain_options>()), (16, 8));
         let it = MaybeUninit::<obc_polycube_domain_options>::uninit();
         let start = it.as_ptr();
