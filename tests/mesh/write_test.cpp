@@ -90,8 +90,9 @@ struct Kind {
   const char* file;
   bool binary;
 };
-constexpr Kind kinds[] = {{"a.obj", false}, {"a.off", false},  {"a.ply", false}, {"b.ply", true}, {"a.stl", false},
-                          {"b.stl", true},  {"a.mesh", false}, {"a.vtk", false}, {"b.vtk", true}, {"a.msh", false}};
+constexpr Kind kinds[] = {{"a.obj", false},   {"a.off", false},  {"a.ply", false}, {"b.ply", true}, {"a.stl", false},
+                          {"b.stl", true},    {"a.mesh", false}, {"a.vtk", false}, {"b.vtk", true}, {"a.msh", false},
+                          {"a.white", false}, {"b.white", true}, {"a.inp", false}};
 
 }  // namespace
 
@@ -99,7 +100,7 @@ TEST_CASE("Surfaces come back bit for bit from every format that keeps vertices"
   const TemporaryFolder folder;
   const Mesh mesh = hard_numbers();
   for (const Kind& kind : kinds) {
-    if (std::string_view(kind.file).ends_with("stl")) continue;
+    if (!holds(kind.file, Holds::polygons)) continue;
     CAPTURE(kind.file);
     write_mesh(folder / kind.file, mesh, {.binary = kind.binary}, base::Host());
     CHECK(same_bits(read_mesh(folder / kind.file, {}, base::Host()), mesh));
@@ -141,6 +142,24 @@ TEST_CASE("STL keeps the triangles, binary ones to float32, text exactly") {
       }
     }
   }
+}
+
+TEST_CASE("FreeSurfer files keep vertices and triangles, binary ones to float32, text exactly") {
+  const TemporaryFolder folder;
+  const Mesh mesh = make_shape("blob", {.triangles = 2000}, base::Host());
+  for (const bool binary : {false, true}) {
+    write_mesh(folder / "lh.pial", mesh, {.binary = binary}, base::Host());
+    const Mesh again = read_mesh(folder / "lh.pial", {}, base::Host());
+    CHECK(again.triangles == mesh.triangles);
+    REQUIRE(again.positions.size() == mesh.positions.size());
+    for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+      for (int axis = 0; axis < 3; ++axis) {
+        const volatile float rounded = static_cast<float>(mesh.positions[v][axis]);
+        REQUIRE(again.positions[v][axis] == (binary ? static_cast<double>(rounded) : mesh.positions[v][axis]));
+      }
+    }
+  }
+  CHECK_THROWS_AS(write_mesh(folder / "b.white", hard_numbers(), {}, base::Host()), base::Error);
 }
 
 TEST_CASE("A mesh that cannot be written leaves the old file and nothing else") {
@@ -189,8 +208,8 @@ TEST_CASE("Reading and writing end when the host wants it, and leave the old fil
 }
 
 TEST_CASE("Each row of the table of formats has its ending, and files that are tried here") {
-  CHECK(format_endings(Holds::cells) == ".mesh .vtk .msh");
-  CHECK(format_endings(Holds::polygons) == ".obj .off .ply .mesh .vtk .msh");
+  CHECK(format_endings(Holds::cells) == ".mesh .vtk .msh .inp");
+  CHECK(format_endings(Holds::polygons) == ".obj .off .ply .mesh .vtk .msh .inp");
   for (const FormatRow& row : formats()) {
     CAPTURE(row.name);
     CHECK(format_of_path("A" + std::string(row.ending)) == row.format);

@@ -62,7 +62,7 @@ Mesh read_mesh(Format format, std::span<const std::byte> bytes, const ReadOption
   }
   note_turned_cells(mesh, r.notes, host);
   const bool asked = options.weld_identical && (has_cells(mesh) || !is_closed(mesh, host));
-  if (!row_of(format).polygons || asked) {
+  if (format == Format::stl || asked) {
     if (r.tags) renumber_as_welded(*r.tags, mesh.positions, host);
     const WeldReport welded = weld(mesh, host);
     r.welded_vertices = welded.vertices;

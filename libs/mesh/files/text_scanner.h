@@ -33,6 +33,11 @@ class TextScanner {
   void next_line();       // to the start of the next one, whatever is left of this one
   // The next word of this line, up to a blank or the end; empty at the end of the line.
   std::string_view word();
+  // All that is left of this line, whatever it is, without its end; not past it.
+  std::string_view line() const {
+    const auto left = static_cast<std::size_t>(end_ - at_);
+    return std::string_view(at_, left).substr(0, std::string_view(at_, left).find(line_end_));
+  }
   // What goes on without a blank where the last number ended.
   std::string_view rest_of_word();
 

@@ -41,6 +41,15 @@ Mesh read_vtk(std::span<const std::byte> bytes, const base::Host& host, ReadRepo
 // data on nodes and elements is passed over.
 Mesh read_msh(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
+// FreeSurfer's surfaces of triangles, binary and text. Coordinates are kept as they are, in the space of surfaces; the
+// offset to the scanner's is noted.
+Mesh read_freesurfer(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// Abaqus and CalculiX .inp: linear solid elements and shells, membranes and plane elements as faces; beams and trusses
+// of two nodes are tags. Elements of other types are refused, as files of several parts and included files are;
+// springs, masses and all else is passed over.
+Mesh read_inp(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
 void write_obj(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 void write_off(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
@@ -54,6 +63,12 @@ void write_medit(OutputFile& file, const Mesh& mesh, const WriteOptions& options
 
 // Version 2.2, ASCII, which all programs that know Gmsh's format read.
 void write_msh(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// With coordinates rounded to float32 in binary files.
+void write_freesurfer(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// Elements S3, C3D4 and C3D8, an element set each.
+void write_inp(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
 // Version 3.0: PolyData for surfaces, an unstructured grid for meshes with cells; binary files are big-endian.
 void write_vtk(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);

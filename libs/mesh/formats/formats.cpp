@@ -19,8 +19,25 @@ constexpr std::array rows = {
     FormatRow{Format::vtk, ".vtk", "VTK", true, true, true, read_vtk, write_vtk},
 #ifndef __EMSCRIPTEN__  // the module for web pages has to stay small
     FormatRow{Format::msh, ".msh", "MSH", true, true, false, read_msh, write_msh},
+    FormatRow{Format::freesurfer, ".white", "FREESURFER", false, false, true, read_freesurfer, write_freesurfer},
+    FormatRow{Format::inp, ".inp", "INP", true, true, false, read_inp, write_inp},
 #endif
 };
+
+#ifndef __EMSCRIPTEN__
+// Further endings: FreeSurfer names surfaces by what they are, as lh.pial and rh.sphere.reg.
+struct OtherEnding {
+  const char* ending;
+  Format format;
+};
+constexpr std::array other_endings = {
+    OtherEnding{".pial", Format::freesurfer},     OtherEnding{".inflated", Format::freesurfer},
+    OtherEnding{".sphere", Format::freesurfer},   OtherEnding{".reg", Format::freesurfer},
+    OtherEnding{".orig", Format::freesurfer},     OtherEnding{".nofix", Format::freesurfer},
+    OtherEnding{".smoothwm", Format::freesurfer}, OtherEnding{".midthickness", Format::freesurfer},
+    OtherEnding{".graymid", Format::freesurfer},
+};
+#endif
 
 constexpr bool in_order() {
   for (std::size_t i = 0; i < rows.size(); ++i)
@@ -55,6 +72,11 @@ std::optional<Format> format_of_path(const std::filesystem::path& path) {
   for (const FormatRow& row : rows) {
     if (ending == row.ending) return row.format;
   }
+#ifndef __EMSCRIPTEN__
+  for (const OtherEnding& other : other_endings) {
+    if (ending == other.ending) return other.format;
+  }
+#endif
   return std::nullopt;
 }
 

@@ -18,10 +18,10 @@ struct ReadReport;    // read.h
 struct WriteOptions;  // write.h
 
 // Numbers the rows of the table, and OBC_MESH_... of the C interface.
-enum class Format { obj, off, ply, stl, medit, vtk, msh };
+enum class Format { obj, off, ply, stl, medit, vtk, msh, freesurfer, inp };
 
-// What a file can hold. Polygons: faces of any number of corners that share vertices, whose coordinates read back
-// bit-identically. Cells: tetrahedra and hexahedra.
+// What a file can hold. Polygons: faces that share vertices, whose coordinates read back bit-identically. Cells:
+// tetrahedra and hexahedra.
 enum class Holds { surfaces, polygons, cells };
 
 struct FormatRow {
@@ -43,7 +43,8 @@ const FormatRow& row_of(Format format);
 // Returns the ending of a path in lower case, as ".ply".
 std::string ending_of(const std::filesystem::path& path);
 
-// Returns the format that a path's ending stands for, in upper or lower case, if any.
+// Returns the format that a path's ending, or another one that its files have, stands for, in upper or lower case, if
+// any.
 std::optional<Format> format_of_path(const std::filesystem::path& path);
 
 bool holds(Format format, Holds what);

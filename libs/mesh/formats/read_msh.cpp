@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "mesh/files/left_out.h"
+#include "mesh/files/node_numbers.h"
 #include "mesh/files/polygons.h"
 #include "mesh/files/polyhedral_cells.h"
 #include "mesh/formats/codecs.h"
@@ -63,8 +64,7 @@ class MshReader {
         mesh_(host.memory),
         faces_(host.memory),
         others_(host.memory),
-        numbers_(host.memory),
-        order_(host.memory) {}
+        numbers_(host.memory) {}
 
   Mesh run() {
     while (true) {
@@ -137,7 +137,7 @@ class MshReader {
     const std::uint64_t count = body_.item_count();
     reserve_nodes(count);
     for (std::uint64_t i = 0; i < count; ++i) {
-      numbers_.push_back(body_.number("the number of a node"));
+      numbers_.add(body_.number("the number of a node"));
       mesh_.positions.push_back(position());
     }
     sort_numbers();
@@ -156,7 +156,7 @@ class MshReader {
       if (dimension < 0 || dimension > 3) body_.fail("parse", "dimension " + std::to_string(dimension));
       if (here > count - mesh_.positions.size()) body_.fail("parse", "more nodes than the section says that it has");
       for (std::uint64_t i = 0; i < here; ++i)
-        numbers_.push_back(body_.number("the number of a node"));
+        numbers_.add(body_.number("the number of a node"));
       for (std::uint64_t i = 0; i < here; ++i) {
         mesh_.positions.push_back(position());
         for (std::int64_t k = 0; parametric != 0 && k < dimension; ++k)
@@ -167,31 +167,15 @@ class MshReader {
     sort_numbers();
   }
 
-  // Nodes may have any numbers; mostly they count from 1.
   void sort_numbers() {
-    bool counted = true;
-    for (std::size_t v = 0; v < numbers_.size(); ++v)
-      counted = counted && numbers_[v] == v + 1;
-    if (counted) return;
-    order_.resize(numbers_.size());
-    for (Index v = 0; v < order_.size(); ++v)
-      order_[v] = v;
-    std::sort(order_.begin(), order_.end(), [&](Index a, Index b) { return numbers_[a] < numbers_[b]; });
-    for (std::size_t i = 1; i < order_.size(); ++i) {
-      if (numbers_[order_[i - 1]] == numbers_[order_[i]])
-        body_.fail("parse", "two nodes have the number " + std::to_string(numbers_[order_[i]]));
-    }
+    if (const auto repeated = numbers_.sort())
+      body_.fail("parse", "two nodes have the number " + std::to_string(*repeated));
   }
 
   Index vertex(std::uint64_t number) {
-    if (order_.empty()) {
-      if (number - 1 < numbers_.size()) return static_cast<Index>(number - 1);
-    } else {
-      const auto at = std::lower_bound(order_.begin(), order_.end(), number,
-                                       [&](Index v, std::uint64_t n) { return numbers_[v] < n; });
-      if (at != order_.end() && numbers_[*at] == number) return *at;
-    }
-    body_.fail("index-range", "there is no node " + std::to_string(number));
+    const auto found = numbers_.vertex(number);
+    if (!found) body_.fail("index-range", "there is no node " + std::to_string(number));
+    return *found;
   }
 
   std::size_t checked_nodes_of(std::int64_t type) {
@@ -300,8 +284,7 @@ class MshReader {
   Mesh mesh_;
   Polygons faces_;
   PolyhedralCells others_;
-  Array<std::uint64_t> numbers_;  // of nodes
-  Array<Index> order_;            // nodes by number, where these do not count from 1
+  NodeNumbers numbers_;
   std::array<std::optional<std::int64_t>, 2> first_region_;
   bool regions_differ_ = false, complete_ = false;
   std::size_t regions_ = 0, data_ = 0;

@@ -7,6 +7,8 @@ const OBC_MESH_STL = Int32(3)
 const OBC_MESH_MEDIT = Int32(4)
 const OBC_MESH_VTK = Int32(5)
 const OBC_MESH_MSH = Int32(6)
+const OBC_MESH_FREESURFER = Int32(7)
+const OBC_MESH_INP = Int32(8)
 
 const OBC_MESH_HOLDS_SURFACES = Int32(1)
 const OBC_MESH_HOLDS_POLYGONS = Int32(2)
