@@ -139,6 +139,23 @@ TEST_CASE("The mesh that keeps more features is taken") {
   CHECK(again.complete());
 }
 
+TEST_CASE("A mesh too far from the surface gives way to one that is not, whatever it keeps") {
+  const mesh::Mesh surface = cube_surface();
+  FeatureKeeper keeper(surface, {.request = by_angles, .cells = 100, .distance = 1}, host);
+  HexResult far(host.memory), near(host.memory);
+  far.mesh = near.mesh = grid_cube(4);
+  far.distance = 3;
+  near.distance = 0.5;
+  for (Vector3& p : near.mesh.positions) {
+    if (p.norm() == 0) p += Vector3(0.1, 0.1, 0.1);
+  }
+  CHECK(keeper.offer(far, true, nullptr));
+  CHECK(keeper.complete());
+  CHECK(keeper.offer(near, false, &far));
+  CHECK_FALSE(keeper.complete());
+  CHECK_FALSE(keeper.offer(far, true, &near));
+}
+
 TEST_CASE("Right angles are those of a polycube") {
   CHECK(has_right_angles(feature_surface(cube_surface(), by_angles, host), host));
   CHECK_FALSE(has_right_angles(feature_surface(octahedron(1), by_angles, host), host));

@@ -20,6 +20,8 @@ bool must_end(const base::Error& error) {
 bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult& y, const FeatureFigures& of_y,
                 double distance) {
   constexpr double same = 1e-3;  // of the length
+  constexpr double refused = 2;  // excess of a result that is an error
+  if (excess(y, distance) > refused && excess(x, distance) < excess(y, distance)) return true;
   const double near = std::max(1.0, excess(y, distance));
   if (excess(x, distance) > near) return false;
   if (of_x.captured > of_y.captured + same) return true;

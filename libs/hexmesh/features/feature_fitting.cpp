@@ -5,15 +5,14 @@
 #include <cmath>
 
 #include "base/threads/pieces.h"
+#include "hexmesh/certificate/hex_tetrahedra.h"
 #include "untangle/tetrahedra/newton.h"
 
 namespace orbicube::hexmesh {
 namespace {
 
-using untangle::Element;
-
 constexpr double volume_weight = 0.2;  // of the energy
-constexpr double loose = 0.05;         // pull to the start while the mesh is untangled
+constexpr double loose = 2;            // pull to the start while the mesh is untangled; less lets holes close
 constexpr int untangling_steps = 100;
 constexpr double first_weight = 0.3, weight_growth = 1e4;  // of targets, over the rounds
 constexpr double last_progress = 1.25;                     // the growth at the end, as a power
@@ -21,37 +20,36 @@ constexpr double full_progress = 0.625;                    // of the rounds, at 
 constexpr double slide_from = 0.36;                        // of the rounds: vertices of arcs slide from then on
 constexpr double target_jacobian = 0.5;                    // below which the weight of a corner rises
 
-// The corner tetrahedra of all hexahedra, each a cube's.
-Array<Element> corner_elements(const HexMesh& mesh, const base::Host& host) {
+// The corner tetrahedra of all hexahedra, each that of a box.
+Array<Element> corner_elements(const HexMesh& mesh, const BoxSizes& sizes, const base::Host& host) {
   Array<Element> elements(8 * mesh.hexahedra.size(), host.memory);
   for (std::size_t i = 0; i < elements.size(); ++i) {
-    const Hexahedron& h = mesh.hexahedra[i / 8];
-    const auto& n = corner_neighbors[i % 8];
-    elements[i] = {.corner = {h[i % 8], h[n[0]], h[n[1]], h[n[2]]},
-                   .gradient = {-Vector3::Ones(), Vector3::UnitX(), Vector3::UnitY(), Vector3::UnitZ()},
-                   .weight = 1};
+    const HexTetrahedron& corner = hex_tetrahedra[i % 8];
+    elements[i] = corner.element(mesh.hexahedra[i / 8]);
+    corner.set_shape(sizes[i / 8], elements[i]);
   }
   return elements;
 }
 
 // Weighs corners by how far they are from good.
-void set_weights(const HexMesh& mesh, double most, Array<Element>& elements) {
+void set_weights(const HexMesh& mesh, double most, Array<Element>& corners) {
   constexpr double least = 0.02;
-  for (std::size_t i = 0; i < elements.size(); ++i) {
-    const double s = corner_jacobian(mesh.positions, mesh.hexahedra[i / 8], i % 8);
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const double s = hex_tetrahedra[i % 8].scaled_jacobian(mesh.positions, corners[i]);
     const double part = target_jacobian / std::max(s, least);
-    elements[i].weight = std::clamp(part * part, 1.0, most);
+    corners[i].weight = std::clamp(part * part, 1.0, most);
   }
 }
 
 class Fit {
  public:
-  Fit(HexMesh& mesh, FeatureTargets& targets, const FeatureFitOptions& options, const base::Host& host)
+  Fit(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, const FeatureFitOptions& options,
+      const base::Host& host)
       : mesh_(mesh),
         targets_(targets),
         options_(options),
         host_(host),
-        elements_(corner_elements(mesh, host)),
+        elements_(corner_elements(mesh, sizes, host)),
         variables_(mesh.positions, {}, {}, host.memory),
         pulls_(mesh.positions.size(), Pull(), host.memory),
         energy_(elements_, variables_, volume_weight, host),
@@ -72,7 +70,7 @@ class Fit {
   bool untangle() {
     for (const Index v : targets_.vertices()) {
       pulls_[v].at = mesh_.positions[v];
-      pulls_[v].to_point(mesh_.positions[v], loose);
+      pulls_[v].to_point(mesh_.positions[v], loose * targets_.weight(v));
     }
     newton_.restart(variables_.start());
     const bool done = newton_.untangle(untangling_steps, 1, 1, {.products = 80});
@@ -84,6 +82,7 @@ class Fit {
     const double growth = std::min(last_progress, progress / full_progress);
     const double weight = first_weight * std::pow(weight_growth, growth);
     const bool slide = progress >= slide_from;
+    targets_.look_from(mesh_.positions);
     if (slide) targets_.slide(mesh_.positions);
     set_weights(mesh_, progress < 0.14 ? 1 : growth < 1 ? 20 : 60, elements_);
     set_pulls(weight, slide);
@@ -121,16 +120,18 @@ class Fit {
 
 }  // namespace
 
-bool fit_to_features(HexMesh& mesh, FeatureTargets& targets, const FeatureFitOptions& options, const base::Host& host) {
-  return Fit(mesh, targets, options, host).run();
+bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, const FeatureFitOptions& options,
+                     const base::Host& host) {
+  return Fit(mesh, sizes, targets, options, host).run();
 }
 
-void smooth_inside(HexMesh& mesh, const FeatureTargets& targets, int steps, const base::Host& host) {
+void smooth_inside(HexMesh& mesh, const BoxSizes& sizes, const FeatureTargets& targets, int steps,
+                   const base::Host& host) {
   constexpr double most = 200;
   Array<std::uint8_t> fixed(3 * mesh.positions.size(), 0, host.memory);
   for (const Index v : targets.vertices())
     std::fill_n(fixed.begin() + static_cast<std::ptrdiff_t>(3 * std::size_t{v}), 3, std::uint8_t{1});
-  Array<Element> elements = corner_elements(mesh, host);
+  Array<Element> elements = corner_elements(mesh, sizes, host);
   const untangle::Variables variables(mesh.positions, fixed, {}, host.memory);
   untangle::FoldoverEnergy energy(elements, variables, volume_weight, host);
   untangle::Newton newton(energy, variables.start(), host);

@@ -9,16 +9,22 @@ struct FeatureFitOptions {
   int rounds = 40;  // of raising weights
 };
 
+// The lengths that each hexahedron should have along its three directions.
+using BoxSizes = Array<std::array<double, 3>>;
+
 // Untangles the mesh with a loose boundary, then raises the weights of the targets with positive determinants as a
 // barrier. Returns whether no corner is inverted.
-bool fit_to_features(HexMesh& mesh, FeatureTargets& targets, const FeatureFitOptions& options, const base::Host& host);
+bool fit_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, const FeatureFitOptions& options,
+                     const base::Host& host);
 
 // Moves the boundary onto its targets as far as the hexahedra allow, improves the inside with the boundary fixed, and
 // tries other positions for the vertices of the worst hexahedra, those of the boundary on their arc or patch, until the
 // worst scaled Jacobian is near to its bound. Returns the number of boundary vertices off their targets.
-std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host);
+std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
+                             const base::Host& host);
 
 // Improves the positions inside with the boundary fixed.
-void smooth_inside(HexMesh& mesh, const FeatureTargets& targets, int steps, const base::Host& host);
+void smooth_inside(HexMesh& mesh, const BoxSizes& sizes, const FeatureTargets& targets, int steps,
+                   const base::Host& host);
 
 }  // namespace orbicube::hexmesh

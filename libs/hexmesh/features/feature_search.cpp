@@ -27,14 +27,19 @@ class Search {
   // Returns how many vertices are not on their targets.
   std::size_t snap() {
     constexpr int rounds = 4;
-    constexpr double kept = 0.8, floor = 0.06, positive = 1e-3;  // of the worst hexahedron around a vertex
+    // Of the worst hexahedron around a vertex. A mesh without a part of an arc has lost it; one that is a little off a
+    // patch has not.
+    constexpr double kept = 0.8, of_arcs = 0.06, of_patches = 0.2, positive = 1e-3;
     std::size_t left = 0;
     for (int round = 0; round < rounds; ++round) {
       left = 0;
+      targets_.look_from(mesh_.positions);
       for (const Index v : targets_.vertices()) {
         if (v % 64 == 0) host_.report("snap", 0, 0);
         const Vector3 from = mesh_.positions[v], to = targets_.target(v, from).position;
         if (from == to) continue;
+        const double floor =
+            targets_.kind(v) == FeatureTargets::Kind::patch ? std::min(of_patches, kept * bound_) : of_arcs;
         const double least = std::max(positive, std::min(kept * worst_around(v), floor));
         bool done = false;
         for (const double part : {1.0, 0.5, 0.25}) {
@@ -53,19 +58,19 @@ class Search {
   }
 
   void improve() {
-    double radius = first_radius, last = worst_of_all();
+    constexpr double progress = 0.01;  // of what is missing
+    double radius = first_radius, last = missing_quality();
     int idle = 0;
-    for (int pass = 0; pass < max_passes && idle < idle_passes && last < bound_ - below_bound; ++pass) {
+    for (int pass = 0; pass < max_passes && idle < idle_passes && last > 0; ++pass) {
       const Array<Index> vertices = worst_vertices();
       if (vertices.empty()) return;
-      bool moved = false;
       for (const Index v : vertices) {
         host_.report("search", static_cast<std::uint64_t>(pass), max_passes);
-        moved = try_positions(v, radius) || moved;
+        try_positions(v, radius);
       }
-      const double now = worst_of_all();
-      idle = now > last + 1e-3 ? 0 : idle + 1;
-      last = std::max(last, now);
+      const double now = missing_quality();
+      idle = now < last * (1 - progress) ? 0 : idle + 1;
+      last = std::min(last, now);
       radius = std::max(last_radius, radius * shrinking);
     }
   }
@@ -74,9 +79,11 @@ class Search {
   // The scaled Jacobian, or less where the determinant may not be positive between good corners.
   double quality(Index hexahedron) const {
     constexpr double certain = 0.5;
+    constexpr double flat = 0.01, worse = 1;  // than whatever is between good corners
     const Hexahedron& h = mesh_.hexahedra[hexahedron];
     const double corners = scaled_jacobian(mesh_.positions, h);
-    if (corners > certain || corners <= 0) return corners;
+    if (corners > certain) return corners;
+    if (corners <= flat) return corners - worse;
     return std::min(corners, 3 * min_bezier(mesh_.positions, h));
   }
   double worst_around(Index v) const {
@@ -91,11 +98,23 @@ class Search {
       sum += scaled_jacobian(mesh_.positions, mesh_.hexahedra[h]);
     return sum;
   }
-  double worst_of_all() const {
-    double worst = 1;
+  double enough() const { return std::min(good, bound_ - below_bound); }
+  // What a hexahedron is below that. The fourth power: the worst count most, but none becomes bad for another.
+  double missing_quality(Index hexahedron) const {
+    const double missing = std::max(0.0, enough() - quality(hexahedron)), square = missing * missing;
+    return square * square;
+  }
+  double missing_quality() const {
+    double sum = 0;
     for (Index i = 0; i < mesh_.hexahedra.size(); ++i)
-      worst = std::min(worst, quality(i));
-    return worst;
+      sum += missing_quality(i);
+    return sum;
+  }
+  double missing_around(Index v) const {
+    double sum = 0;
+    for (const Index h : around_[v])
+      sum += missing_quality(h);
+    return sum;
   }
 
   Array<Index> worst_vertices() const {
@@ -126,14 +145,13 @@ class Search {
 
   double uniform() { return 2 * base::unit_interval(random_()) - 1; }
 
-  bool try_positions(Index v, double radius) {
+  void try_positions(Index v, double radius) {
     constexpr int trials = 8, far_trials = 4;
-    constexpr double near = 0.2;  // of the radius
-    constexpr double gain = 1e-6, same = 1e-9, mean_counts = 0.3;
+    constexpr double near = 0.2;       // of the radius
+    constexpr double gain = 1e-3;      // of what is missing
     constexpr double on_patch = 0.02;  // cells
-    double worst = worst_around(v), sum = sum_around(v);
+    double missing = missing_around(v), sum = sum_around(v);
     const double edge = shortest_edge(v);
-    bool moved = false;
     for (int trial = 0; trial < trials; ++trial) {
       const Vector3 from = mesh_.positions[v];
       const double place = targets_.place(v), reach = radius * edge * (trial < far_trials ? 1 : near);
@@ -147,18 +165,16 @@ class Search {
         to = targets_.target(v, to).position;
       }
       mesh_.positions[v] = to;
-      const double now = worst_around(v);
-      const bool better = now > worst + gain || (now > worst - same && now > mean_counts && sum_around(v) > sum);
+      const double now = missing_around(v);
+      const bool better = now < (1 - gain) * missing || (now <= missing && missing == 0 && sum_around(v) > sum);
       if (better) {
-        worst = now;
+        missing = now;
         sum = sum_around(v);
-        moved = true;
       } else {
         mesh_.positions[v] = from;
         targets_.set_place(v, place);
       }
     }
-    return moved;
   }
 
   HexMesh& mesh_;
@@ -171,11 +187,12 @@ class Search {
 
 }  // namespace
 
-std::size_t snap_to_features(HexMesh& mesh, FeatureTargets& targets, double bound, const base::Host& host) {
+std::size_t snap_to_features(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, double bound,
+                             const base::Host& host) {
   constexpr int steps = 10;
   Search search(mesh, targets, bound, host);
   search.snap();
-  smooth_inside(mesh, targets, steps, host);
+  smooth_inside(mesh, sizes, targets, steps, host);
   const std::size_t left = search.snap();
   search.improve();
   return left == 0 ? 0 : search.snap();

@@ -29,7 +29,12 @@ FeatureShape::FeatureShape(std::span<const Vector3> positions, std::span<const m
               visit(graph.patches[t], triangles[t]);
           },
           host.memory),
+      normals_(host.memory),
       whole_(positions_, triangles, host) {
+  for (const mesh::Triangle& t : by_patch_.all()) {
+    const Vector3 normal = (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
+    normals_.push_back(normal.stableNormalized());
+  }
   for (const mesh::FeatureArc& arc : graph.arcs) {
     for (Index i = arc.begin + 1; i < arc.end; ++i)
       along_[i] = along_[i - 1] + (positions_[graph.vertices[i]] - positions_[graph.vertices[i - 1]]).norm();
@@ -52,14 +57,23 @@ bool FeatureShape::joined(Index corner, Index other, double length_limit) const 
   });
 }
 
-Vector3 FeatureShape::point(Index arc, double s) const {
+std::pair<Index, double> FeatureShape::segment(Index arc, double s) const {
   const mesh::FeatureArc& a = graph_.arcs[arc];
   Index i = a.begin + 1;
   while (i + 1 < a.end && along_[i] < s)
     ++i;
   const double span = along_[i] - along_[i - 1];
-  const double t = span > 0 ? std::clamp((s - along_[i - 1]) / span, 0.0, 1.0) : 0;
+  return {i, span > 0 ? std::clamp((s - along_[i - 1]) / span, 0.0, 1.0) : 0};
+}
+
+Vector3 FeatureShape::point(Index arc, double s) const {
+  const auto [i, t] = segment(arc, s);
   return (1 - t) * positions_[graph_.vertices[i - 1]] + t * positions_[graph_.vertices[i]];
+}
+
+double FeatureShape::same_place(Index arc, double s, const FeatureShape& other) const {
+  const auto [i, t] = segment(arc, s);
+  return (1 - t) * other.along_[i - 1] + t * other.along_[i];
 }
 
 Vector3 FeatureShape::direction(const mesh::FeatureEnd& end) const {
@@ -95,11 +109,12 @@ FeatureShape::ArcPoint FeatureShape::nearest_on_arc(Index arc, const Vector3& p)
   return nearest_on_arc(arc, p, 0, std::numeric_limits<double>::infinity());
 }
 
-FeatureShape::PatchPoint FeatureShape::nearest_on_patch(Index patch, const Vector3& p) const {
-  const mesh::SurfacePoint found = searches_[patch].nearest(p);
-  const mesh::Triangle& t = by_patch_[patch][found.triangle];
-  const Vector3 normal = (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
-  return {found.position, normal.stableNormalized()};
+FeatureShape::PatchPoint FeatureShape::nearest_on_patch(Index patch, const Vector3& p, const Vector3& facing) const {
+  constexpr double against = -0.2;  // cosine
+  const Vector3* const normals = normals_.data() + by_patch_.begin(patch);
+  mesh::SurfacePoint found = searches_[patch].nearest_of(p, [&](Index t) { return normals[t].dot(facing) > against; });
+  if (found.triangle == no_index) found = searches_[patch].nearest(p);
+  return {found.position, normals[found.triangle]};
 }
 
 Index FeatureShape::nearest_patch(const Vector3& p) const {

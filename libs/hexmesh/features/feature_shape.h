@@ -3,6 +3,7 @@
 #pragma once
 
 #include <deque>
+#include <utility>
 
 #include "hexmesh/types.h"
 #include "mesh/features/feature_graph.h"
@@ -33,6 +34,8 @@ class FeatureShape {
 
   // The point at an arc length.
   Vector3 point(Index arc, double s) const;
+  // The arc length in another shape of the same graph, which its vertices divide alike.
+  double same_place(Index arc, double s, const FeatureShape& other) const;
   // The unit direction in which an arc leaves its corner.
   Vector3 direction(const mesh::FeatureEnd& end) const;
 
@@ -48,16 +51,21 @@ class FeatureShape {
   struct PatchPoint {
     Vector3 position, normal;
   };
-  PatchPoint nearest_on_patch(Index patch, const Vector3& p) const;
+  // Of triangles that do not look against `facing`, if there are some: not the other side of a hole or a thin wall.
+  PatchPoint nearest_on_patch(Index patch, const Vector3& p, const Vector3& facing) const;
   // The patch of the nearest triangle.
   Index nearest_patch(const Vector3& p) const;
 
  private:
+  // The segment of an arc at an arc length, by its second vertex in graph_.vertices, and where there.
+  std::pair<Index, double> segment(Index arc, double s) const;
+
   const mesh::FeatureGraph& graph_;
   std::span<const mesh::Triangle> triangles_;
   Array<Vector3> positions_;
   Array<double> along_;  // arc length of each of graph_.vertices
   base::Groups<mesh::Triangle, Index> by_patch_;
+  Array<Vector3> normals_;                    // of by_patch_.all()
   std::deque<mesh::SurfaceSearch> searches_;  // of each patch
   mesh::SurfaceSearch whole_;
 };

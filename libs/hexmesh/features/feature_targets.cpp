@@ -7,13 +7,17 @@ namespace orbicube::hexmesh {
 
 FeatureTargets::FeatureTargets(const HexMesh& mesh, const FeatureShape& shape, const Embedding& embedding,
                                const base::Host& host)
-    : shape_(shape),
+    : shape_(&shape),
       kind_(mesh.positions.size(), Kind::inside, host.memory),
       owner_(mesh.positions.size(), no_index, host.memory),
       along_(mesh.positions.size(), 0, host.memory),
       s_(mesh.positions.size(), 0, host.memory),
       paths_(embedding.paths, host.memory),
-      vertices_(host.memory) {
+      spacing_(host.memory),
+      pull_(mesh.positions.size(), 1, host.memory),
+      vertices_(host.memory),
+      quads_(mesh.quads),
+      facing_(mesh.positions.size(), Vector3::Zero(), host.memory) {
   for (std::size_t q = 0; q < mesh.quads.size(); ++q) {
     for (const Index v : mesh.quads[q]) {
       kind_[v] = Kind::patch;
@@ -23,6 +27,7 @@ FeatureTargets::FeatureTargets(const HexMesh& mesh, const FeatureShape& shape, c
   Array<double> lengths(host.memory);
   for (Index a = 0; a < paths_.size(); ++a) {
     const auto& path = paths_[a];
+    spacing_.emplace_back(path.size() - 1, shape.length(a) / static_cast<double>(path.size() - 1));
     lengths.assign(path.size(), 0);
     for (std::size_t i = 1; i < path.size(); ++i)
       lengths[i] = lengths[i - 1] + (mesh.positions[path[i]] - mesh.positions[path[i - 1]]).norm();
@@ -40,18 +45,50 @@ FeatureTargets::FeatureTargets(const HexMesh& mesh, const FeatureShape& shape, c
   for (Index v = 0; v < kind_.size(); ++v) {
     if (kind_[v] != Kind::inside) vertices_.push_back(v);
   }
+  look_from(mesh.positions);
+}
+
+void FeatureTargets::look_from(std::span<const Vector3> positions) {
+  for (const Index v : vertices_)
+    facing_[v].setZero();
+  for (const Quad& q : quads_) {
+    const Vector3 normal = (positions[q[2]] - positions[q[0]]).cross(positions[q[3]] - positions[q[1]]);
+    for (const Index v : q)
+      facing_[v] += normal;
+  }
+  for (const Index v : vertices_)
+    facing_[v].stableNormalize();
+}
+
+void FeatureTargets::move_to(const FeatureShape& shape, std::span<const double> size) {
+  for (Index a = 0; a < paths_.size(); ++a) {
+    double before = 0, whole = 0;
+    for (double& spacing : spacing_[a]) {
+      whole += spacing;
+      const double at = shape_->same_place(a, whole, shape);
+      spacing = at - before;
+      before = at;
+    }
+    for (std::size_t i = 1; i + 1 < paths_[a].size(); ++i) {
+      double& s = s_[paths_[a][i]];
+      s = shape_->same_place(a, s, shape);
+    }
+  }
+  for (const Index v : vertices_)
+    pull_[v] = 1 / (size[v] * size[v]);
+  shape_ = &shape;
 }
 
 FeatureTargets::Target FeatureTargets::target(Index v, const Vector3& p) const {
   switch (kind_[v]) {
     case Kind::corner:
-      return {shape_.corner(owner_[v]), Vector3::Zero()};
+      return {shape_->corner(owner_[v]), Vector3::Zero()};
     case Kind::arc: {
-      const Vector3 at = shape_.point(owner_[v], s_[v]);
-      return {at, shape_.nearest_on_arc(owner_[v], at, s_[v], 0).tangent};
+      const Vector3 at = shape_->point(owner_[v], s_[v]);
+      return {at, shape_->nearest_on_arc(owner_[v], at, s_[v], 0).tangent};
     }
     case Kind::patch: {
-      const FeatureShape::PatchPoint point = shape_.nearest_on_patch(owner_[v], p);
+      const FeatureShape::PatchPoint point = shape_->nearest_on_patch(owner_[v], p, facing_[v]);
       return {point.position, point.normal};
     }
     case Kind::inside:
@@ -61,6 +98,10 @@ FeatureTargets::Target FeatureTargets::target(Index v, const Vector3& p) const {
 }
 
 void FeatureTargets::pull(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const {
+  pull_to_target(v, p, weight * pull_[v], slide, pull);
+}
+
+void FeatureTargets::pull_to_target(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const {
   constexpr double corner = 4, arc = 2, sideways = 0.5;  // times the weight
   constexpr double along = 0.03;                         // times the weight, of an arc, where vertices slide
   constexpr double stay = 0.02;
@@ -83,7 +124,7 @@ void FeatureTargets::pull(Index v, const Vector3& p, double weight, bool slide, 
       Vector3 rest = to.position - p;
       rest -= to.direction * to.direction.dot(rest);
       if (rest.norm() > near) pull.to_plane(rest.normalized(), to.position, sideways * weight);
-      pull.to_point(p, stay);
+      pull.to_point(p, stay * pull_[v]);
       return;
     }
     case Kind::inside:
@@ -92,33 +133,34 @@ void FeatureTargets::pull(Index v, const Vector3& p, double weight, bool slide, 
 }
 
 void FeatureTargets::slide(std::span<const Vector3> positions) {
-  constexpr double min_spacing = 0.35;  // of the mean
-  constexpr double window = 2;          // times the mean spacing: free nearest points lock
+  constexpr double min_spacing = 0.35;
+  constexpr double window = 2;  // times the spacing: free nearest points lock
   for (Index a = 0; a < paths_.size(); ++a) {
     const auto& path = paths_[a];
     const std::size_t n = path.size() - 1;
-    const double whole = shape_.length(a), mean = whole / static_cast<double>(n), least = min_spacing * mean;
+    const Array<double>& spacing = spacing_[a];
     for (std::size_t i = 1; i < n; ++i) {
-      const double before = s_[path[i]];
-      s_[path[i]] = shape_.nearest_on_arc(a, positions[path[i]], before, window * mean).s;
+      const double before = s_[path[i]], reach = window * std::max(spacing[i - 1], spacing[i]);
+      s_[path[i]] = shape_->nearest_on_arc(a, positions[path[i]], before, reach).s;
     }
     double low = 0;
     for (std::size_t i = 1; i < n; ++i)
-      low = s_[path[i]] = std::max(s_[path[i]], low + least);
-    double high = whole;
+      low = s_[path[i]] = std::max(s_[path[i]], low + min_spacing * spacing[i - 1]);
+    double high = shape_->length(a);
     for (std::size_t i = n; i-- > 1;)
-      high = s_[path[i]] = std::min(s_[path[i]], high - least);
+      high = s_[path[i]] = std::min(s_[path[i]], high - min_spacing * spacing[i]);
   }
 }
 
 double FeatureTargets::clamped_place(Index v, double s) const {
-  constexpr double min_spacing = 0.3, max_spacing = 1.7;  // of the mean
+  constexpr double min_spacing = 0.3, max_spacing = 1.7;
   const auto& path = paths_[owner_[v]];
   const std::size_t i = along_[v], n = path.size() - 1;
-  const double whole = shape_.length(owner_[v]), mean = whole / static_cast<double>(n);
-  const double before = i > 1 ? s_[path[i - 1]] : 0, after = i + 1 < n ? s_[path[i + 1]] : whole;
-  const double low = std::max(before + min_spacing * mean, after - max_spacing * mean);
-  const double high = std::min(after - min_spacing * mean, before + max_spacing * mean);
+  const double to_here = spacing_[owner_[v]][i - 1], from_here = spacing_[owner_[v]][i];
+  const double before = i > 1 ? s_[path[i - 1]] : 0;
+  const double after = i + 1 < n ? s_[path[i + 1]] : shape_->length(owner_[v]);
+  const double low = std::max(before + min_spacing * to_here, after - max_spacing * from_here);
+  const double high = std::min(after - min_spacing * from_here, before + max_spacing * to_here);
   return low < high ? std::clamp(s, low, high) : s_[v];
 }
 

@@ -13,11 +13,18 @@ class FeatureTargets {
  public:
   enum class Kind : std::uint8_t { inside, corner, arc, patch };
 
-  // Of a mesh whose quads have their patches. Keeps a reference to the shape.
+  // Of a mesh whose quads have their patches. Keeps references to the shape and to the quads.
   FeatureTargets(const HexMesh& mesh, const FeatureShape& shape, const Embedding& embedding, const base::Host& host);
+
+  // The same targets on another shape of the same graph, to which a reference is kept from now on. Pulls of a vertex
+  // are divided by the square of `size`, that of the cells there.
+  void move_to(const FeatureShape& shape, std::span<const double> size);
 
   Kind kind(Index v) const { return kind_[v]; }
   std::span<const Index> vertices() const { return vertices_; }  // of the boundary, ascending
+
+  // Takes the directions in which the boundary looks at its vertices, before the targets of these.
+  void look_from(std::span<const Vector3> positions);
 
   // The target of a vertex that is at p now, and the normal of the patch or the tangent of the arc there.
   struct Target {
@@ -25,6 +32,8 @@ class FeatureTargets {
   };
   Target target(Index v, const Vector3& p) const;
 
+  // What pulls of a vertex are multiplied by.
+  double weight(Index v) const { return pull_[v]; }
   // Adds what pulls a vertex at p to its target. Vertices of arcs slide along them where `slide` is true.
   void pull(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const;
 
@@ -37,16 +46,22 @@ class FeatureTargets {
   void set_place(Index v, double s) { s_[v] = s; }
   double clamped_place(Index v, double s) const;
   Index arc(Index v) const { return owner_[v]; }
-  const FeatureShape& shape() const { return shape_; }
+  const FeatureShape& shape() const { return *shape_; }
 
  private:
-  const FeatureShape& shape_;
+  void pull_to_target(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const;
+
+  const FeatureShape* shape_;
   Array<Kind> kind_;
   Array<Index> owner_;  // corner, arc or patch
   Array<Index> along_;  // place of a vertex in the path of its arc
   Array<double> s_;     // arc length
   Array<Array<Index>> paths_;
+  Array<Array<double>> spacing_;  // of each arc, the lengths that its edges have where all are alike in cells
+  Array<double> pull_;            // of each vertex: times the weight
   Array<Index> vertices_;
+  std::span<const Quad> quads_;
+  Array<Vector3> facing_;  // of each vertex, a unit vector
 };
 
 }  // namespace orbicube::hexmesh

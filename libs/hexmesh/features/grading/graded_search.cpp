@@ -1,0 +1,102 @@
+#include "hexmesh/features/grading/graded_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "base/error.h"
+#include "mesh/search/measures.h"
+
+namespace orbicube::hexmesh {
+namespace {
+
+constexpr double grid_part = 0.55;                       // of the cells: the rest are rings
+constexpr double first_strength = 1.4;                   // cells along each arc, and between two
+constexpr double most_strength = 6;                      // for which gaps are looked at
+constexpr double at_obstacle = 1.25, everywhere = 1.08;  // how much more of it after an attempt that failed
+constexpr int max_attempts = 40;
+
+double size_of(double volume, double hexahedra) {
+  return std::cbrt(volume / (grid_part * hexahedra));
+}
+
+}  // namespace
+
+GradedSearch::GradedSearch(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+                           const mesh::FeatureGraph& graph, double cells, double max_cells, const base::Host& host)
+    : positions_(positions),
+      triangles_(triangles),
+      graph_(graph),
+      host_(host),
+      low_(mesh::measures(positions, triangles, host).low),
+      high_(mesh::measures(positions, triangles, host).high),
+      volume_(mesh::measures(positions, triangles, host).volume),
+      base_cells_(cells),
+      max_cells_(max_cells),
+      shape_(positions, triangles, graph, 1, host),
+      demands_(shape_, most_strength * size_of(volume_, cells), host),
+      strength_(graph.arcs.size(), first_strength, host.memory) {}
+
+std::optional<EmbeddedCells> GradedSearch::next() {
+  for (; attempts_ < max_attempts; ++attempts_) {
+    EmbeddedCells now;
+    now.grading = std::make_unique<AxisGrading>(low_, high_, size_of(volume_, base_cells_), host_);
+    demands_.refine(strength_, *now.grading);
+    now.surface = std::make_unique<GradedSurface>(positions_, triangles_, graph_, *now.grading, host_);
+    hexahedra_ = now.surface->volume / grid_part;
+    if (hexahedra_ > max_cells_) {
+      if (obstacle_.why.empty()) {
+        obstacle_.why = "it needs about " + std::to_string(static_cast<std::size_t>(hexahedra_)) +
+                        " hexahedra, more than the " + std::to_string(static_cast<std::size_t>(max_cells_)) +
+                        " that --cells and --max-cells allow";
+      }
+      return {};
+    }
+    std::optional<FeatureObstacle> obstacle;
+    try {
+      now.cells = std::make_unique<GradedCells>(*now.surface, host_);
+      obstacle = now.cells->embed();
+    } catch (const base::Error& error) {
+      if (error.status() != base::Status::no_valid_result) throw;
+      obstacle = FeatureObstacle{no_index, no_index, error.what()};
+    }
+    if (!obstacle) {
+      now.cells->move_to_space();
+      ++attempts_;
+      return now;
+    }
+    obstacle_ = *obstacle;
+    refine_at(obstacle_, at_obstacle);
+  }
+  return {};
+}
+
+bool GradedSearch::strengthen(Index arc, double factor) {
+  const double before = strength_[arc];
+  strength_[arc] = std::min(most_strength, factor * before);
+  return strength_[arc] > before;
+}
+
+void GradedSearch::refine_at(const FeatureObstacle& obstacle, double factor) {
+  bool finer = false;
+  const auto around = [&](Index corner, double by) {
+    for (const mesh::FeatureEnd& end : graph_.around[corner])
+      finer = strengthen(end.arc, by) || finer;
+  };
+  if (obstacle.corner != no_index) around(obstacle.corner, factor);
+  if (obstacle.arc != no_index) {
+    finer = strengthen(obstacle.arc, std::sqrt(factor));
+    for (const Index corner : graph_.arcs[obstacle.arc].corners)
+      around(corner, std::sqrt(factor));
+  }
+  if (!finer) refine_everywhere(everywhere);
+}
+
+void GradedSearch::refine_everywhere(double factor) {
+  for (Index a = 0; a < strength_.size(); ++a)
+    strengthen(a, factor);
+  base_cells_ *= factor;
+}
+
+}  // namespace orbicube::hexmesh

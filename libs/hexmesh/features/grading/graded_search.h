@@ -1,0 +1,51 @@
+// The coarsest graded grid that the feature graph embeds in. Embedding takes a small part of the time that fitting
+// does, so cells are made smaller only where an attempt failed, in many attempts.
+#pragma once
+
+#include <memory>
+
+#include "hexmesh/features/grading/feature_demands.h"
+#include "hexmesh/features/grading/graded_cells.h"
+
+namespace orbicube::hexmesh {
+
+struct EmbeddedCells {
+  // Kept for each other.
+  std::unique_ptr<AxisGrading> grading;
+  std::unique_ptr<GradedSurface> surface;
+  std::unique_ptr<GradedCells> cells;
+};
+
+class GradedSearch {
+ public:
+  // Of about `cells` hexahedra, and up to `max_cells` where the graph requires more. Keeps views of the surface.
+  GradedSearch(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
+               const mesh::FeatureGraph& graph, double cells, double max_cells, const base::Host& host);
+
+  // The next grid with the graph embedded, or none, with what was in the way in obstacle().
+  std::optional<EmbeddedCells> next();
+  const FeatureObstacle& obstacle() const { return obstacle_; }
+  double cells() const { return hexahedra_; }  // about, of the last attempt
+
+  // Requests smaller cells: at what was in the way of a mesh, or of all sizes.
+  void refine_at(const FeatureObstacle& obstacle, double factor);
+  void refine_everywhere(double factor);
+
+ private:
+  // Returns whether it changes anything.
+  bool strengthen(Index arc, double factor);
+
+  std::span<const Vector3> positions_;
+  std::span<const mesh::Triangle> triangles_;
+  const mesh::FeatureGraph& graph_;
+  const base::Host& host_;
+  Vector3 low_, high_;
+  double volume_, base_cells_, max_cells_, hexahedra_ = 0;
+  const FeatureShape shape_;
+  const FeatureDemands demands_;
+  Array<double> strength_;  // of each arc
+  int attempts_ = 0;
+  FeatureObstacle obstacle_;
+};
+
+}  // namespace orbicube::hexmesh

@@ -1,0 +1,111 @@
+// Graded grids for feature graphs: numbers of cells along the axes, surfaces with split edges, and a solid with a slot
+// that cells of one size would have to be tiny for.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include "base/random.h"
+#include "hexmesh/captured/feature_choice.h"
+#include "hexmesh/features/grading/graded_search.h"
+#include "hexmesh/grid/hex_grid.h"
+#include "mesh/search/measures.h"
+
+using namespace orbicube;
+using namespace orbicube::hexmesh;
+
+namespace {
+
+const base::Host host;
+const FeatureRequest by_angles = {Features::angles, 40, {}, {}};
+
+// A block of 2.05 x 1.5 x 1 with a slot of 0.05 from above, half a unit deep.
+mesh::Mesh slotted_block() {
+  const std::vector<std::uint8_t> inside = {1, 1, 1, 1, 0, 1};
+  const HexMesh cells = hexahedra_of_cells({3, 2, 1}, inside, host);
+  constexpr std::array x = {0.0, 1.0, 1.05, 2.05}, y = {0.0, 1.0, 1.5, 1.5};
+  mesh::Mesh m(host.memory);
+  m.positions = cells.positions;
+  for (Vector3& p : m.positions)
+    p = Vector3(x[static_cast<std::size_t>(p.x())], y[static_cast<std::size_t>(p.y())], p.z());
+  m.triangles = halves_of(cells.quads, host.memory);
+  return m;
+}
+
+double length_of_arcs(const mesh::FeatureGraph& graph, std::span<const Vector3> positions) {
+  double sum = 0;
+  for (const mesh::FeatureArc& arc : graph.arcs) {
+    const auto v = graph.vertices_of(arc);
+    for (std::size_t i = 1; i < v.size(); ++i)
+      sum += (positions[v[i]] - positions[v[i - 1]]).norm();
+  }
+  return sum;
+}
+
+}  // namespace
+
+TEST_CASE("A graded grid counts cells, and takes the count back") {
+  AxisGrading grading(Vector3(0, 0, 0), Vector3(4, 2, 1), 0.25, host);
+  CHECK((grading.cells(Vector3(4, 2, 1)) - Vector3(16, 8, 4)).norm() < 1e-9);
+  grading.refine(Vector3(1, 1, 0.5), Vector3(1.1, 1, 0.5), 0.02);
+  grading.spread();
+  CHECK(grading.size(Vector3(1.05, 0, 0)).x() == doctest::Approx(0.02));
+  CHECK(grading.size(Vector3(1.05, 0, 0)).y() == doctest::Approx(0.25));
+  CHECK(grading.size(Vector3(3.9, 0, 0)).x() == doctest::Approx(0.25));
+  // The segment has its cells, and the size grows by at most 0.4 of the way from it.
+  const double across = grading.cells(Vector3(1.1, 0, 0)).x() - grading.cells(Vector3(1, 0, 0)).x();
+  CHECK(across >= 5 - 1e-9);
+  CHECK(grading.size(Vector3(1.3, 0, 0)).x() <= 0.02 + 0.4 * 0.2 + 1e-3);
+  std::mt19937_64 random(1);
+  for (int i = 0; i < 1000; ++i) {
+    const auto uniform = [&] { return 1.2 * base::unit_interval(random()) - 0.1; };
+    const Vector3 p(4 * uniform(), 2 * uniform(), uniform());
+    CHECK((grading.position(grading.cells(p)) - p).norm() < 1e-9);
+  }
+}
+
+TEST_CASE("A surface with split edges is the same surface with the same graph") {
+  const FeatureSurface surface = feature_surface(slotted_block(), by_angles, host);
+  SplitSurface split(surface.positions, surface.triangles, surface.graph, host.memory);
+  constexpr double most = 0.3;
+  split_edges(
+      split, [&](const Vector3& a, const Vector3& b) { return (a - b).norm() > most; }, host);
+  CHECK(split.triangles.size() > 5 * surface.triangles.size());
+  REQUIRE(split.graph.patches.size() == split.triangles.size());
+  const mesh::Topology topology = mesh::topology(split.positions, split.triangles, host);
+  CHECK(topology.euler_characteristic == 2);
+  CHECK(topology.components == 1);
+  CHECK(mesh::measures(split.positions, split.triangles, host).volume ==
+        doctest::Approx(mesh::measures(surface.positions, surface.triangles, host).volume));
+  CHECK(length_of_arcs(split.graph, split.positions) ==
+        doctest::Approx(length_of_arcs(surface.graph, surface.positions)));
+  std::map<Index, double> areas;
+  for (std::size_t t = 0; t < split.triangles.size(); ++t) {
+    const auto& [a, b, c] = split.triangles[t];
+    const auto& p = split.positions;
+    areas[split.graph.patches[t]] += 0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm();
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+      CHECK((p[from] - p[to]).norm() <= most);
+  }
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    const auto& [a, b, c] = surface.triangles[t];
+    const auto& p = surface.positions;
+    areas[surface.graph.patches[t]] -= 0.5 * (p[b] - p[a]).cross(p[c] - p[a]).norm();
+  }
+  for (const auto& [patch, area] : areas)
+    CHECK(std::abs(area) < 1e-9);
+}
+
+TEST_CASE("A narrow slot costs cells across it alone") {
+  FeatureKeeper keeper(slotted_block(), {.request = by_angles, .cells = 1000, .max_cells = 8000}, host);
+  REQUIRE(keeper.any());
+  const std::optional<HexResult> made = keeper.embed();
+  REQUIRE(made);
+  CHECK(made->quality.valid());
+  // Cells of one size, two across the slot, would be 200,000.
+  CHECK(made->mesh.hexahedra.size() < 8000);
+  CHECK(keeper.offer(*made, true, nullptr));
+  CHECK(keeper.complete());
+  CHECK(keeper.figures().captured == doctest::Approx(1));
+}
