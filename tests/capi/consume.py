@@ -30,10 +30,11 @@ def installed_files(prefix):
 
 
 def expected_files(libraries, kind, version):
-    expected = set()
+    expected = {"lib/cmake/orbicube/orbicube-config.cmake", "lib/cmake/orbicube/orbicube-config-version.cmake"}
     for library in libraries:
         dashed = "orbicube-" + library.replace("_", "-")
-        expected |= {f"include/orbicube/{library}.h", f"include/orbicube/{library}.hpp", f"lib/pkgconfig/{dashed}.pc"}
+        expected |= {f"include/orbicube/{library}.h", f"include/orbicube/{library}.hpp", f"lib/pkgconfig/{dashed}.pc",
+                     f"lib/cmake/orbicube/orbicube-{library}.cmake"}
         if kind != "static":
             expected |= {f"lib/lib{dashed}.so{end}" for end in ("", ".0", "." + version)}
         if kind != "shared":
@@ -49,7 +50,7 @@ def check_installed(prefix, folder):
             searched = re.findall(r"\((R(?:UN)?PATH)\).*\[(.*)\]", run(["readelf", "-dW", path]))
             if searched != [("RUNPATH", "$ORIGIN")]:
                 sys.exit(f"{name} looks for libraries in {searched}")
-        if name.endswith(".pc"):
+        if name.endswith((".pc", ".cmake")):
             with open(path, encoding="utf-8") as file:
                 text = file.read().replace(prefix, "")
             if folder in text or ROOT in text:
