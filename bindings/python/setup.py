@@ -67,9 +67,21 @@ def with_tetgen():
     return os.environ.get("ORBICUBE_TETGEN") == "1"
 
 
+def make_viewer(target):
+    """The page that shows meshes, where the tree is there that it is made of."""
+    pages = os.path.join(TREE, "cli", "view_page")
+    if not os.path.isdir(pages):
+        return
+    with open(os.path.join(pages, "parts.txt"), encoding="utf-8") as file:
+        parts = [os.path.join(pages, line) for line in file.read().split()]
+    embed = os.path.join(TREE, "cli", "report_page", "embed.py")
+    subprocess.run([sys.executable, embed, os.path.join(target, "viewer.html"), "-", *parts], check=True)
+
+
 class WithLibraries(build_py):
     def run(self):
         super().run()
+        make_viewer(os.path.join(self.build_lib, "orbicube"))
         source = built_libraries(os.path.abspath(self.get_finalized_command("build").build_temp))
         if source is None:
             return

@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Puts the page's style and scripts into its HTML and writes the whole as a C++ source.
+"""Puts the page's style and scripts into its HTML and writes the whole as a C++ source or as HTML.
 
-    embed.py OUT.cpp page.html STYLE.css SCRIPT.js ...
+    embed.py OUT.cpp FUNCTION page.html STYLE.css ... SCRIPT.js ...
+    embed.py OUT.html - page.html STYLE.css ... SCRIPT.js ...
 
-The HTML has one line `@STYLE@` and one line `@SCRIPT@`; `@TITLE@` and `@RESULTS@` are left for the program to fill.
+FUNCTION is what the C++ source defines, declared in report_page/template.h. The HTML has one line `@STYLE@` and one line `@SCRIPT@`; `@TITLE@` and `@RESULTS@` are left for the program to fill.
 The scripts are modules, each after those that it imports. They become one module, since a page that stands alone has no
 addresses to import from: their imports and the word `export` are left out, and no two may declare the same name.
 """
@@ -35,20 +36,25 @@ def bare(script, known):
     return text.strip()
 
 
-def main(out, html, style, *scripts):
+def main(out, function, html, *parts):
     known = {}
-    page = read(html).replace("@STYLE@", read(style).strip())
+    scripts = [part for part in parts if part.endswith(".js")]
+    page = read(html).replace("@STYLE@", "\n".join(read(part).strip() for part in parts if part not in scripts))
     page = page.replace("@SCRIPT@", "\n".join(bare(script, known) for script in scripts))
     for mark in ("@TITLE@", "@RESULTS@"):
         if page.count(mark) < 1:
             sys.exit(f"embed.py: {html} has no {mark}")
+    if out.endswith(".html"):
+        with open(out, "w", encoding="utf-8") as file:
+            file.write(page)
+        return
     # In pieces, since compilers limit the length of a literal.
     pieces = [page[i:i + 8000] for i in range(0, len(page), 8000)]
     if any(')page"' in piece for piece in pieces):
         sys.exit('embed.py: the page contains )page"')
     with open(out, "w", encoding="utf-8") as file:
         file.write('#include "report_page/template.h"\n\nnamespace orbicube::cli {\n\n')
-        file.write("std::string page_template() {\n  std::string page;\n")
+        file.write(f"std::string {function}() {{\n  std::string page;\n")
         file.writelines(f'  page += R"page({piece})page";\n' for piece in pieces)
         file.write("  return page;\n}\n\n}  // namespace orbicube::cli\n")
 

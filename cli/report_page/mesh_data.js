@@ -1,13 +1,7 @@
 // Reads the results as packed_mesh.cpp wrote them.
 
+import {bytesOf} from "./base64.js";
 import {frameOf, framed, normalsOf} from "./viewer/surface.js";
-
-export function bytesOf(base64) {
-  const binary = atob(base64);
-  const bytes = new Uint8Array(binary.length);
-  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
-  return bytes;
-}
 
 // The walk over the triangles, see walk() in packed_mesh.cpp.
 function trianglesOf(codes, triangleCount) {

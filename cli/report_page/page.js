@@ -7,6 +7,7 @@ import {automaticRange, quantitiesOf, scaleRanges} from "./colors.js";
 import {meshOf} from "./mesh_data.js";
 import {Reconstruction} from "./reconstruction.js";
 import {Camera, product, rotation} from "./viewer/camera.js";
+import {Renderer} from "./viewer/renderer.js";
 import {modes} from "./viewer/shaders.js";
 import {Viewer} from "./viewer/viewer.js";
 
@@ -188,8 +189,8 @@ function makeViewer() {
     keys[i + 1] = () => setMode(mode);
   });
   try {
-    viewer = new Viewer(canvas, camera, look, {
-      views: 2, bottom: legendHeight, keys,
+    viewer = new Viewer(new Renderer(canvas, camera, look, {views: 2, bottom: legendHeight}), {
+      keys,
       onLayout: () => stage.classList.toggle("stacked", viewer.renderer.stacked),
       onDraw: nameViews,
       onPoint: showPointed,

@@ -2,7 +2,7 @@
 //   Y_lm = P_l|m|(z) { sqrt 2 Re, 1, sqrt 2 Im } (x + iy)^|m|    for m > 0, m = 0, m < 0
 // with the normalized P_lm of the recurrence in z (as in libs/harmonics), the factor sin^m put with x + iy.
 
-import {bytesOf} from "./mesh_data.js";
+import {bytesOf} from "./base64.js";
 import {shapeRadius} from "./viewer/surface.js";
 
 export class Reconstruction {

@@ -1,6 +1,7 @@
 // The page: a worker maps a mesh, the viewer shows the morph from it to its map, and a GLB of both can be downloaded.
 import { OrbicubeWorker } from './orbicube/client.js';
 import { Camera, product, rotation } from './viewer/camera.js';
+import { Renderer } from './viewer/renderer.js';
 import { framed, frameOf, normalsOf } from './viewer/surface.js';
 import { Viewer } from './viewer/viewer.js';
 
@@ -9,7 +10,7 @@ const number = new Intl.NumberFormat('en', { maximumFractionDigits: 3 });
 const worker = new OrbicubeWorker();
 const camera = new Camera(product(rotation([1, 0, 0], 0.25), rotation([0, 1, 0], 0.45)), 0.86, [0, 0.1]);
 const look = { morph: 0, mode: 'checker', edges: false };
-const viewer = new Viewer(find('view'), camera, look, {
+const viewer = new Viewer(new Renderer(find('view'), camera, look), {
   keys: { ' ': () => find('play').click() },
   onLost: () => say('The graphics unit was lost; load the page again.', true),
 });

@@ -12,7 +12,7 @@ from __future__ import annotations
 import ctypes
 import zlib
 from ctypes import byref
-from typing import Any, NamedTuple, Optional
+from typing import Any, NamedTuple, Optional, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -21,12 +21,17 @@ from ._arrays import DOUBLE, INDEX, Doubles, Indices, address, doubles, indices,
 from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, text, with_options
 from ._checks import PathLike, integer, public, word
 from ._foreign import MANY, parts_of, surface_of
+from ._viewer import Shown
+from ._viewer import show as _show
 from .raw import mesh as raw
 
 __all__ = ["Format", "Mesh", "Search", "check_cells", "check_closed_genus_zero", "first_at_same_position", "formats", "intersections",
            "make", "mean_distance", "orient", "orientation_2d", "orientation_3d", "orientation_from_origin", "read", "read_memory",
-           "shape_names", "surface_distance", "tetrahedron_quality", "to_pyvista", "topology", "version", "vertex_areas",
+           "shape_names", "show", "surface_distance", "tetrahedron_quality", "to_polyscope", "to_pyvista", "to_trimesh", "topology", "version", "vertex_areas",
            "vertex_normals", "write"]
+
+
+LARGEST_IN_NOTEBOOK = 100000  # triangles and cells, about 2 MB; larger meshes are shown by show()
 
 
 class Surface:
@@ -110,6 +115,15 @@ class Mesh:
     def to_pyvista(self) -> Any:
         """As pyvista has it: PolyData of the triangles when there are no other cells, or else an UnstructuredGrid."""
         return to_pyvista(self)
+
+    def show(self, name: str = "mesh", *, up: str = "y", height: int = 640, preset: str = "") -> Shown:
+        """A page with this mesh, which shows itself in a notebook; see orbicube.mesh.show."""
+        return _show(self, names=[name], title=name, up=up, height=height, preset=preset)
+
+    def _repr_html_(self) -> Optional[str]:
+        """For notebooks; of larger meshes repr() alone, since the page would become part of the notebook."""
+        size = len(self.triangles) + len(self.tetrahedra) + len(self.hexahedra)
+        return self.show()._repr_html_() if 0 < size <= LARGEST_IN_NOTEBOOK else None
 
     @property
     def tetrahedra(self) -> Indices:
@@ -195,6 +209,40 @@ def to_pyvista(mesh: Any) -> Any:
         return pyvista.PolyData(np.array(whole.positions), faces.ravel())
     kinds = {kind: array.astype(np.int64) for kind, array in cells.items() if len(array)}
     return pyvista.UnstructuredGrid(kinds, np.array(whole.positions))
+
+
+@public
+def to_trimesh(mesh: Any) -> Any:
+    """The surface of any mesh as trimesh has it, with vertices in the same order; of a solid its boundary."""
+    import trimesh  # type: ignore[import]
+
+    whole = handle_of(mesh)
+    solid = len(whole.tetrahedra) + len(whole.hexahedra) > 0
+    surface = whole.boundary() if solid else whole
+    return trimesh.Trimesh(np.array(surface.positions), surface.triangles.astype(np.int64), process=False)
+
+
+@public
+def to_polyscope(mesh: Any, name: str = "mesh") -> Any:
+    """Registers any mesh with polyscope, as a surface or a volume of that name, and returns what polyscope returns."""
+    import polyscope  # type: ignore[import]
+
+    whole = handle_of(mesh)
+    tetrahedra, hexahedra = whole.tetrahedra.astype(np.int64), whole.hexahedra.astype(np.int64)
+    if len(tetrahedra) == len(hexahedra) == 0:
+        return polyscope.register_surface_mesh(name, np.array(whole.positions), whole.triangles.astype(np.int64))
+    return polyscope.register_volume_mesh(name, np.array(whole.positions), tets=tetrahedra if len(tetrahedra) else None,
+                                          hexes=hexahedra if len(hexahedra) else None)
+
+
+def show(*meshes: Any, names: Optional[Sequence[str]] = None, maps: Optional[Sequence[Any]] = None, title: str = "Orbicube",
+         up: str = "y", height: int = 640, preset: str = "") -> Shown:
+    """
+    A page with one mesh, or with several in linked views: slices, quality, colors, figures of what is
+    picked. `maps`: for each mesh positions of its vertices on a map, or None. `preset`: how the page begins, such as
+    "color=jacobian&slice=0,0.5&theme=dark". In a notebook the result shows itself; it has write(path) and open().
+    """
+    return _show(*meshes, names=names, maps=maps, title=title, up=up, height=height, preset=preset)
 
 
 @public

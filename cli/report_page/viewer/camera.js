@@ -28,8 +28,8 @@ export class Camera {
   #home;
 
   /** The first rotation, a quaternion, magnification and shift of each view, which reset() restores. */
-  constructor(turn = [0, 0, 0, 1], zoom = 1, shift = [0, 0]) {
-    this.#home = {turn, zoom, shift};
+  constructor(turn = [0, 0, 0, 1], zoom = 1, shift = [0, 0], views = 2) {
+    this.#home = {turn, zoom, shift, views};
     this.reset();
   }
 
@@ -39,8 +39,8 @@ export class Camera {
   }
 
   reset() {
-    const {turn, zoom, shift} = this.#home;
-    Object.assign(this, {turn, zoom, shifts: [[...shift], [...shift]]});
+    const {turn, zoom, shift, views} = this.#home;
+    Object.assign(this, {turn, zoom, shifts: Array.from({length: views}, () => [...shift])});
   }
 
   /** Rotates about an axis of the picture, by an angle in radians. */

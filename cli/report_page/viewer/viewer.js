@@ -1,8 +1,7 @@
-// The viewer of the report page and of examples/web: draws when something has changed, and follows mouse, touch and keys.
-// `orbicube page` embeds these modules in its page (embed.py), bindings/js/build puts them beside the page of the example.
+// The viewer of all pages and of examples/web: draws when something has changed, and follows mouse, touch and keys.
+// The pages of the command and of the Python package embed these modules (embed.py), bindings/js/build puts them beside the page of the example.
 
 import {listenToKeys, listenToPointers} from "./controls.js";
-import {Renderer} from "./renderer.js";
 
 export class Viewer {
   #waiting = false;
@@ -10,14 +9,14 @@ export class Viewer {
   #mouse = null;
 
   /**
-   * `camera` and `look` (see Renderer) belong to the page, which calls redraw() after it has changed them. Options: views
-   * and bottom (see Renderer); keys, functions by the name of the key that calls them; onLayout, called before the views
-   * are drawn; onDraw, called after it; onPoint, called with what the mouse points at (see Renderer.pick) or null; onLost,
-   * called when the graphics unit was lost. Throws when the browser has no WebGL 2.
+   * The renderer's canvas, camera and look (see Renderer) belong to the page, which calls redraw() after it has changed
+   * them. Options: keys, functions by the name of the key that calls them; onLayout, called before the views are drawn;
+   * onDraw, called after it; onMove, called when somebody turns, zooms or moves; onPoint, called with what the mouse points
+   * at (see Renderer.pick) or null; onLost, called when the graphics unit was lost.
    */
-  constructor(canvas, camera, look, {keys = {}, onLayout, onDraw, onPoint, onLost, ...layout} = {}) {
-    this.renderer = new Renderer(canvas, camera, look, layout);
-    Object.assign(this, {canvas, camera, onLayout, onDraw, onPoint});
+  constructor(renderer, {keys = {}, onLayout, onDraw, onMove, onPoint, onLost} = {}) {
+    const {canvas, camera} = renderer;
+    Object.assign(this, {renderer, canvas, camera, onLayout, onDraw, onMove, onPoint});
     listenToPointers(this);
     listenToKeys(this, keys);
     new ResizeObserver(() => this.drawNow()).observe(canvas);
@@ -79,9 +78,14 @@ export class Viewer {
     this.onPoint(this.#mouse && this.renderer.pick(this.#mouse.x, this.#mouse.y));
   }
 
+  #moved() {
+    this.onMove?.();
+    this.redraw();
+  }
+
   turnBy(axis, angle) {
     this.camera.turnBy(axis, angle);
-    this.redraw();
+    this.#moved();
   }
 
   /** Zooms about a place of the canvas, or about the center of each view. */
@@ -92,14 +96,14 @@ export class Viewer {
       const index = this.renderer.viewAt(x, y);
       this.camera.zoomBy(factor, index, this.renderer.placeIn(this.renderer.views()[index], x, y));
     }
-    this.redraw();
+    this.#moved();
   }
 
   /** Moves the picture of a view, by CSS pixels. */
   shiftBy(index, dx, dy) {
     const view = this.renderer.views()[index];
     this.camera.shiftBy(index, 2 * dx / view.width, -2 * dy / view.height);
-    this.redraw();
+    this.#moved();
   }
 
   reset() {

@@ -235,7 +235,7 @@ if HAS_TETRAHEDRA:
 # Classes of results, which people do not make; what is called for each evaluation, and looks at its arguments alone; and
 # conversions for packages that need not be there. scipy.optimize calls the methods for it, with its own arguments (scipy_test.py).
 NOT_WALKED = {"projected_gradient.scipy_method", "trust_region.scipy_least_squares", "trust_region.scipy_method", "correspondence.Correspondence", "mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
-              "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
+              "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "mesh.to_trimesh", "mesh.to_polyscope", "mesh.show", "mesh.Mesh.show", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.LabelSurface", "repair.Repaired", "sphere_map.SphereMap",
               "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.FrameMap", "volume_map.Solid",
               "hexmesh.Hexes"}
