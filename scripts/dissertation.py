@@ -17,6 +17,7 @@ import json
 import math
 import os
 import re
+import resource
 import shlex
 import subprocess
 import sys
@@ -101,6 +102,13 @@ def distortion(number, model):
                near("flipped", 0), model=True)
 
 
+def execution_time(model, printed):
+    """The time of the processor, so that other processes do not count: of one thread of the map and of input and output."""
+    return Row("Table 3.4", f"execution time, {model}: less than the printed {printed} s; there is no Buddha of genus 0",
+               f"orbicube sphere {model} -o map.obj --method dissertation",
+               lambda reports: None if (found := reports[0]["processor_seconds"]) < printed else f"{found:.1f} s of the processor", model=True)
+
+
 def harmonics(label, what, model, method, bands, expected, more=""):
     return Row(label, what, f"orbicube sphere {model} -o map.obj {method} && "
                f"orbicube harmonics {model} --sphere map.obj --degree {bands - 1} -o c.sh{more}",
@@ -172,8 +180,9 @@ CHAPTER_3 = [
     distortion("3.1", "bunny.ply"),
     distortion("3.2", "cow-split.obj"),
     distortion("3.3", "gargoyle-split.obj"),
-    Row("Table 3.4", "execution time, venus.ply: `seconds_compute`", "orbicube sphere venus.ply -o map.obj --method dissertation",
-        true("less than the printed 70 s", lambda r: r["seconds_compute"] < 70), model=True),
+    *(execution_time(*model) for model in (("cow-split.obj", 21), ("frog-split.obj", 48), ("bunny.ply", 58), ("horse.ply", 89),
+                                           ("david-split.obj", 111), ("venus.ply", 70), ("gargoyle-split.obj", 193),
+                                           ("armadillo-split.obj", 250))),
     harmonics("Table 3.5", "reconstruction of the bunny, 6 x 6", "bunny.ply", "--method dissertation", 6,
               cell("sphere_map_tables.md", "## Table 3.5", "Bunny", "our `dissertation`")),
     test("Figure 3.1", "two cases of the search", "sphere-map", "The great-circle search*"),
@@ -241,9 +250,11 @@ def optimized_domain(label, what):
 
 def table_4_2(model, corners, result):
     """A row of Table 4.2 by the printed method: its distortion after the optimization, from our page."""
-    return Row("Table 4.2", f"{model}, {corners} corner points, the printed method; all rows are in [tables](polycube_tables.md)",
+    return Row("Table 4.2", f"{model}, at most {corners} corner points, the printed method, of whose octrees the one of 8 has a map; "
+               "all rows are in [tables](polycube_tables.md)",
                f"orbicube polycube {model} -o p.obj --method dissertation --corners {corners}",
-               true("angles after the optimization", lambda r: abs(r["distortion"]["angle_mean"] - result) < 2e-3), model=True)
+               true("angles after the optimization", lambda r: abs(r["distortion"]["angle_mean"] - result) < 2e-3),
+               near("corner_points", 8), model=True)
 
 
 CHAPTER_4 = [
@@ -389,6 +400,12 @@ def check():
     return "" if page == write() else "docs/dissertation.md is not what scripts/dissertation.py --write writes"
 
 
+def processor_seconds():
+    """Of all commands that have ended."""
+    used = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return used.ru_utime + used.ru_stime
+
+
 class Runner:
     def __init__(self, build, models, folder, timeout):
         self.timeout, self.end = timeout, None
@@ -450,6 +467,7 @@ class Runner:
                 self.input(word)
             words[0] = os.path.join(self.build, "cli", "orbicube")
             words += ["--quiet", "--report", "report.json"]
+        start = processor_seconds()
         done = subprocess.run(words, cwd=self.folder, check=True, capture_output=True, text=True,
                               timeout=max(1, self.end - time.monotonic()) if self.end else None)
         if re.search(r"test cases: +0 \|", done.stdout):
@@ -457,7 +475,7 @@ class Runner:
         if "--report" not in words:
             return {}
         with open(self.at("report.json"), encoding="utf-8") as file:
-            return json.load(file)
+            return {**json.load(file), "processor_seconds": processor_seconds() - start}
 
     def outcome(self, row):
         if row.model and not self.models:
@@ -466,7 +484,10 @@ class Runner:
             return "skipped: " + row.commands[0].split(" ")[0] + " is not built"
         self.end = time.monotonic() + self.timeout if self.timeout else None
         try:
-            reports = [self.run(command) for command in row.commands]
+            # Several rows read the report of one command on a model.
+            if row.model and len(row.commands) == 1 and row.commands[0] not in self.known:
+                self.known[row.commands[0]] = self.run(row.commands[0])
+            reports = [self.known.get(command) or self.run(command) for command in row.commands]
         except subprocess.TimeoutExpired as error:
             return f"failed: not done after {self.timeout} s: {shlex.join(map(os.path.basename, error.cmd[:2]))}"
         except subprocess.CalledProcessError as error:
