@@ -3,8 +3,8 @@
 // sums; noise; many unknowns; and microseconds an evaluation outside of f. Everything runs in this process through the
 // C interface, NLopt's BOBYQA beside it; compare.py adds the peers of PyPI on the same cases.
 //
-// Usage: bench-trust-region [--lowest | --lowest-bounded | plain | transformed | bounded | signed | noise | large |
-// cost]...
+// Usage: bench-trust-region [--lowest | --lowest-bounded | --find-lowest-suite | plain | transformed | bounded | signed
+// | noise | suite | suite-noise | large | cost]...
 #include <orbicube/trust_region.h>
 
 #include <algorithm>
@@ -20,8 +20,10 @@
 #include <vector>
 
 #include "lowest.h"
+#include "lowest_suite.h"
 #include "peers.h"
 #include "problems.h"
+#include "suite.h"
 
 using namespace orbicube::bench;
 
@@ -30,7 +32,7 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::array<int, 6> kappas = {10, 25, 50, 100, 200, 500};
 
-enum class Kind { residuals, growing, fixed_points, dissertation, nlopt };
+enum class Kind { residuals, growing, fixed_points, dissertation, nlopt, nlopt_newuoa };
 
 const char* name_of(Kind kind) {
   switch (kind) {
@@ -44,6 +46,8 @@ const char* name_of(Kind kind) {
       return "residuals, dissertation";
     case Kind::nlopt:
       return "NLopt BOBYQA";
+    case Kind::nlopt_newuoa:
+      return "NLopt NEWUOA";
   }
   return "";
 }
@@ -92,8 +96,8 @@ struct Evaluation {
 Record run(const Problem& problem, Kind kind, std::size_t budget) {
   Evaluation evaluation(problem);
   const double start = processor_time();
-  if (kind == Kind::nlopt) {
-    run_nlopt(problem.start, problem.lower, problem.upper, problem.start_radius(), budget,
+  if (kind == Kind::nlopt || kind == Kind::nlopt_newuoa) {
+    run_nlopt(kind == Kind::nlopt_newuoa, problem.start, problem.lower, problem.upper, problem.start_radius(), budget,
               [&](const double* x) { return evaluation.value(x, nullptr); });
   } else {
     evaluation.with_residuals = kind == Kind::residuals || kind == Kind::dissertation;
@@ -150,7 +154,7 @@ void table(const char* title, const std::vector<Kind>& kinds, const std::vector<
   std::printf("\n### %s\n\n| solver | tau | 10 | 25 | 50 | 100 | 200 | 500 | points outside of the bounds |\n", title);
   std::printf("|---|---|---|---|---|---|---|---|---|\n");
   for (const Kind kind : kinds) {
-    if (kind == Kind::nlopt && !has_nlopt()) continue;
+    if ((kind == Kind::nlopt || kind == Kind::nlopt_newuoa) && !has_nlopt()) continue;
     std::vector<std::array<double, kappas.size()>> counts(taus.size());
     std::size_t breaches = 0;
     for (const std::vector<Problem>& set : sets) {
@@ -158,6 +162,10 @@ void table(const char* title, const std::vector<Kind>& kinds, const std::vector<
         const double unit = static_cast<double>(set[i].n + 1);
         const Record record = run(set[i], kind, most * (set[i].n + 1));
         breaches += record.breaches;
+        if (std::getenv("ORBICUBE_BENCH_UNSOLVED") != nullptr && solved_at(record, lowest[i], taus[1]) > 1e8)
+          std::fprintf(stderr, "%s: %s, n %zu, unsolved, f %g of %g after %zu\n", name_of(kind), set[i].name.c_str(),
+                       set[i].n, *std::min_element(record.values.begin(), record.values.end()), lowest[i],
+                       record.values.size());
         for (std::size_t t = 0; t < taus.size(); ++t) {
           const double at = solved_at(record, lowest[i], taus[t]);
           for (std::size_t k = 0; k < kappas.size(); ++k)
@@ -167,8 +175,12 @@ void table(const char* title, const std::vector<Kind>& kinds, const std::vector<
     }
     for (std::size_t t = 0; t < taus.size(); ++t) {
       std::printf("| %s | %g |", name_of(kind), taus[t]);
-      for (const double count : counts[t])
-        std::printf(" %g |", count / static_cast<double>(sets.size()));
+      for (std::size_t k = 0; k < kappas.size(); ++k) {
+        if (static_cast<std::size_t>(kappas[k]) <= most)
+          std::printf(" %g |", counts[t][k] / static_cast<double>(sets.size()));
+        else
+          std::printf(" - |");
+      }
       std::printf(" %zu |\n", breaches);
     }
     std::fflush(stdout);
@@ -205,6 +217,7 @@ std::vector<double> lowest_here(const std::vector<Problem>& set) {
     double least = infinity;
     for (const Kind kind : every_kind) {
       if (kind == Kind::nlopt && !has_nlopt()) continue;
+      if (!p.squares && (kind == Kind::residuals || kind == Kind::dissertation)) continue;
       for (const double value : run(p, kind, 500 * (p.n + 1)).values)
         least = std::min(least, value);
     }
@@ -241,6 +254,54 @@ void noise() {
       std::printf(" %s %zu;", name_of(kind), evaluations);
     }
     std::printf("\n");
+  }
+}
+
+// Tables of the second set of problems. Everything at the three tolerances of the other tables.
+void suite_tables(const char* title, const std::vector<std::size_t>& numbers, double radius_part, double noise,
+                  const std::vector<double>& taus) {
+  std::vector<Problem> squares, values;
+  std::vector<double> lowest_squares, lowest;
+  for (const std::size_t i : numbers) {
+    Problem p = make_suite_case(i);
+    p.radius_part = radius_part;
+    p.noise_relative = noise;
+    if (p.squares) {
+      squares.push_back(p);
+      lowest_squares.push_back(lowest_suite_values[i]);
+    }
+    values.push_back(std::move(p));
+    lowest.push_back(lowest_suite_values[i]);
+  }
+  const std::string text = std::string(title) + ", start radius " + (radius_part == 1 ? "1" : "0.1") + ", " +
+                           std::to_string(values.size()) + " cases (" + std::to_string(squares.size()) +
+                           " with residuals)";
+  std::vector<Kind> kinds = {Kind::growing, Kind::fixed_points, Kind::nlopt};
+  if (!values.front().bounded()) kinds.push_back(Kind::nlopt_newuoa);
+  table(text.c_str(), kinds, taus, {values}, lowest.data(), 100);
+  if (!squares.empty())
+    table("the same with residuals", {Kind::residuals}, taus, {squares}, lowest_squares.data(), 100);
+}
+
+void suite() {
+  std::vector<std::size_t> open, boxed;
+  for (std::size_t i = 0; i < suite_rows().size(); ++i)
+    (suite_rows()[i].lower.empty() ? open : boxed).push_back(i);
+  for (const double part : {0.1, 1.0}) {
+    suite_tables("Second set, no bounds", open, part, 0, {1e-1, 1e-3, 1e-5, 1e-7});
+    suite_tables("Second set, with bounds", boxed, part, 0, {1e-1, 1e-3, 1e-5, 1e-7});
+  }
+}
+
+void suite_noise() {
+  std::vector<std::size_t> open;
+  for (std::size_t i = 0; i < suite_rows().size(); ++i) {
+    if (suite_rows()[i].lower.empty()) open.push_back(i);
+  }
+  for (const double noise : {1e-3, 1e-5, 1e-8}) {
+    std::string title = "Second set, no bounds, relative noise ";
+    title += noise == 1e-3 ? "1e-3" : noise == 1e-5 ? "1e-5" : "1e-8";
+    suite_tables(title.c_str(), open, 0.1, noise, {1e-1, 1e-3, 1e-5});
   }
 }
 
@@ -292,6 +353,18 @@ int main(int count, char** arguments) {
     }
     return count == 1;
   };
+  if (count == 2 && std::strcmp(arguments[1], "--find-lowest-suite") == 0) {
+    std::vector<Problem> set;
+    for (std::size_t i = 0; i < suite_rows().size(); ++i) {
+      set.push_back(make_suite_case(i));
+      set.push_back(set.back());
+      set.back().radius_part = 1;
+    }
+    const std::vector<double> lowest = lowest_here(set);
+    for (std::size_t i = 0; i < lowest.size(); i += 2)
+      std::printf("%.17g,  // %s\n", std::min(lowest[i], lowest[i + 1]), set[i].name.c_str());
+    return 0;
+  }
   for (const bool boxed : {false, true}) {
     if (count == 2 && std::strcmp(arguments[1], boxed ? "--lowest-bounded" : "--lowest") == 0) {
       for (const double value : boxed ? lowest_bounded_values : lowest_values)
@@ -305,6 +378,8 @@ int main(int count, char** arguments) {
   if (wants("bounded")) bounded();
   if (wants("signed")) signed_sums();
   if (wants("noise")) noise();
+  if (wants("suite")) suite();
+  if (wants("suite-noise")) suite_noise();
   if (wants("large")) large();
   if (wants("cost")) cost();
   return 0;

@@ -14,11 +14,14 @@ bool has_nlopt() {
   return true;
 }
 
-void run_nlopt(const std::vector<double>& start, const std::vector<double>& lower, const std::vector<double>& upper,
+void run_nlopt(bool newuoa, const std::vector<double>& start, const std::vector<double>& lower, const std::vector<double>& upper,
                double radius, std::size_t budget, const Objective& f) {
-  const nlopt_opt solver = nlopt_create(NLOPT_LN_BOBYQA, static_cast<unsigned>(start.size()));
+  const nlopt_opt solver = nlopt_create(newuoa ? NLOPT_LN_NEWUOA : NLOPT_LN_BOBYQA, static_cast<unsigned>(start.size()));
   nlopt_set_lower_bounds(solver, lower.data());
   nlopt_set_upper_bounds(solver, upper.data());
+  // Its points must have room within the box.
+  for (std::size_t i = 0; i < start.size(); ++i)
+    radius = std::min(radius, 0.49 * (upper[i] - lower[i]));
   nlopt_set_initial_step1(solver, radius);
   nlopt_set_xtol_abs1(solver, 1e-8);
   nlopt_set_maxeval(solver, static_cast<int>(budget));
@@ -37,7 +40,7 @@ bool has_nlopt() {
   return false;
 }
 
-void run_nlopt(const std::vector<double>&, const std::vector<double>&, const std::vector<double>&, double, std::size_t,
+void run_nlopt(bool, const std::vector<double>&, const std::vector<double>&, const std::vector<double>&, double, std::size_t,
                const Objective&) {}
 
 #endif

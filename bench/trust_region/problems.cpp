@@ -8,6 +8,7 @@
 #include <random>
 
 #include "families.h"
+#include "suite.h"
 
 namespace orbicube::bench {
 namespace {
@@ -100,7 +101,9 @@ void Problem::residuals(const double* x, double* r) const {
     }
     at = turned.data();
   }
-  if (family == signed_sum) {
+  if (family >= suite) {
+    suite_residuals(static_cast<std::size_t>(family - suite), n, at, r);
+  } else if (family == signed_sum) {
     signed_residuals(n, at, r);
   } else if (family > 100) {
     large_residuals(family, n, at, r);
@@ -114,6 +117,7 @@ void Problem::residuals(const double* x, double* r) const {
 }
 
 double Problem::objective(const std::vector<double>& r) const {
+  if (!squares) return r[0];
   double sum = 0;
   for (std::size_t i = 0; i < m; ++i)
     sum += (sign.empty() ? 1.0 : sign[i]) * r[i] * r[i];
@@ -124,7 +128,7 @@ double Problem::start_radius() const {
   double largest = 1;
   for (const double value : start)
     largest = std::max(largest, std::abs(value));
-  return 0.1 * largest;
+  return radius_part * largest;
 }
 
 Problem make_case(std::size_t index, int transform) {

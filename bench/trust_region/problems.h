@@ -19,12 +19,15 @@ struct Problem {
   std::vector<double> rotation;      // n x n, orthogonal, or empty: the variables are rotation times the family's
   double noise_relative = 0, noise_absolute = 0;
   std::vector<double> sign;  // m, or empty: all +1
+  double radius_part = 0.1;
+  bool squares = true;                // false: f is the one residual itself
+  static constexpr int suite = 1000;  // family of the first row of suite.h
 
   bool bounded() const;
   // The residuals at x (m entries); noise is a fixed function of x.
   void residuals(const double* x, double* r) const;
   double objective(const std::vector<double>& r) const;
-  double start_radius() const;  // 0.1 max(1, |x0|inf)
+  double start_radius() const;  // radius_part max(1, |x0|inf)
 };
 
 inline constexpr std::size_t case_count = 53;
