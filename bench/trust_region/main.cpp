@@ -5,6 +5,7 @@
 //
 // Usage: bench-trust-region [--lowest | --lowest-bounded | --find-lowest-suite | plain | transformed | bounded | signed
 // | noise | suite | suite-noise | large | cost]...
+// With ORBICUBE_BENCH_UNSOLVED in the environment, lists the cases that are not solved to the second tolerance.
 #include <orbicube/trust_region.h>
 
 #include <algorithm>

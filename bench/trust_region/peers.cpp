@@ -14,9 +14,10 @@ bool has_nlopt() {
   return true;
 }
 
-void run_nlopt(bool newuoa, const std::vector<double>& start, const std::vector<double>& lower, const std::vector<double>& upper,
-               double radius, std::size_t budget, const Objective& f) {
-  const nlopt_opt solver = nlopt_create(newuoa ? NLOPT_LN_NEWUOA : NLOPT_LN_BOBYQA, static_cast<unsigned>(start.size()));
+void run_nlopt(bool newuoa, const std::vector<double>& start, const std::vector<double>& lower,
+               const std::vector<double>& upper, double radius, std::size_t budget, const Objective& f) {
+  const nlopt_opt solver =
+      nlopt_create(newuoa ? NLOPT_LN_NEWUOA : NLOPT_LN_BOBYQA, static_cast<unsigned>(start.size()));
   nlopt_set_lower_bounds(solver, lower.data());
   nlopt_set_upper_bounds(solver, upper.data());
   // Its points must have room within the box.
@@ -40,8 +41,8 @@ bool has_nlopt() {
   return false;
 }
 
-void run_nlopt(bool, const std::vector<double>&, const std::vector<double>&, const std::vector<double>&, double, std::size_t,
-               const Objective&) {}
+void run_nlopt(bool, const std::vector<double>&, const std::vector<double>&, const std::vector<double>&, double,
+               std::size_t, const Objective&) {}
 
 #endif
 
