@@ -39,6 +39,7 @@ void add_examples(CLI::App& app) {
       {"harmonics", "creature.obj --sphere map.obj --degree 32 -o creature.coef"},
       {"compare", "a.coef b.coef c.coef -o distances.txt --png distances.png"},
       {"parameterize", "part.mesh -o part.vtk --integer"},
+      {"view", "bracket.mesh -o bracket.html"},
       {"page", "creature.obj map.obj -o creature.html"},
       {"polycube", "bracket.obj -o polycube.obj --surface surface.obj"},
       {"tetrahedralize", "bracket.obj -o bracket.mesh --quality"},
@@ -75,6 +76,7 @@ int run(int argc, char** argv) {
   orbicube::cli::add_compare(app, common);
   orbicube::cli::add_page(app, common);
   orbicube::cli::add_study(app, common);
+  orbicube::cli::add_view(app, common);
 #ifdef ORBICUBE_WITH_POLYCUBE
   orbicube::cli::add_polycube(app, common);
 #endif

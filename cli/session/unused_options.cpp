@@ -156,4 +156,8 @@ void refuse_unused_study_options(const CLI::App& verb) {
   refuse_without(verb, "--permutations", {"--groups", "--covariate"});
 }
 
+void refuse_unused_view_options(const CLI::App& verb) {
+  refuse_without(verb, "--size", {"--png"});
+}
+
 }  // namespace orbicube::cli

@@ -17,5 +17,6 @@ void refuse_unused_hex_options(const CLI::App& verb);
 void refuse_unused_tetrahedralize_options(const CLI::App& verb);
 void refuse_unused_map_options(const CLI::App& verb);
 void refuse_unused_study_options(const CLI::App& verb);
+void refuse_unused_view_options(const CLI::App& verb);
 
 }  // namespace orbicube::cli
