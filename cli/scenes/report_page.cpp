@@ -1,7 +1,6 @@
 #include "scenes/report_page.h"
 
 #include <nlohmann/json.hpp>
-#include <string_view>
 
 #include "base/error.h"
 #include "report_page/filled_page.h"

@@ -12,13 +12,6 @@
 namespace orbicube::cli {
 namespace {
 
-std::string text_of(std::uint64_t hash) {
-  std::array<char, 16> digits;
-  const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16).ptr;
-  const std::string text(digits.data(), static_cast<std::size_t>(end - digits.data()));
-  return std::string(digits.size() - text.size(), '0') + text;
-}
-
 // Names that are not UTF-8 must not keep the figures from being written.
 std::string dumped(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace);
@@ -35,24 +28,18 @@ std::filesystem::path surface_of(const std::filesystem::path& folder, const std:
 
 }  // namespace
 
-std::string hash_of_input(const std::filesystem::path& file, const std::string& key, Session& session) {
-  base::Hash hash;
-  hash.add(std::as_bytes(std::span(key.data(), key.size())));
-  if (is_gltf(file)) {
-    const InputMesh input = read_input(file, false, session);
-    hash.add(std::as_bytes(std::span<const mesh::Vector3>(input.mesh.positions)));
-    hash.add(std::as_bytes(std::span<const mesh::Triangle>(input.mesh.triangles)));
-  } else {
-    hash.add(about(file, Role::input, [&] { return base::read_file(file, session.host()); }));
-  }
-  return text_of(hash.value());
+std::string text_of_hash(std::uint64_t hash) {
+  std::array<char, 16> digits;
+  const char* end = std::to_chars(digits.data(), digits.data() + digits.size(), hash, 16).ptr;
+  const std::string text(digits.data(), static_cast<std::size_t>(end - digits.data()));
+  return std::string(digits.size() - text.size(), '0') + text;
 }
 
 std::string hash_of(std::span<const mesh::Vector3> positions, const std::string& text) {
   base::Hash hash;
   hash.add(std::as_bytes(positions));
   hash.add(std::as_bytes(std::span(text.data(), text.size())));
-  return text_of(hash.value());
+  return text_of_hash(hash.value());
 }
 
 std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, const std::string& name,

@@ -11,9 +11,8 @@
 
 namespace orbicube::cli {
 
-// Returns a hash of what the result of a subject depends on: the bytes of its file (of a glTF file, which may have
-// others beside it, the surface), and `key`, a text of the options. Throws Failure.
-std::string hash_of_input(const std::filesystem::path& file, const std::string& key, Session& session);
+// Returns a hash as a text of 16 digits.
+std::string text_of_hash(std::uint64_t hash);
 
 // Returns a hash of positions and a text.
 std::string hash_of(std::span<const mesh::Vector3> positions, const std::string& text = {});

@@ -8,7 +8,9 @@
 #include "base/error.h"
 #include "base/files/file.h"
 #include "files/surface_file.h"
+#include "images/label_file.h"
 #include "session/failure.h"
+#include "studies/subject_file.h"
 
 namespace orbicube::cli {
 namespace {
@@ -106,7 +108,7 @@ std::vector<StudySubject> subjects_of_folder(const std::filesystem::path& path) 
        entry.increment(problem)) {
     const std::filesystem::path& file = entry->path();
     std::error_code unknown;
-    if (!is_gltf(file) && !mesh::format_of_path(file)) continue;
+    if (!is_gltf(file) && !is_label_image(file) && !mesh::format_of_path(file)) continue;
     if (!std::filesystem::is_directory(file, unknown)) subjects.push_back({"", file, {}});
   }
   if (problem) throw base::Error("io", "cannot read the folder: " + problem.message());
@@ -125,7 +127,7 @@ std::string folded(std::string text) {
 void name_subjects(std::vector<StudySubject>& subjects) {
   std::set<std::string> taken;
   for (StudySubject& subject : subjects) {
-    const std::string stem = subject.file.stem().string();
+    const std::string stem = name_of_subject(subject.file);
     subject.name = stem;
     for (std::size_t number = 2; !taken.insert(folded(subject.name)).second; ++number)
       subject.name = stem + "-" + std::to_string(number);
@@ -141,7 +143,8 @@ std::vector<StudySubject> read_study_list(const std::filesystem::path& path, con
         std::filesystem::is_directory(path, problem) ? subjects_of_folder(path) : subjects_of_table(path, host);
     if (subjects.size() < 2) {
       throw base::Error("invalid-argument", "a study needs two surfaces or more; there are " +
-                                                std::to_string(subjects.size()) + " with one of " + surface_endings);
+                                                std::to_string(subjects.size()) + " with one of " + surface_endings +
+                                                " " + label_image_endings);
     }
     name_subjects(subjects);
     return subjects;

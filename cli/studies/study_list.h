@@ -1,4 +1,4 @@
-// The subjects of a study: all surfaces of a folder, or the rows of a table.
+// The subjects of a study: all surfaces and label images of a folder, or the rows of a table.
 #pragma once
 
 #include <filesystem>
@@ -16,9 +16,9 @@ struct StudySubject {
   std::map<std::string, std::string> values;  // by column of the table, besides `file`
 };
 
-// Reads the surfaces of a folder, sorted by name and without those of folders in it, or a table: CSV whose first line
-// names the columns, one of them `file` with paths relative to the table. Throws Failure "io", "parse", and
-// "invalid-argument" for less than two subjects.
+// Reads the surfaces and label images of a folder, sorted by name and without those of folders in it, or a table: CSV
+// whose first line names the columns, one of them `file` with paths relative to the table. Throws Failure "io",
+// "parse", and "invalid-argument" for less than two subjects.
 std::vector<StudySubject> read_study_list(const std::filesystem::path& path, const base::Host& host);
 
 // Returns a cell of a table, in quotes where it needs them.

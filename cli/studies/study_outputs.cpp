@@ -9,6 +9,7 @@
 #include "base/files/file.h"
 #include "files/surface_file.h"
 #include "morphs/morph_states.h"
+#include "studies/study_page_file.h"
 
 namespace orbicube::cli {
 namespace {
@@ -137,9 +138,12 @@ void add_figures(const StudyResult& result, Session& session) {
   Json& figures = session.figures();
   figures["subjects"] = Json::array();
   std::size_t reused = 0;
-  for (const MappedSubject& subject : result.subjects.mapped) {
+  for (std::size_t i = 0; i < result.subjects.mapped.size(); ++i) {
+    const MappedSubject& subject = result.subjects.mapped[i];
     const StudySubject& listed = result.list[subject.number];
     Json entry = {{"name", listed.name}, {"file", listed.file.string()}, {"reused", subject.reused}};
+    entry["distance_from_mean"] = result.from_mean[i];
+    entry["outlier"] = result.outlier[i] != 0;
     if (!subject.reused) entry["seconds"] = subject.seconds;
     entry.update(subject.figures);
     figures["subjects"].push_back(entry);
@@ -181,7 +185,10 @@ void write_study(const StudyResult& result, const std::filesystem::path& folder,
   mean.positions = points_of(result.modes.mean, session.host().memory);
   mean.triangles.assign(result.triangles.begin(), result.triangles.end());
   write_output(folder / "mean.ply", mean, true, session);
-  write_point_data(folder / "mean.vtk", mean, data_of_mean(result, modes), session);
+  write_output(folder / "mean.glb", mean, true, session);
+  const std::vector<PointData> data = data_of_mean(result, modes);
+  write_point_data(folder / "mean.vtk", mean, data, session);
+  write_study_page(result, folder / "study.html", mean, data, modes, session);
   if (modes > 0) write_modes(result, folder / "modes.glb", modes, session);
   add_figures(result, session);
 }

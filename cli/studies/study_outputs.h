@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -20,14 +21,17 @@ struct StudyResult {
   correspondence::GroupPose pose;
   correspondence::PrincipalModes modes;
   Eigen::MatrixXd distances;
-  std::vector<PointData> tests;  // of each point of the mean: groups, covariates
+  std::vector<PointData> tests;         // of each point of the mean: groups, covariates
+  std::vector<double> from_mean{};      // of each mapped subject: root mean square distance of its points
+  std::vector<std::uint8_t> outlier{};  // whether that is an outlier
 };
 
 // Returns the points of a row of coordinates.
 base::Array<mesh::Vector3> points_of(const Eigen::VectorXd& coordinates, std::pmr::memory_resource* memory);
 
-// Writes distances.csv, scores.csv, subjects.csv, mean.ply, mean.vtk and modes.glb to the folder, as outputs of the
-// session, and adds figures. At most `max_modes` modes go to mean.vtk and modes.glb. Throws Failure.
+// Writes distances.csv, scores.csv, subjects.csv, mean.ply, mean.glb, mean.vtk, study.html and modes.glb to the folder,
+// as outputs of the session, and adds figures. At most `max_modes` modes go to mean.vtk, study.html and modes.glb.
+// Throws Failure.
 void write_study(const StudyResult& result, const std::filesystem::path& folder, std::size_t max_modes,
                  Session& session);
 

@@ -11,8 +11,8 @@
 #include "mesh/search/measures.h"
 #include "report/sphere_uses.h"
 #include "report/unit_size.h"
-#include "solids/closed_surface.h"
 #include "studies/kept_subject.h"
+#include "studies/subject_file.h"
 
 namespace orbicube::cli {
 namespace {
@@ -75,10 +75,12 @@ class SharedProgress {
 class SubjectMaker {
  public:
   SubjectMaker(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
-               const correspondence::SubjectOptions& options, const CommonOptions& common, Session& session)
+               const correspondence::SubjectOptions& options, std::int32_t label, const CommonOptions& common,
+               Session& session)
       : list_(list),
         folder_(folder),
         options_(options),
+        label_(label),
         common_(common),
         session_(session),
         progress_(session.host(), list.size()),
@@ -134,12 +136,12 @@ class SubjectMaker {
     own.report.clear();
     if (own.time_limit > 0) own.time_limit = std::max(1e-3, own.time_limit - session_.seconds());
     Session reading(own, "study", file);
-    const std::string hash = hash_of_input(file, key_, reading);
+    const std::string hash = hash_of_input(file, is_label_image(file) ? key_ + std::to_string(label_) : key_, reading);
     if (std::optional<MappedSubject> kept = kept_subject(folder_, subject.name, hash, reading.host())) {
       if (kept->positions.size() == grid_.directions.size()) return std::move(*kept);
     }
     const double start = session_.seconds();
-    const ClosedSurface surface = read_closed_surface(file, {.weld = false, .repair = true}, reading);
+    const ClosedSurface surface = read_subject(subject.file, label_, reading);
     require_ordinary_size(surface.mesh, file);
     base::Host host;
     host.memory = session_.host().memory;
@@ -183,6 +185,7 @@ class SubjectMaker {
   const std::vector<StudySubject>& list_;
   const std::filesystem::path& folder_;
   const correspondence::SubjectOptions& options_;
+  const std::int32_t label_;
   const CommonOptions& common_;
   Session& session_;
   SharedProgress progress_;
@@ -196,9 +199,9 @@ class SubjectMaker {
 }  // namespace
 
 StudySubjects map_subjects(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
-                           const correspondence::SubjectOptions& options, const CommonOptions& common,
-                           Session& session) {
-  StudySubjects result = SubjectMaker(list, folder, options, common, session).run();
+                           const correspondence::SubjectOptions& options, std::int32_t label,
+                           const CommonOptions& common, Session& session) {
+  StudySubjects result = SubjectMaker(list, folder, options, label, common, session).run();
   if (result.mapped.size() >= 2) return result;
   const FailedSubject& failed = result.failed.front();
   throw Failure(Exit::no_result, list[failed.number].file.string(), "no-valid-result",

@@ -30,12 +30,13 @@ struct StudySubjects {
   std::vector<FailedSubject> failed;
 };
 
-// Repairs and maps each subject, and carries the grid to it: FOLDER/NAME.ply has its positions and FOLDER/NAME.json its
-// figures, with hashes of the input, the options and the positions. The first subject that can be mapped is what the
-// others are aligned with. As many subjects at a time as there are threads; the same bits for any number. A subject
-// that fails does not end the study. Throws Failure "no-valid-result" where less than two are left, and "cancelled".
+// Repairs and maps each subject, of an image the surface of its label (0: the only one), and carries the grid to it:
+// FOLDER/NAME.ply has its positions and FOLDER/NAME.json its figures, with hashes of the input, the options and the
+// positions. The first subject that can be mapped is what the others are aligned with. As many subjects at a time as
+// there are threads; the same bits for any number. A subject that fails does not end the study. Throws Failure
+// "no-valid-result" where less than two are left, and "cancelled".
 StudySubjects map_subjects(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
-                           const correspondence::SubjectOptions& options, const CommonOptions& common,
-                           Session& session);
+                           const correspondence::SubjectOptions& options, std::int32_t label,
+                           const CommonOptions& common, Session& session);
 
 }  // namespace orbicube::cli

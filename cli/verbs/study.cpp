@@ -1,10 +1,15 @@
 // orbicube study: many subjects on one grid, and what is common to them and differs.
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <utility>
 
 #include "base/counted.h"
+#include "correspondence/statistics/outliers.h"
 #include "files/surface_file.h"
+#include "images/label_file.h"
 #include "report/grid_choice.h"
 #include "report/text.h"
 #include "session/unused_options.h"
@@ -12,6 +17,7 @@
 #include "studies/study_outputs.h"
 #include "studies/study_subjects.h"
 #include "studies/study_tests.h"
+#include "studies/subject_file.h"
 #include "verbs/verbs.h"
 
 namespace orbicube::cli {
@@ -23,6 +29,7 @@ struct StudyOptions {
   std::string align = "shape";
   std::string placement = "turned";
   std::size_t modes = 5;
+  std::int32_t label = 0;
   StudyTests tests;
 };
 
@@ -32,6 +39,7 @@ Json json_of(const StudyOptions& options) {
           {"align", options.align},
           {"placement", options.placement},
           {"modes", options.modes},
+          {"label", options.label},
           {"groups", options.tests.groups},
           {"covariate", options.tests.covariate},
           {"permutations", options.tests.permutations}};
@@ -81,6 +89,11 @@ void say_result(const StudyResult& result, const std::string& output, Session& s
   for (std::size_t k = 0; k < std::min<std::size_t>(3, fractions.size()); ++k)
     session.say("  mode " + std::to_string(k + 1) + ": " + number(100 * fractions[k].get<double>()) +
                 " % of the variance");
+  for (std::size_t i = 0; i < subjects.mapped.size(); ++i) {
+    if (result.outlier[i] != 0)
+      session.say("  outlier: " + result.list[subjects.mapped[i].number].name + ", " + number(result.from_mean[i]) +
+                  " from the mean");
+  }
   for (const std::string& note : session.notes())
     session.say("  note: " + note);
 }
@@ -91,11 +104,13 @@ void study(const StudyOptions& options, const CommonOptions& common, Session& se
   const base::Host& host = session.host();
   const std::vector<StudySubject> list = read_study_list(options.input, host);
   require_columns(options.tests, list, options.input);
+  if (options.label != 0 && std::ranges::none_of(list, [](const StudySubject& s) { return is_label_image(s.file); }))
+    throw Failure(Exit::wrong_input, options.input, "usage", "--label is for label images, and no subject is one");
   const std::filesystem::path folder = made_folder(options);
   const correspondence::SubjectOptions of_subjects{grid.kind, grid.resolution, options.align != "none",
                                                    options.align == "shape", session.seed()};
-  StudySubjects subjects =
-      session.portion(0.95, [&] { return map_subjects(list, folder / "subjects", of_subjects, common, session); });
+  StudySubjects subjects = session.portion(
+      0.95, [&] { return map_subjects(list, folder / "subjects", of_subjects, options.label, common, session); });
   correspondence::Population shapes = population_of(subjects);
   const sphere_map::Grid common_grid = sphere_map::make_grid(grid.kind, grid.resolution, host);
   StudyResult result{list, subjects, common_grid.triangles, {}, {}, {}, {}};
@@ -103,6 +118,8 @@ void study(const StudyOptions& options, const CommonOptions& common, Session& se
     result.pose = correspondence::place_group(pose_of(options.placement), shapes, host);
     result.distances = correspondence::distances_between(shapes, host);
     result.modes = correspondence::principal_modes(shapes, host);
+    result.from_mean = correspondence::distances_from_mean(shapes, result.modes.mean);
+    result.outlier = correspondence::outliers(result.from_mean);
     result.tests = run_tests(options.tests, list, subjects, shapes, session);
   });
   write_study(result, folder, options.modes, session);
@@ -115,8 +132,9 @@ void add_study(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("study", "analyze the shapes of a group of subjects");
   const auto options = std::make_shared<StudyOptions>();
   verb->add_option("SUBJECTS", options->input,
-                   "folder of closed genus-0 surfaces, or a table of them: CSV with a column 'file'. Surfaces: " +
-                       surface_endings)
+                   "folder of closed genus-0 surfaces and label images, or a table of them: CSV with a column 'file'. "
+                   "Surfaces: " +
+                       surface_endings + "; label images: " + label_image_endings)
       ->required()
       ->type_name("FOLDER|LIST");
   verb->add_option("-o,--output", options->output, "folder to write to; it is made if it is not there")
@@ -135,7 +153,11 @@ void add_study(CLI::App& app, CommonOptions& common) {
                    "one size as well; kept [default: turned]")
       ->check(unnamed(CLI::IsMember({"kept", "turned", "scaled"})))
       ->type_name("HOW");
-  verb->add_option("--modes", options->modes, "number of principal modes in mean.vtk and modes.glb [default: 5]")
+  verb->add_option("--label", options->label, "label whose voxels are the object, in images [default: the only one]")
+      ->check(unnamed(CLI::Range(std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max())))
+      ->type_name("N");
+  verb->add_option("--modes", options->modes,
+                   "number of principal modes in mean.vtk, modes.glb and study.html [default: 5]")
       ->check(unnamed(CLI::Range(0, 100)))
       ->type_name("N");
   verb->add_option("--groups", options->tests.groups,

@@ -1,11 +1,10 @@
 // orbicube surface: a label of an image to a closed surface.
 #include <memory>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "files/surface_file.h"
-#include "images/label_file.h"
+#include "images/label_surface.h"
 #include "repair/labels/surface_of_labels.h"
 #include "report/text.h"
 #include "session/unused_options.h"
@@ -74,15 +73,6 @@ void say_surface(const SurfaceVerb& verb, const repair::LabelSurface& surface, S
   session.say("  closed, manifold, oriented, " + std::to_string(c.parts) + (c.parts == 1 ? " part" : " parts") +
               ", genus " + std::to_string(c.genus) + ", no self-intersection, area " + number(c.area) + ", volume " +
               number(c.volume));
-}
-
-repair::LabelSurface extract_label(const LabelFile& file, const repair::LabelOptions& options, const base::Host& host) {
-  try {
-    return repair::surface_of_label(file.image(), options, host);
-  } catch (const base::Error& error) {
-    if (std::string_view(error.what()).rfind("no label is chosen", 0) != 0) throw;
-    throw base::Error(error.kind(), error.what() + std::string("; choose one with --label"));
-  }
 }
 
 void run_surface(SurfaceVerb& verb, Session& session) {

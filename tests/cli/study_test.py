@@ -3,10 +3,13 @@
 
     study_test.py COMMAND
 """
+import base64
 import csv
+import html
 import json
 import math
 import os
+import re
 import shutil
 import signal
 import struct
@@ -14,7 +17,8 @@ import subprocess
 import time
 import unittest
 
-from command import COMMAND, SANITIZED, InFolder, main, read_obj, run
+from command import COMMAND, SANITIZED, Glb, InFolder, main, read_obj, run
+from surface_test import nrrd, packed
 
 GRID = ("--grid", "icosphere:2")
 POINTS = 162
@@ -113,6 +117,13 @@ class Study(InFolder):
         self.assertAlmostEqual(sum(x * x for x in data["standard_deviation"]), sum(report["modes"]["variances"]))
         self.assertAlmostEqual(sum(x * x for x in data["mode_1"]), report["modes"]["variances"][0])
         self.assertEqual(run("info", self.path("out/modes.glb")).returncode, 0)
+        mean = Glb(self.path("out/mean.glb"), texture=False, targets=False)
+        for a, b in zip(mean.positions, zip(*[iter(data[""])] * 3)):
+            self.assertLess(math.dist(a, b), 1e-6)
+        # Distances from the mean are those of all scores.
+        for subject, row in zip(report["subjects"], scores):
+            norm = math.hypot(*(float(row[m]) for m in modes))
+            self.assertAlmostEqual(subject["distance_from_mean"], norm / math.sqrt(POINTS))
 
     def test_a_study_goes_on_where_it_was(self):
         folder = self.subjects(4)
@@ -214,6 +225,66 @@ class Study(InFolder):
         self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--covariate", "diagnosis")
         done = run("study", table, "-o", out, "--permutations", 5)
         self.assertEqual((done.returncode, "--permutations is for --groups and --covariate" in done.stderr), (2, True), done.stderr)
+
+    def test_the_page_holds_the_study_and_loads_nothing(self):
+        table = self.grown(8)
+        with open(table, "a", encoding="ascii") as file:
+            file.write("no </script> surface.obj,control,1\n")
+        report = self.study(table, "--align", "rotation", "--groups", "diagnosis", "--permutations", 69)
+        path = self.path("out/study.html")
+        with open(path, encoding="utf-8") as file:
+            page = file.read()
+        self.assertIsNone(re.search(r"https?://(?!www\.w3\.org/2000/svg)|@[A-Z]+@", page))
+        study = json.loads(re.search(r'<script type="application/json" id="results">(.*)</script>', page).group(1))
+        self.assertEqual(study["first_map"], "group_q")
+        self.assertEqual([s["name"] for s in study["shifts"]], [f"Mode {k}" for k in range(1, 6)] + ["patient minus control"])
+        self.assertEqual([s["values"][0] for s in study["subjects"]], 4 * ["control", "patient"])
+        self.assertEqual([s["distance"] for s in study["subjects"]], [s["distance_from_mean"] for s in report["subjects"]])
+        self.assertEqual([f["name"] for f in study["failed"]], ["no <"])
+        self.assertEqual(study["fractions"], report["modes"]["fractions"])
+        data = point_data(self.path("out/mean.vtk"))
+        for numbers, values in [(study["mean"], data[""]), *((m, data[m["name"]]) for m in study["maps"] + study["shifts"])]:
+            steps = struct.unpack(f"<{len(values)}H", base64.b64decode(numbers["values"]))
+            for value, step in zip(values, steps):
+                self.assertAlmostEqual(numbers["low"] + numbers["step"] * step, value, delta=0.51 * numbers["step"] + 1e-12)
+        browser = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
+        if browser is None or SANITIZED:
+            return
+        done = subprocess.run([browser, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage", f"--user-data-dir={self.path('profile')}",
+                               "--enable-logging=stderr", "--window-size=1200,900", "--virtual-time-budget=10000", "--use-angle=swiftshader",
+                               "--enable-unsafe-swiftshader", "--dump-dom", f"file://{path}#check"],
+                              capture_output=True, text=True, timeout=240)
+        self.assertEqual([line for line in done.stderr.splitlines() if "CONSOLE" in line], [])
+        shown = json.loads(html.unescape(re.search(r'data-check="([^"]*)"', done.stdout).group(1)))
+        self.assertEqual(len(shown["frames"]), len(study["maps"]) + 2)
+        self.assertEqual(len(shown["moved"]), len(study["shifts"]))
+        for frame in shown["frames"] + shown["moved"]:
+            self.assertEqual(frame["error"], 0, frame)
+            self.assertTrue(0.05 < frame["drawn"] < 0.9 and frame["colors"] > 20, frame)
+
+    def test_label_images_are_subjects(self):
+        size = (16, 14, 12)
+        os.makedirs(self.path("in"))
+        for i, radius in enumerate((5.5, 4.5, 5.0)):
+            labels = [2 if ((x - 7.5) / radius)**2 + ((y - 6.5) / 4.5)**2 + ((z - 5.5) / 4)**2 < 1 else 0
+                      for z in range(size[2]) for y in range(size[1]) for x in range(size[0])]
+            labels[0] = 7
+            with open(self.path(f"in/s{i}.nrrd"), "wb") as file:
+                file.write(nrrd(sizes=size) + packed("h", "<", labels))
+        # One of them as the surface that the other verb makes.
+        done = run("surface", self.path("in/s2.nrrd"), "-o", self.path("in/s3.ply"), "--label", 2)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        report = self.study(self.path("in"), "--align", "rotation", "--label", 2)
+        self.assertEqual([s["name"] for s in report["subjects"]], ["s0", "s1", "s2", "s3"])
+        distances = rows_of(self.path("out/distances.csv"))
+        self.assertLess(float(distances[2]["s3"]), 1e-9)
+        self.assertGreater(float(distances[0]["s1"]), 0.1)
+        self.assertEqual(self.study(self.path("in"), "--align", "rotation", "--label", 2)["reused"], 4)
+        self.assertEqual(run("study", self.path("in"), "-o", self.path("out"), "--label", 3, *GRID).returncode, 1)
+        for name in ("s0", "s1", "s2"):
+            os.remove(self.path(f"in/{name}.nrrd"))
+        self.subjects(2)
+        self.refused(2, "usage", self.path("in"), "study", self.path("in"), "-o", self.path("out"), "--label", 2)
 
     def test_wrong_requests_are_refused(self):
         folder = self.subjects(1)

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "base/random.h"
 #include "correspondence/statistics/group_test.h"
+#include "correspondence/statistics/outliers.h"
 #include "correspondence/statistics/principal_modes.h"
 
 using namespace orbicube;
@@ -131,4 +132,19 @@ TEST_CASE("a regression on groups is the test of the groups, and finds a slope t
   CHECK_THROWS_AS(correspondence::regress(x, std::vector<double>(12, 3.0), {}, host_of(1)), base::Error);
   age[2] = std::nan("");
   CHECK_THROWS_AS(correspondence::regress(x, age, {}, host_of(1)), base::Error);
+}
+
+TEST_CASE("outliers are far above the median, whatever their number below half") {
+  const std::vector<double> distances = {1, 1.1, 0.9, 1.05, 9, 0.95, 1e300, 0.01};
+  CHECK(correspondence::outliers(distances) == std::vector<std::uint8_t>{0, 0, 0, 0, 1, 0, 1, 0});
+  CHECK(correspondence::outliers(std::vector<double>{1, 1, 1, 9}) == std::vector<std::uint8_t>(4, 0));
+  CHECK(correspondence::outliers(std::vector<double>(6, 2.0)) == std::vector<std::uint8_t>(6, 0));
+  CHECK(correspondence::outliers({}).empty());
+  // The mean square of the distances from the mean is the sum of all variances, of N - 1 subjects and by point.
+  const Population x = noise(9, 7, 3);
+  const correspondence::PrincipalModes modes = correspondence::principal_modes(x, host_of(1));
+  double squares = 0;
+  for (const double distance : correspondence::distances_from_mean(x, modes.mean))
+    squares += distance * distance;
+  CHECK(squares == doctest::Approx(8 * modes.variances.sum() / 7));
 }
