@@ -40,7 +40,8 @@ obc_status write_and_read(const obc_host& host) {
   const Cube cube;
   const obc_surface surface = cube.surface();
   obc_status status = OBC_OK;
-  for (const char* ending : {".obj", ".off", ".ply", ".stl", ".mesh", ".vtk", ".msh", ".white", ".inp"}) {
+  for (const char* ending :
+       {".obj", ".off", ".ply", ".stl", ".mesh", ".vtk", ".msh", ".white", ".inp", ".vtp", ".vtu", ".gii"}) {
     // Not std::filesystem: the call must not allocate for itself.
     char path[64];
     std::snprintf(path, sizeof path, "orbicube-mesh-test-%ld%s", static_cast<long>(::getpid()), ending);
@@ -60,7 +61,7 @@ TEST_CASE("A mesh written to each format is read again to the bit") {
   for (double& x : cube.positions)
     x = x / 3 + 0.1;
   const obc_surface surface = cube.surface();
-  for (const char* ending : {".obj", ".off", ".ply", ".mesh", ".vtk", ".msh", ".inp"}) {
+  for (const char* ending : {".obj", ".off", ".ply", ".mesh", ".vtk", ".msh", ".inp", ".vtp", ".vtu"}) {
     for (const std::int32_t binary : {0, 1}) {
       const TemporaryFile file(ending);
       obc_mesh_write_options options;
@@ -100,7 +101,7 @@ TEST_CASE("The table of formats: endings, names, contents") {
   CHECK(std::string(obc_mesh_format_name(OBC_MESH_MEDIT)) == "MEDIT");
   CHECK(obc_mesh_format_contents(OBC_MESH_STL) == (OBC_MESH_HOLDS_SURFACES | OBC_MESH_HOLDS_BINARY));
   CHECK((obc_mesh_format_contents(OBC_MESH_VTK) & OBC_MESH_HOLDS_CELLS) != 0);
-  for (const std::int32_t none : {-1, OBC_MESH_INP + 1, INT32_MAX}) {
+  for (const std::int32_t none : {-1, OBC_MESH_GIFTI + 1, INT32_MAX}) {
     CHECK(obc_mesh_format_ending(none) == nullptr);
     CHECK(obc_mesh_format_name(none) == nullptr);
     CHECK(obc_mesh_format_contents(none) == 0);

@@ -99,7 +99,7 @@ class Readers(InFolder):
         other, cube = self.written("a.xyz", "0 0 0"), self.made("cube")
         for done in (run("info", other), run("convert", cube, self.path("b.xyz"))):
             self.assertEqual(done.returncode, 2)
-            self.assertIn("the ending '.xyz' is none of .obj .off .ply .stl .mesh .vtk .msh .white .inp .glb .gltf", done.stderr)
+            self.assertIn("the ending '.xyz' is none of .obj .off .ply .stl .mesh .vtk .msh .white .inp .vtp .vtu .gii .glb .gltf", done.stderr)
 
     def test_spheres_of_long_shapes_are_on_the_sphere_and_their_surface_is_that_of_the_file(self):
         for name, factors in (("long", (1000, 1, 1)), ("flat", (1000, 1000, 1)), ("large", (3e4, 3e4, 3e4)),

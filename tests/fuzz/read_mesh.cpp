@@ -25,7 +25,10 @@ class BoundedMemory final : public std::pmr::memory_resource {
   // The densest files: a binary triangle strip of one-byte indices makes a triangle (12 bytes, twice while it is kept
   // as a face, with the room that growing arrays leave) of each byte, and its topology is computed when vertices are
   // joined.
-  static constexpr std::size_t bytes_a_byte = 256;
+  static constexpr std::size_t uncompressed_bytes_a_byte = 256;
+  // zlib makes a thousand bytes of one.
+  static constexpr bool compressed = Format::FUZZED_FORMAT >= Format::vtp && Format::FUZZED_FORMAT <= Format::gifti;
+  static constexpr std::size_t bytes_a_byte = uncompressed_bytes_a_byte * (compressed ? 64 : 1);
 
   void* do_allocate(std::size_t bytes, std::size_t alignment) override {
     used_ += bytes;

@@ -90,9 +90,10 @@ struct Kind {
   const char* file;
   bool binary;
 };
-constexpr Kind kinds[] = {{"a.obj", false},   {"a.off", false},  {"a.ply", false}, {"b.ply", true}, {"a.stl", false},
-                          {"b.stl", true},    {"a.mesh", false}, {"a.vtk", false}, {"b.vtk", true}, {"a.msh", false},
-                          {"a.white", false}, {"b.white", true}, {"a.inp", false}};
+constexpr Kind kinds[] = {{"a.obj", false},   {"a.off", false},  {"a.ply", false}, {"b.ply", true},  {"a.stl", false},
+                          {"b.stl", true},    {"a.mesh", false}, {"a.vtk", false}, {"b.vtk", true},  {"a.msh", false},
+                          {"a.white", false}, {"b.white", true}, {"a.inp", false}, {"a.vtp", false}, {"b.vtp", true},
+                          {"a.vtu", false},   {"b.vtu", true},   {"a.gii", false}, {"b.gii", true}};
 
 }  // namespace
 
@@ -144,12 +145,13 @@ TEST_CASE("STL keeps the triangles, binary ones to float32, text exactly") {
   }
 }
 
-TEST_CASE("FreeSurfer files keep vertices and triangles, binary ones to float32, text exactly") {
+TEST_CASE("FreeSurfer and GIFTI files keep vertices and triangles, binary ones to float32, text exactly") {
   const TemporaryFolder folder;
   const Mesh mesh = make_shape("blob", {.triangles = 2000}, base::Host());
-  for (const bool binary : {false, true}) {
-    write_mesh(folder / "lh.pial", mesh, {.binary = binary}, base::Host());
-    const Mesh again = read_mesh(folder / "lh.pial", {}, base::Host());
+  for (const auto& [name, binary] :
+       {std::pair{"lh.pial", false}, {"lh.pial", true}, {"lh.surf.gii", false}, {"lh.surf.gii", true}}) {
+    write_mesh(folder / name, mesh, {.binary = binary}, base::Host());
+    const Mesh again = read_mesh(folder / name, {}, base::Host());
     CHECK(again.triangles == mesh.triangles);
     REQUIRE(again.positions.size() == mesh.positions.size());
     for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
@@ -160,6 +162,7 @@ TEST_CASE("FreeSurfer files keep vertices and triangles, binary ones to float32,
     }
   }
   CHECK_THROWS_AS(write_mesh(folder / "b.white", hard_numbers(), {}, base::Host()), base::Error);
+  CHECK_THROWS_AS(write_mesh(folder / "b.gii", hard_numbers(), {}, base::Host()), base::Error);
 }
 
 TEST_CASE("A mesh that cannot be written leaves the old file and nothing else") {
@@ -208,8 +211,8 @@ TEST_CASE("Reading and writing end when the host wants it, and leave the old fil
 }
 
 TEST_CASE("Each row of the table of formats has its ending, and files that are tried here") {
-  CHECK(format_endings(Holds::cells) == ".mesh .vtk .msh .inp");
-  CHECK(format_endings(Holds::polygons) == ".obj .off .ply .mesh .vtk .msh .inp");
+  CHECK(format_endings(Holds::cells) == ".mesh .vtk .msh .inp .vtu");
+  CHECK(format_endings(Holds::polygons) == ".obj .off .ply .mesh .vtk .msh .inp .vtp .vtu");
   for (const FormatRow& row : formats()) {
     CAPTURE(row.name);
     CHECK(format_of_path("A" + std::string(row.ending)) == row.format);

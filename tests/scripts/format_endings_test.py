@@ -55,7 +55,7 @@ def lists_in(text, endings):
 
 class Endings(unittest.TestCase):
     def test_the_tables_are_read(self):
-        self.assertEqual(sorted(rows()), [".inp", ".mesh", ".msh", ".obj", ".off", ".ply", ".stl", ".vtk", ".white"])
+        self.assertEqual(sorted(rows()), [".gii", ".inp", ".mesh", ".msh", ".obj", ".off", ".ply", ".stl", ".vtk", ".vtp", ".vtu", ".white"])
         self.assertEqual(gltf_endings(), [".glb", ".gltf"])
 
     def test_what_counts_as_a_list(self):

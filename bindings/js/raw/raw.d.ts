@@ -52,6 +52,9 @@ export const constants: {
   readonly OBC_MESH_MSH: 6;
   readonly OBC_MESH_FREESURFER: 7;
   readonly OBC_MESH_INP: 8;
+  readonly OBC_MESH_VTP: 9;
+  readonly OBC_MESH_VTU: 10;
+  readonly OBC_MESH_GIFTI: 11;
   readonly OBC_MESH_HOLDS_SURFACES: 1;
   readonly OBC_MESH_HOLDS_POLYGONS: 2;
   readonly OBC_MESH_HOLDS_CELLS: 4;
@@ -479,8 +482,8 @@ export interface RawFunctions {
   obc_mesh_note(mesh: Pointer, index: number): Pointer;
   /** Fills options with the defaults. */
   obc_mesh_write_options_init(options: Pointer, struct_size: number): number;
-  /** Writes to `path` in the format of its ending: triangles to OBJ, OFF, PLY, STL and FreeSurfer, also cells to MEDIT, VTK, MSH and INP. Reading the file
-   * returns a bit-identical mesh, except for STL and FreeSurfer, which have float32. The file appears when it is complete; after an error the
+  /** Writes to `path` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+   * bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
    * previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
    * format does not have), io, out of memory, cancelled. */
   obc_mesh_write(path: Pointer, mesh: Pointer, options: Pointer, host: Pointer, error: Pointer): number;

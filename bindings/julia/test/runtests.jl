@@ -420,7 +420,7 @@ end
         @test_throws ArgumentError read_mesh(UInt8[], :doc)
     end
     shape = make_surface("creature", 400)
-    @test [format.ending for format in formats() if format.cells] == [".mesh", ".vtk", ".msh", ".inp"]
+    @test [format.ending for format in formats() if format.cells] == [".mesh", ".vtk", ".msh", ".inp", ".vtu"]
     @test "torus" in shape_names() && check_closed_genus_zero(shape) === nothing
     @test_throws OrbicubeError check_closed_genus_zero(make_surface("torus", 400))
     inside = Surface(Orbicube.positions(shape), Orbicube.triangles(shape)[[2, 1, 3], :])

@@ -139,7 +139,8 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
     ),
     "obc_mesh_write_options": (
         Option("binary", "bool", True,
-               doc="1: PLY, STL, VTK and FreeSurfer in binary; 0: as text. The other formats are text. Default: 1."),
+               doc="1: PLY, STL, VTK, VTP, VTU, FreeSurfer and GIFTI in binary; 0: as text. The other formats are text. "
+                   "Default: 1."),
     ),
     "obc_polycube_options": (
         Option("construction", "word", "auto", words={"auto": 0, "labels": 1, "voxels": 2, "dissertation": 3},

@@ -1,5 +1,5 @@
 /* Orbicube mesh: triangle surfaces and meshes of tetrahedra and hexahedra: files (OBJ, OFF, PLY, STL, MEDIT, legacy VTK,
- * Gmsh, FreeSurfer, Abaqus), topology, consistent orientation, search, and exact predicates.
+ * Gmsh, FreeSurfer, Abaqus, VTK XML, GIFTI), topology, consistent orientation, search, and exact predicates.
  *
  * Arrays are the caller's. Positions are x y z a vertex (3 * vertex_count finite doubles). Triangles are three vertex indices each
  * (from 0, counter-clockwise seen from outside). Tetrahedra are four, the fourth on the side from which the first three are clockwise, so
@@ -144,7 +144,10 @@ enum {
   OBC_MESH_VTK = 5,        /* legacy, text and binary */
   OBC_MESH_MSH = 6,        /* Gmsh, versions 2.2 and 4.1, text and binary; written as text of version 2.2 */
   OBC_MESH_FREESURFER = 7, /* surfaces of FreeSurfer, binary (with float32) and text; also read and written as lh.pial and the like */
-  OBC_MESH_INP = 8         /* Abaqus and CalculiX, linear elements; text */
+  OBC_MESH_INP = 8,        /* Abaqus and CalculiX, linear elements; text */
+  OBC_MESH_VTP = 9,        /* VTK XML, surfaces: text and binary, compressed in builds with zlib */
+  OBC_MESH_VTU = 10,       /* VTK XML, unstructured grids; the same */
+  OBC_MESH_GIFTI = 11      /* GIFTI surfaces: text and binary (with float32), compressed in builds with zlib */
 };
 
 /* What files of a format can hold: bits of obc_mesh_format_contents. */
@@ -197,14 +200,14 @@ OBC_API const char *obc_mesh_note(const obc_mesh *mesh, size_t index);
 /* Options of writers. Fill with _init. */
 typedef struct obc_mesh_write_options {
   uint32_t struct_size;
-  int32_t binary; /* 1: PLY, STL, VTK and FreeSurfer in binary; 0: as text. The other formats are text. Default: 1. */
+  int32_t binary; /* 1: PLY, STL, VTK, VTP, VTU, FreeSurfer and GIFTI in binary; 0: as text. The other formats are text. Default: 1. */
 } obc_mesh_write_options;
 
 /* Fills options with the defaults. */
 OBC_API obc_status obc_mesh_write_options_init(obc_mesh_write_options *options, size_t struct_size);
 
-/* Writes to `path` in the format of its ending: triangles to OBJ, OFF, PLY, STL and FreeSurfer, also cells to MEDIT, VTK, MSH and INP. Reading the file
- * returns a bit-identical mesh, except for STL and FreeSurfer, which have float32. The file appears when it is complete; after an error the
+/* Writes to `path` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+ * bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
  * previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
  * format does not have), io, out of memory, cancelled. */
 OBC_API obc_status obc_mesh_write(const char *path, const obc_mesh *mesh, const obc_mesh_write_options *options,

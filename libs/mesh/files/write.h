@@ -10,12 +10,12 @@
 namespace orbicube::mesh {
 
 struct WriteOptions {
-  bool binary = true;  // PLY, STL, VTK and FreeSurfer; the other formats are text. Text holds 17 digits, binary PLY and
-                       // VTK doubles
+  bool binary = true;  // PLY, STL, VTK, VTK XML, FreeSurfer and GIFTI; the others are text. Text holds 17 digits,
+                       // binary PLY and VTK doubles
 };
 
 // Writes triangles, and tetrahedra and hexahedra in formats that hold cells. A file that is read again is the same
-// mesh, bit for bit, but for binary STL and FreeSurfer, whose coordinates are rounded to float32. Throws Error
+// mesh, bit for bit, but for binary STL, FreeSurfer and GIFTI, whose coordinates are rounded to float32. Throws Error
 // "unsupported-format" for an ending that is none of ours, "unsupported" for cells that the format cannot hold and for
 // a surface that float32 cannot (it would move vertices by a thousandth of the size), "non-finite", "io", "cancelled".
 // O(n).

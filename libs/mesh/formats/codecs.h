@@ -50,6 +50,14 @@ Mesh read_freesurfer(std::span<const std::byte> bytes, const base::Host& host, R
 // springs, masses and all else is passed over.
 Mesh read_inp(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
+// XML files of VTK, PolyData and unstructured grids, with numbers as text or bytes, inside or appended, compressed by
+// zlib or not; the same cells as legacy files.
+Mesh read_vtk_xml(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
+// GIFTI: one array of points and one of triangles, as text or bytes, compressed or not. Coordinates are kept as they
+// are.
+Mesh read_gifti(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
+
 void write_obj(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 void write_off(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
@@ -69,6 +77,13 @@ void write_freesurfer(OutputFile& file, const Mesh& mesh, const WriteOptions& op
 
 // Elements S3, C3D4 and C3D8, an element set each.
 void write_inp(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// With doubles, as text or as bytes in base64, which are compressed in builds with zlib.
+void write_vtp(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+void write_vtu(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
+
+// With coordinates rounded to float32 but for text.
+void write_gifti(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
 // Version 3.0: PolyData for surfaces, an unstructured grid for meshes with cells; binary files are big-endian.
 void write_vtk(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);

@@ -21,6 +21,9 @@ constexpr std::array rows = {
     FormatRow{Format::msh, ".msh", "MSH", true, true, false, read_msh, write_msh},
     FormatRow{Format::freesurfer, ".white", "FREESURFER", false, false, true, read_freesurfer, write_freesurfer},
     FormatRow{Format::inp, ".inp", "INP", true, true, false, read_inp, write_inp},
+    FormatRow{Format::vtp, ".vtp", "VTP", true, false, true, read_vtk_xml, write_vtp},
+    FormatRow{Format::vtu, ".vtu", "VTU", true, true, true, read_vtk_xml, write_vtu},
+    FormatRow{Format::gifti, ".gii", "GIFTI", false, false, true, read_gifti, write_gifti},
 #endif
 };
 

@@ -18,7 +18,7 @@ struct ReadReport;    // read.h
 struct WriteOptions;  // write.h
 
 // Numbers the rows of the table, and OBC_MESH_... of the C interface.
-enum class Format { obj, off, ply, stl, medit, vtk, msh, freesurfer, inp };
+enum class Format { obj, off, ply, stl, medit, vtk, msh, freesurfer, inp, vtp, vtu, gifti };
 
 // What a file can hold. Polygons: faces that share vertices, whose coordinates read back bit-identically. Cells:
 // tetrahedra and hexahedra.

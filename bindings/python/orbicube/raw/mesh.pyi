@@ -12,6 +12,9 @@ OBC_MESH_VTK: int
 OBC_MESH_MSH: int
 OBC_MESH_FREESURFER: int
 OBC_MESH_INP: int
+OBC_MESH_VTP: int
+OBC_MESH_VTU: int
+OBC_MESH_GIFTI: int
 
 OBC_MESH_HOLDS_SURFACES: int
 OBC_MESH_HOLDS_POLYGONS: int
@@ -252,8 +255,8 @@ def obc_mesh_write_options_init(options: Pointer, struct_size: int) -> int:
     ...
 
 def obc_mesh_write(path: bytes | None, mesh: Pointer, options: Pointer, host: Pointer, error: Pointer) -> int:
-    """Writes to `path` in the format of its ending: triangles to OBJ, OFF, PLY, STL and FreeSurfer, also cells to MEDIT, VTK, MSH and INP. Reading the file
-    returns a bit-identical mesh, except for STL and FreeSurfer, which have float32. The file appears when it is complete; after an error the
+    """Writes to `path` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+    bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
     previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
     format does not have), io, out of memory, cancelled."""
     ...

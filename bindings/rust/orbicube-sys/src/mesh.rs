@@ -22,6 +22,12 @@ pub const OBC_MESH_MSH: i32 = 6;
 pub const OBC_MESH_FREESURFER: i32 = 7;
 /// Abaqus and CalculiX, linear elements; text
 pub const OBC_MESH_INP: i32 = 8;
+/// VTK XML, surfaces: text and binary, compressed in builds with zlib
+pub const OBC_MESH_VTP: i32 = 9;
+/// VTK XML, unstructured grids; the same
+pub const OBC_MESH_VTU: i32 = 10;
+/// GIFTI surfaces: text and binary (with float32), compressed in builds with zlib
+pub const OBC_MESH_GIFTI: i32 = 11;
 
 /// triangles; all formats do
 pub const OBC_MESH_HOLDS_SURFACES: i32 = 1;
@@ -145,7 +151,7 @@ pub struct obc_mesh_read_options {
 #[derive(Clone, Copy)]
 pub struct obc_mesh_write_options {
     pub struct_size: u32,
-    /// 1: PLY, STL, VTK and FreeSurfer in binary; 0: as text. The other formats are text. Default: 1.
+    /// 1: PLY, STL, VTK, VTP, VTU, FreeSurfer and GIFTI in binary; 0: as text. The other formats are text. Default: 1.
     pub binary: i32,
 }
 
@@ -329,8 +335,8 @@ extern "C" {
     pub fn obc_mesh_note(mesh: *const obc_mesh, index: usize) -> *const c_char;
     /// Fills options with the defaults.
     pub fn obc_mesh_write_options_init(options: *mut obc_mesh_write_options, struct_size: usize) -> i32;
-    /// Writes to \`path\` in the format of its ending: triangles to OBJ, OFF, PLY, STL and FreeSurfer, also cells to MEDIT, VTK, MSH and INP. Reading the file
-    /// returns a bit-identical mesh, except for STL and FreeSurfer, which have float32. The file appears when it is complete; after an error the
+    /// Writes to \`path\` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+    /// bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
     /// previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
     /// format does not have), io, out of memory, cancelled.
     pub fn obc_mesh_write(path: *const c_char, mesh: *const obc_mesh, options: *const obc_mesh_write_options, host: *const obc_host, error: *mut obc_error) -> i32;

@@ -30,7 +30,7 @@ fn files_hold_the_same_bits_and_defects_are_named() {
     assert!(Mesh::make("nothing of the kind", 100, 0, &mut host()).is_err());
     assert!(mesh::shape_names().contains(&"torus".to_string()));
     let cells: Vec<String> = mesh::formats().into_iter().filter(|format| format.cells).map(|format| format.ending).collect();
-    assert_eq!(cells, [".mesh", ".vtk", ".msh", ".inp"]);
+    assert_eq!(cells, [".mesh", ".vtk", ".msh", ".inp", ".vtu"]);
     assert_eq!(mesh::orientation_from_origin([0.1; 3], [0.2; 3], [0.0, 0.0, 1.0]), Some(0));
     assert_eq!(mesh::orientation_2d([f64::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]), None);
     let search = mesh::Search::new(shape.surface(), &mut host()).unwrap();
