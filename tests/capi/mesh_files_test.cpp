@@ -155,7 +155,7 @@ TEST_CASE("Files in memory: changes are reported, defects are reported with thei
   CHECK(obc_mesh_read_memory(nullptr, 0, OBC_MESH_OFF, nullptr, nullptr, &made, &error) == OBC_MALFORMED_FILE);
   CHECK(std::string(error.kind) == "empty-file");
   CHECK(obc_mesh_read_memory(nullptr, 5, OBC_MESH_OFF, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
-  CHECK(obc_mesh_read_memory("OFF", 3, OBC_MESH_MSH + 1, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_read_memory("OFF", 3, OBC_MESH_GIFTI + 1, nullptr, nullptr, &made, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_mesh_read_memory("OFF", 3, OBC_MESH_OFF, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
   CHECK(obc_mesh_read("/nowhere/at/all.off", nullptr, nullptr, &made, &error) == OBC_IO);
   CHECK(std::string(error.message).find("/nowhere/at/all.off: ") == 0);
