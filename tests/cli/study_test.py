@@ -240,10 +240,11 @@ class Study(InFolder):
         self.assertEqual([s["name"] for s in study["shifts"]], [f"Mode {k}" for k in range(1, 6)] + ["patient minus control"])
         self.assertEqual([s["values"][0] for s in study["subjects"]], 4 * ["control", "patient"])
         self.assertEqual([s["distance"] for s in study["subjects"]], [s["distance_from_mean"] for s in report["subjects"]])
-        self.assertEqual([f["name"] for f in study["failed"]], ["no <"])
+        self.assertEqual([f["name"] for f in study["failed"]], ["script> surface"])  # behind the slash
         self.assertEqual(study["fractions"], report["modes"]["fractions"])
         data = point_data(self.path("out/mean.vtk"))
-        for numbers, values in [(study["mean"], data[""]), *((m, data[m["name"]]) for m in study["maps"] + study["shifts"])]:
+        for numbers, values in [(study["mean"], data[""]), *((m, data[m["name"]]) for m in study["maps"]),
+                                *((s, data[s["id"]]) for s in study["shifts"])]:
             steps = struct.unpack(f"<{len(values)}H", base64.b64decode(numbers["values"]))
             for value, step in zip(values, steps):
                 self.assertAlmostEqual(numbers["low"] + numbers["step"] * step, value, delta=0.51 * numbers["step"] + 1e-12)
