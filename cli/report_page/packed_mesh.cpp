@@ -1,4 +1,5 @@
 #include "report_page/packed_mesh.h"
+#include "report_page/base64_text.h"
 
 #include <Eigen/Dense>
 #include <algorithm>
@@ -11,7 +12,6 @@
 
 #include "base/error.h"
 #include "base/host.h"
-#include "gltf/json/base64.h"
 #include "mesh/search/rotations.h"
 #include "mesh/topology/edge_table.h"
 
@@ -44,12 +44,6 @@ void check(const PageResult& result) {
       if (corner >= result.positions.size()) fail("triangle index " + std::to_string(corner) + " out of range");
     }
   }
-}
-
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  std::string text(gltf::base64_size(bytes.size()), '=');
-  gltf::encode_base64(std::as_bytes(std::span(bytes)), text.data());
-  return text;
 }
 
 void append_number(std::vector<std::uint8_t>& bytes, double value, int byte_count) {

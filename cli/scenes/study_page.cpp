@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gltf/json/base64.h"
+#include "report_page/base64_text.h"
 #include "report_page/filled_page.h"
 #include "report_page/template.h"
 
@@ -13,12 +13,6 @@ namespace orbicube::cli {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string base64(const std::vector<std::uint8_t>& bytes) {
-  std::string text(gltf::base64_size(bytes.size()), '=');
-  gltf::encode_base64(std::as_bytes(std::span(bytes)), text.data());
-  return text;
-}
 
 // Numbers in 65,536 steps from the lowest to the highest that is finite.
 Json packed(std::span<const double> values) {

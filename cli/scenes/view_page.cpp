@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <span>
 
 #include "base/error.h"
-#include "gltf/json/base64.h"
+#include "report_page/base64_text.h"
 #include "report_page/filled_page.h"
 #include "report_page/template.h"
 
@@ -19,12 +20,6 @@ using mesh::Index;
 using mesh::Vector3;
 
 constexpr double steps = 16777215;  // of a position along the longest side of the box
-
-std::string base64(std::span<const std::uint8_t> bytes) {
-  std::string text(gltf::base64_size(bytes.size()), '=');
-  gltf::encode_base64(std::as_bytes(bytes), text.data());
-  return text;
-}
 
 // Bytes of a number of a vertex.
 unsigned width_of(std::size_t vertices) {

@@ -53,7 +53,7 @@ TEST_CASE("FreeSurfer: binary and text files have the same mesh, with each endin
     CHECK(format_of_path(name) == Format::freesurfer);
 }
 
-TEST_CASE("FreeSurfer: the offset to the scanner's space is told, and coordinates are kept") {
+TEST_CASE("FreeSurfer: the offset to the scanner's space is noted, and coordinates are kept") {
   const auto read = [](const std::string& text) {
     std::string bytes = file_of(4, 4, corner, closed);
     for (const std::uint32_t number : {2U, 0U, 20U})

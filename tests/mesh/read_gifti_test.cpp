@@ -78,7 +78,7 @@ TEST_CASE("GIFTI: each encoding and order has the same surface") {
   }
 }
 
-TEST_CASE("GIFTI: coordinates are kept, and a matrix to another space is told") {
+TEST_CASE("GIFTI: coordinates are kept, and a matrix to another space is noted") {
   const auto notes = [](const std::string& matrix) {
     ReadReport report;
     CHECK(read_text(Format::gifti, file_of({"ASCII"}, transform(matrix)), {}, &report).positions[1] ==

@@ -27,7 +27,7 @@ def template() -> str:
     if not os.path.exists(path):
         folder = os.path.normpath(os.path.join(HERE, "..", "..", "..", "cli", "view_page"))
         if not os.path.isdir(folder):
-            raise RuntimeError("the package has no viewer.html; install it anew, from a wheel")
+            raise RuntimeError("the package has no viewer.html; install it again, from a wheel")
         with open(os.path.join(folder, "parts.txt"), encoding="utf-8") as file:
             parts = [os.path.join(folder, line) for line in file.read().split()]
         with tempfile.TemporaryDirectory() as made:

@@ -12,11 +12,11 @@ namespace orbicube::hexmesh {
 
 struct FeatureHexOptions {
   std::size_t cells = 10000;        // about
-  std::size_t max_cells = 100'000;  // where short arcs need more
+  std::size_t max_cells = 100'000;  // where short arcs and gaps need more
   double distance = 1;              // as in HexOptions
   int rounds = 40;                  // of fitting
   double bound = 1;                 // of scaled Jacobians, by the features (feature_bound.h)
-  bool once = false;                // one attempt, with the cells of the second of three
+  bool once = false;                // one fit, not up to three
 };
 
 // A certified mesh whose quads have the patches of the graph, or none, with what was in the way and where.

@@ -20,6 +20,13 @@ std::string in_quotes(std::string_view word) {
   return text;
 }
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view space = " \t\r\n\v\f";
+  const std::size_t begin = std::min(text.find_first_not_of(space), text.size());
+  const std::size_t end = text.find_last_not_of(space);
+  return text.substr(begin, end == std::string_view::npos ? 0 : end + 1 - begin);
+}
+
 std::string in_small_letters(std::string_view word) {
   std::string text(word);
   for (char& c : text)

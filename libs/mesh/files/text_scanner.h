@@ -17,6 +17,9 @@ namespace orbicube::mesh {
 // A word of a file as messages show it: in quotes, shortened, without what terminals would not print.
 std::string in_quotes(std::string_view word);
 
+// The text without blanks and ends of lines around it.
+std::string_view trimmed(std::string_view text);
+
 // The same word in small letters, of ASCII, whatever the locale.
 std::string in_small_letters(std::string_view word);
 

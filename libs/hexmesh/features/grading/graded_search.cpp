@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/search/measures.h"
 
 namespace orbicube::hexmesh {
 namespace {
@@ -29,19 +28,17 @@ GradedSearch::GradedSearch(std::span<const Vector3> positions, std::span<const m
       triangles_(triangles),
       graph_(graph),
       host_(host),
-      low_(mesh::measures(positions, triangles, host).low),
-      high_(mesh::measures(positions, triangles, host).high),
-      volume_(mesh::measures(positions, triangles, host).volume),
+      whole_(mesh::measures(positions, triangles, host)),
       base_cells_(cells),
       max_cells_(max_cells),
       shape_(positions, triangles, graph, 1, host),
-      demands_(shape_, most_strength * size_of(volume_, cells), host),
+      demands_(shape_, most_strength * size_of(whole_.volume, cells), host),
       strength_(graph.arcs.size(), first_strength, host.memory) {}
 
 std::optional<EmbeddedCells> GradedSearch::next() {
   for (; attempts_ < max_attempts; ++attempts_) {
     EmbeddedCells now;
-    now.grading = std::make_unique<AxisGrading>(low_, high_, size_of(volume_, base_cells_), host_);
+    now.grading = std::make_unique<AxisGrading>(whole_.low, whole_.high, size_of(whole_.volume, base_cells_), host_);
     demands_.refine(strength_, *now.grading);
     now.surface = std::make_unique<GradedSurface>(positions_, triangles_, graph_, *now.grading, host_);
     hexahedra_ = now.surface->volume / grid_part;

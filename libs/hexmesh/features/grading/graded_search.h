@@ -6,6 +6,7 @@
 
 #include "hexmesh/features/grading/feature_demands.h"
 #include "hexmesh/features/grading/graded_cells.h"
+#include "mesh/search/measures.h"
 
 namespace orbicube::hexmesh {
 
@@ -39,8 +40,8 @@ class GradedSearch {
   std::span<const mesh::Triangle> triangles_;
   const mesh::FeatureGraph& graph_;
   const base::Host& host_;
-  Vector3 low_, high_;
-  double volume_, base_cells_, max_cells_, hexahedra_ = 0;
+  const mesh::Measures whole_;  // of the surface
+  double base_cells_, max_cells_, hexahedra_ = 0;
   const FeatureShape shape_;
   const FeatureDemands demands_;
   Array<double> strength_;  // of each arc

@@ -12,13 +12,6 @@
 namespace orbicube::mesh {
 namespace {
 
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  const std::size_t end = text.find_last_not_of(blanks);
-  return text.substr(begin, end == std::string_view::npos ? 0 : end + 1 - begin);
-}
-
 // Behind the triangles: tags, of which one has the geometry of the volume as lines of text, "cras = x y z". Coordinates
 // are kept in the space of surfaces, which programs for them share; that of the scanner is elsewhere by c_ras.
 void note_scanner_space(std::string_view text, ReadReport& report) {
@@ -28,7 +21,7 @@ void note_scanner_space(std::string_view text, ReadReport& report) {
   std::string_view line = text.substr(at, text.substr(at, 200).find('\n'));
   const std::size_t equals = line.find('=');
   if (equals == std::string_view::npos || line.size() > 200) return;
-  line = without_blanks(line.substr(equals + 1));
+  line = trimmed(line.substr(equals + 1));
   const bool is_text = line.find_first_not_of("0123456789+-.eE \t") == std::string_view::npos;
   const bool is_zero = line.find_first_of("123456789") == std::string_view::npos;
   if (line.empty() || !is_text || is_zero) return;

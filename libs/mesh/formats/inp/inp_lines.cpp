@@ -8,13 +8,6 @@
 namespace orbicube::mesh {
 namespace {
 
-std::string_view without_blanks(std::string_view text) {
-  constexpr std::string_view blanks = " \t\v\f\r";
-  const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-  const std::size_t end = text.find_last_not_of(blanks);
-  return text.substr(begin, end == std::string_view::npos ? 0 : end + 1 - begin);
-}
-
 // Keywords and their values are the same in letters of each size and with blanks anywhere.
 std::string normal_form(std::string_view text) {
   std::string result;
@@ -33,7 +26,7 @@ bool InpLines::next() {
     started_ = true;
     scanner_.progress();
     if (!scanner_.skip_space()) return false;
-    line_ = without_blanks(scanner_.line());
+    line_ = trimmed(scanner_.line());
     fields_ = line_;
     more_fields_ = true;
     if (!line_.starts_with("**")) return true;
@@ -43,7 +36,7 @@ bool InpLines::next() {
 std::optional<std::string_view> InpLines::field() {
   if (!more_fields_) return std::nullopt;
   const std::size_t comma = fields_.find(',');
-  const std::string_view result = without_blanks(fields_.substr(0, comma));
+  const std::string_view result = trimmed(fields_.substr(0, comma));
   more_fields_ = comma != std::string_view::npos;
   fields_ = more_fields_ ? fields_.substr(comma + 1) : std::string_view();
   return result;

@@ -30,7 +30,7 @@ NumberArray NumberArray::of_text(std::string_view text, NumberType type, const A
   result.bytes_.reserve(4 * text.size());  // a digit and a blank for eight bytes, at most
   const std::size_t size = text.size();
   std::size_t count = 0;
-  for (text = without_space(text); !text.empty();) {
+  for (text = trimmed(text); !text.empty();) {
     if (++count % 4096 == 0) host.report("reading", size - text.size(), size);
     const char *const begin = text.data(), *const end = begin + text.size();
     std::array<std::byte, 8> raw{};

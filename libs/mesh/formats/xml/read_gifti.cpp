@@ -73,8 +73,7 @@ class GiftiReader {
       const bool in_matrix = open.size() == 4 && open[2] == "CoordinateSystemTransformMatrix";
       if (open.size() == 3 && open[2] == "Data") array.text = scanner_.text();
       if (in_matrix && open[3] == "MatrixData" && array.matrix.empty()) array.matrix = scanner_.text();
-      if (in_matrix && open[3] == "TransformedSpace" && array.space.empty())
-        array.space = without_space(scanner_.text());
+      if (in_matrix && open[3] == "TransformedSpace" && array.space.empty()) array.space = trimmed(scanner_.text());
     }
   }
 
@@ -106,7 +105,7 @@ class GiftiReader {
     return &result;
   }
 
-  std::string_view attribute(const char* name) const { return without_space(scanner_.attribute(name).value_or("")); }
+  std::string_view attribute(const char* name) const { return trimmed(scanner_.attribute(name).value_or("")); }
 
   std::uint64_t number(const char* name) const {
     const std::string_view text = attribute(name);

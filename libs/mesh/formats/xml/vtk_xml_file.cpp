@@ -114,7 +114,7 @@ class FileReader {
 
   std::uint64_t number(std::string_view text, const char* what) const {
     std::uint64_t value = 0;
-    text = without_space(text);
+    text = trimmed(text);
     const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (text.empty() || problem != std::errc() || end != text.data() + text.size())
       scanner_.fail("parse", std::string(what) + ": a number of 0 or more expected, found " + in_quotes(text));

@@ -19,12 +19,6 @@ bool ends_name(char c) {
 
 }  // namespace
 
-std::string_view without_space(std::string_view text) {
-  const std::size_t begin = std::min(text.find_first_not_of(space), text.size());
-  const std::size_t end = text.find_last_not_of(space);
-  return text.substr(begin, end == std::string_view::npos ? 0 : end + 1 - begin);
-}
-
 void XmlScanner::fail(const char* kind, const std::string& what) const {
   throw base::Error(kind, "byte " + std::to_string(at_) + ": " + what);
 }
@@ -59,7 +53,7 @@ XmlScanner::Event XmlScanner::next() {
       fail("parse", "text outside of the elements");
     }
     at_ = std::min(all_.find('<', at_), all_.size());
-    text_ = without_space(all_.substr(begin, at_ - begin));
+    text_ = trimmed(all_.substr(begin, at_ - begin));
     if (text_.starts_with("\xEF\xBB\xBF") && begin == 0) text_.remove_prefix(3);
     if (!text_.empty()) {
       if (!open_.empty()) return Event::text;

@@ -61,7 +61,4 @@ class XmlScanner {
   const base::Host& host_;
 };
 
-// The text without blanks and ends of lines around it.
-std::string_view without_space(std::string_view text);
-
 }  // namespace orbicube::mesh

@@ -1,0 +1,18 @@
+// Bytes in the data of a page.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "gltf/json/base64.h"
+
+namespace orbicube::cli {
+
+inline std::string base64(std::span<const std::uint8_t> bytes) {
+  std::string text(gltf::base64_size(bytes.size()), '=');
+  gltf::encode_base64(std::as_bytes(bytes), text.data());
+  return text;
+}
+
+}  // namespace orbicube::cli
