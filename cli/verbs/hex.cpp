@@ -150,7 +150,7 @@ void add_hex(CLI::App& app, CommonOptions& common) {
       ->type_name("N");
   verb->add_option("--feature-angle", options->feature_angle,
                    "minimum dihedral angle, in degrees, of surface edges that edges of OUT or axes of computed frames "
-                   "follow; 0: none [default: 40; with --method frames 0]")
+                   "follow; 0: none [default: 35 with --features, else 40, or 0 with --method frames]")
       ->check(unnamed(CLI::Range(0.0, 179.0)))
       ->type_name("DEGREES");
   verb->add_option(

@@ -349,7 +349,11 @@ bool by_frames(const Options& options) {
 }
 
 double feature_angle_of(const Options& options) {
-  return options.feature_angle.value_or(by_frames(options) ? 0 : HexOptions{}.feature_angle);
+  constexpr double of_features = 35;  // many sharp edges of CAD parts with blends turn by less than 40 in places
+  const double unset = options.features != Features::off ? of_features
+                       : by_frames(options)              ? 0
+                                                         : HexOptions{}.feature_angle;
+  return options.feature_angle.value_or(unset);
 }
 
 Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume_map::InputFindings& findings,

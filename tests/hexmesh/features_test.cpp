@@ -139,6 +139,24 @@ TEST_CASE("The mesh that keeps more features is taken") {
   CHECK(again.complete());
 }
 
+TEST_CASE("Of two meshes with all features the better one is taken, if one has a little less of their length") {
+  const mesh::Mesh surface = cube_surface();
+  FeatureKeeper keeper(surface, {.request = by_angles, .cells = 100, .distance = 1}, host);
+  HexResult whole(host.memory), good(host.memory);
+  whole.mesh = good.mesh = grid_cube(50);
+  whole.quality.min_scaled_jacobian = 0.3;
+  good.quality.min_scaled_jacobian = 0.7;
+  for (Vector3& p : good.mesh.positions) {
+    if (p.x() == 0 && p.y() == 0 && p.z() == 0.5) p.x() = 0.01;
+  }
+  CHECK(keeper.offer(whole, true, nullptr));
+  CHECK(keeper.figures().captured == doctest::Approx(1));
+  CHECK(keeper.offer(good, false, &whole));
+  CHECK(keeper.figures().captured < 0.999);
+  CHECK(keeper.complete());
+  CHECK_FALSE(keeper.offer(whole, true, &good));
+}
+
 TEST_CASE("A mesh too far from the surface gives way to one that is not, whatever it keeps") {
   const mesh::Mesh surface = cube_surface();
   FeatureKeeper keeper(surface, {.request = by_angles, .cells = 100, .distance = 1}, host);

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <map>
+#include <numbers>
 #include <random>
+#include <vector>
 
 #include "base/random.h"
 #include "hexmesh/captured/feature_choice.h"
@@ -30,6 +32,27 @@ mesh::Mesh slotted_block() {
   for (Vector3& p : m.positions)
     p = Vector3(x[static_cast<std::size_t>(p.x())], y[static_cast<std::size_t>(p.y())], p.z());
   m.triangles = halves_of(cells.quads, host.memory);
+  return m;
+}
+
+// Radius 1 about the z axis, with 96 sides.
+mesh::Mesh cylinder() {
+  constexpr Index sides = 96;
+  mesh::Mesh m(host.memory);
+  for (const double z : {0.0, 1.0}) {
+    for (Index i = 0; i < sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      m.positions.emplace_back(std::cos(angle), std::sin(angle), z);
+    }
+  }
+  for (Index i = 0; i < sides; ++i) {
+    const Index j = (i + 1) % sides;
+    m.triangles.push_back({i, j, sides + j});
+    m.triangles.push_back({i, sides + j, sides + i});
+    if (i == 0 || j == 0) continue;
+    m.triangles.push_back({0, j, i});
+    m.triangles.push_back({sides, sides + i, sides + j});
+  }
   return m;
 }
 
@@ -95,6 +118,33 @@ TEST_CASE("A surface with split edges is the same surface with the same graph") 
   }
   for (const auto& [patch, area] : areas)
     CHECK(std::abs(area) < 1e-9);
+}
+
+TEST_CASE("Cells along an arc are as small as its turns require") {
+  constexpr double base = 0.8;
+  const auto graded = [&](const mesh::Mesh& solid) {
+    const FeatureSurface surface = feature_surface(solid, by_angles, host);
+    const FeatureShape shape(surface.positions, surface.triangles, surface.graph, 1, host);
+    AxisGrading grading(Vector3(-1, -1, 0), Vector3(1, 1, 1), base, host);
+    const std::vector<double> none(surface.graph.arcs.size(), 1e-3);
+    FeatureDemands(shape, base, base, host).refine(none, 1, grading);
+    return grading;
+  };
+  const AxisGrading round = graded(cylinder());
+  // 0.35 radians a cell, along the axis that the circle follows there.
+  CHECK(round.size(Vector3(0, 1, 0)).x() == doctest::Approx(0.35).epsilon(0.05));
+  CHECK(round.size(Vector3(1, 0, 0)).y() == doctest::Approx(0.35).epsilon(0.05));
+  CHECK(round.size(Vector3(0, 0, 0.5)).z() == base);
+  CHECK(graded(slotted_block()).size(Vector3(0, 0, 0.5)) == Vector3(base, base, base));
+}
+
+TEST_CASE("The rims of a cylinder are captured by few cells") {
+  FeatureKeeper keeper(cylinder(), {.request = by_angles, .cells = 200}, host);
+  const std::optional<HexResult> made = keeper.embed();
+  REQUIRE(made);
+  CHECK(made->quality.valid());
+  CHECK(keeper.offer(*made, true, nullptr));
+  CHECK(keeper.figures().captured > 0.99);
 }
 
 TEST_CASE("A narrow slot costs cells across it alone") {

@@ -128,6 +128,11 @@ TEST_CASE("A line of noise is left out, and one that fades goes on where the sur
     prism24.positions[v] = Vector3(prism24.positions[v].x(), prism24.positions[v].y(), 1.7);
   const FeatureGraph faded = graph_of(prism24, {.angle = 80});
   CHECK(faded.arcs.size() == 6);
+  // The ends of what is left of the sharp line are vertices of it.
+  CHECK(whole.fades.empty());
+  REQUIRE(faded.fades.size() >= 2);
+  for (const Index v : faded.fades)
+    CHECK(std::find(faded.vertices.begin(), faded.vertices.end(), v) != faded.vertices.end());
   CHECK(faded.euler == whole.euler);
   CHECK(std::all_of(faded.corners.begin(), faded.corners.end(), [](const FeatureCorner& c) { return c.soft; }));
 }

@@ -16,7 +16,12 @@ bool must_end(const base::Error& error) {
   return error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory;
 }
 
-// More of the length, or as much and more corners; as many: the better mesh.
+bool has_all(const FeatureFigures& figures) {
+  constexpr double all = 0.99;  // of the length
+  return figures.missing.empty() && figures.captured >= all;
+}
+
+// More of the length, or as much and more corners; as many, or all of both: the better mesh.
 bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult& y, const FeatureFigures& of_y,
                 double distance) {
   constexpr double same = 1e-3;  // of the length
@@ -24,6 +29,7 @@ bool keeps_more(const HexResult& x, const FeatureFigures& of_x, const HexResult&
   if (excess(y, distance) > refused && excess(x, distance) < excess(y, distance)) return true;
   const double near = std::max(1.0, excess(y, distance));
   if (excess(x, distance) > near) return false;
+  if (has_all(of_x) && has_all(of_y)) return better(x, y, distance);
   if (of_x.captured > of_y.captured + same) return true;
   if (of_x.captured < of_y.captured - same) return false;
   if (of_x.missing.size() != of_y.missing.size()) return of_x.missing.size() < of_y.missing.size();

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orbicube::hexmesh {
@@ -22,6 +23,7 @@ FeatureShape::FeatureShape(std::span<const Vector3> positions, std::span<const m
       triangles_(triangles),
       positions_(scaled(positions, scale, host.memory)),
       along_(graph.vertices.size(), 0, host.memory),
+      fades_(host.memory),
       by_patch_(
           graph.euler.size(),
           [&](const auto& visit) {
@@ -35,19 +37,18 @@ FeatureShape::FeatureShape(std::span<const Vector3> positions, std::span<const m
     const Vector3 normal = (positions_[t[1]] - positions_[t[0]]).cross(positions_[t[2]] - positions_[t[0]]);
     normals_.push_back(normal.stableNormalized());
   }
+  Array<std::uint8_t> fades(positions.size(), 0, host.memory);
+  for (const Index v : graph.fades)
+    fades[v] = 1;
   for (const mesh::FeatureArc& arc : graph.arcs) {
-    for (Index i = arc.begin + 1; i < arc.end; ++i)
+    auto& of_arc = fades_.emplace_back();
+    for (Index i = arc.begin + 1; i < arc.end; ++i) {
       along_[i] = along_[i - 1] + (positions_[graph.vertices[i]] - positions_[graph.vertices[i - 1]]).norm();
+      if (i + 1 < arc.end && fades[graph.vertices[i]] != 0) of_arc.push_back(along_[i]);
+    }
   }
   for (std::size_t p = 0; p < graph.euler.size(); ++p)
     searches_.emplace_back(positions_, by_patch_[p], host);
-}
-
-double FeatureShape::shortest_arc() const {
-  double least = std::numeric_limits<double>::infinity();
-  for (Index a = 0; a < arcs(); ++a)
-    least = std::min(least, length(a));
-  return least;
 }
 
 bool FeatureShape::joined(Index corner, Index other, double length_limit) const {
@@ -69,6 +70,12 @@ std::pair<Index, double> FeatureShape::segment(Index arc, double s) const {
 Vector3 FeatureShape::point(Index arc, double s) const {
   const auto [i, t] = segment(arc, s);
   return (1 - t) * positions_[graph_.vertices[i - 1]] + t * positions_[graph_.vertices[i]];
+}
+
+double FeatureShape::turning(Index arc, double s, double window) const {
+  const Vector3 middle = point(arc, s);
+  const Vector3 before = middle - point(arc, s - window / 2), after = point(arc, s + window / 2) - middle;
+  return std::atan2(before.cross(after).norm(), before.dot(after));
 }
 
 double FeatureShape::same_place(Index arc, double s, const FeatureShape& other) const {

@@ -2,8 +2,14 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 namespace orbicube::hexmesh {
+namespace {
+
+constexpr double min_spacing = 0.35;  // of vertices along an arc, times that of equal edges
+
+}  // namespace
 
 FeatureTargets::FeatureTargets(const HexMesh& mesh, const FeatureShape& shape, const Embedding& embedding,
                                const base::Host& host)
@@ -12,6 +18,7 @@ FeatureTargets::FeatureTargets(const HexMesh& mesh, const FeatureShape& shape, c
       owner_(mesh.positions.size(), no_index, host.memory),
       along_(mesh.positions.size(), 0, host.memory),
       s_(mesh.positions.size(), 0, host.memory),
+      kept_(mesh.positions.size(), 0, host.memory),
       paths_(embedding.paths, host.memory),
       spacing_(host.memory),
       pull_(mesh.positions.size(), 1, host.memory),
@@ -112,7 +119,7 @@ void FeatureTargets::pull_to_target(Index v, const Vector3& p, double weight, bo
       pull.to_point(to.position, corner * weight);
       return;
     case Kind::arc: {
-      if (!slide) return pull.to_point(to.position, arc * weight);
+      if (!slide || kept_[v] != 0) return pull.to_point(to.position, arc * weight);
       const Vector3 a = to.direction.unitOrthogonal(), b = to.direction.cross(a);
       pull.to_plane(a, to.position, arc * weight);
       pull.to_plane(b, to.position, arc * weight);
@@ -133,7 +140,6 @@ void FeatureTargets::pull_to_target(Index v, const Vector3& p, double weight, bo
 }
 
 void FeatureTargets::slide(std::span<const Vector3> positions) {
-  constexpr double min_spacing = 0.35;
   constexpr double window = 2;  // times the spacing: free nearest points lock
   for (Index a = 0; a < paths_.size(); ++a) {
     const auto& path = paths_[a];
@@ -149,18 +155,41 @@ void FeatureTargets::slide(std::span<const Vector3> positions) {
     double high = shape_->length(a);
     for (std::size_t i = n; i-- > 1;)
       high = s_[path[i]] = std::min(s_[path[i]], high - min_spacing * spacing[i]);
+    keep_near_fades(a);
+  }
+}
+
+// Only where the neighbors leave room.
+void FeatureTargets::keep_near_fades(Index arc) {
+  const auto& path = paths_[arc];
+  const auto place_of = [&](std::size_t i) {
+    return i == 0 ? 0 : i + 1 == path.size() ? shape_->length(arc) : s_[path[i]];
+  };
+  for (const Index v : path)
+    kept_[v] = 0;
+  for (const double s : shape_->fades(arc)) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      if (std::abs(place_of(i) - s) < std::abs(place_of(nearest) - s)) nearest = i;
+    }
+    if (nearest == 0 || nearest + 1 == path.size() || kept_[path[nearest]] != 0) continue;
+    const double before = s - place_of(nearest - 1), after = place_of(nearest + 1) - s;
+    if (before < min_spacing * spacing_[arc][nearest - 1] || after < min_spacing * spacing_[arc][nearest]) continue;
+    s_[path[nearest]] = s;
+    kept_[path[nearest]] = 1;
   }
 }
 
 double FeatureTargets::clamped_place(Index v, double s) const {
-  constexpr double min_spacing = 0.3, max_spacing = 1.7;
+  constexpr double min_searched = 0.3, max_searched = 1.7;  // times that of equal edges
+  if (kept_[v] != 0) return s_[v];
   const auto& path = paths_[owner_[v]];
   const std::size_t i = along_[v], n = path.size() - 1;
   const double to_here = spacing_[owner_[v]][i - 1], from_here = spacing_[owner_[v]][i];
   const double before = i > 1 ? s_[path[i - 1]] : 0;
   const double after = i + 1 < n ? s_[path[i + 1]] : shape_->length(owner_[v]);
-  const double low = std::max(before + min_spacing * to_here, after - max_spacing * from_here);
-  const double high = std::min(after - min_spacing * from_here, before + max_spacing * to_here);
+  const double low = std::max(before + min_searched * to_here, after - max_searched * from_here);
+  const double high = std::min(after - min_searched * from_here, before + max_searched * to_here);
   return low < high ? std::clamp(s, low, high) : s_[v];
 }
 

@@ -38,7 +38,7 @@ class FeatureTargets {
   void pull(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const;
 
   // Moves the targets of the vertices of each arc to the points nearest to them, in their order and not too close to
-  // each other.
+  // each other. Where a sharp line fades, the nearest one stays there.
   void slide(std::span<const Vector3> positions);
 
   // The arc length at which a vertex of an arc is, and where it may be between its neighbors.
@@ -49,13 +49,15 @@ class FeatureTargets {
   const FeatureShape& shape() const { return *shape_; }
 
  private:
+  void keep_near_fades(Index arc);
   void pull_to_target(Index v, const Vector3& p, double weight, bool slide, Pull& pull) const;
 
   const FeatureShape* shape_;
   Array<Kind> kind_;
-  Array<Index> owner_;  // corner, arc or patch
-  Array<Index> along_;  // place of a vertex in the path of its arc
-  Array<double> s_;     // arc length
+  Array<Index> owner_;        // corner, arc or patch
+  Array<Index> along_;        // place of a vertex in the path of its arc
+  Array<double> s_;           // arc length
+  Array<std::uint8_t> kept_;  // whether a vertex of an arc stays at its arc length
   Array<Array<Index>> paths_;
   Array<Array<double>> spacing_;  // of each arc, the lengths that its edges have where all are alike in cells
   Array<double> pull_;            // of each vertex: times the weight

@@ -267,8 +267,10 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
     drop_short_ends(lines, guides, shortest_end * diagonal_of(positions, triangles), host);
     guides.add_sharp(options.angle * weaker, triangles);
   }
-  Array<Index> ends = continue_ends(lines, guides, host);
+  ContinuedEnds continued = continue_ends(lines, guides, host);
+  Array<Index>& ends = continued.by_others;
   graph.continued = ends.size();
+  graph.fades.swap(continued.by_guides);
   graph.cut_sectors = cut_wide_sectors(lines, guides, options.angle, host);
   if (!options.without.empty()) {
     leave_out(lines, options.without, FeatureLines(positions, connectivity, triangles.size(), host), host);

@@ -30,16 +30,23 @@ struct FeatureEnd {
 
 struct FeatureGraph {
   explicit FeatureGraph(std::pmr::memory_resource* memory)
-      : corners(memory), arcs(memory), vertices(memory), around(memory), patches(memory), euler(memory) {}
+      : corners(memory),
+        arcs(memory),
+        vertices(memory),
+        fades(memory),
+        around(memory),
+        patches(memory),
+        euler(memory) {}
 
   Array<FeatureCorner> corners;
   Array<FeatureArc> arcs;
-  Array<Index> vertices;                       // of all arcs
-  base::Groups<FeatureEnd, Index> around;      // of each corner, counter-clockwise seen from outside
-  Array<Index> patches;                        // of each triangle
-  Array<std::int64_t> euler;                   // Euler characteristic of each patch, its border included
-  std::size_t sharp_edges = 0;                 // of the surface
-  double sharp_length = 0;                     // of these, without repairs
+  Array<Index> vertices;                   // of all arcs
+  Array<Index> fades;                      // vertices of the surface at which a sharp line goes on along weaker edges
+  base::Groups<FeatureEnd, Index> around;  // of each corner, counter-clockwise seen from outside
+  Array<Index> patches;                    // of each triangle
+  Array<std::int64_t> euler;               // Euler characteristic of each patch, its border included
+  std::size_t sharp_edges = 0;             // of the surface
+  double sharp_length = 0;                 // of these, without repairs
   std::size_t continued = 0, cut_sectors = 0;  // repairs
 
   std::span<const Index> vertices_of(const FeatureArc& arc) const {

@@ -1,5 +1,6 @@
 #include "mesh/features/feature_repairs.h"
 
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <vector>
@@ -152,20 +153,25 @@ bool drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double lengt
   return dropped;
 }
 
-Array<Index> continue_ends(FeatureLines& lines, const FeatureLines& guides, const base::Host& host) {
-  Array<Index> ends(host.memory);
+ContinuedEnds continue_ends(FeatureLines& lines, const FeatureLines& guides, const base::Host& host) {
+  ContinuedEnds ends{Array<Index>(host.memory), Array<Index>(host.memory)};
+  for (Index v = 0; v < lines.positions().size(); ++v) {
+    if (lines.degree(v) == 1) ends.by_guides.push_back(v);
+  }
   WayFinder finder(lines, guides, host);
   const Connectivity& connectivity = lines.connectivity();
-  for (Index v = 0; v < lines.positions().size(); ++v) {
-    if (v % 4096 == 0) host.report("features", 0, 0);
-    if (lines.degree(v) != 1) continue;
+  for (const Index v : ends.by_guides) {
+    host.report("features", 0, 0);
+    if (lines.degree(v) != 1) continue;  // another line was continued to it
     finder.keep_off(v);
     lines.for_each(v, [&](Index h) { lines.follow(h, [&](Index way) { finder.keep_off(connectivity.end(way)); }); });
     connectivity.for_each_outgoing(v, [&](Index h) {
       if (!lines.contains(h)) finder.offer(h, 0);
     });
-    if (!finder.add_way(v, true) || !finder.by_guides()) ends.push_back(v);
+    if (!finder.add_way(v, true) || !finder.by_guides()) ends.by_others.push_back(v);
   }
+  std::erase_if(ends.by_guides,
+                [&](Index v) { return std::binary_search(ends.by_others.begin(), ends.by_others.end(), v); });
   return ends;
 }
 

@@ -11,8 +11,11 @@ bool drop_short_ends(FeatureLines& lines, const FeatureLines& kept, double lengt
 
 // Continues lines that end inside a patch to another line, along the guides where there are any: edges of `guides`
 // cost their length, others eight times as much. Along guides alone a line may close. Returns the vertices at which
-// lines ended that edges other than guides continue.
-Array<Index> continue_ends(FeatureLines& lines, const FeatureLines& guides, const base::Host& host);
+// lines ended: those that edges other than guides continue, and those that guides alone do.
+struct ContinuedEnds {
+  Array<Index> by_others, by_guides;
+};
+ContinuedEnds continue_ends(FeatureLines& lines, const FeatureLines& guides, const base::Host& host);
 
 // Cuts each sector of more than 300 degrees between the lines at a corner by a line from about its middle to another
 // line; two quads of 180 degrees would have folds there. Returns how many were cut.

@@ -1,5 +1,5 @@
 // Where the cells of a grid must be small for the feature graph to be among their edges: along short arcs, and between
-// arcs that are close to each other without meeting.
+// arcs that are close to each other without meeting; and along arcs that turn.
 #pragma once
 
 #include "hexmesh/features/feature_shape.h"
@@ -9,21 +9,24 @@ namespace orbicube::hexmesh {
 
 class FeatureDemands {
  public:
-  // Of gaps up to `reach` wide. Keeps a reference to the shape.
-  FeatureDemands(const FeatureShape& shape, double reach, const base::Host& host);
+  // Of gaps up to `reach` wide; arcs are straight along `straight`. Keeps a reference to the shape.
+  FeatureDemands(const FeatureShape& shape, double reach, double straight, const base::Host& host);
 
   // Makes cells small enough: `strength` of each arc is the number of cells along it, and across to others, that it
-  // requires; of two arcs with a gap between the larger counts.
-  void refine(std::span<const double> strength, AxisGrading& grading) const;
+  // requires; of two arcs with a gap between the larger counts. Cells along bends may be `wider` times as wide as
+  // usual.
+  void refine(std::span<const double> strength, double wider, AxisGrading& grading) const;
 
  private:
   void add_arc(Index arc);
+  void add_turns(Index arc, double straight);
   void add_gaps(Index arc, Index other, double reach);
 
   struct Demand {
     Vector3 from, to;
     double size = 0;  // of one cell, for the strength 1
     Index arc = 0, other = 0;
+    double max_size = 0;  // for any strength, where it is a bend
   };
 
   const FeatureShape& shape_;

@@ -15,6 +15,9 @@ constexpr double first_strength = 1.4;                   // cells along each arc
 constexpr double most_strength = 6;                      // for which gaps are looked at
 constexpr double at_obstacle = 1.25, everywhere = 1.08;  // how much more of it after an attempt that failed
 constexpr int max_attempts = 40;
+// Cells along bends become wider where there are too many, and after a number of attempts that failed.
+constexpr double at_bends = 1.4, widest = 3;
+constexpr int attempts_at_bends = 8;
 
 double size_of(double volume, double hexahedra) {
   return std::cbrt(volume / (grid_part * hexahedra));
@@ -32,17 +35,21 @@ GradedSearch::GradedSearch(std::span<const Vector3> positions, std::span<const m
       base_cells_(cells),
       max_cells_(max_cells),
       shape_(positions, triangles, graph, 1, host),
-      demands_(shape_, most_strength * size_of(whole_.volume, cells), host),
+      demands_(shape_, most_strength * size_of(whole_.volume, cells), size_of(whole_.volume, cells), host),
       strength_(graph.arcs.size(), first_strength, host.memory) {}
 
 std::optional<EmbeddedCells> GradedSearch::next() {
   for (; attempts_ < max_attempts; ++attempts_) {
     EmbeddedCells now;
     now.grading = std::make_unique<AxisGrading>(whole_.low, whole_.high, size_of(whole_.volume, base_cells_), host_);
-    demands_.refine(strength_, *now.grading);
+    demands_.refine(strength_, wider_, *now.grading);
     now.surface = std::make_unique<GradedSurface>(positions_, triangles_, graph_, *now.grading, host_);
     hexahedra_ = now.surface->volume / grid_part;
     if (hexahedra_ > max_cells_) {
+      if (wider_ < widest) {
+        wider_ *= at_bends;
+        continue;
+      }
       if (obstacle_.why.empty()) {
         obstacle_.why = "it needs about " + std::to_string(static_cast<std::size_t>(hexahedra_)) +
                         " hexahedra, more than the " + std::to_string(static_cast<std::size_t>(max_cells_)) +
@@ -64,6 +71,7 @@ std::optional<EmbeddedCells> GradedSearch::next() {
       return now;
     }
     obstacle_ = *obstacle;
+    if (attempts_ % attempts_at_bends == attempts_at_bends - 1) wider_ = std::min(widest, wider_ * at_bends);
     refine_at(obstacle_, at_obstacle);
   }
   return {};

@@ -45,6 +45,7 @@ class GradedSearch {
   const FeatureShape shape_;
   const FeatureDemands demands_;
   Array<double> strength_;  // of each arc
+  double wider_ = 1;        // cells along bends than they should be
   int attempts_ = 0;
   FeatureObstacle obstacle_;
 };
