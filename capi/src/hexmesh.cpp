@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/catch_all.h"
 #include "base/error.h"
@@ -26,6 +27,7 @@ struct obc_hexmesh {
 
   capi::HostAdapter adapter;
   hexmesh::HexMesh made;
+  std::vector<hexmesh::MissingFeature> missing;
 };
 
 namespace {
@@ -123,6 +125,10 @@ hexmesh::Options options_of(const obc_hexmesh_options& o, const obc_host* host) 
                 "options->method is none of the constants");
   capi::require(o.feature_angle == -1 || (o.feature_angle >= 0 && o.feature_angle < 180),
                 "options->feature_angle is out of range");
+  capi::require(o.features >= OBC_HEXMESH_FEATURES_OFF && o.features <= OBC_HEXMESH_FEATURES_ANGLES,
+                "options->features is none of the constants");
+  capi::require(o.tagged_edges != nullptr || o.tagged_edge_count == 0, "options->tagged_edges is NULL");
+  capi::require(o.tagged_vertices != nullptr || o.tagged_vertex_count == 0, "options->tagged_vertices is NULL");
   hexmesh::Options options;
   options.method = static_cast<hexmesh::Method>(o.method);
   options.padding = static_cast<hexmesh::Padding>(o.padding);
@@ -134,6 +140,9 @@ hexmesh::Options options_of(const obc_hexmesh_options& o, const obc_host* host) 
   options.distance = o.max_hausdorff_percent;
   options.max_cells = o.max_cells;
   if (o.feature_angle >= 0) options.feature_angle = o.feature_angle;
+  options.features = static_cast<hexmesh::Features>(o.features);
+  options.tagged_edges = {reinterpret_cast<const mesh::Edge*>(o.tagged_edges), o.tagged_edge_count};
+  options.tagged_vertices = {o.tagged_vertices, o.tagged_vertex_count};
   if (o.fill != nullptr) options.fill = Filler(o, host);
   return options;
 }
@@ -152,6 +161,14 @@ obc_hexmesh_report report_of(const hexmesh::Hexahedra& made) {
   r.follows_sharp_edges = made.result.follows_sharp_edges ? 1 : 0;
   r.grid_based = made.result.grid_based ? 1 : 0;
   r.method = static_cast<std::int32_t>(made.method);
+  if (made.features) {
+    r.feature_curves = made.features->curves;
+    r.feature_corners = made.features->corners;
+    r.missing_features = made.features->missing.size();
+    r.captured = made.features->captured;
+    r.scaled_jacobian_bound = made.features->bound;
+    r.embedded = made.features->replaced ? 1 : 0;
+  }
   if (!made.along_frames) return r;
   r.integers_optimal = made.along_frames->integers_optimal ? 1 : 0;
   r.singular_edges = made.along_frames->singular_edges;
@@ -195,6 +212,7 @@ void compute(const Input& input, const double* frames, const obc_hexmesh_options
   hexmesh::Hexahedra result = hexmesh::make_hexahedra(given, chosen, findings, h);
   capi::write_versioned(report, report_of(result));
   made->made = std::move(result.result.mesh);
+  if (result.features) made->missing = std::move(result.features->missing);
   *out = made.release();
 }
 
@@ -259,6 +277,31 @@ obc_status obc_hexmesh_copy(const obc_hexmesh* hexes, double* positions, uint32_
     copy(hexes->made.quads, quads);
     copy(hexes->made.quad_patches, quad_patches);
   });
+}
+
+size_t obc_hexmesh_missing_count(const obc_hexmesh* hexes) {
+  return hexes != nullptr ? hexes->missing.size() : 0;
+}
+
+obc_status obc_hexmesh_get_missing(const obc_hexmesh* hexes, size_t index, obc_hexmesh_missing* missing,
+                                   obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(hexes != nullptr, "hexes is NULL");
+    capi::require(missing != nullptr, "missing is NULL");
+    capi::require(index < hexes->missing.size(), "index is not below obc_hexmesh_missing_count");
+    const hexmesh::MissingFeature& of = hexes->missing[index];
+    obc_hexmesh_missing m{};
+    m.struct_size = sizeof m;
+    m.corner = of.corner ? 1 : 0;
+    std::copy_n(of.from.data(), 3, m.first);
+    std::copy_n(of.to.data(), 3, m.last);
+    m.captured = of.captured;
+    capi::write_versioned(missing, m);
+  });
+}
+
+const char* obc_hexmesh_missing_reason(const obc_hexmesh* hexes, size_t index) {
+  return hexes != nullptr && index < hexes->missing.size() ? hexes->missing[index].why.c_str() : nullptr;
 }
 
 uint32_t obc_hexmesh_version(void) {

@@ -54,6 +54,7 @@ WORDS = {
     "obc_trust_region_options.start": "OBC_TRUST_REGION_AUTOMATIC",
     "obc_hexmesh_options.padding": "OBC_HEXMESH_PADDING_AUTO",
     "obc_hexmesh_options.method": "OBC_HEXMESH_METHOD_AUTO",
+    "obc_hexmesh_options.features": "OBC_HEXMESH_FEATURES_OFF",
 }
 OTHERS = ["obc_gltf_scene"]  # filled like options
 
@@ -67,6 +68,8 @@ class Row:
         self.words, self.range = {}, None
         if key in WORDS:
             self.kind, self.words = "word", words(library, field["name"], WORDS[key], key)
+        elif self.doc.startswith("OBC_"):
+            raise SystemExit(f"{key} takes constants: name the first of them in WORDS of scripts/raw/python_options.py")
         elif kind.is_string:
             self.kind = "text"
         elif kind.name in ("double", "float"):

@@ -2,6 +2,8 @@
 #ifndef ORBICUBE_HEXMESH_HPP
 #define ORBICUBE_HEXMESH_HPP
 
+#include <array>
+#include <string>
 #include <vector>
 
 #include <orbicube/hexmesh.h>
@@ -13,12 +15,21 @@ namespace hexmesh {
 
 using Options = detail::Filled<obc_hexmesh_options, obc_hexmesh_options_init>;
 
+// A corner or a curve of the surface that a mesh lacks.
+struct MissingFeature {
+  bool corner;
+  std::array<double, 3> first, last;  // ends of the curve
+  double captured;                    // fraction of its length
+  std::string why;
+};
+
 // A certified mesh of hexahedra.
 struct Hexes {
   std::vector<double> positions;            // x y z a vertex
   std::vector<std::uint32_t> hexahedra;     // eight vertices each
   std::vector<std::uint32_t> quads;         // four vertices each, of the boundary
-  std::vector<std::uint32_t> quad_patches;  // of the polycube
+  std::vector<std::uint32_t> quad_patches;  // of the polycube, or of the features where they are embedded
+  std::vector<MissingFeature> missing;      // of the features that options request
   obc_hexmesh_report report;
 };
 
@@ -37,6 +48,15 @@ void copy(Host* host, Hexes& to, F&& f) {
     return obc_hexmesh_copy(made, to.positions.data(), to.hexahedra.data(), to.quads.data(), to.quad_patches.data(),
                             error);
   });
+  for (std::size_t i = 0; i < obc_hexmesh_missing_count(made); ++i) {
+    auto m = detail::sized<obc_hexmesh_missing>();
+    detail::call(nullptr, [&](obc_error* error) { return obc_hexmesh_get_missing(made, i, &m, error); });
+    to.missing.push_back({m.corner != 0,
+                          {m.first[0], m.first[1], m.first[2]},
+                          {m.last[0], m.last[1], m.last[2]},
+                          m.captured,
+                          obc_hexmesh_missing_reason(made, i)});
+  }
 }
 
 }  // namespace detail_hexes

@@ -43,6 +43,10 @@ export const constants: {
   readonly OBC_HEXMESH_METHOD_POLYCUBE: 1;
   readonly OBC_HEXMESH_METHOD_GRID: 2;
   readonly OBC_HEXMESH_METHOD_FRAMES: 3;
+  readonly OBC_HEXMESH_FEATURES_OFF: 0;
+  readonly OBC_HEXMESH_FEATURES_AUTO: 1;
+  readonly OBC_HEXMESH_FEATURES_TAGS: 2;
+  readonly OBC_HEXMESH_FEATURES_ANGLES: 3;
   readonly OBC_MESH_OBJ: 0;
   readonly OBC_MESH_OFF: 1;
   readonly OBC_MESH_PLY: 2;
@@ -171,6 +175,7 @@ export const layouts: {
   readonly obc_harmonics_alignment: Layout;
   readonly obc_hexmesh_options: Layout;
   readonly obc_hexmesh_report: Layout;
+  readonly obc_hexmesh_missing: Layout;
   readonly obc_surface: Layout;
   readonly obc_mesh_cells: Layout;
   readonly obc_mesh_tetrahedron_quality_report: Layout;
@@ -403,9 +408,16 @@ export interface RawFunctions {
   /** Return the number of vertices, hexahedra and boundary quads; 0 for NULL. */
   obc_hexmesh_quad_count(hexes: Pointer): number;
   /** Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
-   * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
-   * Errors: invalid argument. */
+   * counter-clockwise seen from outside) and the patch of each quad: of the polycube, of the feature curves where they are embedded, or 0;
+   * each may be NULL. Errors: invalid argument. */
   obc_hexmesh_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_patches: Pointer, error: Pointer): number;
+  /** Returns the number of missing features; 0 for NULL. */
+  obc_hexmesh_missing_count(hexes: Pointer): number;
+  /** Copies missing feature `index`, from 0. Errors: invalid argument. */
+  obc_hexmesh_get_missing(hexes: Pointer, index: number, missing: Pointer, error: Pointer): number;
+  /** Returns what was in the way of missing feature `index`, in words, until the mesh is destroyed; NULL for an index out of range and for
+   * NULL. */
+  obc_hexmesh_missing_reason(hexes: Pointer, index: number): Pointer;
   /** Returns the version of the library, major * 10000 + minor * 100 + patch. */
   obc_hexmesh_version(): number;
   /** Fills cells with an empty mesh. */

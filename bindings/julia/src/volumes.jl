@@ -173,14 +173,38 @@ end
 
 """
 A certified mesh of hexahedra: `positions` (3 by n), `hexahedra` (8 by m, as MEDIT and VTK order their vertices), `quads` of the boundary
-(4 by k, counter-clockwise seen from outside), `quad_patches`, the patch of the polycube that each lies on, and the `report`. All count from 1.
+(4 by k, counter-clockwise seen from outside), `quad_patches`, the patch that each lies on (of the polycube, or of the features where they are embedded), the
+features that are `missing` (corner or curve, its ends `first` and `last`, the `captured` fraction of its length, and `why`), and the `report`.
+All count from 1.
 """
 struct Hexes
     positions::Matrix{Float64}
     hexahedra::Matrix{Int}
     quads::Matrix{Int}
     quad_patches::Vector{Int}
+    missing::Vector{NamedTuple}
     report::Any
+end
+
+function missing_features(handle)
+    map(0:Int(Raw.obc_hexmesh_missing_count(handle))-1) do index
+        found = sized(Raw.obc_hexmesh_missing)
+        checked(error -> Raw.obc_hexmesh_get_missing(handle, index, found, error))
+        (corner=found.corner != 0, first=collect(found.first), last=collect(found.last), captured=found.captured,
+         why=unsafe_string(Raw.obc_hexmesh_missing_reason(handle, index)))
+    end
+end
+
+# Calls f with the options that also have the tags, which count from 1.
+function with_tags(f, chosen, tagged_edges, tagged_vertices)
+    edges = tagged_edges === nothing ? UInt32[] : UInt32.(vec(tagged_edges) .- 1)
+    vertices = tagged_vertices === nothing ? UInt32[] : UInt32.(tagged_vertices .- 1)
+    chosen.tagged_edge_count = tagged_edges === nothing ? 0 : columns(tagged_edges, 2, "tagged_edges")
+    chosen.tagged_vertex_count = length(vertices)
+    GC.@preserve edges vertices begin
+        chosen.tagged_edges, chosen.tagged_vertices = pointer(edges), pointer(vertices)
+        f()
+    end
 end
 
 # Of the call f(out), which hands out a handle.
@@ -193,7 +217,7 @@ function hexes(f, report)
         cells = Matrix{UInt32}(undef, 8, Raw.obc_hexmesh_count(out[]))
         quads, faces = Matrix{UInt32}(undef, 4, k), Vector{UInt32}(undef, k)
         checked(error -> Raw.obc_hexmesh_copy(out[], places, cells, quads, faces, error))
-        Hexes(places, Int.(cells) .+ 1, Int.(quads) .+ 1, Int.(faces) .+ 1, report)
+        Hexes(places, Int.(cells) .+ 1, Int.(quads) .+ 1, Int.(faces) .+ 1, missing_features(out[]), report)
     finally
         Raw.obc_hexmesh_destroy(out[])
     end
@@ -203,14 +227,17 @@ end
     fill_with_hexahedra(surface; options...)
 
 Fills a closed surface: a `Hexes`. Options: method (`:auto`, `:polycube`, `:grid`, `:frames`), cells, padding (`:auto`, `:with`, `:without`), corners,
-triangles, seed, rounds, max_hausdorff_percent, max_cells, feature_angle.
+triangles, seed, rounds, max_hausdorff_percent, max_cells, feature_angle, features (`:off`, `:auto`, `:tags`, `:angles`) with `tagged_edges` (2 by n) and
+`tagged_vertices`.
 """
-function fill_with_hexahedra(surface::Surface; threads=0, progress=nothing, options...)
+function fill_with_hexahedra(surface::Surface; threads=0, progress=nothing, tagged_edges=nothing, tagged_vertices=nothing, options...)
     chosen = filled(Raw.obc_hexmesh_options, Raw.obc_hexmesh_options_init, values(options), "OBC_HEXMESH_")
     report = sized(Raw.obc_hexmesh_report)
     hexes(report) do out
-        with_surface(surface; threads=threads, progress=progress) do view, lent, error
-            Raw.obc_hexmesh_compute(view, chosen, lent, report, out, error)
+        with_tags(chosen, tagged_edges, tagged_vertices) do
+            with_surface(surface; threads=threads, progress=progress) do view, lent, error
+                Raw.obc_hexmesh_compute(view, chosen, lent, report, out, error)
+            end
         end
     end
 end
@@ -222,15 +249,17 @@ Fills a solid of tetrahedra: a `Hexes`. The hexahedra follow the frames (quatern
 with the method `:frames` and without frames a smooth field is made, and repaired. Options as for a surface.
 """
 function fill_with_hexahedra(positions::AbstractMatrix, tetrahedra::AbstractMatrix{<:Integer}, frames=nothing; threads=0, progress=nothing,
-                             options...)
+                             tagged_edges=nothing, tagged_vertices=nothing, options...)
     chosen = filled(Raw.obc_hexmesh_options, Raw.obc_hexmesh_options_init, values(options), "OBC_HEXMESH_")
     report = sized(Raw.obc_hexmesh_report)
     places, n, cells, m = solid_arrays(positions, tetrahedra)
     frames === nothing || expect(columns(frames, 4, "frames"), m, "columns of frames")
     field = frames === nothing ? C_NULL : doubles(frames)
     hexes(report) do out
-        hosted(threads=threads, progress=progress) do lent, error
-            Raw.obc_hexmesh_compute_solid(places, n, cells, m, field, chosen, lent, report, out, error)
+        with_tags(chosen, tagged_edges, tagged_vertices) do
+            hosted(threads=threads, progress=progress) do lent, error
+                Raw.obc_hexmesh_compute_solid(places, n, cells, m, field, chosen, lent, report, out, error)
+            end
         end
     end
 end

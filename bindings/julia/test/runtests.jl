@@ -378,6 +378,13 @@ end
     @test fill_with_hexahedra(shape; cells=64, method=:grid).report.grid_based == 1
     @test_throws OrbicubeError fill_with_hexahedra(shape; cells=27, progress=(_...) -> false)
 
+    octahedron = Surface([1.0 -1 0 0 0 0; 0 0 1 -1 0 0; 0 0 0 0 1 -1], [1 3 2 4 3 2 4 1; 3 2 4 1 1 3 2 4; 5 5 5 5 6 6 6 6])
+    mesh = fill_with_hexahedra(octahedron; cells=200, max_hausdorff_percent=0, method=:grid, features=:tags, tagged_edges=[1 3; 3 2; 2 4; 4 1]')
+    @test mesh.report.embedded == 1 && mesh.report.captured ≈ 1 && isempty(mesh.missing)
+    mesh = fill_with_hexahedra(octahedron; cells=200, max_hausdorff_percent=0, method=:polycube, features=:angles)
+    @test mesh.report.captured < 0.9 && length(mesh.missing) == mesh.report.missing_features > 0
+    @test all(found -> !isempty(found.why) && found.captured < 0.95, mesh.missing)
+
     solid = map_to_polycube(corners, cells)
     volume(places) = sum(cell -> let e = places[:, cell[2:4]] .- places[:, cell[1]]
             least = e[1, 1] * (e[2, 2] * e[3, 3] - e[3, 2] * e[2, 3]) - e[1, 2] * (e[2, 1] * e[3, 3] - e[3, 1] * e[2, 3]) +

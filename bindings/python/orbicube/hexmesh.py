@@ -13,7 +13,7 @@ from typing import Any, Literal, Optional
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import Doubles, Indices, address, doubles
+from ._arrays import Doubles, Indices, address, doubles, indices
 from ._call import HOST, Handle, Progress, call, filled, sized, with_options
 from ._foreign import parts_of, solid_of
 from ._records import Record
@@ -23,9 +23,24 @@ from .raw import hexmesh as raw
 __all__ = ["Hexes", "fill_with_hexahedra", "version"]
 
 
+class MissingFeature(Record):
+    """A feature that a mesh lacks: kind ("corner" or "curve"), first and last (the ends; the same for a corner), captured (fraction of the
+    length of the curve), why (what was in the way)."""
+
+    def __init__(self, handle: Handle, index: int) -> None:
+        found = sized(raw.obc_hexmesh_missing)
+        call(raw.obc_hexmesh_get_missing, handle, index, byref(found))
+        self.kind: str = "corner" if found.corner else "curve"
+        self.first: Doubles = np.array(found.first)
+        self.last: Doubles = np.array(found.last)
+        self.captured: float = found.captured
+        self.why: str = raw.obc_hexmesh_missing_reason(handle, index).decode()
+
+
 class Hexes(Record):
     """A certified mesh of hexahedra: positions, hexahedra (eight vertices each, as MEDIT and VTK order them), quads of the
-    boundary, counter-clockwise seen from outside, quad_patches (the patch of the polycube that each lies on), and the report."""
+    boundary, counter-clockwise seen from outside, quad_patches (the patch that each lies on: of the polycube, or of the features where they
+    are embedded), missing (a MissingFeature each), and the report."""
 
     def __init__(self, handle: Handle, report: Any) -> None:
         self.positions: Doubles = np.empty((raw.obc_hexmesh_vertex_count(handle), 3))
@@ -35,6 +50,7 @@ class Hexes(Record):
         self.report = report
         call(raw.obc_hexmesh_copy, handle, address(self.positions), address(self.hexahedra), address(self.quads),
              address(self.quad_patches))
+        self.missing = [MissingFeature(handle, i) for i in range(raw.obc_hexmesh_missing_count(handle))]
 
 
 def _is_solid(shape: Any) -> bool:
@@ -43,6 +59,18 @@ def _is_solid(shape: Any) -> bool:
         return np.shape(shape[1])[1:] == (4,)
     parts = parts_of(shape, "shape")
     return parts is not None and parts.count("tetrahedra") > 0
+
+
+def _set_tags(chosen: raw.obc_hexmesh_options, edges: Optional[ArrayLike], vertices: Optional[ArrayLike], count: int) -> list[Indices]:
+    """Sets the tags of the options, and returns what must be kept until the call."""
+    kept = []
+    if edges is not None:
+        kept.append(indices(edges, 2, name="tagged_edges", below=count, of="vertices", each="edge"))
+        chosen.tagged_edges, chosen.tagged_edge_count = address(kept[-1]), len(kept[-1])
+    if vertices is not None:
+        kept.append(indices(vertices, name="tagged_vertices", below=count, of="vertices").ravel())
+        chosen.tagged_vertices, chosen.tagged_vertex_count = address(kept[-1]), len(kept[-1])
+    return kept
 
 
 def _set_fill(chosen: raw.obc_hexmesh_options, fill: Any) -> None:
@@ -64,23 +92,28 @@ def fill_with_hexahedra(shape: Any, frames: Optional[ArrayLike] = None, *,
                         triangles: int = 6000, seed: int = 0, rounds: int = 40,
                         method: Literal["auto", "polycube", "grid", "frames"] = "auto", max_hausdorff_percent: float = 1.0,
                         max_cells: int = 100000, feature_angle: float = -1.0,
+                        features: Literal["off", "auto", "tags", "angles"] = "off",
                         # end of options
-                        fill: Any = None, threads: int = 0, progress: Progress = None) -> Hexes:
+                        tagged_edges: Optional[ArrayLike] = None, tagged_vertices: Optional[ArrayLike] = None, fill: Any = None, threads: int = 0, progress: Progress = None) -> Hexes:
     """Fills a closed surface, or a solid of tetrahedra, with the bits of `orbicube hex`. frames: of a solid, w x y z a tetrahedron as of
     frame_field.compute, which the hexahedra follow. fill: None, or orbicube.tetrahedra.fill (TetGen, AGPL), by which surfaces go along
-    frames too. The report has min_scaled_jacobian, mean_scaled_jacobian, volume, hausdorff_percent, method, ..."""
+    frames too. features: which sharp edges and corners the mesh should have; tagged_edges (two vertices each) and tagged_vertices: those that
+    "auto" and "tags" consider. The report has min_scaled_jacobian, mean_scaled_jacobian, volume, hausdorff_percent, method, captured, ..."""
     chosen = filled(raw.obc_hexmesh_options, raw.obc_hexmesh_options_init, locals())
     _set_fill(chosen, fill)
     report, handle = sized(raw.obc_hexmesh_report), Handle(raw.obc_hexmesh_destroy)
     if frames is not None or _is_solid(shape):
         positions, tetrahedra = solid_of(shape, "shape")
+        kept = _set_tags(chosen, tagged_edges, tagged_vertices, len(positions))
         field = None if frames is None else doubles(frames, 4, len(tetrahedra), "frames", each="tetrahedron")
         call(raw.obc_hexmesh_compute_solid, address(positions), len(positions), address(tetrahedra), len(tetrahedra),
              address(field), byref(chosen), HOST, byref(report), byref(handle), threads=threads, progress=progress)
     else:
         given = Surface(shape, "shape")
+        kept = _set_tags(chosen, tagged_edges, tagged_vertices, len(given.positions))
         call(raw.obc_hexmesh_compute, given.pointer, byref(chosen), HOST, byref(report), byref(handle), threads=threads,
              progress=progress)
+    del kept
     try:
         return Hexes(handle, report)
     finally:

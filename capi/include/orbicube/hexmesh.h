@@ -63,6 +63,17 @@ enum {
   OBC_HEXMESH_METHOD_FRAMES = 3
 };
 
+/* Sharp edges and corners of the surface that the mesh should have as chains of edges and as vertices. OFF: none in particular. AUTO: edges of
+ * at least `feature_angle` and, of tagged edges, those at which the surface turns more than beside them. TAGS: all tagged edges and vertices and
+ * no others. ANGLES: those of `feature_angle` alone. Where the mesh of the method lacks some, a solid of one piece is filled again by
+ * cells of a grid that have them embedded, with methods AUTO and GRID and without padding WITHOUT, and the mesh that keeps more is returned. */
+enum {
+  OBC_HEXMESH_FEATURES_OFF = 0,
+  OBC_HEXMESH_FEATURES_AUTO = 1,
+  OBC_HEXMESH_FEATURES_TAGS = 2,
+  OBC_HEXMESH_FEATURES_ANGLES = 3
+};
+
 /* Fills a closed surface with tetrahedra of at most max_volume, into a mesh whose first vertices are those of the surface, bit-identical and
  * in their order. Returns a status and fills *error as functions of Orbicube do; the caller destroys *out with obc_mesh_destroy. Called
  * by the thread that called Orbicube. */
@@ -89,9 +100,17 @@ typedef struct obc_hexmesh_options {
   size_t max_cells; /* approximate maximum cell count of doubling, up to 10 million; below `cells`: no doubling. Default: 100000. */
 
   /* Minimum dihedral angle, in degrees, 0 to below 180, of surface edges that the mesh follows: those near an edge of the polycube, unless
-   * hexahedra there would be bad, or those along which an axis of computed frames lies. 0: none. -1: 40, but 0 for method FRAMES and
-   * for frames of the caller. Default: -1. */
+   * hexahedra there would be bad, or those along which an axis of computed frames lies. 0: none. -1: 35 with
+   * `features`; without, 40, but 0 for method FRAMES and for frames of the caller. Default: -1. */
   double feature_angle;
+
+  int32_t features; /* OBC_HEXMESH_FEATURES_OFF, AUTO, TAGS or ANGLES. Default: OFF. */
+
+  /* Edges, two vertices of the input each, and vertices that `features` AUTO and TAGS consider. Default: NULL. */
+  const uint32_t *tagged_edges;
+  size_t tagged_edge_count;        /* number of tagged edges. Default: 0. */
+  const uint32_t *tagged_vertices; /* tagged vertices. Default: NULL. */
+  size_t tagged_vertex_count;      /* number of tagged vertices. Default: 0. */
 
   /* Fills surfaces for frames: obc_tetrahedra_fill_mesh of <orbicube/tetrahedra.h> (TetGen, under the AGPL), or a function of the caller.
    * NULL: surfaces go by polycubes and grids only; method FRAMES then requires a tetrahedral solid. Default: NULL. */
@@ -104,8 +123,8 @@ typedef struct obc_hexmesh_options {
 OBC_API obc_status obc_hexmesh_options_init(obc_hexmesh_options *options, size_t struct_size);
 
 /* Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
- * three edges there over the product of their lengths: 1 for a box. Members after `method` are about frames and 0 for other methods. The
- * caller sets struct_size. */
+ * three edges there over the product of their lengths: 1 for a box. Members from integers_optimal to fields are about frames and 0 for other
+ * methods; those after them are about features and 0 with OBC_HEXMESH_FEATURES_OFF. The caller sets struct_size. */
 typedef struct obc_hexmesh_report {
   uint32_t struct_size;
   int32_t padded; /* 1: with a layer along the boundary or parts of it; 0: without */
@@ -129,7 +148,23 @@ typedef struct obc_hexmesh_report {
   size_t inverted_at_start;    /* number of inverted tetrahedra after the choice of integers; the final map has none */
   size_t steps;                /* number of Newton steps of untangling and optimization */
   size_t fields;               /* number of fields that were computed, the last being that of the mesh; 0 for frames of the caller */
+
+  size_t feature_curves;        /* number of feature curves between corners */
+  size_t feature_corners;       /* number of vertices where feature curves end, branch or bend */
+  size_t missing_features;      /* number of these curves and corners that the mesh lacks */
+  double captured;              /* fraction of the length of the curves with a mesh edge along it: within a tenth of the mean boundary edge,
+                                   turned by at most 25 degrees; 1 without curves */
+  double scaled_jacobian_bound; /* largest minimum scaled Jacobian that hexahedra at the features can have, two in each sector between curves */
+  int32_t embedded;             /* 1: the cells of a grid with the features embedded; 0: the mesh of the method */
 } obc_hexmesh_report;
+
+/* A feature that the mesh lacks: a corner, or a curve with less than 95 % of its length captured. The caller sets struct_size. */
+typedef struct obc_hexmesh_missing {
+  uint32_t struct_size;
+  int32_t corner;           /* 1: a corner; 0: a curve */
+  double first[3], last[3]; /* ends of the curve; the position of the corner, twice */
+  double captured;          /* captured fraction of the length of the curve; 0 for a corner */
+} obc_hexmesh_missing;
 
 /* Fills a closed surface of any genus with hexahedra. The surface may have several disjoint pieces, among which the cells are divided by
  * volume; components within a piece bound cavities. Triangles are turned where neighbors disagree and where components are oriented
@@ -164,10 +199,21 @@ OBC_API size_t obc_hexmesh_count(const obc_hexmesh *hexes);
 OBC_API size_t obc_hexmesh_quad_count(const obc_hexmesh *hexes);
 
 /* Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
- * counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
- * Errors: invalid argument. */
+ * counter-clockwise seen from outside) and the patch of each quad: of the polycube, of the feature curves where they are embedded, or 0;
+ * each may be NULL. Errors: invalid argument. */
 OBC_API obc_status obc_hexmesh_copy(const obc_hexmesh *hexes, double *positions, uint32_t *hexahedra, uint32_t *quads,
                                     uint32_t *quad_patches, obc_error *error);
+
+/* Returns the number of missing features; 0 for NULL. */
+OBC_API size_t obc_hexmesh_missing_count(const obc_hexmesh *hexes);
+
+/* Copies missing feature `index`, from 0. Errors: invalid argument. */
+OBC_API obc_status obc_hexmesh_get_missing(const obc_hexmesh *hexes, size_t index, obc_hexmesh_missing *missing,
+                                           obc_error *error);
+
+/* Returns what was in the way of missing feature `index`, in words, until the mesh is destroyed; NULL for an index out of range and for
+ * NULL. */
+OBC_API const char *obc_hexmesh_missing_reason(const obc_hexmesh *hexes, size_t index);
 
 /* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_hexmesh_version(void);

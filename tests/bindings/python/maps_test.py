@@ -453,6 +453,29 @@ class Cubes(unittest.TestCase):
         with self.assertRaises(orbicube.UnsuitableSurface):
             hexmesh.fill_with_hexahedra((shape.positions, shape.triangles[1:]))
 
+    def test_features_of_hexahedra(self):
+        corners = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
+        triangles = np.array([[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4], [2, 0, 5], [1, 2, 5], [3, 1, 5], [0, 3, 5]])
+        options = {"cells": 200, "max_hausdorff_percent": 0}
+        kept = hexmesh.fill_with_hexahedra((corners, triangles), features="angles", method="grid", **options)
+        self.assertEqual((kept.report.feature_curves, kept.report.feature_corners, kept.report.embedded), (12, 6, 1))
+        self.assertEqual(kept.missing, [])
+        self.assertAlmostEqual(kept.report.captured, 1)
+        self.assertEqual(len(np.unique(kept.quad_patches)), 8)
+        edges = np.unique(np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1), axis=0)
+        tagged = hexmesh.fill_with_hexahedra((corners, triangles), features="tags", tagged_edges=edges, method="grid", **options)
+        self.assertEqual(tagged.report.missing_features, 0)
+        lost = hexmesh.fill_with_hexahedra((corners, triangles), features="angles", method="polycube", **options)
+        self.assertEqual(len(lost.missing), lost.report.missing_features)
+        self.assertLess(lost.report.captured, .9)
+        for missing in lost.missing:
+            self.assertIn(missing.kind, ("corner", "curve"))
+            self.assertTrue(missing.why)
+            self.assertLess(missing.captured, .95)
+            self.assertAlmostEqual(float(np.abs(missing.first).sum()), 1)
+        with self.assertRaisesRegex(ValueError, r"tagged_edges\[0, 1\] is 6"):
+            hexmesh.fill_with_hexahedra((corners, triangles), features="tags", tagged_edges=[[0, 6]])
+
     def test_hexahedra_along_frames(self):
         count, bits = from_c()["cube"]
         corners = np.array([(i & 1, i >> 1 & 1, i >> 2) for i in range(8)], dtype=float)

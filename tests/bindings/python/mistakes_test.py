@@ -238,7 +238,7 @@ NOT_WALKED = {"projected_gradient.scipy_method", "trust_region.scipy_least_squar
               "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "mesh.to_trimesh", "mesh.to_polyscope", "mesh.show", "mesh.Mesh.show", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.LabelSurface", "repair.Repaired", "sphere_map.SphereMap",
               "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.FrameMap", "volume_map.Solid",
-              "hexmesh.Hexes"}
+              "hexmesh.Hexes", "hexmesh.MissingFeature"}
 EACH_EVALUATION = ("ask", "ask_all", "tell", "save", "close")
 NO_MISTAKE = object()
 

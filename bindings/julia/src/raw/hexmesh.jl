@@ -9,6 +9,11 @@ const OBC_HEXMESH_METHOD_POLYCUBE = Int32(1)
 const OBC_HEXMESH_METHOD_GRID = Int32(2)
 const OBC_HEXMESH_METHOD_FRAMES = Int32(3)
 
+const OBC_HEXMESH_FEATURES_OFF = Int32(0)
+const OBC_HEXMESH_FEATURES_AUTO = Int32(1)
+const OBC_HEXMESH_FEATURES_TAGS = Int32(2)
+const OBC_HEXMESH_FEATURES_ANGLES = Int32(3)
+
 mutable struct obc_hexmesh_options <: CStruct
     struct_size::UInt32
     padding::Int32
@@ -21,6 +26,11 @@ mutable struct obc_hexmesh_options <: CStruct
     max_hausdorff_percent::Float64
     max_cells::Csize_t
     feature_angle::Float64
+    features::Int32
+    tagged_edges::Ptr{UInt32}
+    tagged_edge_count::Csize_t
+    tagged_vertices::Ptr{UInt32}
+    tagged_vertex_count::Csize_t
     fill::Ptr{Cvoid}
     fill_user::Ptr{Cvoid}
     obc_hexmesh_options() = zeroed!(new())
@@ -47,7 +57,22 @@ mutable struct obc_hexmesh_report <: CStruct
     inverted_at_start::Csize_t
     steps::Csize_t
     fields::Csize_t
+    feature_curves::Csize_t
+    feature_corners::Csize_t
+    missing_features::Csize_t
+    captured::Float64
+    scaled_jacobian_bound::Float64
+    embedded::Int32
     obc_hexmesh_report() = zeroed!(new())
+end
+
+mutable struct obc_hexmesh_missing <: CStruct
+    struct_size::UInt32
+    corner::Int32
+    first::NTuple{3, Float64}
+    last::NTuple{3, Float64}
+    captured::Float64
+    obc_hexmesh_missing() = zeroed!(new())
 end
 
 const address_obc_hexmesh_options_init = Ref(C_NULL)
@@ -81,6 +106,18 @@ obc_hexmesh_quad_count(hexes) =
 const address_obc_hexmesh_copy = Ref(C_NULL)
 obc_hexmesh_copy(hexes, positions, hexahedra, quads, quad_patches, error) =
     ccall(symbol(address_obc_hexmesh_copy, :hexmesh, :obc_hexmesh_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), hexes, positions, hexahedra, quads, quad_patches, error)
+
+const address_obc_hexmesh_missing_count = Ref(C_NULL)
+obc_hexmesh_missing_count(hexes) =
+    ccall(symbol(address_obc_hexmesh_missing_count, :hexmesh, :obc_hexmesh_missing_count), Csize_t, (Ptr{Cvoid},), hexes)
+
+const address_obc_hexmesh_get_missing = Ref(C_NULL)
+obc_hexmesh_get_missing(hexes, index, missing, error) =
+    ccall(symbol(address_obc_hexmesh_get_missing, :hexmesh, :obc_hexmesh_get_missing), Int32, (Ptr{Cvoid}, Csize_t, Ptr{obc_hexmesh_missing}, Ptr{obc_error}), hexes, index, missing, error)
+
+const address_obc_hexmesh_missing_reason = Ref(C_NULL)
+obc_hexmesh_missing_reason(hexes, index) =
+    ccall(symbol(address_obc_hexmesh_missing_reason, :hexmesh, :obc_hexmesh_missing_reason), Cstring, (Ptr{Cvoid}, Csize_t), hexes, index)
 
 const address_obc_hexmesh_version = Ref(C_NULL)
 obc_hexmesh_version() =

@@ -13,6 +13,11 @@ OBC_HEXMESH_METHOD_POLYCUBE = 1
 OBC_HEXMESH_METHOD_GRID = 2
 OBC_HEXMESH_METHOD_FRAMES = 3
 
+OBC_HEXMESH_FEATURES_OFF = 0
+OBC_HEXMESH_FEATURES_AUTO = 1
+OBC_HEXMESH_FEATURES_TAGS = 2
+OBC_HEXMESH_FEATURES_ANGLES = 3
+
 obc_hexmesh_fill_function = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_double, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p)
 
 
@@ -30,6 +35,11 @@ class obc_hexmesh_options(_Struct):
         ("max_hausdorff_percent", _c.c_double),
         ("max_cells", _c.c_size_t),
         ("feature_angle", _c.c_double),
+        ("features", _c.c_int32),
+        ("tagged_edges", _c.c_void_p),
+        ("tagged_edge_count", _c.c_size_t),
+        ("tagged_vertices", _c.c_void_p),
+        ("tagged_vertex_count", _c.c_size_t),
         ("fill", obc_hexmesh_fill_function),
         ("fill_user", _c.c_void_p),
     ]
@@ -37,8 +47,8 @@ class obc_hexmesh_options(_Struct):
 
 class obc_hexmesh_report(_Struct):
     """Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
-    three edges there over the product of their lengths: 1 for a box. Members after `method` are about frames and 0 for other methods. The
-    caller sets struct_size."""
+    three edges there over the product of their lengths: 1 for a box. Members from integers_optimal to fields are about frames and 0 for other
+    methods; those after them are about features and 0 with OBC_HEXMESH_FEATURES_OFF. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("padded", _c.c_int32),
@@ -60,6 +70,23 @@ class obc_hexmesh_report(_Struct):
         ("inverted_at_start", _c.c_size_t),
         ("steps", _c.c_size_t),
         ("fields", _c.c_size_t),
+        ("feature_curves", _c.c_size_t),
+        ("feature_corners", _c.c_size_t),
+        ("missing_features", _c.c_size_t),
+        ("captured", _c.c_double),
+        ("scaled_jacobian_bound", _c.c_double),
+        ("embedded", _c.c_int32),
+    ]
+
+
+class obc_hexmesh_missing(_Struct):
+    """A feature that the mesh lacks: a corner, or a curve with less than 95 % of its length captured. The caller sets struct_size."""
+    _fields_ = [
+        ("struct_size", _c.c_uint32),
+        ("corner", _c.c_int32),
+        ("first", _c.c_double * 3),
+        ("last", _c.c_double * 3),
+        ("captured", _c.c_double),
     ]
 
 
@@ -72,6 +99,9 @@ _functions = [
     ("obc_hexmesh_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_hexmesh_quad_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_hexmesh_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_hexmesh_missing_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_hexmesh_get_missing", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
+    ("obc_hexmesh_missing_reason", _c.c_char_p, [_c.c_void_p, _c.c_size_t]),
     ("obc_hexmesh_version", _c.c_uint32, []),
 ]
 

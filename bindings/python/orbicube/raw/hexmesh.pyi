@@ -12,6 +12,11 @@ OBC_HEXMESH_METHOD_POLYCUBE: int
 OBC_HEXMESH_METHOD_GRID: int
 OBC_HEXMESH_METHOD_FRAMES: int
 
+OBC_HEXMESH_FEATURES_OFF: int
+OBC_HEXMESH_FEATURES_AUTO: int
+OBC_HEXMESH_FEATURES_TAGS: int
+OBC_HEXMESH_FEATURES_ANGLES: int
+
 obc_hexmesh_fill_function: Any
 
 class obc_hexmesh_options(Struct):
@@ -26,9 +31,14 @@ class obc_hexmesh_options(Struct):
     max_hausdorff_percent: float
     max_cells: int
     feature_angle: float
+    features: int
+    tagged_edges: Any
+    tagged_edge_count: int
+    tagged_vertices: Any
+    tagged_vertex_count: int
     fill: Any
     fill_user: Any
-    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., method: int = ..., max_hausdorff_percent: float = ..., max_cells: int = ..., feature_angle: float = ..., fill: Any = ..., fill_user: Any = ...) -> None: ...
+    def __init__(self, struct_size: int = ..., padding: int = ..., cells: int = ..., corners: int = ..., triangles: int = ..., seed: int = ..., rounds: int = ..., method: int = ..., max_hausdorff_percent: float = ..., max_cells: int = ..., feature_angle: float = ..., features: int = ..., tagged_edges: Any = ..., tagged_edge_count: int = ..., tagged_vertices: Any = ..., tagged_vertex_count: int = ..., fill: Any = ..., fill_user: Any = ...) -> None: ...
 
 class obc_hexmesh_report(Struct):
     struct_size: int
@@ -51,7 +61,21 @@ class obc_hexmesh_report(Struct):
     inverted_at_start: int
     steps: int
     fields: int
-    def __init__(self, struct_size: int = ..., padded: int = ..., min_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., hausdorff_percent: float = ..., volume_error_percent: float = ..., follows_sharp_edges: int = ..., grid_based: int = ..., method: int = ..., integers_optimal: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., fields: int = ...) -> None: ...
+    feature_curves: int
+    feature_corners: int
+    missing_features: int
+    captured: float
+    scaled_jacobian_bound: float
+    embedded: int
+    def __init__(self, struct_size: int = ..., padded: int = ..., min_scaled_jacobian: float = ..., mean_scaled_jacobian: float = ..., volume: float = ..., polycube_corners: int = ..., off_surface: int = ..., hausdorff_percent: float = ..., volume_error_percent: float = ..., follows_sharp_edges: int = ..., grid_based: int = ..., method: int = ..., integers_optimal: int = ..., singular_edges: int = ..., irregular_edges: int = ..., integers: int = ..., tetrahedra: int = ..., inverted_at_start: int = ..., steps: int = ..., fields: int = ..., feature_curves: int = ..., feature_corners: int = ..., missing_features: int = ..., captured: float = ..., scaled_jacobian_bound: float = ..., embedded: int = ...) -> None: ...
+
+class obc_hexmesh_missing(Struct):
+    struct_size: int
+    corner: int
+    first: Any
+    last: Any
+    captured: float
+    def __init__(self, struct_size: int = ..., corner: int = ..., first: Any = ..., last: Any = ..., captured: float = ...) -> None: ...
 
 def obc_hexmesh_options_init(options: Pointer, struct_size: int) -> int:
     """Fills options with the defaults."""
@@ -97,8 +121,21 @@ def obc_hexmesh_quad_count(hexes: Pointer) -> int:
 
 def obc_hexmesh_copy(hexes: Pointer, positions: Pointer, hexahedra: Pointer, quads: Pointer, quad_patches: Pointer, error: Pointer) -> int:
     """Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
-    counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
-    Errors: invalid argument."""
+    counter-clockwise seen from outside) and the patch of each quad: of the polycube, of the feature curves where they are embedded, or 0;
+    each may be NULL. Errors: invalid argument."""
+    ...
+
+def obc_hexmesh_missing_count(hexes: Pointer) -> int:
+    """Returns the number of missing features; 0 for NULL."""
+    ...
+
+def obc_hexmesh_get_missing(hexes: Pointer, index: int, missing: Pointer, error: Pointer) -> int:
+    """Copies missing feature `index`, from 0. Errors: invalid argument."""
+    ...
+
+def obc_hexmesh_missing_reason(hexes: Pointer, index: int) -> bytes | None:
+    """Returns what was in the way of missing feature `index`, in words, until the mesh is destroyed; NULL for an index out of range and for
+    NULL."""
     ...
 
 def obc_hexmesh_version() -> int:

@@ -3,7 +3,7 @@
 
 use crate::base::{obc_error, obc_host};
 use crate::mesh::{obc_mesh, obc_surface};
-use std::os::raw::{c_void};
+use std::os::raw::{c_char, c_void};
 
 /// Layers of hexahedra along the boundary. AUTO decides by the angles at the edges of the polycube: on all, some or none of its patches;
 /// where the result is bad, it also tries none and all. With WITH and WITHOUT, method AUTO is POLYCUBE.
@@ -19,6 +19,11 @@ pub const OBC_HEXMESH_METHOD_AUTO: i32 = 0;
 pub const OBC_HEXMESH_METHOD_POLYCUBE: i32 = 1;
 pub const OBC_HEXMESH_METHOD_GRID: i32 = 2;
 pub const OBC_HEXMESH_METHOD_FRAMES: i32 = 3;
+
+pub const OBC_HEXMESH_FEATURES_OFF: i32 = 0;
+pub const OBC_HEXMESH_FEATURES_AUTO: i32 = 1;
+pub const OBC_HEXMESH_FEATURES_TAGS: i32 = 2;
+pub const OBC_HEXMESH_FEATURES_ANGLES: i32 = 3;
 
 /// A certified hexahedral mesh.
 #[repr(C)]
@@ -58,9 +63,19 @@ pub struct obc_hexmesh_options {
     /// approximate maximum cell count of doubling, up to 10 million; below \`cells\`: no doubling. Default: 100000.
     pub max_cells: usize,
     /// Minimum dihedral angle, in degrees, 0 to below 180, of surface edges that the mesh follows: those near an edge of the polycube, unless
-    /// hexahedra there would be bad, or those along which an axis of computed frames lies. 0: none. -1: 40, but 0 for method FRAMES and
-    /// for frames of the caller. Default: -1.
+    /// hexahedra there would be bad, or those along which an axis of computed frames lies. 0: none. -1: 35 with
+    /// \`features\`; without, 40, but 0 for method FRAMES and for frames of the caller. Default: -1.
     pub feature_angle: f64,
+    /// OBC\_HEXMESH\_FEATURES\_OFF, AUTO, TAGS or ANGLES. Default: OFF.
+    pub features: i32,
+    /// Edges, two vertices of the input each, and vertices that \`features\` AUTO and TAGS consider. Default: NULL.
+    pub tagged_edges: *const u32,
+    /// number of tagged edges. Default: 0.
+    pub tagged_edge_count: usize,
+    /// tagged vertices. Default: NULL.
+    pub tagged_vertices: *const u32,
+    /// number of tagged vertices. Default: 0.
+    pub tagged_vertex_count: usize,
     /// Fills surfaces for frames: obc\_tetrahedra\_fill\_mesh of \<orbicube/tetrahedra.h\> (TetGen, under the AGPL), or a function of the caller.
     /// NULL: surfaces go by polycubes and grids only; method FRAMES then requires a tetrahedral solid. Default: NULL.
     pub fill: obc_hexmesh_fill_function,
@@ -69,8 +84,8 @@ pub struct obc_hexmesh_options {
 }
 
 /// Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
-/// three edges there over the product of their lengths: 1 for a box. Members after \`method\` are about frames and 0 for other methods. The
-/// caller sets struct\_size.
+/// three edges there over the product of their lengths: 1 for a box. Members from integers\_optimal to fields are about frames and 0 for other
+/// methods; those after them are about features and 0 with OBC\_HEXMESH\_FEATURES\_OFF. The caller sets struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_hexmesh_report {
@@ -115,6 +130,34 @@ pub struct obc_hexmesh_report {
     pub steps: usize,
     /// number of fields that were computed, the last being that of the mesh; 0 for frames of the caller
     pub fields: usize,
+    /// number of feature curves between corners
+    pub feature_curves: usize,
+    /// number of vertices where feature curves end, branch or bend
+    pub feature_corners: usize,
+    /// number of these curves and corners that the mesh lacks
+    pub missing_features: usize,
+    /// fraction of the length of the curves with a mesh edge along it: within a tenth of the mean boundary edge,
+    /// turned by at most 25 degrees; 1 without curves
+    pub captured: f64,
+    /// largest minimum scaled Jacobian that hexahedra at the features can have, two in each sector between curves
+    pub scaled_jacobian_bound: f64,
+    /// 1: the cells of a grid with the features embedded; 0: the mesh of the method
+    pub embedded: i32,
+}
+
+/// A feature that the mesh lacks: a corner, or a curve with less than 95 % of its length captured. The caller sets struct\_size.
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct obc_hexmesh_missing {
+    pub struct_size: u32,
+    /// 1: a corner; 0: a curve
+    pub corner: i32,
+    /// ends of the curve; the position of the corner, twice
+    pub first: [f64; 3],
+    /// ends of the curve; the position of the corner, twice
+    pub last: [f64; 3],
+    /// captured fraction of the length of the curve; 0 for a corner
+    pub captured: f64,
 }
 
 extern "C" {
@@ -147,9 +190,16 @@ extern "C" {
     /// Return the number of vertices, hexahedra and boundary quads; 0 for NULL.
     pub fn obc_hexmesh_quad_count(hexes: *const obc_hexmesh) -> usize;
     /// Copies positions (x y z a vertex), hexahedra (eight vertices each, in the order of MEDIT and VTK), boundary quads (four vertices each,
-    /// counter-clockwise seen from outside) and the polycube patch of each quad (0 for grid-based ones); each may be NULL.
-    /// Errors: invalid argument.
+    /// counter-clockwise seen from outside) and the patch of each quad: of the polycube, of the feature curves where they are embedded, or 0;
+    /// each may be NULL. Errors: invalid argument.
     pub fn obc_hexmesh_copy(hexes: *const obc_hexmesh, positions: *mut f64, hexahedra: *mut u32, quads: *mut u32, quad_patches: *mut u32, error: *mut obc_error) -> i32;
+    /// Returns the number of missing features; 0 for NULL.
+    pub fn obc_hexmesh_missing_count(hexes: *const obc_hexmesh) -> usize;
+    /// Copies missing feature \`index\`, from 0. Errors: invalid argument.
+    pub fn obc_hexmesh_get_missing(hexes: *const obc_hexmesh, index: usize, missing: *mut obc_hexmesh_missing, error: *mut obc_error) -> i32;
+    /// Returns what was in the way of missing feature \`index\`, in words, until the mesh is destroyed; NULL for an index out of range and for
+    /// NULL.
+    pub fn obc_hexmesh_missing_reason(hexes: *const obc_hexmesh, index: usize) -> *const c_char;
     /// Returns the version of the library, major \* 10000 + minor \* 100 + patch.
     pub fn obc_hexmesh_version() -> u32;
 }
@@ -162,7 +212,7 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_hexmesh_options>(), align_of::<obc_hexmesh_options>()), (88, 8));
+        assert_eq!((size_of::<obc_hexmesh_options>(), align_of::<obc_hexmesh_options>()), (128, 8));
         let it = MaybeUninit::<obc_hexmesh_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_hexmesh_options.struct_size");
@@ -176,9 +226,14 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).max_hausdorff_percent) } as usize - start as usize, 48, "obc_hexmesh_options.max_hausdorff_percent");
         assert_eq!(unsafe { addr_of!((*start).max_cells) } as usize - start as usize, 56, "obc_hexmesh_options.max_cells");
         assert_eq!(unsafe { addr_of!((*start).feature_angle) } as usize - start as usize, 64, "obc_hexmesh_options.feature_angle");
-        assert_eq!(unsafe { addr_of!((*start).fill) } as usize - start as usize, 72, "obc_hexmesh_options.fill");
-        assert_eq!(unsafe { addr_of!((*start).fill_user) } as usize - start as usize, 80, "obc_hexmesh_options.fill_user");
-        assert_eq!((size_of::<obc_hexmesh_report>(), align_of::<obc_hexmesh_report>()), (136, 8));
+        assert_eq!(unsafe { addr_of!((*start).features) } as usize - start as usize, 72, "obc_hexmesh_options.features");
+        assert_eq!(unsafe { addr_of!((*start).tagged_edges) } as usize - start as usize, 80, "obc_hexmesh_options.tagged_edges");
+        assert_eq!(unsafe { addr_of!((*start).tagged_edge_count) } as usize - start as usize, 88, "obc_hexmesh_options.tagged_edge_count");
+        assert_eq!(unsafe { addr_of!((*start).tagged_vertices) } as usize - start as usize, 96, "obc_hexmesh_options.tagged_vertices");
+        assert_eq!(unsafe { addr_of!((*start).tagged_vertex_count) } as usize - start as usize, 104, "obc_hexmesh_options.tagged_vertex_count");
+        assert_eq!(unsafe { addr_of!((*start).fill) } as usize - start as usize, 112, "obc_hexmesh_options.fill");
+        assert_eq!(unsafe { addr_of!((*start).fill_user) } as usize - start as usize, 120, "obc_hexmesh_options.fill_user");
+        assert_eq!((size_of::<obc_hexmesh_report>(), align_of::<obc_hexmesh_report>()), (184, 8));
         let it = MaybeUninit::<obc_hexmesh_report>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_hexmesh_report.struct_size");
@@ -201,5 +256,19 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).inverted_at_start) } as usize - start as usize, 112, "obc_hexmesh_report.inverted_at_start");
         assert_eq!(unsafe { addr_of!((*start).steps) } as usize - start as usize, 120, "obc_hexmesh_report.steps");
         assert_eq!(unsafe { addr_of!((*start).fields) } as usize - start as usize, 128, "obc_hexmesh_report.fields");
+        assert_eq!(unsafe { addr_of!((*start).feature_curves) } as usize - start as usize, 136, "obc_hexmesh_report.feature_curves");
+        assert_eq!(unsafe { addr_of!((*start).feature_corners) } as usize - start as usize, 144, "obc_hexmesh_report.feature_corners");
+        assert_eq!(unsafe { addr_of!((*start).missing_features) } as usize - start as usize, 152, "obc_hexmesh_report.missing_features");
+        assert_eq!(unsafe { addr_of!((*start).captured) } as usize - start as usize, 160, "obc_hexmesh_report.captured");
+        assert_eq!(unsafe { addr_of!((*start).scaled_jacobian_bound) } as usize - start as usize, 168, "obc_hexmesh_report.scaled_jacobian_bound");
+        assert_eq!(unsafe { addr_of!((*start).embedded) } as usize - start as usize, 176, "obc_hexmesh_report.embedded");
+        assert_eq!((size_of::<obc_hexmesh_missing>(), align_of::<obc_hexmesh_missing>()), (64, 8));
+        let it = MaybeUninit::<obc_hexmesh_missing>::uninit();
+        let start = it.as_ptr();
+        assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_hexmesh_missing.struct_size");
+        assert_eq!(unsafe { addr_of!((*start).corner) } as usize - start as usize, 4, "obc_hexmesh_missing.corner");
+        assert_eq!(unsafe { addr_of!((*start).first) } as usize - start as usize, 8, "obc_hexmesh_missing.first");
+        assert_eq!(unsafe { addr_of!((*start).last) } as usize - start as usize, 32, "obc_hexmesh_missing.last");
+        assert_eq!(unsafe { addr_of!((*start).captured) } as usize - start as usize, 56, "obc_hexmesh_missing.captured");
     }
 }

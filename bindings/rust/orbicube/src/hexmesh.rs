@@ -20,6 +20,19 @@ sized!(/// What was made.
     Report, obc_hexmesh_report);
 handle!(HexesHandle, obc_hexmesh, obc_hexmesh_destroy);
 
+/// A corner or a curve of the surface that a mesh lacks.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MissingFeature {
+    pub corner: bool,
+    /// The ends of the curve; twice the position of the corner.
+    pub first: [f64; 3],
+    pub last: [f64; 3],
+    /// The fraction of the length of the curve that edges of the mesh follow.
+    pub captured: f64,
+    /// What was in the way.
+    pub why: String,
+}
+
 /// A certified mesh of hexahedra.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Hexes {
@@ -28,8 +41,10 @@ pub struct Hexes {
     pub hexahedra: Vec<[u32; 8]>,
     /// Of the boundary, counter-clockwise seen from outside.
     pub quads: Vec<[u32; 4]>,
-    /// Of the polycube, or of the map along frames: what each quad lies on.
+    /// Of the polycube, of the map along frames, or of embedded features: what each quad lies on.
     pub quad_patches: Vec<u32>,
+    /// Of the features that the options request.
+    pub missing: Vec<MissingFeature>,
 }
 
 impl Hexes {
@@ -45,6 +60,14 @@ impl Hexes {
                 obc_hexmesh_copy(out, hexes.positions.as_mut_ptr(), hexes.hexahedra.as_mut_ptr() as *mut u32,
                                           hexes.quads.as_mut_ptr() as *mut u32, hexes.quad_patches.as_mut_ptr(), error)
             })?;
+            for index in 0..obc_hexmesh_missing_count(out) {
+                let mut found: obc_hexmesh_missing = std::mem::zeroed();
+                found.struct_size = std::mem::size_of::<obc_hexmesh_missing>() as u32;
+                checked(|error| obc_hexmesh_get_missing(out, index, &mut found, error))?;
+                let why = std::ffi::CStr::from_ptr(obc_hexmesh_missing_reason(out, index)).to_string_lossy().into_owned();
+                hexes.missing.push(MissingFeature { corner: found.corner != 0, first: found.first, last: found.last,
+                                                    captured: found.captured, why });
+            }
         }
         Ok(hexes)
     }

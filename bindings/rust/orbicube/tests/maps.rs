@@ -349,6 +349,24 @@ fn min_scaled_jacobian(hexes: &hexmesh::Hexes) -> f64 {
 }
 
 #[test]
+fn missing_features_of_hexahedra_have_a_reason() {
+    let positions = [1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, -1.0];
+    let triangles = [0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5];
+    let surface = Surface::new(&positions, &triangles).unwrap();
+    let mut options = hexmesh::Options::default();
+    options.cells = 200;
+    options.max_hausdorff_percent = 0.0;
+    options.features = orbicube::sys::hexmesh::OBC_HEXMESH_FEATURES_ANGLES;
+    options.method = orbicube::sys::hexmesh::OBC_HEXMESH_METHOD_GRID;
+    let (kept, report) = hexmesh::fill_with_hexahedra(surface, &options, &mut host()).unwrap();
+    assert!(report.embedded == 1 && report.feature_curves == 12 && kept.missing.is_empty());
+    options.method = orbicube::sys::hexmesh::OBC_HEXMESH_METHOD_POLYCUBE;
+    let (lost, report) = hexmesh::fill_with_hexahedra(surface, &options, &mut host()).unwrap();
+    assert!(report.captured < 0.9 && lost.missing.len() == report.missing_features);
+    assert!(lost.missing.iter().all(|missing| !missing.why.is_empty() && missing.captured < 0.95));
+}
+
+#[test]
 fn solids_become_hexahedra_and_polycubes() {
     let (corners, tetrahedra) = cube_of_tetrahedra();
     let mut options = hexmesh::Options::default();
