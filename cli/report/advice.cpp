@@ -5,6 +5,7 @@
 #include <array>
 #include <numeric>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -99,7 +100,14 @@ std::optional<std::pair<Index, Edge>> vertex_on_edge(const mesh::Mesh& m, const 
   return std::nullopt;
 }
 
-std::string of_holes(const mesh::Mesh& m, const std::string& repair, const base::Host& host) {
+// "SUBJECT (x, y, z); ", unless the refusal itself has a place.
+std::string place_unless_told(const Failure& failure, const std::string& subject, const Vector3& place) {
+  return std::string_view(failure.what()).find("at (") != std::string_view::npos
+             ? ""
+             : subject + mesh::place_text(place) + "; ";
+}
+
+std::string of_holes(const Failure& failure, const mesh::Mesh& m, const std::string& repair, const base::Host& host) {
   const std::vector<Edge> boundary = boundary_of(m, host);
   const std::vector<Index> vertices = vertices_of(boundary);
   if (const std::size_t n = doubled(m, vertices, host); n > 0) {
@@ -110,7 +118,7 @@ std::string of_holes(const mesh::Mesh& m, const std::string& repair, const base:
     return "vertex " + std::to_string(v) + " at " + mesh::place_text(m.positions[v]) + " lies on the edge " +
            std::to_string(e[0]) + "-" + std::to_string(e[1]) + ": " + repair + " splits it there";
   }
-  return "the edge is at " + mesh::place_text(m.positions[boundary.front()[0]]) + "; " + repair + " fills holes";
+  return place_unless_told(failure, "the edge is at ", m.positions[boundary.front()[0]]) + repair + " fills holes";
 }
 
 std::string of_parts(const mesh::Mesh& m, const std::string& verb, const std::string& repair, const base::Host& host) {
@@ -134,11 +142,13 @@ std::string of_parts(const mesh::Mesh& m, const std::string& verb, const std::st
   return verb == "hex" || verb == "volume" ? text : text + " (hex and tetrahedralize take several parts)";
 }
 
-std::string of_first_edge_or_vertex(const mesh::Mesh& m, bool edge, const std::string& repair, const base::Host& host) {
+std::string of_first_edge_or_vertex(const Failure& failure, const mesh::Mesh& m, const std::string& repair,
+                                    const base::Host& host) {
   const mesh::Topology facts = mesh::topology(m.positions, m.triangles, host);
+  const bool edge = failure.kind() == "non-manifold-edge";
   const Index v = edge ? facts.first_non_manifold_edge[0] : facts.first_non_manifold_vertex;
   if (v >= m.positions.size()) return "";
-  return "it is at " + mesh::place_text(m.positions[v]) + "; " + repair + " separates the sheets that meet there";
+  return place_unless_told(failure, "it is at ", m.positions[v]) + repair + " separates the sheets that meet there";
 }
 
 // Surfaces with handles have polycubes, but no spheres; those of several surfaces have as many.
@@ -182,9 +192,9 @@ std::string of_kind(const Failure& failure, const std::string& verb, bool welded
   if (!about_places || failure.exit_code() != Exit::wrong_input) return "";
   const mesh::Mesh m = read_again(failure.file(), welded, host);
   if (m.triangles.empty()) return "";
-  if (kind == "not-closed") return of_holes(m, repair, host);
+  if (kind == "not-closed") return of_holes(failure, m, repair, host);
   if (kind == "not-connected") return of_parts(m, verb, repair, host);
-  return of_first_edge_or_vertex(m, kind == "non-manifold-edge", repair, host);
+  return of_first_edge_or_vertex(failure, m, repair, host);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "frame_field/frames_file.h"
 #include "mesh/search/unit_scale.h"
 #include "mesh/topology/cells.h"
+#include "mesh/topology/place_text.h"
 #include "report/text.h"
 #include "scenes/parameter_scene.h"
 #include "solids/solid_input.h"
@@ -64,8 +65,8 @@ mesh::Mesh read_tetrahedra(const ParameterizeVerb& verb, Session& session) {
   return std::move(input.mesh);
 }
 
-// The tetrahedra of `solid` are split where --split requires that.
-volume_map::Parameterization compute(const ParameterizeVerb& verb, mesh::Mesh& solid, Session& session) {
+// Of the solid times 2^exponent, whose tetrahedra are split where --split requires that.
+volume_map::Parameterization compute(const ParameterizeVerb& verb, int exponent, mesh::Mesh& solid, Session& session) {
   const base::Host& host = session.host();
   double volume = 0;
   for (const mesh::Tetrahedron& t : solid.tetrahedra)
@@ -77,13 +78,15 @@ volume_map::Parameterization compute(const ParameterizeVerb& verb, mesh::Mesh& s
   framed.tetrahedra.assign(solid.tetrahedra.begin(), solid.tetrahedra.end());
   const bool computed = verb.frames.empty(), split = !verb.split.empty();
   volume_map::Parameterization map = about(computed ? verb.input : verb.frames, Role::input, [&] {
-    if (computed) {
-      return volume_map::parameterize_by_computed_frames(framed, verb.feature_angle * std::numbers::pi / 180, split,
-                                                         options, host);
-    }
-    framed.frames = frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host);
-    return split ? volume_map::parameterize_split(framed, options, host)
-                 : volume_map::parameterize(framed, options, host);
+    if (!computed) framed.frames = frame_field::read_frames(verb.frames, solid.tetrahedra.size(), host);
+    return mesh::with_places_of_caller(exponent, [&] {
+      if (computed) {
+        return volume_map::parameterize_by_computed_frames(framed, verb.feature_angle * std::numbers::pi / 180, split,
+                                                           options, host);
+      }
+      return split ? volume_map::parameterize_split(framed, options, host)
+                   : volume_map::parameterize(framed, options, host);
+    });
   });
   if (split) {
     solid.positions.assign(framed.positions.begin(), framed.positions.end());
@@ -160,7 +163,8 @@ void run_parameterize(const ParameterizeVerb& verb, Session& session) {
   mesh::Mesh solid = session.portion(0.05, [&] { return read_tetrahedra(verb, session); });
   const int exponent = mesh::bring_to_unit_size(solid);
   const double start = session.seconds();
-  const volume_map::Parameterization map = session.portion(0.9, [&] { return compute(verb, solid, session); });
+  const volume_map::Parameterization map =
+      session.portion(0.9, [&] { return compute(verb, exponent, solid, session); });
   session.figures()["output"] = verb.output;
   if (!verb.split.empty()) session.figures()["split"] = verb.split;
   session.figures().update(figures_of(solid, map, std::ldexp(map.cell_length, -exponent)));

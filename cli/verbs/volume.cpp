@@ -2,6 +2,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "mesh/files/write.h"
 #include "mesh/search/unit_scale.h"
 #include "mesh/topology/cells.h"
+#include "mesh/topology/place_text.h"
 #include "report/embedding.h"
 #include "report/solver_choice.h"
 #include "solids/solid_input.h"
@@ -44,8 +46,9 @@ frame_field::Field read_frames_of(const VolumeVerb& verb, const mesh::Mesh& soli
 // Hexahedra of a grid on the polycube, taken to the solid.
 void write_resampled(const VolumeVerb& verb, const volume_map::VolumeMap& map, int exponent, Session& session) {
   about(verb.resample, Role::output, [&] {
-    const volume_map::ResampledGrid grid =
-        volume_map::resample_grid(map.source, map.image, map.tetrahedra, verb.cells, session.host());
+    const volume_map::ResampledGrid grid = mesh::with_places_of_caller(exponent, [&] {
+      return volume_map::resample_grid(map.source, map.image, map.tetrahedra, verb.cells, session.host());
+    });
     if (grid.hexahedra.empty()) throw base::Error("no-valid-result", "no cell of the grid is inside; request more");
     mesh::Mesh cells(session.host().memory);
     cells.positions = grid.positions;
@@ -80,8 +83,21 @@ std::vector<volume_map::PolycubePiece> read_pieces(const VolumeVerb& verb, volum
                                               .fill = fill_by_tetgen(),
                                               .given = given ? given->view() : volume_map::GivenPolycube{}};
   return about_solid(options.input, options.input, input.report.format, findings, session, [&] {
-    return volume_map::polycube_pieces(std::move(input.mesh), of_pieces, findings, session.host());
+    return mesh::with_places_of_caller(exponent, [&] {
+      return volume_map::polycube_pieces(std::move(input.mesh), of_pieces, findings, session.host());
+    });
   });
+}
+
+// The map of all pieces, along frames where there are any.
+volume_map::VolumeMap map_of(std::span<const volume_map::PolycubePiece> pieces, const frame_field::Field& frames,
+                             volume_map::GuidedFigures& guided, untangle::BlockEngine* engine, Session& session) {
+  std::vector<volume_map::PolycubeSolid> solids;
+  for (const volume_map::PolycubePiece& piece : pieces)
+    solids.push_back(piece.solid());
+  const base::Stage stage(session.host(), 0.95);
+  if (frames.empty()) return volume_map::map_pieces_to_polycubes(solids, session.host(), engine);
+  return volume_map::map_to_polycube_by_frames(solids.front(), frames, guided, session.host(), engine);
 }
 
 void run_volume(const VolumeVerb& verb, Session& session) {
@@ -99,14 +115,9 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   const std::vector<volume_map::PolycubePiece> pieces =
       session.portion(0.4, [&] { return read_pieces(verb, findings, exponent, frames, session); });
   const double start = session.seconds();
-  std::vector<volume_map::PolycubeSolid> solids;
-  for (const volume_map::PolycubePiece& piece : pieces)
-    solids.push_back(piece.solid());
   volume_map::GuidedFigures guided;
   volume_map::VolumeMap map = about(verb.output, Role::output, [&] {
-    const base::Stage stage(session.host(), 0.95);
-    if (frames.empty()) return volume_map::map_pieces_to_polycubes(solids, session.host(), engine.get());
-    return volume_map::map_to_polycube_by_frames(solids.front(), frames, guided, session.host(), engine.get());
+    return mesh::with_places_of_caller(exponent, [&] { return map_of(pieces, frames, guided, engine.get(), session); });
   });
   session.figures().update(Json{{"output", verb.output},
                                 {"source", verb.source},

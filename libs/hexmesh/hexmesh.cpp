@@ -376,7 +376,8 @@ Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume
   mesh::Mesh near_unit = copy_of(input, host);
   const int exponent = mesh::bring_to_unit_size(near_unit);
   const Work work{near_unit, options, findings, host, exponent};
-  Hexahedra made = options.features == Features::off ? by_strategy(work) : WithFeatures(work).made();
+  Hexahedra made = mesh::with_places_of_caller(
+      exponent, [&] { return options.features == Features::off ? by_strategy(work) : WithFeatures(work).made(); });
   scale_back(made.result, exponent);
   if (made.features) scale_back(*made.features, exponent);
   return made;

@@ -15,6 +15,7 @@
 #include "base/error.h"
 #include "mesh/features/handle_place.h"
 #include "mesh/topology/orient.h"
+#include "mesh/topology/place_text.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
@@ -411,4 +412,28 @@ TEST_CASE("The place of a handle is on it, wherever the surface begins, and a su
   REQUIRE(place.has_value());
   // At the hole or at what is around it.
   CHECK(s.positions[*place].x() >= 9);
+}
+
+TEST_CASE("places in refusals of work on a scaled shape are those of the caller") {
+  const Vector3 from(1.5, -2.25e-7, 0), to(1e100, 3, -4);
+  const std::string text = "gap (2, of 3) between " + place_text(from) + " and " + place_text(to) + "; request more";
+  CHECK(scaled_places(text, 0) == text);
+  CHECK(scaled_places(text, -30) ==
+        "gap (2, of 3) between (1.39698386e-09, -2.09547579e-16, 0) and (9.31322575e+90, "
+        "2.79396772e-09, -3.7252903e-09); request more");
+  CHECK(scaled_places(scaled_places(text, 40), -40) == text);
+  CHECK(scaled_places("at (1, 2", 3) == "at (1, 2");
+  CHECK(scaled_places("at (1, 2, x)", 3) == "at (1, 2, x)");
+  CHECK(scaled_places("", 3).empty());
+  const auto refused = [](int exponent) {
+    try {
+      with_places_of_caller(exponent, [] { throw base::Error("not-closed", "an edge at (1, 2, 3)"); });
+    } catch (const base::Error& error) {
+      return std::string(error.kind()) + ": " + error.what();
+    }
+    return std::string();
+  };
+  CHECK(refused(0) == "not-closed: an edge at (1, 2, 3)");
+  CHECK(refused(-2) == "not-closed: an edge at (4, 8, 12)");
+  CHECK(with_places_of_caller(5, [] { return 7; }) == 7);
 }

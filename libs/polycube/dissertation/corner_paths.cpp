@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "mesh/topology/place_text.h"
+
 namespace orbicube::polycube::dissertation {
 namespace {
 
@@ -11,9 +13,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t max_known_vertices = 4'000'000;  // of paths that are kept, 16 MB
 
 std::string place_text(const EditableSurface& surface, Index v) {
-  const Vector3& p = surface.position[v];
-  return "vertex " + std::to_string(v) + " (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ", " +
-         std::to_string(p.z()) + ")";
+  return "vertex " + std::to_string(v) + " " + mesh::place_text(surface.position[v]);
 }
 
 // Whether paths meet, and what they bound.

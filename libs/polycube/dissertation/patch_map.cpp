@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "mesh/topology/place_text.h"
 
 namespace orbicube::polycube::dissertation {
 namespace {
@@ -143,9 +144,8 @@ FinishedMap finish_map(const Layout& layout, const EditableSurface& base_surface
     result.map.labels.push_back(label);
     if (signed_area(label, patches.polycube[t[0]], patches.polycube[t[1]], patches.polycube[t[2]]) > 0) continue;
     if (result.flipped++ > 0) continue;
-    const Vector3& p = surface.position[t[0]];
-    result.first = "triangle " + std::to_string(surface.triangle_source[face]) + ", at (" + std::to_string(p.x()) +
-                   ", " + std::to_string(p.y()) + ", " + std::to_string(p.z()) + ")";
+    result.first = "triangle " + std::to_string(surface.triangle_source[face]) + ", at " +
+                   mesh::place_text(surface.position[t[0]]);
   }
   SurfaceMap& map = result.map;
   map.positions = std::move(surface.position);

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "mesh/search/measures.h"
 #include "mesh/search/unit_scale.h"
+#include "mesh/topology/place_text.h"
 #include "mesh/topology/topology.h"
 #include "polycube/unfolded/map_improvement.h"
 #include "polycube/voxels/voxel_construction.h"
@@ -217,7 +218,8 @@ BestConstruction construct(std::span<const Vector3> positions, std::span<const T
   Array<Triangle> own(triangles.begin(), triangles.end(), host.memory);
   if (!all) keep_used(used, scaled, own, number);
   mesh::scale_by_power(scaled, exponent);
-  BestConstruction best = BestOfAll(scaled, own, options, host).run();
+  BestConstruction best =
+      mesh::with_places_of_caller(exponent, [&] { return BestOfAll(scaled, own, options, host).run(); });
   SurfaceMap& map = best.made.map;
   mesh::scale_by_power(map.positions, -exponent);
   mesh::scale_by_power(map.polycube, -exponent);

@@ -4,6 +4,8 @@
 #include <array>
 #include <compare>
 
+#include "mesh/topology/place_text.h"
+
 namespace orbicube::polycube {
 namespace {
 
@@ -164,8 +166,7 @@ class Grid {
   }
 
   std::string at(const Place& place) const {
-    return "near (" + std::to_string(planes_[0][place[0]]) + ", " + std::to_string(planes_[1][place[1]]) + ", " +
-           std::to_string(planes_[2][place[2]]) + ")";
+    return "near " + mesh::place_text({planes_[0][place[0]], planes_[1][place[1]], planes_[2][place[2]]});
   }
   std::string between(Index first, Index second, const Place& place) const {
     return "first in faces " + std::to_string(first) + " and " + std::to_string(second) + " " + at(place);

@@ -1,25 +1,16 @@
 #include "volume_map/frames/field_refusal.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "base/counted.h"
 #include "base/error.h"
 #include "frame_field/singularities/meshability.h"
+#include "mesh/topology/place_text.h"
 
 namespace orbicube::volume_map {
-namespace {
 
 using quaternion::CubeClass;
-
-std::string text_of(const Vector3& p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "(%.4g %.4g %.4g)", p[0], p[1], p[2]);
-  return text;
-}
-
-}  // namespace
 
 void require_meshable(const FramedSolid& solid, const mesh::TetrahedralConnectivity& connectivity,
                       const mesh::EdgeRings& rings, std::span<const std::uint8_t> matchings, const base::Host& host) {
@@ -43,7 +34,7 @@ void require_meshable(const FramedSolid& solid, const mesh::TetrahedralConnectiv
     throw base::Error("no-valid-result", base::counted(local.edges.size(), "singular edge is", "singular edges are") +
                                              " those of no hexahedral mesh; around edge " + std::to_string(p) + "-" +
                                              std::to_string(q) + " of curve " + curve_of(local.edges.front()) +
-                                             ", at " + text_of(solid.positions[p]) + ", frames turn " + turn);
+                                             ", at " + mesh::place_text(solid.positions[p]) + ", frames turn " + turn);
   }
   if (local.vertices.empty()) return;
   const Index v = local.vertices.front();
@@ -54,7 +45,7 @@ void require_meshable(const FramedSolid& solid, const mesh::TetrahedralConnectiv
   }
   throw base::Error("no-valid-result", base::counted(local.vertices.size(), "vertex is", "vertices are") +
                                            " those of no hexahedral mesh; at vertex " + std::to_string(v) + ", " +
-                                           text_of(solid.positions[v]) +
+                                           mesh::place_text(solid.positions[v]) +
                                            (node ? ", singular curves meet that cannot, among them curve "
                                                  : ", edges with three cells become edges with five, on curve ") +
                                            curve);

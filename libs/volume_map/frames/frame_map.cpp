@@ -3,7 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -11,6 +10,7 @@
 #include "base/counted.h"
 #include "base/error.h"
 #include "mesh/search/predicates.h"
+#include "mesh/topology/place_text.h"
 #include "untangle/tetrahedra/newton.h"
 #include "volume_map/frames/field_refusal.h"
 #include "volume_map/frames/frame_energy.h"
@@ -21,12 +21,6 @@ namespace {
 
 using quaternion::cube_group;
 using Connectivity = mesh::TetrahedralConnectivity;
-
-std::string text_of(const Vector3& p) {
-  char text[80];
-  std::snprintf(text, sizeof text, "(%.4g %.4g %.4g)", p[0], p[1], p[2]);
-  return text;
-}
 
 class Mapping {
  public:
@@ -77,7 +71,7 @@ class Mapping {
                         collapsed_ + std::to_string(bad.size()) + " of " +
                             base::counted(solid.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay") +
                             " inverted after " + base::counted(map_.steps, "step") + ", the first at " +
-                            text_of(solid.positions[solid.tetrahedra[bad.front()][0]]) +
+                            mesh::place_text(solid.positions[solid.tetrahedra[bad.front()][0]]) +
                             beside(bad.front(), cut, connectivity, rings));
     }
     set_transitions(cut, system, connectivity, integers);
@@ -123,7 +117,8 @@ class Mapping {
           const Index p = solid.tetrahedra[t][l], q = solid.tetrahedra[t][k];
           throw base::Error("no-valid-result", "the singular curves put vertices " + std::to_string(p) + " and " +
                                                    std::to_string(q) + " in one place, at " +
-                                                   text_of(solid.positions[p]) + " and " + text_of(solid.positions[q]));
+                                                   mesh::place_text(solid.positions[p]) + " and " +
+                                                   mesh::place_text(solid.positions[q]));
         }
       }
     }
@@ -139,8 +134,8 @@ class Mapping {
     if (rounding.violated > 0) {
       const std::size_t b = rounding.first_violated;
       collapsed_ = std::to_string(rounding.violated) + " of " + base::counted(layers.bounds.size(), "layer") +
-                   " of cells would collapse, the first between " + text_of(layers.from[b]) + " and " +
-                   text_of(layers.to[b]) + "; ";
+                   " of cells would collapse, the first between " + mesh::place_text(layers.from[b]) + " and " +
+                   mesh::place_text(layers.to[b]) + "; ";
     }
     integers = rounding.integers;
     free = energy.free_variables(integers);
@@ -294,7 +289,7 @@ class Mapping {
       if (right) continue;
       if (last) {
         throw base::Error("no-valid-result", "the map goes round edge " + std::to_string(p) + "-" + std::to_string(q) +
-                                                 " at " + text_of(map_.solid.positions[p]) + " with " +
+                                                 " at " + mesh::place_text(map_.solid.positions[p]) + " with " +
                                                  base::counted(quarters, "right angle"));
       }
       for (const Index face : rings.faces(ring))
