@@ -225,6 +225,22 @@ TEST_CASE("VTK XML: sizes that a file claims are compared with its bytes") {
   CHECK(ends_as(Format::vtp, inside(head({1, 100000, 0, packed.size() - 9}) + base64(packed)), "parse", "cut short"));
 }
 
+TEST_CASE("VTK XML: memory follows the size of a file whose pieces share their points") {
+  const std::string points = raw_bytes(std::vector<std::uint32_t>{1200}) + raw_bytes(std::vector<float>(300, 1));
+  const auto file = [&](int pieces) {
+    std::string text = "<VTKFile type=\"PolyData\"><PolyData>";
+    for (int i = 0; i < pieces; ++i)
+      text +=
+          "<Piece NumberOfPoints=\"100\"><Points><DataArray type=\"Float32\" NumberOfComponents=\"3\" "
+          "format=\"appended\" offset=\"0\"/></Points><Polys><DataArray type=\"Int8\" Name=\"connectivity\" "
+          "format=\"ascii\">0 1 2</DataArray><DataArray type=\"Int8\" Name=\"offsets\" "
+          "format=\"ascii\">3</DataArray></Polys></Piece>";
+    return text + "</PolyData><AppendedData encoding=\"raw\">_" + points + "</AppendedData></VTKFile>";
+  };
+  CHECK(outcome(Format::vtp, file(4)) == "accept");
+  CHECK(ends_as(Format::vtp, file(5), "parse", "arrays overlap"));
+}
+
 TEST_CASE("VTK XML: a file cut short or changed at any byte is refused, or is a mesh all the same") {
   for (const Storage& storage : all_storages()) {
     if (storage.long_header != storage.big_endian) continue;

@@ -68,7 +68,7 @@ class VtkXmlReader {
     place_.name = std::string("the array ") + names[static_cast<std::size_t>(role)] + " of " + name_of(section);
     const VtkXmlEntry* entry = slot(section, role);
     if (!entry) place_.fail("missing-attribute", "it is missing");
-    NumberArray result = read_vtk_xml_array(entry->array, file_.storage, place_, host_);
+    NumberArray result = read_vtk_xml_array(entry->array, file_.storage, place_, host_, appended_taken_);
     if (result.is_real() && role != VtkXmlRole::positions)
       place_.fail("parse", "real numbers, where integers are expected");
     return result;
@@ -165,6 +165,7 @@ class VtkXmlReader {
   VtkCells cells_;
   std::array<std::array<const VtkXmlEntry*, roles>, sections> entries_{};  // of the piece that is read
   ArrayPlace place_;
+  std::uint64_t appended_taken_ = 0;  // bytes
   std::size_t first_ = 0;
   Array<std::size_t> ends_;
   Array<Index> connectivity_;

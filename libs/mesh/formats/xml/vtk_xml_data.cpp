@@ -123,7 +123,7 @@ std::optional<NumberType> vtk_xml_type(std::string_view name) {
 }
 
 NumberArray read_vtk_xml_array(const VtkXmlArray& array, const VtkXmlStorage& storage, const ArrayPlace& place,
-                               const base::Host& host) {
+                               const base::Host& host, std::uint64_t& taken) {
   if (array.form == VtkXmlForm::ascii) return NumberArray::of_text(array.text, array.type, place, host);
   if (array.form == VtkXmlForm::appended && array.offset >= storage.appended.size()) {
     place.fail("index-range", "its offset " + std::to_string(array.offset) + " is behind the " +
@@ -131,7 +131,14 @@ NumberArray read_vtk_xml_array(const VtkXmlArray& array, const VtkXmlStorage& st
   }
   const bool inside = array.form == VtkXmlForm::binary;
   Source source(inside ? array.text : storage.appended.substr(array.offset), inside || storage.appended_base64, place);
-  return NumberArray::of_bytes(read_bytes(source, storage, place, host), array.type, storage.order, place);
+  const std::uint64_t before = source.max_left();
+  base::Array<std::byte> bytes = read_bytes(source, storage, place, host);
+  // Programs may let a few equal arrays share their place.
+  constexpr std::uint64_t most_uses = 4;
+  if (!inside) taken += before - source.max_left();
+  if (taken / most_uses > storage.appended.size())
+    place.fail("parse", "arrays overlap: together they have more than 4 times the bytes of AppendedData");
+  return NumberArray::of_bytes(std::move(bytes), array.type, storage.order, place);
 }
 
 }  // namespace orbicube::mesh

@@ -34,8 +34,10 @@ struct VtkXmlArray {
 std::optional<NumberType> vtk_xml_type(std::string_view name);
 
 // Reads an array. Sizes that the file claims are compared with the bytes that are there before memory is allocated.
-// Throws Error "truncated", "parse", "index-range" for an offset behind the end, "unsupported", "cancelled".
+// `taken` has the number of bytes of AppendedData that all arrays have read so far, and grows: a file whose arrays
+// overlap would need memory by the square of its size. Throws Error "truncated", "parse", "index-range" for an offset
+// behind the end, "unsupported", "cancelled".
 NumberArray read_vtk_xml_array(const VtkXmlArray& array, const VtkXmlStorage& storage, const ArrayPlace& place,
-                               const base::Host& host);
+                               const base::Host& host, std::uint64_t& taken);
 
 }  // namespace orbicube::mesh
