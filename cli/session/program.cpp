@@ -78,11 +78,10 @@ std::optional<std::filesystem::path> find_program(std::initializer_list<const ch
   for (const char* name : names) {
     std::istringstream list(folders != nullptr ? folders : "");
     for (std::string folder; std::getline(list, folder, ':');) {
-      // An empty entry is the current folder, where anyone's files may lie.
-      if (folder.empty()) continue;
       const std::filesystem::path candidate = std::filesystem::path(folder) / name;
       std::error_code problem;
-      if (std::filesystem::is_regular_file(candidate, problem) && access(candidate.c_str(), X_OK) == 0)
+      if (candidate.is_absolute() && std::filesystem::is_regular_file(candidate, problem) &&
+          access(candidate.c_str(), X_OK) == 0)
         return candidate;
     }
   }

@@ -11,7 +11,8 @@
 
 namespace orbicube::cli {
 
-// The path of the first of these programs that is in a folder of PATH.
+// Returns the path of the first of these programs that is in a folder of PATH. Folders that are not absolute are passed
+// over: what lies beside the files at hand, which may be anybody's, is not started.
 std::optional<std::filesystem::path> find_program(std::initializer_list<const char*> names);
 
 // Starts a program in a process group of its own, with its standard files at /dev/null, and does not wait for it.

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/counted.h"
@@ -80,6 +81,21 @@ std::string window_size(const std::string& text) {
   return std::to_string(width) + "," + std::to_string(height);
 }
 
+// The address of a file by its absolute path; bytes with a meaning in addresses are written as %XX (RFC 3986).
+std::string address_of(const std::filesystem::path& path) {
+  constexpr std::string_view as_they_are = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789-._~/";
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string result = "file://";
+  for (const char c : path.string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (as_they_are.find(c) != std::string_view::npos)
+      result += c;
+    else
+      result.append({'%', digits[byte / 16], digits[byte % 16]});
+  }
+  return result;
+}
+
 // A picture of the page by a browser without a screen.
 void draw(const std::string& page, const std::string& size, const std::filesystem::path& png, Session& session) {
   const auto browser = find_program({"chromium", "chromium-browser", "google-chrome"});
@@ -89,7 +105,8 @@ void draw(const std::string& page, const std::string& size, const std::filesyste
         "pictures are drawn by Chromium, and there is no chromium, chromium-browser or google-chrome in PATH; "
         "install one, or write the page with -o and open it in a browser");
   const PageFolder folder;
-  const std::filesystem::path html = folder.path() / "page.html", picture = folder.path() / "picture.png";
+  const std::filesystem::path html = std::filesystem::absolute(folder.path() / "page.html"),
+                              picture = folder.path() / "picture.png";
   write_text(html, page);
   std::vector<std::string> arguments = {"--headless=new",
                                         "--disable-gpu-sandbox",
@@ -104,7 +121,7 @@ void draw(const std::string& page, const std::string& size, const std::filesyste
                                         "--user-data-dir=" + (folder.path() / "profile").string(),
                                         "--window-size=" + size,
                                         "--screenshot=" + picture.string(),
-                                        "file://" + html.string()};
+                                        address_of(html)};
   // Chromium's sandbox does not work for the superuser. The page loads nothing but itself.
   if (geteuid() == 0) arguments.insert(arguments.begin(), "--no-sandbox");
   const int code =

@@ -14,6 +14,7 @@ import shutil
 import stat
 import struct
 import subprocess
+import sys
 import unittest
 
 from command import COMMAND, InFolder, main, run
@@ -145,6 +146,46 @@ class View(InFolder):
                 break
             subprocess.run(["sleep", "0.05"], check=True)
         self.assertEqual(len(data_of(self.path("page.html"))[1]["items"]), 1)
+
+    def test_no_program_beside_the_files_is_started(self):
+        surface = self.made("torus", 300, name="torus.obj")
+        for name in ("chromium", "xdg-open"):
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write("#!/bin/sh\ntouch started\n")
+            os.chmod(self.path(name), stat.S_IRWXU)
+        for folders in (".", "", ":", f"nowhere:{os.path.basename(self.folder)}/.."):
+            for words in (("--png", "o.png"), ()):
+                done = subprocess.run([COMMAND, "view", surface, *words], capture_output=True, text=True, cwd=self.folder,
+                                      env=dict(os.environ, PATH=folders), timeout=60)
+                self.assertEqual(done.returncode, 1, folders)
+                self.assertIn("in PATH", done.stderr)
+        self.assertFalse(os.path.exists(self.path("started")))
+
+    def test_the_browser_finds_the_page_in_any_folder(self):
+        odd = self.path("a#b?c d%41é")
+        os.makedirs(odd)
+        os.makedirs(self.path("bin"))
+        browser = self.path("bin/chromium")
+        with open(browser, "w", encoding="utf-8") as file:
+            file.write(f"""#!{sys.executable}
+import sys, urllib.parse
+address = urllib.parse.urlsplit(sys.argv[-1])
+assert (address.scheme, address.netloc, address.query, address.fragment) == ("file", "", "", "")
+with open(urllib.parse.unquote(address.path), "rb") as page:
+    assert b"</html>" in page.read()
+picture = [word for word in sys.argv if word.startswith("--screenshot=")][0].split("=", 1)[1]
+with open(picture, "wb") as file:
+    file.write(b"picture")
+""")
+        os.chmod(browser, stat.S_IRWXU)
+        for folder in (odd, os.path.basename(odd)):
+            environment = dict(os.environ, PATH=self.path("bin") + os.pathsep + os.environ["PATH"], TMPDIR=folder)
+            done = subprocess.run([COMMAND, "view", self.made("torus", 300, name="torus.obj"), "--png", self.path("o.png")],
+                                  capture_output=True, text=True, cwd=self.folder, env=environment, timeout=60)
+            self.assertEqual((done.returncode, done.stderr), (0, ""), folder)
+            with open(self.path("o.png"), "rb") as file:
+                self.assertEqual(file.read(), b"picture")
+            self.assertEqual(os.listdir(odd), [])
 
     @unittest.skipUnless(BROWSER, "there is no chromium")
     def test_pictures(self):
