@@ -350,7 +350,7 @@ def judge_sphere(folder, args, V, F, faults):
     # The area of the whole surface is that of its proper faces but for a millionth of it.
     m = measure_sphere.measure(U, F[proper], S)
     for name, key in (('energy_angle', 'E_D'), ('energy_area', 'E_A'), ('energy', 'E'), ('mean_quasi_conformal', 'K_mean_area_weighted'),
-                      ('max_quasi_conformal', 'K_max'), ('min_area_ratio', 'min_area_ratio'), ('max_area_ratio', 'max_area_ratio'),
+                      ('max_quasi_conformal', 'K_max'), ('min_area_ratio', 'area_ratio_min'), ('max_area_ratio', 'area_ratio_max'),
                       ('stretch_efficiency', 'L2_stretch_efficiency'), ('isometric_mean', 'symm_dirichlet_mean')):
         faults.compare(name, report[name], m[key])
     if report['zero_area_faces'] != int((~proper).sum()):
