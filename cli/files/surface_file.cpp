@@ -122,6 +122,9 @@ void require_folder(const std::filesystem::path& path) {
   if (!std::filesystem::is_directory(folder, problem)) {
     throw Failure(Exit::wrong_input, path.string(), "io", "there is no folder " + folder.string());
   }
+  static_cast<void>(std::filesystem::symlink_status(path, problem));
+  if (problem == std::errc::filename_too_long)
+    throw Failure(Exit::wrong_input, path.string(), "io", "cannot write: " + problem.message());
 }
 
 void write_output(const std::filesystem::path& path, const gltf::Kept& kept, Session& session) {

@@ -142,7 +142,7 @@ void add_polycube_outputs(CLI::App& verb, PolycubeOutputs& outputs) {
                            ->type_name("N");
   verb.add_option("--cell-size", outputs.cell_size,
                   "approximate edge length of quads on the polycube, in place of --cells")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(positive_number())
       ->excludes(cells)
       ->type_name("H");
   verb.add_option("--glb", outputs.glb,

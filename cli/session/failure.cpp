@@ -13,10 +13,15 @@ constexpr std::array<std::string_view, 5> without_result = {"no-valid-result", "
 
 }  // namespace
 
-std::string Failure::line() const {
-  std::string all = (file_.empty() ? "" : file_ + ": ") + kind_ + ": " + what();
+std::string printable(std::string text) {
   std::replace_if(
-      all.begin(), all.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+      text.begin(), text.end(), [](unsigned char c) { return (c < ' ' && c != '\n') || c == '\x7f'; }, ' ');
+  return text;
+}
+
+std::string Failure::line() const {
+  std::string all = printable((file_.empty() ? "" : file_ + ": ") + kind_ + ": " + what());
+  std::replace(all.begin(), all.end(), '\n', ' ');
   return all;
 }
 

@@ -16,6 +16,10 @@ enum class Exit : int {
   wrong_input = 2,  // the input or the command line is wrong
 };
 
+// Returns the text with a blank for each control character but the ends of lines: names of files may have any, which
+// terminals obey.
+std::string printable(std::string text);
+
 class Failure : public std::runtime_error {
  public:
   // `file` may be empty, and is then left out of the message.

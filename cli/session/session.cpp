@@ -3,12 +3,14 @@
 #include <sys/resource.h>
 
 #include <charconv>
+#include <cmath>
 #include <iostream>
 #include <utility>
 
 #include "base/version.h"
 #include "mesh/files/file.h"
 #include "report/advice.h"
+#include "report/text.h"
 #include "session/interrupt.h"
 
 namespace orbicube::cli {
@@ -20,6 +22,17 @@ CLI::Validator seed_check() {
             std::uint64_t value = 0;
             const bool fits = std::from_chars(text.data(), text.data() + text.size(), value).ec == std::errc();
             return digits && fits ? std::string() : "'" + text + "' is no whole number from 0 to 2^64 - 1";
+          },
+          ""};
+}
+
+// Numbers that hold, as "a number above 0".
+template <class Holds>
+CLI::Validator number_check(const std::string& what, const Holds& holds) {
+  return {[=](const std::string& text) {
+            double value = 0;
+            const bool good = CLI::detail::lexical_cast(text, value) && std::isfinite(value) && holds(value);
+            return good ? std::string() : "'" + text + "' is not " + what;
           },
           ""};
 }
@@ -62,7 +75,7 @@ void Session::keep() {
   outputs_.commit();
   bar_.clear();
   for (const std::string& line : lines_)
-    std::cout << line << '\n';
+    std::cout << printable(line) << '\n';
   lines_.clear();
 }
 
@@ -118,6 +131,23 @@ CLI::Validator unnamed(CLI::Validator validator) {
   return validator.description("");
 }
 
+CLI::Validator finite_number() {
+  return number_check("a finite number", [](double) { return true; });
+}
+
+CLI::Validator positive_number() {
+  return number_check("a number above 0", [](double value) { return value > 0; });
+}
+
+CLI::Validator non_negative_number() {
+  return number_check("a number of at least 0", [](double value) { return value >= 0; });
+}
+
+CLI::Validator number_from_to(double low, double high) {
+  return number_check("a number from " + number(low) + " to " + number(high),
+                      [=](double value) { return value >= low && value <= high; });
+}
+
 void add_common_options(CLI::App& app, CommonOptions& options) {
   const char* group = "Options of every verb";
   app.add_flag("--quiet", options.quiet, "print errors only, no text and no progress bar")->group(group);
@@ -131,7 +161,7 @@ void add_common_options(CLI::App& app, CommonOptions& options) {
       ->type_name("N")
       ->group(group);
   app.add_option("--time-limit", options.time_limit, "stop after S seconds, with exit code 1")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(positive_number())
       ->type_name("S")
       ->group(group);
   app.add_option("--report", options.report, "write the figures to this file, as JSON")

@@ -106,8 +106,13 @@ class Session {
 // Adds the options that all verbs have.
 void add_common_options(CLI::App& app, CommonOptions& options);
 
-// A check that help texts do not mention.
+// Checks that help texts do not mention.
 CLI::Validator unnamed(CLI::Validator validator);
+// Finite numbers: any; above 0; of at least 0; in a range with its ends. Those of CLI11 let NaN pass.
+CLI::Validator finite_number();
+CLI::Validator positive_number();
+CLI::Validator non_negative_number();
+CLI::Validator number_from_to(double low, double high);
 
 // The most memory that the program has used so far, in bytes.
 std::uint64_t peak_memory_bytes();

@@ -275,7 +275,7 @@ void add_frames(CLI::App& app, CommonOptions& common) {
       ->type_name("WEIGHTS");
   verb->add_option("--feature-angle", options->feature_angle,
                    "minimum dihedral angle, in degrees, of boundary edges that an axis follows; 0: none [default: 0]")
-      ->check(unnamed(CLI::Range(0.0, 180.0)))
+      ->check(number_from_to(0, 180))
       ->type_name("DEGREES");
   verb->add_option("--rounds", options->rounds, "number of improvement rounds of --start auto [default: 2]")
       ->check(unnamed(CLI::Range(0, 1000)))

@@ -330,7 +330,7 @@ void add_fit_options(CLI::App& verb, HarmonicsOptions& options) {
   verb.add_option("--refined-map", options.refinement.output, "write the refined map")->type_name("MAP2");
   verb.add_option("--smoothing", options.smoothing,
                   "weight of the squared Laplacian in the fit, for surfaces that do not determine it [default: 0]")
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("S");
   verb.add_option("--vertex-weights", options.weights,
                   "weight of a vertex: area (a third of the area of its triangles on the surface, default), sphere "

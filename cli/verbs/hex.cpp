@@ -142,7 +142,7 @@ void add_hex(CLI::App& app, CommonOptions& common) {
                    "maximum two-sided distance to the surface, in percent of the bounding-box diagonal, and maximum "
                    "volume error, in percent. While it is exceeded, the cell count is doubled, up to --max-cells; "
                    "more than twice of it is an error. 0: no limit [default: 1]")
-      ->check(unnamed(CLI::Range(0.0, 100.0)))
+      ->check(number_from_to(0, 100))
       ->type_name("PERCENT");
   verb->add_option("--max-cells", options->max_cells,
                    "approximate maximum number of hexahedra for --distance [default: 100000]")
@@ -151,7 +151,7 @@ void add_hex(CLI::App& app, CommonOptions& common) {
   verb->add_option("--feature-angle", options->feature_angle,
                    "minimum dihedral angle, in degrees, of surface edges that edges of OUT or axes of computed frames "
                    "follow; 0: none [default: 35 with --features, else 40, or 0 with --method frames]")
-      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->check(number_from_to(0, 179))
       ->type_name("DEGREES");
   verb->add_option(
           "--features", options->features,

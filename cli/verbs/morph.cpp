@@ -188,7 +188,7 @@ CLI::Option* add_blend_option(CLI::App& verb, MorphOptions& options) {
                   "write one shape in place of a morph: the weighted sum of the shapes, a weight each, as .2,.5,.3")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(unnamed(CLI::Number))
+      ->check(finite_number())
       ->type_name("W,W,...");
 }
 
@@ -249,7 +249,7 @@ void add_morph(CLI::App& app, CommonOptions& common) {
   verb->add_option("--tolerance", options->tolerance,
                    "maximum deviation of edges with --grid both, in percent of the diagonal of a shape; longer edges "
                    "are bisected; 0: no limit [default: 0.2]")
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("P");
   verb->add_option("--intermediates", options->intermediates,
                    "also write N intermediate shapes between consecutive ones, to OUT-01 and so on")
@@ -257,7 +257,7 @@ void add_morph(CLI::App& app, CommonOptions& common) {
       ->type_name("N");
   verb->add_option("--seconds", options->seconds,
                    "duration of the animation from one shape to the next, in seconds [default: 2]")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(positive_number())
       ->type_name("S");
   add_mending_options(*verb, options->mending);
   add_common_options(*verb, common);

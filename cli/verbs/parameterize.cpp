@@ -199,7 +199,7 @@ void add_parameterize(CLI::App& app, CommonOptions& common) {
   verb->add_option("--feature-angle", options->feature_angle,
                    "minimum dihedral angle, in degrees, of boundary edges that computed frames follow; 0: none "
                    "[default: 0]")
-      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->check(number_from_to(0, 179))
       ->type_name("DEGREES");
   verb->add_option("--split", options->split,
                    "split tetrahedra first that have no room between planes of the boundary and singular edges, and "

@@ -248,7 +248,7 @@ void add_optimization_options(CLI::App& verb, PolycubeOptions& options) {
       ->check(unnamed(CLI::IsMember({"surface", "faces", "harmonic"})))
       ->type_name("MEAN");
   verb.add_option("--area-weight", options.area_weight, "weight of area relative to angle distortion [default: 1]")
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("W");
   verb.add_option(
           "--features", options.features,
@@ -261,7 +261,7 @@ void add_optimization_options(CLI::App& verb, PolycubeOptions& options) {
   verb.add_option("--feature-angle", options.feature_angle,
                   "minimum dihedral angle, in degrees, of surface edges that are aligned to nearby polycube edges; 0: "
                   "none [default: 0]")
-      ->check(unnamed(CLI::Range(0.0, 179.0)))
+      ->check(number_from_to(0, 179))
       ->type_name("DEGREES");
 }
 

@@ -132,7 +132,7 @@ void add_part_options(CLI::App& verb, repair::Options& options, bool& largest_on
       verb.add_option(
               "--min-part", options.parts.min_area_percent,
               "keep all parts with at least this area, in percent of that of all; with --keep the N largest of them")
-          ->check(unnamed(CLI::Range(0.0, 100.0)))
+          ->check(number_from_to(0, 100))
           ->type_name("PERCENT");
   largest->excludes(keep)->excludes(min_part);
   verb.add_flag("--cavities", options.parts.cavities, "keep parts inside others as walls of cavities");
@@ -149,14 +149,14 @@ void add_repair(CLI::App& app, CommonOptions& common) {
       ->required()
       ->type_name("OUT");
   const auto length = [&](const char* name, double& value, const char* help) {
-    verb->add_option(name, value, help)->check(unnamed(CLI::NonNegativeNumber))->type_name("DISTANCE");
+    verb->add_option(name, value, help)->check(non_negative_number())->type_name("DISTANCE");
   };
   length("--weld", o.weld_distance,
          "weld vertices of open edges within this distance [default: at the same position, then 1e-6 of the diagonal]");
   verb->get_option("--weld")->expected(0, 1)->default_str("0");
   verb->add_option("--slivers", o.sliver_ratio,
                    "height over longest side of near-degenerate triangles, below 0.5 [default: 1e-6]")
-      ->check(unnamed(CLI::Range(0.0, 0.4999)))
+      ->check(number_from_to(0, 0.4999))
       ->type_name("RATIO");
   length("--max-move", o.sliver_move,
          "maximum movement of the surface where these are removed [default: 1e-5 of the diagonal]");
@@ -177,7 +177,7 @@ void add_repair(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::Range(0, 1'000'000)))
       ->type_name("N");
   verb->add_option("--max-handle", o.handles.max_length, "cut handles and tunnels with loops of at most this length")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(positive_number())
       ->type_name("LENGTH");
   verb->add_option("--skip", options->skipped,
                    "leave steps out: weld clean slivers t-junctions orient contacts parts holes")

@@ -292,11 +292,11 @@ void add_limits(CLI::App& verb, sphere_map::AlgorithmLimits& limits) {
                   "epsilon^eta: mean gain of an iteration, times the vertex count over the energy, that ends the "
                   "optimization of a level; 0: none [default: 1e-4]" +
                       only)
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("GAIN");
   verb.add_option("--final-tolerance", limits.final_tolerance,
                   "epsilon^F: the same for the final optimization [default: 1e-4]" + only)
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("GAIN");
   verb.add_option("--max-level-iterations", limits.max_level_iterations,
                   "Iter_max^eta: maximum number of iterations on a level; 0: 50 * eta [default: 0]" + only)
@@ -327,10 +327,10 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::IsMember(names)))
       ->type_name("METHOD");
   verb->add_option("--angle-weight", options->angle_weight, "weight of the angle energy [default: 0.1]")
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("W");
   verb->add_option("--area-weight", options->area_weight, "weight of the area energy [default: 1]")
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("W");
   add_limits(*verb, options->limits);
   verb->add_option("--page", options->page, "write a page with shape and map side by side, and the figures")

@@ -125,12 +125,12 @@ void add_surface(CLI::App& app, CommonOptions& common) {
   verb->add_flag("--cavities", o.cavities, "keep cavities as surfaces inside; default: they are filled");
   verb->add_option("--smoothing", o.smoothing,
                    "standard deviation of the Gaussian that smooths the object, in voxels [default: 1]")
-      ->check(unnamed(CLI::Range(0.0, 10.0)))
+      ->check(number_from_to(0, 10))
       ->type_name("VOXELS");
   verb->add_option("--max-slide", o.max_slide,
                    "maximum distance of vertices from the middle between two voxel centers, in voxels, below 0.5; "
                    "0: all are there [default: 0.45]")
-      ->check(unnamed(CLI::Range(0.0, 0.4999)))
+      ->check(number_from_to(0, 0.4999))
       ->type_name("VOXELS");
   verb->add_flag("--text", options->text, "write text in place of binary, in formats with both");
   add_common_options(*verb, common);

@@ -113,20 +113,20 @@ void add_tetrahedralize(CLI::App& app, CommonOptions& common) {
   verb->add_option(
           "--quality", options->filling.quality,
           "maximum ratio of circumradius to shortest edge, at least 1; 0: no vertices for quality [default: 1.4]")
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("R");
   verb->add_option("--max-volume", options->filling.max_volume, "maximum volume of a tetrahedron")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(positive_number())
       ->type_name("V");
   verb->add_option("--edge-length", options->filling.edge_length, "approximate length of inner edges")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(positive_number())
       ->type_name("L");
   verb->add_option("--sizing", options->sizing,
                    "edge lengths at points: lines x y z L, or one line L for each vertex of IN")
       ->type_name("FILE");
   verb->add_option("--growth", options->filling.size_growth,
                    "gradation of --sizing: edge-length growth per unit distance [default: 0.3]")
-      ->check(unnamed(CLI::NonNegativeNumber))
+      ->check(non_negative_number())
       ->type_name("G");
   verb->add_flag("--cut-surface", options->cut_surface,
                  "allow edges and triangles of the surface to be split; default: they are preserved");

@@ -299,7 +299,7 @@ void add_untangle(CLI::App& app, CommonOptions& common) {
       ->type_name("N");
   verb->add_option("--volume-weight", options->options.volume_weight,
                    "weight of volume or area relative to angle distortion [default: 1]")
-      ->check(unnamed(CLI::PositiveNumber))
+      ->check(positive_number())
       ->type_name("W");
   add_solver_option(*verb, options->solver);
   verb->add_flag("--keep-partial", options->keep_partial, "write OUT also if elements remain inverted (exit code 1)");

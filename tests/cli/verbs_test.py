@@ -5,6 +5,7 @@
 """
 import json
 import math
+import os
 import random
 import re
 
@@ -96,7 +97,14 @@ class CommandLine(InFolder):
                 (("sphere", cube, "-o", out, "--level-splits", "0", "--method", "dissertation"), "--level-splits"),
                 (("sphere", cube, "-o", out, "--level-splits", "20"), "--method dissertation"),
                 (("sphere", cube, "-o", out, "--threads", "-1"), "--threads"),
-                (("sphere", cube, "-o", out, "--time-limit", "0"), "--time-limit")):
+                (("sphere", cube, "-o", out, "--time-limit", "0"), "--time-limit: '0' is not a number above 0;"),
+                (("sphere", cube, "-o", out, "--time-limit", "nan"), "--time-limit: 'nan' is not a number above 0;"),
+                (("sphere", cube, "-o", out, "--time-limit", "inf"), "--time-limit: 'inf' is not"),
+                (("sphere", cube, "-o", out, "--time-limit", "soon"), "--time-limit: 'soon' is not"),
+                (("sphere", cube, "-o", out, "--area-weight", "nan"), "--area-weight: 'nan' is not a number of at least 0;"),
+                (("repair", cube, "-o", out, "--wrap", "nan"), "--wrap: 'nan' is not a number of at least 0;"),
+                (("repair", cube, "-o", out, "--slivers", ".5"), "--slivers: '.5' is not a number from 0 to 0.4999;"),
+                (("morph", cube, cube, "-o", out, "--blend", "nan,1"), "--blend: 'nan' is not a finite number;")):
             done = run(*arguments)
             self.assertEqual(done.returncode, 2, arguments)
             self.assertEqual(done.stdout, "")
@@ -114,6 +122,17 @@ class CommandLine(InFolder):
             self.refused(2, "unsupported-format", out, "make", "cube", "-o", out)
         nowhere = self.path("nowhere/out.obj")
         self.refused(2, "io", nowhere, "sphere", cube, "-o", nowhere)
+        long = self.path("x" * 300 + ".obj")
+        self.refused(2, "io", long, "sphere", cube, "-o", long)
+
+    def test_names_of_files_reach_no_terminal_as_commands(self):
+        odd = self.path("a\x1b[31m\x7f\r\t.obj")
+        done = run("info", odd)
+        self.assertEqual((done.returncode, done.stderr), (2, f"orbicube: {self.folder}/a [31m   .obj: io: cannot read: No such file or directory\n"))
+        done = run("make", "cube", "-o", odd)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertNotRegex(done.stdout, r"[\x00-\x09\x0b-\x1f\x7f]")
+        self.assertTrue(os.path.exists(odd))
 
     def test_common_options_stand_before_and_behind_the_verb(self):
         cube = self.made("cube")
