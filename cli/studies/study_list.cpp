@@ -81,6 +81,10 @@ std::vector<StudySubject> subjects_of_table(const std::filesystem::path& path, c
   const auto file_column = std::find(head.begin(), head.end(), "file");
   if (file_column == head.end())
     throw base::Error("parse", "line " + std::to_string(lines[0]) + ": no column is called 'file'");
+  for (auto name = head.begin(); name != head.end(); ++name) {
+    if (!name->empty() && std::find(name + 1, head.end(), *name) != head.end())
+      throw base::Error("parse", "line " + std::to_string(lines[0]) + ": two columns are called '" + *name + "'");
+  }
   std::vector<StudySubject> subjects;
   for (std::size_t r = 1; r < rows.size(); ++r) {
     if (rows[r].size() != head.size()) {

@@ -295,7 +295,7 @@ class Study(InFolder):
         self.refused(2, "usage", folder, "study", folder, "-o", folder)
         self.refused(2, "io", self.path("a/b"), "study", folder, "-o", self.path("a/b"))
         table = self.path("list.csv")
-        for text in ("name\nin/c1.obj\n", "file,age\nin/c1.obj\n", 'file\n"in/c1.obj\n', "file\n\0\n"):
+        for text in ("name\nin/c1.obj\n", "file,age\nin/c1.obj\n", "file,age,age\nin/c1.obj,1,2\n", "file,file\nin/c1.obj,in/c2.obj\n", 'file\n"in/c1.obj\n', "file\n\0\n"):
             with open(table, "w", encoding="ascii") as file:
                 file.write(text)
             self.refused(2, "parse", table, "study", table, "-o", self.path("out"))
