@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <csignal>
+#include <limits>
 #include <string>
 
 #include "base/counted.h"
@@ -54,11 +55,26 @@ double volume_of_regular(double edge) {
   return edge * edge * edge / (6 * std::sqrt(2.0));
 }
 
-// Of a regular tetrahedron with such edges, or what was requested if that is less; in the coordinates of TetGen.
+double enclosed_volume(const ScaledSurface& surface) {
+  double sum = 0;
+  const std::span<const Vector3> p = surface.positions();
+  for (const Triangle& t : surface.triangles())
+    sum += p[t[0]].dot(p[t[1]].cross(p[t[2]]));
+  return std::abs(sum) / 6;
+}
+
+// Of a regular tetrahedron with such edges, or what was requested if that is less; 0 for none; in the coordinates of
+// TetGen, where a limit may be so small that it is 0.
 double volume_limit(const Options& options, const ScaledSurface& surface) {
-  const double of_edge = volume_of_regular(surface.scaled_length(options.edge_length));
-  const double asked = surface.scaled_volume(options.max_volume);
-  return of_edge > 0 && asked > 0 ? std::min(of_edge, asked) : std::max(of_edge, asked);
+  constexpr double none = std::numeric_limits<double>::infinity(), most = 2147483647;  // TetGen's numbers
+  double limit = none;
+  if (options.edge_length > 0) limit = volume_of_regular(surface.scaled_length(options.edge_length));
+  if (options.max_volume > 0) limit = std::min(limit, surface.scaled_volume(options.max_volume));
+  if (limit == none) return 0;
+  if (!(enclosed_volume(surface) < most * limit))
+    throw base::Error("invalid-argument",
+                      "max_volume or edge_length is so small that there would be more than 2^31 tetrahedra");
+  return limit;
 }
 
 // In the coordinates of TetGen. Points so far off that squares of them are infinite have no say.

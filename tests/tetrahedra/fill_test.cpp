@@ -276,4 +276,10 @@ TEST_CASE("Options out of range are refused") {
     CHECK(refusal(surface, {.max_volume = bad}) == "invalid-argument");
     CHECK(refusal(surface, {.edge_length = bad}) == "invalid-argument");
   }
+  // More tetrahedra than 32 bits can count, also where the volume of one is no number above 0 any more.
+  for (const double tiny : {1e-11, 1e-100, 1e-300, 5e-324}) {
+    CHECK(refusal(surface, {.max_volume = tiny}) == "invalid-argument");
+    CHECK(refusal(surface, {.max_volume = 1, .edge_length = std::min(tiny, 1e-4)}) == "invalid-argument");
+  }
+  CHECK(filled(surface, {.max_volume = 1e300, .edge_length = 1e300}).tetrahedra.size() < 100);
 }
