@@ -89,6 +89,21 @@ TEST_CASE("Points that must be somewhere are mapped there to the bit, in faces, 
   CHECK(std::equal(map.positions.begin(), map.positions.begin() + 600, ball().positions.begin()));
 }
 
+TEST_CASE("Features are met on a very small and on a very large polycube") {
+  const FeaturePoint to_face{vertex_near(ball(), place_in(ball(), 0.5, 0.5, 1)), place_in(ball(), 0.62, 0.41, 1)};
+  for (const double scale : {0x1p-32, 0x1p32}) {
+    SurfaceMap map = ball();
+    for (Vector3& p : map.positions)
+      p *= scale;
+    for (Vector3& p : map.polycube)
+      p *= scale;
+    const FeaturePoint scaled{to_face.vertex, scale * to_face.place};
+    align_features(map, {.points = {&scaled, 1}}, host);
+    CHECK(map.polycube[scaled.vertex] == scaled.place);
+    CHECK(certify(map, host).reason.empty());
+  }
+}
+
 TEST_CASE("A tie draws a point the nearer to its place the more it weighs, and the sum is less than without it") {
   const Vector3 place = place_in(ball(), 0.7, 0.6, 1);
   const Index vertex = vertex_near(ball(), place_in(ball(), 0.5, 0.5, 1));
@@ -157,6 +172,8 @@ TEST_CASE("What cannot be met is refused, and the map stays") {
   };
   const auto points = [&](std::initializer_list<FeaturePoint> list) { return std::vector<FeaturePoint>(list); };
   refused({.points = points({{v, place_in(ball(), 0.5, 0.5, 0.5)}})}, "not on the polycube");
+  for (const double far : {1e150, 1e200, 1e300})
+    refused({.points = points({{v, Vector3(far, 0, 0)}})}, "not on the polycube");
   refused({.points = points({{v, top}, {v, top}})}, "two places");
   refused({.points = points({{no_index, top}})}, "does not exist");
   refused({.points = points({{v, top, -1}})}, "must not be negative");

@@ -23,7 +23,11 @@ class TargetGathering {
         options_(options),
         host_(host),
         result_(host.memory),
-        pull_of_(map.positions.size(), no_index, host.memory) {}
+        pull_of_(map.positions.size(), no_index, host.memory) {
+    constexpr double rounding = 1e-9;
+    for (const auto& corner : unfolded.corners)
+      tolerance_ = std::max(tolerance_, rounding * corner.place.norm());
+  }
 
   FeatureTargets run() {
     for (const FeaturePoint& point : options_.points)
@@ -95,9 +99,8 @@ class TargetGathering {
   }
 
   Index corner_at(const Vector3& place) const {
-    constexpr double rounding = 1e-9;
     for (Index c = 0; c < unfolded_.corners.size(); ++c)
-      if ((unfolded_.corners[c].place - place).norm() <= rounding * (1 + place.norm())) return c;
+      if ((unfolded_.corners[c].place - place).norm() <= tolerance_) return c;
     return no_index;
   }
 
@@ -138,6 +141,7 @@ class TargetGathering {
   const base::Host& host_;
   FeatureTargets result_;
   Array<Index> pull_of_;  // of each vertex
+  double tolerance_ = 0;  // of places that are corners
 };
 
 }  // namespace
