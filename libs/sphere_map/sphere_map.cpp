@@ -105,11 +105,13 @@ void check_exactly(std::span<const Triangle> triangles, std::span<const Vector3>
 }  // namespace
 
 void require_weights(double angle_weight, double area_weight) {
-  const bool usable = std::isfinite(angle_weight) && std::isfinite(area_weight) && angle_weight >= 0 &&
-                      area_weight >= 0 && angle_weight + area_weight > 0;
+  // Beyond these, squares of gradients leave the range of doubles, and the map stays as it begins.
+  constexpr double least = 1e-100, most = 1e100;
+  const bool usable = angle_weight >= 0 && area_weight >= 0 && angle_weight <= most && area_weight <= most &&
+                      std::max(angle_weight, area_weight) >= least;
   if (!usable) {
     throw base::Error("invalid-argument",
-                      "angle_weight and area_weight must be nonnegative and finite, and one of them positive");
+                      "angle_weight and area_weight must be from 0 to 1e100, and one of them at least 1e-100");
   }
 }
 

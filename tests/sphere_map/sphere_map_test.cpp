@@ -209,12 +209,26 @@ TEST_CASE("What is no closed surface of genus 0, and options without a meaning, 
   not_finite.positions[5].x() = std::nan("");
   CHECK(refusal(not_finite) == "invalid-argument");
   CHECK(refusal(Surface{}) == "empty-mesh");
-  for (const auto& [angle, area] : {std::pair{0.0, 0.0}, {-1.0, 1.0}, {0.1, -1.0}, {std::nan(""), 1.0}}) {
+  for (const auto& [angle, area] :
+       {std::pair{0.0, 0.0}, {-1.0, 1.0}, {0.1, -1.0}, {std::nan(""), 1.0}, {1e200, 1.0}, {1e-300, 0.0}}) {
     Options options;
     options.angle_weight = angle;
     options.area_weight = area;
     CHECK(refusal(test::creature(2), options) == "invalid-argument");
   }
+}
+
+TEST_CASE("Maps follow from the ratio of the weights, up to the largest and down to the smallest that are allowed") {
+  const Surface s = test::creature(2);
+  const auto energy = [&](double weight) {
+    Options options;
+    options.angle_weight = options.area_weight = weight;
+    const Array<Vector3> map = compute(s.positions, s.triangles, options, base::Host());
+    return measure(s.positions, s.triangles, map, 1, 1, base::Host()).energy;
+  };
+  // Iterations end at another step of rounding.
+  for (const double weight : {1e-100, 1e100})
+    CHECK(energy(weight) == doctest::Approx(energy(1)).epsilon(1e-3));
 }
 
 TEST_CASE("Angles may have no weight: areas are preserved better, by a map that is still a bijection") {
