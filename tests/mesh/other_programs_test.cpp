@@ -136,7 +136,7 @@ TEST_CASE("MEDIT: references as real numbers, which count where they differ, and
   for (const char* reference : {" 0.0\n", " 1e0\n", " -7.\n", " 3\n"})
     CHECK(notes_of(Format::medit, replaced(medit_solid, " 0\n", reference), 0, 1).empty());
   CHECK(notes_of(Format::medit, replaced(medit_solid, "0 0 1 0\n", "0 0 1 2.5\n"), 0, 1) ==
-        Notes{"left out: 4 reference numbers"});
+        Notes{"left out: 4 reference numbers of vertices or edges"});
   CHECK(notes_of(Format::medit, replaced(medit_solid, "End", "Normals\n1\nnan NaN -inf\nRidges\n1\n1\nEnd"), 0, 1) ==
         Notes{"sections passed over: 'Normals', 'Ridges'"});
   CHECK(ends_as(Format::medit, replaced(medit_solid, "1 2 3 4 0", "1 2 3 4 x"), "parse", "a reference expected"));

@@ -40,8 +40,10 @@ TEST_CASE("MEDIT: all kinds of cells, comments, and sections that are of no inte
   CHECK(mesh.hexahedra == Array<Hexahedron>{{0, 1, 2, 3, 4, 5, 6, 7}});
   CHECK(mesh.tetrahedra == Array<Tetrahedron>{{4, 5, 6, 8}, {4, 6, 7, 8}});
   CHECK(report.polygons == 1);
-  CHECK(report.notes == std::vector<std::string>{"sections passed over: 'Corners', 'RequiredVertices'",
-                                                 "left out: 2 reference numbers"});
+  CHECK(report.notes == std::vector<std::string>{"sections passed over: 'Corners', 'RequiredVertices'"});
+  CHECK(mesh.regions.triangles == Array<std::int32_t>{5, 9, 9});
+  CHECK(mesh.regions.tetrahedra == Array<std::int32_t>{1, 2});
+  CHECK(mesh.regions.hexahedra.empty());
 }
 
 TEST_CASE("Marked edges and vertices are kept on request") {

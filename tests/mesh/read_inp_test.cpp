@@ -32,7 +32,7 @@ TEST_CASE("Abaqus: solids, shells, and lines as tags, with lines of data and key
   CHECK(report.polygons == 1);
   CHECK(report.tags->edges == std::vector<std::array<Index, 2>>{{0, 1}});
   REQUIRE(!report.notes.empty());
-  CHECK(report.notes.back() == "left out: 1 element of points or lines, 2 element sets, 4 other keywords");
+  CHECK(report.notes.back() == "left out: 1 element of points or lines, 4 other keywords");
 }
 
 TEST_CASE("Abaqus: pyramids and prisms are cut with the cells beside them, and elements may come first") {

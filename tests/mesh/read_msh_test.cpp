@@ -180,7 +180,11 @@ TEST_CASE("Gmsh: both versions, as text and binary of either order of bytes, hav
     CHECK(report.tags->vertices == std::vector<Index>{8});
     CHECK(report.polygons == 1);
     REQUIRE(!report.notes.empty());
-    CHECK(report.notes.back() == "left out: 5 region numbers, 1 data array");
+    CHECK(report.notes.back() == "left out: 1 list of names of regions, 1 data array");
+    // Groups of version 2; entities of version 4, which has no groups here.
+    CHECK(mesh.regions.triangles == Array<std::int32_t>{3, 4, 4});
+    CHECK(std::ranges::count(mesh.regions.tetrahedra, 6) == 3);
+    CHECK(std::ranges::count(mesh.regions.tetrahedra, 5) + 3 == std::ssize(mesh.tetrahedra));
   }
   const Mesh cube = read_text(Format::msh, file_of(variants[0], {all_elements[4]}));
   CHECK(cube.hexahedra == Array<Hexahedron>{{0, 1, 2, 3, 4, 5, 6, 7}});

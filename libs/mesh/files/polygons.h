@@ -37,6 +37,8 @@ class Polygons {
   std::size_t size() const { return sizes_.empty() ? corners_.size() / 3 : sizes_.size(); }
   // Faces of more than three corners.
   std::size_t larger_than_triangles() const { return larger_; }
+  // Triangles that a face becomes: two fewer than it has corners.
+  std::size_t triangles_of(std::size_t face) const { return sizes_.empty() ? 1 : sizes_[face] - 2; }
 
   // Appends the triangles, face after face: a fan from the first corner where all of its triangles agree with the
   // face's normal, and ears clipped (Meisters 1975) from the face seen along its normal where they do not, as on a

@@ -165,6 +165,7 @@ void PolyhedralCells::cut_into_tetrahedra(Mesh& mesh, std::vector<std::string>& 
     inverted[k] += negative > positive;
   });
   std::size_t tetrahedra = 0, centers = 0;
+  made_.reserve(kinds_.size());
   for_each_cell([&](Polyhedron kind, std::span<const Index> corners) {
     const auto k = static_cast<std::size_t>(kind);
     const bool turned = right[k] == 0 && inverted[k] > 0;
@@ -172,6 +173,7 @@ void PolyhedralCells::cut_into_tetrahedra(Mesh& mesh, std::vector<std::string>& 
     if (signs_of(mesh.positions, made).first < made.size())
       centers += cut_around_center(cutter, corners, turned, mesh, made, host);
     tetrahedra += made.size();
+    made_.push_back(static_cast<std::uint8_t>(made.size()));
     mesh.tetrahedra.insert(mesh.tetrahedra.end(), made.begin(), made.end());
   });
   std::string text = text_of_counts(cells);

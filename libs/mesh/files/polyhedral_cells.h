@@ -19,9 +19,10 @@ std::size_t corner_count(Polyhedron kind);
 
 class PolyhedralCells {
  public:
-  explicit PolyhedralCells(std::pmr::memory_resource* memory) : kinds_(memory), corners_(memory) {}
+  explicit PolyhedralCells(std::pmr::memory_resource* memory) : kinds_(memory), corners_(memory), made_(memory) {}
 
   bool empty() const { return kinds_.empty(); }
+  std::size_t size() const { return kinds_.size(); }
   // `corners` has corner_count(kind) vertices of the mesh.
   void add(Polyhedron kind, std::span<const Index> corners);
 
@@ -32,10 +33,13 @@ class PolyhedralCells {
   // do not agree about the order of prisms. Adds a note of what was cut. Throws Error "unsupported" for more vertices
   // than 32 bits can count, "cancelled". O(n).
   void cut_into_tetrahedra(Mesh& mesh, std::vector<std::string>& notes, const base::Host& host);
+  // After that: the number of tetrahedra of each cell, the hexahedra of the mesh being the last cells.
+  std::span<const std::uint8_t> tetrahedra_of_cells() const { return made_; }
 
  private:
   Array<Polyhedron> kinds_;
   Array<Index> corners_;
+  Array<std::uint8_t> made_;
 };
 
 }  // namespace orbicube::mesh

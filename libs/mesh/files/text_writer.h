@@ -31,6 +31,7 @@ class TextWriter {
   TextWriter& operator<<(double x) { return number(x); }
   TextWriter& operator<<(std::uint64_t x) { return number(x); }
   TextWriter& operator<<(Index x) { return number(x); }
+  TextWriter& operator<<(std::int32_t x) { return number(x); }
 
   // Call after each item.
   void end_item() {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/file.h"
 #include "mesh/files/text_scanner.h"
@@ -9,9 +10,15 @@
 namespace orbicube::mesh {
 namespace {
 
-void check(Format format, const Mesh& mesh, const base::Host& host) {
+void check_regions(std::size_t items, std::size_t regions, const char* one, const char* many) {
+  if (regions == 0 || regions == items) return;
+  throw base::Error("invalid-argument",
+                    base::counted(regions, "region number") + " of " + base::counted(items, one, many));
+}
+
+void check(Format format, const Mesh& mesh, const WriteOptions& options, const base::Host& host) {
   constexpr std::size_t items_between_reports = 65536;
-  const bool has_cells = !mesh.tetrahedra.empty() || !mesh.hexahedra.empty();
+  const bool has_cells = !mesh.tetrahedra.empty() || !mesh.hexahedra.empty() || !options.quads.empty();
   if (has_cells && !holds(format, Holds::cells)) {
     throw base::Error("unsupported", std::string(row_of(format).name) + " files hold surfaces only; " +
                                          format_endings(Holds::cells) + " hold tetrahedra and hexahedra");
@@ -36,6 +43,11 @@ void check(Format format, const Mesh& mesh, const base::Host& host) {
   check_indices(mesh.triangles);
   check_indices(mesh.tetrahedra);
   check_indices(mesh.hexahedra);
+  check_indices(options.quads);
+  check_regions(mesh.triangles.size(), mesh.regions.triangles.size(), "triangle", "triangles");
+  check_regions(mesh.tetrahedra.size(), mesh.regions.tetrahedra.size(), "tetrahedron", "tetrahedra");
+  check_regions(mesh.hexahedra.size(), mesh.regions.hexahedra.size(), "hexahedron", "hexahedra");
+  check_regions(options.quads.size(), options.quad_regions.size(), "quadrilateral", "quadrilaterals");
 }
 
 }  // namespace
@@ -47,7 +59,7 @@ void write_mesh(const std::filesystem::path& path, const Mesh& mesh, const Write
     throw base::Error("unsupported-format",
                       "the ending " + in_quotes(path.extension().string()) + " is none of " + format_endings());
   }
-  check(*format, mesh, host);
+  check(*format, mesh, options, host);
   OutputFile file(path);
   row_of(*format).write(file, mesh, options, host);
   file.commit();

@@ -28,17 +28,17 @@ Mesh read_ply(std::span<const std::byte> bytes, const base::Host& host, ReadRepo
 Mesh read_stl(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
 // MEDIT .mesh (Frey 2001), ASCII: triangles, quadrilaterals, tetrahedra and hexahedra, prisms and pyramids cut into
-// tetrahedra; cells of other kinds are refused, other sections passed over.
+// tetrahedra; reference numbers are regions. Cells of other kinds are refused, other sections passed over.
 Mesh read_medit(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
 // Legacy VTK, ASCII and binary, versions 1 to 5: PolyData and unstructured grids of triangles, quads, polygons,
-// triangle strips, tetrahedra, hexahedra and voxels; prisms and pyramids, cut into tetrahedra. Cells of other kinds are
-// refused, data on points and cells is passed over.
+// triangle strips, tetrahedra, hexahedra and voxels; prisms and pyramids, cut into tetrahedra. Data on cells with a
+// usual name (vtk_data.h) has regions, other data is passed over. Cells of other kinds are refused.
 Mesh read_vtk(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
 // Gmsh .msh, versions 2.0 to 2.2 and 4.1, ASCII and binary of either byte order: triangles, quadrangles, tetrahedra and
-// hexahedra, prisms and pyramids cut into tetrahedra; lines and points are tags. Elements of other types are refused,
-// data on nodes and elements is passed over.
+// hexahedra, prisms and pyramids cut into tetrahedra; lines and points are tags. Physical groups, or geometric entities
+// where there are none, are regions. Elements of other types are refused, data on nodes and elements is passed over.
 Mesh read_msh(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
 // FreeSurfer's surfaces of triangles, binary and text. Coordinates are kept as they are, in the space of surfaces; the
@@ -46,8 +46,8 @@ Mesh read_msh(std::span<const std::byte> bytes, const base::Host& host, ReadRepo
 Mesh read_freesurfer(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
 // Abaqus and CalculiX .inp: linear solid elements and shells, membranes and plane elements as faces; beams and trusses
-// of two nodes are tags. Elements of other types are refused, as files of several parts and included files are;
-// springs, masses and all else is passed over.
+// of two nodes are tags, element sets are regions (inp_sets.h). Elements of other types are refused, as files of
+// several parts and included files are; springs, masses and all else is passed over.
 Mesh read_inp(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report);
 
 // XML files of VTK, PolyData and unstructured grids, with numbers as text or bytes, inside or appended, compressed by
@@ -75,7 +75,7 @@ void write_msh(OutputFile& file, const Mesh& mesh, const WriteOptions& options, 
 // With coordinates rounded to float32 in binary files.
 void write_freesurfer(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
-// Elements S3, C3D4 and C3D8, an element set each.
+// Elements S3, S4, C3D4 and C3D8, an element set each, and sets of their regions.
 void write_inp(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host);
 
 // With doubles, as text or as bytes in base64, which are compressed in builds with zlib.

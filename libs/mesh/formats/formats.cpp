@@ -9,21 +9,21 @@
 namespace orbicube::mesh {
 namespace {
 
-// Columns: format, ending, name; whether it holds polygons and cells, and may be binary; reader, writer.
+// Columns: format, ending, name; whether it holds polygons, cells and regions, and may be binary; reader, writer.
 constexpr std::array rows = {
-    FormatRow{Format::obj, ".obj", "OBJ", true, false, false, read_obj, write_obj},
-    FormatRow{Format::off, ".off", "OFF", true, false, false, read_off, write_off},
-    FormatRow{Format::ply, ".ply", "PLY", true, false, true, read_ply, write_ply},
-    FormatRow{Format::stl, ".stl", "STL", false, false, true, read_stl, write_stl},
-    FormatRow{Format::medit, ".mesh", "MEDIT", true, true, false, read_medit, write_medit},
-    FormatRow{Format::vtk, ".vtk", "VTK", true, true, true, read_vtk, write_vtk},
+    FormatRow{Format::obj, ".obj", "OBJ", true, false, false, false, read_obj, write_obj},
+    FormatRow{Format::off, ".off", "OFF", true, false, false, false, read_off, write_off},
+    FormatRow{Format::ply, ".ply", "PLY", true, false, false, true, read_ply, write_ply},
+    FormatRow{Format::stl, ".stl", "STL", false, false, false, true, read_stl, write_stl},
+    FormatRow{Format::medit, ".mesh", "MEDIT", true, true, true, false, read_medit, write_medit},
+    FormatRow{Format::vtk, ".vtk", "VTK", true, true, true, true, read_vtk, write_vtk},
 #ifndef __EMSCRIPTEN__  // the module for web pages has to stay small
-    FormatRow{Format::msh, ".msh", "MSH", true, true, false, read_msh, write_msh},
-    FormatRow{Format::freesurfer, ".white", "FREESURFER", false, false, true, read_freesurfer, write_freesurfer},
-    FormatRow{Format::inp, ".inp", "INP", true, true, false, read_inp, write_inp},
-    FormatRow{Format::vtp, ".vtp", "VTP", true, false, true, read_vtk_xml, write_vtp},
-    FormatRow{Format::vtu, ".vtu", "VTU", true, true, true, read_vtk_xml, write_vtu},
-    FormatRow{Format::gifti, ".gii", "GIFTI", false, false, true, read_gifti, write_gifti},
+    FormatRow{Format::msh, ".msh", "MSH", true, true, true, false, read_msh, write_msh},
+    FormatRow{Format::freesurfer, ".white", "FREESURFER", false, false, false, true, read_freesurfer, write_freesurfer},
+    FormatRow{Format::inp, ".inp", "INP", true, true, true, false, read_inp, write_inp},
+    FormatRow{Format::vtp, ".vtp", "VTP", true, false, true, true, read_vtk_xml, write_vtp},
+    FormatRow{Format::vtu, ".vtu", "VTU", true, true, true, true, read_vtk_xml, write_vtu},
+    FormatRow{Format::gifti, ".gii", "GIFTI", false, false, false, true, read_gifti, write_gifti},
 #endif
 };
 
@@ -50,7 +50,17 @@ constexpr bool in_order() {
 static_assert(in_order(), "rows are numbered by Format");
 
 bool holds(const FormatRow& row, Holds what) {
-  return what == Holds::surfaces || (what == Holds::polygons ? row.polygons : row.cells);
+  switch (what) {
+    case Holds::surfaces:
+      return true;
+    case Holds::polygons:
+      return row.polygons;
+    case Holds::cells:
+      return row.cells;
+    case Holds::regions:
+      return row.regions;
+  }
+  return false;
 }
 
 }  // namespace

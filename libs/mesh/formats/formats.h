@@ -21,8 +21,8 @@ struct WriteOptions;  // write.h
 enum class Format { obj, off, ply, stl, medit, vtk, msh, freesurfer, inp, vtp, vtu, gifti };
 
 // What a file can hold. Polygons: faces that share vertices, whose coordinates read back bit-identically. Cells:
-// tetrahedra and hexahedra.
-enum class Holds { surfaces, polygons, cells };
+// tetrahedra and hexahedra. Regions: of triangles and cells.
+enum class Holds { surfaces, polygons, cells, regions };
 
 struct FormatRow {
   Format format;
@@ -30,6 +30,7 @@ struct FormatRow {
   const char* name;    // as "PLY"; in lower case the word for it in other languages
   bool polygons;       // whether it has Holds::polygons
   bool cells;          // whether it has Holds::cells
+  bool regions;        // whether it has Holds::regions
   bool binary;         // whether files are written in binary, too; all may be text
   Mesh (*read)(std::span<const std::byte>, const base::Host&, ReadReport&);
   void (*write)(OutputFile&, const Mesh&, const WriteOptions&, const base::Host&);

@@ -5,9 +5,8 @@
 #include <utility>
 
 #include "base/counted.h"
+#include "mesh/files/faces_and_cells.h"
 #include "mesh/files/left_out.h"
-#include "mesh/files/polygons.h"
-#include "mesh/files/polyhedral_cells.h"
 #include "mesh/files/text_scanner.h"
 #include "mesh/formats/codecs.h"
 
@@ -18,11 +17,9 @@ class MeditReader {
  public:
   MeditReader(std::span<const std::byte> bytes, const base::Host& host, ReadReport& report)
       : scanner_(bytes, '#', host),
-        host_(host),
         report_(report),
         mesh_(host.memory),
-        faces_(host.memory),
-        others_(host.memory),
+        cells_(mesh_, host),
         edges_(host.memory),
         tagged_(host.memory) {}
 
@@ -35,12 +32,10 @@ class MeditReader {
     }
     report_.format = "MEDIT";
     if (report_.tags) resolve_tags();
-    report_.polygons = faces_.larger_than_triangles();
-    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
-    if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
-    others_.cut_into_tetrahedra(mesh_, report_.notes, host_);
+    cells_.finish(report_);
     if (!passed_over_.empty()) report_.notes.push_back("sections passed over: " + passed_over_);
-    note_left_out({{references_, "reference number", "reference numbers"}}, report_.notes);
+    note_left_out({{references_, "reference number of vertices or edges", "reference numbers of vertices or edges"}},
+                  report_.notes);
     return std::move(mesh_);
   }
 
@@ -50,17 +45,17 @@ class MeditReader {
     if (name == "vertices") {
       vertices();
     } else if (name == "triangles") {
-      cells<3>("triangles", [&](const Triangle& t) { faces_.add(t, scanner_); });
+      cells<3>("triangles", [&](const Triangle& t) { cells_.add_face(t, region(), scanner_); });
     } else if (name == "quadrilaterals") {
-      cells<4>("quadrilaterals", [&](const std::array<Index, 4>& q) { faces_.add(q, scanner_); });
+      cells<4>("quadrilaterals", [&](const std::array<Index, 4>& q) { cells_.add_face(q, region(), scanner_); });
     } else if (name == "tetrahedra") {
-      cells<4>("tetrahedra", [&](const Tetrahedron& t) { mesh_.tetrahedra.push_back(t); });
+      cells<4>("tetrahedra", [&](const Tetrahedron& t) { cells_.add(t, region()); });
     } else if (name == "hexahedra") {
-      cells<8>("hexahedra", [&](const Hexahedron& h) { mesh_.hexahedra.push_back(h); });
+      cells<8>("hexahedra", [&](const Hexahedron& h) { cells_.add(h, region()); });
     } else if (name == "prisms" || name == "wedges" || name == "pentahedra") {
-      cells<6>("prisms", [&](const std::array<Index, 6>& p) { others_.add(Polyhedron::prism, p); });
+      cells<6>("prisms", [&](const std::array<Index, 6>& p) { cells_.add(Polyhedron::prism, p, region()); });
     } else if (name == "pyramids") {
-      cells<5>("pyramids", [&](const std::array<Index, 5>& p) { others_.add(Polyhedron::pyramid, p); });
+      cells<5>("pyramids", [&](const std::array<Index, 5>& p) { cells_.add(Polyhedron::pyramid, p, region()); });
     } else {
       return false;
     }
@@ -161,7 +156,7 @@ class MeditReader {
         scanner_.skip_space();
         x = scanner_.coordinate("a coordinate");
       }
-      reference();
+      compare(reference());
       mesh_.positions.push_back(p);
       scanner_.progress();
     }
@@ -172,25 +167,30 @@ class MeditReader {
   void cells(const char* what, const Take& take) {
     if (mesh_.positions.empty()) scanner_.fail("parse", std::string(what) + " before the section Vertices");
     const std::uint64_t n = count(what, 2 * corners + 2);
-    begin_references();
+    if (corners == 2) begin_references();
     for (std::uint64_t i = 0; i < n; ++i) {
       std::array<Index, corners> cell;
       for (Index& v : cell) {
         scanner_.skip_space();
         v = scanner_.index(1, mesh_.positions.size());
       }
-      reference();
+      number_ = reference();
+      if (corners == 2) compare(number_);
       take(cell);
       scanner_.progress();
     }
-    end_references(n);
+    if (corners == 2) end_references(n);
   }
 
-  // The number of the part that an item belongs to, which is not kept; some programs write it as a real number. Those
-  // of a section tell something if they differ.
-  void reference() {
+  // The number of the part that an item belongs to; some programs write it as a real number.
+  double reference() {
     scanner_.skip_space();
-    const double number = scanner_.coordinate("a reference");
+    return scanner_.coordinate("a reference");
+  }
+  // That of the face or cell read last, as a region.
+  std::int32_t region() { return cells_.region_of(number_); }
+  // Numbers of vertices and edges are not kept. Those of a section tell something if they differ.
+  void compare(double number) {
     if (!first_reference_) first_reference_ = number;
     references_differ_ = references_differ_ || number != *first_reference_;
   }
@@ -222,11 +222,10 @@ class MeditReader {
   }
 
   TextScanner scanner_;
-  const base::Host& host_;
   ReadReport& report_;
   Mesh mesh_;
-  Polygons faces_;
-  PolyhedralCells others_;
+  FacesAndCells cells_;
+  double number_ = 0;  // of the face or cell read last
   Array<std::array<Index, 2>> edges_;
   Array<Index> tagged_;      // edges, by their number
   std::string passed_over_;  // names of sections

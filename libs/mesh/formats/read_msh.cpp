@@ -1,18 +1,18 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
+#include "mesh/files/faces_and_cells.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/node_numbers.h"
-#include "mesh/files/polygons.h"
-#include "mesh/files/polyhedral_cells.h"
 #include "mesh/formats/codecs.h"
 #include "mesh/formats/msh_body.h"
+#include "mesh/formats/msh_regions.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -59,11 +59,9 @@ class MshReader {
   MshReader(Body body, bool version_4, const base::Host& host, ReadReport& report)
       : body_(std::move(body)),
         version_4_(version_4),
-        host_(host),
         report_(report),
         mesh_(host.memory),
-        faces_(host.memory),
-        others_(host.memory),
+        cells_(mesh_, host),
         numbers_(host.memory) {}
 
   Mesh run() {
@@ -85,6 +83,8 @@ class MshReader {
           elements_by_entity();
         else
           elements();
+      } else if (name == "Entities" && version_4_) {
+        entities();
       } else if (name == "ParametricNodes") {
         body_.fail("unsupported", "the section ParametricNodes is not read");
       } else {
@@ -95,19 +95,19 @@ class MshReader {
       if (end != "$End" + name) body_.fail("parse", "$End" + name + " expected, found " + in_quotes(end));
     }
     if (!complete_) body_.fail("truncated", "the file ends before its section Elements");
-    report_.polygons = faces_.larger_than_triangles();
-    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
-    if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
-    others_.cut_into_tetrahedra(mesh_, report_.notes, host_);
-    note_left_out(
-        {{regions_differ_ ? regions_ : 0, "region number", "region numbers"}, {data_, "data array", "data arrays"}},
-        report_.notes);
+    finish_regions();
+    cells_.finish(report_);
+    note_left_out({{names_, "list of names of regions", "lists of names of regions"},
+                   {regions_.further_groups(), "further group of an entity", "further groups of entities"},
+                   {data_, "data array", "data arrays"}},
+                  report_.notes);
     return std::move(mesh_);
   }
 
  private:
   void skip(const std::string& name) {
     if (name.ends_with("Data")) ++data_;
+    if (name == "PhysicalNames") ++names_;
     const std::string end = "$End" + name;
     if constexpr (requires { body_.skip_to(end); }) body_.skip_to(end);
     while (true) {
@@ -204,11 +204,13 @@ class MshReader {
         body_.fail("parse", "a block of " + std::to_string(here) + " elements with " + std::to_string(tags) + " tags");
       for (std::int64_t i = 0; i < here; ++i) {
         if (!text) body_.number("the number of an element");
+        std::int64_t group = 0, entity = 0;
         for (std::int64_t k = 0; k < tags; ++k) {
           const std::int64_t tag = body_.integer("a tag");
-          if (k == 0) region(type, tag);
+          if (k == 0) group = tag;
+          if (k == 1) entity = tag;
         }
-        element(type, nodes);
+        element(type, nodes, place_of(type, entity, group));
       }
       left -= static_cast<std::uint64_t>(here);
     }
@@ -228,25 +230,53 @@ class MshReader {
       if (here > left) body_.fail("parse", "more elements than the section says that it has");
       left -= here;
       const std::size_t nodes = here > 0 ? checked_nodes_of(type) : 0;
+      const std::int32_t here_is = here > 0 ? place_of(type, entity, 0) : 0;
       for (std::uint64_t i = 0; i < here; ++i) {
         body_.number("the number of an element");
-        region(type, entity);
-        element(type, nodes);
+        element(type, nodes, here_is);
       }
     }
     if (left > 0) body_.fail("parse", "fewer elements than the section says that it has");
   }
 
-  // The region that a face or cell belongs to, which is not kept; those of one kind tell something if they differ.
-  void region(std::int64_t type, std::int64_t number) {
-    if (nodes_of(type) < 3 || type == second_order_line) return;
-    ++regions_;
-    std::optional<std::int64_t>& first = first_region_[type == triangle || type == quadrangle ? 0 : 1];
-    if (!first) first = number;
-    regions_differ_ = regions_differ_ || number != *first;
+  // Points and lines have no regions.
+  std::int32_t place_of(std::int64_t type, std::int64_t entity, std::int64_t group) {
+    if (nodes_of(type) < 3 || type == second_order_line) return 0;
+    return regions_.place_of(type == triangle || type == quadrangle ? 2 : 3, entity, group);
   }
 
-  void element(std::int64_t type, std::size_t nodes) {
+  // Version 4: the groups of points, curves, surfaces and volumes; the rest of each is passed over.
+  void entities() {
+    std::array<std::uint64_t, 4> counts{};
+    counts[0] = body_.item_count();
+    for (std::size_t d = 1; d < 4; ++d)
+      counts[d] = body_.size("a number of entities");
+    for (int dimension = 0; dimension < 4; ++dimension) {
+      for (std::uint64_t i = 0; i < counts[static_cast<std::size_t>(dimension)]; ++i) {
+        const std::int64_t entity = body_.integer("the number of an entity");
+        for (int k = 0; k < (dimension == 0 ? 3 : 6); ++k)
+          body_.skip_parameter();
+        const std::uint64_t groups = body_.size("a number of groups");
+        for (std::uint64_t k = 0; k < groups; ++k) {
+          const std::int64_t group = body_.integer("the number of a group");
+          if (dimension >= 2) regions_.add_group(dimension, entity, group);
+        }
+        const std::uint64_t bounds = dimension > 0 ? body_.size("a number of entities") : 0;
+        for (std::uint64_t k = 0; k < bounds; ++k)
+          body_.integer("the number of an entity");
+        body_.progress();
+      }
+    }
+  }
+
+  void finish_regions() {
+    std::vector<std::int32_t> table;
+    for (const std::int64_t region : regions_.regions())
+      table.push_back(cells_.region_of(region));
+    cells_.translate_regions(table);
+  }
+
+  void element(std::int64_t type, std::size_t nodes, std::int32_t region) {
     std::array<Index, 8> v{};
     for (std::size_t k = 0; k < nodes; ++k)
       v[k] = vertex(body_.number("the number of a node"));
@@ -260,34 +290,32 @@ class MshReader {
         if (report_.tags) report_.tags->add_line(corners.first(2));
         break;
       case tetrahedron:
-        mesh_.tetrahedra.push_back({v[0], v[1], v[2], v[3]});
+        cells_.add(Tetrahedron{v[0], v[1], v[2], v[3]}, region);
         break;
       case hexahedron:
-        mesh_.hexahedra.push_back(v);
+        cells_.add(v, region);
         break;
       case prism:
-        others_.add(Polyhedron::prism, corners);
+        cells_.add(Polyhedron::prism, corners, region);
         break;
       case pyramid:
-        others_.add(Polyhedron::pyramid, corners);
+        cells_.add(Polyhedron::pyramid, corners, region);
         break;
       default:
-        faces_.add(corners, body_);
+        cells_.add_face(corners, region, body_);
     }
     body_.progress();
   }
 
   Body body_;
   bool version_4_;
-  const base::Host& host_;
   ReadReport& report_;
   Mesh mesh_;
-  Polygons faces_;
-  PolyhedralCells others_;
+  FacesAndCells cells_;
   NodeNumbers numbers_;
-  std::array<std::optional<std::int64_t>, 2> first_region_;
-  bool regions_differ_ = false, complete_ = false;
-  std::size_t regions_ = 0, data_ = 0;
+  MshRegions regions_;
+  bool complete_ = false;
+  std::size_t names_ = 0, data_ = 0;
 };
 
 struct Header {

@@ -12,32 +12,10 @@
 #include "mesh/formats/codecs.h"
 #include "mesh/formats/vtk_body.h"
 #include "mesh/formats/vtk_cells.h"
+#include "mesh/formats/vtk_data.h"
 
 namespace orbicube::mesh {
 namespace {
-
-// Data arrays behind the geometry: lines that begin as such an array does. A field has several.
-std::size_t data_arrays(std::string_view text) {
-  std::size_t count = 0;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const std::string_view line = text.substr(at, end - at);
-    at = end + 1;
-    if (line.size() < 6 || line[0] < 'A' || line[0] > 'z') continue;
-    const auto words = words_of(line.substr(0, 200));
-    if (words.size() < 3) continue;
-    const std::string keyword = in_small_letters(words[0].substr(0, 20));
-    if (keyword == "field") {
-      std::size_t arrays = 0;
-      std::from_chars(words[2].data(), words[2].data() + words[2].size(), arrays);
-      count += std::min<std::size_t>(arrays, 1000);
-    } else if (keyword == "scalars" || keyword == "vectors" || keyword == "normals" || keyword == "tensors" ||
-               keyword == "texture_coordinates" || keyword == "color_scalars") {
-      ++count;
-    }
-  }
-  return count;
-}
 
 template <class Body>
 class VtkReader {
@@ -64,17 +42,21 @@ class VtkReader {
     for (auto words = body_.words(); !words.empty(); words = body_.words()) {
       if (!section(words)) break;
     }
+    const VtkData data = find_vtk_data(body_.rest(), cells_in_data_);
+    regions(data.regions);
     cells_.finish(body_);
-    note_left_out({{field_arrays_ + data_arrays(body_.rest()), "data array", "data arrays"}}, report_.notes);
+    const std::size_t left_out = field_arrays_ + data.arrays - data.regions.has_value();
+    note_left_out({{left_out, "data array", "data arrays"}}, report_.notes);
     return std::move(mesh_);
   }
 
  private:
   using Words = std::vector<std::string_view>;
 
-  // Returns false where data on points and cells begins, which is of no interest.
+  // Returns false where data on points and cells begins, of which regions are of interest.
   bool section(const Words& words) {
     const std::string name = in_small_letters(words[0]);
+    if (name == "cell_data") cells_in_data_ = count(words, 1);
     if (name == "point_data" || name == "cell_data") return false;
     if (name == "metadata") {
       body_.skip_to_empty_line();
@@ -84,9 +66,11 @@ class VtkReader {
       points(words);
     } else if (name == "polygons") {
       cell_array(words);
+      in_usual_order_ = in_usual_order_ && !strips_;
       for_each_cell([&](std::span<const Index> cell) { cells_.add_polygon(cell, body_); });
     } else if (name == "triangle_strips") {
       cell_array(words);
+      strips_ = true;
       for_each_cell([&](std::span<const Index> cell) { cells_.add_strip(cell); });
     } else if (name == "cells") {
       cell_array(words);
@@ -94,6 +78,9 @@ class VtkReader {
       cell_types(words);
     } else if (name == "lines" || name == "vertices") {
       cell_array(words);
+      in_usual_order_ = in_usual_order_ && cells_.count() == (name == "lines" ? vertices_ : 0);
+      if (name == "vertices") vertices_ = offsets_.empty() ? 0 : offsets_.size() - 1;
+      cells_.add_tags(offsets_.empty() ? 0 : offsets_.size() - 1);
       if (report_.tags)
         for_each_cell([&](std::span<const Index> cell) { cells_.add_tag(name == "lines" ? 4 : 2, cell); });
       else if (offsets_.size() > 1)
@@ -238,13 +225,37 @@ class VtkReader {
     }
   }
 
+  // Reads an array with a number for each cell.
+  void regions(const std::optional<VtkRegionArray>& array) {
+    if (!array) return cells_.set_regions({});
+    body_.skip(array->begin);
+    const std::size_t cells = cells_.count();
+    if (array->count != cells) {
+      body_.fail("parse", "the array " + in_quotes(array->name) + " has " + base::counted(array->count, "number") +
+                              ", where the file has " + base::counted(cells, "cell"));
+    }
+    body_.require_room(cells, array->type, "region numbers");
+    const bool real = array->type == VtkNumber::float32 || array->type == VtkNumber::float64;
+    Array<std::int32_t> numbers(host_.memory);
+    numbers.reserve(cells);
+    for (std::size_t i = 0; i < cells; ++i) {
+      numbers.push_back(real ? cells_.region_of(body_.number(array->type))
+                             : cells_.region_of(body_.integer(array->type)));
+      body_.progress();
+    }
+    if (!in_usual_order_) cells_.leave_out_regions("the kinds of cells are in an unusual order");
+    cells_.set_regions(numbers);
+  }
+
   Body body_;
   bool with_offsets_;  // since version 5
   const base::Host& host_;
   ReadReport& report_;
   Mesh mesh_;
   VtkCells cells_;
-  std::size_t field_arrays_ = 0;
+  std::size_t field_arrays_ = 0, vertices_ = 0;
+  std::optional<std::uint64_t> cells_in_data_;  // of CELL_DATA, if that comes first
+  bool strips_ = false, in_usual_order_ = true;
   Array<std::size_t> offsets_;
   Array<Index> connectivity_;
 };

@@ -88,6 +88,7 @@ class VtkTextBody {
   double number(VtkNumber) { return scanner_.skip_space(), scanner_.coordinate("a number"); }
   std::int64_t integer(VtkNumber) { return scanner_.skip_space(), scanner_.integer("an integer"); }
   std::string_view rest() const { return text_of(scanner_.rest()); }
+  void skip(std::size_t bytes) { scanner_.skip_bytes(bytes); }
   void progress() { scanner_.progress(); }
   [[noreturn]] void fail(const char* kind, const std::string& what) const { scanner_.fail(kind, what); }
 
@@ -140,6 +141,7 @@ class VtkBinaryBody {
     fail("parse", "an array of integers has a type of real numbers");
   }
   std::string_view rest() const { return text_of(scanner_.rest()); }
+  void skip(std::size_t bytes) { scanner_.skip(bytes); }
   void progress() { scanner_.progress(); }
   [[noreturn]] void fail(const char* kind, const std::string& what) const { scanner_.fail(kind, what); }
 

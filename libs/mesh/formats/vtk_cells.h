@@ -10,8 +10,7 @@
 #include <utility>
 
 #include "base/counted.h"
-#include "mesh/files/polygons.h"
-#include "mesh/files/polyhedral_cells.h"
+#include "mesh/files/faces_and_cells.h"
 #include "mesh/files/read.h"
 
 namespace orbicube::mesh {
@@ -34,12 +33,22 @@ class VtkCells {
  public:
   // Cells go to `mesh`, and points and lines to the tags of the report, if it has any. place.fail(kind, message) of the
   // functions below throws Error.
-  VtkCells(Mesh& mesh, const base::Host& host, ReadReport& report)
-      : mesh_(mesh), host_(host), report_(report), faces_(host.memory), others_(host.memory) {}
+  VtkCells(Mesh& mesh, const base::Host& host, ReadReport& report) : report_(report), cells_(mesh, host) {}
+
+  // Cells so far, of all kinds: data on cells has one number for each.
+  std::size_t count() const { return count_; }
+  // Points and lines that are cells, too, come before others.
+  void add_tags(std::size_t cells) { count_ += cells; }
+  // The regions of all cells, or none; before finish().
+  void set_regions(std::span<const std::int32_t> regions) { cells_.translate_regions(regions); }
+  std::int32_t region_of(std::int64_t number) { return cells_.region_of(number); }
+  std::int32_t region_of(double number) { return cells_.region_of(number); }
+  void leave_out_regions(std::string why) { cells_.leave_out_regions(std::move(why)); }
 
   // Returns false for points and lines that are passed over. The numbers are those of vtkCellType.h.
   template <class Place>
   bool add(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number, const Place& place) {
+    ++count_;
     // An empty cell; a vertex, vertices, a line, lines; curved lines.
     constexpr std::array<std::int64_t, 8> no_faces{0, 1, 2, 3, 4, 21, 35, 68};
     if (std::ranges::find(no_faces, cell_type) != no_faces.end()) return add_tag(cell_type, c);
@@ -62,15 +71,14 @@ class VtkCells {
   }
 
   void add_strip(std::span<const Index> cell) {
-    for (std::size_t i = 2; i < cell.size(); ++i) {
-      const bool even = i % 2 == 0;
-      faces_.add_triangle(cell[even ? i - 2 : i - 1], cell[even ? i - 1 : i - 2], cell[i]);
-    }
+    ++count_;
+    put_strip(cell);
   }
 
   template <class Place>
   void add_polygon(std::span<const Index> cell, const Place& place) {
-    faces_.add(cell, place);
+    ++count_;
+    cells_.add_face(cell, number(), place);
   }
 
   void pass_over(std::size_t count, const char* one, const char* many) {
@@ -81,14 +89,21 @@ class VtkCells {
   template <class Place>
   void finish(const Place& place) {
     refuse_unread_cells(place);
-    report_.polygons = faces_.larger_than_triangles();
-    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
-    if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
-    others_.cut_into_tetrahedra(mesh_, report_.notes, host_);
+    cells_.finish(report_);
     if (!passed_over_.empty()) report_.notes.push_back("passed over: " + passed_over_);
   }
 
  private:
+  // That of the cell added last; regions are looked up by it.
+  std::int32_t number() const { return static_cast<std::int32_t>(static_cast<std::uint32_t>(count_ - 1)); }
+
+  void put_strip(std::span<const Index> cell) {
+    for (std::size_t i = 2; i < cell.size(); ++i) {
+      const bool even = i % 2 == 0;
+      cells_.add_triangle({cell[even ? i - 2 : i - 1], cell[even ? i - 1 : i - 2], cell[i]}, number());
+    }
+  }
+
   // Leaving cells out would leave a hole.
   template <class Place>
   void refuse_unread_cells(const Place& place) const {
@@ -111,36 +126,36 @@ class VtkCells {
 
   // Triangle, strip of triangles, polygon, pixel (a square by rows) or quadrilateral.
   template <class Place>
-  void add_face(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number, const Place& place) {
+  void add_face(std::int64_t cell_type, std::span<const Index> c, std::uint64_t which, const Place& place) {
     if (cell_type == 6) {
-      add_strip(c);
+      put_strip(c);
       return;
     }
-    if (cell_type != 7) require_corners(cell_type == 5 ? 3 : 4, c, number, place);
+    if (cell_type != 7) require_corners(cell_type == 5 ? 3 : 4, c, which, place);
     if (cell_type == 8)
-      faces_.add(std::array{c[0], c[1], c[3], c[2]}, place);
+      cells_.add_face(std::array{c[0], c[1], c[3], c[2]}, number(), place);
     else
-      faces_.add(c, place);
+      cells_.add_face(c, number(), place);
   }
 
   template <class Place>
-  void add_solid_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t number, const Place& place) {
+  void add_solid_cell(std::int64_t cell_type, std::span<const Index> c, std::uint64_t which, const Place& place) {
     const auto add_other = [&](Polyhedron kind) {
-      require_corners(corner_count(kind), c, number, place);
-      others_.add(kind, c);
+      require_corners(corner_count(kind), c, which, place);
+      cells_.add(kind, c, number());
     };
     switch (cell_type) {
       case 10:
-        require_corners(4, c, number, place);
-        mesh_.tetrahedra.push_back({c[0], c[1], c[2], c[3]});
+        require_corners(4, c, which, place);
+        cells_.add(Tetrahedron{c[0], c[1], c[2], c[3]}, number());
         break;
       case 11:  // voxel: a box by rows
-        require_corners(8, c, number, place);
-        mesh_.hexahedra.push_back({c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]});
+        require_corners(8, c, which, place);
+        cells_.add(Hexahedron{c[0], c[1], c[3], c[2], c[4], c[5], c[7], c[6]}, number());
         break;
       case 12:
-        require_corners(8, c, number, place);
-        mesh_.hexahedra.push_back({c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]});
+        require_corners(8, c, which, place);
+        cells_.add(Hexahedron{c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7]}, number());
         break;
       case 13:
         add_other(Polyhedron::prism);
@@ -156,11 +171,9 @@ class VtkCells {
     }
   }
 
-  Mesh& mesh_;
-  const base::Host& host_;
   ReadReport& report_;
-  Polygons faces_;
-  PolyhedralCells others_;
+  FacesAndCells cells_;
+  std::size_t count_ = 0;
   std::map<std::int64_t, std::size_t> unread_;  // cells of each type that is not read
   std::string passed_over_;
 };

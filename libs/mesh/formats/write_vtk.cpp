@@ -17,7 +17,7 @@ class TextOut {
   TextOut(OutputFile& file, std::uint64_t total, const base::Host& host) : out_(file, total, host) {}
   void line(std::string_view text) { out_ << text << '\n'; }
   void put(double x) { out_ << x << ' '; }
-  void put(std::int32_t x) { out_ << static_cast<std::uint64_t>(x) << ' '; }
+  void put(std::int32_t x) { out_ << x << ' '; }
   void end_item() {
     out_ << '\n';
     out_.end_item();
@@ -63,11 +63,29 @@ std::string words(const Parts&... parts) {
 }
 
 template <class Out>
-void write(Out&& out, const Mesh& mesh, bool binary) {
+void write_regions(Out& out, const Mesh& mesh, const WriteOptions& options, std::size_t cells) {
+  out.line(words("CELL_DATA", cells));
+  out.line("SCALARS region int");  // without the number of components meshio has one number a cell
+  out.line("LOOKUP_TABLE default");
+  const auto put = [&](std::span<const std::int32_t> regions, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      out.put(regions.empty() ? 0 : regions[i]);
+      out.end_item();
+    }
+  };
+  put(mesh.regions.triangles, mesh.triangles.size());
+  put(options.quad_regions, options.quads.size());
+  put(mesh.regions.tetrahedra, mesh.tetrahedra.size());
+  put(mesh.regions.hexahedra, mesh.hexahedra.size());
+  out.end_section();
+}
+
+template <class Out>
+void write(Out&& out, const Mesh& mesh, const WriteOptions& options) {
   const bool surface = mesh.tetrahedra.empty() && mesh.hexahedra.empty();
   out.line("# vtk DataFile Version 3.0");
   out.line(surface ? "surface" : "solid");
-  out.line(binary ? "BINARY" : "ASCII");
+  out.line(options.binary ? "BINARY" : "ASCII");
   out.line(surface ? "DATASET POLYDATA" : "DATASET UNSTRUCTURED_GRID");
   out.line(words("POINTS", mesh.positions.size(), "double"));
   for (const Vector3& p : mesh.positions) {
@@ -84,10 +102,13 @@ void write(Out&& out, const Mesh& mesh, bool binary) {
       out.end_item();
     }
   };
-  const std::size_t count = mesh.triangles.size() + mesh.tetrahedra.size() + mesh.hexahedra.size();
-  const std::size_t size = 4 * mesh.triangles.size() + 5 * mesh.tetrahedra.size() + 9 * mesh.hexahedra.size();
+  const std::size_t count =
+      mesh.triangles.size() + options.quads.size() + mesh.tetrahedra.size() + mesh.hexahedra.size();
+  const std::size_t size =
+      4 * mesh.triangles.size() + 5 * (options.quads.size() + mesh.tetrahedra.size()) + 9 * mesh.hexahedra.size();
   out.line(words(surface ? "POLYGONS" : "CELLS", count, size));
   put_cells(mesh.triangles);
+  put_cells(options.quads);
   put_cells(mesh.tetrahedra);
   put_cells(mesh.hexahedra);
   out.end_section();
@@ -100,10 +121,12 @@ void write(Out&& out, const Mesh& mesh, bool binary) {
       }
     };
     put_types(mesh.triangles.size(), 5);
+    put_types(options.quads.size(), 9);
     put_types(mesh.tetrahedra.size(), 10);
     put_types(mesh.hexahedra.size(), 12);
     out.end_section();
   }
+  if (!mesh.regions.empty() || !options.quad_regions.empty()) write_regions(out, mesh, options, count);
   out.flush();
 }
 
@@ -112,12 +135,12 @@ void write(Out&& out, const Mesh& mesh, bool binary) {
 void write_vtk(OutputFile& file, const Mesh& mesh, const WriteOptions& options, const base::Host& host) {
   constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
   if (mesh.positions.size() > most) throw base::Error("unsupported", "more vertices than VTK's 32 bits can count");
-  const std::uint64_t total =
-      mesh.positions.size() + mesh.triangles.size() + 2 * mesh.tetrahedra.size() + 2 * mesh.hexahedra.size();
+  const std::uint64_t total = mesh.positions.size() + mesh.triangles.size() + 2 * options.quads.size() +
+                              2 * mesh.tetrahedra.size() + 2 * mesh.hexahedra.size();
   if (options.binary) {
-    write(BinaryOut(file, total, host), mesh, true);
+    write(BinaryOut(file, total, host), mesh, options);
   } else {
-    write(TextOut(file, total, host), mesh, false);
+    write(TextOut(file, total, host), mesh, options);
   }
 }
 

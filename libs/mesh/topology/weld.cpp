@@ -29,6 +29,22 @@ void renumber(Cells& cells, std::span<const Index> to) {
   }
 }
 
+// Removes triangles that get a repeated corner, and returns how many.
+std::size_t remove_collapsed(Mesh& mesh, std::span<const Index> to) {
+  Array<std::int32_t>& regions = mesh.regions.triangles;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    const Triangle t = mesh.triangles[i];
+    if (!has_repeated_corner(t) && has_repeated_corner({to[t[0]], to[t[1]], to[t[2]]})) continue;
+    if (!regions.empty()) regions[kept] = regions[i];
+    mesh.triangles[kept++] = t;
+  }
+  const std::size_t removed = mesh.triangles.size() - kept;
+  mesh.triangles.resize(kept);
+  if (!regions.empty()) regions.resize(kept);
+  return removed;
+}
+
 }  // namespace
 
 Array<Index> first_at_same_position(std::span<const Vector3> positions, const base::Host& host) {
@@ -62,11 +78,7 @@ WeldReport weld(Mesh& mesh, const base::Host& host) {
   }
   if (report.vertices == 0) return report;
   mesh.positions.resize(kept);
-  const auto collapsed = std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) {
-    return !has_repeated_corner(t) && has_repeated_corner({to[t[0]], to[t[1]], to[t[2]]});
-  });
-  report.triangles = static_cast<std::size_t>(mesh.triangles.end() - collapsed);
-  mesh.triangles.erase(collapsed, mesh.triangles.end());
+  report.triangles = remove_collapsed(mesh, to);
   renumber(mesh.triangles, to);
   renumber(mesh.tetrahedra, to);
   renumber(mesh.hexahedra, to);

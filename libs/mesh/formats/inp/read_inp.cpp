@@ -3,15 +3,16 @@
 #include <set>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "base/error.h"
+#include "mesh/files/faces_and_cells.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/node_numbers.h"
-#include "mesh/files/polygons.h"
-#include "mesh/files/polyhedral_cells.h"
 #include "mesh/formats/codecs.h"
 #include "mesh/formats/inp/inp_elements.h"
 #include "mesh/formats/inp/inp_lines.h"
+#include "mesh/formats/inp/inp_sets.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -31,8 +32,7 @@ class InpReader {
         host_(host),
         report_(report),
         mesh_(host.memory),
-        faces_(host.memory),
-        others_(host.memory),
+        cells_(mesh_, host),
         node_numbers_(host.memory),
         shapes_(host.memory),
         numbers_(host.memory) {}
@@ -50,12 +50,8 @@ class InpReader {
       throw base::Error("parse", "two nodes have the number " + std::to_string(*repeated));
     make_cells();
     report_.format = "Abaqus";
-    report_.polygons = faces_.larger_than_triangles();
-    faces_.to_triangles(mesh_.positions, mesh_.triangles, host_);
-    if (!others_.empty()) note_turned_cells(mesh_, report_.notes, host_);
-    others_.cut_into_tetrahedra(mesh_, report_.notes, host_);
+    cells_.finish(report_);
     note_left_out({{lines_passed_over_, "element of points or lines", "elements of points or lines"},
-                   {sets_.size() > 1 ? sets_.size() : 0, "element set", "element sets"},
                    {of_the_assembly_, "section of the assembly", "sections of the assembly"},
                    {other_keywords_, "other keyword", "other keywords"}},
                   report_.notes);
@@ -79,6 +75,8 @@ class InpReader {
     } else if (keyword.name == "ELEMENT") {
       begin_mesh_of_part();
       elements(keyword, more);
+    } else if (keyword.name == "ELSET") {
+      element_set(keyword, more);
     } else {
       static const std::set<std::string> structure = {"HEADING",  "PART",        "ENDPART",    "ASSEMBLY",
                                                       "INSTANCE", "ENDINSTANCE", "ENDASSEMBLY"};
@@ -135,7 +133,7 @@ class InpReader {
   void elements(const InpKeyword& keyword, bool& more) {
     const auto type = keyword.value("TYPE");
     if (!type) lines_.fail("parse", "*ELEMENT without its TYPE");
-    if (sets_.size() < 10000) sets_.insert(keyword.value("ELSET").value_or(""));
+    sets_.begin_elements(keyword.value("ELSET").value_or(""));
     const auto shape = inp_shape(*type);
     if (!shape) {
       lines_.fail("unsupported",
@@ -168,11 +166,35 @@ class InpReader {
       more = lines_.next();
     }
     shapes_.push_back(shape);
+    sets_.add_element();
+  }
+
+  // Numbers of elements, or, with GENERATE, the first and the last one and the step between. Names of other sets are
+  // passed over.
+  void element_set(const InpKeyword& keyword, bool& more) {
+    sets_.begin_set(keyword.value("ELSET").value_or(""));
+    const bool generated = keyword.value("GENERATE").has_value();
+    for (; more && !lines_.at_keyword(); more = lines_.next()) {
+      std::array<std::uint64_t, 3> range = {0, 0, 1};
+      std::size_t count = 0;
+      while (const auto field = lines_.field()) {
+        if (field->empty() || field->front() < '0' || field->front() > '9') continue;
+        const std::uint64_t number = lines_.number(*field, "the number of an element");
+        if (!generated) sets_.add(number, number, 1);
+        if (count < range.size()) range[count++] = number;
+      }
+      if (!generated) continue;
+      if (count < 2 || range[2] == 0)
+        lines_.fail("parse", "*ELSET with GENERATE: the first and the last element expected, and a step above 0");
+      sets_.add(range[0], range[1], range[2]);
+    }
   }
 
   void make_cells() {
+    const std::vector<std::int64_t> regions = sets_.empty() ? std::vector<std::int64_t>() : regions_of_elements();
     std::size_t at = 0, done = 0;
     for (const InpShape shape : shapes_) {
+      region_ = regions.empty() ? 0 : cells_.region_of(regions[done]);
       if (++done % 4096 == 0) host_.report("reading", done, shapes_.size());
       const ElementPlace place{numbers_[at++]};
       std::array<Index, 8> v{};
@@ -187,6 +209,17 @@ class InpReader {
     }
   }
 
+  std::vector<std::int64_t> regions_of_elements() {
+    std::vector<std::uint64_t> numbers;
+    numbers.reserve(shapes_.size());
+    std::size_t at = 0;
+    for (const InpShape shape : shapes_) {
+      numbers.push_back(numbers_[at]);
+      at += 1 + nodes_of(shape);
+    }
+    return sets_.regions(numbers, shapes_, report_.notes, host_);
+  }
+
   void add_cell(InpShape shape, const Hexahedron& v, std::span<const Index> corners, const ElementPlace& place) {
     switch (shape) {
       case InpShape::passed_over:
@@ -196,19 +229,19 @@ class InpReader {
         break;
       case InpShape::triangle:
       case InpShape::quadrilateral:
-        faces_.add(corners, place);
+        cells_.add_face(corners, region_, place);
         break;
       case InpShape::tetrahedron:
-        mesh_.tetrahedra.push_back({v[0], v[1], v[2], v[3]});
+        cells_.add(Tetrahedron{v[0], v[1], v[2], v[3]}, region_);
         break;
       case InpShape::pyramid:
-        others_.add(Polyhedron::pyramid, corners);
+        cells_.add(Polyhedron::pyramid, corners, region_);
         break;
       case InpShape::prism:
-        others_.add(Polyhedron::prism, corners);
+        cells_.add(Polyhedron::prism, corners, region_);
         break;
       case InpShape::hexahedron:
-        mesh_.hexahedra.push_back(v);
+        cells_.add(v, region_);
     }
   }
 
@@ -216,13 +249,13 @@ class InpReader {
   const base::Host& host_;
   ReadReport& report_;
   Mesh mesh_;
-  Polygons faces_;
-  PolyhedralCells others_;
+  FacesAndCells cells_;
   NodeNumbers node_numbers_;
   // Elements in the order of the file: each number with those of its nodes, as nodes may follow elements.
   Array<InpShape> shapes_;
   Array<std::uint64_t> numbers_;
-  std::set<std::string> sets_;
+  InpSets sets_;
+  std::int32_t region_ = 0;  // of the element that becomes a cell
   bool part_has_mesh_ = false, in_assembly_ = false, in_instance_ = false;
   std::size_t parts_ = 0, instances_ = 0;
   std::size_t lines_passed_over_ = 0, of_the_assembly_ = 0, other_keywords_ = 0;

@@ -5,6 +5,7 @@
 #include "base/counted.h"
 #include "base/error.h"
 #include "mesh/files/left_out.h"
+#include "mesh/files/text_scanner.h"
 #include "mesh/formats/codecs.h"
 #include "mesh/formats/vtk_cells.h"
 #include "mesh/formats/xml/vtk_xml_file.h"
@@ -22,10 +23,10 @@ class VtkXmlReader {
         mesh_(host.memory),
         cells_(mesh_, host, report),
         ends_(host.memory),
-        connectivity_(host.memory) {}
+        connectivity_(host.memory),
+        regions_(host.memory) {}
 
   Mesh run() {
-    using Section = VtkXmlSection;
     report_.format = file_.grid ? "VTK XML, unstructured grid" : "VTK XML, surface";
     std::size_t next = 0;
     for (std::size_t piece = 0; piece < file_.pieces.size(); ++piece) {
@@ -33,23 +34,59 @@ class VtkXmlReader {
       for (; next < file_.entries.size() && file_.entries[next].piece == piece; ++next)
         take(file_.entries[next]);
       points(file_.pieces[piece].points);
-      if (file_.grid) {
+      if (file_.grid)
         grid(file_.pieces[piece].cells);
-        continue;
-      }
-      tags(Section::verts, 2, "vertex", "vertices");
-      tags(Section::lines, 4, "line", "lines");
-      if (cell_array(Section::strips)) for_each_cell([&](std::span<const Index> cell) { cells_.add_strip(cell); });
-      if (cell_array(Section::polys))
-        for_each_cell([&](std::span<const Index> cell) { cells_.add_polygon(cell, place_); });
+      else
+        surface();
+      regions();
+      cells_of_pieces_ = cells_.count();
     }
+    cells_.set_regions(regions_);
     cells_.finish(ArrayPlace{file_.grid ? "the grid" : "the surface"});
     note_left_out({{file_.data_arrays, "data array", "data arrays"}}, report_.notes);
     return std::move(mesh_);
   }
 
  private:
-  static constexpr std::size_t sections = 6, roles = 4;
+  static constexpr std::size_t sections = 7, roles = 5;
+
+  void surface() {
+    using Section = VtkXmlSection;
+    tags(Section::verts, 2, "vertex", "vertices");
+    tags(Section::lines, 4, "line", "lines");
+    bool strips = false, polygons = false;
+    if (cell_array(Section::strips)) {
+      strips = !ends_.empty();
+      for_each_cell([&](std::span<const Index> cell) { cells_.add_strip(cell); });
+    }
+    if (cell_array(Section::polys)) {
+      polygons = !ends_.empty();
+      for_each_cell([&](std::span<const Index> cell) { cells_.add_polygon(cell, place_); });
+    }
+    if (strips && polygons && slot(Section::cell_data, VtkXmlRole::regions))
+      cells_.leave_out_regions("there are triangle strips beside polygons");
+  }
+
+  // Appends the regions of the piece's cells; those of pieces without them are 0.
+  void regions() {
+    const VtkXmlEntry* entry = slot(VtkXmlSection::cell_data, VtkXmlRole::regions);
+    if (!entry) {
+      if (!regions_.empty()) regions_.resize(cells_.count());
+      return;
+    }
+    const std::size_t first = cells_of_pieces_;
+    const std::size_t count = cells_.count() - first;
+    place_.name = "the array " + in_quotes(entry->name) + " of CellData";
+    const NumberArray numbers = read_vtk_xml_array(entry->array, file_.storage, place_, host_, appended_taken_);
+    if (numbers.size() != count) {
+      place_.fail("parse",
+                  base::counted(numbers.size(), "number") + ", where the piece has " + base::counted(count, "cell"));
+    }
+    regions_.resize(first);
+    regions_.reserve(first + count);
+    for (std::size_t i = 0; i < count; ++i)
+      regions_.push_back(numbers.is_real() ? cells_.region_of(numbers.real(i)) : cells_.region_of(numbers.integer(i)));
+  }
 
   const VtkXmlEntry*& slot(VtkXmlSection section, VtkXmlRole role) {
     return entries_[static_cast<std::size_t>(section)][static_cast<std::size_t>(role)];
@@ -64,7 +101,7 @@ class VtkXmlReader {
 
   // Reads an array that the piece must have.
   NumberArray read(VtkXmlSection section, VtkXmlRole role) {
-    constexpr std::array names = {"positions", "connectivity", "offsets", "types"};
+    constexpr std::array names = {"positions", "connectivity", "offsets", "types", "regions"};
     place_.name = std::string("the array ") + names[static_cast<std::size_t>(role)] + " of " + name_of(section);
     const VtkXmlEntry* entry = slot(section, role);
     if (!entry) place_.fail("missing-attribute", "it is missing");
@@ -135,6 +172,7 @@ class VtkXmlReader {
 
   void tags(VtkXmlSection section, std::int64_t cell_type, const char* one, const char* many) {
     if (!cell_array(section)) return;
+    cells_.add_tags(ends_.size());
     if (report_.tags)
       for_each_cell([&](std::span<const Index> cell) { cells_.add_tag(cell_type, cell); });
     else if (!ends_.empty())
@@ -166,9 +204,10 @@ class VtkXmlReader {
   std::array<std::array<const VtkXmlEntry*, roles>, sections> entries_{};  // of the piece that is read
   ArrayPlace place_;
   std::uint64_t appended_taken_ = 0;  // bytes
-  std::size_t first_ = 0;
+  std::size_t first_ = 0, cells_of_pieces_ = 0;
   Array<std::size_t> ends_;
   Array<Index> connectivity_;
+  Array<std::int32_t> regions_;  // of all cells so far, if there are any
 };
 
 }  // namespace

@@ -5,11 +5,12 @@
 #include <string>
 
 #include "mesh/files/text_scanner.h"
+#include "mesh/formats/vtk_data.h"
 
 namespace orbicube::mesh {
 namespace {
 
-constexpr std::array section_names = {"Points", "Verts", "Lines", "Strips", "Polys", "Cells"};
+constexpr std::array section_names = {"Points", "Verts", "Lines", "Strips", "Polys", "Cells", "CellData"};
 
 std::optional<VtkXmlSection> section_named(std::string_view name) {
   const auto found = std::ranges::find(section_names, name);
@@ -136,6 +137,10 @@ class FileReader {
     if (open.size() != array_depth || open[2] != "Piece") return;
     const auto section = section_named(parent);
     if (!section) return;
+    if (*section == VtkXmlSection::cell_data) {
+      data_on_cells();
+      return;
+    }
     const auto role = role_of(*section, scanner_.attribute("Name").value_or(""));
     if (!role) return;
     file_.entries.push_back({file_.pieces.size() - 1, *section, *role, description()});
@@ -143,6 +148,26 @@ class FileReader {
     const std::string_view components = scanner_.attribute("NumberOfComponents").value_or("1");
     if (*section == VtkXmlSection::points && components != "3")
       scanner_.fail("unsupported", "points of " + in_quotes(components) + " coordinates, where three are read");
+  }
+
+  // Keeps the array of a piece whose name is the most usual one of region numbers. Others may be of any type.
+  void data_on_cells() {
+    const std::string_view name = scanner_.attribute("Name").value_or("");
+    const auto rank = region_rank(name);
+    const std::size_t piece = file_.pieces.size() - 1;
+    if (!rank || scanner_.attribute("NumberOfComponents").value_or("1") != "1") return;
+    if (!vtk_xml_type(scanner_.attribute("type").value_or(""))) return;
+    auto known = file_.entries.end();
+    for (auto at = known; at != file_.entries.begin() && (--at)->piece == piece;)
+      if (at->role == VtkXmlRole::regions) known = at;
+    if (known == file_.entries.end())
+      --file_.data_arrays;
+    else if (*rank >= *region_rank(known->name))
+      return;
+    else
+      file_.entries.erase(known);
+    file_.entries.push_back({piece, VtkXmlSection::cell_data, VtkXmlRole::regions, description(), std::string(name)});
+    in_array_ = file_.entries.back().array.form != VtkXmlForm::appended;
   }
 
   VtkXmlArray description() const {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "base/array.h"
 #include "mesh/formats/xml/vtk_xml_data.h"
@@ -11,9 +12,9 @@
 
 namespace orbicube::mesh {
 
-// The elements of a piece that have its shape, in this order, and the arrays in them.
-enum class VtkXmlSection : std::uint8_t { points, verts, lines, strips, polys, cells };
-enum class VtkXmlRole : std::uint8_t { positions, connectivity, offsets, types };
+// The elements of a piece that have its shape and the regions of its cells, in this order, and the arrays in them.
+enum class VtkXmlSection : std::uint8_t { points, verts, lines, strips, polys, cells, cell_data };
+enum class VtkXmlRole : std::uint8_t { positions, connectivity, offsets, types, regions };
 
 struct VtkXmlPiece {
   std::uint64_t points = 0, cells = 0;  // cells: of an unstructured grid
@@ -24,6 +25,7 @@ struct VtkXmlEntry {
   VtkXmlSection section;
   VtkXmlRole role;
   VtkXmlArray array;
+  std::string name = {};  // of regions
 };
 
 struct VtkXmlFile {
@@ -33,7 +35,7 @@ struct VtkXmlFile {
   VtkXmlStorage storage;
   base::Array<VtkXmlPiece> pieces;
   base::Array<VtkXmlEntry> entries;
-  std::size_t data_arrays = 0;
+  std::size_t data_arrays = 0;  // that have no entry
 };
 
 // Names a section as the file does.

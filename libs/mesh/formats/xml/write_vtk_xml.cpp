@@ -118,21 +118,23 @@ void put_points(ArrayWriter& out, const Mesh& mesh) {
   out.line("</Points>");
 }
 
-// Calls `put` with all triangles, tetrahedra and hexahedra, one after the other.
+// Calls `put` with all triangles, quadrilaterals, tetrahedra and hexahedra, one after the other.
 template <class Put>
-void for_all_cells(const Mesh& mesh, const Put& put) {
+void for_all_cells(const Mesh& mesh, const WriteOptions& options, const Put& put) {
   for (const auto& cell : mesh.triangles)
     put(cell, std::uint8_t{5});
+  for (const auto& cell : options.quads)
+    put(cell, std::uint8_t{9});
   for (const auto& cell : mesh.tetrahedra)
     put(cell, std::uint8_t{10});
   for (const auto& cell : mesh.hexahedra)
     put(cell, std::uint8_t{12});
 }
 
-void put_cells(ArrayWriter& out, const Mesh& mesh, bool grid) {
+void put_cells(ArrayWriter& out, const Mesh& mesh, bool grid, const WriteOptions& options) {
   out.line(grid ? "<Cells>" : "<Polys>");
   out.begin("\"Int64\" Name=\"connectivity\"");
-  for_all_cells(mesh, [&](const auto& cell, std::uint8_t) {
+  for_all_cells(mesh, options, [&](const auto& cell, std::uint8_t) {
     for (const Index v : cell)
       out.put(std::int64_t{v});
     out.end_item();
@@ -140,7 +142,7 @@ void put_cells(ArrayWriter& out, const Mesh& mesh, bool grid) {
   out.end();
   out.begin("\"Int64\" Name=\"offsets\"");
   std::int64_t end = 0;
-  for_all_cells(mesh, [&](const auto& cell, std::uint8_t) {
+  for_all_cells(mesh, options, [&](const auto& cell, std::uint8_t) {
     end += static_cast<std::int64_t>(cell.size());
     out.put(end);
     out.end_item();
@@ -148,7 +150,7 @@ void put_cells(ArrayWriter& out, const Mesh& mesh, bool grid) {
   out.end();
   if (grid) {
     out.begin("\"UInt8\" Name=\"types\"");
-    for_all_cells(mesh, [&](const auto&, std::uint8_t type) {
+    for_all_cells(mesh, options, [&](const auto&, std::uint8_t type) {
       out.put(type);
       out.end_item();
     });
@@ -157,8 +159,26 @@ void put_cells(ArrayWriter& out, const Mesh& mesh, bool grid) {
   out.line(grid ? "</Cells>" : "</Polys>");
 }
 
+void put_regions(ArrayWriter& out, const Mesh& mesh, const WriteOptions& options) {
+  out.line("<CellData Scalars=\"region\">");
+  out.begin("\"Int32\" Name=\"region\"");
+  const auto put = [&](std::span<const std::int32_t> regions, std::size_t count) {
+    for (std::size_t i = 0; i < count; ++i) {
+      out.put(regions.empty() ? 0 : regions[i]);
+      out.end_item();
+    }
+  };
+  put(mesh.regions.triangles, mesh.triangles.size());
+  put(options.quad_regions, options.quads.size());
+  put(mesh.regions.tetrahedra, mesh.tetrahedra.size());
+  put(mesh.regions.hexahedra, mesh.hexahedra.size());
+  out.end();
+  out.line("</CellData>");
+}
+
 void write(OutputFile& file, const Mesh& mesh, bool grid, const WriteOptions& options, const base::Host& host) {
-  const std::size_t cells = mesh.triangles.size() + mesh.tetrahedra.size() + mesh.hexahedra.size();
+  const std::size_t cells =
+      mesh.triangles.size() + options.quads.size() + mesh.tetrahedra.size() + mesh.hexahedra.size();
   ArrayWriter out(file, options.binary, mesh.positions.size() + (grid ? 3 : 2) * cells, host);
   const std::string kind = grid ? "UnstructuredGrid" : "PolyData";
   const bool compressed = options.binary && has_zlib();
@@ -173,7 +193,8 @@ void write(OutputFile& file, const Mesh& mesh, bool grid, const WriteOptions& op
     out.line(counts + " NumberOfVerts=\"0\" NumberOfLines=\"0\" NumberOfStrips=\"0\" NumberOfPolys=\"" +
              std::to_string(cells) + "\">");
   put_points(out, mesh);
-  put_cells(out, mesh, grid);
+  put_cells(out, mesh, grid, options);
+  if (!mesh.regions.empty() || !options.quad_regions.empty()) put_regions(out, mesh, options);
   out.line("</Piece>");
   out.line("</" + kind + ">");
   out.line("</VTKFile>");
