@@ -68,6 +68,19 @@ void append(std::span<const Cell> from, std::size_t vertex_count, const char* wh
   to.assign(from.begin(), from.end());
 }
 
+// Numbers that are all 0 say nothing.
+void take_regions(const int32_t* from, std::size_t count, mesh::Array<std::int32_t>& to) {
+  if (from == nullptr || std::all_of(from, from + count, [](int32_t region) { return region == 0; })) return;
+  to.assign(from, from + count);
+}
+
+void copy_regions(const mesh::Array<std::int32_t>& regions, std::size_t count, int32_t* to) {
+  if (regions.empty() && to != nullptr)
+    std::fill_n(to, count, 0);
+  else
+    copy(regions, to);
+}
+
 obc_mesh_read_options default_read_options() {
   obc_mesh_read_options options{};
   options.struct_size = sizeof options;
@@ -140,6 +153,9 @@ obc_status obc_mesh_create(const obc_mesh_cells* cells, const obc_host* host, ob
     made.mesh.triangles.assign(triangles.begin(), triangles.end());
     append(tetrahedra, positions.size(), "tetrahedron", made.mesh.tetrahedra);
     append(hexahedra, positions.size(), "hexahedron", made.mesh.hexahedra);
+    take_regions(from.triangle_regions, triangles.size(), made.mesh.regions.triangles);
+    take_regions(from.tetrahedron_regions, tetrahedra.size(), made.mesh.regions.tetrahedra);
+    take_regions(from.hexahedron_regions, hexahedra.size(), made.mesh.regions.hexahedra);
   });
 }
 
@@ -184,6 +200,24 @@ obc_status obc_mesh_copy(const obc_mesh* mesh, double* positions, uint32_t* tria
     copy(from.triangles, triangles);
     copy(from.tetrahedra, tetrahedra);
     copy(from.hexahedra, hexahedra);
+  });
+}
+
+uint32_t obc_mesh_region_kinds(const obc_mesh* mesh) {
+  if (mesh == nullptr) return 0;
+  const mesh::Regions& regions = mesh->mesh.regions;
+  return static_cast<uint32_t>((regions.triangles.empty() ? 0 : OBC_MESH_TRIANGLE_REGIONS) |
+                               (regions.tetrahedra.empty() ? 0 : OBC_MESH_TETRAHEDRON_REGIONS) |
+                               (regions.hexahedra.empty() ? 0 : OBC_MESH_HEXAHEDRON_REGIONS));
+}
+
+obc_status obc_mesh_copy_regions(const obc_mesh* mesh, int32_t* triangles, int32_t* tetrahedra, int32_t* hexahedra,
+                                 obc_error* error) {
+  return capi::guarded(error, [&] {
+    const mesh::Mesh& from = checked(mesh);
+    copy_regions(from.regions.triangles, from.triangles.size(), triangles);
+    copy_regions(from.regions.tetrahedra, from.tetrahedra.size(), tetrahedra);
+    copy_regions(from.regions.hexahedra, from.hexahedra.size(), hexahedra);
   });
 }
 
@@ -264,7 +298,8 @@ uint32_t obc_mesh_format_contents(int32_t format) {
   const mesh::FormatRow* row = format_row(format);
   if (row == nullptr) return 0;
   return static_cast<uint32_t>(OBC_MESH_HOLDS_SURFACES | (row->polygons ? OBC_MESH_HOLDS_POLYGONS : 0) |
-                               (row->cells ? OBC_MESH_HOLDS_CELLS : 0) | (row->binary ? OBC_MESH_HOLDS_BINARY : 0));
+                               (row->cells ? OBC_MESH_HOLDS_CELLS : 0) | (row->binary ? OBC_MESH_HOLDS_BINARY : 0) |
+                               (row->regions ? OBC_MESH_HOLDS_REGIONS : 0));
 }
 
 const char* obc_mesh_format(const obc_mesh* mesh) {

@@ -60,6 +60,34 @@ TEST_CASE("A mesh made from arrays hands the same arrays out") {
   CHECK(std::memcmp(surface.triangles, cube.triangles.data(), sizeof cube.triangles) == 0);
 }
 
+TEST_CASE("Regions are handed out as they were given, 0 where there are none") {
+  const Cube cube;
+  obc_mesh_cells cells = cube.cells();
+  cells.hexahedra = cube.hexahedra.data();
+  cells.hexahedron_count = 1;
+  CHECK(obc_mesh_region_kinds(create(cells).get()) == 0);
+  std::array<std::int32_t, 12> patches;
+  std::iota(patches.begin(), patches.end(), -3);
+  const std::array<std::int32_t, 5> nothing{};
+  const std::int32_t material = std::numeric_limits<std::int32_t>::max();
+  cells.triangle_regions = patches.data();
+  cells.tetrahedron_regions = nothing.data();
+  cells.hexahedron_regions = &material;
+  const Mesh mesh = create(cells);
+  CHECK(obc_mesh_region_kinds(mesh.get()) == (OBC_MESH_TRIANGLE_REGIONS | OBC_MESH_HEXAHEDRON_REGIONS));
+  std::array<std::int32_t, 12> triangles{};
+  std::array<std::int32_t, 5> tetrahedra;
+  tetrahedra.fill(7);
+  std::int32_t hexahedron = 0;
+  REQUIRE(obc_mesh_copy_regions(mesh.get(), triangles.data(), tetrahedra.data(), &hexahedron, nullptr) == OBC_OK);
+  CHECK(triangles == patches);
+  CHECK(tetrahedra == nothing);
+  CHECK(hexahedron == material);
+  CHECK(obc_mesh_copy_regions(mesh.get(), nullptr, nullptr, nullptr, nullptr) == OBC_OK);
+  CHECK(obc_mesh_copy_regions(nullptr, nullptr, nullptr, nullptr, nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_mesh_region_kinds(nullptr) == 0);
+}
+
 TEST_CASE("Topology of a cube, and where it is wrong when it is") {
   Cube cube;
   obc_mesh_topology_report t = topology(cube.surface());

@@ -91,6 +91,14 @@ class Mesh {
     });
     return cells;
   }
+  // Copies of the region numbers, one for each triangle or cell, 0 for none; empty if there are none.
+  std::vector<std::int32_t> triangle_regions() const { return regions(OBC_MESH_TRIANGLE_REGIONS, triangle_count(), 0); }
+  std::vector<std::int32_t> tetrahedron_regions() const {
+    return regions(OBC_MESH_TETRAHEDRON_REGIONS, tetrahedron_count(), 1);
+  }
+  std::vector<std::int32_t> hexahedron_regions() const {
+    return regions(OBC_MESH_HEXAHEDRON_REGIONS, hexahedron_count(), 2);
+  }
   std::string format() const { return obc_mesh_format(handle()); }
   std::size_t polygon_count() const noexcept { return obc_mesh_polygon_count(handle()); }
   std::size_t welded_vertex_count() const noexcept { return obc_mesh_welded_vertex_count(handle()); }
@@ -114,6 +122,17 @@ class Mesh {
   obc_mesh* handle() const noexcept { return handle_.get(); }
 
  private:
+  std::vector<std::int32_t> regions(std::uint32_t kind, std::size_t count, std::size_t place) const {
+    std::vector<std::int32_t> numbers;
+    if ((obc_mesh_region_kinds(handle()) & kind) == 0) return numbers;
+    numbers.resize(count);
+    std::array<std::int32_t*, 3> to = {};
+    to[place] = numbers.data();
+    detail::call(nullptr,
+                 [&](obc_error* error) { return obc_mesh_copy_regions(handle(), to[0], to[1], to[2], error); });
+    return numbers;
+  }
+
   template <class F>
   static obc_mesh* made(Host* host, F&& f) {
     return detail::take<obc_mesh, obc_mesh_destroy>(host, std::forward<F>(f)).release();
@@ -134,7 +153,7 @@ inline int sign(std::int32_t answer) {
 // A file format. Polygons: of shared vertices, whose coordinates read back bit-identically.
 struct Format {
   std::string name, ending;
-  bool polygons, cells, binary;
+  bool polygons, cells, binary, regions;
 };
 // The formats of Mesh::read and Mesh::write, in the order of OBC_MESH_....
 inline std::vector<Format> formats() {
@@ -142,7 +161,8 @@ inline std::vector<Format> formats() {
   for (std::int32_t i = 0; const char* name = obc_mesh_format_name(i); ++i) {
     const std::uint32_t held = obc_mesh_format_contents(i);
     found.push_back({name, obc_mesh_format_ending(i), (held & OBC_MESH_HOLDS_POLYGONS) != 0,
-                     (held & OBC_MESH_HOLDS_CELLS) != 0, (held & OBC_MESH_HOLDS_BINARY) != 0});
+                     (held & OBC_MESH_HOLDS_CELLS) != 0, (held & OBC_MESH_HOLDS_BINARY) != 0,
+                     (held & OBC_MESH_HOLDS_REGIONS) != 0});
   }
   return found;
 }

@@ -47,6 +47,9 @@ export const constants: {
   readonly OBC_HEXMESH_FEATURES_AUTO: 1;
   readonly OBC_HEXMESH_FEATURES_TAGS: 2;
   readonly OBC_HEXMESH_FEATURES_ANGLES: 3;
+  readonly OBC_MESH_TRIANGLE_REGIONS: 1;
+  readonly OBC_MESH_TETRAHEDRON_REGIONS: 2;
+  readonly OBC_MESH_HEXAHEDRON_REGIONS: 4;
   readonly OBC_MESH_OBJ: 0;
   readonly OBC_MESH_OFF: 1;
   readonly OBC_MESH_PLY: 2;
@@ -63,6 +66,7 @@ export const constants: {
   readonly OBC_MESH_HOLDS_POLYGONS: 2;
   readonly OBC_MESH_HOLDS_CELLS: 4;
   readonly OBC_MESH_HOLDS_BINARY: 8;
+  readonly OBC_MESH_HOLDS_REGIONS: 16;
   readonly OBC_POLYCUBE_AUTO: 0;
   readonly OBC_POLYCUBE_LABELS: 1;
   readonly OBC_POLYCUBE_VOXELS: 2;
@@ -443,6 +447,11 @@ export interface RawFunctions {
   obc_mesh_hexahedron_count(mesh: Pointer): number;
   /** Copies a mesh to arrays of the caller, each of which may be NULL. Errors: invalid argument. */
   obc_mesh_copy(mesh: Pointer, positions: Pointer, triangles: Pointer, tetrahedra: Pointer, hexahedra: Pointer, error: Pointer): number;
+  /** Returns what has region numbers, bits OBC_MESH_..._REGIONS; 0 for NULL. */
+  obc_mesh_region_kinds(mesh: Pointer): number;
+  /** Copies the region number of each triangle and cell, 0 where it has none, to arrays of the caller, each of which may be NULL. Errors:
+   * invalid argument. */
+  obc_mesh_copy_regions(mesh: Pointer, triangles: Pointer, tetrahedra: Pointer, hexahedra: Pointer, error: Pointer): number;
   /** Returns a view of the positions and triangles of a mesh, valid until the mesh is destroyed. Errors: invalid argument. */
   obc_mesh_surface(mesh: Pointer, surface: Pointer, error: Pointer): number;
   /** Checks that the tetrahedra and hexahedra form a solid: distinct, positive by exact predicates (hexahedra at each corner),
@@ -494,7 +503,7 @@ export interface RawFunctions {
   obc_mesh_note(mesh: Pointer, index: number): Pointer;
   /** Fills options with the defaults. */
   obc_mesh_write_options_init(options: Pointer, struct_size: number): number;
-  /** Writes to `path` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+  /** Writes to `path` in the format of its ending: triangles, and cells and region numbers in formats that hold them. Reading the file returns a
    * bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
    * previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
    * format does not have), io, out of memory, cancelled. */

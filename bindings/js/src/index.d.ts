@@ -174,13 +174,15 @@ export class Mesh implements Surface {
   private constructor();
   static read(bytes: Uint8Array | ArrayBuffer, format: Format, options?: { weldIdentical?: boolean } & Host): Mesh;
   static make(shape: string, triangles: number, options?: { seed?: number } & Host): Mesh;
-  static from(surface: { positions: Numbers; triangles: Numbers }): Mesh;
+  static from(surface: { positions: Numbers; triangles: Numbers; regions?: Numbers | null }): Mesh;
   static readonly shapes: string[];
   readonly vertexCount: number;
   readonly triangleCount: number;
   /** A view of the library's memory, which ends when that memory grows. */
   readonly positions: Float64Array;
   readonly triangles: Uint32Array;
+  /** The number of the region of each triangle, 0 for none, as a copy; null if there are none. */
+  readonly regions: Int32Array | null;
   /** Copies that stay. */
   readonly arrays: Surface;
   readonly tetrahedronCount: number;
@@ -190,8 +192,8 @@ export class Mesh implements Surface {
   close(): void;
 }
 
-/** The formats of files: `format` for Mesh.read, the `ending`, and whether files hold polygons, cells and binary contents. */
-export function formats(): { format: Format; ending: string; polygons: boolean; cells: boolean; binary: boolean }[];
+/** The formats of files: `format` for Mesh.read, the `ending`, and whether files hold polygons, cells, binary contents and regions. */
+export function formats(): { format: Format; ending: string; polygons: boolean; cells: boolean; binary: boolean; regions: boolean }[];
 /** The format that the name of a file requires. */
 export function formatOf(name: string): Format;
 export function writeMesh(surface: SurfaceLike, ending: string, options?: { binary?: boolean } & Host): Uint8Array;

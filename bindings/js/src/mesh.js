@@ -32,7 +32,7 @@ export function formats() {
     found.push({
       format: name.toLowerCase(), ending: text(raw('obc_mesh_format_ending', found.length)),
       polygons: (held & constants.OBC_MESH_HOLDS_POLYGONS) !== 0, cells: (held & constants.OBC_MESH_HOLDS_CELLS) !== 0,
-      binary: (held & constants.OBC_MESH_HOLDS_BINARY) !== 0,
+      binary: (held & constants.OBC_MESH_HOLDS_BINARY) !== 0, regions: (held & constants.OBC_MESH_HOLDS_REGIONS) !== 0,
     });
   }
   return found;
@@ -68,11 +68,14 @@ export class Mesh extends Handle {
       new Mesh(make('obc_mesh_make', scratch.text(shape), triangles, BigInt(seed), lent))));
   }
 
-  /** From arrays, which are copied. */
-  static from({ positions, triangles }) {
+  /** From arrays, which are copied. `regions`: the number of the region of each triangle, if there are any. */
+  static from({ positions, triangles, regions = null }) {
+    if (regions && regions.length !== triangles.length / 3)
+      throw new RangeError(`${regions.length} region numbers of ${triangles.length / 3} triangles`);
     return scratched((scratch) => new Mesh(make('obc_mesh_create', scratch.struct('obc_mesh_cells', {
       positions: scratch.array('f64', positions, positions.length), vertex_count: positions.length / 3,
       triangles: scratch.array('u32', triangles, triangles.length), triangle_count: triangles.length / 3,
+      triangle_regions: regions ? scratch.array('i32', regions, regions.length) : 0,
     }), 0)));
   }
 
@@ -103,6 +106,16 @@ export class Mesh extends Handle {
   /** A view, as `positions`. */
   get triangles() {
     return this.#part('triangles', 'u32', 3 * this.triangleCount);
+  }
+
+  /** The number of the region of each triangle, 0 for none, as a copy that stays; null if there are none. */
+  get regions() {
+    if ((raw('obc_mesh_region_kinds', this.address) & constant('OBC_MESH_', 'triangle_regions')) === 0) return null;
+    return scratched((scratch) => {
+      const numbers = scratch.room('i32', this.triangleCount);
+      call('obc_mesh_copy_regions', this.address, numbers, 0, 0);
+      return view('i32', numbers, this.triangleCount).slice();
+    });
   }
 
   /** Copies that stay and that can be sent to a worker. */

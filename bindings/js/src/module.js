@@ -29,7 +29,7 @@ export function module() {
 // ---- memory ------------------------------------------------------------------------------------------------------------
 
 const views = { f64: 'HEAPF64', f32: 'HEAPF32', u32: 'HEAPU32', i32: 'HEAP32', u8: 'HEAPU8', u16: 'HEAPU16' };
-export const arrayTypes = { f64: Float64Array, f32: Float32Array, u32: Uint32Array, u8: Uint8Array };
+export const arrayTypes = { f64: Float64Array, f32: Float32Array, u32: Uint32Array, i32: Int32Array, u8: Uint8Array };
 
 /** A view of the module's memory. It ends (its length becomes 0) when that memory grows. */
 export function view(type, address, length) {

@@ -23,27 +23,36 @@ function formats()
     map(0:length(names)-1, names, endings) do number, name, ending
         holds(bit) = Raw.obc_mesh_format_contents(number) & UInt32(bit) != 0
         (name=name, ending=ending, polygons=holds(Raw.OBC_MESH_HOLDS_POLYGONS), cells=holds(Raw.OBC_MESH_HOLDS_CELLS),
-         binary=holds(Raw.OBC_MESH_HOLDS_BINARY))
+         binary=holds(Raw.OBC_MESH_HOLDS_BINARY), regions=holds(Raw.OBC_MESH_HOLDS_REGIONS))
     end
 end
 
 """
-    Mesh(positions; triangles, tetrahedra, hexahedra)
+    Mesh(positions; triangles, tetrahedra, hexahedra, triangle_regions, tetrahedron_regions, hexahedron_regions)
 
 Positions (3 by n) and cells of each kind (a column each, from 1, hexahedra as MEDIT and VTK order them); of a `Hexes` or a solid likewise.
+Regions: for each triangle or cell the number of its region, 0 for none; empty where a kind has no regions.
 """
 struct Mesh
     positions::Matrix{Float64}
     triangles::Matrix{Int}
     tetrahedra::Matrix{Int}
     hexahedra::Matrix{Int}
-    function Mesh(positions::AbstractMatrix; triangles=zeros(Int, 3, 0), tetrahedra=zeros(Int, 4, 0), hexahedra=zeros(Int, 8, 0))
+    triangle_regions::Vector{Int32}
+    tetrahedron_regions::Vector{Int32}
+    hexahedron_regions::Vector{Int32}
+    function Mesh(positions::AbstractMatrix; triangles=zeros(Int, 3, 0), tetrahedra=zeros(Int, 4, 0), hexahedra=zeros(Int, 8, 0),
+                  triangle_regions=Int32[], tetrahedron_regions=Int32[], hexahedron_regions=Int32[])
         n = columns(positions, 3, "positions")
-        for (cells, corners, what) in ((triangles, 3, "triangles"), (tetrahedra, 4, "tetrahedra"), (hexahedra, 8, "hexahedra"))
+        for (cells, corners, what, regions) in ((triangles, 3, "triangles", triangle_regions),
+                                                (tetrahedra, 4, "tetrahedra", tetrahedron_regions),
+                                                (hexahedra, 8, "hexahedra", hexahedron_regions))
             columns(cells, corners, what)
             all(v -> 1 <= v <= n, cells) || throw(ArgumentError("$what: numbers of vertices from 1 to $n are needed"))
+            isempty(regions) || length(regions) == size(cells, 2) ||
+                throw(ArgumentError("$(length(regions)) region numbers of $(size(cells, 2)) $what"))
         end
-        new(doubles(positions), triangles, tetrahedra, hexahedra)
+        new(doubles(positions), triangles, tetrahedra, hexahedra, triangle_regions, tetrahedron_regions, hexahedron_regions)
     end
 end
 
@@ -58,6 +67,9 @@ function with_mesh(f, mesh::Mesh)
     cells.triangles, cells.triangle_count = pointer(three), size(three, 2)
     cells.tetrahedra, cells.tetrahedron_count = pointer(four), size(four, 2)
     cells.hexahedra, cells.hexahedron_count = pointer(eight), size(eight, 2)
+    given(regions) = isempty(regions) ? Ptr{Int32}(C_NULL) : pointer(regions)
+    cells.triangle_regions, cells.tetrahedron_regions = given(mesh.triangle_regions), given(mesh.tetrahedron_regions)
+    cells.hexahedron_regions = given(mesh.hexahedron_regions)
     out = Ref(C_NULL)
     GC.@preserve mesh three four eight hosted((lent, error) -> Raw.obc_mesh_create(cells, lent, out, error))
     try
@@ -77,7 +89,16 @@ function taken_mesh(f; host...)
         four = Matrix{UInt32}(undef, 4, Raw.obc_mesh_tetrahedron_count(out[]))
         eight = Matrix{UInt32}(undef, 8, Raw.obc_mesh_hexahedron_count(out[]))
         checked(error -> Raw.obc_mesh_copy(out[], places, three, four, eight, error))
-        Mesh(places; triangles=Int.(three) .+ 1, tetrahedra=Int.(four) .+ 1, hexahedra=Int.(eight) .+ 1),
+        kinds = Raw.obc_mesh_region_kinds(out[])
+        room(kind, cells) = Vector{Int32}(undef, kinds & kind == 0 ? 0 : size(cells, 2))
+        of_three, of_four = room(Raw.OBC_MESH_TRIANGLE_REGIONS, three), room(Raw.OBC_MESH_TETRAHEDRON_REGIONS, four)
+        of_eight = room(Raw.OBC_MESH_HEXAHEDRON_REGIONS, eight)
+        lent(regions) = isempty(regions) ? Ptr{Int32}(C_NULL) : pointer(regions)
+        GC.@preserve of_three of_four of_eight checked() do error
+            Raw.obc_mesh_copy_regions(out[], lent(of_three), lent(of_four), lent(of_eight), error)
+        end
+        Mesh(places; triangles=Int.(three) .+ 1, tetrahedra=Int.(four) .+ 1, hexahedra=Int.(eight) .+ 1, triangle_regions=of_three,
+             tetrahedron_regions=of_four, hexahedron_regions=of_eight),
         (format=text(Raw.obc_mesh_format(out[])), polygons=Int(Raw.obc_mesh_polygon_count(out[])),
          welded=Int(Raw.obc_mesh_welded_vertex_count(out[])), notes=texts(i -> Raw.obc_mesh_note(out[], i)))
     finally
@@ -107,7 +128,7 @@ function read_mesh(bytes::Vector{UInt8}, format::Symbol; threads=0, progress=not
     end
 end
 
-"Writes a mesh in the format of the ending; those of `formats()` with `cells` hold tetrahedra and hexahedra. Option: binary."
+"Writes a mesh in the format of the ending; those of `formats()` with `cells` hold tetrahedra and hexahedra, those with `regions` regions. Option: binary."
 function write_mesh(path, mesh::Mesh; threads=0, progress=nothing, options...)
     chosen = filled(Raw.obc_mesh_write_options, Raw.obc_mesh_write_options_init, values(options))
     with_mesh(mesh) do handle

@@ -24,7 +24,7 @@ const layouts = [
     (Orbicube.Raw.obc_linear_iterative_options, 24, [0, 4, 8, 12, 16]),
     (Orbicube.Raw.obc_linear_iterative_report, 24, [0, 4, 8, 16]),
     (Orbicube.Raw.obc_surface, 32, [0, 8, 16, 24]),
-    (Orbicube.Raw.obc_mesh_cells, 72, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64]),
+    (Orbicube.Raw.obc_mesh_cells, 96, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88]),
     (Orbicube.Raw.obc_mesh_tetrahedron_quality_report, 440, [0, 4, 8, 16, 24, 32, 40, 48, 56, 64, 72, 80, 88, 96, 104, 112, 120, 128, 136, 280]),
     (Orbicube.Raw.obc_mesh_read_options, 8, [0, 4]),
     (Orbicube.Raw.obc_mesh_write_options, 8, [0, 4]),

@@ -424,6 +424,10 @@ end
         again, about = read_mesh(path)
         @test again.tetrahedra == cells && again.positions == corners && occursin("VTK", about.format)
         @test read_mesh(read(path), :vtk)[1].tetrahedra == cells
+        @test isempty(again.tetrahedron_regions)
+        write_mesh(path, Mesh(corners; tetrahedra=cells, tetrahedron_regions=[4, 4, 0, -1, 2, 2]))
+        @test read_mesh(path)[1].tetrahedron_regions == [4, 4, 0, -1, 2, 2]
+        @test_throws ArgumentError Mesh(corners; tetrahedra=cells, tetrahedron_regions=[4])
         @test_throws ArgumentError read_mesh(UInt8[], :doc)
     end
     shape = make_surface("creature", 400)

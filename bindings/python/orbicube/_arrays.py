@@ -15,6 +15,7 @@ from ._checks import shown
 
 Doubles = NDArray[np.float64]
 Indices = NDArray[np.uint32]
+Regions = NDArray[np.int32]
 
 
 def numbers(values: Any, name: str) -> Any:

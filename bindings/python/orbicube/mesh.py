@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import DOUBLE, INDEX, Doubles, Indices, address, doubles, indices, view
+from ._arrays import DOUBLE, INDEX, Doubles, Indices, Regions, address, doubles, indices, view
 from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, text, with_options
 from ._checks import PathLike, integer, public, word
 from ._foreign import MANY, parts_of, surface_of
@@ -50,23 +50,32 @@ class Surface:
 
 class Mesh:
     """A mesh in the library's memory, which does not change. `positions` and `triangles` are read-only views of it, without a
-    copy. Meshes are equal when positions and cells are; they can be pickled and copied."""
+    copy. Regions are integers of 32 bits, one for each triangle or cell, 0 for none. Meshes are equal when positions, cells and
+    regions are; they can be pickled and copied."""
 
     @public
     def __init__(self, positions: ArrayLike, triangles: Optional[ArrayLike] = None, tetrahedra: Optional[ArrayLike] = None,
-                 hexahedra: Optional[ArrayLike] = None) -> None:
+                 hexahedra: Optional[ArrayLike] = None, *, triangle_regions: Optional[ArrayLike] = None,
+                 tetrahedron_regions: Optional[ArrayLike] = None, hexahedron_regions: Optional[ArrayLike] = None) -> None:
         places = doubles(positions, 3, name="positions")
         cells = raw.obc_mesh_cells()
         call_init(raw.obc_mesh_cells_init, cells)
         cells.positions, cells.vertex_count = address(places), len(places)
         kept = []
-        for name, one, given, corners in (("triangles", "triangle", triangles, 3), ("tetrahedra", "tetrahedron", tetrahedra, 4),
-                                          ("hexahedra", "hexahedron", hexahedra, 8)):
+        for name, one, given, corners, numbers in (("triangles", "triangle", triangles, 3, triangle_regions),
+                                                   ("tetrahedra", "tetrahedron", tetrahedra, 4, tetrahedron_regions),
+                                                   ("hexahedra", "hexahedron", hexahedra, 8, hexahedron_regions)):
+            count = 0
             if given is not None:
                 array = indices(given, corners, name=name, below=len(places), of="positions")
                 kept.append(array)
+                count = len(array)
                 setattr(cells, name, address(array))
-                setattr(cells, one + "_count", len(array))
+                setattr(cells, one + "_count", count)
+            if numbers is not None:
+                regions = _regions(numbers, count, f"{one}_regions", name)
+                kept.append(regions)
+                setattr(cells, one + "_regions", address(regions))
         handle = Handle(raw.obc_mesh_destroy)
         call(raw.obc_mesh_create, byref(cells), HOST, byref(handle))
         del kept
@@ -99,7 +108,10 @@ class Mesh:
         return hash(tuple(zlib.crc32(np.ascontiguousarray(array + 0).data) for array in self._arrays()))  # + 0: no zero is negative
 
     def _arrays(self) -> tuple[Any, ...]:
-        return self.positions, self.triangles, self.tetrahedra, self.hexahedra
+        none = np.empty(0, dtype=np.int32)
+        regions = (self.triangle_regions, self.tetrahedron_regions, self.hexahedron_regions)
+        return (self.positions, self.triangles, self.tetrahedra, self.hexahedra,
+                *(none if numbers is None else numbers for numbers in regions))
 
     def __copy__(self) -> Mesh:
         return self  # it does not change
@@ -110,10 +122,13 @@ class Mesh:
     def __reduce__(self) -> Any:
         facts = self.format, self.polygon_count, self.welded_vertex_count, self.notes
         arrays = [np.array(array) for array in (self.positions, self.triangles, self.tetrahedra, self.hexahedra)]
-        return _restored, (arrays, facts)
+        regions = {"triangle_regions": self.triangle_regions, "tetrahedron_regions": self.tetrahedron_regions,
+                   "hexahedron_regions": self.hexahedron_regions}
+        return _restored, (arrays, facts, regions)
 
     def to_pyvista(self) -> Any:
-        """As pyvista has it: PolyData of the triangles when there are no other cells, or else an UnstructuredGrid."""
+        """As pyvista has it: PolyData of the triangles when there are no other cells, or else an UnstructuredGrid; regions are
+        data of cells with the name "region"."""
         return to_pyvista(self)
 
     def show(self, name: str = "mesh", *, up: str = "y", height: int = 640, preset: str = "") -> Shown:
@@ -138,6 +153,28 @@ class Mesh:
         cells = np.empty((raw.obc_mesh_hexahedron_count(self._handle), 8), dtype=np.uint32)
         call(raw.obc_mesh_copy, self._handle, None, None, None, address(cells))
         return cells
+
+    def _regions_of(self, kind: int, count: int, place: int) -> Optional[Regions]:
+        if not raw.obc_mesh_region_kinds(self._handle) & kind:
+            return None
+        numbers = np.empty(count, dtype=np.int32)
+        call(raw.obc_mesh_copy_regions, self._handle, *[address(numbers) if i == place else None for i in range(3)])
+        return numbers
+
+    @property
+    def triangle_regions(self) -> Optional[Regions]:
+        """The region number of each triangle, such as its patch of a CAD model, as a copy; None if there are none."""
+        return self._regions_of(raw.OBC_MESH_TRIANGLE_REGIONS, len(self.triangles), 0)
+
+    @property
+    def tetrahedron_regions(self) -> Optional[Regions]:
+        """The region number of each tetrahedron, such as its material, as a copy; None if there are none."""
+        return self._regions_of(raw.OBC_MESH_TETRAHEDRON_REGIONS, raw.obc_mesh_tetrahedron_count(self._handle), 1)
+
+    @property
+    def hexahedron_regions(self) -> Optional[Regions]:
+        """The region number of each hexahedron as a copy; None if there are none."""
+        return self._regions_of(raw.OBC_MESH_HEXAHEDRON_REGIONS, raw.obc_mesh_hexahedron_count(self._handle), 2)
 
     @property
     def format(self) -> str:
@@ -170,6 +207,17 @@ class Mesh:
         return adopt(handle)
 
 
+def _regions(numbers: ArrayLike, count: int, name: str, of: str) -> Regions:
+    array = np.asarray(numbers)
+    if array.ndim != 1 or array.dtype.kind not in "iu":
+        raise ValueError(f"{name}: one integer for each of {of} is needed, not an array of {array.dtype} with shape {array.shape}")
+    if len(array) != count:
+        raise ValueError(f"{name}: {len(array)} numbers of {count} {of}")
+    if count and not -2**31 <= int(array.min()) <= int(array.max()) < 2**31:
+        raise ValueError(f"{name}: numbers of 32 bits are needed")
+    return np.ascontiguousarray(array, dtype=np.int32)
+
+
 def adopt(handle: Handle) -> Mesh:
     """A Mesh that owns a handle."""
     mesh = Mesh.__new__(Mesh)
@@ -177,9 +225,9 @@ def adopt(handle: Handle) -> Mesh:
     return mesh
 
 
-def _restored(arrays: list[Any], facts: tuple[Any, ...]) -> Mesh:
+def _restored(arrays: list[Any], facts: tuple[Any, ...], regions: Optional[dict[str, Any]] = None) -> Mesh:
     """For pickle."""
-    mesh = Mesh(*arrays)
+    mesh = Mesh(*arrays, **(regions or {}))
     mesh._facts = facts
     return mesh
 
@@ -206,9 +254,15 @@ def to_pyvista(mesh: Any) -> Any:
     cells = {5: whole.triangles, 10: whole.tetrahedra, 12: whole.hexahedra}
     if len(cells[10]) == len(cells[12]) == 0:
         faces = np.hstack([np.full((len(whole.triangles), 1), 3), whole.triangles]).astype(np.int64)
-        return pyvista.PolyData(np.array(whole.positions), faces.ravel())
-    kinds = {kind: array.astype(np.int64) for kind, array in cells.items() if len(array)}
-    return pyvista.UnstructuredGrid(kinds, np.array(whole.positions))
+        made = pyvista.PolyData(np.array(whole.positions), faces.ravel())
+    else:
+        kinds = {kind: array.astype(np.int64) for kind, array in cells.items() if len(array)}
+        made = pyvista.UnstructuredGrid(kinds, np.array(whole.positions))
+    regions = (whole.triangle_regions, whole.tetrahedron_regions, whole.hexahedron_regions)
+    if any(numbers is not None for numbers in regions):
+        made.cell_data["region"] = np.concatenate([np.zeros(len(array), dtype=np.int32) if numbers is None else numbers
+                                                   for numbers, array in zip(regions, cells.values())])
+    return made
 
 
 @public
@@ -264,12 +318,13 @@ def shape_names() -> list[str]:
 
 class Format(NamedTuple):
     """A file format: its word for `read_memory`, the ending of its files, and whether these hold polygons of shared vertices with
-    exact coordinates, cells, and binary contents."""
+    exact coordinates, cells, binary contents, and regions."""
     word: str
     ending: str
     polygons: bool
     cells: bool
     binary: bool
+    regions: bool
 
 
 def formats() -> list[Format]:
@@ -279,7 +334,8 @@ def formats() -> list[Format]:
         number = len(found)
         held = raw.obc_mesh_format_contents(number)
         found.append(Format(name.lower(), text(raw.obc_mesh_format_ending(number)) or "", bool(held & raw.OBC_MESH_HOLDS_POLYGONS),
-                            bool(held & raw.OBC_MESH_HOLDS_CELLS), bool(held & raw.OBC_MESH_HOLDS_BINARY)))
+                            bool(held & raw.OBC_MESH_HOLDS_CELLS), bool(held & raw.OBC_MESH_HOLDS_BINARY),
+                            bool(held & raw.OBC_MESH_HOLDS_REGIONS)))
     return found
 
 
@@ -317,7 +373,8 @@ def write(path: PathLike, mesh: Any, *,
           binary: bool = True,
           # end of options
           progress: Progress = None) -> None:
-    """Writes a mesh in the format of the ending; those of `formats` with `cells` hold tetrahedra and hexahedra."""
+    """Writes a mesh in the format of the ending; those of `formats` with `cells` hold tetrahedra and hexahedra, those with
+    `regions` the numbers of regions."""
     chosen = filled(raw.obc_mesh_write_options, raw.obc_mesh_write_options_init, locals())
     whole = handle_of(mesh)
     call(raw.obc_mesh_write, path_bytes(path), whole._handle, byref(chosen), HOST, progress=progress)

@@ -69,6 +69,10 @@ typedef struct obc_mesh_cells {
 
   const uint32_t *hexahedra; /* eight vertices each, or NULL. Default: NULL. */
   size_t hexahedron_count;   /* number of hexahedra. Default: 0. */
+
+  const int32_t *triangle_regions;    /* region number of each triangle (0: none), or NULL. Default: NULL. */
+  const int32_t *tetrahedron_regions; /* region number of each tetrahedron, or NULL. Default: NULL. */
+  const int32_t *hexahedron_regions;  /* region number of each hexahedron, or NULL. Default: NULL. */
 } obc_mesh_cells;
 
 /* Fills cells with an empty mesh. */
@@ -99,6 +103,21 @@ OBC_API size_t obc_mesh_hexahedron_count(const obc_mesh *mesh);
 /* Copies a mesh to arrays of the caller, each of which may be NULL. Errors: invalid argument. */
 OBC_API obc_status obc_mesh_copy(const obc_mesh *mesh, double *positions, uint32_t *triangles, uint32_t *tetrahedra,
                                  uint32_t *hexahedra, obc_error *error);
+
+/* Parts of a mesh that have region numbers: bits of obc_mesh_region_kinds. */
+enum {
+  OBC_MESH_TRIANGLE_REGIONS = 1,    /* of triangles, such as the patches of a CAD model */
+  OBC_MESH_TETRAHEDRON_REGIONS = 2, /* of tetrahedra, such as materials */
+  OBC_MESH_HEXAHEDRON_REGIONS = 4   /* of hexahedra */
+};
+
+/* Returns what has region numbers, bits OBC_MESH_..._REGIONS; 0 for NULL. */
+OBC_API uint32_t obc_mesh_region_kinds(const obc_mesh *mesh);
+
+/* Copies the region number of each triangle and cell, 0 where it has none, to arrays of the caller, each of which may be NULL. Errors:
+ * invalid argument. */
+OBC_API obc_status obc_mesh_copy_regions(const obc_mesh *mesh, int32_t *triangles, int32_t *tetrahedra, int32_t *hexahedra,
+                                         obc_error *error);
 
 /* Returns a view of the positions and triangles of a mesh, valid until the mesh is destroyed. Errors: invalid argument. */
 OBC_API obc_status obc_mesh_surface(const obc_mesh *mesh, obc_surface *surface, obc_error *error);
@@ -155,7 +174,8 @@ enum {
   OBC_MESH_HOLDS_SURFACES = 1, /* triangles; all formats do */
   OBC_MESH_HOLDS_POLYGONS = 2, /* polygons of shared vertices, whose coordinates read back bit-identically */
   OBC_MESH_HOLDS_CELLS = 4,    /* tetrahedra and hexahedra */
-  OBC_MESH_HOLDS_BINARY = 8    /* binary contents; all formats may be text */
+  OBC_MESH_HOLDS_BINARY = 8,   /* binary contents; all formats may be text */
+  OBC_MESH_HOLDS_REGIONS = 16  /* region numbers of triangles, and of cells where it holds them */
 };
 
 /* Return the ending of files of the format OBC_MESH_... in lower case, with its dot; the name of the format, such as "PLY"; and what its files
@@ -206,7 +226,7 @@ typedef struct obc_mesh_write_options {
 /* Fills options with the defaults. */
 OBC_API obc_status obc_mesh_write_options_init(obc_mesh_write_options *options, size_t struct_size);
 
-/* Writes to `path` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+/* Writes to `path` in the format of its ending: triangles, and cells and region numbers in formats that hold them. Reading the file returns a
  * bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
  * previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
  * format does not have), io, out of memory, cancelled. */

@@ -488,6 +488,10 @@ TEST_CASE("hexahedra follow the frames of a tetrahedral cube") {
   given.hexahedra = hexes.hexahedra.data();
   given.hexahedron_count = 8;
   Mesh(given).check_cells();
+  CHECK(Mesh(given).hexahedron_regions().empty());
+  const std::vector<std::int32_t> regions = {1, 2, 3, 4, 5, 6, 7, -8};
+  given.hexahedron_regions = regions.data();
+  CHECK(Mesh(given).hexahedron_regions() == regions);
   Host host;
   host.on_progress([](const Progress&) { return false; });
   CHECK_THROWS_AS(hexmesh::fill_with_hexahedra(corners, cells, {}, options, &host), Error);

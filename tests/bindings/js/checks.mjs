@@ -248,6 +248,8 @@ export const checks = {
       }
     }
     same(o.formats().filter((one) => one.cells).map((one) => one.ending), ['.mesh', '.vtk']);
+    const marked = o.Mesh.from({ ...cube, regions: cube.triangles.slice(0, cube.triangles.length / 3).map((v, i) => i % 5) });
+    same([mesh.regions, [...marked.regions].slice(0, 6)], [null, [0, 1, 2, 3, 4, 0]]);
     const stl = o.Mesh.read(o.writeMesh(mesh, 'stl'), 'stl');
     same([stl.vertexCount, stl.triangleCount], [mesh.vertexCount, mesh.triangleCount]);
     const { genus, closed } = o.topology(stl);

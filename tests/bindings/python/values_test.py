@@ -32,6 +32,27 @@ class Meshes(unittest.TestCase):
                 self.assertFalse(again.positions.flags.writeable)
             self.assertEqual(pickle.loads(pickle.dumps(pickle.loads(pickle.dumps(one)))).format, one.format)
 
+    def test_regions_are_kept_in_files_and_pickles_and_compared(self):
+        positions, tetrahedra = box_of_tetrahedra(2)
+        materials = np.arange(len(tetrahedra), dtype=np.int32) % 3 - 1
+        one = mesh.Mesh(positions, [[0, 1, 2], [1, 2, 3]], tetrahedra, triangle_regions=[5, 0], tetrahedron_regions=materials)
+        self.assertEqual(one.triangle_regions.tolist(), [5, 0])
+        self.assertIsNone(one.hexahedron_regions)
+        self.assertIsNone(mesh.make("cube", 100).triangle_regions)
+        held = [form.ending for form in mesh.formats() if form.regions and form.cells]
+        self.assertEqual(held, [".mesh", ".vtk", ".msh", ".inp", ".vtu"])
+        with tempfile.TemporaryDirectory() as folder:
+            for ending in held:
+                path = os.path.join(folder, "a" + ending)
+                mesh.write(path, one)
+                self.assertEqual(mesh.read(path), one, ending)
+        self.assertEqual(pickle.loads(pickle.dumps(one)), one)
+        for unlike in ({}, {"triangle_regions": [5, 1], "tetrahedron_regions": materials}):
+            self.assertNotEqual(mesh.Mesh(positions, one.triangles, tetrahedra, **unlike), one)
+        for given, message in (([5], "1 numbers of 2 triangles"), ([1.5, 2], "one integer"), ([2**31, 0], "32 bits")):
+            with self.assertRaisesRegex(ValueError, "triangle_regions: .*" + message):
+                mesh.Mesh(positions, one.triangles, triangle_regions=given)
+
     def test_copies_are_equal_and_other_meshes_are_not(self):
         one, other = mesh.make("sphere", 200), mesh.make("cube", 200)
         for made in (copy.copy(one), copy.deepcopy(one), copy.deepcopy([one])[0], mesh.Mesh(one.positions, one.triangles)):

@@ -1,5 +1,9 @@
 # What <orbicube/mesh.h> declares. Written by scripts/bindings.py; not to be edited.
 
+const OBC_MESH_TRIANGLE_REGIONS = Int32(1)
+const OBC_MESH_TETRAHEDRON_REGIONS = Int32(2)
+const OBC_MESH_HEXAHEDRON_REGIONS = Int32(4)
+
 const OBC_MESH_OBJ = Int32(0)
 const OBC_MESH_OFF = Int32(1)
 const OBC_MESH_PLY = Int32(2)
@@ -17,6 +21,7 @@ const OBC_MESH_HOLDS_SURFACES = Int32(1)
 const OBC_MESH_HOLDS_POLYGONS = Int32(2)
 const OBC_MESH_HOLDS_CELLS = Int32(4)
 const OBC_MESH_HOLDS_BINARY = Int32(8)
+const OBC_MESH_HOLDS_REGIONS = Int32(16)
 
 struct obc_surface
     positions::Ptr{Float64}
@@ -36,6 +41,9 @@ mutable struct obc_mesh_cells <: CStruct
     tetrahedron_count::Csize_t
     hexahedra::Ptr{UInt32}
     hexahedron_count::Csize_t
+    triangle_regions::Ptr{Int32}
+    tetrahedron_regions::Ptr{Int32}
+    hexahedron_regions::Ptr{Int32}
     obc_mesh_cells() = zeroed!(new())
 end
 
@@ -171,6 +179,14 @@ obc_mesh_hexahedron_count(mesh) =
 const address_obc_mesh_copy = Ref(C_NULL)
 obc_mesh_copy(mesh, positions, triangles, tetrahedra, hexahedra, error) =
     ccall(symbol(address_obc_mesh_copy, :mesh, :obc_mesh_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{obc_error}), mesh, positions, triangles, tetrahedra, hexahedra, error)
+
+const address_obc_mesh_region_kinds = Ref(C_NULL)
+obc_mesh_region_kinds(mesh) =
+    ccall(symbol(address_obc_mesh_region_kinds, :mesh, :obc_mesh_region_kinds), UInt32, (Ptr{Cvoid},), mesh)
+
+const address_obc_mesh_copy_regions = Ref(C_NULL)
+obc_mesh_copy_regions(mesh, triangles, tetrahedra, hexahedra, error) =
+    ccall(symbol(address_obc_mesh_copy_regions, :mesh, :obc_mesh_copy_regions), Int32, (Ptr{Cvoid}, Ptr{Int32}, Ptr{Int32}, Ptr{Int32}, Ptr{obc_error}), mesh, triangles, tetrahedra, hexahedra, error)
 
 const address_obc_mesh_surface = Ref(C_NULL)
 obc_mesh_surface(mesh, surface, error) =

@@ -4,6 +4,10 @@ import ctypes as _c
 from .._library import bind as _bind
 from .._library import Struct as _Struct
 
+OBC_MESH_TRIANGLE_REGIONS = 1
+OBC_MESH_TETRAHEDRON_REGIONS = 2
+OBC_MESH_HEXAHEDRON_REGIONS = 4
+
 OBC_MESH_OBJ = 0
 OBC_MESH_OFF = 1
 OBC_MESH_PLY = 2
@@ -21,6 +25,7 @@ OBC_MESH_HOLDS_SURFACES = 1
 OBC_MESH_HOLDS_POLYGONS = 2
 OBC_MESH_HOLDS_CELLS = 4
 OBC_MESH_HOLDS_BINARY = 8
+OBC_MESH_HOLDS_REGIONS = 16
 
 
 class obc_surface(_Struct):
@@ -46,6 +51,9 @@ class obc_mesh_cells(_Struct):
         ("tetrahedron_count", _c.c_size_t),
         ("hexahedra", _c.c_void_p),
         ("hexahedron_count", _c.c_size_t),
+        ("triangle_regions", _c.c_void_p),
+        ("tetrahedron_regions", _c.c_void_p),
+        ("hexahedron_regions", _c.c_void_p),
     ]
 
 
@@ -166,6 +174,8 @@ _functions = [
     ("obc_mesh_tetrahedron_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_mesh_hexahedron_count", _c.c_size_t, [_c.c_void_p]),
     ("obc_mesh_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_mesh_region_kinds", _c.c_uint32, [_c.c_void_p]),
+    ("obc_mesh_copy_regions", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_surface", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_check_cells", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_mesh_boundary", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

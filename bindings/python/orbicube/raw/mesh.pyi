@@ -3,6 +3,10 @@ from typing import Any
 
 from .._library import Pointer, Struct
 
+OBC_MESH_TRIANGLE_REGIONS: int
+OBC_MESH_TETRAHEDRON_REGIONS: int
+OBC_MESH_HEXAHEDRON_REGIONS: int
+
 OBC_MESH_OBJ: int
 OBC_MESH_OFF: int
 OBC_MESH_PLY: int
@@ -20,6 +24,7 @@ OBC_MESH_HOLDS_SURFACES: int
 OBC_MESH_HOLDS_POLYGONS: int
 OBC_MESH_HOLDS_CELLS: int
 OBC_MESH_HOLDS_BINARY: int
+OBC_MESH_HOLDS_REGIONS: int
 
 class obc_surface(Struct):
     positions: Any
@@ -39,7 +44,10 @@ class obc_mesh_cells(Struct):
     tetrahedron_count: int
     hexahedra: Any
     hexahedron_count: int
-    def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., tetrahedra: Any = ..., tetrahedron_count: int = ..., hexahedra: Any = ..., hexahedron_count: int = ...) -> None: ...
+    triangle_regions: Any
+    tetrahedron_regions: Any
+    hexahedron_regions: Any
+    def __init__(self, struct_size: int = ..., reserved: int = ..., positions: Any = ..., vertex_count: int = ..., triangles: Any = ..., triangle_count: int = ..., tetrahedra: Any = ..., tetrahedron_count: int = ..., hexahedra: Any = ..., hexahedron_count: int = ..., triangle_regions: Any = ..., tetrahedron_regions: Any = ..., hexahedron_regions: Any = ...) -> None: ...
 
 class obc_mesh_tetrahedron_quality_report(Struct):
     struct_size: int
@@ -171,6 +179,15 @@ def obc_mesh_copy(mesh: Pointer, positions: Pointer, triangles: Pointer, tetrahe
     """Copies a mesh to arrays of the caller, each of which may be NULL. Errors: invalid argument."""
     ...
 
+def obc_mesh_region_kinds(mesh: Pointer) -> int:
+    """Returns what has region numbers, bits OBC_MESH_..._REGIONS; 0 for NULL."""
+    ...
+
+def obc_mesh_copy_regions(mesh: Pointer, triangles: Pointer, tetrahedra: Pointer, hexahedra: Pointer, error: Pointer) -> int:
+    """Copies the region number of each triangle and cell, 0 where it has none, to arrays of the caller, each of which may be NULL. Errors:
+    invalid argument."""
+    ...
+
 def obc_mesh_surface(mesh: Pointer, surface: Pointer, error: Pointer) -> int:
     """Returns a view of the positions and triangles of a mesh, valid until the mesh is destroyed. Errors: invalid argument."""
     ...
@@ -255,7 +272,7 @@ def obc_mesh_write_options_init(options: Pointer, struct_size: int) -> int:
     ...
 
 def obc_mesh_write(path: bytes | None, mesh: Pointer, options: Pointer, host: Pointer, error: Pointer) -> int:
-    """Writes to `path` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+    """Writes to `path` in the format of its ending: triangles, and cells and region numbers in formats that hold them. Reading the file returns a
     bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
     previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
     format does not have), io, out of memory, cancelled."""

@@ -4,6 +4,13 @@
 use crate::base::{obc_error, obc_host};
 use std::os::raw::{c_char, c_void};
 
+/// of triangles, such as the patches of a CAD model
+pub const OBC_MESH_TRIANGLE_REGIONS: i32 = 1;
+/// of tetrahedra, such as materials
+pub const OBC_MESH_TETRAHEDRON_REGIONS: i32 = 2;
+/// of hexahedra
+pub const OBC_MESH_HEXAHEDRON_REGIONS: i32 = 4;
+
 /// text
 pub const OBC_MESH_OBJ: i32 = 0;
 /// text
@@ -37,6 +44,8 @@ pub const OBC_MESH_HOLDS_POLYGONS: i32 = 2;
 pub const OBC_MESH_HOLDS_CELLS: i32 = 4;
 /// binary contents; all formats may be text
 pub const OBC_MESH_HOLDS_BINARY: i32 = 8;
+/// region numbers of triangles, and of cells where it holds them
+pub const OBC_MESH_HOLDS_REGIONS: i32 = 16;
 
 /// A mesh in memory of the library.
 #[repr(C)]
@@ -88,6 +97,12 @@ pub struct obc_mesh_cells {
     pub hexahedra: *const u32,
     /// number of hexahedra. Default: 0.
     pub hexahedron_count: usize,
+    /// region number of each triangle (0: none), or NULL. Default: NULL.
+    pub triangle_regions: *const i32,
+    /// region number of each tetrahedron, or NULL. Default: NULL.
+    pub tetrahedron_regions: *const i32,
+    /// region number of each hexahedron, or NULL. Default: NULL.
+    pub hexahedron_regions: *const i32,
 }
 
 /// Quality of tetrahedra. Ratios are negative for inverted tetrahedra and 0 for flat ones; angles are in degrees.
@@ -284,6 +299,11 @@ extern "C" {
     pub fn obc_mesh_hexahedron_count(mesh: *const obc_mesh) -> usize;
     /// Copies a mesh to arrays of the caller, each of which may be NULL. Errors: invalid argument.
     pub fn obc_mesh_copy(mesh: *const obc_mesh, positions: *mut f64, triangles: *mut u32, tetrahedra: *mut u32, hexahedra: *mut u32, error: *mut obc_error) -> i32;
+    /// Returns what has region numbers, bits OBC\_MESH\_...\_REGIONS; 0 for NULL.
+    pub fn obc_mesh_region_kinds(mesh: *const obc_mesh) -> u32;
+    /// Copies the region number of each triangle and cell, 0 where it has none, to arrays of the caller, each of which may be NULL. Errors:
+    /// invalid argument.
+    pub fn obc_mesh_copy_regions(mesh: *const obc_mesh, triangles: *mut i32, tetrahedra: *mut i32, hexahedra: *mut i32, error: *mut obc_error) -> i32;
     /// Returns a view of the positions and triangles of a mesh, valid until the mesh is destroyed. Errors: invalid argument.
     pub fn obc_mesh_surface(mesh: *const obc_mesh, surface: *mut obc_surface, error: *mut obc_error) -> i32;
     /// Checks that the tetrahedra and hexahedra form a solid: distinct, positive by exact predicates (hexahedra at each corner),
@@ -335,7 +355,7 @@ extern "C" {
     pub fn obc_mesh_note(mesh: *const obc_mesh, index: usize) -> *const c_char;
     /// Fills options with the defaults.
     pub fn obc_mesh_write_options_init(options: *mut obc_mesh_write_options, struct_size: usize) -> i32;
-    /// Writes to \`path\` in the format of its ending: triangles, and cells in formats that hold them. Reading the file returns a
+    /// Writes to \`path\` in the format of its ending: triangles, and cells and region numbers in formats that hold them. Reading the file returns a
     /// bit-identical mesh, except for STL, FreeSurfer and GIFTI, which have float32. The file appears when it is complete; after an error the
     /// previous file remains. options and host may be NULL. O(n). Errors: invalid argument, unsupported (the ending, or cells that the
     /// format does not have), io, out of memory, cancelled.
@@ -420,7 +440,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).vertex_count) } as usize - start as usize, 8, "obc_surface.vertex_count");
         assert_eq!(unsafe { addr_of!((*start).triangles) } as usize - start as usize, 16, "obc_surface.triangles");
         assert_eq!(unsafe { addr_of!((*start).triangle_count) } as usize - start as usize, 24, "obc_surface.triangle_count");
-        assert_eq!((size_of::<obc_mesh_cells>(), align_of::<obc_mesh_cells>()), (72, 8));
+        assert_eq!((size_of::<obc_mesh_cells>(), align_of::<obc_mesh_cells>()), (96, 8));
         let it = MaybeUninit::<obc_mesh_cells>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_mesh_cells.struct_size");
@@ -433,6 +453,9 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).tetrahedron_count) } as usize - start as usize, 48, "obc_mesh_cells.tetrahedron_count");
         assert_eq!(unsafe { addr_of!((*start).hexahedra) } as usize - start as usize, 56, "obc_mesh_cells.hexahedra");
         assert_eq!(unsafe { addr_of!((*start).hexahedron_count) } as usize - start as usize, 64, "obc_mesh_cells.hexahedron_count");
+        assert_eq!(unsafe { addr_of!((*start).triangle_regions) } as usize - start as usize, 72, "obc_mesh_cells.triangle_regions");
+        assert_eq!(unsafe { addr_of!((*start).tetrahedron_regions) } as usize - start as usize, 80, "obc_mesh_cells.tetrahedron_regions");
+        assert_eq!(unsafe { addr_of!((*start).hexahedron_regions) } as usize - start as usize, 88, "obc_mesh_cells.hexahedron_regions");
         assert_eq!((size_of::<obc_mesh_tetrahedron_quality_report>(), align_of::<obc_mesh_tetrahedron_quality_report>()), (440, 8));
         let it = MaybeUninit::<obc_mesh_tetrahedron_quality_report>::uninit();
         let start = it.as_ptr();

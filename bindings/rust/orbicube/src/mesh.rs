@@ -98,6 +98,30 @@ impl Mesh {
         cells.hexahedron_count = rows(hexahedra.len(), 8, "hexahedra")?;
         Mesh::made(&mut Host::new(), |host, out, error| unsafe { obc_mesh_create(&cells, host, out, error) })
     }
+    /// A copy with these region numbers, one for each triangle, tetrahedron and hexahedron; of each kind none if the slice is empty.
+    pub fn with_regions(&self, triangles: &[i32], tetrahedra: &[i32], hexahedra: &[i32]) -> Result<Mesh, Error> {
+        let (four, eight) = (self.tetrahedra(), self.hexahedra());
+        let mut cells: obc_mesh_cells = unsafe { std::mem::zeroed() };
+        unsafe { obc_mesh_cells_init(&mut cells, std::mem::size_of::<obc_mesh_cells>()) };
+        cells.positions = pointer(self.positions());
+        cells.vertex_count = self.positions().len() / 3;
+        cells.triangles = pointer(self.triangles());
+        cells.triangle_count = self.triangles().len() / 3;
+        cells.tetrahedra = pointer(&four);
+        cells.tetrahedron_count = four.len() / 4;
+        cells.hexahedra = pointer(&eight);
+        cells.hexahedron_count = eight.len() / 8;
+        for (regions, count, what) in [(triangles, cells.triangle_count, "triangles"), (tetrahedra, cells.tetrahedron_count, "tetrahedra"),
+                                       (hexahedra, cells.hexahedron_count, "hexahedra")] {
+            if !regions.is_empty() && regions.len() != count {
+                return Err(Error::invalid(format!("{} region numbers of {count} {what}", regions.len())));
+            }
+        }
+        cells.triangle_regions = pointer(triangles);
+        cells.tetrahedron_regions = pointer(tetrahedra);
+        cells.hexahedron_regions = pointer(hexahedra);
+        Mesh::made(&mut Host::new(), |host, out, error| unsafe { obc_mesh_create(&cells, host, out, error) })
+    }
     /// A closed surface by name, of about the given number of triangles.
     pub fn make(shape: &str, triangles: usize, seed: u64, host: &mut Host) -> Result<Mesh, Error> {
         let shape = c_string(shape)?;
@@ -145,6 +169,28 @@ impl Mesh {
         unsafe { obc_mesh_copy(self.as_ptr(), std::ptr::null_mut(), none, none, cells.as_mut_ptr(), std::ptr::null_mut()) };
         cells
     }
+    /// The region number of each triangle, 0 for none, as a copy; empty if there are none.
+    pub fn triangle_regions(&self) -> Vec<i32> {
+        self.regions(OBC_MESH_TRIANGLE_REGIONS, unsafe { obc_mesh_triangle_count(self.as_ptr()) }, 0)
+    }
+    /// That of each tetrahedron.
+    pub fn tetrahedron_regions(&self) -> Vec<i32> {
+        self.regions(OBC_MESH_TETRAHEDRON_REGIONS, unsafe { obc_mesh_tetrahedron_count(self.as_ptr()) }, 1)
+    }
+    /// That of each hexahedron.
+    pub fn hexahedron_regions(&self) -> Vec<i32> {
+        self.regions(OBC_MESH_HEXAHEDRON_REGIONS, unsafe { obc_mesh_hexahedron_count(self.as_ptr()) }, 2)
+    }
+    fn regions(&self, kind: i32, count: usize, place: usize) -> Vec<i32> {
+        if unsafe { obc_mesh_region_kinds(self.as_ptr()) } & kind as u32 == 0 {
+            return Vec::new();
+        }
+        let mut numbers = vec![0; count];
+        let mut to = [std::ptr::null_mut(); 3];
+        to[place] = numbers.as_mut_ptr();
+        unsafe { obc_mesh_copy_regions(self.as_ptr(), to[0], to[1], to[2], std::ptr::null_mut()) };
+        numbers
+    }
     /// Of the file that it was read from.
     pub fn format(&self) -> String {
         text(unsafe { obc_mesh_format(self.as_ptr()) })
@@ -184,6 +230,7 @@ pub struct Format {
     pub polygons: bool,
     pub cells: bool,
     pub binary: bool,
+    pub regions: bool,
 }
 
 /// The formats of [`Mesh::read`] and [`Mesh::write`], in the order of `OBC_MESH_...`.
@@ -195,7 +242,8 @@ pub fn formats() -> Vec<Format> {
             let held = unsafe { obc_mesh_format_contents(i) };
             let holds = |bit: i32| held & bit as u32 != 0;
             Format { name: text(name(i)), ending: text(unsafe { obc_mesh_format_ending(i) }), polygons: holds(OBC_MESH_HOLDS_POLYGONS),
-                     cells: holds(OBC_MESH_HOLDS_CELLS), binary: holds(OBC_MESH_HOLDS_BINARY) }
+                     cells: holds(OBC_MESH_HOLDS_CELLS), binary: holds(OBC_MESH_HOLDS_BINARY),
+                     regions: holds(OBC_MESH_HOLDS_REGIONS) }
         })
         .collect()
 }

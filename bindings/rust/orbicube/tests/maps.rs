@@ -31,6 +31,11 @@ fn files_hold_the_same_bits_and_defects_are_named() {
     assert!(mesh::shape_names().contains(&"torus".to_string()));
     let cells: Vec<String> = mesh::formats().into_iter().filter(|format| format.cells).map(|format| format.ending).collect();
     assert_eq!(cells, [".mesh", ".vtk", ".msh", ".inp", ".vtu"]);
+    let marked = Mesh::new(&[0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0], &[0, 1, 2, 0, 2, 1], &[], &[]).unwrap();
+    assert!(marked.triangle_regions().is_empty());
+    let marked = marked.with_regions(&[7, -2], &[], &[]).unwrap();
+    assert_eq!((marked.triangle_regions(), marked.tetrahedron_regions()), (vec![7, -2], vec![]));
+    assert!(marked.with_regions(&[7], &[], &[]).is_err());
     assert_eq!(mesh::orientation_from_origin([0.1; 3], [0.2; 3], [0.0, 0.0, 1.0]), Some(0));
     assert_eq!(mesh::orientation_2d([f64::NAN, 0.0], [1.0, 0.0], [0.0, 1.0]), None);
     let search = mesh::Search::new(shape.surface(), &mut host()).unwrap();
