@@ -2,6 +2,8 @@
 # add_subdirectory(orbicube/libs/trust_region), or FetchContent with SOURCE_SUBDIR libs. Each becomes a target orbicube::NAME, static or,
 # with BUILD_SHARED_LIBS, shared. Meson builds, tests and installs everything else; sources are listed in its files, which are read here.
 include_guard(GLOBAL)
+# CMAKE_UNITY_BUILD is for the sources around: files of most libraries have local names in common.
+option(ORBICUBE_UNITY_BUILD "compile each library as one file: trust_region and quaternion only" OFF)
 get_filename_component(ORBICUBE_TREE "${CMAKE_CURRENT_LIST_DIR}/.." ABSOLUTE)
 set(ORBICUBE_TREE "${ORBICUBE_TREE}" CACHE INTERNAL "the tree of Orbicube")
 
@@ -25,7 +27,7 @@ function(orbicube_objects target)
   add_library(${target} OBJECT ${ARGN})
   target_compile_features(${target} PRIVATE cxx_std_20)
   set_target_properties(${target} PROPERTIES CXX_EXTENSIONS OFF CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
-                        POSITION_INDEPENDENT_CODE ON)
+                        POSITION_INDEPENDENT_CODE ON UNITY_BUILD "${ORBICUBE_UNITY_BUILD}")
   target_include_directories(${target} PRIVATE "${ORBICUBE_TREE}" "${ORBICUBE_TREE}/libs" "${ORBICUBE_TREE}/capi/include")
   # Results must not depend on whether a compiler fuses a*b+c.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU,Clang,AppleClang>:-ffp-contract=off>
