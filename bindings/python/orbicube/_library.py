@@ -1,7 +1,7 @@
 """Finds and loads the shared libraries, each when its first function is called.
 
-They are looked for in the folders of the variable ORBICUBE_LIBRARIES (as in PATH), in the package itself (a wheel carries
-them there), then where the system looks.
+They are looked for in the folders of the variable ORBICUBE_LIBRARIES (as in PATH), in the package itself and beside it (a wheel
+carries them there, by setuptools or by meson-python), then where the system looks.
 """
 
 from __future__ import annotations
@@ -41,22 +41,32 @@ class Struct(ctypes.Structure):
         return f"{type(self).__name__}({members})"
 
 
-def _file_name(library: str) -> str:
-    name = "orbicube-" + library.replace("_", "-")
+def _file_name(name: str) -> str:
     if sys.platform == "darwin":
         return f"lib{name}.0.dylib"
     return f"{name}-0.dll" if sys.platform == "win32" else f"lib{name}.so.0"
 
 
+def _combined(folder: str, library: str) -> ctypes.CDLL | None:
+    """The one library with all C functions that a wheel of meson-python carries, where it has those of this one."""
+    path = os.path.join(folder, _file_name("orbicube"))
+    if not os.path.exists(path):
+        return None
+    combined = ctypes.CDLL(path)
+    return combined if hasattr(combined, f"obc_{library}_version") else None
+
+
 def load(library: str) -> ctypes.CDLL:
     """The shared library of that name; ImportError says where it was looked for."""
     if library not in _loaded:
-        file = _file_name(library)
+        file = _file_name("orbicube-" + library.replace("_", "-"))
+        package = os.path.dirname(os.path.abspath(__file__))
         folders = [folder for folder in os.environ.get("ORBICUBE_LIBRARIES", "").split(os.pathsep) if folder]
-        folders.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), "lib"))
-        path = next((p for p in (os.path.join(folder, file) for folder in folders) if os.path.exists(p)), file)
+        folders.append(os.path.join(package, "lib"))
+        path = next((p for p in (os.path.join(folder, file) for folder in folders) if os.path.exists(p)), None)
+        folders.append(os.path.join(os.path.dirname(package), ".orbicube.mesonpy.libs"))
         try:
-            _loaded[library] = ctypes.CDLL(path)
+            _loaded[library] = ctypes.CDLL(path) if path else _combined(folders[-1], library) or ctypes.CDLL(file)
         except OSError as error:
             raise ImportError(f"orbicube.{library}: {error}. Looked in {', '.join(folders)} and where the system looks; "
                               "name the folder of the libraries in ORBICUBE_LIBRARIES") from error
@@ -79,5 +89,5 @@ def bind(library: str, uses: list[str], functions: list[tuple[str, Any, list[Any
         function.restype, function.argtypes = result, arguments
         namespace[name] = function
     if wanted not in namespace:
-        raise AttributeError(f"{_file_name(library)} is too old: it has no {wanted}")
+        raise AttributeError(f"the library {library} is too old: it has no {wanted}")
     return namespace[wanted]

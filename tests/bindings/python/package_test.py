@@ -3,10 +3,12 @@ works without the tree."""
 
 import glob
 import os
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
+import tomllib
 import zipfile
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
@@ -78,11 +80,32 @@ def wheel_that_builds_one_library(folder):
                    env=without_libraries(PYTHONPATH=installed(folder, wheel)))
 
 
+def one_package_in_both_declarations():
+    """pyproject.toml in the top folder (Meson, with the command) and bindings/python/pyproject.toml (setuptools)."""
+    projects = []
+    for folder in (ROOT, os.path.join(ROOT, "bindings", "python")):
+        with open(os.path.join(folder, "pyproject.toml"), "rb") as file:
+            projects.append({**tomllib.load(file)["project"], "readme": None})
+    assert projects[0] == projects[1], projects
+
+
+def every_module_in_the_file_of_meson():
+    """bindings/python/meson.build names the modules that are of no library; the others have the names of libraries."""
+    with open(os.path.join(ROOT, "bindings", "python", "meson.build"), encoding="utf-8") as file:
+        named = set(re.findall(r"'orbicube/(\w+\.\w+)'", file.read()))
+    package = os.path.join(ROOT, "bindings", "python", "orbicube")
+    libraries = {name.replace(".pyi", ".py") for name in os.listdir(os.path.join(package, "raw")) if name.endswith(".pyi")}
+    there = {name for name in os.listdir(package) if name.endswith((".py", ".typed"))}
+    assert named == there - libraries, (named, there - libraries)
+
+
 def main():
     for needed in ("pip", "setuptools", "wheel"):
         if subprocess.run([sys.executable, "-c", "import " + needed], capture_output=True, check=False).returncode != 0:
             print(f"Python has no {needed}: a wheel cannot be made")
             sys.exit(77)  # what Meson takes for "skipped"
+    one_package_in_both_declarations()
+    every_module_in_the_file_of_meson()
     for case in (wheel_of_built_libraries, wheel_that_builds_one_library):
         with tempfile.TemporaryDirectory() as folder:
             case(folder)
