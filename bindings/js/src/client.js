@@ -1,12 +1,13 @@
 // Work in a thread of its own: a page stays alive meanwhile, receives progress, and can end it.
 import { OrbicubeError } from './errors.js';
+import { ofNode } from './node.js';
 
 const aborted = () => new DOMException('the work was cancelled', 'AbortError');
 
 async function startWorker() {
   const url = new URL('./worker.js', import.meta.url);
   if (typeof Worker === 'undefined') {
-    const { Worker: Thread } = await import('node:worker_threads');
+    const { Worker: Thread } = await ofNode('worker_threads');
     return new Thread(url);
   }
   return new Worker(url, { type: 'module' });

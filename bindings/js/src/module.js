@@ -1,13 +1,14 @@
 // The WebAssembly module, and the way into it: memory, structs, texts, errors, callbacks. Everything else is made of these.
 import create from './wasm.mjs';
 import { OrbicubeError } from './errors.js';
+import { ofNode } from './node.js';
 import { callbacks, constants, layouts, words } from './raw/raw.js';
 
 let wasm = null;
 
 async function bytesOf(url) {
   if (url.protocol === 'file:') {
-    const { readFile } = await import('node:fs/promises');
+    const { readFile } = await ofNode('fs/promises');
     return readFile(url);
   }
   const answer = await fetch(url);

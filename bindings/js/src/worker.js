@@ -5,6 +5,7 @@ import { sphereMap } from './sphere_map.js';
 import { polycube } from './polycube.js';
 import { readGltf, writeGlb } from './gltf.js';
 import { facing, morph, sphereGlb } from './morph.js';
+import { ofNode } from './node.js';
 
 /** What a worker can do; results are plain objects with arrays, which are moved and not copied. */
 const works = {
@@ -38,7 +39,7 @@ const works = {
 };
 
 const inNode = typeof self === 'undefined';
-const port = inNode ? (await import('node:worker_threads')).parentPort : self;
+const port = inNode ? (await ofNode('worker_threads')).parentPort : self;
 const listen = (listener) => (inNode ? port.on('message', listener) : port.addEventListener('message', (event) => listener(event.data)));
 
 listen(async ({ id, work, given, cancel }) => {
