@@ -21,7 +21,7 @@ license = "Apache-2.0"
 readme = "README.md"
 links = "orbicube"
 build = "build.rs"
-include = ["/src", "/build.rs", "/README.md"]
+include = ["/src", "/build.rs", "/README.md", "/vendor"]
 """
 
 

@@ -30,13 +30,15 @@ fn main() {
     if !tree && asked(&wanted, None) {
         return;
     }
-    let root = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap()).join("../../..");
-    if !root.join("capi/meson.build").exists() {
+    // The published crate has the sources in it; in a clone they are around it.
+    let here = PathBuf::from(env::var_os("CARGO_MANIFEST_DIR").unwrap());
+    let roots = [here.join("vendor"), here.join("../../..")];
+    let root = roots.into_iter().find(|root| root.join("capi/meson.build").exists()).unwrap_or_else(|| {
         panic!(
-            "the Orbicube libraries {wanted:?} were found neither by pkg-config nor in a tree around this crate; name \
-             their folder in ORBICUBE_LIBRARIES"
-        );
-    }
+            "the Orbicube libraries {wanted:?} were found neither by pkg-config nor as sources in or around this crate; \
+             name their folder in ORBICUBE_LIBRARIES"
+        )
+    });
     let prefix = built(&root, &wanted);
     if !asked(&wanted, Some(&prefix.join("lib/pkgconfig"))) {
         panic!("pkg-config is missing, or does not find what Meson has just installed to {}", prefix.display());
@@ -52,7 +54,10 @@ fn asked(wanted: &[&str], folder: Option<&Path>) -> bool {
     let mut command = Command::new(env::var_os("PKG_CONFIG").unwrap_or_else(|| "pkg-config".into()));
     command.arg("--libs").args(wanted.iter().copied().chain(["base"]).map(dashed));
     if let Some(folder) = folder {
-        command.arg("--static").env("PKG_CONFIG_LIBDIR", folder).env_remove("PKG_CONFIG_PATH");
+        // Before all others, among which is what these need (zlib).
+        let others = env::var_os("PKG_CONFIG_PATH").unwrap_or_default();
+        let folders = [folder.to_path_buf()].into_iter().chain(env::split_paths(&others));
+        command.arg("--static").env("PKG_CONFIG_PATH", env::join_paths(folders).unwrap());
     }
     let output = match command.output() {
         Ok(output) => output,
@@ -100,6 +105,8 @@ fn run(command: &mut Command) {
             String::from_utf8_lossy(&output.stdout),
             String::from_utf8_lossy(&output.stderr)
         ),
-        Err(error) => panic!("{command:?}: {error}"),
+        Err(error) => panic!(
+            "{command:?}: {error}; building the Orbicube libraries requires Meson, ninja, pkg-config and a C++20 compiler"
+        ),
     }
 }
