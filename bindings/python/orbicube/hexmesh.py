@@ -34,7 +34,7 @@ class MissingFeature(Record):
         self.first: Doubles = np.array(found.first)
         self.last: Doubles = np.array(found.last)
         self.captured: float = found.captured
-        self.why: str = raw.obc_hexmesh_missing_reason(handle, index).decode()
+        self.why: str = (raw.obc_hexmesh_missing_reason(handle, index) or b"").decode()
 
 
 class Hexes(Record):
