@@ -132,6 +132,9 @@ void write_output(const std::filesystem::path& path, const gltf::Kept& kept, Ses
 }
 
 void write_output(const std::filesystem::path& path, const mesh::Mesh& mesh, bool binary, Session& session) {
+  if (!mesh.regions.empty() && !mesh::holds(path, mesh::Holds::regions)) {
+    session.note("region numbers were left out: " + mesh::format_endings(mesh::Holds::regions) + " hold them");
+  }
   about(path, Role::output, [&] {
     const std::filesystem::path file = session.stage(path);
     if (is_gltf(path)) {

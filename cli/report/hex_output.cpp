@@ -7,6 +7,10 @@
 
 #include "base/counted.h"
 #include "files/surface_file.h"
+#include "mesh/files/write.h"
+#include "mesh/regions/nearest_regions.h"
+#include "mesh/regions/region_numbers.h"
+#include "mesh/search/unit_scale.h"
 #include "mesh/topology/place_text.h"
 #include "report/text.h"
 #include "solids/solid_input.h"
@@ -112,6 +116,38 @@ std::string worst_piece_text(const hexmesh::HexResult& result) {
          base::counted(worst->hexahedra, "hexahedron", "hexahedra");
 }
 
+// Gives the hexahedra their regions and returns those of the quads.
+base::Array<std::int32_t> take_regions(const mesh::Mesh& input, std::span<const mesh::Quad> quads, mesh::Mesh& cells,
+                                       const base::Host& host) {
+  base::Array<std::int32_t> of_quads(host.memory);
+  if (input.regions.empty()) return of_quads;
+  mesh::Mesh from(host.memory);
+  from = input;
+  const int exponent = mesh::bring_to_unit_size(from);
+  base::Array<mesh::Vector3> positions(cells.positions, host.memory);
+  mesh::scale_by_power(positions, exponent);
+  base::Array<mesh::FacePlace> faces(host.memory);
+  for (const mesh::Quad& quad : quads)
+    faces.push_back(mesh::face_place(positions, quad));
+  base::Array<mesh::Vector3> centers(host.memory);
+  for (const mesh::Hexahedron& h : cells.hexahedra) {
+    mesh::Vector3 center = mesh::Vector3::Zero();
+    for (const mesh::Index v : h)
+      center += positions[v] / 8;
+    centers.push_back(center);
+  }
+  cells.regions.hexahedra = mesh::nearest_cell_regions(from, centers, host);
+  return mesh::nearest_face_regions(from, faces, host);
+}
+
+void report_regions(std::span<const std::int32_t> of_quads, std::span<const std::int32_t> of_hexahedra,
+                    Session& session) {
+  const auto count = [&](std::span<const std::int32_t> regions) {
+    return mesh::distinct_regions(regions, session.host().memory).size();
+  };
+  session.figures()["regions"] = {{"quadrilaterals", count(of_quads)}, {"hexahedra", count(of_hexahedra)}};
+}
+
 // Why a mesh is no result; empty if it is one.
 std::string shortfall(const HexOutput& output, const hexmesh::Hexahedra& made, double asked) {
   if (asked > 0 && !(std::max(made.result.distance, made.result.volume_error) <= far * asked))
@@ -132,7 +168,8 @@ void require_hex_output(const HexOutput& output) {
     throw Failure(Exit::wrong_input, output.glb, "unsupported-format", "--glb needs one of " + gltf_endings);
 }
 
-void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double asked, Session& session) {
+void write_hexahedra(const HexOutput& output, const mesh::Mesh& input, hexmesh::Hexahedra made, double asked,
+                     Session& session) {
   const base::Host& host = session.host();
   hexmesh::HexResult& result = made.result;
   const hexmesh::HexQuality& quality = result.quality;
@@ -171,7 +208,10 @@ void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double as
   mesh::Mesh cells(host.memory);
   cells.positions = std::move(result.mesh.positions);
   cells.hexahedra = std::move(result.mesh.hexahedra);
-  write_cells_exactly(output.path, cells, output.text, session);
+  const base::Array<std::int32_t> of_quads = take_regions(input, result.mesh.quads, cells, host);
+  const std::span<const mesh::Quad> quads = of_quads.empty() ? std::span<const mesh::Quad>() : result.mesh.quads;
+  report_regions(of_quads, cells.regions.hexahedra, session);
+  write_cells_exactly(output.path, cells, {.binary = !output.text, .quads = quads, .quad_regions = of_quads}, session);
   for (const std::string& note : session.notes())
     session.say("note: " + note);
   session.say("wrote " + output.path + ": " + base::counted(cells.hexahedra.size(), "hexahedron", "hexahedra") +

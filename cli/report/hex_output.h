@@ -21,7 +21,9 @@ struct HexOutput {
 // Throws Failure where one of the files could not be written, by its name.
 void require_hex_output(const HexOutput& output);
 
-// `asked` is the distance that was, in percent.
-void write_hexahedra(const HexOutput& output, hexmesh::Hexahedra made, double asked, Session& session);
+// `asked` is the distance that was, in percent. Where triangles or cells of the input have regions, quadrilaterals of
+// the boundary or hexahedra get those of the nearest.
+void write_hexahedra(const HexOutput& output, const mesh::Mesh& input, hexmesh::Hexahedra made, double asked,
+                     Session& session);
 
 }  // namespace orbicube::cli

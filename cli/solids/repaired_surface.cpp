@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "mesh/regions/nearest_regions.h"
 #include "report/text.h"
 
 namespace orbicube::cli {
@@ -74,6 +75,7 @@ InputMesh read_mended(const std::filesystem::path& path, const Mending& mending,
       throw base::Error("no-valid-result", "the repair reached no closed, oriented manifold: " +
                                                repair::shortcomings(repaired.report.certificate));
     }
+    input.mesh.regions.triangles = repaired_regions(input.mesh, repaired.surface, session.host());
     input.mesh.positions = std::move(repaired.surface.positions);
     input.mesh.triangles = std::move(repaired.surface.triangles);
     if (input.report.tags && !input.report.tags->empty()) {
@@ -86,6 +88,23 @@ InputMesh read_mended(const std::filesystem::path& path, const Mending& mending,
     }
   });
   return input;
+}
+
+base::Array<std::int32_t> repaired_regions(const mesh::Mesh& input, const repair::Soup& surface,
+                                           const base::Host& host) {
+  base::Array<std::int32_t> result(host.memory);
+  if (input.regions.triangles.empty()) return result;
+  base::Array<mesh::FacePlace> made(host.memory);
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+    const mesh::Index source = surface.triangle_source[i];
+    result.push_back(source == mesh::no_index ? 0 : input.regions.triangles[source]);
+    if (source == mesh::no_index) made.push_back(mesh::face_place(surface.positions, surface.triangles[i]));
+  }
+  const auto of_made = mesh::nearest_face_regions(input, made, host);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (surface.triangle_source[i] == mesh::no_index && !of_made.empty()) result[i] = of_made[next++];
+  return result;
 }
 
 std::vector<std::string> lines_of(const repair::Report& r) {

@@ -25,6 +25,10 @@ void add_mending_options(CLI::App& verb, Mending& mending);
 InputMesh read_mended(const std::filesystem::path& path, const Mending& mending, Session& session,
                       Keep keep = Keep::surface, bool tags = false);
 
+// The regions of repaired triangles: those of their sources and, of triangles without one, of the nearest of the input.
+base::Array<std::int32_t> repaired_regions(const mesh::Mesh& input, const repair::Soup& surface,
+                                           const base::Host& host);
+
 // What the steps did, one sentence each; empty for a clean surface.
 std::vector<std::string> lines_of(const repair::Report& report);
 // The entry "certificate" of reports.

@@ -97,14 +97,16 @@ void report_findings(const volume_map::InputFindings& findings, const std::strin
   figures["seconds_polycube"] = findings.polycube_seconds;
 }
 
-void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, Session& session) {
+void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, const mesh::WriteOptions& options,
+                         Session& session) {
   const base::Host& host = session.host();
   about(path, Role::output, [&] {
     const std::filesystem::path file = session.stage(path);
-    mesh::write_mesh(file, cells, {.binary = !text}, host);
+    mesh::write_mesh(file, cells, options, host);
     const mesh::Mesh again = mesh::read_mesh(file, {}, host);
     if (again.positions != cells.positions || again.tetrahedra != cells.tetrahedra ||
-        again.hexahedra != cells.hexahedra)
+        again.hexahedra != cells.hexahedra || again.regions.tetrahedra != cells.regions.tetrahedra ||
+        again.regions.hexahedra != cells.regions.hexahedra)
       throw base::Error("no-valid-result", "verification failed: the written file reads back differently");
   });
 }

@@ -9,6 +9,7 @@
 #include "base/catch_all.h"
 #include "files/given_polycube_file.h"
 #include "files/surface_file.h"
+#include "mesh/files/write.h"
 #include "mesh/mesh.h"
 #include "session/session.h"
 #include "solids/repaired_surface.h"
@@ -63,6 +64,7 @@ auto about_solid(const std::string& input, const std::string& output, const std:
 }
 
 // Writes beside the place, reads again and compares, so that the file holds the certified mesh.
-void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, bool text, Session& session);
+void write_cells_exactly(const std::string& path, const mesh::Mesh& cells, const mesh::WriteOptions& options,
+                         Session& session);
 
 }  // namespace orbicube::cli

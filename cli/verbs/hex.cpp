@@ -115,7 +115,7 @@ void run_hex(const HexVerb& verb, Session& session) {
   hexmesh::Hexahedra made =
       about_solid(verb.solid.input, verb.output.path, input.report.format, findings, session,
                   [&] { return hexmesh::make_hexahedra(input.mesh, options, findings, session.host()); });
-  write_hexahedra(output, std::move(made), verb.distance, session);
+  write_hexahedra(output, input.mesh, std::move(made), verb.distance, session);
 }
 
 void add_drawing_options(CLI::App& verb, HexVerb& options) {

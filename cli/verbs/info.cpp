@@ -5,6 +5,7 @@
 
 #include "base/counted.h"
 #include "files/surface_file.h"
+#include "mesh/regions/region_numbers.h"
 #include "mesh/topology/cells.h"
 #include "mesh/topology/topology.h"
 #include "report/cell_figures.h"
@@ -206,6 +207,23 @@ void tell_cells(const mesh::Mesh& mesh, Session& session) {
   table.row("frame field", text_of(field));
 }
 
+void tell_regions(const mesh::Mesh& mesh, Session& session) {
+  const auto tell = [&](const char* name, std::span<const std::int32_t> regions) {
+    const auto numbers = mesh::distinct_regions(regions, session.host().memory);
+    session.figures()["regions"][name] = numbers.size();
+    if (numbers.empty()) return std::string();
+    const std::string range = numbers.size() == 1
+                                  ? "number " + std::to_string(numbers.front())
+                                  : std::to_string(numbers.front()) + " to " + std::to_string(numbers.back());
+    return base::counted(numbers.size(), "region") + " of " + name + " (" + range + ")";
+  };
+  const Table table(session);
+  for (const std::string& text :
+       {tell("triangles", mesh.regions.triangles), tell("tetrahedra", mesh.regions.tetrahedra),
+        tell("hexahedra", mesh.regions.hexahedra)})
+    if (!text.empty()) table.row("regions", text);
+}
+
 void info(const InfoOptions& options, Session& session) {
   session.options() = {{"weld", options.weld}};
   const InputMesh input = read_input(options.input, options.weld, session);
@@ -221,6 +239,7 @@ void info(const InfoOptions& options, Session& session) {
                        {"welded_vertices", input.report.welded_vertices}};
   table.row("vertices", std::to_string(mesh.positions.size()));
   table.row("triangles", std::to_string(mesh.triangles.size()));
+  tell_regions(mesh, session);
   about(options.input, Role::input, [&] {
     if (mesh.tetrahedra.empty() && mesh.hexahedra.empty()) {
       const mesh::Topology facts = mesh::topology(mesh.positions, mesh.triangles, session.host());

@@ -134,7 +134,7 @@ void write(const ParameterizeVerb& verb, const mesh::Mesh& solid, int exponent, 
     mesh::Mesh cells(host.memory);
     cells.positions = positions;
     cells.tetrahedra = solid.tetrahedra;
-    write_cells_exactly(verb.split, cells, false, session);
+    write_cells_exactly(verb.split, cells, {}, session);
   }
   if (verb.page.empty()) return;
   write_parameter_page(verb.page, surface, name,

@@ -109,6 +109,7 @@ void run_repair(RepairVerb& verb, Session& session) {
   const std::string lacks = missing(verb.options, repaired.report.certificate);
   if (lacks.empty() || verb.keep_partial) {
     mesh::Mesh result(session.host().memory);
+    result.regions.triangles = repaired_regions(input.mesh, repaired.surface, session.host());
     result.positions = std::move(repaired.surface.positions);
     result.triangles = std::move(repaired.surface.triangles);
     write_output(verb.output, result, !verb.text, session);

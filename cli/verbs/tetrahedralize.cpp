@@ -80,6 +80,10 @@ void tetrahedralize(TetrahedralizeOptions options, Session& session) {
   result.positions = std::move(solid.positions);
   result.tetrahedra = std::move(solid.tetrahedra);
   result.triangles = std::move(solid.boundary);
+  if (!input.mesh.regions.triangles.empty()) {
+    for (const mesh::Index source : solid.boundary_source)
+      result.regions.triangles.push_back(input.mesh.regions.triangles[source]);
+  }
   write_output(options.output, result, !options.text, session);
 
   const std::size_t added = result.positions.size() - input.mesh.positions.size();

@@ -11,6 +11,7 @@
 #include "files/surface_file.h"
 #include "frame_field/frames_file.h"
 #include "mesh/files/write.h"
+#include "mesh/regions/nearest_regions.h"
 #include "mesh/search/unit_scale.h"
 #include "mesh/topology/cells.h"
 #include "mesh/topology/place_text.h"
@@ -67,12 +68,23 @@ void write_resampled(const VolumeVerb& verb, const volume_map::VolumeMap& map, i
   });
 }
 
-// The pieces of the input, times 2^exponent.
+base::Array<mesh::Vector3> centers_of(const mesh::Mesh& solid) {
+  base::Array<mesh::Vector3> centers(solid.positions.get_allocator());
+  for (const mesh::Tetrahedron& t : solid.tetrahedra) {
+    const auto& x = solid.positions;
+    centers.push_back((x[t[0]] + x[t[1]] + x[t[2]] + x[t[3]]) / 4);
+  }
+  return centers;
+}
+
+// The pieces of the input, times 2^exponent, and a copy of it if its tetrahedra have regions.
 std::vector<volume_map::PolycubePiece> read_pieces(const VolumeVerb& verb, volume_map::InputFindings& findings,
-                                                   int& exponent, frame_field::Field& frames, Session& session) {
+                                                   int& exponent, frame_field::Field& frames, mesh::Mesh& with_regions,
+                                                   Session& session) {
   const SolidOptions& options = verb.solid;
   InputMesh input = session.portion(0.03, [&] { return read_mended(options.input, options.mending, session); });
   exponent = mesh::bring_to_unit_size(input.mesh);
+  if (!input.mesh.regions.tetrahedra.empty()) with_regions = input.mesh;
   if (!verb.frames.empty()) frames = read_frames_of(verb, input.mesh, session);
   std::optional<SolidPolycube> given = read_solid_polycube(options, session);
   if (given) mesh::scale_by_power(given->file.pose, exponent);
@@ -100,11 +112,16 @@ volume_map::VolumeMap map_of(std::span<const volume_map::PolycubePiece> pieces, 
   return volume_map::map_to_polycube_by_frames(solids.front(), frames, guided, session.host(), engine);
 }
 
+void require_outputs(const VolumeVerb& verb) {
+  require_cells_writable(verb.output);
+  for (const std::string& path : {verb.source, verb.resample}) {
+    if (!path.empty()) require_cells_writable(path);
+  }
+}
+
 void run_volume(const VolumeVerb& verb, Session& session) {
   const std::unique_ptr<untangle::BlockEngine> engine = start_solver(verb.solver);
-  require_cells_writable(verb.output);
-  if (!verb.source.empty()) require_cells_writable(verb.source);
-  if (!verb.resample.empty()) require_cells_writable(verb.resample);
+  require_outputs(verb);
   session.options() = {{"output", verb.output},    {"source", verb.source}, {"solver", verb.solver},
                        {"text", verb.text},        {"frames", verb.frames}, {"cells", verb.cells},
                        {"resample", verb.resample}};
@@ -112,8 +129,9 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   int exponent = 0;
   volume_map::InputFindings findings = findings_of(session);
   frame_field::Field frames(session.host().memory);
-  const std::vector<volume_map::PolycubePiece> pieces =
-      session.portion(0.4, [&] { return read_pieces(verb, findings, exponent, frames, session); });
+  mesh::Mesh with_regions(session.host().memory);
+  const auto pieces =
+      session.portion(0.4, [&] { return read_pieces(verb, findings, exponent, frames, with_regions, session); });
   const double start = session.seconds();
   volume_map::GuidedFigures guided;
   volume_map::VolumeMap map = about(verb.output, Role::output, [&] {
@@ -136,6 +154,7 @@ void run_volume(const VolumeVerb& verb, Session& session) {
   mesh::Mesh cells(session.host().memory);
   cells.tetrahedra = std::move(map.tetrahedra);
   cells.positions = std::move(map.source);
+  cells.regions.tetrahedra = mesh::nearest_cell_regions(with_regions, centers_of(cells), session.host());
   mesh::scale_by_power(cells.positions, -exponent);
   about(verb.solid.input, Role::input, [&] {
     report_intersections(verb.source.empty() ? verb.solid.input : verb.source, cells.positions,
@@ -143,10 +162,10 @@ void run_volume(const VolumeVerb& verb, Session& session) {
                          "the map is one to one between the tetrahedra, but the solid lies over itself there",
                          session.figures(), session);
   });
-  if (!verb.source.empty()) write_cells_exactly(verb.source, cells, verb.text, session);
+  if (!verb.source.empty()) write_cells_exactly(verb.source, cells, {.binary = !verb.text}, session);
   cells.positions = std::move(map.image);
   mesh::scale_by_power(cells.positions, -exponent);
-  write_cells_exactly(verb.output, cells, verb.text, session);
+  write_cells_exactly(verb.output, cells, {.binary = !verb.text}, session);
   for (const std::string& note : session.notes())
     session.say("note: " + note);
   session.say("wrote " + verb.output + ": " + base::counted(cells.tetrahedra.size(), "tetrahedron", "tetrahedra") +
