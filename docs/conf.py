@@ -19,7 +19,7 @@ html_show_sphinx = False
 
 # The menu: every page, in this order; what is not named comes at the end of its part.
 PARTS = {
-    "Guides": ["guide_solvers", "guide_shapes", "guide_engines"],
+    "Guides": ["guide_solvers", "guide_shapes", "guide_engines", "finite_elements"],
     "The command": ["command", "file_formats", "mesh_formats", "error_kinds"],
     "Libraries": ["base", "quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "linear", "harmonics", "harmonics_figures",
                   "mesh", "gltf", "repair", "frame_field", "frame_field_tables", "sphere_map", "sphere_map_tables", "sphere_map_uses",
