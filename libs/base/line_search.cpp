@@ -24,6 +24,7 @@ void WolfeSearch::start(double value, double lowest, double slope, double longes
   start_value = low_value = value;
   start_slope = low_slope = slope;
   longest = longest_length;
+  max_rise = std::numeric_limits<double>::infinity();
   length = 1;
   level = lowest + rounding * std::abs(lowest);
 }
@@ -54,7 +55,7 @@ bool WolfeSearch::hopeless() const {
 
 Search WolfeSearch::advance(double value, double slope) {
   constexpr double decrease = 1e-4, curvature = 0.9;
-  constexpr std::uint64_t trial_limit = 30;
+  constexpr std::uint64_t trial_limit = 30, max_flattening = 5;
   constexpr double endless_length = 1e15;
   ++trials;
   const bool finite = std::isfinite(value) && std::isfinite(slope);
@@ -62,7 +63,8 @@ Search WolfeSearch::advance(double value, double slope) {
   const bool lower = value <= start_value + decrease * length * start_slope;
   const bool not_higher = value <= level;
   const bool flat_enough = slope >= curvature * start_slope;
-  if (finite) {
+  const bool rises = slope > -max_rise * start_slope && trials <= max_flattening;
+  if (finite && !rises) {
     if (flat_enough && (lower || (not_higher && slope <= (2 * decrease - 1) * start_slope))) return Search::accept;
     if (!flat_enough && lower && length >= longest) return Search::accept;
   }

@@ -1,8 +1,9 @@
 // One-dimensional searches, a trial at a time, for a solver that requests from its caller every value.
 //
-// WolfeSearch: bracketing and safeguarded cubic steps to the weak Wolfe conditions or, where f no longer resolves a
-// decrease, Hager and Zhang's approximate ones (2005, "A new conjugate gradient method with guaranteed descent").
-// BacktrackingSearch: quadratic backtracking to a nonmonotone sufficient decrease, for the dissertation's method.
+// WolfeSearch: bracketing and safeguarded cubic steps to the weak Wolfe conditions, or for some trials to the strong
+// ones, or, where f no longer resolves a decrease, Hager and Zhang's approximate ones (2005, "A new conjugate gradient
+// method with guaranteed descent"). BacktrackingSearch: quadratic backtracking to a nonmonotone sufficient decrease,
+// for the dissertation's method.
 #pragma once
 
 #include <array>
@@ -18,6 +19,8 @@ struct WolfeSearch {
   double start_value, start_slope;      // f and its derivative along the direction at 0
   double level;                         // f may end this high where it no longer resolves a decrease
   double longest;                       // the direction may be followed this far
+  double max_rise;                      // of the slope in the first trials' end, in units of -start_slope: the strong
+                                        // Wolfe condition; start() sets infinity, the weak one
   double low, low_value, low_slope;     // the best point with a sufficient decrease, 0 at first
   double high, high_value, high_slope;  // beyond the requested point, where there is one (NaN values: f failed there)
   double length;                        // of the trial that is requested

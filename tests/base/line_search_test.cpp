@@ -21,9 +21,10 @@ struct End {
   double length;
 };
 
-End search(double value, double slope, const Function& f) {
+End search(double value, double slope, const Function& f, double max_rise = std::numeric_limits<double>::infinity()) {
   WolfeSearch search;
   search.start(value, value, slope, std::numeric_limits<double>::infinity());
+  search.max_rise = max_rise;
   for (;;) {
     const double length = search.length;
     const auto [there, falls] = f(length);
@@ -72,4 +73,21 @@ TEST_CASE("A minimum along the direction is found under a little noise") {
   CHECK(end.verdict == Search::accept);
   CHECK(end.trials <= 4);
   CHECK(end.length == doctest::Approx(0.01).epsilon(0.9));
+}
+
+TEST_CASE("Where the slope may rise by little only, a steep end takes another trial to the minimum") {
+  const Function parabola = [](double t) { return std::pair((t - 0.52) * (t - 0.52), 2 * (t - 0.52)); };
+  const auto [value, slope] = parabola(0);
+  const End weak = search(value, slope, parabola);
+  CHECK(weak.verdict == Search::accept);
+  CHECK(weak.length == 1);
+  const End strong = search(value, slope, parabola, 0.9);
+  CHECK(strong.verdict == Search::accept);
+  CHECK(strong.trials == 2);
+  CHECK(strong.length == doctest::Approx(0.52).epsilon(1e-14));
+  // Slopes that never flatten, of a kink, end the search all the same, at a lower value.
+  const End kink = search(
+      1, -1, [](double t) { return t < 0.9 ? std::pair(1 - t, -1.0) : std::pair(t - 0.8, 1.0); }, 0.5);
+  CHECK(kink.verdict == Search::accept);
+  CHECK(kink.trials <= 10);
 }
