@@ -27,7 +27,7 @@ bool FaceStep::move(const FeasibleSet& set, std::span<double> target) {
   return true;
 }
 
-Projected FaceStep::find(FeasibleSet& set, LimitedMemory& model, std::span<const double> x,
+Projected FaceStep::find(FeasibleSet& set, HessianModel& model, std::span<const double> x,
                          std::span<const double> gradient, double projected_gradient, std::span<double> target,
                          const base::Host& host) {
   constexpr int round_limit = 8, shrink_limit = 3;

@@ -10,7 +10,7 @@
 #include "base/array.h"
 #include "base/host.h"
 #include "projected_gradient/feasible_set.h"
-#include "projected_gradient/limited_memory.h"
+#include "projected_gradient/hessian_model.h"
 
 namespace orbicube::projected_gradient {
 
@@ -20,7 +20,7 @@ class FaceStep {
 
   // target = a feasible point where the model g'(z - x) + (z - x)'B(z - x) / 2 is (nearly) least. The arrays have n
   // entries. `projected_gradient` is |P(x - g) - x|inf.
-  Projected find(FeasibleSet& set, LimitedMemory& model, std::span<const double> x, std::span<const double> gradient,
+  Projected find(FeasibleSet& set, HessianModel& model, std::span<const double> x, std::span<const double> gradient,
                  double projected_gradient, std::span<double> target, const base::Host& host);
 
  private:

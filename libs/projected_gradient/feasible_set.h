@@ -14,6 +14,7 @@
 #include "projected_gradient/normal_factor.h"
 #include "projected_gradient/problem.h"
 #include "projected_gradient/sparse_rows.h"
+#include "projected_gradient/vector_math.h"
 
 namespace orbicube::projected_gradient {
 
@@ -31,6 +32,9 @@ class FeasibleSet {
   std::size_t size() const { return lower_.size(); }
   std::size_t rows() const { return rows_.rows(); }
   bool custom() const { return static_cast<bool>(custom_); }
+  // Whether there are bounds alone; and whether each unknown has both.
+  bool box() const { return rows() == 0 && !custom(); }
+  bool bounded() const { return all_finite(lower_) && all_finite(upper_); }
   std::span<const double> lower() const { return lower_; }
   std::span<const double> upper() const { return upper_; }
 

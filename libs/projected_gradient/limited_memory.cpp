@@ -61,19 +61,17 @@ LimitedMemory::LimitedMemory(std::size_t n, std::size_t m, std::size_t capacity,
       dense_(2 * capacity, 0.0, memory) {}
 
 bool LimitedMemory::push(std::span<const double> s, std::span<const double> y, double sigma) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  const double length = std::sqrt(dot(s, s)), curvature = dot(s, y), change = dot(y, y);
-  if (!(length > 0) || !(curvature > epsilon * change) || !std::isfinite(change)) return false;
-  if (!(change / curvature < 1e300)) return false;
+  const double curvature = safe_curvature(s, y);
+  if (curvature == 0) return false;
   const std::size_t slot = count_ == 0 ? 0 : (newest_ + 1) % capacity_;
-  const double scale = 1 / length;
+  const double scale = 1 / std::sqrt(dot(s, s));
   for (std::size_t j = 0; j < n_; ++j) {
     table_[j * 2 * capacity_ + slot] = s[j] * scale;
     table_[j * 2 * capacity_ + capacity_ + slot] = y[j] * scale;
   }
   count_ = std::min<std::uint64_t>(count_ + 1, capacity_);
   newest_ = slot;
-  sigma_ = sigma > 0 && std::isfinite(sigma) ? sigma : change / curvature;
+  sigma_ = sigma > 0 && std::isfinite(sigma) ? sigma : dot(y, y) / curvature;
 
   // Products of the new pair with all of them, one pass over the table.
   const std::size_t width = 2 * capacity_;

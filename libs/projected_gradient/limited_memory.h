@@ -10,38 +10,28 @@
 #include <span>
 
 #include "base/array.h"
-#include "base/host.h"
-#include "projected_gradient/feasible_set.h"
+#include "projected_gradient/hessian_model.h"
 
 namespace orbicube::projected_gradient {
 
-class LimitedMemory {
+class LimitedMemory final : public HessianModel {
  public:
   // Room for `capacity` pairs of n entries, 2 capacity n numbers, and for faces with m rows.
   LimitedMemory(std::size_t n, std::size_t m, std::size_t capacity, std::pmr::memory_resource* memory);
 
-  std::size_t count() const { return count_; }
-  void clear() {
+  bool empty() const override { return count_ == 0; }
+  void clear() override {
     count_ = 0;
     newest_ = 0;
   }
-  double sigma() const { return sigma_; }
-  // Curvature of the model while there are no pairs.
-  void set_sigma(double sigma) { sigma_ = sigma; }
-
-  // Adds step s and change of gradient y with the new sigma (y'y / s'y if it is not positive), dropping the oldest pair
-  // when full. False, and nothing kept, when the curvature s'y is not safely positive or N becomes singular (then the
-  // memory is empty).
-  bool push(std::span<const double> s, std::span<const double> y, double sigma);
-
-  // out = B v.
-  void multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const;
-
-  // Readies minimise_in_face for the face that `set` has chosen; false when the model there is not resolvable.
-  bool enter_face(const FeasibleSet& set, const base::Host& host);
-  // d = -(P B P)^+ P gradient, with P the projection to the face: the step to the model's minimizer there.
+  double sigma() const override { return sigma_; }
+  void set_sigma(double sigma) override { sigma_ = sigma; }
+  // Drops the oldest pair when full.
+  bool push(std::span<const double> s, std::span<const double> y, double sigma) override;
+  void multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const override;
+  bool enter_face(const FeasibleSet& set, const base::Host& host) override;
   void minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d,
-                        const base::Host& host) const;
+                        const base::Host& host) const override;
 
   // Shows every part of the state to `visit` as spans of numbers, for saving and loading; then rebuild() after loading.
   template <class Self, class Visit>

@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t fingerprint;  // of the problem
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCPGRD3", "projected_gradient");
+constexpr base::SavedRun<Description> saved_run("OBCPGRD4", "projected_gradient");
 
 }  // namespace
 
@@ -20,7 +20,8 @@ void Solver::visit_state(Self& self, const Visit& visit) {
                       &self.multipliers_, &self.last_values_}) {
     visit(std::span(*array));
   }
-  LimitedMemory::visit_state(self.model_, visit);
+  LimitedMemory::visit_state(self.limited_, visit);
+  DenseModel::visit_state(self.dense_, visit);
   FeasibleSet::visit_state(self.set_, visit);
 }
 
@@ -41,7 +42,7 @@ void Solver::load(std::span<const std::byte> blob) {
   const bool same = saved.fingerprint == set_.fingerprint() && saved.options.method == options_.method;
   saved_run.read(blob, same, [this](const auto& visit) { visit_state(*this, visit); });
   options_ = saved.options;
-  if (model_.count() > 0 && !model_.rebuild()) throw base::Error("parse", "a saved run is damaged");
+  if (!limited_.empty() && !limited_.rebuild()) throw base::Error("parse", "a saved run is damaged");
 }
 
 }  // namespace orbicube::projected_gradient

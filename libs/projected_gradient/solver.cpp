@@ -33,6 +33,16 @@ const Options& checked(const Options& options) {
   return options;
 }
 
+// Few unknowns in a box: a matrix then costs at most twice the memory of the pairs.
+bool takes_dense_model(const Problem& problem, const Options& options) {
+  const bool box = problem.rows() == 0 && !problem.project;
+  return options.method == Method::face && box && problem.n <= std::size_t{4} * options.memory;
+}
+
+std::size_t limited_pairs(const Problem& problem, const Options& options) {
+  return options.method == Method::face && !takes_dense_model(problem, options) ? options.memory : 0;
+}
+
 // How far x + t d stays within the bounds.
 double longest_step(std::span<const double> x, std::span<const double> d, std::span<const double> lower,
                     std::span<const double> upper) {
@@ -55,7 +65,8 @@ Solver::Solver(const Problem& problem, const Options& options, std::span<const d
     : host_(host),
       options_(checked(options)),
       set_(problem, host.memory),
-      model_(problem.n, problem.rows(), options.method == Method::face ? options.memory : 0, host.memory),
+      limited_(problem.n, problem.rows(), limited_pairs(problem, options), host.memory),
+      dense_(takes_dense_model(problem, options) ? problem.n : 0, std::size_t{3} * options.memory, host.memory),
       face_step_(options.method == Method::face ? problem.n : 0, host.memory),
       x_(problem.n, 0.0, host.memory),
       gradient_(problem.n, 0.0, host.memory),
@@ -86,7 +97,8 @@ Request Solver::advance() {
     case Phase::told_first:
       if (!std::isfinite(state_.trial_value)) return state_.finish(Stop::evaluation_failed);
       state_.curvature = std::max(max_magnitude(trial_gradient_), 1e-10);
-      model_.set_sigma(state_.curvature);
+      // From a start in a box the first step is to P(x - g), as far as a unit where g is smaller.
+      model().set_sigma(set_.box() ? std::min(state_.curvature, 1.0) : state_.curvature);
       std::copy(trial_.begin(), trial_.end(), x_.begin());
       accept_trial();
       return state_.phase == Phase::done ? Request::done : Request::iteration;
@@ -156,7 +168,7 @@ double Solver::measure_in_large() {
   constexpr double slack = 100, moved = 1e-6;
   const double largest = max_magnitude(x_), steepest = max_magnitude(gradient_);
   const double curvature = options_.method == Method::dissertation ? state_.curvature
-                           : model_.count() > 0                    ? model_.sigma()
+                           : !model().empty()                      ? model().sigma()
                                                                    : 0.0;
   const double rounding = std::numeric_limits<double>::epsilon() * largest;
   if (!(steepest > std::max(options_.gradient_tolerance, slack * curvature * rounding)) ||
@@ -210,22 +222,40 @@ double Solver::reference_value() const {
 
 bool Solver::choose_direction() {
   for (;;) {
-    state_.without_memory = model_.count() == 0;
-    if (!settle_projection(face_step_.find(set_, model_, x_, gradient_, state_.measure, target_, host_))) return false;
+    state_.without_memory = model().empty();
+    if (!settle_projection(face_step_.find(set_, model(), x_, gradient_, state_.measure, target_, host_))) return false;
     set_.choose_face(target_);
     set_.meet_rows(target_);
     for (std::size_t j = 0; j < x_.size(); ++j)
       direction_[j] = target_[j] - x_[j];
     const double slope = dot(gradient_, direction_);
     if (slope < 0) {
-      const double longest = set_.custom() ? 1.0 : longest_step(x_, direction_, set_.lower(), set_.upper());
-      state_.wolfe.start(state_.value, state_.best_value, slope, std::max(longest, 1.0));
-      std::copy(target_.begin(), target_.end(), trial_.begin());
+      start_search(slope);
       return true;
     }
     if (state_.without_memory) return false;
-    model_.clear();
+    model().clear();
   }
+}
+
+// Requests the end of direction_ first; in the first iteration in a box that is not bounded, for a point at most a unit
+// away.
+void Solver::start_search(double slope) {
+  constexpr double max_rise = 0.9;
+  const double longest = set_.custom() ? 1.0 : longest_step(x_, direction_, set_.lower(), set_.upper());
+  state_.wolfe.start(state_.value, state_.best_value, slope, std::max(longest, 1.0));
+  // Of few unknowns the model is good enough that flatter ends are worth a trial.
+  if (dense_.size() > 0) state_.wolfe.max_rise = max_rise;
+  std::copy(target_.begin(), target_.end(), trial_.begin());
+  if (state_.iterations > 0 || !set_.box() || set_.bounded()) return;
+  state_.wolfe.length = std::min(1.0, 1 / std::sqrt(dot(direction_, direction_)));
+  follow_direction(state_.wolfe.length);
+}
+
+// trial = x + length direction, within the bounds.
+void Solver::follow_direction(double length) {
+  for (std::size_t j = 0; j < x_.size(); ++j)
+    trial_[j] = clip(x_[j] + length * direction_[j], set_.lower()[j], set_.upper()[j]);
 }
 
 Request Solver::take_trial() {
@@ -259,16 +289,14 @@ Request Solver::take_trial() {
         set_.project_to_face(gradient_);
       }
       const double in_face = dot(gradient_, gradient_) / step_curvature;
-      model_.push(direction_, target_, std::max(in_face, step_curvature / dot(direction_, direction_)));
+      model().push(direction_, target_, std::max(in_face, step_curvature / dot(direction_, direction_)));
     }
     accept_trial();
     return state_.phase == Phase::done ? Request::done : Request::iteration;
   }
   if (verdict == Search::again) {
     const double length = dissertation ? state_.backtracking.length : state_.wolfe.length;
-    for (std::size_t j = 0; j < x_.size(); ++j) {
-      trial_[j] = clip(x_[j] + length * direction_[j], set_.lower()[j], set_.upper()[j]);
-    }
+    follow_direction(length);
     if (!dissertation && length > 1) {
       // What the iterate misses the rows by would be multiplied by every step beyond the target.
       set_.choose_face(trial_);
@@ -280,8 +308,8 @@ Request Solver::take_trial() {
   const bool failed = !std::isfinite(state_.trial_value);
   if (dissertation || state_.without_memory) return state_.finish(failed ? Stop::evaluation_failed : Stop::stalled);
   // The model may be at fault: again along the projected gradient.
-  model_.clear();
-  model_.set_sigma(std::max(max_magnitude(gradient_), 1e-10));
+  model().clear();
+  model().set_sigma(std::max(max_magnitude(gradient_), 1e-10));
   return begin_iteration();
 }
 

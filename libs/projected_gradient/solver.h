@@ -11,6 +11,7 @@
 #include "base/gradient_run.h"
 #include "base/host.h"
 #include "base/line_search.h"
+#include "projected_gradient/dense_model.h"
 #include "projected_gradient/face_step.h"
 #include "projected_gradient/feasible_set.h"
 #include "projected_gradient/limited_memory.h"
@@ -80,13 +81,17 @@ class Solver {
   bool settle_projection(Projected outcome);
   double reference_value() const;
   double measure_in_large();
+  void start_search(double slope);
+  void follow_direction(double length);
+  HessianModel& model() { return dense_.size() > 0 ? static_cast<HessianModel&>(dense_) : limited_; }
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit);
 
   const base::Host& host_;
   Options options_;
   FeasibleSet set_;
-  LimitedMemory model_;
+  LimitedMemory limited_;  // one of the two is the model, the other is of no unknowns or pairs
+  DenseModel dense_;
   FaceStep face_step_;
   State state_;
   base::Array<double> x_, gradient_, trial_, trial_gradient_, target_, direction_, best_;  // n each

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "base/sums.h"
@@ -23,6 +24,14 @@ inline double max_magnitude(std::span<const double> a) {
 
 inline double clip(double value, double lower, double upper) {
   return value < lower ? lower : (value > upper ? upper : value);
+}
+
+// s'y of a step s and a change of gradient y where a quasi-Newton model can take the pair, else 0.
+inline double safe_curvature(std::span<const double> s, std::span<const double> y) {
+  const double length = dot(s, s), curvature = dot(s, y), change = dot(y, y);
+  if (!(length > 0) || !(curvature > std::numeric_limits<double>::epsilon() * change) || !std::isfinite(change))
+    return 0;
+  return change / curvature < 1e300 ? curvature : 0;
 }
 
 }  // namespace orbicube::projected_gradient

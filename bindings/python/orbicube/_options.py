@@ -195,7 +195,8 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("line_search", "word", "max-of-last", words={"max-of-last": 0, "average": 1},
                doc="line search of DISSERTATION. Default: MAX_OF_LAST."),
         Option("memory", "int", 10, low=0, high=4294967295,
-               doc="number of pairs in the model of FACE, 1 to 1000. Default: 10."),
+               doc="number of pairs in the model of FACE, 1 to 1000; 3 times as many are kept for n <= 4 memory with "
+                   "bounds only. Default: 10."),
         Option("history", "int", 10, low=0, high=4294967295,
                doc="number of values that MAX_OF_LAST considers. Default: 10."),
         Option("average_weight", "float", 0.85,

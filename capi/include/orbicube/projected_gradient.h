@@ -17,7 +17,8 @@
  *     if (request == OBC_PROJECTED_GRADIENT_NEED_FG) obc_projected_gradient_tell(solver, f(x), gradient(x), NULL);
  *
  * Memory: about (14 + 2 memory) n numbers for FACE and 9 n for DISSERTATION; with rows 2 n more, A twice and the factor of A A'. All of
- * it is allocated by _create and _load. An iteration takes O(n (memory^2 + entries of A)) time.
+ * it is allocated by _create and _load. An iteration takes O(n (memory^2 + entries of A)) time. For n <= 4 memory with bounds only, FACE
+ * keeps a full matrix of 3 memory pairs: (14 + 6 memory + 2 n) n numbers.
  *
  * Thread safety: a solver serves one thread at a time; distinct solvers may run at the same time. All work is done on the calling
  * thread.
@@ -142,7 +143,8 @@ typedef struct obc_projected_gradient_options {
 
   int32_t method;        /* OBC_PROJECTED_GRADIENT_FACE or DISSERTATION. Default: FACE. */
   int32_t line_search;   /* line search of DISSERTATION. Default: MAX_OF_LAST. */
-  uint32_t memory;       /* number of pairs in the model of FACE, 1 to 1000. Default: 10. */
+  uint32_t memory;       /* number of pairs in the model of FACE, 1 to 1000; 3 times as many are kept for n <= 4 memory with bounds
+                          * only. Default: 10. */
   uint32_t history;      /* number of values that MAX_OF_LAST considers. Default: 10. */
   double average_weight; /* eta of AVERAGE, 0 (monotone) to 1. Default: 0.85. */
 

@@ -105,7 +105,8 @@ pub struct obc_projected_gradient_options {
     pub method: i32,
     /// line search of DISSERTATION. Default: MAX\_OF\_LAST.
     pub line_search: i32,
-    /// number of pairs in the model of FACE, 1 to 1000. Default: 10.
+    /// number of pairs in the model of FACE, 1 to 1000; 3 times as many are kept for n \<= 4 memory with bounds
+    /// only. Default: 10.
     pub memory: u32,
     /// number of values that MAX\_OF\_LAST considers. Default: 10.
     pub history: u32,

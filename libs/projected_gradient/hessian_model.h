@@ -1,0 +1,38 @@
+// What the solver and its steps need of a matrix B that stands for the Hessian of f, built from steps and the changes
+// of the gradient along them.
+#pragma once
+
+#include <span>
+
+#include "base/host.h"
+#include "projected_gradient/feasible_set.h"
+
+namespace orbicube::projected_gradient {
+
+class HessianModel {
+ public:
+  virtual ~HessianModel() = default;
+
+  // Whether there are no pairs: then B = sigma I.
+  virtual bool empty() const = 0;
+  virtual void clear() = 0;
+  // A curvature that is typical of f in the current face.
+  virtual double sigma() const = 0;
+  virtual void set_sigma(double sigma) = 0;
+
+  // Adds step s and change of gradient y with the new sigma (y'y / s'y if it is not positive). False, and the pair not
+  // kept, when the curvature s'y is not safely positive; or when B can not be computed with it (then the model is
+  // empty).
+  virtual bool push(std::span<const double> s, std::span<const double> y, double sigma) = 0;
+
+  // out = B v.
+  virtual void multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const = 0;
+
+  // Readies minimise_in_face for the face that `set` has chosen; false when the model there is not resolvable.
+  virtual bool enter_face(const FeasibleSet& set, const base::Host& host) = 0;
+  // d = -(P B P)^+ P gradient, with P the projection to the face: the step to the model's minimizer there.
+  virtual void minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d,
+                                const base::Host& host) const = 0;
+};
+
+}  // namespace orbicube::projected_gradient
