@@ -4,10 +4,12 @@
     embed.py OUT.cpp FUNCTION page.html STYLE.css ... SCRIPT.js ...
     embed.py OUT.html - page.html STYLE.css ... SCRIPT.js ...
 
-FUNCTION is what the C++ source defines, declared in report_page/template.h. The HTML has one line `@STYLE@` and one line `@SCRIPT@`; `@TITLE@` and `@RESULTS@` are left for the program to fill.
+FUNCTION is what the C++ source defines, declared in report_page/template.h. page.html has the buttons of the page's header, and
+from <main> on its own contents; what pages share is in frame.html, where `@TITLE@` and `@RESULTS@` are left for the program to fill.
 The scripts are modules, each after those that it imports. They become one module, since a page that stands alone has no
 addresses to import from: their imports and the word `export` are left out, and no two may declare the same name.
 """
+import os
 import re
 import sys
 
@@ -39,11 +41,11 @@ def bare(script, known):
 def main(out, function, html, *parts):
     known = {}
     scripts = [part for part in parts if part.endswith(".js")]
-    page = read(html).replace("@STYLE@", "\n".join(read(part).strip() for part in parts if part not in scripts))
+    page = read(os.path.join(os.path.dirname(os.path.abspath(__file__)), "frame.html"))
+    buttons, main_text = read(html).split("<main>")
+    page = page.replace("@BUTTONS@", buttons.rstrip()).replace("@MAIN@", "<main>" + main_text.rstrip())
+    page = page.replace("@STYLE@", "\n".join(read(part).strip() for part in parts if part not in scripts))
     page = page.replace("@SCRIPT@", "\n".join(bare(script, known) for script in scripts))
-    for mark in ("@TITLE@", "@RESULTS@"):
-        if page.count(mark) < 1:
-            sys.exit(f"embed.py: {html} has no {mark}")
     if out.endswith(".html"):
         with open(out, "w", encoding="utf-8") as file:
             file.write(page)

@@ -1,65 +1,27 @@
 // Draws meshes with WebGL 2, each in a view of its own that the same camera looks at, and finds what is at a place.
 
-import {eyeDistance, meshColorShader, meshNumberShader, meshVertexShader} from "./mesh_shaders.js";
-import {matrixOf} from "./viewer/camera.js";
+import {meshColorShader, meshNumberShader, meshVertexShader} from "./mesh_shaders.js";
+import {Views} from "./viewer/webgl.js";
 
 const attributes = {position: [3, "FLOAT", false], normal: [4, "BYTE", true], value: [1, "FLOAT", false], flags: [1, "UNSIGNED_BYTE", false]};
 const programs = {color: meshColorShader, number: meshNumberShader};
 
-export class MeshRenderer {
+export class MeshRenderer extends Views {
   /**
    * `look`: coloring of each view (0 base, 1 scale, 2 categories), range, edges, markInverted, base, inverted and none (colors from 0 to
    * 1), planes (of each view, four numbers). `narrow`: width of the canvas in CSS pixels below which views are above each
    * other. Throws when the browser has no WebGL 2.
    */
   constructor(canvas, camera, look, {views, narrow = 620, bottom = 0}) {
-    Object.assign(this, {canvas, camera, look, narrow, bottom, coarse: false, items: Array.from({length: views}, () => ({layers: {}}))});
-    // The picture is kept, so that it is also there when the page is printed and when it is saved.
-    const gl = this.gl = canvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
-    if (!gl) throw new Error("no WebGL 2");
-    this.programs = Object.fromEntries(Object.entries(programs).map(([name, text]) => [name, this.program(meshVertexShader, text)]));
-    gl.enable(gl.DEPTH_TEST);
-    this.makePickTarget();
-    this.colors = gl.createTexture();
+    super(canvas, camera);
+    Object.assign(this, {look, narrow, bottom, coarse: false, items: Array.from({length: views}, () => ({layers: {}}))});
+    const names = Object.keys(attributes);
+    this.programs = Object.fromEntries(Object.entries(programs).map(([name, text]) => [name, this.program(meshVertexShader, text, names)]));
     this.setColors([[128, 128, 128]]);
   }
 
-  program(vertexText, fragmentText) {
-    const gl = this.gl, program = gl.createProgram();
-    for (const [type, text] of [[gl.VERTEX_SHADER, vertexText], [gl.FRAGMENT_SHADER, fragmentText]]) {
-      const shader = gl.createShader(type);
-      gl.shaderSource(shader, text);
-      gl.compileShader(shader);
-      if (!gl.getShaderParameter(shader, gl.COMPILE_STATUS)) throw new Error(gl.getShaderInfoLog(shader));
-      gl.attachShader(program, shader);
-    }
-    Object.keys(attributes).forEach((name, i) => gl.bindAttribLocation(program, i, name));
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) throw new Error(gl.getProgramInfoLog(program));
-    return program;
-  }
-
-  // One pixel that holds the number of the triangle drawn there.
-  makePickTarget() {
-    const gl = this.gl;
-    this.pickTarget = gl.createFramebuffer();
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.pickTarget);
-    for (const [attachment, format] of [[gl.COLOR_ATTACHMENT0, gl.RGBA8], [gl.DEPTH_ATTACHMENT, gl.DEPTH_COMPONENT24]]) {
-      const buffer = gl.createRenderbuffer();
-      gl.bindRenderbuffer(gl.RENDERBUFFER, buffer);
-      gl.renderbufferStorage(gl.RENDERBUFFER, format, 1, 1);
-      gl.framebufferRenderbuffer(gl.FRAMEBUFFER, attachment, gl.RENDERBUFFER, buffer);
-    }
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-  }
-
   setColors(colors) {
-    const gl = this.gl;
-    gl.bindTexture(gl.TEXTURE_2D, this.colors);
-    gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
-    gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGB8, colors.length, 1, 0, gl.RGB, gl.UNSIGNED_BYTE, new Uint8Array(colors.flat()));
-    for (const wrap of [gl.TEXTURE_WRAP_S, gl.TEXTURE_WRAP_T]) gl.texParameteri(gl.TEXTURE_2D, wrap, gl.CLAMP_TO_EDGE);
-    gl.texParameteri(gl.TEXTURE_2D, gl.TEXTURE_MIN_FILTER, gl.LINEAR);
+    this.colors = this.setColorRow(this.colors, colors);
   }
 
   /**
@@ -125,24 +87,9 @@ export class MeshRenderer {
     return found < 0 ? this.items.length - 1 : found;
   }
 
-  // A place of the canvas in a view, from -1 to 1, y up.
-  placeIn(view, x, y) {
-    return [2 * (x - view.x) / view.width - 1, 1 - 2 * (y - view.y) / view.height];
-  }
-
-  // The unit sphere fills 84 % of the shorter side.
-  lens(view) {
-    const scale = 0.84 * this.camera.zoom * Math.sqrt(eyeDistance ** 2 - 1), shorter = Math.min(view.width, view.height);
-    return [scale * shorter / view.width, scale * shorter / view.height];
-  }
-
   useScene(program, index, lens, shift) {
-    const gl = this.gl, place = name => gl.getUniformLocation(program, name);
-    gl.useProgram(program);
-    gl.uniformMatrix3fv(place("turn"), false, matrixOf(this.camera.turn));
-    gl.uniform2fv(place("lens"), lens);
-    gl.uniform2fv(place("shift"), shift);
-    gl.uniform4fv(place("plane"), this.look.planes[index] ?? [0, 0, 0, 1]);
+    const place = this.useCamera(program, lens, shift);
+    this.gl.uniform4fv(place("plane"), this.look.planes[index] ?? [0, 0, 0, 1]);
     return place;
   }
 
@@ -151,21 +98,10 @@ export class MeshRenderer {
   }
 
   draw() {
-    const gl = this.gl, canvas = this.canvas, ratio = Math.min(window.devicePixelRatio || 1, 2);
-    const width = Math.round(canvas.clientWidth * ratio), height = Math.round(canvas.clientHeight * ratio);
-    if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, {width, height});
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
+    const gl = this.gl;
     gl.activeTexture(gl.TEXTURE0);
     gl.bindTexture(gl.TEXTURE_2D, this.colors);
-    gl.enable(gl.SCISSOR_TEST);
-    this.views().forEach((view, index) => {
-      const box = [view.x, canvas.clientHeight - view.y - view.height, view.width, view.height].map(value => value * ratio);
-      gl.viewport(...box);
-      gl.scissor(...box);
-      this.drawView(index, view);
-    });
-    gl.disable(gl.SCISSOR_TEST);
+    this.drawViews((view, index) => this.drawView(index, view));
   }
 
   drawView(index, view) {
@@ -200,44 +136,17 @@ export class MeshRenderer {
   pick(x, y) {
     const gl = this.gl, index = this.viewAt(x, y), view = this.views()[index], layer = this.items[index].layers.main;
     if (!layer) return null;
-    const at = this.placeIn(view, x, y), lens = this.lens(view), shift = this.camera.shifts[index];
-    // The picture magnified until one pixel of it fills the target.
-    const magnified = [view.width, view.height];
-    gl.bindFramebuffer(gl.FRAMEBUFFER, this.pickTarget);
-    gl.viewport(0, 0, 1, 1);
-    gl.clearColor(0, 0, 0, 0);
-    gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-    this.useScene(this.programs.number, index, lens.map((value, k) => value * magnified[k]),
-                  shift.map((value, k) => (value - at[k]) * magnified[k]));
-    gl.bindVertexArray(layer.array);
-    gl.drawArrays(gl.TRIANGLES, 0, layer.count);
-    const pixel = new Uint8Array(4);
-    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
-    gl.bindFramebuffer(gl.FRAMEBUFFER, null);
-    const triangle = (pixel[0] | pixel[1] << 8 | pixel[2] << 16 | pixel[3] << 24) - 1;
+    const triangle = this.numberAt(index, view, this.placeIn(view, x, y), (lens, shift) => {
+      this.useScene(this.programs.number, index, lens, shift);
+      gl.bindVertexArray(layer.array);
+      gl.drawArrays(gl.TRIANGLES, 0, layer.count);
+    });
     return triangle < 0 ? null : {index, triangle};
   }
 
   /** Where a point of the frame is seen in a view, in CSS pixels. */
   seenAt(index, point) {
-    const m = matrixOf(this.camera.turn), view = this.views()[index], lens = this.lens(view), shift = this.camera.shifts[index];
-    const [x, y, z] = [0, 1, 2].map(k => m[k] * point[0] + m[3 + k] * point[1] + m[6 + k] * point[2]), w = eyeDistance - z;
-    return {x: view.x + (0.5 + 0.5 * (lens[0] * x / w + shift[0])) * view.width,
-            y: view.y + (0.5 - 0.5 * (lens[1] * y / w + shift[1])) * view.height};
-  }
-
-  /** For tests: the fraction of a view that is drawn on and how many colors it has. Call right after draw. */
-  statistics(index) {
-    const gl = this.gl, ratio = this.canvas.width / this.canvas.clientWidth, view = this.views()[index];
-    const width = Math.floor(view.width * ratio), height = Math.floor(view.height * ratio);
-    const pixels = new Uint8Array(4 * width * height), colors = new Set();
-    gl.readPixels(view.x * ratio, this.canvas.height - (view.y + view.height) * ratio, width, height, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
-    let drawn = 0;
-    for (let i = 0; i < pixels.length; i += 4) {
-      if (pixels[i + 3] === 0) continue;
-      ++drawn;
-      colors.add(pixels[i] << 16 | pixels[i + 1] << 8 | pixels[i + 2]);
-    }
-    return {drawn: drawn / (width * height), colors: colors.size};
+    const [x, y, w] = this.seen(index, point);
+    return this.pixelIn(this.views()[index], x / w, y / w);
   }
 }

@@ -1,7 +1,7 @@
 // The shaders of the page of meshes. Every corner of a triangle has its own attributes, so that triangles have their own
 // colors and edges.
 
-export const eyeDistance = 5;
+import {edgeLines, eyeDistance, numberColor, projection} from "./viewer/webgl.js";
 
 export const meshVertexShader = `#version 300 es
 precision highp float;
@@ -13,6 +13,7 @@ flat out uint triangle;
 out vec3 place, seenNormal, weights, inFrame;
 out float shownValue;
 flat out float faceFlags;
+${projection}
 
 void main() {
   int corner = gl_VertexID % 3, bits = int(flags);
@@ -24,9 +25,7 @@ void main() {
   inFrame = position;
   shownValue = value;
   place = turn * position - vec3(0, 0, ${eyeDistance});
-  float near = ${eyeDistance - 1.75}, far = ${eyeDistance + 1.75};
-  gl_Position = vec4(lens * place.xy - shift * place.z,
-                     (-place.z * (far + near) - 2.0 * far * near) / (far - near), -place.z);
+  gl_Position = projected(place, lens, shift);
 }`;
 
 export const meshColorShader = `#version 300 es
@@ -42,6 +41,7 @@ uniform vec3 base, inverted, none;
 uniform bool edges, ghost, markInverted;
 uniform vec4 plane;  // what is beyond it is not drawn; 0: everything is
 out vec4 color;
+${edgeLines}
 
 void main() {
   if (dot(plane.xyz, inFrame) > plane.w) discard;
@@ -68,12 +68,7 @@ void main() {
   float key = max(0.0, dot(n, lamp)), fill = 0.5 + 0.5 * dot(n, vec3(0.25, 0.9, -0.35));
   vec3 lit = tint * (0.62 + 0.32 * key + 0.14 * fill) * (1.0 - 0.22 * rim * rim * rim);
   lit += 0.05 * pow(max(0.0, dot(n, normalize(lamp + towards))), 40.0);
-  if (edges) {
-    vec3 across = fwidth(weights);
-    vec3 lines = 1.0 - smoothstep(0.4 * across, 1.3 * across, weights);
-    float fade = 1.0 - smoothstep(0.08, 0.6, max(across.x, max(across.y, across.z)));
-    lit = mix(lit, 0.18 * lit, 0.8 * fade * max(lines.x, max(lines.y, lines.z)));
-  }
+  if (edges) lit = mix(lit, 0.18 * lit, 0.8 * lineOfEdges(weights, vec2(0.4, 1.3), vec2(0.08, 0.6)));
   color = vec4(lit, 1.0);
 }`;
 
@@ -84,8 +79,9 @@ flat in uint triangle;
 in vec3 inFrame;
 uniform vec4 plane;
 out vec4 color;
+${numberColor}
+
 void main() {
   if (dot(plane.xyz, inFrame) > plane.w) discard;
-  uint n = triangle + 1u;
-  color = vec4(n & 255u, n >> 8 & 255u, n >> 16 & 255u, n >> 24) / 255.0;
+  color = colorOfNumber(triangle);
 }`;

@@ -1,8 +1,9 @@
 // The shaders of the viewer. Meshes are in textures that the vertex shader reads by number, so each triangle has its own
 // color without a copy of its vertices.
 
+import {edgeLines, eyeDistance, numberColor, projection} from "./webgl.js";
+
 export const textureWidth = 4096;
-export const eyeDistance = 5;
 export const modes = ["quasiConformal", "area", "checker", "plain"];
 
 export const vertexShader = `#version 300 es
@@ -18,6 +19,7 @@ uniform bool polycube;  // the map is one to a polycube, and directions are posi
 flat out uint triangle;
 flat out uvec2 level;
 out vec3 place, normal, direction, weights;
+${projection}
 
 ivec2 cell(int i) { return ivec2(i % ${textureWidth}, i / ${textureWidth}); }
 
@@ -31,9 +33,7 @@ void main() {
   normal = texelFetch(normals, cell(v), 0).xyz;
   normal = turn * (polycube ? normal : mix(normal, direction, morph));
   place = turn * mix(texelFetch(positions, cell(v), 0).xyz, direction, morph) - vec3(0, 0, ${eyeDistance});
-  float near = ${eyeDistance - 1.75}, far = ${eyeDistance + 1.75};
-  gl_Position = vec4(lens * place.xy - shift * place.z,
-                     (-place.z * (far + near) - 2.0 * far * near) / (far - near), -place.z);
+  gl_Position = projected(place, lens, shift);
 }`;
 
 export const colorShader = `#version 300 es
@@ -49,6 +49,7 @@ uniform bool edges, polycube;
 uniform float morph;
 uniform mat3 facing;  // that turned the polycube
 out vec4 color;
+${edgeLines}
 
 const vec3 tints[6] = vec3[](vec3(0.80, 0.33, 0.24), vec3(0.18, 0.55, 0.53), vec3(0.87, 0.62, 0.18),
                              vec3(0.36, 0.38, 0.70), vec3(0.25, 0.48, 0.75), vec3(0.58, 0.36, 0.60));
@@ -100,12 +101,7 @@ void main() {
   float rim = pow(1.0 - max(0.0, dot(n, towards)), 3.0);
   vec3 lit = base * (0.64 + 0.30 * key + 0.14 * fill) * (1.0 - 0.22 * rim);
   lit += 0.07 * pow(max(0.0, dot(n, normalize(normalize(vec3(-0.4, 0.65, 0.65)) + towards))), 40.0);
-  if (edges) {
-    vec3 across = fwidth(weights);
-    vec3 lines = 1.0 - smoothstep(0.3 * across, 1.1 * across, weights);
-    float fade = 1.0 - smoothstep(0.05, 0.55, max(across.x, max(across.y, across.z)));
-    lit = mix(lit, 0.2 * lit, 0.75 * fade * max(lines.x, max(lines.y, lines.z)));
-  }
+  if (edges) lit = mix(lit, 0.2 * lit, 0.75 * lineOfEdges(weights, vec2(0.3, 1.1), vec2(0.05, 0.55)));
   color = vec4(lit, 1.0);
 }`;
 
@@ -114,7 +110,6 @@ precision highp float;
 precision highp int;
 flat in uint triangle;
 out vec4 color;
-void main() {
-  uint n = triangle + 1u;
-  color = vec4(n & 255u, n >> 8 & 255u, n >> 16 & 255u, n >> 24) / 255.0;
-}`;
+${numberColor}
+
+void main() { color = colorOfNumber(triangle); }`;
