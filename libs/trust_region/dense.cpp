@@ -1,30 +1,11 @@
 #include "trust_region/dense.h"
 
-#include <cstring>
-
 #include "base/vector_variants.h"
 
 namespace orbicube::trust_region {
 namespace {
 
-#ifdef __GNUC__
-#define ORBICUBE_INLINE inline __attribute__((always_inline))
-#else
-#define ORBICUBE_INLINE inline
-#endif
-
-// Four numbers that are worked on at once: one vector register where there is AVX2, else two.
-using Four = double __attribute__((vector_size(32)));
-
-ORBICUBE_INLINE Four load(const double* from) {
-  Four four;
-  std::memcpy(&four, from, sizeof four);
-  return four;
-}
-
-ORBICUBE_INLINE void store(double* to, Four four) {
-  std::memcpy(to, &four, sizeof four);
-}
+using base::Four, base::load, base::store;
 
 // dot() of `rows` rows with x at the same time.
 template <std::size_t rows>

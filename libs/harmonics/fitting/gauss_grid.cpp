@@ -2,17 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numbers>
 
 #include "base/vector_variants.h"
 #include "harmonics/functions/gauss_legendre.h"
-
-#if defined(__GNUC__)
-#define ORBICUBE_INLINE inline __attribute__((always_inline))
-#else
-#define ORBICUBE_INLINE inline
-#endif
 
 namespace orbicube::harmonics {
 namespace {
@@ -21,18 +14,7 @@ namespace {
 constexpr std::size_t wave = 16;
 constexpr std::size_t width = 16;
 using Column = std::array<double, width>;
-
-// Four numbers that are worked on at once: one vector register where there is AVX2, else two.
-using Four = double __attribute__((vector_size(32)));
-
-ORBICUBE_INLINE Four load(const double* from) {
-  Four four;
-  std::memcpy(&four, from, sizeof four);
-  return four;
-}
-ORBICUBE_INLINE void store(double* to, Four four) {
-  std::memcpy(to, &four, sizeof four);
-}
+using base::Four, base::load, base::store;
 
 // Q_lm at `width` heights z for l = m, m + 1, ..., one after the other.
 ORBICUBE_VECTOR_VARIANTS

@@ -6,12 +6,6 @@
 #include "base/vector_variants.h"
 #include "harmonics/scattered/scattered_transform.h"
 
-#if defined(__GNUC__)
-#define ORBICUBE_INLINE inline __attribute__((always_inline))
-#else
-#define ORBICUBE_INLINE inline
-#endif
-
 namespace orbicube::harmonics {
 namespace {
 
