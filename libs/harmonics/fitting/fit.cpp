@@ -8,12 +8,12 @@
 
 #include "base/counted.h"
 #include "base/random.h"
-#include "base/sums.h"
 #include "harmonics/fitting/conjugate_gradients.h"
 #include "harmonics/fitting/fit_samples.h"
 #include "harmonics/fitting/gram_operator.h"
 #include "harmonics/fitting/householder.h"
 #include "harmonics/fitting/large_fit.h"
+#include "harmonics/fitting/passes.h"
 
 namespace orbicube::harmonics {
 namespace {
@@ -145,10 +145,6 @@ class NormalEquations {
   Array<double> penalties_;
 };
 
-double norm(std::span<const double> v) {
-  return std::sqrt(base::dot(v, v));
-}
-
 Coefficients fit_iterative(const FitSamples& samples, const FitOptions& options, const base::Host& host,
                            FitReport& report) {
   const std::size_t unknowns = basis_size(options.degree), channels = samples.channels;
@@ -156,7 +152,7 @@ Coefficients fit_iterative(const FitSamples& samples, const FitOptions& options,
   const Multiply multiply = [&](std::span<const double> x, std::size_t columns, std::span<double> product) {
     equations.multiply(x, columns, product);
   };
-  Coefficients coefficients(options.degree, channels, host.memory), right(options.degree, channels, host.memory);
+  Coefficients coefficients(options.degree, channels, host.memory);
 
   // A random right side has something in every direction, also in those that the samples say nothing of.
   {
@@ -181,27 +177,16 @@ Coefficients fit_iterative(const FitSamples& samples, const FitOptions& options,
     report.condition = 1 / std::sqrt(std::max(ratio, rounding));
   }
 
-  Array<double> rest(samples.values.begin(), samples.values.end(), host.memory), fitted(rest.size(), host.memory),
-      change(unknowns * channels, host.memory);
-  double first = 0, last = 0;
-  for (int pass = 0; pass < max_passes; ++pass) {
-    analyse(samples.directions, samples.weights, rest, right, "fitting", host);
-    equations.add_penalty(coefficients.values, channels, -1, right.values);
-    const double length = norm(right.values);
-    if (pass == 0) first = length;
-    // Done when the residual is orthogonal to the basis but for rounding, or no longer becomes more so.
-    constexpr double rounding = 1e-15;
-    if (length <= rounding * first || (pass > 0 && length > 0.5 * last)) break;
-    last = length;
+  Array<double> change(unknowns * channels, host.memory);
+  const auto add_solution = [&](const Coefficients& right, bool) {
     const ConjugateGradientsReport solved = conjugate_gradients(
         multiply, right.values, channels, change, {.tolerance = 1e-8, .max_iterations = max_iterations}, host);
     report.iterations += solved.iterations;
     for (std::size_t i = 0; i < change.size(); ++i)
       coefficients.values[i] += change[i];
-    synthesise(coefficients, samples.directions, fitted, host);
-    for (std::size_t i = 0; i < rest.size(); ++i)
-      rest[i] = samples.values[i] - fitted[i];
-  }
+    return true;
+  };
+  fit_in_passes(samples, equations, {.max_passes = max_passes, .enough = 1e-15}, coefficients, add_solution, host);
   return coefficients;
 }
 

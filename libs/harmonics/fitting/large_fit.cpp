@@ -5,9 +5,9 @@
 #include <random>
 
 #include "base/random.h"
-#include "base/sums.h"
 #include "harmonics/fitting/block_conjugate_gradients.h"
 #include "harmonics/fitting/gauss_grid.h"
+#include "harmonics/fitting/passes.h"
 
 namespace orbicube::harmonics {
 namespace {
@@ -24,10 +24,6 @@ constexpr double enough = 1e-11;
 constexpr int max_passes = 3;
 // Functions that are solved for together.
 constexpr std::size_t max_together = 3;
-
-double norm(std::span<const double> v) {
-  return std::sqrt(base::dot(v, v));
-}
 
 class LargeNormalEquations {
  public:
@@ -184,25 +180,13 @@ class BlockSolver {
 bool fit_large(const FitSamples& samples, const FitOptions& options, const base::Host& host, Coefficients& coefficients,
                FitReport& report) {
   if (options.degree < large_fit_degree) return false;
-  const std::size_t channels = samples.channels;
   LargeNormalEquations equations(samples, options, host);
   BlockSolver solver(equations, options.degree, host);
-  Coefficients right(options.degree, channels, host.memory);
-  coefficients = Coefficients(options.degree, channels, host.memory);
-  Array<double> rest(samples.values.begin(), samples.values.end(), host.memory), fitted(rest.size(), host.memory);
-  double first = 0, last = 0;
-  for (int pass = 0; pass < max_passes; ++pass) {
-    analyse(samples.directions, samples.weights, rest, right, "fitting", host);
-    equations.add_penalty(coefficients.values, channels, -1, right.values);
-    const double length = norm(right.values);
-    if (pass == 0) first = length;
-    if (length <= enough * first || (pass > 0 && length > 0.5 * last)) break;
-    last = length;
-    if (!solver.add_solution(right, pass == 0, coefficients, report)) break;
-    synthesise(coefficients, samples.directions, fitted, host);
-    for (std::size_t i = 0; i < rest.size(); ++i)
-      rest[i] = samples.values[i] - fitted[i];
-  }
+  coefficients = Coefficients(options.degree, samples.channels, host.memory);
+  const auto add_solution = [&](const Coefficients& right, bool is_first) {
+    return solver.add_solution(right, is_first, coefficients, report);
+  };
+  fit_in_passes(samples, equations, {.max_passes = max_passes, .enough = enough}, coefficients, add_solution, host);
   return true;
 }
 

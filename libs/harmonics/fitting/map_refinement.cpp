@@ -7,6 +7,7 @@
 
 #include "base/counted.h"
 #include "base/error.h"
+#include "base/grouping.h"
 
 namespace orbicube::harmonics {
 namespace {
@@ -18,30 +19,17 @@ constexpr double longest_step = 0.3;  // radians
 constexpr int halvings = 4;           // of a step that flips a triangle; then the vertex stays for the round
 constexpr double least_gain = 1e-3;   // of the residual, or the work ends
 
-// The triangles around each vertex: those of v are triangle[begin[v]] to triangle[begin[v + 1] - 1].
-struct Stars {
-  Array<std::uint32_t> begin, triangle;
-};
+using Stars = base::Groups<std::uint32_t, std::uint32_t>;
 
 Stars stars_of(std::size_t vertices, std::span<const Triangle> triangles, const base::Host& host) {
-  Stars stars{Array<std::uint32_t>(vertices + 1, 0, host.memory),
-              Array<std::uint32_t>(3 * triangles.size(), host.memory)};
   for (const Triangle& t : triangles) {
     for (const std::uint32_t v : t) {
       if (v >= vertices)
         throw base::Error("index-range", "triangle index " + std::to_string(v) + " of " +
                                              base::counted(vertices, "vertex", "vertices"));
-      ++stars.begin[v + 1];
     }
   }
-  for (std::size_t v = 0; v < vertices; ++v)
-    stars.begin[v + 1] += stars.begin[v];
-  Array<std::uint32_t> next(stars.begin.begin(), stars.begin.end() - 1, host.memory);
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    for (const std::uint32_t v : triangles[i])
-      stars.triangle[next[v]++] = static_cast<std::uint32_t>(i);
-  }
-  return stars;
+  return base::cells_around(triangles, vertices, host.memory);
 }
 
 // 1 or -1 where the triangle keeps its orientation when each coordinate is changed in its last bits, otherwise 0.
@@ -79,7 +67,7 @@ class Refinement {
     damping_ = damping * sum / static_cast<double>(positions_.size());
     for (std::size_t v = 0; v < positions_.size(); ++v) {
       if (v % 4096 == 0) host_.report("map refinement", v, positions_.size());
-      if (stars_.begin[v] < stars_.begin[v + 1]) move(v, wanted(v));
+      if (stars_.size(v) > 0) move(v, wanted(v));
     }
   }
 
@@ -104,11 +92,10 @@ class Refinement {
     if (!step.allFinite()) return;
     for (int trial = 0; trial <= halvings; ++trial, step *= 0.5) {
       directions_[v] = (from + step).normalized();
-      const bool kept = std::all_of(stars_.triangle.begin() + stars_.begin[v],
-                                    stars_.triangle.begin() + stars_.begin[v + 1], [&](std::uint32_t i) {
-                                      return orientations_[i] != 0 &&
-                                             safe_orientation(triangles_[i], directions_) == orientations_[i];
-                                    });
+      const auto star = stars_[v];
+      const bool kept = std::all_of(star.begin(), star.end(), [&](std::uint32_t i) {
+        return orientations_[i] != 0 && safe_orientation(triangles_[i], directions_) == orientations_[i];
+      });
       if (kept) return;
     }
     directions_[v] = from;
