@@ -11,15 +11,15 @@
 
 #include "base/array.h"
 #include "base/host.h"
-#include "mesh/files/file.h"
+#include "mesh/files/piece_writer.h"
 
 namespace orbicube::mesh {
 
-class BinaryWriter {
+class BinaryWriter : public PieceWriter<base::Array<std::byte>> {
  public:
   // `total` items are going to be written, for progress.
   BinaryWriter(OutputFile& file, std::endian order, std::uint64_t total, const base::Host& host)
-      : file_(file), swapped_(order != std::endian::native), total_(total), host_(host), buffer_(host.memory) {
+      : PieceWriter(file, total, host, base::Array<std::byte>(host.memory)), swapped_(order != std::endian::native) {
     buffer_.reserve(piece + piece / 2);
   }
 
@@ -34,27 +34,8 @@ class BinaryWriter {
     buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
   }
 
-  // Call after each item.
-  void end_item() {
-    if (++done_ % 1024 != 0) return;
-    host_.report("writing", done_, total_);
-    if (buffer_.size() >= piece) flush();
-  }
-  // Call at the end.
-  void flush() {
-    file_.write(buffer_);
-    buffer_.clear();
-  }
-
  private:
-  static constexpr std::size_t piece = std::size_t{1} << 20U;
-
-  OutputFile& file_;
   bool swapped_;
-  std::uint64_t total_;
-  const base::Host& host_;
-  base::Array<std::byte> buffer_;
-  std::uint64_t done_ = 0;
 };
 
 }  // namespace orbicube::mesh

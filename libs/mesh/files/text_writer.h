@@ -7,15 +7,15 @@
 #include <string_view>
 
 #include "base/host.h"
-#include "mesh/files/file.h"
+#include "mesh/files/piece_writer.h"
 #include "mesh/mesh.h"
 
 namespace orbicube::mesh {
 
-class TextWriter {
+class TextWriter : public PieceWriter<std::string> {
  public:
   // `total` items are going to be written, for progress.
-  TextWriter(OutputFile& file, std::uint64_t total, const base::Host& host) : file_(file), total_(total), host_(host) {
+  TextWriter(OutputFile& file, std::uint64_t total, const base::Host& host) : PieceWriter(file, total, host, {}) {
     buffer_.reserve(piece + longest_number);
   }
 
@@ -33,20 +33,7 @@ class TextWriter {
   TextWriter& operator<<(Index x) { return number(x); }
   TextWriter& operator<<(std::int32_t x) { return number(x); }
 
-  // Call after each item.
-  void end_item() {
-    if (++done_ % 1024 != 0) return;
-    host_.report("writing", done_, total_);
-    if (buffer_.size() >= piece) flush();
-  }
-  // Call at the end.
-  void flush() {
-    file_.write(buffer_);
-    buffer_.clear();
-  }
-
  private:
-  static constexpr std::size_t piece = std::size_t{1} << 20U;
   static constexpr std::size_t longest_number = 32;
 
   template <class Number>
@@ -56,12 +43,19 @@ class TextWriter {
     buffer_.append(text, static_cast<std::size_t>(end - text));
     return *this;
   }
-
-  OutputFile& file_;
-  std::uint64_t total_;
-  const base::Host& host_;
-  std::string buffer_;
-  std::uint64_t done_ = 0;
 };
+
+// Writes a line a position, and a line a triangle, which begins with its number of corners.
+inline void write_positions_and_triangles(const Mesh& mesh, TextWriter& out) {
+  for (const Vector3& p : mesh.positions) {
+    out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
+    out.end_item();
+  }
+  for (const Triangle& t : mesh.triangles) {
+    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
+    out.end_item();
+  }
+  out.flush();
+}
 
 }  // namespace orbicube::mesh

@@ -19,15 +19,7 @@ void write_obj(OutputFile& file, const Mesh& mesh, const WriteOptions& /*options
 void write_off(OutputFile& file, const Mesh& mesh, const WriteOptions& /*options*/, const base::Host& host) {
   TextWriter out(file, mesh.positions.size() + mesh.triangles.size(), host);
   out << "OFF\n" << std::uint64_t{mesh.positions.size()} << ' ' << std::uint64_t{mesh.triangles.size()} << " 0\n";
-  for (const Vector3& p : mesh.positions) {
-    out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-    out.end_item();
-  }
-  for (const Triangle& t : mesh.triangles) {
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-    out.end_item();
-  }
-  out.flush();
+  write_positions_and_triangles(mesh, out);
 }
 
 }  // namespace orbicube::mesh

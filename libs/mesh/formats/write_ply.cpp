@@ -37,15 +37,7 @@ void write_ply(OutputFile& file, const Mesh& mesh, const WriteOptions& options, 
   }
   TextWriter out(file, total, host);
   out << header(mesh, false);
-  for (const Vector3& p : mesh.positions) {
-    out << p.x() << ' ' << p.y() << ' ' << p.z() << '\n';
-    out.end_item();
-  }
-  for (const Triangle& t : mesh.triangles) {
-    out << "3 " << t[0] << ' ' << t[1] << ' ' << t[2] << '\n';
-    out.end_item();
-  }
-  out.flush();
+  write_positions_and_triangles(mesh, out);
 }
 
 }  // namespace orbicube::mesh
