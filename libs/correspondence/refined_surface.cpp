@@ -44,16 +44,13 @@ RefinedSurface::RefinedSurface(std::span<const Triangle> given, std::span<const 
       pieces_(pieces.begin(), pieces.end(), host.memory),
       piece_sources_(piece_sources.begin(), piece_sources.end(), host.memory),
       vertex_sources_(vertex_sources.begin(), vertex_sources.end(), host.memory),
-      begin_(given.size() + 1, 0, host.memory),
-      sorted_(pieces.size(), 0, host.memory) {
-  for (const Index source : piece_sources_)
-    ++begin_[source + 1];
-  for (std::size_t t = 0; t < given_.size(); ++t)
-    begin_[t + 1] += begin_[t];
-  base::Array<Index> next(begin_.begin(), begin_.end() - 1, host.memory);
-  for (Index piece = 0; piece < pieces_.size(); ++piece)
-    sorted_[next[piece_sources_[piece]]++] = piece;
-}
+      pieces_of_(
+          given.size(),
+          [&](const auto& visit) {
+            for (Index piece = 0; piece < piece_sources.size(); ++piece)
+              visit(piece_sources[piece], piece);
+          },
+          host.memory) {}
 
 Vector3 RefinedSurface::weights_in(Index given, Index vertex) const {
   const polycube::VertexSource& source = vertex_sources_[vertex];
@@ -69,17 +66,17 @@ TrianglePoint RefinedSurface::piece_of(const TrianglePoint& point) const {
   require_point(point, given_.size());
   TrianglePoint best;
   double inside = -std::numeric_limits<double>::infinity();
-  for (Index at = begin_[point.triangle]; at < begin_[point.triangle + 1]; ++at) {
+  for (const Index piece : pieces_of_[point.triangle]) {
     std::array<Vector3, 3> corner;
     for (std::size_t k = 0; k < 3; ++k) {
-      corner[k] = weights_in(point.triangle, pieces_[sorted_[at]][k]);
+      corner[k] = weights_in(point.triangle, pieces_[piece][k]);
       // A vertex keeps its weight to the bit.
-      if (corner[k] == point.weights) return {sorted_[at], Vector3::Unit(static_cast<Eigen::Index>(k))};
+      if (corner[k] == point.weights) return {piece, Vector3::Unit(static_cast<Eigen::Index>(k))};
     }
     const Vector3 weights = weights_between(corner, point.weights);
     if (!(weights.minCoeff() > inside)) continue;
     inside = weights.minCoeff();
-    best = {sorted_[at], weights};
+    best = {piece, weights};
   }
   if (best.triangle == mesh::no_index) throw base::Error("internal", "a triangle of the surface has no piece");
   best.weights = best.weights.cwiseMax(0.0);

@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "base/grouping.h"
 #include "base/host.h"
 #include "polycube/surface/surface_map.h"
 
@@ -45,7 +46,7 @@ class RefinedSurface {
   base::Array<mesh::Triangle> given_, pieces_;
   base::Array<mesh::Index> piece_sources_;
   base::Array<polycube::VertexSource> vertex_sources_;
-  base::Array<mesh::Index> begin_, sorted_;  // pieces of each given triangle
+  base::Groups<mesh::Index, mesh::Index> pieces_of_;  // of each given triangle
 };
 
 }  // namespace orbicube::correspondence

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
-#include <queue>
 #include <utility>
 #include <vector>
 
 #include "base/grouping.h"
+#include "base/heap.h"
 #include "mesh/topology/disjoint_sets.h"
 #include "mesh/topology/edge_table.h"
 
@@ -30,22 +30,20 @@ class Curves {
         host_(host),
         edges_(positions.size(), triangles, host),
         length_(edges_.size(), 0, host.memory),
-        begin_(positions.size() + 1, 0, host.memory),
-        links_(2 * edges_.size(), {}, host.memory),
+        links_(host.memory),
         distance_(positions.size(), 0, host.memory),
         before_(positions.size(), no_index, host.memory) {
     for (Index e = 0; e < edges_.size(); ++e) {
       const auto [a, b] = ends(e);
       length_[e] = (positions[a] - positions[b]).norm();
-      ++begin_[a + 1], ++begin_[b + 1];
     }
-    base::add_up_counts(std::span<std::size_t>(begin_));
-    Array<std::size_t> next(begin_, host.memory);
-    for (Index e = 0; e < edges_.size(); ++e) {
-      const auto [a, b] = ends(e);
-      links_[next[a]++] = {b, e};
-      links_[next[b]++] = {a, e};
-    }
+    links_.assign(positions.size(), [&](const auto& visit) {
+      for (Index e = 0; e < edges_.size(); ++e) {
+        const auto [a, b] = ends(e);
+        visit(a, Link{b, e});
+        visit(b, Link{a, e});
+      }
+    });
   }
 
   // The vertices of the shortest curve through the root, in order, and its length; empty without handles.
@@ -83,16 +81,14 @@ class Curves {
     std::fill(distance_.begin(), distance_.end(), std::numeric_limits<double>::infinity());
     std::fill(before_.begin(), before_.end(), no_index);
     using Entry = std::pair<double, Index>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<>> queue;
+    base::Heap<Entry> queue(host_.memory);
     distance_[root] = 0;
     queue.push({0, root});
     for (std::size_t popped = 0; !queue.empty(); ++popped) {
       if (popped % 4096 == 0) host_.report(phase, std::min(popped, distance_.size()), distance_.size());
-      const auto [d, v] = queue.top();
-      queue.pop();
+      const auto [d, v] = queue.pop();
       if (d > distance_[v]) continue;
-      for (std::size_t i = begin_[v]; i < begin_[v + 1]; ++i) {
-        const auto [to, e] = links_[i];
+      for (const auto& [to, e] : links_[v]) {
         if (!(d + length_[e] < distance_[to])) continue;
         distance_[to] = d + length_[e];
         before_[to] = e;
@@ -127,8 +123,7 @@ class Curves {
   const base::Host& host_;
   EdgeTable edges_;
   Array<double> length_;
-  Array<std::size_t> begin_;  // of the links of each vertex
-  Array<Link> links_;
+  base::Groups<Link> links_;  // of each vertex
   Array<double> distance_;
   Array<Index> before_;  // edge of each vertex on its way to the root
 };
