@@ -338,24 +338,8 @@ WorkingMap::WorkingMap(const SurfaceMap& map, const base::Host& host)
 }
 
 SurfaceMap WorkingMap::result(const base::Host& host) const {
-  SurfaceMap map(host.memory);
-  Array<Index> number(image.size(), no_index, host.memory);
-  for (Index v = 0; v < image.size(); ++v) {
-    if (surface.outgoing(v) == no_index && surface.source[v].corner[1] != no_index) continue;
-    number[v] = static_cast<Index>(map.positions.size());
-    map.positions.push_back(surface.position[v]);
-    map.vertex_sources.push_back(surface.source[v]);
-    map.polycube.push_back(image[v]);
-  }
-  for (Index f = 0; f < surface.faces(); ++f) {
-    if (!surface.alive(f)) continue;
-    const auto& [a, b, c] = surface.triangle[f];
-    map.triangles.push_back({number[a], number[b], number[c]});
-    map.triangle_sources.push_back(surface.triangle_source[f]);
-    map.labels.push_back(label[f]);
-    map.patches.push_back(facet[f]);
-  }
-  return map;
+  return map_of(
+      surface, image, facet, [&](Index f) { return label[f]; }, host.memory);
 }
 
 int WorkingMap::edges_at(Index v) const {

@@ -6,16 +6,14 @@
 // and distortion does not see them: triangles may lie across.
 #pragma once
 
-#include <Eigen/Core>
 #include <span>
 
 #include "base/heap.h"
 #include "base/host.h"
 #include "polycube/surface/editable_surface.h"
+#include "polycube/surface/quarter_turns.h"
 
 namespace orbicube::polycube {
-
-using Eigen::Vector2d;
 
 // A map that is being changed.
 struct WorkingMap {
@@ -34,20 +32,6 @@ struct WorkingMap {
   double scale = 1;        // of lengths in space, for equal areas
   double area = 1;         // of the polycube
 };
-
-// p rotated by the given number of quarter turns, exactly.
-inline Vector2d turned_by(const Vector2d& p, int quarters) {
-  switch (quarters & 3) {
-    case 1:
-      return {-p.y(), p.x()};
-    case 2:
-      return -p;
-    case 3:
-      return {p.y(), -p.x()};
-    default:
-      return p;
-  }
-}
 
 struct CornerSector {
   AxisLabel label;

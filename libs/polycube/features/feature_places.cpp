@@ -72,7 +72,7 @@ FeaturePlaces::InPlane FeaturePlaces::find(Index vertex, const Vector3& place, i
     const AxisLabel label = map_.labels[target.triangle];
     base::require(axis_of(label) != axis, "the line of a feature is not in a patch of the polycube");
     const UnfoldedPatch facet{label, 0};
-    result.along = PlaneMotion::turned(facet.flat(Vector3::Unit(axis)), back.quarters);
+    result.along = turned_by(facet.flat(Vector3::Unit(axis)), back.quarters);
   }
   return result;
 }

@@ -132,26 +132,9 @@ class LayoutMap {
     improve(v);
   }
 
-  // Vertices of the input stay where they are, those that were added close up.
-  SurfaceMap result() {
-    SurfaceMap map(host_.memory);
-    Array<Index> number(surface_.vertices(), no_index, host_.memory);
-    for (Index v = 0; v < surface_.vertices(); ++v) {
-      if (surface_.outgoing(v) == no_index && surface_.source[v].corner[1] != no_index) continue;
-      number[v] = static_cast<Index>(map.positions.size());
-      map.positions.push_back(surface_.position[v]);
-      map.vertex_sources.push_back(surface_.source[v]);
-      map.polycube.push_back(image_[v]);
-    }
-    for (Index f = 0; f < surface_.faces(); ++f) {
-      if (!surface_.alive(f)) continue;
-      const auto& [a, b, c] = surface_.triangle[f];
-      map.triangles.push_back({number[a], number[b], number[c]});
-      map.triangle_sources.push_back(Index{surface_.triangle_source[f]});
-      map.labels.push_back(AxisLabel{label_[f]});
-      map.patches.push_back(Index{facet_[f]});
-    }
-    return map;
+  SurfaceMap result() const {
+    return map_of(
+        surface_, image_, facet_, [&](Index f) { return label_[f]; }, host_.memory);
   }
 
   const Layout& layout_;

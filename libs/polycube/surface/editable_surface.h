@@ -71,6 +71,31 @@ class EditableSurface {
   Array<std::uint8_t> dead_;
 };
 
+// Returns the map of the faces that are alive, with positions on the polycube of each vertex, patches of each face, and
+// label_of(face). Vertices of the input stay where they are, those that were added close up.
+template <class LabelOf>
+SurfaceMap map_of(const EditableSurface& surface, std::span<const Vector3> on_polycube, std::span<const Index> patches,
+                  const LabelOf& label_of, std::pmr::memory_resource* memory) {
+  SurfaceMap map(memory);
+  Array<Index> number(surface.vertices(), no_index, memory);
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    if (surface.outgoing(v) == no_index && surface.source[v].corner[1] != no_index) continue;
+    number[v] = static_cast<Index>(map.positions.size());
+    map.positions.push_back(surface.position[v]);
+    map.vertex_sources.push_back(surface.source[v]);
+    map.polycube.push_back(on_polycube[v]);
+  }
+  for (Index f = 0; f < surface.faces(); ++f) {
+    if (!surface.alive(f)) continue;
+    const auto& [a, b, c] = surface.triangle[f];
+    map.triangles.push_back({number[a], number[b], number[c]});
+    map.triangle_sources.push_back(Index{surface.triangle_source[f]});
+    map.labels.push_back(AxisLabel{label_of(f)});
+    map.patches.push_back(Index{patches[f]});
+  }
+  return map;
+}
+
 // a and b are convex combinations within one triangle; so is what is `part` of the way from a to b.
 VertexSource between_sources(const VertexSource& a, const VertexSource& b, double part);
 

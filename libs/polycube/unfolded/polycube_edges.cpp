@@ -146,7 +146,7 @@ class Folding {
 
   static Vector2d left_of(const Line& line) { return {-line.direction.y(), line.direction.x()}; }
   static Line through(const Line& line, const PlaneMotion& motion) {
-    return {motion(line.point), PlaneMotion::turned(line.direction, motion.quarters)};
+    return {motion(line.point), turned_by(line.direction, motion.quarters)};
   }
 
   // The patch of the polycube of each triangle, from the corners on.
@@ -170,7 +170,7 @@ class Folding {
         motion.quarters = static_cast<int>(std::lround(std::atan2(cross(along, wanted), along.dot(wanted)) /
                                                        (0.5 * std::numbers::pi))) &
                           3;
-        motion.shift = facet.flat(corner.place) - PlaneMotion::turned(p, motion.quarters);
+        motion.shift = facet.flat(corner.place) - turned_by(p, motion.quarters);
         if (facet_[h / 3] != no_index && facet_[h / 3] != map_.darts[dart].facet) astray("faces meet");
         facet_[h / 3] = map_.darts[dart].facet;
         to_facet_[h / 3] = motion;
@@ -194,7 +194,6 @@ class Folding {
     }
   }
 
-  // Vertices of the input stay where they are, those that were added close up.
   SurfaceMap result() {
     Array<Vector3> place(surface_.vertices(), Vector3::Zero(), host_.memory);
     for (Index h = 0; h < 3 * surface_.faces(); ++h) {
@@ -210,24 +209,8 @@ class Folding {
     for (const UnfoldedCorner& corner : map_.corners)
       place[corner.vertex] = corner.place;
 
-    SurfaceMap map(host_.memory);
-    Array<Index> number(surface_.vertices(), no_index, host_.memory);
-    for (Index v = 0; v < surface_.vertices(); ++v) {
-      if (surface_.outgoing(v) == no_index && surface_.source[v].corner[1] != no_index) continue;
-      number[v] = static_cast<Index>(map.positions.size());
-      map.positions.push_back(surface_.position[v]);
-      map.vertex_sources.push_back(surface_.source[v]);
-      map.polycube.push_back(place[v]);
-    }
-    for (Index f = 0; f < surface_.faces(); ++f) {
-      if (!surface_.alive(f)) continue;
-      const auto& [a, b, c] = surface_.triangle[f];
-      map.triangles.push_back({number[a], number[b], number[c]});
-      map.triangle_sources.push_back(Index{surface_.triangle_source[f]});
-      map.labels.push_back(AxisLabel{map_.facets[facet_[f]].label});
-      map.patches.push_back(Index{facet_[f]});
-    }
-    return map;
+    return map_of(
+        surface_, place, facet_, [&](Index f) { return map_.facets[facet_[f]].label; }, host_.memory);
   }
 
   UnfoldedMap& map_;

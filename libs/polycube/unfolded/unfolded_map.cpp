@@ -22,7 +22,7 @@ PlaneMotion hinge(const UnfoldedPatch& from, const UnfoldedPatch& to, const Vect
   const Vector3 along = Vector3::Unit(third_axis(axis_of(from.label), axis_of(to.label)));
   PlaneMotion motion;
   motion.quarters = quarters_of(signed_angle(from.flat(along), to.flat(along)));
-  motion.shift = to.flat(point) - PlaneMotion::turned(from.flat(point), motion.quarters);
+  motion.shift = to.flat(point) - turned_by(from.flat(point), motion.quarters);
   return motion;
 }
 
@@ -116,7 +116,7 @@ PlaneMotion UnfoldedMap::across(Index h) const {
   const Vector2d there = at(EditableSurface::next(other)), next_there = at(other);
   PlaneMotion result;
   result.quarters = quarters_of(signed_angle(next - here, next_there - there));
-  result.shift = there - PlaneMotion::turned(here, result.quarters);
+  result.shift = there - turned_by(here, result.quarters);
   return result;
 }
 

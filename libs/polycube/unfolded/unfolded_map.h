@@ -9,30 +9,17 @@
 #pragma once
 
 #include "polycube/surface/editable_surface.h"
+#include "polycube/surface/quarter_turns.h"
 
 namespace orbicube::polycube {
 
-using Eigen::Vector2d;
-
 // A turn by quarters counter-clockwise, and then a shift.
 struct PlaneMotion {
-  Vector2d operator()(const Vector2d& p) const { return turned(p, quarters) + shift; }
-  PlaneMotion inverse() const { return {(4 - quarters) % 4, -turned(shift, (4 - quarters) % 4)}; }
+  Vector2d operator()(const Vector2d& p) const { return turned_by(p, quarters) + shift; }
+  PlaneMotion inverse() const { return {(4 - quarters) % 4, -turned_by(shift, -quarters)}; }
   // First `other`, then this one.
   PlaneMotion after(const PlaneMotion& other) const {
-    return {(quarters + other.quarters) % 4, turned(other.shift, quarters) + shift};
-  }
-  static Vector2d turned(const Vector2d& p, int quarters) {
-    switch (quarters) {
-      case 1:
-        return {-p.y(), p.x()};
-      case 2:
-        return -p;
-      case 3:
-        return {p.y(), -p.x()};
-      default:
-        return p;
-    }
+    return {(quarters + other.quarters) % 4, turned_by(other.shift, quarters) + shift};
   }
 
   int quarters = 0;

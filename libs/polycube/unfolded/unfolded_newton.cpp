@@ -14,6 +14,8 @@ namespace {
 
 constexpr const char* phase = "smoothing";
 
+// Not an untangle::PlanarNewton: its triangles share coordinates but for signs. Here those of a vertex are turned and
+// shifted for each triangle, and ties add to the energy.
 class System {
  public:
   struct Element {
@@ -141,7 +143,7 @@ class System {
       Eigen::Matrix<double, 4, 6> b;
       for (std::size_t k = 0; k < 3; ++k) {
         for (int s = 0; s < 2; ++s) {
-          const Vector2d way = PlaneMotion::turned(Vector2d::Unit(s), e.motion[k].quarters);
+          const Vector2d way = turned_by(Vector2d::Unit(s), e.motion[k].quarters);
           auto column = b.col(static_cast<Eigen::Index>(2 * k) + s);
           column.head<2>() = way.x() * e.rest.hat[k];
           column.tail<2>() = way.y() * e.rest.hat[k];
@@ -181,7 +183,7 @@ class System {
       Eigen::Matrix2d k = Eigen::Matrix2d::Zero();
       for (std::size_t i = 0; i < 3; ++i) {
         if (e.variable[i] == no_index) continue;
-        k += PlaneMotion::turned(direction_[e.variable[i]], e.motion[i].quarters) * e.rest.hat[i].transpose();
+        k += turned_by(direction_[e.variable[i]], e.motion[i].quarters) * e.rest.hat[i].transpose();
       }
       longest = std::min(longest, 0.9 * untangle::first_degenerate_step(j, k));
     }

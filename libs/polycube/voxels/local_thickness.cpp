@@ -101,16 +101,11 @@ Array<float> local_thickness(const VoxelSolid& solid, const base::Host& host) {
     host.report(phase, 0, 0);
     next.clear();
     for (const std::size_t here : front) {
-      const Cell c = solid.cell(here);
-      for (std::size_t a = 0; a < 3; ++a) {
-        for (const int step : {-1, 1}) {
-          if (c[a] + step < 0 || c[a] + step >= solid.count(a)) continue;
-          const std::size_t there = solid.neighbor(here, a, step);
-          if (thickness[there] > 0) continue;
-          thickness[there] = thickness[here];
-          next.push_back(there);
-        }
-      }
+      solid.for_each_neighbor(here, [&](std::size_t there) {
+        if (thickness[there] > 0) return;
+        thickness[there] = thickness[here];
+        next.push_back(there);
+      });
     }
     std::swap(front, next);
   }

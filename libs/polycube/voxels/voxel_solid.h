@@ -58,6 +58,15 @@ class VoxelSolid {
   std::size_t neighbor(std::size_t place, std::size_t axis, int sign) const {
     return sign > 0 ? place + stride(axis) : place - stride(axis);
   }
+  // visit(neighbor) for each cell of the grid that shares a face with the cell at `place`.
+  template <class Visit>
+  void for_each_neighbor(std::size_t place, const Visit& visit) const {
+    const Cell c = cell(place);
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (const int step : {-1, 1})
+        if (c[a] + step >= 0 && c[a] + step < count(a)) visit(neighbor(place, a, step));
+    }
+  }
   bool inside(std::size_t place) const { return inside_[place] != 0; }
   bool inside(const Cell& cell) const { return inside_[place(cell)] != 0; }
   void set(std::size_t place, bool inside) { inside_[place] = inside; }

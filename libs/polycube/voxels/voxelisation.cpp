@@ -104,16 +104,11 @@ double farthest_vertex(const VoxelSolid& solid, std::span<const Vector3> positio
     host.report(phase, 0, 0);
     next.clear();
     for (const std::size_t here : front) {
-      const Cell c = solid.cell(here);
-      for (std::size_t a = 0; a < 3; ++a) {
-        for (const int step : {-1, 1}) {
-          if (c[a] + step < 0 || c[a] + step >= solid.count(a)) continue;
-          const std::size_t there = solid.neighbor(here, a, step);
-          if (layer[there] >= 0) continue;
-          layer[there] = distance;
-          next.push_back(there);
-        }
-      }
+      solid.for_each_neighbor(here, [&](std::size_t there) {
+        if (layer[there] >= 0) return;
+        layer[there] = distance;
+        next.push_back(there);
+      });
     }
     std::swap(front, next);
   }
