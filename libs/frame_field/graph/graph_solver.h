@@ -2,6 +2,9 @@
 // nodes may move in a few directions only: conjugate gradients, preconditioned by a multigrid cycle over the hierarchy
 // (or by the diagonal when the mass is what counts). Nothing is factorized; float32 storage, sums in double.
 //
+// Not a linear::Multigrid, whose matrices have a block of doubles a link: here one float a link serves all components,
+// which makes a sweep a pass over the vectors alone.
+//
 // The coarse grids treat all components alike and hold the constrained nodes by a penalty on the directions in which
 // these cannot move: a preconditioner may be inexact, and this one needs a matrix only where a group has such nodes.
 #pragma once

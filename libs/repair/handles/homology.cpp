@@ -40,47 +40,50 @@ class Trees {
     in_tree_[connectivity_.opposite(h)] = tree;
   }
 
-  // By breadth, from the first vertex of each part.
-  void span_vertices() {
-    Array<std::uint8_t> seen(soup_.positions.size(), 0, host_.memory);
+  // Goes by breadth from the first element of each part: for_each(element, visit) calls visit(other, half_edge) for
+  // what is beside the element, and entered(other, half_edge, element) is called where `other` is reached first.
+  template <class ForEach, class Entered>
+  void span(std::size_t count, const ForEach& for_each, const Entered& entered) {
+    Array<std::uint8_t> seen(count, 0, host_.memory);
     Array<Index> queue(host_.memory);
-    for (Index seed = 0; seed < seen.size(); ++seed) {
+    for (Index seed = 0; seed < count; ++seed) {
       if (seen[seed] != 0) continue;
       seen[seed] = 1;
       queue.assign(1, seed);
       for (std::size_t i = 0; i < queue.size(); ++i) {
-        if (i % 65536 == 0) host_.report("finding handles", i, seen.size());
-        connectivity_.for_each_outgoing(queue[i], [&](Index h) {
-          const Index to = connectivity_.end(h);
-          if (seen[to] != 0) return;
-          seen[to] = 1;
-          take(h, 1);
-          queue.push_back(to);
+        if (i % 65536 == 0) host_.report("finding handles", i, count);
+        const Index element = queue[i];
+        for_each(element, [&](Index other, Index h) {
+          if (seen[other] != 0) return;
+          seen[other] = 1;
+          entered(other, h, element);
+          queue.push_back(other);
         });
       }
     }
   }
 
+  void span_vertices() {
+    span(
+        soup_.positions.size(),
+        [&](Index vertex, const auto& visit) {
+          connectivity_.for_each_outgoing(vertex, [&](Index h) { visit(connectivity_.end(h), h); });
+        },
+        [&](Index, Index h, Index) { take(h, 1); });
+  }
+
   void span_faces() {
-    Array<std::uint8_t> seen(soup_.triangles.size(), 0, host_.memory);
-    Array<Index> queue(host_.memory);
-    for (Index seed = 0; seed < seen.size(); ++seed) {
-      if (seen[seed] != 0) continue;
-      seen[seed] = 1;
-      queue.assign(1, seed);
-      for (std::size_t i = 0; i < queue.size(); ++i) {
-        if (i % 65536 == 0) host_.report("finding handles", i, seen.size());
-        for (Index h = 3 * queue[i]; h < 3 * queue[i] + 3; ++h) {
-          const Index other = connectivity_.opposite(h) / 3;
-          if (in_tree_[h] == 1 || seen[other] != 0) continue;
-          seen[other] = 1;
+    span(
+        soup_.triangles.size(),
+        [&](Index face, const auto& visit) {
+          for (Index h = 3 * face; h < 3 * face + 3; ++h)
+            if (in_tree_[h] != 1) visit(connectivity_.opposite(h) / 3, h);
+        },
+        [&](Index other, Index h, Index face) {
           take(h, 2);
           entered_by_[other] = connectivity_.opposite(h);
-          depth_[other] = depth_[queue[i]] + 1;
-          queue.push_back(other);
-        }
-      }
-    }
+          depth_[other] = depth_[face] + 1;
+        });
   }
 
   // The edge itself, and those that the tree of faces crosses between its two faces.

@@ -101,13 +101,8 @@ class Hierarchy {
   using Entry = std::pair<double, Index>;
 
   void place_tetrahedron() {
-    const double a = 1 / std::sqrt(3.0);
+    set_tetrahedron(decimation_.tetrahedron, directions_);
     const auto [top, first, second, third] = decimation_.tetrahedron;
-    directions_[top] = Vector3(a, a, a);
-    // The first three neighbors counter-clockwise seen from outside at `top`.
-    directions_[first] = Vector3(a, -a, -a);
-    directions_[second] = Vector3(-a, a, -a);
-    directions_[third] = Vector3(-a, -a, a);
     vertices_ = 4;
     value_ = star_energy(energy_, star_of(top), directions_[top], directions_) + fan_energy(first, {third, second});
   }

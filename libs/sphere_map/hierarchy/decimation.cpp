@@ -1,6 +1,7 @@
 #include "sphere_map/hierarchy/decimation.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <utility>
 
@@ -69,6 +70,16 @@ Decimation decimate(std::span<const Vector3> positions, VertexRings rings, std::
   result.tetrahedron = {first, ring[0], ring[1], ring[2]};
   result.rings = std::move(costs.rings());
   return result;
+}
+
+void set_tetrahedron(const std::array<Index, 4>& vertices, std::span<Vector3> directions) {
+  const double a = 1 / std::sqrt(3.0);
+  const auto [top, first, second, third] = vertices;
+  directions[top] = Vector3(a, a, a);
+  // The first three neighbors counter-clockwise seen from outside at `top`.
+  directions[first] = Vector3(a, -a, -a);
+  directions[second] = Vector3(-a, a, -a);
+  directions[third] = Vector3(-a, -a, a);
 }
 
 }  // namespace orbicube::sphere_map

@@ -32,4 +32,7 @@ constexpr std::size_t usual_region_size = 50000;
 Decimation decimate(std::span<const mesh::Vector3> positions, VertexRings rings, std::uint64_t seed,
                     const base::Host& host, const base::ThreadPool& pool, std::size_t region_size = usual_region_size);
 
+// Sets the directions of the vertices that are left to a regular tetrahedron.
+void set_tetrahedron(const std::array<Index, 4>& vertices, std::span<mesh::Vector3> directions);
+
 }  // namespace orbicube::sphere_map

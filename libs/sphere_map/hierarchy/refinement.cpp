@@ -94,14 +94,8 @@ class Refiner {
   }
 
   void place_tetrahedron() {
-    const double a = 1 / std::sqrt(3.0);
-    const auto [top, first, second, third] = decimation_.tetrahedron;
-    directions_[top] = Vector3(a, a, a);
-    // The first three neighbors counter-clockwise seen from outside at `top`.
-    directions_[first] = Vector3(a, -a, -a);
-    directions_[second] = Vector3(-a, a, -a);
-    directions_[third] = Vector3(-a, -a, a);
-    level_.vertices.assign({top, first, second, third});
+    set_tetrahedron(decimation_.tetrahedron, directions_);
+    level_.vertices.assign(decimation_.tetrahedron.begin(), decimation_.tetrahedron.end());
   }
 
   void solve_level(std::size_t total) {
