@@ -35,14 +35,7 @@ hexmesh::Options options_of(const Part& part, std::size_t cells, hexmesh::Featur
   options.features = features;
   options.tagged_edges = part.tags.edges;
   options.tagged_vertices = part.tags.vertices;
-  options.fill = [](std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
-                    double max_volume, const base::Host& host) {
-    tetrahedra::Solid filled = tetrahedra::fill(positions, triangles, {.max_volume = max_volume}, host);
-    mesh::Mesh solid(host.memory);
-    solid.positions = std::move(filled.positions);
-    solid.tetrahedra = std::move(filled.tetrahedra);
-    return solid;
-  };
+  options.fill = tetrahedra::filled_mesh;
   return options;
 }
 

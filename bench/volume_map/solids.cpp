@@ -54,15 +54,6 @@ double distortion(const volume_map::SolidMap& map) {
   return sum / volumes;
 }
 
-mesh::Mesh fill(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles, double max_volume,
-                const base::Host& host) {
-  tetrahedra::Solid made = tetrahedra::fill(positions, triangles, {.max_volume = max_volume}, host);
-  mesh::Mesh solid(host.memory);
-  solid.positions = std::move(made.positions);
-  solid.tetrahedra = std::move(made.tetrahedra);
-  return solid;
-}
-
 void write(const std::filesystem::path& path, const base::Array<Vector3>& positions,
            const base::Array<mesh::Tetrahedron>& tetrahedra, const base::Host& host) {
   mesh::Mesh cells(host.memory);
@@ -87,7 +78,7 @@ int main(int argc, char** argv) {
       const base::Host host;
       mesh::Mesh surface = mesh::read_mesh(std::filesystem::path(argv[1]) / file, {}, host);
       mesh::orient(surface.positions, surface.triangles, host);
-      const volume_map::FilledSolid filled = volume_map::filled_solid(surface, 6000, fill, host);
+      const volume_map::FilledSolid filled = volume_map::filled_solid(surface, 6000, tetrahedra::filled_mesh, host);
       const double after_fill = now();
       base::Array<Vector3> outer(host.memory);
       mesh::Index vertices = 0;

@@ -26,12 +26,7 @@ void write_gltf(const std::filesystem::path& path, const mesh::Mesh& mesh, const
     high = high.cwiseMax(p);
   }
   const gltf::FloatFrame frame = gltf::float_frame(low, high);
-  base::Array<float> positions(host.memory);
-  positions.reserve(3 * mesh.positions.size());
-  for (const mesh::Vector3& p : mesh.positions) {
-    for (const double coordinate : frame.stored(p))
-      positions.push_back(static_cast<float>(coordinate));
-  }
+  const base::Array<float> positions = gltf::stored_positions(mesh.positions, frame, host.memory);
   gltf::Scene scene;
   scene.positions = positions;
   scene.triangles = mesh.triangles;

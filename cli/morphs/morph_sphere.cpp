@@ -14,10 +14,9 @@
 #include "gltf/json/asset.h"
 #include "gltf/reading/accessor.h"
 #include "gltf/reading/scene.h"
-#include "gltf/writing/checker.h"
 #include "gltf/writing/float_frame.h"
 #include "gltf/writing/morph.h"
-#include "gltf/writing/write.h"
+#include "scenes/checkered_scene.h"
 #include "sphere_map/optimization/measure.h"
 #include "sphere_map/sampling/rounding.h"
 
@@ -152,21 +151,14 @@ void write_morph_sphere(const std::filesystem::path& path, const MorphSphere& ma
                         const std::string& name, const gltf::Kept* kept, const base::Host& host) {
   const gltf::MorphTarget target{"sphere", map.sphere};
   const std::vector<float> coordinates = folded_octahedron(map.directions);
-  gltf::Checker checker;
-  checker.columns = checker.rows = 32;
-  const Array<std::byte> texture = gltf::checker_png(checker, host.memory);
-  gltf::Scene scene;
+  CheckeredScene checkered({map.translation, map.scale}, name, 32, host.memory);
+  gltf::Scene& scene = checkered.scene;
   scene.positions = map.base;
   scene.triangles = triangles;
   scene.smooth_normals = true;
   scene.texture_coordinates = coordinates;
   scene.morph_targets = {&target, 1};
   scene.morph_normals = true;
-  scene.translation = map.translation;
-  scene.scale = map.scale;
-  scene.base_color = {1, 1, 1, 1};
-  scene.texture = texture;
-  scene.name = name;
   scene.kept = kept;
   gltf::write(path, scene, host);
 }

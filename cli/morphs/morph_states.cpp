@@ -23,17 +23,6 @@ using mesh::Vector3;
 
 using Floats = base::Array<float>;
 
-// Of each state, in the frame where float32 loses nothing to speak of.
-Floats to_floats(std::span<const Vector3> positions, const gltf::FloatFrame& frame, std::pmr::memory_resource* memory) {
-  Floats result(memory);
-  result.reserve(3 * positions.size());
-  for (const Vector3& p : positions) {
-    for (const double x : frame.stored(p))
-      result.push_back(static_cast<float>(x));
-  }
-  return result;
-}
-
 // A scene of the shape that stands there, with what was kept of the first one's file.
 gltf::Scene scene_of(const MorphStates& morph, std::span<const float> positions, const gltf::FloatFrame& frame) {
   gltf::Scene scene;
@@ -64,7 +53,7 @@ void write_targets(const MorphStates& morph, Session& session) {
   std::deque<Floats> floats;
   std::vector<gltf::MorphTarget> targets;
   for (std::size_t i = 0; i < states.size(); ++i) {
-    floats.push_back(to_floats(states[i], frame, host.memory));
+    floats.push_back(gltf::stored_positions(states[i], frame, host.memory));
     if (i > 0) targets.push_back({morph.names[i], floats.back()});
   }
   gltf::Scene scene = scene_of(morph, floats[0], frame);
@@ -97,7 +86,7 @@ void write_steps(const MorphStates& morph, Session& session) {
       about(path, Role::output, [&] {
         const mesh::Measures box = mesh::measures(step.positions, step.triangles, session.host());
         const gltf::FloatFrame frame = gltf::float_frame(box.low, box.high);
-        const Floats positions = to_floats(step.positions, frame, session.host().memory);
+        const Floats positions = gltf::stored_positions(step.positions, frame, session.host().memory);
         gltf::write(session.stage(path), scene_of(morph, positions, frame), session.host());
       });
     }

@@ -5,14 +5,12 @@
 #include <utility>
 #include <vector>
 
-#include "gltf/writing/checker.h"
-#include "gltf/writing/float_frame.h"
-#include "gltf/writing/write.h"
 #include "mesh/files/file.h"
 #include "mesh/files/text_writer.h"
 #include "mesh/search/measures.h"
 #include "mesh/topology/tetrahedral_connectivity.h"
 #include "polycube/surface/surface_map.h"
+#include "scenes/checkered_scene.h"
 #include "scenes/page_figures.h"
 #include "scenes/polycube_page.h"
 
@@ -62,30 +60,19 @@ void write_parameter_scene(const std::filesystem::path& path, const ParameterSur
   gltf::FloatFrame frame;
   frame.translation = 0.5 * box.low + 0.5 * box.high;
   frame.scale = gltf::float_scale((0.5 * box.high - 0.5 * box.low).maxCoeff());
-  base::Array<float> places(host.memory);
-  for (const Vector3& p : surface.positions) {
-    for (const double x : frame.stored(p))
-      places.push_back(static_cast<float>(x));
-  }
+  const base::Array<float> places = gltf::stored_positions(surface.positions, frame, host.memory);
   // One unit of texture coordinates is two cells, a square of each color.
   std::vector<float> coordinates;
   for (const auto& [u, v] : surface.coordinates) {
     coordinates.push_back(static_cast<float>(0.5 * u));
     coordinates.push_back(static_cast<float>(-0.5 * v));
   }
-  gltf::Checker checker;
-  checker.columns = checker.rows = 2;
-  const base::Array<std::byte> texture = gltf::checker_png(checker, host.memory);
-  gltf::Scene scene;
+  CheckeredScene checkered(frame, name, 2, host.memory);
+  gltf::Scene& scene = checkered.scene;
   scene.positions = places;
   scene.triangles = surface.triangles;
   scene.smooth_normals = true;
   scene.texture_coordinates = coordinates;
-  scene.translation = frame.translation;
-  scene.scale = frame.scale;
-  scene.base_color = {1, 1, 1, 1};
-  scene.texture = texture;
-  scene.name = name;
   gltf::write(path, scene, host);
 }
 

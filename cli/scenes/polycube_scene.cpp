@@ -5,13 +5,11 @@
 #include <utility>
 #include <vector>
 
-#include "gltf/writing/checker.h"
-#include "gltf/writing/float_frame.h"
 #include "gltf/writing/morph.h"
 #include "gltf/writing/normals.h"
-#include "gltf/writing/write.h"
 #include "mesh/search/measures.h"
 #include "mesh/search/predicates.h"
+#include "scenes/checkered_scene.h"
 
 namespace orbicube::cli {
 namespace {
@@ -23,17 +21,6 @@ using mesh::Vector3;
 
 constexpr double units_along_polycube = 8;  // of texture coordinates, on its longest side
 constexpr std::uint32_t squares_a_unit = 4;
-
-Array<float> as_floats(std::span<const Vector3> positions, const gltf::FloatFrame& frame,
-                       std::pmr::memory_resource* memory) {
-  Array<float> result(memory);
-  result.reserve(3 * positions.size());
-  for (const Vector3& p : positions) {
-    for (const double x : frame.stored(p))
-      result.push_back(static_cast<float>(x));
-  }
-  return result;
-}
 
 // Of triangles with their targets as a renderer has them.
 std::size_t lost_triangles(const polycube::SurfaceMap& map, std::span<const Triangle> triangles,
@@ -91,7 +78,8 @@ struct SplitMap {
 // Of the surface, which is smooth across edges of the polycube.
 Array<float> normals_of(const polycube::SurfaceMap& map, const SplitMap& split, const gltf::FloatFrame& frame,
                         const base::Host& host) {
-  const Array<float> whole = gltf::smooth_normals(as_floats(map.positions, frame, host.memory), map.triangles, host);
+  const Array<float> whole =
+      gltf::smooth_normals(gltf::stored_positions(map.positions, frame, host.memory), map.triangles, host);
   Array<float> normals(host.memory);
   for (const Index v : split.vertices)
     for (std::size_t k = 0; k < 3; ++k)
@@ -124,28 +112,21 @@ Json write_polycube_scene(const std::filesystem::path& path, const polycube::Sur
   frame.translation = 0.5 * box.low + 0.5 * box.high;
   frame.scale = gltf::float_scale(
       std::max((0.5 * box.high - 0.5 * box.low).maxCoeff(), (0.5 * domain.high - 0.5 * domain.low).maxCoeff()));
-  const Array<float> base = as_floats(split.positions, frame, host.memory);
+  const Array<float> base = gltf::stored_positions(split.positions, frame, host.memory);
   const Array<float> target =
-      as_floats(split.on_polycube, {0.5 * domain.low + 0.5 * domain.high, frame.scale}, host.memory);
+      gltf::stored_positions(split.on_polycube, {0.5 * domain.low + 0.5 * domain.high, frame.scale}, host.memory);
   const Array<float> normals = normals_of(map, split, frame, host);
   const double unit = (domain.high - domain.low).maxCoeff() / units_along_polycube;
   const std::vector<float> coordinates = texture_coordinates(split, domain.low, unit);
   const gltf::MorphTarget morph{"polycube", target};
-  gltf::Checker checker;
-  checker.columns = checker.rows = squares_a_unit;
-  const Array<std::byte> texture = gltf::checker_png(checker, host.memory);
-  gltf::Scene scene;
+  CheckeredScene checkered(frame, name, squares_a_unit, host.memory);
+  gltf::Scene& scene = checkered.scene;
   scene.positions = base;
   scene.triangles = split.triangles;
   scene.normals = normals;
   scene.texture_coordinates = coordinates;
   scene.morph_targets = {&morph, 1};
   scene.morph_normals = true;
-  scene.translation = frame.translation;
-  scene.scale = frame.scale;
-  scene.base_color = {1, 1, 1, 1};
-  scene.texture = texture;
-  scene.name = name;
   scene.extras = Json{{"texture_unit", unit}}.dump();
   gltf::write(path, scene, host);
   return {{"output", path.string()},

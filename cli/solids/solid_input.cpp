@@ -1,8 +1,6 @@
 #include "solids/solid_input.h"
 
 #include <filesystem>
-#include <span>
-#include <utility>
 
 #include "mesh/files/file.h"
 #include "mesh/files/read.h"
@@ -23,8 +21,8 @@ void add_solid_options(CLI::App& verb, SolidOptions& options) {
           ->check(unnamed(CLI::Range(0, 1'000'000)))
           ->type_name("N");
   CLI::Option* triangles = verb.add_option("--triangles", options.triangles,
-                                           "a surface of more than twice as many triangles is mapped through a coarser "
-                                           "one of about N [default: 6000]")
+                                           "approximate number of triangles of the surface that is mapped; surfaces of "
+                                           "more than twice that number are made coarser first [default: 6000]")
                                ->check(unnamed(CLI::Range(100, 10'000'000)))
                                ->type_name("N");
   add_mending_options(verb, options.mending);
@@ -55,14 +53,7 @@ Json json_of(const SolidOptions& options) {
 
 volume_map::FillSurface fill_by_tetgen() {
 #ifdef ORBICUBE_WITH_TETRAHEDRA
-  return [](std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles, double max_volume,
-            const base::Host& host) {
-    tetrahedra::Solid filled = tetrahedra::fill(positions, triangles, {.max_volume = max_volume}, host);
-    mesh::Mesh solid(host.memory);
-    solid.positions = std::move(filled.positions);
-    solid.tetrahedra = std::move(filled.tetrahedra);
-    return solid;
-  };
+  return tetrahedra::filled_mesh;
 #else
   return {};
 #endif

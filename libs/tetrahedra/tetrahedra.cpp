@@ -5,6 +5,7 @@
 #include <csignal>
 #include <limits>
 #include <string>
+#include <utility>
 
 #include "base/counted.h"
 #include "base/error.h"
@@ -129,6 +130,15 @@ Solid fill(std::span<const Vector3> positions, std::span<const Triangle> triangl
   target.max_added = addition_limit(options, positions.size());
   const TetgenMesh made = run_tetgen(surface, target, host);
   return assemble(positions, triangles, surface, made, options.keep_surface, host);
+}
+
+mesh::Mesh filled_mesh(std::span<const Vector3> positions, std::span<const Triangle> triangles, double max_volume,
+                       const base::Host& host) {
+  Solid filled = fill(positions, triangles, {.max_volume = max_volume}, host);
+  mesh::Mesh solid(host.memory);
+  solid.positions = std::move(filled.positions);
+  solid.tetrahedra = std::move(filled.tetrahedra);
+  return solid;
 }
 
 }  // namespace orbicube::tetrahedra

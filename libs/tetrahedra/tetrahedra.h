@@ -64,4 +64,8 @@ struct Solid {
 Solid fill(std::span<const Vector3> positions, std::span<const Triangle> triangles, const Options& options,
            const base::Host& host);
 
+// Returns the same as a mesh, for callers that take any function which fills a surface.
+mesh::Mesh filled_mesh(std::span<const Vector3> positions, std::span<const Triangle> triangles, double max_volume,
+                       const base::Host& host);
+
 }  // namespace orbicube::tetrahedra

@@ -47,4 +47,15 @@ FloatFrame float_frame(const mesh::Vector3& low, const mesh::Vector3& high) {
   return frame;
 }
 
+base::Array<float> stored_positions(std::span<const mesh::Vector3> positions, const FloatFrame& frame,
+                                    std::pmr::memory_resource* memory) {
+  base::Array<float> result(memory);
+  result.reserve(3 * positions.size());
+  for (const mesh::Vector3& p : positions) {
+    for (const double x : frame.stored(p))
+      result.push_back(static_cast<float>(x));
+  }
+  return result;
+}
+
 }  // namespace orbicube::gltf
