@@ -51,7 +51,7 @@ obc_status obc_polycube_optimize_corners(const obc_polycube* map, const obc_poly
     corners.area_weight = o.area_weight;
     corners.domain = o.domain == 1;
     corners.rounds = o.rounds;
-    capi::optimized_copy(
+    capi::changed_copy(
         *map, host, out,
         [&](polycube::SurfaceMap& copy, const base::Host& on) { return polycube::optimize_corners(copy, corners, on); },
         [&](const polycube::OptimalCorners& found) { capi::write_versioned(report, to_report(found)); });

@@ -46,7 +46,7 @@ obc_status obc_polycube_optimize_domain(const obc_polycube* map, const obc_polyc
     polycube::DomainOptions domain;
     domain.measure = static_cast<polycube::DomainMeasure>(o.measure);
     domain.area_weight = o.area_weight;
-    capi::optimized_copy(
+    capi::changed_copy(
         *map, host, out,
         [&](polycube::SurfaceMap& copy, const base::Host& on) { return polycube::optimize_domain(copy, domain, on); },
         [&](const polycube::OptimalDomain& found) { capi::write_versioned(report, to_report(found)); });

@@ -56,10 +56,7 @@ obc_polycube_feature_report to_report(const polycube::FeatureFit& from) {
   report.sharp_length = from.sharp_length;
   report.sharp_before = from.sharp_before;
   report.sharp = from.sharp;
-  report.angle_mean = from.distortion.angle_mean;
-  report.area_mean = from.distortion.area_mean;
-  report.angle_weighted_mean = from.distortion.angle_weighted_mean;
-  report.area_weighted_mean = from.distortion.area_weighted_mean;
+  capi::set_distortion(from.distortion, report);
   return report;
 }
 
@@ -79,14 +76,10 @@ obc_status obc_polycube_align_features(const obc_polycube* map, const obc_polycu
     const obc_polycube_feature_options o = capi::copy_versioned(options, default_options());
     const auto points = points_of(o);
     const auto curves = curves_of(o);
-    auto made = std::make_unique<obc_polycube>(host);
-    made->map = map->map;
-    const polycube::FeatureFit found = polycube::align_features(
-        made->map, {.points = points, .curves = curves, .feature_angle = o.feature_angle}, made->adapter.host());
-    made->corners = found.certificate.corners;
-    made->patches = found.certificate.patch_count;
-    made->construction = map->construction;
-    capi::write_versioned(report, to_report(found));
-    *out = made.release();
+    const polycube::FeatureOptions features = {.points = points, .curves = curves, .feature_angle = o.feature_angle};
+    capi::changed_copy(
+        *map, host, out,
+        [&](polycube::SurfaceMap& copy, const base::Host& on) { return polycube::align_features(copy, features, on); },
+        [&](const polycube::FeatureFit& found) { capi::write_versioned(report, to_report(found)); });
   });
 }

@@ -8,6 +8,7 @@
 #include "capi/src/entry.h"
 #include "capi/src/surface_view.h"
 #include "orbicube/polycube.h"
+#include "polycube/surface/distortion.h"
 #include "polycube/surface/surface_map.h"
 
 struct obc_polycube {
@@ -23,6 +24,14 @@ struct obc_polycube {
 
 namespace orbicube::capi {
 
+template <class Report>
+void set_distortion(const polycube::Distortion& from, Report& report) {
+  report.angle_mean = from.angle_mean;
+  report.area_mean = from.area_mean;
+  report.angle_weighted_mean = from.angle_weighted_mean;
+  report.area_weighted_mean = from.area_weighted_mean;
+}
+
 // What the two optimizations report alike.
 template <class Report, class Found>
 Report report_of_optimum(const Found& from) {
@@ -31,25 +40,22 @@ Report report_of_optimum(const Found& from) {
   report.energy_before = from.energies.front();
   report.energy = from.energies.back();
   report.evaluations = from.evaluations;
-  report.angle_mean = from.distortion.angle_mean;
-  report.area_mean = from.distortion.area_mean;
-  report.angle_weighted_mean = from.distortion.angle_weighted_mean;
-  report.area_weighted_mean = from.distortion.area_weighted_mean;
+  set_distortion(from.distortion, report);
   return report;
 }
 
-// A handle of its own for the map that `optimize` (of a map and the host) makes of a copy; `tell` gets what that found
+// A handle of its own for the map that `change` (of a map and the host) makes of a copy; `tell` gets what that found
 // before the handle is given away.
-template <class Optimize, class Tell>
-void optimized_copy(const obc_polycube& map, const obc_host* host, obc_polycube** out, const Optimize& optimize,
-                    const Tell& tell) {
+template <class Change, class Tell>
+void changed_copy(const obc_polycube& map, const obc_host* host, obc_polycube** out, const Change& change,
+                  const Tell& tell) {
   auto made = std::make_unique<obc_polycube>(host);
   made->map = map.map;
-  const auto found = optimize(made->map, made->adapter.host());
+  const auto found = change(made->map, made->adapter.host());
   made->corners = found.certificate.corners;
   made->patches = found.certificate.patch_count;
   made->construction = map.construction;
-  made->energies = found.energies;
+  if constexpr (requires { found.energies; }) made->energies = found.energies;
   tell(found);
   *out = made.release();
 }

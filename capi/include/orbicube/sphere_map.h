@@ -241,7 +241,7 @@ OBC_API obc_status obc_sphere_map_image_write(const char *path, const double *pi
 OBC_API obc_status obc_sphere_map_image_read(const char *path, const obc_host *host, int32_t *layout, size_t *resolution,
                                              double *pixels, size_t capacity, obc_error *error);
 
-/* ---- correspondence of two shapes through their spheres -------------------------------------------------------------- */
+/* ---- rotations, warps and overlays of maps --------------------------------------------------------------------------- */
 
 /* Computes the rotation, row by row, that maps `from` nearest to `to` in the least-squares sense (Kabsch 1976): 3 * count doubles each,
  * scaled to length 1. Where the pairs do not determine it, the rotation of minimum angle. Errors: OBC_INVALID_ARGUMENT. */
