@@ -65,12 +65,6 @@ std::uint64_t whole_number(std::string_view word, const std::string& field) {
   return value;
 }
 
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t\r");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
-
 std::string_view next_word(std::string_view& text, std::string_view separators) {
   const auto first = text.find_first_not_of(separators);
   if (first == std::string_view::npos) {

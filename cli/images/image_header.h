@@ -51,7 +51,6 @@ const std::string& required_field(const HeaderFields& fields, const char* name);
 double real_number(std::string_view word, const std::string& field);
 std::uint64_t whole_number(std::string_view word, const std::string& field);
 // The words between blanks and the given separators.
-std::string_view trimmed(std::string_view text);
 std::string_view next_word(std::string_view& text, std::string_view separators = " \t");
 // Throws Error "unsafe-path" unless it is the name of a file in the folder of the header.
 void require_plain_name(std::string_view name);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "images/image_header.h"
+#include "mesh/files/text_scanner.h"
 
 namespace orbicube::cli {
 namespace {
@@ -14,7 +15,7 @@ HeaderFields metaimage_fields(std::string_view bytes, ImageHeader& header) {
   std::size_t at = 0;
   while (fields.count("ElementDataFile") == 0) {
     const std::size_t end = bytes.find('\n', at);
-    const std::string_view line = trimmed(bytes.substr(at, end == std::string_view::npos ? end : end - at));
+    const std::string_view line = mesh::trimmed(bytes.substr(at, end == std::string_view::npos ? end : end - at));
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos || line.size() > 10'000) {
       if (line.empty() && end != std::string_view::npos) {
@@ -24,7 +25,7 @@ HeaderFields metaimage_fields(std::string_view bytes, ImageHeader& header) {
       if (fields.count("NDims") == 0) refuse_image("bad-magic", "this is no MetaImage file: its header has no NDims");
       refuse_image("truncated", "the header ends without ElementDataFile");
     }
-    fields.emplace(trimmed(line.substr(0, equals)), trimmed(line.substr(equals + 1)));
+    fields.emplace(mesh::trimmed(line.substr(0, equals)), mesh::trimmed(line.substr(equals + 1)));
     at = end == std::string_view::npos ? bytes.size() : end + 1;
   }
   header.data_begin = at;

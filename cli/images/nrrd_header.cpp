@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "images/image_header.h"
+#include "mesh/files/text_scanner.h"
 
 namespace orbicube::cli {
 namespace {
@@ -59,7 +60,7 @@ HeaderFields nrrd_fields(std::string_view bytes, ImageHeader& header) {
   std::size_t at = 0;
   for (bool first = true;; first = false) {
     const std::size_t end = bytes.find('\n', at);
-    const std::string_view line = trimmed(bytes.substr(at, end == std::string_view::npos ? end : end - at));
+    const std::string_view line = mesh::trimmed(bytes.substr(at, end == std::string_view::npos ? end : end - at));
     const bool ended = end == std::string_view::npos;
     at = ended ? bytes.size() : end + 1;
     if (!first && !line.empty() && line[0] != '#') {
@@ -67,7 +68,7 @@ HeaderFields nrrd_fields(std::string_view bytes, ImageHeader& header) {
       if (colon == std::string_view::npos)
         refuse_image("parse", "the line \"" + std::string(line.substr(0, 40)) + "\" of the header is no field");
       if (line.substr(colon, 2) != ":=")  // keys with values are not part of the format
-        fields.emplace(line.substr(0, colon), trimmed(line.substr(colon + 1)));
+        fields.emplace(line.substr(0, colon), mesh::trimmed(line.substr(colon + 1)));
     }
     if (ended || (!first && line.empty())) break;
   }
@@ -77,7 +78,7 @@ HeaderFields nrrd_fields(std::string_view bytes, ImageHeader& header) {
 
 // "(x,y,z)"
 std::array<double, 3> nrrd_vector(std::string_view& text, const char* field) {
-  text = trimmed(text);
+  text = mesh::trimmed(text);
   const std::size_t end = text.find(')');
   if (text.empty() || text[0] != '(' || end == std::string_view::npos)
     refuse_image("parse", std::string(field) +
