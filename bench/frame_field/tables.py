@@ -12,8 +12,10 @@ Needs nothing else. Some 0.3 ms a tetrahedron; times are of CPU, one thread.
 """
 import argparse
 import os
-import platform
-import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from programs import measured, processor  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -57,18 +59,6 @@ the other way round but for what is said under [all meshes](#all-meshes).
 
 
 METHODS = ("dissertation", "seed, boundary of default", "default")
-
-
-def measured(build, name, command, again):
-    """The output of the program, from a former run if there is one."""
-    path = os.path.join(build, "bench", "frame_field", name)
-    if again or not os.path.exists(path):
-        print("running", " ".join(command), flush=True)
-        output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(output)
-    with open(path, encoding="utf-8") as file:
-        return file.read()
 
 
 def read_fields(text):
@@ -188,14 +178,6 @@ def angle_picture(angles, path):
                    'font-size="11"><rect width="100%" height="100%" fill="#fff"/>\n' + "\n".join(lines) + "\n</svg>\n")
 
 
-def processor():
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            return next(line.split(":")[1].strip() for line in file if line.startswith("model name"))
-    except (OSError, StopIteration):
-        return platform.machine()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build")
@@ -203,9 +185,13 @@ def main():
     parser.add_argument("--again", action="append", default=[], choices=("fields", "scaling"))
     options = parser.parse_args()
     program = os.path.join(options.build, "bench", "frame_field", "bench-frame-field")
-    fields, angles = read_fields(measured(options.build, "fields.tsv", [program, "fields", *options.meshes], "fields" in options.again))
+
+    def kept(name):
+        return os.path.join(options.build, "bench", "frame_field", name)
+
+    fields, angles = read_fields(measured(kept("fields.tsv"), [program, "fields", *options.meshes], "fields" in options.again))
     small = [path for path in options.meshes if fields[stem(path), "default"]["tets"] < 40000]
-    scaling = measured(options.build, "scaling.tsv", [program, "scaling", *small], "scaling" in options.again)
+    scaling = measured(kept("scaling.tsv"), [program, "scaling", *small], "scaling" in options.again)
     angle_picture(angles, os.path.join(ROOT, "docs", "images", "frame_field_angles.svg"))
     whole, summary = all_table(fields, [stem(path) for path in options.meshes])
     page = f"""# The dissertation's frame field tables, recomputed

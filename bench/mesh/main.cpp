@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <ctime>
-#include <memory_resource>
 #include <random>
 #include <vector>
 
@@ -15,6 +13,7 @@
 #include <nanoflann.hpp>
 #endif
 
+#include "bench/measuring.h"
 #include "mesh/search/intersections.h"
 #include "mesh/search/nearest.h"
 #include "mesh/search/predicates.h"
@@ -29,52 +28,27 @@ using namespace orbicube::mesh;
 
 namespace {
 
-double seconds_now() {
-  timespec t;
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
-  return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
-}
-
-// Counts what is allocated at a time.
-class CountingMemory final : public std::pmr::memory_resource {
- public:
-  std::size_t most = 0;
-
- private:
-  void* do_allocate(std::size_t size, std::size_t alignment) override {
-    now_ += size;
-    most = std::max(most, now_);
-    return std::pmr::new_delete_resource()->allocate(size, alignment);
-  }
-  void do_deallocate(void* pointer, std::size_t size, std::size_t alignment) override {
-    now_ -= size;
-    std::pmr::new_delete_resource()->deallocate(pointer, size, alignment);
-  }
-  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
-  std::size_t now_ = 0;
-};
-
 // Runs `work(host)` and prints its seconds and bytes a triangle.
 template <class Work>
 void row(const char* name, std::size_t triangles, const Work& work) {
-  CountingMemory memory;
+  bench::CountingMemory memory;
   base::Host host;
   host.thread_count = 1;
   host.memory = &memory;
-  const double start = seconds_now();
+  const double start = bench::cpu_seconds();
   work(host);
-  const double seconds = seconds_now() - start;
+  const double seconds = bench::cpu_seconds() - start;
   std::printf("| %-34s | %10zu | %8.3f | %8.1f |\n", name, triangles, seconds,
-              static_cast<double>(memory.most) / static_cast<double>(triangles));
+              static_cast<double>(memory.peak()) / static_cast<double>(triangles));
 }
 
 // Seconds for each of `count` calls.
 template <class Call>
 double seconds_each(std::size_t count, const Call& call) {
-  const double start = seconds_now();
+  const double start = bench::cpu_seconds();
   for (std::size_t i = 0; i < count; ++i)
     call(i);
-  return (seconds_now() - start) / static_cast<double>(count);
+  return (bench::cpu_seconds() - start) / static_cast<double>(count);
 }
 
 #ifdef ORBICUBE_BENCH_NANOFLANN
@@ -110,10 +84,10 @@ void searches(const Mesh& surface) {
 #ifdef ORBICUBE_BENCH_NANOFLANN
   const Cloud cloud{surface.positions};
   using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Cloud>, Cloud, 3>;
-  const double start = seconds_now();
+  const double start = bench::cpu_seconds();
   Tree tree(3, cloud, nanoflann::KDTreeSingleIndexAdaptorParams(10));
   tree.buildIndex();
-  const double built = seconds_now() - start;
+  const double built = bench::cpu_seconds() - start;
   std::size_t differ = 0;
   std::size_t at = 0;
   double squared = 0;

@@ -12,7 +12,10 @@ Needs nothing else. Five minutes; times are of CPU, one thread.
 import argparse
 import os
 import platform
-import subprocess
+import sys
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from programs import measured  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
@@ -61,17 +64,11 @@ is the optimization of the domain, T2 that of domain and map in turn; the constr
 """
 
 
-def measured(build, models, again):
-    path = os.path.join(build, "bench", "polycube", "tables.tsv")
-    if again or not os.path.exists(path):
-        files = [f"{os.path.join(models, row[1])}:{row[3]}" for row in TABLE_4_2 if row[1]]
-        command = [os.path.join(build, "bench", "polycube", "bench-polycube"), "tables", *files]
-        print("running", " ".join(command), flush=True)
-        output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(output)
-    with open(path, encoding="utf-8") as file:
-        return [line.rstrip("\n").split("\t") for line in file]
+def measured_rows(build, models, again):
+    files = [f"{os.path.join(models, row[1])}:{row[3]}" for row in TABLE_4_2 if row[1]]
+    command = [os.path.join(build, "bench", "polycube", "bench-polycube"), "tables", *files]
+    text = measured(os.path.join(build, "bench", "polycube", "tables.tsv"), command, again)
+    return [line.split("\t") for line in text.splitlines()]
 
 
 def pair(angle, area):
@@ -118,7 +115,7 @@ def main():
     parser.add_argument("models")
     parser.add_argument("--again", action="store_true")
     arguments = parser.parse_args()
-    rows = measured(arguments.build, arguments.models, arguments.again)
+    rows = measured_rows(arguments.build, arguments.models, arguments.again)
     for row in rows:
         if row[0] == "failed":
             raise SystemExit("tables.py: " + " ".join(row[1:]))

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "bound_problems.h"
+#include "machine_dual.h"
 
 namespace orbicube::bench {
 namespace {
@@ -246,18 +247,7 @@ BoundProblem make_support_vectors(std::size_t n) {
       (*q)[i * n + j] = label(i) * label(j) * std::exp(-distance / 5);
     }
   }
-  p.evaluate = [n, q](const double* x, double* g) {
-    double f = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double* row = q->data() + i * n;
-      double sum = 0;
-      for (std::size_t j = 0; j < n; ++j)
-        sum += row[j] * x[j];
-      g[i] = sum - 1;
-      f += x[i] * (0.5 * sum - 1);
-    }
-    return f;
-  };
+  p.evaluate = [n, q](const double* x, double* g) { return machine_dual(*q, n, x, g); };
   return p;
 }
 

@@ -5,8 +5,8 @@ where a file of them is given.
 Usage: bound_problems.py BENCH_BOUND_PROBLEMS LIBBOUND_PROBLEMS [ASA_CG_RESULTS]
 
 Prints Markdown: evaluations of value and gradient and seconds, "-" where a solver ended unsolved. Needs numpy and scipy."""
-import ctypes
 import math
+import os
 import pathlib
 import subprocess
 import sys
@@ -15,31 +15,14 @@ import time
 import numpy
 import scipy.optimize
 
-DOUBLES = ctypes.POINTER(ctypes.c_double)
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from programs import load_problems, pointer  # noqa: E402
+
 LIMIT = 20000
 
 
 class Solved(Exception):
     pass
-
-
-def load(path):
-    library = ctypes.CDLL(str(pathlib.Path(path).resolve()))
-    library.bound_count.restype = library.bound_size.restype = ctypes.c_size_t
-    library.bound_make.restype = ctypes.c_void_p
-    library.bound_make.argtypes = [ctypes.c_size_t]
-    library.bound_name.restype = ctypes.c_char_p
-    for name in ("optimum", "tolerance", "evaluate"):
-        getattr(library, "bound_" + name).restype = ctypes.c_double
-    for name in ("name", "size", "optimum", "tolerance", "free"):
-        getattr(library, "bound_" + name).argtypes = [ctypes.c_void_p]
-    library.bound_data.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES, DOUBLES]
-    library.bound_evaluate.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES]
-    return library
-
-
-def pointer(array):
-    return array.ctypes.data_as(DOUBLES)
 
 
 def run_scipy(library, index):
@@ -89,7 +72,7 @@ def cell(outcome):
 
 
 def main(program, module, counts=None):
-    library = load(module)
+    library = load_problems(module, "bound", sizes=("size",), numbers=("optimum", "tolerance"), arrays={"data": 3})
     asa = published(counts) if counts else {}
     runs = {}
     for line in subprocess.run([program], capture_output=True, text=True, check=True).stdout.splitlines():

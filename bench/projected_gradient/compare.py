@@ -2,33 +2,14 @@
 trust-constr (up to 2000). Usage: compare.py PATH/TO/libprojected-gradient-problems.so
 
 Prints one line a problem: evaluations of value and gradient and the projected gradient reached. Needs numpy and scipy."""
-import ctypes
+import os
 import sys
 
 import numpy
 import scipy.optimize
 
-DOUBLES = ctypes.POINTER(ctypes.c_double)
-
-
-def load(path):
-    library = ctypes.CDLL(path)
-    library.bench_count.restype = ctypes.c_size_t
-    library.bench_make.restype = ctypes.c_void_p
-    library.bench_make.argtypes = [ctypes.c_size_t]
-    library.bench_name.restype = ctypes.c_char_p
-    library.bench_size.restype = library.bench_rows.restype = ctypes.c_size_t
-    library.bench_evaluate.restype = ctypes.c_double
-    for name in ("name", "size", "rows", "free"):
-        getattr(library, "bench_" + name).argtypes = [ctypes.c_void_p]
-    library.bench_data.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES, DOUBLES]
-    library.bench_linear.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES]
-    library.bench_evaluate.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES]
-    return library
-
-
-def pointer(array):
-    return array.ctypes.data_as(DOUBLES)
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from programs import load_problems, pointer  # noqa: E402
 
 
 def run(library, index):
@@ -71,6 +52,6 @@ def run(library, index):
 
 
 if __name__ == "__main__":
-    module = load(sys.argv[1])
+    module = load_problems(sys.argv[1], sizes=("size", "rows"), arrays={"data": 3, "linear": 2})
     for number in range(module.bench_count()):
         run(module, number)

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <random>
+
+#include "machine_dual.h"
 
 namespace orbicube::bench {
 namespace {
@@ -18,6 +21,25 @@ void add_row(Problem& p, const std::vector<std::pair<std::uint32_t, double>>& en
   }
   p.row_start.push_back(p.column.size());
   p.rhs.push_back(rhs);
+}
+
+// A start with the same coordinate everywhere, and the same bounds.
+void set_box(Problem& p, std::size_t n, double start, double lower, double upper) {
+  p.start.assign(n, start);
+  p.lower.assign(n, lower);
+  p.upper.assign(n, upper);
+}
+
+// 0.5 sum w (x - c)^2.
+double weighted_distance(const std::vector<double>& weight, const std::vector<double>& center, const double* x,
+                         double* g) {
+  double f = 0;
+  for (std::size_t i = 0; i < weight.size(); ++i) {
+    const double d = x[i] - center[i];
+    g[i] = weight[i] * d;
+    f += 0.5 * g[i] * d;
+  }
+  return f;
 }
 
 double chained_rosenbrock(std::size_t n, const double* x, double* g) {
@@ -43,9 +65,7 @@ Problem hock_schittkowski(int number) {
     p.evaluate = [](const double* x, double* g) { return chained_rosenbrock(2, x, g); };
     return p;
   }
-  p.start.assign(5, 2.0);
-  p.lower.assign(5, -10.0);
-  p.upper.assign(5, 10.0);
+  set_box(p, 5, 2.0, -10.0, 10.0);
   add_row(p, {{0, 1}, {1, 3}}, 0);
   add_row(p, {{2, 1}, {3, 1}, {4, -2}}, 0);
   add_row(p, {{1, 1}, {4, -1}}, 0);
@@ -125,9 +145,7 @@ Problem nonnegative_least_squares(std::size_t n) {
     }
     (*rhs)[i] += 0.1 * normal(random);
   }
-  p.start.assign(n, 0.0);
-  p.lower.assign(n, 0.0);
-  p.upper.assign(n, infinity);
+  set_box(p, n, 0.0, 0.0, infinity);
   p.evaluate = [n, rows, matrix, rhs](const double* x, double* g) {
     double f = 0;
     std::fill(g, g + n, 0.0);
@@ -174,21 +192,8 @@ Problem support_vector_machine(std::size_t n) {
   for (std::size_t i = 0; i < n; ++i)
     row.emplace_back(static_cast<std::uint32_t>(i), label[i]);
   add_row(p, row, 0);
-  p.start.assign(n, 0.0);
-  p.lower.assign(n, 0.0);
-  p.upper.assign(n, 10.0);
-  p.evaluate = [n, q](const double* x, double* g) {
-    double f = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double* row_i = q->data() + i * n;
-      double sum = 0;
-      for (std::size_t j = 0; j < n; ++j)
-        sum += row_i[j] * x[j];
-      g[i] = sum - 1;
-      f += x[i] * (0.5 * sum - 1);
-    }
-    return f;
-  };
+  set_box(p, n, 0.0, 0.0, 10.0);
+  p.evaluate = [n, q](const double* x, double* g) { return machine_dual(*q, n, x, g); };
   return p;
 }
 
@@ -197,28 +202,18 @@ Problem weighted_simplex(std::size_t n) {
   Problem p;
   p.name = "weighted simplex n=" + std::to_string(n);
   auto weight = std::make_shared<std::vector<double>>(n);
-  auto centre = std::make_shared<std::vector<double>>(n);
+  auto center = std::make_shared<std::vector<double>>(n);
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> uniform;
   std::vector<std::pair<std::uint32_t, double>> row;
   for (std::size_t i = 0; i < n; ++i) {
     (*weight)[i] = 1 + uniform(random);
-    (*centre)[i] = uniform(random) / std::sqrt(static_cast<double>(n));
+    (*center)[i] = uniform(random) / std::sqrt(static_cast<double>(n));
     row.emplace_back(static_cast<std::uint32_t>(i), 0.5 + uniform(random));
   }
   add_row(p, row, 1);
-  p.start.assign(n, 1.0 / static_cast<double>(n));
-  p.lower.assign(n, 0.0);
-  p.upper.assign(n, infinity);
-  p.evaluate = [n, weight, centre](const double* x, double* g) {
-    double f = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double d = x[i] - (*centre)[i];
-      g[i] = (*weight)[i] * d;
-      f += 0.5 * g[i] * d;
-    }
-    return f;
-  };
+  set_box(p, n, 1.0 / static_cast<double>(n), 0.0, infinity);
+  p.evaluate = [weight, center](const double* x, double* g) { return weighted_distance(*weight, *center, x, g); };
   return p;
 }
 
@@ -229,12 +224,12 @@ Problem transport(std::size_t side) {
   const std::size_t n = side * side;
   p.name = "transport n=" + std::to_string(n) + ", " + std::to_string(2 * side) + " rows";
   auto weight = std::make_shared<std::vector<double>>(n);
-  auto centre = std::make_shared<std::vector<double>>(n);
+  auto center = std::make_shared<std::vector<double>>(n);
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> uniform;
   for (std::size_t i = 0; i < n; ++i) {
     (*weight)[i] = std::pow(10.0, 3 * uniform(random));
-    (*centre)[i] = 2 * uniform(random) / static_cast<double>(side);
+    (*center)[i] = 2 * uniform(random) / static_cast<double>(side);
   }
   for (std::size_t i = 0; i < side; ++i) {
     std::vector<std::pair<std::uint32_t, double>> row, column;
@@ -245,16 +240,9 @@ Problem transport(std::size_t side) {
     add_row(p, row, 1);
     add_row(p, column, 1);
   }
-  p.start.assign(n, 0.0);
-  p.lower.assign(n, 0.0);
-  p.upper.assign(n, infinity);
-  p.evaluate = [n, weight, centre](const double* x, double* g) {
-    double f = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double d = x[i] - (*centre)[i];
-      g[i] = (*weight)[i] * d;
-      f += 0.5 * g[i] * d;
-    }
+  set_box(p, n, 0.0, 0.0, infinity);
+  p.evaluate = [n, weight, center](const double* x, double* g) {
+    double f = weighted_distance(*weight, *center, x, g);
     for (std::size_t i = 0; i + 1 < n; ++i) {
       const double d = x[i] - x[i + 1], cube = 1e3 * d * d * d;
       f += cube * d;
@@ -266,37 +254,26 @@ Problem transport(std::size_t side) {
   return p;
 }
 
+constexpr Problem (*makers[])() = {[] { return hock_schittkowski(1); },
+                                   [] { return hock_schittkowski(2); },
+                                   [] { return hock_schittkowski(53); },
+                                   [] { return chained_rosenbrock_box(1000); },
+                                   [] { return torsion(32); },
+                                   [] { return torsion(100); },
+                                   [] { return torsion(316); },
+                                   [] { return nonnegative_least_squares(2000); },
+                                   [] { return support_vector_machine(1000); },
+                                   [] { return weighted_simplex(100000); },
+                                   [] { return transport(100); }};
+
 }  // namespace
 
 std::size_t problem_count() {
-  return 11;
+  return std::size(makers);
 }
 
 Problem make_problem(std::size_t index) {
-  switch (index) {
-    case 0:
-      return hock_schittkowski(1);
-    case 1:
-      return hock_schittkowski(2);
-    case 2:
-      return hock_schittkowski(53);
-    case 3:
-      return chained_rosenbrock_box(1000);
-    case 4:
-      return torsion(32);
-    case 5:
-      return torsion(100);
-    case 6:
-      return torsion(316);
-    case 7:
-      return nonnegative_least_squares(2000);
-    case 8:
-      return support_vector_machine(1000);
-    case 9:
-      return weighted_simplex(100000);
-    default:
-      return transport(100);
-  }
+  return makers[std::min(index, std::size(makers) - 1)]();
 }
 
 }  // namespace orbicube::bench

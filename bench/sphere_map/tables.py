@@ -13,12 +13,11 @@ for the final figures the machine should do nothing else.
 """
 import argparse
 import os
-import platform
-import subprocess
 import sys
 
-sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+sys.path[:0] = [os.path.dirname(os.path.abspath(__file__)), os.path.join(os.path.dirname(os.path.abspath(__file__)), "..")]
 import chart  # noqa: E402
+from programs import measured, processor  # noqa: E402
 
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 METHODS = ("dissertation", "balanced", "angle-area")
@@ -70,18 +69,6 @@ STANDS_FOR = """\
 | Armadillo, 106K | `armadillo.ply` (43243), each triangle split in four | the same shape at another resolution |
 | Buddha, 400K | none | the available Buddha has genus 6 |
 """
-
-
-def measured(build, name, command, again):
-    """The output of a program, from a former run if there is one."""
-    path = os.path.join(build, "bench", "sphere_map", name)
-    if again or not os.path.exists(path):
-        print("running", " ".join(command), flush=True)
-        output = subprocess.run(command, check=True, capture_output=True, text=True).stdout
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(output)
-    with open(path, encoding="utf-8") as file:
-        return file.read()
 
 
 def read_maps(text):
@@ -170,14 +157,6 @@ def scaling_table(text):
     return "\n".join(lines) + f"\n\nFitted: {text.splitlines()[-1]}.\n"
 
 
-def processor():
-    try:
-        with open("/proc/cpuinfo", encoding="utf-8") as file:
-            return next(line.split(":")[1].strip() for line in file if line.startswith("model name"))
-    except (OSError, StopIteration):
-        return platform.machine()
-
-
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("build")
@@ -185,16 +164,20 @@ def main():
     parser.add_argument("--again", action="append", default=[], choices=("maps", "harmonics", "scaling"))
     options = parser.parse_args()
     program = os.path.join(options.build, "bench", "sphere_map", "bench-sphere-map")
-    maps, traces = read_maps(measured(options.build, "maps.tsv", [program + "-tables", options.models],
+
+    def kept(name):
+        return os.path.join(options.build, "bench", "sphere_map", name)
+
+    maps, traces = read_maps(measured(kept("maps.tsv"), [program + "-tables", options.models],
                                       "maps" in options.again))
     reconstruction = ""
     if os.path.exists(program + "-reconstruction"):
         reconstruction = RECONSTRUCTION_TEXT + reconstruction_table(
-            measured(options.build, "harmonics.tsv", [program + "-reconstruction", options.models],
+            measured(kept("harmonics.tsv"), [program + "-reconstruction", options.models],
                      "harmonics" in options.again)) + "\n"
     else:
         print("Table 3.5 is left out: the build has no library harmonics")
-    scaling = measured(options.build, "scaling.txt", [program, "scaling"], "scaling" in options.again)
+    scaling = measured(kept("scaling.txt"), [program, "scaling"], "scaling" in options.again)
     energy_picture(traces, os.path.join(ROOT, "docs", "images", "sphere_map_energy.png"))
     bunny = maps["bunny", "dissertation"]
     page = f"""# The dissertation's sphere map tables, recomputed

@@ -3,7 +3,7 @@ Usage: compare.py PATH/TO/libsphere-optimizer-problems.so
 
 Prints one line a problem: evaluations (points at which the value was requested, with or without gradient) and the longest
 tangent gradient of a block reached. Needs numpy and pymanopt."""
-import ctypes
+import os
 import sys
 
 import numpy
@@ -11,26 +11,8 @@ import pymanopt
 from pymanopt.manifolds import Oblique, Sphere
 from pymanopt.optimizers import ConjugateGradient, SteepestDescent
 
-DOUBLES = ctypes.POINTER(ctypes.c_double)
-
-
-def load(path):
-    library = ctypes.CDLL(path)
-    library.bench_make.restype = ctypes.c_void_p
-    library.bench_name.restype = ctypes.c_char_p
-    library.bench_evaluate.restype = ctypes.c_double
-    for name in ("problems", "count", "dimension"):
-        getattr(library, "bench_" + name).restype = ctypes.c_size_t
-    library.bench_make.argtypes = [ctypes.c_size_t]
-    for name in ("name", "count", "dimension", "free"):
-        getattr(library, "bench_" + name).argtypes = [ctypes.c_void_p]
-    library.bench_start.argtypes = [ctypes.c_void_p, DOUBLES]
-    library.bench_evaluate.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES]
-    return library
-
-
-def pointer(array):
-    return array.ctypes.data_as(DOUBLES)
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from programs import load_problems, pointer  # noqa: E402
 
 
 class Counted:
@@ -88,6 +70,6 @@ def run(library, index, tolerance=1e-6, limit=20000, seconds=60):
 
 
 if __name__ == "__main__":
-    module = load(sys.argv[1])
+    module = load_problems(sys.argv[1], sizes=("count", "dimension"), arrays={"start": 1})
     for number in range(module.bench_problems()):
         run(module, number)

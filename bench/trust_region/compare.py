@@ -11,37 +11,22 @@ import ctypes
 import io
 import logging
 import math
+import os
 import subprocess
 import sys
 import warnings
 
 import numpy
 
-DOUBLES = ctypes.POINTER(ctypes.c_double)
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from programs import load_problems, pointer  # noqa: E402
+
 KAPPAS = (10, 25, 50, 100, 200, 500)
 TAUS = (1e-3, 1e-5, 1e-7)
 
 
 class Budget(Exception):
     pass
-
-
-def load(path):
-    library = ctypes.CDLL(path)
-    library.bench_count.restype = ctypes.c_size_t
-    library.bench_make.restype = ctypes.c_void_p
-    library.bench_make.argtypes = [ctypes.c_size_t, ctypes.c_int]
-    library.bench_size.restype = library.bench_residuals.restype = ctypes.c_size_t
-    library.bench_radius.restype = ctypes.c_double
-    for name in ("size", "residuals", "radius", "free"):
-        getattr(library, "bench_" + name).argtypes = [ctypes.c_void_p]
-    library.bench_data.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES, DOUBLES]
-    library.bench_evaluate.argtypes = [ctypes.c_void_p, DOUBLES, DOUBLES]
-    return library
-
-
-def pointer(array):
-    return array.ctypes.data_as(DOUBLES)
 
 
 class Case:
@@ -139,7 +124,7 @@ def record(library, run, index, transform):
 
 
 def main(arguments):
-    library = load(arguments[0])
+    library = load_problems(arguments[0], make=(ctypes.c_int,), sizes=("size", "residuals"), numbers=("radius",), arrays={"data": 3})
     mode = arguments[2] if len(arguments) > 2 else "plain"
     if mode in ("plain", "bounded"):
         transforms = [-1 if mode == "bounded" else 0]

@@ -1,6 +1,5 @@
 // The cases behind plain C functions, for compare.py. A handle is made once a case and freed by the caller.
-#include <algorithm>
-
+#include "../problem_functions.h"
 #include "problems.h"
 
 using orbicube::bench::Problem;
@@ -27,9 +26,7 @@ double bench_radius(const Problem* problem) {
   return problem->start_radius();
 }
 void bench_data(const Problem* problem, double* start, double* lower, double* upper) {
-  std::copy(problem->start.begin(), problem->start.end(), start);
-  std::copy(problem->lower.begin(), problem->lower.end(), lower);
-  std::copy(problem->upper.begin(), problem->upper.end(), upper);
+  orbicube::bench::copy_box(*problem, start, lower, upper);
 }
 void bench_evaluate(const Problem* problem, const double* x, double* residuals) {
   problem->residuals(x, residuals);
