@@ -42,9 +42,9 @@ void add_examples(CLI::App& app) {
       {"view", "bracket.mesh -o bracket.html"},
       {"page", "creature.obj map.obj -o creature.html"},
       {"polycube", "bracket.obj -o polycube.obj --surface surface.obj"},
-      {"tetrahedralize", "bracket.obj -o bracket.mesh --quality"},
+      {"tetrahedralize", "bracket.obj -o bracket.mesh --edge-length 0.1"},
       {"hex", "bracket.obj -o bracket.mesh --cells 5000"},
-      {"untangle", "tangled.mesh -o right.mesh"},
+      {"untangle", "inverted.mesh -o valid.mesh"},
       {"volume", "bracket.obj -o polycube.mesh --source solid.mesh"}};
   for (CLI::App* verb : app.get_subcommands([](CLI::App*) { return true; })) {
     const std::string own = "orbicube " + verb->get_name() + " ", before = verb->get_footer();
@@ -58,7 +58,9 @@ int run(int argc, char** argv) {
 #ifdef ORBICUBE_WITH_CHOLMOD
   orbicube::linear::provide_cholmod(&orbicube::linear::make_cholmod_factor);
 #endif
-  CLI::App app("Turns 3D shapes into regular ones: maps closed surfaces to the unit sphere, one to one.", "orbicube");
+  CLI::App app(
+      "Maps closed surfaces to the unit sphere and to polycubes, and solids to hexahedral meshes, with certificates.",
+      "orbicube");
   app.set_version_flag("--version", std::string("orbicube ") + orbicube::base::version_text);
   app.require_subcommand(1);
   orbicube::cli::CommonOptions common;

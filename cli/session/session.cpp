@@ -148,6 +148,14 @@ CLI::Validator number_from_to(double low, double high) {
                       [=](double value) { return value >= low && value <= high; });
 }
 
+void add_text_option(CLI::App& verb, bool& text) {
+  verb.add_flag("--text", text, "write text in place of binary, in formats with both");
+}
+
+void add_weld_option(CLI::App& verb, bool& weld) {
+  verb.add_flag("--weld", weld, "weld vertices at identical positions if the surface is not closed");
+}
+
 void add_common_options(CLI::App& app, CommonOptions& options) {
   const char* group = "Options of every verb";
   app.add_flag("--quiet", options.quiet, "print errors only, no text and no progress bar")->group(group);

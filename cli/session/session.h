@@ -106,6 +106,10 @@ class Session {
 // Adds the options that all verbs have.
 void add_common_options(CLI::App& app, CommonOptions& options);
 
+// Add an option that means the same in every verb that has it.
+void add_text_option(CLI::App& verb, bool& text);
+void add_weld_option(CLI::App& verb, bool& weld);
+
 // Checks that help texts do not mention.
 CLI::Validator unnamed(CLI::Validator validator);
 // Finite numbers: any; above 0; of at least 0; in a range with its ends. Those of CLI11 let NaN pass.

@@ -56,7 +56,7 @@ Json steps_json(const repair::Report& r) {
 }  // namespace
 
 void add_mending_options(CLI::App& verb, Mending& mending) {
-  verb.add_flag("--weld", mending.weld, "weld vertices at identical positions if the surface is not closed");
+  add_weld_option(verb, mending.weld);
   verb.add_flag("--repair", mending.repair,
                 "repair the surface first, as orbicube repair does: welds, contacts, largest part, holes");
 }

@@ -42,13 +42,13 @@ polycube::DomainMeasure measure_of(const std::string& name) {
 }
 
 // Points and curves at their target positions, and sharp edges on edges of the polycube.
-void align_features(const std::string& input, const std::string& features_file, double feature_angle,
+void align_features(const std::string& input, const std::string& targets, double feature_angle,
                     polycube::SurfaceMap& map, polycube::Certificate& certificate, polycube::Distortion& distortion,
                     Json& figures, Session& session) {
   const double start = session.seconds();
   Features features;
-  if (!features_file.empty()) features = read_features(features_file, session.host());
-  polycube::FeatureFit found = about(features_file.empty() ? input : features_file, Role::input, [&] {
+  if (!targets.empty()) features = read_features(targets, session.host());
+  polycube::FeatureFit found = about(targets.empty() ? input : targets, Role::input, [&] {
     return polycube::align_features(
         map, {.points = features.points, .curves = features.curves, .feature_angle = feature_angle}, session.host());
   });
@@ -71,9 +71,9 @@ void align_features(const std::string& input, const std::string& features_file, 
 void share_one_polycube(const PolycubeOptions& options, Session& session) {
   if (options.construct == "dissertation")
     throw Failure(Exit::wrong_input, "", "usage", "--method dissertation is for one surface");
-  if (!options.features.empty() && options.features.size() != options.inputs.size())
+  if (!options.targets.empty() && options.targets.size() != options.inputs.size())
     throw Failure(Exit::wrong_input, "", "usage",
-                  "--features must be given for each of the " + std::to_string(options.inputs.size()) +
+                  "--targets must be given for each of the " + std::to_string(options.inputs.size()) +
                       " surfaces, in their order, with none for no file");
   session.options()["inputs"] = options.inputs;
   session.options()["landmarks"] = options.landmarks;
@@ -91,9 +91,9 @@ void share_one_polycube(const PolycubeOptions& options, Session& session) {
   polycube::CommonPolycube& common = shared.common;
   for (std::size_t i = 0; i < options.inputs.size(); ++i) {
     polycube::SurfaceMap& map = common.maps[i];
-    const std::string features = options.features.empty() || options.features[i] == "none" ? "" : options.features[i];
-    if (!features.empty() || options.feature_angle > 0) {
-      align_features(options.inputs[i], features, options.feature_angle, map, common.certificates[i],
+    const std::string targets = options.targets.empty() || options.targets[i] == "none" ? "" : options.targets[i];
+    if (!targets.empty() || options.feature_angle > 0) {
+      align_features(options.inputs[i], targets, options.feature_angle, map, common.certificates[i],
                      common.distortions[i], shared.figures[i], session);
       shared.figures[i]["distortion"] = distortion_figures(common.distortions[i]);
     }

@@ -155,11 +155,11 @@ void add_compare(CLI::App& app, CommonOptions& common) {
   verb->add_option("--png", options->picture,
                    "draw the matrix: black for equal shapes, light yellow for the maximum distance")
       ->type_name("FILE.png");
-  verb->add_option("--degree", options->last, "compare degrees up to N [default: all]")->check(degree)->type_name("N");
+  verb->add_option("--degree", options->last, "compare degrees up to L [default: all]")->check(degree)->type_name("L");
   verb->add_option("--min-degree", options->first,
-                   "compare degrees from N on; 1 ignores the positions of the shapes [default: 0]")
+                   "compare degrees from L on; 1 ignores the positions of the shapes [default: 0]")
       ->check(degree)
-      ->type_name("N");
+      ->type_name("L");
   verb->add_flag("--keep-size", options->keep_size, "compare shapes without normalization of their sizes");
   add_common_options(*verb, common);
   verb->footer(

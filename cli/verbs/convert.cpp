@@ -51,13 +51,12 @@ void add_convert(CLI::App& app, CommonOptions& common) {
   const auto options = std::make_shared<ConvertOptions>();
   verb->add_option("IN", options->input, std::string("mesh to read: ") + surface_endings)->required()->type_name("");
   verb->add_option("OUT", options->output, "mesh to write, in the format of its ending")->required()->type_name("");
-  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions if the surface is not closed");
+  add_text_option(*verb, options->text);
+  add_weld_option(*verb, options->weld);
   add_common_options(*verb, common);
   verb->footer(
-      "Text and binary PLY and VTK preserve doubles exactly; STL and glTF have float32. A glTF file in JSON has an "
-      "embedded "
-      "buffer.\n"
+      "Text, and binary PLY and VTK, preserve doubles exactly; binary STL, FreeSurfer, GIFTI and glTF have float32.\n"
+      "A glTF file in JSON has an embedded buffer.\n"
       "From glTF to glTF all contents are preserved: nodes, materials, textures, skins, animations, extras.");
   verb->callback([options, &common] {
     Session session(common, "convert", options->input);

@@ -369,9 +369,9 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
   verb->add_option("--align-to", options->reference,
                    "rotate COEFFS into alignment with the shape of these coefficients")
       ->type_name("COEFFS2");
-  verb->add_option("--align", options->align,
-                   "how, for --align-to (shape): shape, to where positions agree best whichever way the shapes lie; "
-                   "rotation, the parameters alone")
+  verb->add_option(
+          "--align", options->align,
+          "to maximum correlation: shape, for any poses of the shapes; rotation, for equal poses [default: shape]")
       ->check(unnamed(CLI::IsMember({"shape", "rotation"})))
       ->type_name("HOW");
   verb->add_option("--reconstruct", options->reconstruction, "write the surface of the coefficients")->type_name("OUT");
@@ -380,8 +380,8 @@ void add_harmonics(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE.html");
   add_filter_options(*verb, *options);
   add_fit_options(*verb, *options);
-  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both (PLY, STL, VTK)");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions, as for the map");
+  add_text_option(*verb, options->text);
+  add_weld_option(*verb, options->weld);
   add_common_options(*verb, common);
   verb->footer(
       "Filters change the written coefficients and their surface. The printed error is the mean distance between\nthe "

@@ -178,7 +178,7 @@ void add_hex(CLI::App& app, CommonOptions& common) {
       ->type_name("FILE.frames");
   verb->add_flag("--keep-partial", options->output.keep_partial,
                  "write OUT also if it exceeds twice --distance (exit code 1)");
-  verb->add_flag("--text", options->output.text, "write text in place of binary VTK");
+  add_text_option(*verb, options->output.text);
   add_common_options(*verb, common);
   verb->callback([options, verb, &common] {
     Session session(common, "hex", options->solid.input);

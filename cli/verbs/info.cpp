@@ -263,7 +263,7 @@ void add_info(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("info", "report the contents and the defects of a mesh file");
   const auto options = std::make_shared<InfoOptions>();
   verb->add_option("IN", options->input, std::string("mesh to read: ") + surface_endings)->required()->type_name("");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions if the surface is not closed");
+  add_weld_option(*verb, options->weld);
   add_common_options(*verb, common);
   verb->footer(
       "Defects of the shape are facts in the report, not errors: the exit code is 2 only for a file that cannot be "

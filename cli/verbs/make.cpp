@@ -48,7 +48,7 @@ void add_make(CLI::App& app, CommonOptions& common) {
             std::to_string(shape.genus) + ")\n";
   }
   list += "All are closed and outward-oriented. --seed varies all but cube and sphere.";
-  verb->add_option("SHAPE", options->shape, "name of the shape, one of those below")
+  verb->add_option("SHAPE", options->shape, "shape to generate, one of those below")
       ->required()
       ->type_name("")
       ->check([names](const std::string& name) {
@@ -64,7 +64,7 @@ void add_make(CLI::App& app, CommonOptions& common) {
   verb->add_option("--resolution", options->resolution, "approximate number of triangles [default: 20000]")
       ->check(unnamed(CLI::Range(1, 100'000'000)))
       ->type_name("N");
-  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both (PLY, STL, VTK)");
+  add_text_option(*verb, options->text);
   add_common_options(*verb, common);
   verb->footer(list);
   verb->callback([options, &common] {

@@ -246,27 +246,27 @@ void add_map_options(CLI::App& verb, MapOptions& options) {
   verb.add_option("--landmarks", options.landmarks,
                   "corresponding points: one line each, with a vertex number (from 0) or x y z for each surface")
       ->type_name("FILE");
-  CLI::Option* table =
-      verb.add_option("--table", options.table,
-                      "text, or .csv: for each vertex of A the triangle of B, counted from 0, and its weights at the "
-                      "three corners")
-          ->type_name("FILE");
+  CLI::Option* table = verb.add_option("--table", options.table,
+                                       "write for each vertex of A the triangle of B, counted from 0, and its weights "
+                                       "at the three corners, as text "
+                                       "or .csv")
+                           ->type_name("FILE");
   verb.add_option("--points", options.points,
                   "points of A for --table in place of its vertices: a triangle and three weights a line")
       ->needs(table)
       ->type_name("FILE");
-  CLI::Option* attributes =
-      verb.add_option("--attributes", options.attributes,
-                      "values of B at the vertices of A: text, .csv, or A itself with them as .ply. B is PLY (all "
-                      "properties of its vertices) or OBJ (colors, texture coordinates)")
-          ->type_name("FILE");
+  CLI::Option* attributes = verb.add_option("--attributes", options.attributes,
+                                            "write values of B at the vertices of A: as text, .csv, or in A itself, "
+                                            ".ply. B is PLY (all properties of its "
+                                            "vertices) or OBJ (colors, texture coordinates)")
+                                ->type_name("FILE");
   verb.add_option(
           "--values", options.values,
           "values of the vertices of B for --attributes in place of those in its file: numbers, a line a vertex; "
           "names in the first line")
       ->needs(attributes)
       ->type_name("FILE");
-  verb.add_flag("--weld", options.weld, "weld vertices at identical positions where a surface is not closed");
+  add_weld_option(verb, options.weld);
 }
 
 }  // namespace
@@ -277,8 +277,9 @@ void add_map(CLI::App& app, CommonOptions& common) {
   add_map_options(*verb, *options);
   add_common_options(*verb, common);
   verb->footer(
-      "Both surfaces are mapped to the sphere or to one polycube; points at one place correspond. The map is one to "
-      "one.\nFor example:\n  orbicube map horse.ply cow.obj --via polycube -o horse-on-cow.ply --table points.csv");
+      "Both surfaces are mapped to the sphere or to one polycube; points at one place correspond. The map is "
+      "bijective.\nFor example:\n  orbicube map horse.ply cow.obj --via polycube -o horse-on-cow.ply --table "
+      "points.csv");
   verb->callback([options, verb, &common] {
     Session session(common, "map", options->from);
     session.run([&] {

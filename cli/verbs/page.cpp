@@ -135,13 +135,15 @@ void add_page(CLI::App& app, CommonOptions& common) {
       ->required()
       ->type_name("SHAPE MAP");
   verb->add_option("-o,--output", options->output, "page to write")->required()->type_name("FILE.html");
-  verb->add_option("--title", options->title, "heading of the page (" + options->title + ")")->type_name("TEXT");
+  verb->add_option("--title", options->title, "heading of the page [default: " + options->title + "]")
+      ->type_name("TEXT");
   verb->add_option("--up", options->up, "vertical axis of the first view, y or z [default: y]")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
-  verb->add_option("--align", options->align,
-                   "none, or shape: rotate shapes and their maps to where positions agree best with those of the first "
-                   "one [default: none]")
+  verb->add_option(
+          "--align", options->align,
+          "rotation of shapes and their maps: none; shape, to maximum correlation of the positions with the first one "
+          "[default: none]")
       ->check(unnamed(CLI::IsMember({"none", "shape"})))
       ->type_name("HOW");
   verb->add_option(

@@ -108,7 +108,7 @@ Json json_of(const PolycubeOptions& options) {
                  {"from", options.from},
                  {"constraints", options.constraints},
                  {"optimize", options.optimize},
-                 {"features", options.features.empty() ? Json("") : Json(options.features.front())},
+                 {"targets", options.targets.empty() ? Json("") : Json(options.targets.front())},
                  {"feature_angle", options.feature_angle}};
   if (!options.optimize.empty() || options.construct == "dissertation")
     result.update(Json{
@@ -155,9 +155,9 @@ base::Array<double> optimize(const PolycubeOptions& options, polycube::Construct
     energies = options.optimize == "domain" ? optimize_domain(options, made, session)
                                             : optimize_corners(options, made, session);
   }
-  const std::string features = options.features.empty() ? "" : options.features.front();
-  if (!features.empty() || options.feature_angle > 0)
-    align_features(options.input, features, options.feature_angle, made.map, made.certificate, made.distortion,
+  const std::string targets = options.targets.empty() ? "" : options.targets.front();
+  if (!targets.empty() || options.feature_angle > 0)
+    align_features(options.input, targets, options.feature_angle, made.map, made.certificate, made.distortion,
                    session.figures(), session);
   return energies;
 }
@@ -166,10 +166,10 @@ void polycube(const PolycubeOptions& options, Session& session) {
   require_exact_output(options.output);
   if (!options.surface.empty()) require_exact_output(options.surface);
   session.options() = json_of(options);
-  if (options.features.size() > 1) session.options()["features"] = options.features;
+  if (options.targets.size() > 1) session.options()["targets"] = options.targets;
   check_polycube_outputs(options.outputs, session);
-  if (options.inputs.size() == 1 && options.features.size() > 1)
-    throw Failure(Exit::wrong_input, "", "usage", "--features: one file for one surface");
+  if (options.inputs.size() == 1 && options.targets.size() > 1)
+    throw Failure(Exit::wrong_input, "", "usage", "--targets: one file for one surface");
   if (options.inputs.size() > 1) return share_one_polycube(options, session);
   const AnyGenusSurface surface = read_surface(options, session);
   const double start = session.seconds();
@@ -251,7 +251,7 @@ void add_optimization_options(CLI::App& verb, PolycubeOptions& options) {
       ->check(non_negative_number())
       ->type_name("W");
   verb.add_option(
-          "--features", options.features,
+          "--targets", options.targets,
           "target positions of vertices and curves on the polycube: JSON, {\"points\": [{\"vertex\": 17, "
           "\"target\": [x, y, z]}, ...], \"curves\": [{\"vertices\": [...], \"from\": [x, y, z], \"to\": [x, "
           "y, z]}, ...]}; with a \"weight\" approximately. Of several surfaces one each, in their order; none for "
@@ -287,7 +287,7 @@ void add_polycube(CLI::App& app, CommonOptions& common) {
                    "for each surface")
       ->type_name("FILE");
   add_polycube_outputs(*verb, options->outputs);
-  verb->add_flag("--text", options->text, "write text in place of binary PLY and VTK");
+  add_text_option(*verb, options->text);
   add_mending_options(*verb, options->mending);
   add_common_options(*verb, common);
   verb->footer(

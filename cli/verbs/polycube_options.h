@@ -28,7 +28,8 @@ struct PolycubeOptions {
   double area_weight = 1;
   int rounds =
       -1;  // maximum number of rounds of the method of the dissertation or of the corners; negative: the default
-  std::vector<std::string> features;  // of the surface, or of each of several; none for nothing
+  std::vector<std::string>
+      targets;  // files of target positions: of the surface, or of each of several; none for nothing
   double feature_angle = 0;
   bool text = false;
   Mending mending;

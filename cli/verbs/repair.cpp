@@ -154,7 +154,7 @@ void add_repair(CLI::App& app, CommonOptions& common) {
   };
   length("--weld", o.weld_distance,
          "weld vertices of open edges within this distance [default: at the same position, then 1e-6 of the diagonal]");
-  verb->get_option("--weld")->expected(0, 1)->default_str("0");
+  verb->get_option("--weld")->expected(0, 1)->default_str("0")->option_text("[DISTANCE]");
   verb->add_option("--slivers", o.sliver_ratio,
                    "height over longest side of near-degenerate triangles, below 0.5 [default: 1e-6]")
       ->check(number_from_to(0, 0.4999))
@@ -169,9 +169,10 @@ void add_repair(CLI::App& app, CommonOptions& common) {
       ->expected(0, 1)
       ->default_str("0")
       ->check(unnamed(CLI::Range(0, 1'000'000'000)))
-      ->type_name("EDGES");
-  verb->add_flag("!--flat-patches", o.holes.fair,
-                 "no vertices inside patches of holes; default: they continue the surface around");
+      ->option_text("[EDGES]");
+  verb->add_flag_callback(
+      "--flat-patches", [&o] { o.holes.fair = false; },
+      "insert no vertices inside patches of holes; default: patches continue the surface around them smoothly");
   length("--wrap", o.wrap_offset,
          "replace all parts by a surface around them at this distance, which does not intersect itself");
   verb->add_option("--genus", o.handles.max_genus, "cut handles and tunnels, shortest loops first, down to this genus")
@@ -186,7 +187,7 @@ void add_repair(CLI::App& app, CommonOptions& common) {
       ->type_name("STEP...");
   verb->add_flag("--keep-partial", options->keep_partial,
                  "write OUT also if no closed, oriented manifold was reached (exit code 1)");
-  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both");
+  add_text_option(*verb, options->text);
   add_common_options(*verb, common);
   verb->footer(
       "Steps, in this order: weld, clean (degenerate and repeated faces, unused vertices), slivers, t-junctions, "

@@ -336,7 +336,7 @@ void add_sphere(CLI::App& app, CommonOptions& common) {
   verb->add_option("--page", options->page, "write a page with shape and map side by side, and the figures")
       ->type_name("FILE.html");
   add_sphere_uses(*verb, options->uses);
-  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both (PLY, STL, VTK)");
+  add_text_option(*verb, options->text);
   add_mending_options(*verb, options->mending);
   verb->add_flag("--keep-partial", options->keep_partial,
                  "if no valid map is found, or the time limit or Ctrl-C ends the work, write the best partial map; the "

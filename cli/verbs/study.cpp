@@ -137,7 +137,7 @@ void add_study(CLI::App& app, CommonOptions& common) {
                        surface_endings + "; label images: " + label_image_endings)
       ->required()
       ->type_name("FOLDER|LIST");
-  verb->add_option("-o,--output", options->output, "folder to write to; it is made if it is not there")
+  verb->add_option("-o,--output", options->output, "folder to write to, created if it does not exist")
       ->required()
       ->type_name("FOLDER");
   verb->add_option("--grid", options->grid,
@@ -148,12 +148,14 @@ void add_study(CLI::App& app, CommonOptions& common) {
                    "rotation, the same for equal poses; none [default: shape]")
       ->check(unnamed(CLI::IsMember({"shape", "rotation", "none"})))
       ->type_name("HOW");
-  verb->add_option("--placement", options->placement,
-                   "of the subjects before they are compared: turned, translated and rotated to their mean; scaled, to "
-                   "one size as well; kept [default: turned]")
+  verb->add_option(
+          "--placement", options->placement,
+          "pose of the subjects before they are compared: turned, translated and rotated to their mean; scaled, to one "
+          "size as well; kept, as in their files [default: turned]")
       ->check(unnamed(CLI::IsMember({"kept", "turned", "scaled"})))
       ->type_name("HOW");
-  verb->add_option("--label", options->label, "label whose voxels are the object, in images [default: the only one]")
+  verb->add_option("--label", options->label,
+                   "label whose voxels are the object, in images [default: the only one besides 0]")
       ->check(unnamed(CLI::Range(std::numeric_limits<std::int32_t>::min(), std::numeric_limits<std::int32_t>::max())))
       ->type_name("N");
   verb->add_option("--modes", options->modes,
@@ -167,7 +169,7 @@ void add_study(CLI::App& app, CommonOptions& common) {
                    "column of LIST with numbers: test where the shapes change with it (regression of each point)")
       ->type_name("COLUMN");
   verb->add_option("--permutations", options->tests.permutations,
-                   "number of permutations that p-values are from [default: 1000]")
+                   "number of permutations from which p-values are computed [default: 1000]")
       ->check(unnamed(CLI::Range(1, 1'000'000)))
       ->type_name("N");
   add_common_options(*verb, common);

@@ -132,7 +132,7 @@ void add_surface(CLI::App& app, CommonOptions& common) {
                    "0: all are there [default: 0.45]")
       ->check(number_from_to(0, 0.4999))
       ->type_name("VOXELS");
-  verb->add_flag("--text", options->text, "write text in place of binary, in formats with both");
+  add_text_option(*verb, options->text);
   add_common_options(*verb, common);
   verb->footer(
       "Positions are those of the header: NIfTI has its axes to the right, anterior and superior, MetaImage to the "

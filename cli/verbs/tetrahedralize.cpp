@@ -134,7 +134,7 @@ void add_tetrahedralize(CLI::App& app, CommonOptions& common) {
       ->type_name("G");
   verb->add_flag("--cut-surface", options->cut_surface,
                  "allow edges and triangles of the surface to be split; default: they are preserved");
-  verb->add_flag("--text", options->text, "write text in place of binary VTK");
+  add_text_option(*verb, options->text);
   add_mending_options(*verb, options->mending);
   add_common_options(*verb, common);
   verb->footer(

@@ -303,7 +303,7 @@ void add_untangle(CLI::App& app, CommonOptions& common) {
       ->type_name("W");
   add_solver_option(*verb, options->solver);
   verb->add_flag("--keep-partial", options->keep_partial, "write OUT also if elements remain inverted (exit code 1)");
-  verb->add_flag("--text", options->text, "write text in place of binary VTK");
+  add_text_option(*verb, options->text);
   add_common_options(*verb, common);
   verb->callback([options, &common] {
     Session session(common, "untangle", options->input);

@@ -208,23 +208,25 @@ void view(const ViewOptions& options, Session& session) {
 void add_view(CLI::App& app, CommonOptions& common) {
   CLI::App* verb = app.add_subcommand("view", "show meshes, maps and frame fields in a browser or as a picture");
   const auto options = std::make_shared<ViewOptions>();
-  verb->add_option("FILES", options->files,
-                   std::string("meshes: ") + surface_endings + "; after tetrahedra their field, .frames")
+  verb->add_option(
+          "FILES", options->files,
+          std::string("meshes to show: ") + surface_endings + "; a frame field, .frames, follows its tetrahedra")
       ->required()
       ->type_name("FILE...");
-  verb->add_option("-o,--output", options->output, "page to write; without it and --png a browser is opened")
+  verb->add_option("-o,--output", options->output, "page to write; without it and --png the page opens in a browser")
       ->type_name("FILE.html");
-  verb->add_option("--png", options->png, "picture to draw, by a Chromium without a screen")->type_name("FILE.png");
+  verb->add_option("--png", options->png, "picture to draw, by headless Chromium")->type_name("FILE.png");
   verb->add_option("--size", options->size, "size of the picture in pixels [default: " + options->size + "]")
       ->type_name("WIDTHxHEIGHT");
-  verb->add_option("--title", options->title, "heading of the page (the names of the files)")->type_name("TEXT");
+  verb->add_option("--title", options->title, "heading of the page [default: the names of the files]")
+      ->type_name("TEXT");
   verb->add_option("--up", options->up, "vertical axis, y or z [default: y]")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
   verb->add_option("--preset", options->preset,
-                   "how the page begins, such as color=jacobian&slice=0,0.5&quality=0.6&theme=dark")
+                   "initial settings of the page, such as color=jacobian&slice=0,0.5&quality=0.6&theme=dark")
       ->type_name("TEXT");
-  verb->add_flag("--weld", options->weld, "weld vertices at identical positions if the surface is not closed");
+  add_weld_option(*verb, options->weld);
   add_common_options(*verb, common);
   verb->footer(
       "Several files have linked views beside each other. The page is one file that loads nothing else and needs no "

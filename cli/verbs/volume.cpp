@@ -196,7 +196,7 @@ void add_volume(CLI::App& app, CommonOptions& common) {
       ->check(unnamed(CLI::Range(1, 10'000'000)))
       ->type_name("N");
   add_solver_option(*verb, options->solver);
-  verb->add_flag("--text", options->text, "write text in place of binary VTK");
+  add_text_option(*verb, options->text);
   add_common_options(*verb, common);
   verb->callback([options, &common] {
     Session session(common, "volume", options->solid.input);

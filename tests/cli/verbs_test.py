@@ -33,6 +33,26 @@ class CommandLine(InFolder):
                 self.assertIn(option, own.stdout)
             self.assertRegex(own.stdout, rf"\n  orbicube {verb} [^\n]+")  # an example of its own
 
+    def test_the_examples_of_help_are_commands(self):
+        for verb in VERBS:
+            for example in re.findall(rf"^  orbicube ({verb} .*)$", run(verb, "--help").stdout, re.M):
+                done = run(*example.split(), cwd=self.folder)  # most of their files are not there
+                self.assertNotIn("orbicube: usage", done.stderr, example)
+
+    def test_an_option_takes_the_same_kind_of_value_in_every_verb(self):
+        # By the word for its value in help texts. --from is what to begin with: a polycube or a frame field; --weld of repair may have a
+        # distance; --genus of images is 0 or not limited; the amount of smoothing is that of a filter or of a fit.
+        apart = {"--output", "--from", "--weld", "--genus", "--smoothing"}
+        values = {}
+        for verb in VERBS:
+            own = run(verb, "--help").stdout.split("\nOptions:\n")[1].split("Options of every verb")[0]
+            for option, value in re.findall(r"^  (?:-\w,)?(--[\w-]+)(?:,--[\w-]+)*((?: [A-Z\[][^\s]*)?)", own, re.M):
+                values.setdefault(option, {})[verb] = value.strip()
+        self.assertGreater(len(values), 100)
+        for option, words in values.items():
+            if option not in apart:
+                self.assertEqual(len(set(words.values())), 1, (option, words))
+
     def test_mistyped_verbs_and_options_get_the_nearest_ones(self):
         cube, out = self.made("cube"), self.path("out.obj")
         for arguments, meant in ((("sphera", cube), "sphere"), (("shpere", cube, "-o", out), "sphere"), (("comvert",), "convert"),
