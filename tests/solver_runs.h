@@ -4,8 +4,10 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 #include <span>
@@ -18,6 +20,52 @@ namespace orbicube::test {
 
 inline bool same_bits(const std::vector<double>& a, const std::vector<double>& b) {
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+// Fulfils requests for value and gradient, of `size` numbers, until the end, and returns the queried points from here
+// on; gives up where a run would not end.
+template <class Run, class Solver, class Function>
+Run drive_with_gradient(Solver& solver, std::size_t size, const Function& function) {
+  using Request = decltype(solver.step());
+  Run run;
+  std::vector<double> gradient(size);
+  for (std::uint64_t steps = 0;; ++steps) {
+    REQUIRE(steps < 1000000);
+    const Request request = solver.step();
+    if (request == Request::done) break;
+    if (request == Request::iteration) continue;
+    run.asked.emplace_back(solver.point().begin(), solver.point().end());
+    const double value = function(solver.point(), gradient);
+    solver.tell(value, gradient);
+  }
+  run.result = solver.result();
+  run.x.assign(solver.best_point().begin(), solver.best_point().end());
+  return run;
+}
+
+// A function with gradient of which evaluation number `bad`, from 0, is not finite: the value is NaN (kind 0) or
+// -infinity (1), or an entry of the gradient is NaN (2).
+template <class Function>
+Function spoiled_at(const Function& function, std::size_t bad, int kind) {
+  return [function, bad, kind, evaluation = std::size_t{0}](std::span<const double> x, std::span<double> g) mutable {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    const double f = function(x, g);
+    if (evaluation++ != bad) return f;
+    if (kind == 2) g[g.size() - 1] = nan;
+    return kind == 0 ? nan : kind == 1 ? -std::numeric_limits<double>::infinity() : f;
+  };
+}
+
+// A function that has no value from evaluation number `last` on; `best` becomes the minimum of those before.
+template <class Function>
+Function failing_from(const Function& function, std::size_t last, double& best) {
+  best = std::numeric_limits<double>::infinity();
+  return [function, last, &best, evaluation = std::size_t{0}](std::span<const double> x, std::span<double> g) mutable {
+    if (evaluation++ >= last) return std::numeric_limits<double>::quiet_NaN();
+    const double f = function(x, g);
+    best = std::min(best, f);
+    return f;
+  };
 }
 
 // Saves `solver`, which is at its beginning, while each request waits and after it was fulfilled, and lets

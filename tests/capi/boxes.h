@@ -12,6 +12,22 @@
 
 namespace orbicube::test {
 
+// Appends six positive tetrahedra about the diagonal of the cube from `low`, where at(place) is the number of a vertex.
+template <class At>
+void append_cube(const std::array<int, 3>& low, const At& at, std::vector<std::uint32_t>& tetrahedra) {
+  constexpr int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+  for (int o = 0; o < 6; ++o) {
+    std::array<int, 3> p = low;
+    std::uint32_t t[4] = {at(p), 0, 0, 0};
+    for (int k = 0; k < 3; ++k) {
+      ++p[static_cast<std::size_t>(orders[o][k])];
+      t[k + 1] = at(p);
+    }
+    if (o >= 3) std::swap(t[2], t[3]);
+    tetrahedra.insert(tetrahedra.end(), t, t + 4);
+  }
+}
+
 // A box of 3 x 2 x 2 cubes, each of six tetrahedra; its boundary is fixed, vertices inside are at one corner.
 struct Box {
   std::vector<double> rest, start;
@@ -19,8 +35,9 @@ struct Box {
   std::vector<std::uint8_t> fixed;
 
   Box() {
-    const int size[] = {3, 2, 2};
-    const auto at = [](const int* p) { return static_cast<std::uint32_t>((p[0] * 3 + p[1]) * 3 + p[2]); };
+    const auto at = [](const std::array<int, 3>& p) {
+      return static_cast<std::uint32_t>((p[0] * 3 + p[1]) * 3 + p[2]);
+    };
     for (int x = 0; x <= 3; ++x) {
       for (int y = 0; y <= 2; ++y) {
         for (int z = 0; z <= 2; ++z) {
@@ -30,18 +47,7 @@ struct Box {
             start.push_back(inside ? 0 : c);
             fixed.push_back(!inside);
           }
-          if (x == size[0] || y == size[1] || z == size[2]) continue;
-          const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-          for (int o = 0; o < 6; ++o) {
-            int p[3] = {x, y, z};
-            std::uint32_t t[4] = {at(p), 0, 0, 0};
-            for (int k = 0; k < 3; ++k) {
-              ++p[orders[o][k]];
-              t[k + 1] = at(p);
-            }
-            if (o >= 3) std::swap(t[2], t[3]);
-            tetrahedra.insert(tetrahedra.end(), t, t + 4);
-          }
+          if (x < 3 && y < 2 && z < 2) append_cube({x, y, z}, at, tetrahedra);
         }
       }
     }

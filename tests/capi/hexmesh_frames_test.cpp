@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "boxes.h"
 #include "orbicube/hexmesh.h"
 #include "promises.h"
 
@@ -21,28 +22,20 @@ struct FramedBox {
   std::vector<std::uint32_t> tetrahedra;
 
   FramedBox() {
-    const auto at = [](const int* p) { return static_cast<std::uint32_t>((p[0] * 3 + p[1]) * 2 + p[2]); };
+    const auto at = [](const std::array<int, 3>& p) {
+      return static_cast<std::uint32_t>((p[0] * 3 + p[1]) * 2 + p[2]);
+    };
     for (int x = 0; x <= 2; ++x) {
       for (int y = 0; y <= 2; ++y) {
         for (int z = 0; z <= 1; ++z) {
           for (const int c : {x, y, z})
             positions.push_back(c);
-          if (x == 2 || y == 2 || z == 1) continue;
-          const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1}, {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
-          for (int o = 0; o < 6; ++o) {
-            int p[3] = {x, y, z};
-            std::uint32_t t[4] = {at(p), 0, 0, 0};
-            for (int k = 0; k < 3; ++k) {
-              ++p[orders[o][k]];
-              t[k + 1] = at(p);
-            }
-            if (o >= 3) std::swap(t[2], t[3]);
-            tetrahedra.insert(tetrahedra.end(), t, t + 4);
-            frames.insert(frames.end(), {2, 0, 0, 0});  // lengths do not matter
-          }
+          if (x < 2 && y < 2 && z < 1) test::append_cube({x, y, z}, at, tetrahedra);
         }
       }
     }
+    for (std::size_t t = 0; t < tetrahedra.size() / 4; ++t)
+      frames.insert(frames.end(), {2, 0, 0, 0});  // lengths do not matter
   }
 
   obc_status hexes(const double* of, const obc_hexmesh_options* options, const obc_host* host,

@@ -10,43 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "../linear/path.h"
 #include "promises.h"
 
 using namespace orbicube;
-
-namespace {
-
-// The Laplacian of a path of n vertices, plus 1/10.
-struct Path {
-  std::vector<std::size_t> row_begin{0};
-  std::vector<std::uint32_t> columns;
-  std::vector<double> values;
-
-  explicit Path(std::uint32_t n) {
-    for (std::uint32_t i = 0; i < n; ++i) {
-      if (i > 0) {
-        columns.push_back(i - 1);
-        values.push_back(-1);
-      }
-      columns.push_back(i);
-      values.push_back(2.1);
-      row_begin.push_back(columns.size());
-    }
-  }
-  obc_linear_matrix view() const { return {row_begin.size() - 1, row_begin.data(), columns.data(), values.data()}; }
-};
-
-double residual(const Path& path, const std::vector<double>& right, const std::vector<double>& x) {
-  double largest = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    const double image = 2.1 * x[i] - (i > 0 ? x[i - 1] : 0) - (i + 1 < x.size() ? x[i + 1] : 0);
-    largest = std::max(largest, std::abs(image - right[i]));
-  }
-  CHECK(path.view().size == x.size());
-  return largest;
-}
-
-}  // namespace
+using test::Path;
 
 TEST_CASE("A factor solves, follows new values, and is released") {
   const Path path(50);
@@ -58,7 +26,7 @@ TEST_CASE("A factor solves, follows new values, and is released") {
   std::vector<double> right(50, 1.0), x(50);
   right[7] = -3;
   REQUIRE(obc_linear_direct_solve(factor, 1, right.data(), x.data(), &error) == OBC_OK);
-  CHECK(residual(path, right, x) < 1e-13);
+  CHECK(path.residual(right, x) < 1e-13);
   std::vector<double> doubled = path.values, half(50);
   for (double& value : doubled)
     value *= 2;
@@ -122,7 +90,7 @@ TEST_CASE("Conjugate gradients report what they reached") {
       REQUIRE(obc_linear_iterative_solve(solver, right.data(), x.data(), &report, &error) == OBC_OK);
       CHECK(report.converged == 1);
       CHECK(report.residual <= 1e-11);
-      CHECK(residual(path, right, x) < 1e-9);
+      CHECK(path.residual(right, x) < 1e-9);
       obc_linear_iterative_destroy(solver);
     }
   }

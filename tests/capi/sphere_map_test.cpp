@@ -16,24 +16,16 @@
 #include <vector>
 
 #include "failing_allocations.h"
+#include "shapes.h"
 
 using namespace orbicube;
+using test::Shape;
 
 namespace {
 
-struct Shape {
-  std::vector<double> positions;
-  std::vector<std::uint32_t> triangles;
-
-  obc_surface surface() const {
-    return {positions.data(), positions.size() / 3, triangles.data(), triangles.size() / 3};
-  }
-};
-
 // An octahedron, each triangle split in four `levels` times, stretched along z with a bump.
 Shape stretched_octahedron(int levels) {
-  Shape shape{{1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
-              {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}};
+  Shape shape = test::octahedron;
   for (int level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {

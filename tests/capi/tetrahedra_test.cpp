@@ -11,22 +11,12 @@
 #include <vector>
 
 #include "failing_allocations.h"
+#include "shapes.h"
 
 using namespace orbicube;
+using test::octahedron, test::Shape;
 
 namespace {
-
-struct Shape {
-  std::vector<double> positions;
-  std::vector<std::uint32_t> triangles;
-
-  obc_surface surface() const {
-    return {positions.data(), positions.size() / 3, triangles.data(), triangles.size() / 3};
-  }
-};
-
-const Shape octahedron = {{1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1},
-                          {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5}};
 
 // Two octahedra, one within or across the other.
 Shape two(double scale, double shift) {

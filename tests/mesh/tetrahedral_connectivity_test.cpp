@@ -11,46 +11,14 @@
 #include <vector>
 
 #include "base/error.h"
+#include "cubes.h"
 #include "mesh/search/predicates.h"
 
 using namespace orbicube;
 using namespace orbicube::mesh;
+using test::cubes, test::Solid;
 
 namespace {
-
-struct Solid {
-  std::vector<Vector3> positions;
-  std::vector<Tetrahedron> tetrahedra;
-};
-
-// A box of m x n x o cubes, each cut into six tetrahedra about its diagonal, which match across the cubes' faces.
-Solid box(Index m, Index n, Index o) {
-  Solid solid;
-  const auto at = [&](Index i, Index j, Index k) { return (i * (n + 1) + j) * (o + 1) + k; };
-  for (Index i = 0; i <= m; ++i) {
-    for (Index j = 0; j <= n; ++j) {
-      for (Index k = 0; k <= o; ++k)
-        solid.positions.emplace_back(i, j, k);
-    }
-  }
-  for (Index cube = 0; cube < m * n * o; ++cube) {
-    const std::array<Index, 3> corner{cube / (n * o), cube / o % n, cube % o};
-    std::array<std::size_t, 3> order{0, 1, 2};
-    do {
-      std::array<Index, 3> p = corner;
-      Tetrahedron t{};
-      t[0] = at(p[0], p[1], p[2]);
-      for (std::size_t k = 0; k < 3; ++k) {
-        ++p[order[k]];
-        t[k + 1] = at(p[0], p[1], p[2]);
-      }
-      const auto& x = solid.positions;
-      if (orientation_3d(x[t[0]], x[t[1]], x[t[2]], x[t[3]]) < 0) std::swap(t[2], t[3]);
-      solid.tetrahedra.push_back(t);
-    } while (std::next_permutation(order.begin(), order.end()));
-  }
-  return solid;
-}
 
 std::string refusal(std::size_t vertices, const std::vector<Tetrahedron>& tetrahedra) {
   try {
@@ -68,7 +36,7 @@ std::set<Index> vertex_set(const Triangle& t) {
 }  // namespace
 
 TEST_CASE("Each face has the same vertices from its other side, turned round, and the boundary is that of the box") {
-  const Solid solid = box(3, 2, 4);
+  const Solid solid = cubes(3, 2, 4);
   const TetrahedralConnectivity c(solid.positions.size(), solid.tetrahedra, base::Host());
   std::size_t boundary = 0;
   for (Index f = 0; f < c.face_count(); ++f) {
@@ -94,7 +62,7 @@ TEST_CASE("Each face has the same vertices from its other side, turned round, an
 }
 
 TEST_CASE("Rings hold every tetrahedron of their edge once, in order, right-handed about the edge") {
-  Solid solid = box(3, 3, 3);
+  Solid solid = cubes(3, 3, 3);
   std::shuffle(solid.tetrahedra.begin(), solid.tetrahedra.end(), std::mt19937(5));
   const TetrahedralConnectivity c(solid.positions.size(), solid.tetrahedra, base::Host());
   const EdgeRings rings(c, base::Host());
@@ -154,7 +122,7 @@ TEST_CASE("What is no solid is refused") {
 }
 
 TEST_CASE("Joining tetrahedra can be cancelled") {
-  const Solid solid = box(2, 2, 2);
+  const Solid solid = cubes(2, 2, 2);
   base::Host host;
   host.on_progress = [](const base::Progress&) { return false; };
   CHECK_THROWS_AS(TetrahedralConnectivity(solid.positions.size(), solid.tetrahedra, host), base::Error);

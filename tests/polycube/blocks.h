@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "polycube/surface/surface.h"
 
 namespace orbicube::test {
 
@@ -49,6 +50,10 @@ inline mesh::Mesh blocks(const std::vector<Cell>& cells) {
     }
   }
   return result;
+}
+
+inline polycube::Surface surface_of(const mesh::Mesh& m, const base::Host& host) {
+  return {base::Array<mesh::Vector3>(m.positions), base::Array<mesh::Triangle>(m.triangles), host};
 }
 
 // Cells in a box from the origin, without some.

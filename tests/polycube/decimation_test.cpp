@@ -25,10 +25,6 @@ namespace {
 
 const base::Host host;
 
-Surface surface_of(const mesh::Mesh& m) {
-  return {Array<Vector3>(m.positions), Array<Triangle>(m.triangles), host};
-}
-
 mesh::Mesh left_by(const Decimation& decimation, const mesh::Mesh& m) {
   mesh::Mesh result;
   result.positions = m.positions;
@@ -73,7 +69,7 @@ struct Combinatorics {
 TEST_CASE("Every surface on the way down is a closed manifold of the same genus, and undoing brings all back") {
   for (const char* name : {"bracket", "torus", "creature"}) {
     const mesh::Mesh m = mesh::make_shape(name, {.triangles = 3000, .seed = 2}, host);
-    const Surface surface = surface_of(m);
+    const Surface surface = test::surface_of(m, host);
     const auto genus = mesh::topology(m.positions, m.triangles, host).genus;
     Decimation decimation = decimate(surface, {}, 300, host);
     CHECK(decimation.left.size() <= 302);
@@ -94,9 +90,9 @@ TEST_CASE("Every surface on the way down is a closed manifold of the same genus,
 TEST_CASE("Labels that come back with the triangles, and smoothed ones, have the patches, loops and corners they had") {
   for (const char* name : {"bracket", "torus", "creature"}) {
     const mesh::Mesh m = mesh::make_shape(name, {.triangles = 4000, .seed = 2}, host);
-    const Surface surface = surface_of(m);
+    const Surface surface = test::surface_of(m, host);
     const Decimation decimation = decimate(surface, {}, 1000, host);
-    const Surface small = surface_of(left_by(decimation, m));
+    const Surface small = test::surface_of(left_by(decimation, m), host);
     const Array<AxisLabel> small_labels = good_labels(small, 0.02);
     const Combinatorics expected(small, small_labels);
     Array<AxisLabel> labels(m.triangles.size(), host.memory);
@@ -114,7 +110,7 @@ TEST_CASE("Labels that come back with the triangles, and smoothed ones, have the
 
 TEST_CASE("Decimation with labels keeps patches and makes no chords") {
   const mesh::Mesh m = mesh::make_shape("bracket", {.triangles = 4000, .seed = 2}, host);
-  const Surface surface = surface_of(m);
+  const Surface surface = test::surface_of(m, host);
   SurfaceMap map = unrefined(m.positions, m.triangles, good_labels(surface, 0.02), host);
   split_chords(map, host);
   const Surface refined(Array<Vector3>(map.positions), Array<Triangle>(map.triangles), host);
@@ -123,7 +119,7 @@ TEST_CASE("Decimation with labels keeps patches and makes no chords") {
   CHECK(decimation.left.size() < 1500);
   mesh::Mesh whole;
   whole.positions = map.positions;
-  const Surface small = surface_of(left_by(decimation, whole));
+  const Surface small = test::surface_of(left_by(decimation, whole), host);
   Array<AxisLabel> labels(host.memory);
   for (const Index t : decimation.left)
     labels.push_back(AxisLabel{map.labels[t]});

@@ -19,16 +19,12 @@ namespace {
 
 const base::Host host;
 
-Surface surface_of(const mesh::Mesh& m) {
-  return {Array<Vector3>(m.positions), Array<Triangle>(m.triangles), host};
-}
-
 }  // namespace
 
 TEST_CASE("Patches of a plate with a hole: two with a hole each, no faults") {
   const mesh::Mesh m = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));
   const Certificate certificate = certify(m.positions, m.triangles, host);
-  const Surface surface = surface_of(m);
+  const Surface surface = test::surface_of(m, host);
   const Patches patches = find_patches(surface, certificate.labels, host);
   CHECK(patches.count() == 10);
   CHECK(patches.loop_count() == 12);
@@ -44,7 +40,7 @@ TEST_CASE("Patches of a plate with a hole: two with a hole each, no faults") {
 
 TEST_CASE("Faults are counted") {
   const mesh::Mesh m = blocks(box_without({3, 3, 3}));
-  const Surface surface = surface_of(m);
+  const Surface surface = test::surface_of(m, host);
   Array<AxisLabel> labels = certify(m.positions, m.triangles, host).labels;
   labels[0] = opposite(labels[0]);
   LabelFaults faults = find_faults(surface, find_patches(surface, labels, host));
@@ -54,7 +50,7 @@ TEST_CASE("Faults are counted") {
   faults = find_faults(surface, find_patches(surface, labels, host));
   CHECK(faults.missing == 1);
   const mesh::Mesh ring = blocks(box_without({3, 3, 1}, {{1, 1, 0}}));
-  const Surface torus = surface_of(ring);
+  const Surface torus = test::surface_of(ring, host);
   labels.assign(ring.triangles.size(), AxisLabel{0});
   labels[0] = 2;
   faults = find_faults(torus, find_patches(torus, labels, host));
@@ -63,7 +59,7 @@ TEST_CASE("Faults are counted") {
 
 TEST_CASE("No expansion of a label improves the labels that expansion ends with") {
   const mesh::Mesh m = blocks({{0, 0, 0}});
-  const Surface surface = surface_of(m);
+  const Surface surface = test::surface_of(m, host);
   const std::size_t count = m.triangles.size();
   base::Random random(3);
   for (int round = 0; round < 20; ++round) {
@@ -93,7 +89,7 @@ TEST_CASE("No expansion of a label improves the labels that expansion ends with"
 
 TEST_CASE("Triangles that are not free keep their labels") {
   const mesh::Mesh m = blocks(box_without({2, 2, 2}));
-  const Surface surface = surface_of(m);
+  const Surface surface = test::surface_of(m, host);
   const LabelCosts costs = label_costs(surface, surface.normals, 0.01, host);
   Array<AxisLabel> labels(m.triangles.size(), AxisLabel{0}, host.memory);
   Array<std::uint8_t> free(m.triangles.size(), 0, host.memory);
@@ -111,7 +107,7 @@ TEST_CASE("Triangles that are not free keep their labels") {
 TEST_CASE("Labels of made shapes are without faults after repair") {
   for (const char* name : {"sphere", "bracket", "torus", "creature"}) {
     const mesh::Mesh m = mesh::make_shape(name, {.triangles = 2000, .seed = 1}, host);
-    const Surface surface = surface_of(m);
+    const Surface surface = test::surface_of(m, host);
     for (const double compactness : {0.005, 0.04}) {
       LabelCosts costs = label_costs(surface, surface.normals, compactness, host);
       Array<AxisLabel> labels(host.memory);

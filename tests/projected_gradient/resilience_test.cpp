@@ -60,7 +60,6 @@ TEST_CASE("A damaged or foreign blob is refused") {
 }
 
 TEST_CASE("A value that is not finite at any one evaluation does not keep the run from its end") {
-  const double nan = std::nan("");
   for (const Options& options : every_method) {
     for (const Case& problem : {hock_schittkowski(1.5), hock_schittkowski_53(), random_quadratic(9, 25, 1, 100)}) {
       const std::size_t count = run(problem, options).asked.size();
@@ -68,14 +67,8 @@ TEST_CASE("A value that is not finite at any one evaluation does not keep the ru
         for (const int kind : {0, 1, 2}) {
           CAPTURE(bad);
           CAPTURE(kind);
-          std::size_t evaluation = 0;
           Case spoiled = problem;
-          spoiled.function = [&](std::span<const double> x, std::span<double> g) {
-            const double f = problem.function(x, g);
-            if (evaluation++ != bad) return f;
-            if (kind == 2) g[g.size() - 1] = nan;
-            return kind == 0 ? nan : kind == 1 ? -infinity : f;
-          };
+          spoiled.function = spoiled_at(problem.function, bad, kind);
           const Run end = run(spoiled, options);
           CHECK(end.result.failed_evaluations == 1);
           if (bad == 0) {
@@ -96,15 +89,9 @@ TEST_CASE("When f fails from some evaluation on, the run ends with its best poin
   const Case problem = hock_schittkowski(-1.5);
   for (const Options& options : every_method) {
     for (std::size_t last = 1; last < 20; ++last) {
-      std::size_t evaluation = 0;
       double best = infinity;
       Case spoiled = problem;
-      spoiled.function = [&](std::span<const double> x, std::span<double> g) {
-        if (evaluation++ >= last) return std::nan("");
-        const double f = problem.function(x, g);
-        best = std::min(best, f);
-        return f;
-      };
+      spoiled.function = failing_from(problem.function, last, best);
       const Run end = run(spoiled, options);
       CHECK(end.result.stop == Stop::evaluation_failed);
       CHECK(end.result.value == best);

@@ -37,22 +37,8 @@ struct Run {
   std::vector<std::vector<double>> asked;  // every point at which f was requested
 };
 
-// Fulfils requests until the end, and returns the queried points from here on; gives up where a run would not end.
 inline Run drive(Solver& solver, const Function& function) {
-  Run run;
-  std::vector<double> gradient(solver.size());
-  for (std::uint64_t steps = 0;; ++steps) {
-    REQUIRE(steps < 1000000);
-    const Request request = solver.step();
-    if (request == Request::done) break;
-    if (request == Request::iteration) continue;
-    run.asked.emplace_back(solver.point().begin(), solver.point().end());
-    const double value = function(solver.point(), gradient);
-    solver.tell(value, gradient);
-  }
-  run.result = solver.result();
-  run.x.assign(solver.best_point().begin(), solver.best_point().end());
-  return run;
+  return drive_with_gradient<Run>(solver, solver.size(), function);
 }
 
 inline Run run(const Case& problem, const Options& options = {}) {

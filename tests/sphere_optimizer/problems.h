@@ -121,27 +121,29 @@ struct Run {
   std::vector<std::vector<double>> asked;  // every point at which f was requested
 };
 
-// Fulfils requests until the end, and returns the queried points from here on; gives up where a run would not end.
 inline Run drive(Solver& solver, const Function& function) {
-  Run run;
-  std::vector<double> gradient(solver.shape().size());
-  for (std::uint64_t steps = 0;; ++steps) {
-    REQUIRE(steps < 1000000);
-    const Request request = solver.step();
-    if (request == Request::done) break;
-    if (request == Request::iteration) continue;
-    run.asked.emplace_back(solver.point().begin(), solver.point().end());
-    solver.tell(function(solver.point(), gradient), gradient);
-  }
-  run.result = solver.result();
-  run.x.assign(solver.best_point().begin(), solver.best_point().end());
-  return run;
+  return drive_with_gradient<Run>(solver, solver.shape().size(), function);
 }
 
 inline Run run(const Problem& problem, const Options& options = {}) {
   const base::Host host;
   Solver solver(problem.shape, options, problem.start, host);
   return drive(solver, problem.function);
+}
+
+// Checks that a run that is saved at any evaluation, and loaded into a new solver, goes on with the same bits.
+inline void check_resuming_of(const Problem& problem, const Options& options) {
+  const base::Host host;
+  Solver solver(problem.shape, options, problem.start, host);
+  std::vector<double> gradient(problem.shape.size());
+  check_resuming(
+      solver, run(problem, options),
+      [&](Solver& asking) { asking.tell(problem.function(asking.point(), gradient), gradient); },
+      [&](std::span<const std::byte> blob) {
+        Solver loaded(Solver::shape_of(blob), Solver::options_of(blob), {}, host);
+        loaded.load(blob);
+        return drive(loaded, problem.function);
+      });
 }
 
 inline Options with(Method method, double gradient_tolerance = 1e-8) {

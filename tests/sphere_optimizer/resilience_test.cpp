@@ -21,17 +21,7 @@ TEST_CASE("Saved at each evaluation and loaded into a new solver, a run goes on 
       Options options = with(method, 1e-5);
       options.memory = 5;
       options.max_evaluations = 60;
-      const base::Host host;
-      Solver solver(problem.shape, options, problem.start, host);
-      std::vector<double> gradient(problem.shape.size());
-      check_resuming(
-          solver, run(problem, options),
-          [&](Solver& asking) { asking.tell(problem.function(asking.point(), gradient), gradient); },
-          [&](std::span<const std::byte> blob) {
-            Solver loaded(Solver::shape_of(blob), Solver::options_of(blob), {}, host);
-            loaded.load(blob);
-            return drive(loaded, problem.function);
-          });
+      check_resuming_of(problem, options);
     }
   }
 }
@@ -62,14 +52,8 @@ TEST_CASE("A value that is not finite at any one evaluation does not keep the ru
       for (const int kind : {0, 1, 2}) {
         CAPTURE(bad);
         CAPTURE(kind);
-        std::size_t evaluation = 0;
         Problem spoiled = problem;
-        spoiled.function = [&](std::span<const double> x, std::span<double> g) {
-          const double f = problem.function(x, g);
-          if (evaluation++ != bad) return f;
-          if (kind == 2) g[g.size() - 1] = std::nan("");
-          return kind == 0 ? std::nan("") : kind == 1 ? -infinity : f;
-        };
+        spoiled.function = spoiled_at(problem.function, bad, kind);
         const Run end = run(spoiled, options);
         CHECK(end.result.failed_evaluations == 1);
         if (bad == 0) {
@@ -89,15 +73,9 @@ TEST_CASE("When f fails from some evaluation on, the run ends with its best poin
   const Problem problem = thomson(9, 3);
   for (const Method method : every_method) {
     for (std::size_t last = 1; last < 20; ++last) {
-      std::size_t evaluation = 0;
       double best = infinity;
       Problem spoiled = problem;
-      spoiled.function = [&](std::span<const double> x, std::span<double> g) {
-        if (evaluation++ >= last) return std::nan("");
-        const double f = problem.function(x, g);
-        best = std::min(best, f);
-        return f;
-      };
+      spoiled.function = failing_from(problem.function, last, best);
       const Run end = run(spoiled, with(method));
       CHECK(end.result.stop == Stop::evaluation_failed);
       CHECK(end.result.value == best);

@@ -101,16 +101,6 @@ TEST_CASE("Saved at each evaluation of each start, a run goes on with the same b
     const Problem problem = thomson(7, 1);
     Options options = several(3, 1e-3);
     options.method = method;
-    const base::Host host;
-    Solver solver(problem.shape, options, problem.start, host);
-    std::vector<double> gradient(problem.shape.size());
-    check_resuming(
-        solver, run(problem, options),
-        [&](Solver& asking) { asking.tell(problem.function(asking.point(), gradient), gradient); },
-        [&](std::span<const std::byte> blob) {
-          Solver loaded(Solver::shape_of(blob), Solver::options_of(blob), {}, host);
-          loaded.load(blob);
-          return drive(loaded, problem.function);
-        });
+    check_resuming_of(problem, options);
   }
 }
