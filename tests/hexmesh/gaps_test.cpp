@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bent_bar.h"
 #include "hexmesh/certificate/hex_embedding.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "hexmesh/grid/voxel_hexes.h"
@@ -25,17 +26,6 @@ using namespace orbicube::volume_map;
 namespace {
 
 const base::Host host;
-
-// n x 3 x 3 cells, bent around the z axis by an angle in all, from radius 2 to 3.
-HexMesh bent_bar(int n, double angle) {
-  const std::array<int, 3> size = {n, 3, 3};
-  HexMesh mesh = hexahedra_of_cells(size, std::vector<std::uint8_t>(9 * static_cast<std::size_t>(n), 1), host);
-  for (Vector3& p : mesh.positions) {
-    const double a = -angle * p[0] / n, r = 2 + p[1] / 3;
-    p = {-r * std::sin(a), r * std::cos(a), p[2] / 3};
-  }
-  return mesh;
-}
 
 HexQuality quality_of(const HexMesh& mesh) {
   HexQuality quality = measure_hexahedra(mesh.positions, mesh.hexahedra, host);
@@ -74,7 +64,7 @@ Surface slit_block(double gap, int n, double leg = 1) {
 
 TEST_CASE("Ends of a ring that lie in each other are moved apart, and nothing else is") {
   for (const double over : {0.001, 0.02, 0.05}) {
-    HexMesh ring = bent_bar(24, 2 * std::numbers::pi + over);
+    HexMesh ring = hexmesh::test::bent_bar(24, 3, 2 * std::numbers::pi + over, host);
     const std::vector<Vector3> before(ring.positions.begin(), ring.positions.end());
     const HexQuality met = quality_of(ring);
     REQUIRE(met.positive());
@@ -94,12 +84,12 @@ TEST_CASE("Ends of a ring that lie in each other are moved apart, and nothing el
 }
 
 TEST_CASE("What meets nothing is left to the bit, and what cannot be parted is not said to be") {
-  HexMesh open = bent_bar(24, 6);
+  HexMesh open = hexmesh::test::bent_bar(24, 3, 6, host);
   const std::vector<Vector3> before(open.positions.begin(), open.positions.end());
   CHECK(open_gaps(open, host));
   CHECK(std::equal(before.begin(), before.end(), open.positions.begin(), open.positions.end()));
   // An eighth of a turn lies in the rest.
-  HexMesh twice = bent_bar(24, 2.25 * std::numbers::pi);
+  HexMesh twice = hexmesh::test::bent_bar(24, 3, 2.25 * std::numbers::pi, host);
   const bool said = open_gaps(twice, host);
   CHECK(said == (quality_of(twice).intersections == 0));
   CHECK(quality_of(twice).positive());

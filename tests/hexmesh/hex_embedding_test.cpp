@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "bent_bar.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "hexmesh/strategies/hex_draft.h"
 
@@ -17,18 +18,6 @@ using namespace orbicube::volume_map;
 namespace {
 
 const base::Host host;
-
-// n x 1 x 1 cells, bent around the z axis by an angle in all, from radius 2 to 3.
-HexMesh bent_bar(int n, double angle) {
-  const std::array<int, 3> size = {n, 1, 1};
-  HexMesh mesh = hexahedra_of_cells(size, std::vector<std::uint8_t>(static_cast<std::size_t>(n), 1), host);
-  for (Vector3& p : mesh.positions) {
-    const double a = -angle * p[0] / n, r = 2 + p[1];
-    p = {r * std::sin(a), r * std::cos(a), p[2]};
-    p[0] = -p[0];
-  }
-  return mesh;
-}
 
 // A cube of cells, with a hole of given cells in the middle.
 HexMesh box(int n, int hole, double scale, const Vector3& shift) {
@@ -73,7 +62,7 @@ HexQuality together(const HexMesh& a, const HexMesh& b) {
 
 TEST_CASE("A bar that is bent by more than a turn lies over itself though all its hexahedra are positive") {
   for (const double turns : {0.9, 0.99, 1.01, 1.2}) {
-    const HexMesh mesh = bent_bar(60, 2 * std::numbers::pi * turns);
+    const HexMesh mesh = hexmesh::test::bent_bar(60, 1, 2 * std::numbers::pi * turns, host);
     HexQuality quality = measure_hexahedra(mesh.positions, mesh.hexahedra, host);
     CHECK(quality.positive());
     measure_embedding(mesh.positions, mesh.quads, quality, host);
