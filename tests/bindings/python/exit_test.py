@@ -14,7 +14,7 @@ HEAD = """
 import sys, threading, time
 import numpy as np
 sys.path.insert(0, sys.argv[1])
-from maps_test import box_of_tetrahedra
+from solids import box_of_tetrahedra
 from orbicube import (frame_field, harmonics, hexmesh, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, tetrahedra,
                       trust_region)
 shape = mesh.make("creature", 8000)

@@ -10,7 +10,7 @@ import unittest
 
 import numpy as np
 import orbicube
-from maps_test import HAS_TETRAHEDRA, box_of_tetrahedra
+from solids import HAS_TETRAHEDRA, box_of_tetrahedra
 from orbicube import (correspondence, frame_field, gltf, harmonics, hexmesh, linear, mesh, polycube, projected_gradient, quaternion,
                       repair, sphere_map, sphere_optimizer, trust_region, untangle, volume_map)
 from orbicube._options import OPTIONS

@@ -10,7 +10,7 @@ from unittest import mock
 
 import numpy as np
 import orbicube
-from maps_test import box_of_tetrahedra
+from solids import box_of_tetrahedra
 from orbicube import gltf, mesh, polycube, projected_gradient, sphere_map, sphere_optimizer, trust_region, untangle, volume_map
 
 TRIANGLE = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]

@@ -8,7 +8,7 @@ import unittest
 
 import numpy as np
 import orbicube
-from maps_test import box_of_tetrahedra
+from solids import box_of_tetrahedra
 from orbicube import gltf, hexmesh, mesh, polycube, sphere_map, trust_region, volume_map
 
 
