@@ -1,6 +1,6 @@
 // How a triangle in space is distorted by a map to the plane, and how that changes with the map: the energy of
 // untangle/triangles/planar_triangles.h where every triangle is positive, which spares chi. The order of evaluation is
-// another, and its last bits decide about ties between maps: one cannot replace the other without other results.
+// another: the last bits of results differ.
 #pragma once
 
 #include <algorithm>
