@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, Optional, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ._arrays import DOUBLE, INDEX, Doubles, Indices, Regions, address, doubles, indices, view
+from ._arrays import DOUBLE, INDEX, Doubles, Indices, Regions, address, doubles, indices, numbers, view
 from ._call import HOST, Handle, Progress, call, call_init, filled, path_bytes, text, with_options
 from ._checks import PathLike, integer, public, word
 from ._foreign import MANY, parts_of, surface_of
@@ -61,10 +61,10 @@ class Mesh:
         cells = raw.obc_mesh_cells()
         call_init(raw.obc_mesh_cells_init, cells)
         cells.positions, cells.vertex_count = address(places), len(places)
-        kept = []
-        for name, one, given, corners, numbers in (("triangles", "triangle", triangles, 3, triangle_regions),
-                                                   ("tetrahedra", "tetrahedron", tetrahedra, 4, tetrahedron_regions),
-                                                   ("hexahedra", "hexahedron", hexahedra, 8, hexahedron_regions)):
+        kept: list[Any] = []
+        for name, one, given, corners, region_numbers in (("triangles", "triangle", triangles, 3, triangle_regions),
+                                                          ("tetrahedra", "tetrahedron", tetrahedra, 4, tetrahedron_regions),
+                                                          ("hexahedra", "hexahedron", hexahedra, 8, hexahedron_regions)):
             count = 0
             if given is not None:
                 array = indices(given, corners, name=name, below=len(places), of="positions")
@@ -72,8 +72,8 @@ class Mesh:
                 count = len(array)
                 setattr(cells, name, address(array))
                 setattr(cells, one + "_count", count)
-            if numbers is not None:
-                regions = _regions(numbers, count, f"{one}_regions", name)
+            if region_numbers is not None:
+                regions = _regions(region_numbers, count, f"{one}_regions", name)
                 kept.append(regions)
                 setattr(cells, one + "_regions", address(regions))
         handle = Handle(raw.obc_mesh_destroy)
@@ -207,8 +207,8 @@ class Mesh:
         return adopt(handle)
 
 
-def _regions(numbers: ArrayLike, count: int, name: str, of: str) -> Regions:
-    array = np.asarray(numbers)
+def _regions(values: ArrayLike, count: int, name: str, of: str) -> Regions:
+    array = numbers(values, name)
     if array.ndim != 1 or array.dtype.kind not in "iu":
         raise ValueError(f"{name}: one integer for each of {of} is needed, not an array of {array.dtype} with shape {array.shape}")
     if len(array) != count:

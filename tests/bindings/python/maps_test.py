@@ -47,7 +47,7 @@ class Meshes(unittest.TestCase):
 
     def test_the_formats_are_those_of_the_library(self):
         known = {one.word: one for one in mesh.formats()}
-        self.assertEqual(known["medit"], ("medit", ".mesh", True, True, False))
+        self.assertEqual(known["medit"], ("medit", ".mesh", True, True, False, True))
         self.assertEqual([one.ending for one in mesh.formats() if not one.polygons], [".stl", ".white", ".gii"])
 
     def test_defects_are_named(self):
