@@ -18,10 +18,7 @@ class DenseModel final : public HessianModel {
   DenseModel(std::size_t n, std::size_t capacity, std::pmr::memory_resource* memory);
 
   std::size_t size() const { return n_; }
-  bool empty() const override { return count_ == 0; }
   void clear() override { count_ = 0; }
-  double sigma() const override { return sigma_; }
-  void set_sigma(double sigma) override { sigma_ = sigma; }
   bool push(std::span<const double> s, std::span<const double> y, double sigma) override;
   void multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const override;
   bool enter_face(const FeasibleSet& set, const base::Host& host) override;
@@ -45,8 +42,7 @@ class DenseModel final : public HessianModel {
   void multiply_matrix(const double* v) const;
 
   std::size_t n_, capacity_;
-  std::uint64_t count_ = 0, next_ = 0;  // of the pairs; the slot of the next
-  double sigma_ = 1;
+  std::uint64_t next_ = 0;               // the slot of the next pair
   base::Array<double> steps_, changes_;  // a ring of pairs, n each, scaled to |s| = 1
   base::Array<double> matrix_;           // B by rows, where the model is not empty
   base::Array<double> factor_;           // upper Cholesky factor of B in the face, rows of n_

@@ -2,6 +2,7 @@
 // of the gradient along them.
 #pragma once
 
+#include <cstdint>
 #include <span>
 
 #include "base/host.h"
@@ -14,11 +15,11 @@ class HessianModel {
   virtual ~HessianModel() = default;
 
   // Whether there are no pairs: then B = sigma I.
-  virtual bool empty() const = 0;
+  bool empty() const { return count_ == 0; }
   virtual void clear() = 0;
   // A curvature that is typical of f in the current face.
-  virtual double sigma() const = 0;
-  virtual void set_sigma(double sigma) = 0;
+  double sigma() const { return sigma_; }
+  void set_sigma(double sigma) { sigma_ = sigma; }
 
   // Adds step s and change of gradient y with the new sigma (y'y / s'y if it is not positive). False, and the pair not
   // kept, when the curvature s'y is not safely positive; or when B can not be computed with it (then the model is
@@ -33,6 +34,10 @@ class HessianModel {
   // d = -(P B P)^+ P gradient, with P the projection to the face: the step to the model's minimizer there.
   virtual void minimise_in_face(const FeasibleSet& set, std::span<const double> gradient, std::span<double> d,
                                 const base::Host& host) const = 0;
+
+ protected:
+  std::uint64_t count_ = 0;  // of the pairs
+  double sigma_ = 1;
 };
 
 }  // namespace orbicube::projected_gradient

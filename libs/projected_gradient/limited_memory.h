@@ -19,13 +19,10 @@ class LimitedMemory final : public HessianModel {
   // Room for `capacity` pairs of n entries, 2 capacity n numbers, and for faces with m rows.
   LimitedMemory(std::size_t n, std::size_t m, std::size_t capacity, std::pmr::memory_resource* memory);
 
-  bool empty() const override { return count_ == 0; }
   void clear() override {
     count_ = 0;
     newest_ = 0;
   }
-  double sigma() const override { return sigma_; }
-  void set_sigma(double sigma) override { sigma_ = sigma; }
   // Drops the oldest pair when full.
   bool push(std::span<const double> s, std::span<const double> y, double sigma) override;
   void multiply(std::span<const double> v, std::span<double> out, const base::Host& host) const override;
@@ -56,8 +53,7 @@ class LimitedMemory final : public HessianModel {
   void solve_middle(std::span<const double> factors, std::span<const std::uint32_t> pivots) const;
 
   std::size_t n_, capacity_;
-  std::uint64_t count_ = 0, newest_ = 0;
-  double sigma_ = 1;
+  std::uint64_t newest_ = 0;
   base::Array<double> table_;           // n rows of [s_0 .. s_c-1, y_0 .. y_c-1], each pair scaled to |s| = 1
   base::Array<double> step_products_;   // S'S, capacity x capacity
   base::Array<double> mixed_products_;  // S'Y: row s, column y

@@ -1,4 +1,4 @@
-// Features through the C functions of hexmesh: what is asked for, what is captured, and what is missing and why.
+// Features through the C functions of hexmesh: what options request, what is captured, and what is missing and why.
 #include <doctest/doctest.h>
 
 #include <algorithm>

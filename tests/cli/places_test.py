@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Places in refusals of the command: each is told once, and is where the input has it, at any size of the input.
+"""Places in refusals of the command: each stands once, and is where the input has it, at any size of the input.
 
     places_test.py COMMAND
 """

@@ -19,7 +19,7 @@ using namespace orbicube::volume_map;
 
 namespace {
 
-// Of a polycube with about so many cells.
+// Of a polycube with about that number of cells.
 HexMesh grid_of(const polycube::SurfaceMap& map, std::size_t cells, double scale, const base::Host& host) {
   HexMesh mesh = sample_hexahedra(domain_of_cells(polycube::make_patch_graph(map, host), cells, 0, host), map, host);
   for (Vector3& p : mesh.positions)

@@ -7,6 +7,7 @@
 #include "mesh/files/binary_writer.h"
 #include "mesh/files/text_writer.h"
 #include "mesh/formats/codecs.h"
+#include "mesh/formats/vtk_regions.h"
 
 namespace orbicube::mesh {
 namespace {
@@ -67,16 +68,7 @@ void write_regions(Out& out, const Mesh& mesh, const WriteOptions& options, std:
   out.line(words("CELL_DATA", cells));
   out.line("SCALARS region int");  // without the number of components meshio has one number a cell
   out.line("LOOKUP_TABLE default");
-  const auto put = [&](std::span<const std::int32_t> regions, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      out.put(regions.empty() ? 0 : regions[i]);
-      out.end_item();
-    }
-  };
-  put(mesh.regions.triangles, mesh.triangles.size());
-  put(options.quad_regions, options.quads.size());
-  put(mesh.regions.tetrahedra, mesh.tetrahedra.size());
-  put(mesh.regions.hexahedra, mesh.hexahedra.size());
+  put_regions_of_cells(out, mesh, options);
   out.end_section();
 }
 

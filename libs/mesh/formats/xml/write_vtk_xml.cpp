@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "mesh/formats/codecs.h"
+#include "mesh/formats/vtk_regions.h"
 #include "mesh/formats/xml/base64.h"
 #include "mesh/formats/xml/zlib_data.h"
 
@@ -162,16 +163,7 @@ void put_cells(ArrayWriter& out, const Mesh& mesh, bool grid, const WriteOptions
 void put_regions(ArrayWriter& out, const Mesh& mesh, const WriteOptions& options) {
   out.line("<CellData Scalars=\"region\">");
   out.begin("\"Int32\" Name=\"region\"");
-  const auto put = [&](std::span<const std::int32_t> regions, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
-      out.put(regions.empty() ? 0 : regions[i]);
-      out.end_item();
-    }
-  };
-  put(mesh.regions.triangles, mesh.triangles.size());
-  put(options.quad_regions, options.quads.size());
-  put(mesh.regions.tetrahedra, mesh.tetrahedra.size());
-  put(mesh.regions.hexahedra, mesh.hexahedra.size());
+  put_regions_of_cells(out, mesh, options);
   out.end();
   out.line("</CellData>");
 }
