@@ -238,7 +238,9 @@ obc_status obc_linear_iterative_solve(obc_linear_iterative* solver, const double
     const std::size_t size = solver->solver->size();
     capi::require(size == 0 || (right != nullptr && solution != nullptr), "right or solution is NULL");
     require_finite(right, size, "right");
-    linear::Array<double> x(size, solver->host.host().memory);
+    const base::Host& host = solver->host.host();
+    host.restart();
+    linear::Array<double> x(size, host.memory);
     const linear::IterativeReport done = solver->solver->solve({right, size}, solver->options, x);
     obc_linear_iterative_report r{};
     r.converged = done.converged ? 1 : 0;

@@ -24,6 +24,11 @@ void Host::report(const char* phase, std::uint64_t done, std::uint64_t total, do
   }
 }
 
+void Host::restart() const {
+  meter_ = Meter{};
+  last_phase_ = nullptr;
+}
+
 void Host::advance(const char* phase, std::uint64_t done, std::uint64_t total) const {
   Meter& m = meter_;
   // A phase that starts again is one more; reports without a total, in between others, are of the same one.

@@ -39,6 +39,9 @@ class Host {
   void report(const char* phase, std::uint64_t done, std::uint64_t total, double best) const;
   void report(const char* phase, std::uint64_t done, std::uint64_t total) const;
 
+  // Begins a call of a host that serves several: its first report is passed on, and its fraction starts at 0.
+  void restart() const;
+
   // A line for the log; nothing happens when there is no log.
   void log(const std::string& line) const {
     if (on_log) on_log(line);

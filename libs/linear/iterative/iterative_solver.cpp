@@ -46,6 +46,7 @@ class Solver : public IterativeSolver {
     // One run of conjugate gradients gains little more: its own residual drifts from that of the matrix.
     constexpr double min_gain_of_a_run = 1e-6, stalled = 0.5;
     IterativeReport report;
+    host_.report("solve", 0, 0);
     const int exponent = exponent_of(right);
     right_.resize(right.size());
     for (std::size_t i = 0; i < right.size(); ++i)
