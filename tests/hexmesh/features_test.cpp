@@ -207,3 +207,44 @@ TEST_CASE("Features of tags: of unknown vertices they are refused, and places ha
   options.tagged_edges = edges;
   CHECK_THROWS_AS(make_hexahedra(surface, options, findings, host), base::Error);
 }
+
+// A line within a patch has the same patch on both sides, and turns across the quads of a grid.
+TEST_CASE("Hexahedra along a line that ends within a patch are as good as elsewhere") {
+  constexpr Index parallels = 18, meridians = 36;
+  constexpr double step = 2 * std::numbers::pi / meridians;
+  mesh::Mesh sphere(host.memory);
+  const auto put = [&](double polar, double azimuth) {
+    const Vector3 p(std::sin(polar) * std::cos(azimuth), std::sin(polar) * std::sin(azimuth), std::cos(polar));
+    sphere.positions.emplace_back(p.x(), 0.8 * p.y() - 0.6 * p.z(), 0.6 * p.y() + 0.8 * p.z());
+  };
+  for (Index i = 1; i < parallels; ++i) {
+    for (Index k = 0; k < meridians; ++k)
+      put(i * step, k * step);
+  }
+  put(0, 0);
+  put(std::numbers::pi, 0);
+  const auto north = static_cast<Index>(sphere.positions.size() - 2), south = north + 1;
+  for (Index k = 0; k < meridians; ++k) {
+    const Index next = (k + 1) % meridians, last = (parallels - 2) * meridians;
+    sphere.triangles.push_back({north, k, next});
+    sphere.triangles.push_back({last + next, last + k, south});
+    for (Index row = 0; row < last; row += meridians) {
+      sphere.triangles.push_back({row + k, row + meridians + k, row + next});
+      sphere.triangles.push_back({row + next, row + meridians + k, row + meridians + next});
+    }
+  }
+  std::vector<mesh::Edge> line;
+  for (Index i = 3; i < 12; ++i)
+    line.push_back({i * meridians + 2, (i + 1) * meridians + 2});
+  volume_map::InputFindings findings;
+  Options options;
+  options.cells = 1500;
+  options.method = Method::grid;
+  options.features = Features::tags;
+  options.tagged_edges = line;
+  const Hexahedra made = make_hexahedra(sphere, options, findings, host);
+  REQUIRE(made.features);
+  CHECK(made.features->replaced);
+  CHECK(made.features->captured > 0.99);
+  CHECK(made.result.quality.min_scaled_jacobian > 0.3);
+}

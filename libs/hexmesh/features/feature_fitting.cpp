@@ -18,6 +18,8 @@ constexpr double first_weight = 0.3, weight_growth = 1e4;  // of targets, over t
 constexpr double last_progress = 1.25;                     // the growth at the end, as a power
 constexpr double full_progress = 0.625;                    // of the rounds, at which the growth is reached
 constexpr double slide_from = 0.36;                        // of the rounds: vertices of arcs slide from then on
+constexpr double own_shapes_from = 0.2;                    // of the rounds: boxes have the lengths of hexahedra
+constexpr double shortest = 0.15, longest = 3;             // of them, over the given ones
 constexpr double target_jacobian = 0.5;                    // below which the weight of a corner rises
 
 // The corner tetrahedra of all hexahedra, each that of a box.
@@ -46,6 +48,7 @@ class Fit {
   Fit(HexMesh& mesh, const BoxSizes& sizes, FeatureTargets& targets, const FeatureFitOptions& options,
       const base::Host& host)
       : mesh_(mesh),
+        sizes_(sizes),
         targets_(targets),
         options_(options),
         host_(host),
@@ -84,6 +87,7 @@ class Fit {
     const bool slide = progress >= slide_from;
     targets_.look_from(mesh_.positions);
     if (slide) targets_.slide(mesh_.positions);
+    if (progress > own_shapes_from) set_own_shapes();
     set_weights(mesh_, progress < 0.14 ? 1 : growth < 1 ? 20 : 60, elements_);
     set_pulls(weight, slide);
     untangle::EnergyValue now = energy_.value(newton_.values(), 0);
@@ -93,6 +97,23 @@ class Fit {
       if (now.energy > before * (1 - 1e-5)) break;
     }
     variables_.expand(newton_.values(), mesh_.positions);
+  }
+
+  // Makes boxes of the mean lengths of a hexahedron its shape: the scaled Jacobian does not depend on lengths.
+  void set_own_shapes() {
+    base::parallel_pieces(host_, "fit", mesh_.hexahedra.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Hexahedron& h = mesh_.hexahedra[i];
+        std::array<double, 3> length{};
+        for (std::size_t d = 0; d < 3; ++d) {
+          for (const auto& e : edges_along[d])
+            length[d] += 0.25 * (mesh_.positions[h[e[1]]] - mesh_.positions[h[e[0]]]).norm();
+          length[d] = std::clamp(length[d], shortest * sizes_[i][d], longest * sizes_[i][d]);
+        }
+        for (std::size_t k = 0; k < 8; ++k)
+          hex_tetrahedra[k].set_shape(length, elements_[8 * i + k]);
+      }
+    });
   }
 
   void set_pulls(double weight, bool slide) {
@@ -108,6 +129,7 @@ class Fit {
   }
 
   HexMesh& mesh_;
+  const BoxSizes& sizes_;
   FeatureTargets& targets_;
   const FeatureFitOptions& options_;
   const base::Host& host_;

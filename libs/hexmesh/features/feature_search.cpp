@@ -10,8 +10,8 @@ namespace orbicube::hexmesh {
 namespace {
 
 // Hexahedra below are searched: those below the best that the features allow everywhere, or else the worst ones.
-constexpr double good = 0.35, below_bound = 0.02;
-constexpr std::size_t max_worst = 400;  // of a pass
+constexpr double good = 0.6, below_bound = 0.02;
+constexpr std::size_t max_worst = 1000;  // of a pass
 constexpr int max_passes = 60, idle_passes = 6;
 constexpr double first_radius = 0.25, last_radius = 0.02, shrinking = 0.96;  // times the shortest edge
 
@@ -30,6 +30,9 @@ class Search {
     // Of the worst hexahedron around a vertex. A mesh without a part of an arc has lost it; one that is a little off a
     // patch has not.
     constexpr double kept = 0.8, of_arcs = 0.06, of_patches = 0.2, positive = 1e-3;
+    Array<double> before(mesh_.positions.size(), 1, host_.memory);  // once: each round would lower it
+    for (const Index v : targets_.vertices())
+      before[v] = worst_around(v);
     std::size_t left = 0;
     for (int round = 0; round < rounds; ++round) {
       left = 0;
@@ -40,7 +43,7 @@ class Search {
         if (from == to) continue;
         const double floor =
             targets_.kind(v) == FeatureTargets::Kind::patch ? std::min(of_patches, kept * bound_) : of_arcs;
-        const double least = std::max(positive, std::min(kept * worst_around(v), floor));
+        const double least = std::max(positive, std::min(kept * before[v], floor));
         bool done = false;
         for (const double part : {1.0, 0.5, 0.25}) {
           mesh_.positions[v] = part == 1 ? to : Vector3(from + part * (to - from));

@@ -28,6 +28,15 @@ SplitSurface split_where_bent(std::span<const Vector3> positions, std::span<cons
   return surface;
 }
 
+// Gives the quads around the inner vertices of a path, on its left, the number of a layer.
+void put_left_of(std::span<const Index> path, const BoundaryQuads& quads, Index layer, Array<Index>& layer_of_quad) {
+  for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+    const Index last = quads.find(path[i], path[i - 1]);
+    for (Index h = quads.find(path[i], path[i + 1]); h != last; h = quads.turned(h))
+      layer_of_quad[h / 4] = layer;
+  }
+}
+
 }  // namespace
 
 GradedSurface::GradedSurface(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
@@ -62,11 +71,21 @@ std::optional<FeatureObstacle> GradedCells::embed() {
 }
 
 // A layer on each patch, closed along its border: arcs get two quads a side at their corners, whatever their paths.
+// An arc with one patch on both sides gets a layer of its own on the quads at its left.
 std::optional<FeatureObstacle> GradedCells::add_rings(const BoundaryQuads& quads) {
+  Array<Index> layer_of_quad(embedding_.quad_patches, host_.memory), patch_of_layer(host_.memory);
+  for (Index p = 0; p < in_cells_->patches(); ++p)
+    patch_of_layer.push_back(p);
+  for (Index a = 0; a < in_cells_->arcs(); ++a) {
+    const auto& [left, right] = in_cells_->graph().arcs[a].patches;
+    if (left != right) continue;
+    put_left_of(embedding_.paths[a], quads, static_cast<Index>(patch_of_layer.size()), layer_of_quad);
+    patch_of_layer.push_back(left);
+  }
   Array<Index> labels(mesh_.hexahedra.size(), 0, host_.memory);
   for (Index q = 0; q < quads.quads().size(); ++q) {
     Index& label = labels[quads.owner(q)];
-    const Index own = embedding_.quad_patches[q] + 1;
+    const Index own = layer_of_quad[q] + 1;
     if (label != 0 && label != own) return FeatureObstacle{no_index, no_index, "a hexahedron is on two patches"};
     label = own;
   }
@@ -75,7 +94,7 @@ std::optional<FeatureObstacle> GradedCells::add_rings(const BoundaryQuads& quads
   mesh_.quads.assign(outer.quads().begin(), outer.quads().end());
   mesh_.quad_patches.clear();
   for (Index q = 0; q < mesh_.quads.size(); ++q)
-    mesh_.quad_patches.push_back(labels[outer.owner(q)] - 1);
+    mesh_.quad_patches.push_back(patch_of_layer[labels[outer.owner(q)] - 1]);
   return {};
 }
 
