@@ -47,6 +47,7 @@ bool print_row(const Solid& solid, hexmesh::Method method, std::size_t cells) {
     hexmesh::Options options;
     options.method = method;
     options.cells = cells;
+    options.features = hexmesh::Features::off;  // bench-features prints those
     const hexmesh::HexResult result = hexmesh::make_hexahedra(solid.surface, options, findings, host).result;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     std::printf("%-14s %-7s %-9s %7zu %9.3f %9.3f %8.2f%% %8.2f%% %8.1f  %s\n", solid.name.c_str(), asked,

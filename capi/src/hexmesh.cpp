@@ -46,6 +46,7 @@ obc_hexmesh_options default_options() {
   o.max_hausdorff_percent = defaults.distance;
   o.max_cells = defaults.max_cells;
   o.feature_angle = -1;
+  o.features = static_cast<std::int32_t>(defaults.features);
   return o;
 }
 
@@ -125,7 +126,7 @@ hexmesh::Options options_of(const obc_hexmesh_options& o, const obc_host* host) 
                 "options->method is none of the constants");
   capi::require(o.feature_angle == -1 || (o.feature_angle >= 0 && o.feature_angle < 180),
                 "options->feature_angle is out of range");
-  capi::require(o.features >= OBC_HEXMESH_FEATURES_OFF && o.features <= OBC_HEXMESH_FEATURES_ANGLES,
+  capi::require(o.features >= OBC_HEXMESH_FEATURES_OFF && o.features <= OBC_HEXMESH_FEATURES_MACHINED,
                 "options->features is none of the constants");
   capi::require(o.tagged_edges != nullptr || o.tagged_edge_count == 0, "options->tagged_edges is NULL");
   capi::require(o.tagged_vertices != nullptr || o.tagged_vertex_count == 0, "options->tagged_vertices is NULL");

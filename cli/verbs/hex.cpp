@@ -26,11 +26,10 @@ const std::map<std::string, hexmesh::Padding> paddings = {
 
 const std::map<std::string, Cut> cuts = {{"quarter", Cut::quarter}, {"half", Cut::half}, {"none", Cut::none}};
 
-const std::map<std::string, hexmesh::Features> feature_sources = {{"off", hexmesh::Features::off},
-                                                                  {"auto", hexmesh::Features::automatic},
-                                                                  {"tags", hexmesh::Features::tags},
-                                                                  {"angles", hexmesh::Features::angles},
-                                                                  {"strict", hexmesh::Features::automatic}};
+const std::map<std::string, hexmesh::Features> feature_sources = {
+    {"off", hexmesh::Features::off},        {"machined", hexmesh::Features::machined},
+    {"auto", hexmesh::Features::automatic}, {"tags", hexmesh::Features::tags},
+    {"angles", hexmesh::Features::angles},  {"strict", hexmesh::Features::automatic}};
 
 struct HexVerb {
   SolidOptions solid;
@@ -42,7 +41,7 @@ struct HexVerb {
   std::size_t max_cells = hexmesh::Options{}.max_cells;
   std::optional<double> feature_angle;  // in degrees
   std::string method = "auto";
-  std::string features = "off";
+  std::string features = "machined";
   std::string frames;
 };
 
@@ -92,12 +91,12 @@ void run_hex(const HexVerb& verb, Session& session) {
                        {"cut", verb.cut}};
   session.options().update(json_of(verb.solid));
   const bool by_polycube = verb.method == "auto" || verb.method == "polycube";
-  if (!verb.solid.from.empty() && (!by_polycube || !verb.frames.empty() || verb.features != "off"))
+  const bool none_requested = verb.features == "off" || verb.features == "machined";
+  if (!verb.solid.from.empty() && (!by_polycube || !verb.frames.empty() || !none_requested))
     throw Failure(Exit::wrong_input, "", "usage", "--from is for --method polycube, without --features");
   hexmesh::Options options = options_of(verb, session);
   const std::optional<SolidPolycube> given = read_solid_polycube(verb.solid, session);
   if (given) options.given = given->view();
-  session.options()["feature_angle"] = hexmesh::feature_angle_of(options);
   const bool features = options.features != hexmesh::Features::off;
   const InputMesh input = session.portion(
       0.01, [&] { return read_mended(verb.solid.input, verb.solid.mending, session, Keep::surface, features); });
@@ -115,6 +114,7 @@ void run_hex(const HexVerb& verb, Session& session) {
   hexmesh::Hexahedra made =
       about_solid(verb.solid.input, verb.output.path, input.report.format, findings, session,
                   [&] { return hexmesh::make_hexahedra(input.mesh, options, findings, session.host()); });
+  session.options()["feature_angle"] = made.feature_angle;
   write_hexahedra(output, input.mesh, std::move(made), verb.distance, session);
 }
 
@@ -150,15 +150,16 @@ void add_hex(CLI::App& app, CommonOptions& common) {
       ->type_name("N");
   verb->add_option("--feature-angle", options->feature_angle,
                    "minimum dihedral angle, in degrees, of surface edges that edges of OUT or axes of computed frames "
-                   "follow; 0: none [default: 35 with --features, else 40, or 0 with --method frames]")
+                   "follow; 0: none [default: 35 where there are features, else 40, or 0 with --method frames]")
       ->check(number_from_to(0, 179))
       ->type_name("DEGREES");
   verb->add_option(
           "--features", options->features,
           "edges and corners of IN that OUT should have, grid-based where the method does not keep them: auto, "
           "sharp ones of --feature-angle and clear ones among those that IN marks; tags, all that IN marks; angles, "
-          "sharp ones only; strict, as auto, and a missing one is an error; off [default: off]")
-      ->check(unnamed(CLI::IsMember({"off", "auto", "tags", "angles", "strict"})))
+          "sharp ones only; strict, as auto, and a missing one is an error; machined, as auto for machined parts and "
+          "where IN marks edges, with --method auto and grid; off [default: machined]")
+      ->check(unnamed(CLI::IsMember({"machined", "auto", "tags", "angles", "strict", "off"})))
       ->type_name("F");
   verb->add_option("--padding", options->padding,
                    "layer of hexahedra at the boundary: auto, on the patches where it improves the mesh; with; without "

@@ -195,6 +195,13 @@ bool looks_machined(const Work& work) {
   }
 }
 
+// What the features `machined` are of this shape.
+Features features_of_machined(const Work& work) {
+  const Options& o = work.options;
+  const bool tagged = !o.tagged_edges.empty() || !o.tagged_vertices.empty();
+  return may_have_features(o) && (tagged || looks_machined(work)) ? Features::automatic : Features::off;
+}
+
 bool must_end(const base::Error& error) {
   return error.status() == base::Status::cancelled || error.status() == base::Status::out_of_memory;
 }
@@ -344,40 +351,18 @@ void scale_back(HexResult& result, int exponent) {
 
 }  // namespace
 
-bool by_frames(const Options& options) {
-  return options.method == Method::frames || (options.method == Method::automatic && !options.frames.empty());
-}
-
-double feature_angle_of(const Options& options) {
-  constexpr double of_features = 35;  // many sharp edges of CAD parts with blends turn by less than 40 in places
-  const double unset = options.features != Features::off ? of_features
-                       : by_frames(options)              ? 0
-                                                         : HexOptions{}.feature_angle;
-  return options.feature_angle.value_or(unset);
-}
-
 Hexahedra make_hexahedra(const mesh::Mesh& input, const Options& options, volume_map::InputFindings& findings,
                          const base::Host& host) {
-  base::require(options.method >= Method::automatic && options.method <= Method::frames, "the method is unknown");
-  base::require(options.features >= Features::off && options.features <= Features::angles, "`features` is unknown");
-  base::require(options.padding >= Padding::automatic && options.padding <= Padding::without, "the padding is unknown");
-  base::require(feature_angle_of(options) >= 0 && feature_angle_of(options) < 180,
-                "the feature angle must be from 0 to below 180 degrees");
-  const auto known = [&](Index v) { return v < input.positions.size(); };
-  base::require(std::all_of(options.tagged_vertices.begin(), options.tagged_vertices.end(), known) &&
-                    std::all_of(options.tagged_edges.begin(), options.tagged_edges.end(),
-                                [&](const mesh::Edge& e) { return known(e[0]) && known(e[1]); }),
-                "tagged edges and vertices must be of vertices of the input");
-  base::require(options.frames.empty() || by_frames(options), "frames are for the method frames");
-  base::require(options.given.target == nullptr || (!by_frames(options) && options.method != Method::grid),
-                "a given polycube is for the methods automatic and polycube");
-  base::require(options.given.target == nullptr || options.features == Features::off,
-                "a given polycube goes without `features`");
+  require_valid(options, input.positions.size());
   mesh::Mesh near_unit = copy_of(input, host);
   const int exponent = mesh::bring_to_unit_size(near_unit);
-  const Work work{near_unit, options, findings, host, exponent};
-  Hexahedra made = mesh::with_places_of_caller(
-      exponent, [&] { return options.features == Features::off ? by_strategy(work) : WithFeatures(work).made(); });
+  Options decided = options;
+  const Work work{near_unit, decided, findings, host, exponent};
+  Hexahedra made = mesh::with_places_of_caller(exponent, [&] {
+    if (options.features == Features::machined) decided.features = features_of_machined(work);
+    return decided.features == Features::off ? by_strategy(work) : WithFeatures(work).made();
+  });
+  made.feature_angle = feature_angle_of(decided);
   scale_back(made.result, exponent);
   if (made.features) scale_back(*made.features, exponent);
   return made;

@@ -34,7 +34,7 @@ struct Options {
   // Which edges and corners of the surface are measured in the mesh. Where it lacks some, a solid in one piece is
   // filled again, grid-based with the feature graph embedded, by the methods automatic and grid, and the mesh that
   // keeps more of them is the result (feature_choice.h).
-  Features features = Features::off;
+  Features features = Features::machined;
   std::span<const mesh::Edge> tagged_edges = {};  // of the input, of vertices of it
   std::span<const Index> tagged_vertices = {};
   // Fills surfaces for frames, which live on tetrahedra. Without it, surfaces have no frames.
@@ -45,8 +45,14 @@ struct Options {
 
 // Whether the options name frames as the only strategy.
 bool by_frames(const Options& options);
-// The angle that is meant. Where none is set: 35 with features, else 40, or 0 along frames only.
+// The angle that is meant. Where none is set: 35 with features, else 40, or 0 along frames only. With the features
+// `machined`: that for parts that have features.
 double feature_angle_of(const Options& options);
+
+// Whether features were requested, or those of a machined part would be kept.
+bool may_have_features(const Options& options);
+// Refuses options that are out of range, tags of no vertex of the input, and what does not go together.
+void require_valid(const Options& options, std::size_t vertices);
 
 // Of hexahedra along frames.
 struct FrameFigures {
@@ -66,6 +72,7 @@ struct Hexahedra {
   std::size_t polycube_corners = 0;          // of all pieces; 0: there is no polycube
   std::optional<FrameFigures> along_frames;  // where they are
   std::optional<FeatureFigures> features;    // unless they are off
+  double feature_angle = 0;                  // the one of feature_angle_of()
   double compute_seconds = 0;                // without preparations
 };
 

@@ -54,7 +54,7 @@ WORDS = {
     "obc_trust_region_options.start": "OBC_TRUST_REGION_AUTOMATIC",
     "obc_hexmesh_options.padding": "OBC_HEXMESH_PADDING_AUTO",
     "obc_hexmesh_options.method": "OBC_HEXMESH_METHOD_AUTO",
-    "obc_hexmesh_options.features": "OBC_HEXMESH_FEATURES_OFF",
+    "obc_hexmesh_options.features": "OBC_HEXMESH_FEATURES_MACHINED",
 }
 OTHERS = ["obc_gltf_scene"]  # filled like options
 

@@ -132,7 +132,7 @@ TEST_CASE("Without features their figures are 0, and wrong features are refused"
     return obc_hexmesh_compute(&shape.surface, &options, nullptr, nullptr, &hexes, &error) == OBC_INVALID_ARGUMENT &&
            hexes == nullptr;
   };
-  for (const std::int32_t features : {-1, 4}) {
+  for (const std::int32_t features : {-1, 5}) {
     options.features = features;
     CHECK(refused());
   }

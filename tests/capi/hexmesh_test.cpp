@@ -134,6 +134,7 @@ TEST_CASE("Cells of a grid in space fill a box, and one with a cavity, without a
   options.rounds = 20;
   options.method = OBC_HEXMESH_METHOD_GRID;
   options.padding = OBC_HEXMESH_PADDING_AUTO;
+  options.features = OBC_HEXMESH_FEATURES_OFF;
   obc_hexmesh_report report{};
   report.struct_size = sizeof report;
   obc_error error;

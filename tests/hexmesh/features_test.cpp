@@ -248,3 +248,28 @@ TEST_CASE("Hexahedra along a line that ends within a patch are as good as elsewh
   CHECK(made.features->captured > 0.99);
   CHECK(made.result.quality.min_scaled_jacobian > 0.3);
 }
+
+TEST_CASE("Machined parts keep their edges by default, other shapes and other strategies are as without features") {
+  volume_map::InputFindings findings;
+  Options options;
+  options.cells = 300;
+  options.distance = 0;
+  options.rounds = 10;
+  options.method = Method::grid;
+  const Hexahedra machined = make_hexahedra(octahedron(1.2), options, findings, host);
+  REQUIRE(machined.features);
+  CHECK(machined.features->replaced);
+  CHECK(machined.features->missing.empty());
+  CHECK(machined.feature_angle == 35);
+  const mesh::Mesh round = mesh::make_shape("sphere", {.triangles = 500}, host);
+  CHECK_FALSE(make_hexahedra(round, options, findings, host).features);
+  // An edge that the input marks is a feature of any shape.
+  const std::vector<mesh::Edge> tagged = {{round.triangles[0][0], round.triangles[0][1]}};
+  options.tagged_edges = tagged;
+  CHECK(make_hexahedra(round, options, findings, host).features);
+  options.tagged_edges = {};
+  options.method = Method::polycube;
+  const Hexahedra on_polycube = make_hexahedra(cube_surface(), options, findings, host);
+  CHECK_FALSE(on_polycube.features);
+  CHECK(on_polycube.feature_angle == 40);
+}

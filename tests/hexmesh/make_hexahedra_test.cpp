@@ -131,6 +131,8 @@ TEST_CASE("Triangles are turned outward, with a note, and sizes do not matter") 
 
 TEST_CASE("Angles are those of the strategy unless one is set") {
   Options options;
+  CHECK(hexmesh::feature_angle_of(options) == 35);
+  options.features = hexmesh::Features::off;
   CHECK(hexmesh::feature_angle_of(options) == 40);
   options.method = Method::frames;
   CHECK(hexmesh::feature_angle_of(options) == 0);

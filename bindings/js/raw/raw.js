@@ -45,6 +45,7 @@ export const constants = {
   OBC_HEXMESH_FEATURES_AUTO: 1,
   OBC_HEXMESH_FEATURES_TAGS: 2,
   OBC_HEXMESH_FEATURES_ANGLES: 3,
+  OBC_HEXMESH_FEATURES_MACHINED: 4,
   OBC_MESH_TRIANGLE_REGIONS: 1,
   OBC_MESH_TETRAHEDRON_REGIONS: 2,
   OBC_MESH_HEXAHEDRON_REGIONS: 4,
@@ -1309,7 +1310,7 @@ export const words = {
   obc_hexmesh_options: {
     padding: { 'auto': 0, 'with': 1, 'without': 2 },
     method: { 'auto': 0, 'polycube': 1, 'grid': 2, 'frames': 3 },
-    features: { 'off': 0, 'auto': 1, 'tags': 2, 'angles': 3 },
+    features: { 'off': 0, 'auto': 1, 'tags': 2, 'angles': 3, 'machined': 4 },
   },
   obc_polycube_options: {
     construction: { 'auto': 0, 'labels': 1, 'voxels': 2, 'dissertation': 3 },

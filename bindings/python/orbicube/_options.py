@@ -116,10 +116,10 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("feature_angle", "float", -1.0,
                doc="Minimum dihedral angle, in degrees, 0 to below 180, of surface edges that the mesh follows: those near "
                    "an edge of the polycube, unless hexahedra there would be bad, or those along which an axis of computed "
-                   "frames lies. 0: none. -1: 35 with `features`; without, 40, but 0 for method FRAMES and for frames of "
-                   "the caller. Default: -1."),
-        Option("features", "word", "off", words={"off": 0, "auto": 1, "tags": 2, "angles": 3},
-               doc="OBC_HEXMESH_FEATURES_OFF, AUTO, TAGS or ANGLES. Default: OFF."),
+                   "frames lies. 0: none. -1: 35 with `features` other than OFF, where there are some; else 40, but 0 for "
+                   "method FRAMES and for frames of the caller. Default: -1."),
+        Option("features", "word", "machined", words={"off": 0, "auto": 1, "tags": 2, "angles": 3, "machined": 4},
+               doc="OBC_HEXMESH_FEATURES_OFF, AUTO, TAGS, ANGLES or MACHINED. Default: MACHINED."),
     ),
     "obc_linear_direct_options": (
         Option("method", "word", "auto", words={"auto": 0, "eigen": 1, "cholmod-simplicial": 2, "cholmod-supernodal": 3},

@@ -92,7 +92,7 @@ def fill_with_hexahedra(shape: Any, frames: Optional[ArrayLike] = None, *,
                         triangles: int = 6000, seed: int = 0, rounds: int = 40,
                         method: Literal["auto", "polycube", "grid", "frames"] = "auto", max_hausdorff_percent: float = 1.0,
                         max_cells: int = 100000, feature_angle: float = -1.0,
-                        features: Literal["off", "auto", "tags", "angles"] = "off",
+                        features: Literal["off", "auto", "tags", "angles", "machined"] = "machined",
                         # end of options
                         tagged_edges: Optional[ArrayLike] = None, tagged_vertices: Optional[ArrayLike] = None, fill: Any = None, threads: int = 0, progress: Progress = None) -> Hexes:
     """Fills a closed surface, or a solid of tetrahedra, with the bits of `orbicube hex`. frames: of a solid, w x y z a tetrahedron as of

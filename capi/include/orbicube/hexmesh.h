@@ -65,13 +65,16 @@ enum {
 
 /* Sharp edges and corners of the surface that the mesh should have as chains of edges and as vertices. OFF: none in particular. AUTO: edges of
  * at least `feature_angle` and, of tagged edges, those at which the surface turns more than beside them. TAGS: all tagged edges and vertices and
- * no others. ANGLES: those of `feature_angle` alone. Where the mesh of the method lacks some, a solid of one piece is filled again by
- * cells of a grid that have them embedded, with methods AUTO and GRID and without padding WITHOUT, and the mesh that keeps more is returned. */
+ * no others. ANGLES: those of `feature_angle` alone. MACHINED: with methods AUTO and GRID and padding AUTO, as AUTO for machined parts, whose
+ * edges of 40 degrees or more are at least half as long together as those of 10 to 40, and where edges or vertices are tagged; otherwise
+ * as OFF. Where the mesh of the method lacks some, a solid of one piece is filled again by cells of a grid that have them
+ * embedded, with methods AUTO and GRID and without padding WITHOUT, and the mesh that keeps more is returned. */
 enum {
   OBC_HEXMESH_FEATURES_OFF = 0,
   OBC_HEXMESH_FEATURES_AUTO = 1,
   OBC_HEXMESH_FEATURES_TAGS = 2,
-  OBC_HEXMESH_FEATURES_ANGLES = 3
+  OBC_HEXMESH_FEATURES_ANGLES = 3,
+  OBC_HEXMESH_FEATURES_MACHINED = 4
 };
 
 /* Fills a closed surface with tetrahedra of at most max_volume, into a mesh whose first vertices are those of the surface, bit-identical and
@@ -101,10 +104,10 @@ typedef struct obc_hexmesh_options {
 
   /* Minimum dihedral angle, in degrees, 0 to below 180, of surface edges that the mesh follows: those near an edge of the polycube, unless
    * hexahedra there would be bad, or those along which an axis of computed frames lies. 0: none. -1: 35 with
-   * `features`; without, 40, but 0 for method FRAMES and for frames of the caller. Default: -1. */
+   * `features` other than OFF, where there are some; else 40, but 0 for method FRAMES and for frames of the caller. Default: -1. */
   double feature_angle;
 
-  int32_t features; /* OBC_HEXMESH_FEATURES_OFF, AUTO, TAGS or ANGLES. Default: OFF. */
+  int32_t features; /* OBC_HEXMESH_FEATURES_OFF, AUTO, TAGS, ANGLES or MACHINED. Default: MACHINED. */
 
   /* Edges, two vertices of the input each, and vertices that `features` AUTO and TAGS consider. Default: NULL. */
   const uint32_t *tagged_edges;
@@ -124,7 +127,7 @@ OBC_API obc_status obc_hexmesh_options_init(obc_hexmesh_options *options, size_t
 
 /* Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
  * three edges there over the product of their lengths: 1 for a box. Members from integers_optimal to fields are about frames and 0 for other
- * methods; those after them are about features and 0 with OBC_HEXMESH_FEATURES_OFF. The caller sets struct_size. */
+ * methods; those after them are about features and 0 where none are kept. The caller sets struct_size. */
 typedef struct obc_hexmesh_report {
   uint32_t struct_size;
   int32_t padded; /* 1: with a layer along the boundary or parts of it; 0: without */

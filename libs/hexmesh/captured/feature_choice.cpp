@@ -73,6 +73,10 @@ Index arc_in_the_way(const FeatureHexes& made, const FeatureSurface& surface) {
 
 }  // namespace
 
+bool can_keep_features() {
+  return true;
+}
+
 FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host)
     : input_(input), choice_(choice), host_(host) {
   try {
@@ -97,16 +101,20 @@ bool FeatureKeeper::offer(const HexResult& now, bool embedded, const HexResult* 
   return true;
 }
 
-FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool once) const {
+FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool once) {
+  constexpr std::size_t most_fitted = 12;  // of the option `cells`: a fit of the largest mesh, or several of others
   try {
-    return feature_hexahedra(surface.positions, surface.triangles, surface.graph,
-                             {.cells = choice_.cells,
-                              .max_cells = choice_.max_cells,
-                              .distance = choice_.distance,
-                              .rounds = choice_.rounds,
-                              .bound = scaled_jacobian_bound(surface, host_),
-                              .once = once},
-                             host_);
+    FeatureHexes made = feature_hexahedra(surface.positions, surface.triangles, surface.graph,
+                                          {.cells = choice_.cells,
+                                           .max_cells = choice_.max_cells,
+                                           .distance = choice_.distance,
+                                           .rounds = choice_.rounds,
+                                           .bound = scaled_jacobian_bound(surface, host_),
+                                           .once = once,
+                                           .max_fitted = std::max(most_fitted * choice_.cells, fitted_) - fitted_},
+                                          host_);
+    fitted_ += made.fitted;
+    return made;
   } catch (const base::Error& error) {
     if (must_end(error)) throw;
     FeatureHexes none(host_.memory);
@@ -117,7 +125,7 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
 
 // Leaves out one arc after the other that is in the way.
 FeatureHexes FeatureKeeper::without_obstacles(FeatureSurface& surface, const FeatureRequest& request,
-                                              FeatureHexes made) const {
+                                              FeatureHexes made) {
   constexpr int most = 3;             // arcs
   constexpr double least_kept = 0.5;  // of the length of the sharp edges: less is hardly worth a mesh with a layer
   const auto length_of_all = [&] {

@@ -17,6 +17,9 @@ struct FeatureChoice {
   int rounds = 40;
 };
 
+// Whether features are part of this build; the module for web pages has none.
+bool can_keep_features();
+
 class FeatureKeeper {
  public:
   // Keeps a reference to the input. Where it has no feature graph, the log says why. Throws Error "cancelled".
@@ -45,9 +48,9 @@ class FeatureKeeper {
 
  private:
   // Makes hexahedra with the graph of `surface` embedded; errors are obstacles.
-  FeatureHexes hexahedra_of(const FeatureSurface& surface, bool once) const;
+  FeatureHexes hexahedra_of(const FeatureSurface& surface, bool once);
   // With the graph of `surface`, whose obstacle `made` has, without the arcs in the way.
-  FeatureHexes without_obstacles(FeatureSurface& surface, const FeatureRequest& request, FeatureHexes made) const;
+  FeatureHexes without_obstacles(FeatureSurface& surface, const FeatureRequest& request, FeatureHexes made);
 
   const mesh::Mesh& input_;
   const FeatureChoice choice_;
@@ -56,6 +59,7 @@ class FeatureKeeper {
   bool rectangular_ = false;
   FeatureFigures figures_;
   std::optional<FeatureHexes> tried_;
+  std::size_t fitted_ = 0;  // hexahedra of all fits
 };
 
 }  // namespace orbicube::hexmesh

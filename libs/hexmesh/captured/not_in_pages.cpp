@@ -4,6 +4,10 @@
 
 namespace orbicube::hexmesh {
 
+bool can_keep_features() {
+  return false;
+}
+
 FeatureKeeper::FeatureKeeper(const mesh::Mesh& input, const FeatureChoice& choice, const base::Host& host)
     : input_(input), choice_(choice), host_(host) {
   throw base::Error("unsupported", "hexahedra with sharp edges are not part of the module for web pages");

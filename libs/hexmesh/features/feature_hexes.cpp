@@ -107,6 +107,13 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
       break;
     }
     GradedCells& cells = *found->cells;
+    const std::size_t size = cells.mesh().hexahedra.size();
+    if (size > options.max_fitted - made.fitted) {
+      if (!made.found && made.obstacle.empty())
+        missed({no_index, no_index, std::to_string(size) + " hexahedra would take too long after those tried before"});
+      break;
+    }
+    made.fitted += size;
     const auto not_fitted = [&](std::string why, Index arc) {
       const FeatureObstacle obstacle = {no_index, arc, std::move(why)};
       missed(obstacle);

@@ -3,6 +3,7 @@
 // brings corners, arcs and patches to those of the surface without folding.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "hexmesh/strategies/hex_draft.h"
@@ -11,12 +12,13 @@
 namespace orbicube::hexmesh {
 
 struct FeatureHexOptions {
-  std::size_t cells = 10000;        // about
-  std::size_t max_cells = 100'000;  // where short arcs and gaps need more
-  double distance = 1;              // as in HexOptions
-  int rounds = 40;                  // of fitting
-  double bound = 1;                 // of scaled Jacobians, by the features (feature_bound.h)
-  bool once = false;                // one fit, not up to three
+  std::size_t cells = 10000;          // about
+  std::size_t max_cells = 100'000;    // where short arcs and gaps need more
+  double distance = 1;                // as in HexOptions
+  int rounds = 40;                    // of fitting
+  double bound = 1;                   // of scaled Jacobians, by the features (feature_bound.h)
+  bool once = false;                  // one fit, not up to three
+  std::size_t max_fitted = SIZE_MAX;  // hexahedra of all fits, to which the time is proportional
 };
 
 // A certified mesh whose quads have the patches of the graph, or none, with what was in the way and where.
@@ -25,6 +27,7 @@ struct FeatureHexes {
 
   HexResult result;
   bool found = false;
+  std::size_t fitted = 0;  // hexahedra of all fits
   std::string obstacle;
   Index obstacle_arc = no_index, obstacle_corner = no_index;  // of the graph, where it was one
 };

@@ -13,6 +13,7 @@ const OBC_HEXMESH_FEATURES_OFF = Int32(0)
 const OBC_HEXMESH_FEATURES_AUTO = Int32(1)
 const OBC_HEXMESH_FEATURES_TAGS = Int32(2)
 const OBC_HEXMESH_FEATURES_ANGLES = Int32(3)
+const OBC_HEXMESH_FEATURES_MACHINED = Int32(4)
 
 mutable struct obc_hexmesh_options <: CStruct
     struct_size::UInt32

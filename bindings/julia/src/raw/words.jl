@@ -11,7 +11,7 @@ const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
     (:obc_harmonics_fit_options, :method) => [:automatic => 0, :dense => 1, :iterative => 2],
     (:obc_hexmesh_options, :padding) => [:auto => 0, :with => 1, :without => 2],
     (:obc_hexmesh_options, :method) => [:auto => 0, :polycube => 1, :grid => 2, :frames => 3],
-    (:obc_hexmesh_options, :features) => [:off => 0, :auto => 1, :tags => 2, :angles => 3],
+    (:obc_hexmesh_options, :features) => [:off => 0, :auto => 1, :tags => 2, :angles => 3, :machined => 4],
     (:obc_linear_direct_options, :method) => [:auto => 0, :eigen => 1, :cholmod_simplicial => 2, :cholmod_supernodal => 3],
     (:obc_linear_iterative_options, :method) => [:auto => 0, :gauss_seidel => 1, :multigrid => 2],
     (:obc_polycube_options, :construction) => [:auto => 0, :labels => 1, :voxels => 2, :dissertation => 3],

@@ -17,6 +17,7 @@ OBC_HEXMESH_FEATURES_OFF = 0
 OBC_HEXMESH_FEATURES_AUTO = 1
 OBC_HEXMESH_FEATURES_TAGS = 2
 OBC_HEXMESH_FEATURES_ANGLES = 3
+OBC_HEXMESH_FEATURES_MACHINED = 4
 
 obc_hexmesh_fill_function = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_double, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p)
 
@@ -48,7 +49,7 @@ class obc_hexmesh_options(_Struct):
 class obc_hexmesh_report(_Struct):
     """Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
     three edges there over the product of their lengths: 1 for a box. Members from integers_optimal to fields are about frames and 0 for other
-    methods; those after them are about features and 0 with OBC_HEXMESH_FEATURES_OFF. The caller sets struct_size."""
+    methods; those after them are about features and 0 where none are kept. The caller sets struct_size."""
     _fields_ = [
         ("struct_size", _c.c_uint32),
         ("padded", _c.c_int32),

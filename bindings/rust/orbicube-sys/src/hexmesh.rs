@@ -24,6 +24,7 @@ pub const OBC_HEXMESH_FEATURES_OFF: i32 = 0;
 pub const OBC_HEXMESH_FEATURES_AUTO: i32 = 1;
 pub const OBC_HEXMESH_FEATURES_TAGS: i32 = 2;
 pub const OBC_HEXMESH_FEATURES_ANGLES: i32 = 3;
+pub const OBC_HEXMESH_FEATURES_MACHINED: i32 = 4;
 
 /// A certified hexahedral mesh.
 #[repr(C)]
@@ -64,9 +65,9 @@ pub struct obc_hexmesh_options {
     pub max_cells: usize,
     /// Minimum dihedral angle, in degrees, 0 to below 180, of surface edges that the mesh follows: those near an edge of the polycube, unless
     /// hexahedra there would be bad, or those along which an axis of computed frames lies. 0: none. -1: 35 with
-    /// \`features\`; without, 40, but 0 for method FRAMES and for frames of the caller. Default: -1.
+    /// \`features\` other than OFF, where there are some; else 40, but 0 for method FRAMES and for frames of the caller. Default: -1.
     pub feature_angle: f64,
-    /// OBC\_HEXMESH\_FEATURES\_OFF, AUTO, TAGS or ANGLES. Default: OFF.
+    /// OBC\_HEXMESH\_FEATURES\_OFF, AUTO, TAGS, ANGLES or MACHINED. Default: MACHINED.
     pub features: i32,
     /// Edges, two vertices of the input each, and vertices that \`features\` AUTO and TAGS consider. Default: NULL.
     pub tagged_edges: *const u32,
@@ -85,7 +86,7 @@ pub struct obc_hexmesh_options {
 
 /// Figures of a hexahedral mesh. The scaled Jacobian of a hexahedron is the minimum over its corners of the determinant of the
 /// three edges there over the product of their lengths: 1 for a box. Members from integers\_optimal to fields are about frames and 0 for other
-/// methods; those after them are about features and 0 with OBC\_HEXMESH\_FEATURES\_OFF. The caller sets struct\_size.
+/// methods; those after them are about features and 0 where none are kept. The caller sets struct\_size.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct obc_hexmesh_report {
