@@ -118,6 +118,22 @@ void run_hex(const HexVerb& verb, Session& session) {
   write_hexahedra(output, input.mesh, std::move(made), verb.distance, session);
 }
 
+void add_feature_options(CLI::App& verb, HexVerb& options) {
+  verb.add_option("--feature-angle", options.feature_angle,
+                  "minimum dihedral angle, in degrees, of surface edges that edges of OUT or axes of computed frames "
+                  "follow; 0: none [default: 35 where there are features, else 40, or 0 with --method frames]")
+      ->check(number_from_to(0, 179))
+      ->type_name("DEGREES");
+  verb.add_option(
+          "--features", options.features,
+          "edges and corners of IN that OUT should have, grid-based where the method does not keep them: auto, "
+          "sharp ones of --feature-angle and clear ones among those that IN marks; tags, all that IN marks; angles, "
+          "sharp ones only; strict, as auto, and a missing one is an error; machined, as auto for machined parts and "
+          "where IN marks edges, with --method auto and grid; off [default: machined]")
+      ->check(unnamed(CLI::IsMember({"machined", "auto", "tags", "angles", "strict", "off"})))
+      ->type_name("F");
+}
+
 void add_drawing_options(CLI::App& verb, HexVerb& options) {
   verb.add_option("--glb", options.output.glb, "draw the mesh: quads with their edges, inner ones colored by quality")
       ->type_name("FILE.glb");
@@ -148,19 +164,7 @@ void add_hex(CLI::App& app, CommonOptions& common) {
                    "approximate maximum number of hexahedra for --distance [default: 100000]")
       ->check(unnamed(CLI::Range(1, 10'000'000)))
       ->type_name("N");
-  verb->add_option("--feature-angle", options->feature_angle,
-                   "minimum dihedral angle, in degrees, of surface edges that edges of OUT or axes of computed frames "
-                   "follow; 0: none [default: 35 where there are features, else 40, or 0 with --method frames]")
-      ->check(number_from_to(0, 179))
-      ->type_name("DEGREES");
-  verb->add_option(
-          "--features", options->features,
-          "edges and corners of IN that OUT should have, grid-based where the method does not keep them: auto, "
-          "sharp ones of --feature-angle and clear ones among those that IN marks; tags, all that IN marks; angles, "
-          "sharp ones only; strict, as auto, and a missing one is an error; machined, as auto for machined parts and "
-          "where IN marks edges, with --method auto and grid; off [default: machined]")
-      ->check(unnamed(CLI::IsMember({"machined", "auto", "tags", "angles", "strict", "off"})))
-      ->type_name("F");
+  add_feature_options(*verb, *options);
   verb->add_option("--padding", options->padding,
                    "layer of hexahedra at the boundary: auto, on the patches where it improves the mesh; with; without "
                    "[default: auto]")
