@@ -226,6 +226,11 @@ TEST_CASE("Each failing allocation ends in out of memory with nothing leaked, an
   const std::vector<double> coefficients = fitted(s);
   const double rotation[9] = {0, 0, 1, 1, 0, 0, 0, 1, 0};
   std::vector<double> out(3 * s.directions.size() + coefficients.size());
+  // Enough points of a degree that is high enough for the Fourier transforms.
+  const Samples many(700);
+  constexpr std::uint32_t high_degree = 80;
+  const std::vector<double> high(obc_harmonics_size(high_degree), 1.0);
+  std::vector<double> sums(many.count());
   obc_harmonics_align_options align_options;
   obc_harmonics_align_options_init(&align_options, sizeof align_options);
   align_options.search_degree = 2;
@@ -237,6 +242,10 @@ TEST_CASE("Each failing allocation ends in out of memory with nothing leaked, an
       [&](const obc_host& host) {
         return obc_harmonics_synthesize(coefficients.data(), degree, 3, s.directions.data(), 3, &host, out.data(),
                                         nullptr, nullptr);
+      },
+      [&](const obc_host& host) {
+        return obc_harmonics_synthesize(high.data(), high_degree, 1, many.directions.data(), many.count(), &host,
+                                        sums.data(), nullptr, nullptr);
       },
       [&](const obc_host& host) {
         return obc_harmonics_rotate(coefficients.data(), degree, 3, rotation, &host, out.data(), nullptr);

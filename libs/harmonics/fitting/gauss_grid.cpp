@@ -239,7 +239,8 @@ GaussGrid::Values GaussGrid::values(const Coefficients& function) {
   run(group_count(), [&](std::size_t group, std::size_t slot) {
     ComplexLanes* data = values.data() + group * longitudes();
     read_spectrum(group, 0, 1, function.degree, data);
-    fourier_.transform(1, data, work_.data() + 2 * slot * longitudes());
+    ComplexLanes* scratch = work_.data() + 2 * slot * longitudes();
+    if (fourier_.transform(1, data, scratch) == scratch) std::copy_n(scratch, longitudes(), data);
   });
   return values;
 }
@@ -278,14 +279,14 @@ void GaussGrid::multiply(const Values& density, std::span<const double> c, std::
     ComplexLanes* scratch = data + longitudes();
     for (std::size_t channel = 0; channel < channels; ++channel) {
       read_spectrum(group, channel, channels, degree, data);
-      fourier_.transform(1, data, scratch);
-      multiply_lanes(density.data() + group * longitudes(), longitudes(), data);
-      fourier_.transform(-1, data, scratch);
+      ComplexLanes* values = fourier_.transform(1, data, scratch);
+      multiply_lanes(density.data() + group * longitudes(), longitudes(), values);
+      values = fourier_.transform(-1, values, values == data ? scratch : data);
       const std::size_t at = channel * group_count() + group;
-      spectrum(0, channels)[at] = data[0];
+      spectrum(0, channels)[at] = values[0];
       for (std::size_t m = 1; m <= degree; ++m) {
-        spectrum(2 * m - 1, channels)[at] = data[m];
-        spectrum(2 * m, channels)[at] = data[longitudes() - m];
+        spectrum(2 * m - 1, channels)[at] = values[m];
+        spectrum(2 * m, channels)[at] = values[longitudes() - m];
       }
     }
   });

@@ -70,6 +70,11 @@ constexpr const char* evaluating = "evaluating harmonics";
 Array<Vector3> unit_directions(std::span<const Vector3> directions, const base::Host& host) {
   Array<Vector3> unit(directions.begin(), directions.end(), host.memory);
   for (std::size_t i = 0; i < unit.size(); ++i) {
+    const double square = unit[i].squaredNorm();
+    if (square > 1e-200 && square < 1e200) {
+      unit[i] /= std::sqrt(square);
+      continue;
+    }
     const double largest = unit[i].cwiseAbs().maxCoeff();
     if (!unit[i].allFinite() || largest == 0) {
       throw base::Error("invalid-argument",

@@ -25,9 +25,9 @@ class FourierTransform {
 
   std::size_t length() const { return length_; }
 
-  // Replaces data[j] by the sum over k of data[k] e^(sign 2 pi i j k / length), sign = -1 or 1. Both arrays have
-  // `length` entries.
-  void transform(int sign, ComplexLanes* data, ComplexLanes* scratch) const;
+  // Returns that of the two arrays, of `length` entries each, whose entry j has become the sum over k of data[k]
+  // e^(sign 2 pi i j k / length), sign = -1 or 1. The other one has no meaning afterwards.
+  ComplexLanes* transform(int sign, ComplexLanes* data, ComplexLanes* scratch) const;
 
   // Returns the smallest even length, not below `minimum`, that has no prime factor above 5.
   static std::size_t fitting_length(std::size_t minimum);

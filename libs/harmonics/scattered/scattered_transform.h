@@ -1,16 +1,17 @@
 // Sums of basis functions at many scattered directions, and their transpose, in O(degree^3 + directions) instead of
 // O(degree^2 directions) (Reinecke, Belkner, Carron 2023). Coefficients become values on equidistant circles of
 // latitude, those a Fourier series in both angles, and that the values at the directions by a non-uniform Fourier
-// transform (spreading_kernel.h). Errors are about 1e-14 of the largest value. The transpose takes the same steps
-// backwards. Work is divided by the sizes only, so that results are the same bits for any number of threads.
+// transform (spreading_kernel.h). Errors are about 1e-13 of the largest value at degree 1000, less at lower ones. The
+// transpose takes the same steps backwards. Work is divided by the sizes only, so that results are the same bits for
+// any number of threads.
 #pragma once
 
-#include <algorithm>
 #include <span>
 
 #include "harmonics/functions/basis.h"
-#include "harmonics/scattered/fourier.h"
-#include "harmonics/scattered/spreading_kernel.h"
+#include "harmonics/scattered/grid_points.h"
+#include "harmonics/scattered/order_series.h"
+#include "harmonics/scattered/row_series.h"
 
 namespace orbicube::harmonics {
 
@@ -29,54 +30,30 @@ class ScatteredTransform {
                Coefficients& coefficients);
 
  private:
-  // Grid coordinates of a direction, which come in the order of their tiles.
-  struct Point {
-    double row, column;
-    std::size_t index;
+  // What one task works in: the rows that the points of a band reach, and a transform.
+  struct Work {
+    Array<double> rows;
+    Array<ComplexLanes> series;
   };
-  enum class Way { synthesis, analysis };
-
-  void sort_points(std::span<const Vector3> unit);
-  void transform_orders(Way way, PackedCoefficients& packed);
-  void transform_order_group(Way way, std::uint32_t first, PackedCoefficients& packed, ComplexLanes* data);
-  void circles_of_order(std::uint32_t m, std::size_t lane, const PackedCoefficients& packed,
-                        ComplexLanes* circles) const;
-  void order_of_circles(std::uint32_t m, std::size_t lane, const ComplexLanes* circles,
-                        PackedCoefficients& packed) const;
-  void transform_rows(Way way);
-  void rows_of_orders(std::size_t first, ComplexLanes* data) const;
-  void orders_of_rows(std::size_t first, const ComplexLanes* data);
-  void write_rows(std::size_t first, const ComplexLanes* data);
-  void read_rows(std::size_t first, ComplexLanes* data);
-  void pad_grid();
-  void fold_grid();
-  void interpolate(std::size_t channels, std::size_t channel, std::span<double> values);
-  void spread(std::span<const double> weights, std::span<const double> values, std::size_t channels,
-              std::size_t channel);
-
-  double* grid_row(std::ptrdiff_t row) { return grid_.data() + (row + pad) * width_ + pad; }
-  // What one task works in: two series.
-  ComplexLanes* work(std::size_t slot) {
-    return work_.data() + 2 * slot * std::max(row_transform_.length(), circle_transform_.length());
-  }
-  std::ptrdiff_t last_row() const { return static_cast<std::ptrdiff_t>(row_count_) - 1; }
-
-  static constexpr std::ptrdiff_t pad = kernel_width / 2 + 1;
+  template <class Body>
+  void run_units(const Body& body);
+  void read_unit(const GridUnit& unit, std::size_t channels, double* values, Work& work) const;
+  void add_unit(const GridUnit& unit, const double* weights, const double* values, std::size_t channels, Work& work);
+  // Rows of a slab and the number from row to row.
+  static constexpr std::size_t slab_rows = band_rows + kernel_width;
+  std::size_t stride() const { return row_series_.columns() + 2 * grid_margin; }
+  bool is_reached(std::ptrdiff_t row) const;
 
   const char* phase_;
   const base::Host& host_;
-  LegendreTable table_;
+  std::size_t rows_;  // of theta from 0 to 2 pi
   SpreadingKernel kernel_;
-  FourierTransform circle_transform_, row_transform_, column_transform_;  // 2 N circles; theta; phi
-  std::size_t row_count_;                                                 // of theta from 0 to pi
-  std::ptrdiff_t width_;                                                  // of a row with its margins
-  Array<Lanes> height_, radius_;                                          // of circles, in blocks
-  Array<double> row_factor_, column_factor_;                              // that undo the kernel, by frequency
-  Array<ComplexLanes> orders_;  // [group of orders][row]: c_m - i s_m on the oversampled rows
-  Array<double> grid_;          // rows from -pad to row_count_ - 1 + pad
-  Array<ComplexLanes> work_;
-  Array<Point> points_;
-  Array<std::size_t> band_start_;
+  OrderSeries order_series_;
+  RowSeries row_series_;
+  GridPoints points_;
+  OrderRows orders_;
+  Slots slots_;
+  Array<Work> work_;
 };
 
 }  // namespace orbicube::harmonics
