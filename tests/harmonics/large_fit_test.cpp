@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -75,6 +76,25 @@ TEST_CASE("The product on the grid with Fourier transforms is that of the normal
     for (std::size_t i = 0; i < product.size(); ++i)
       product[i] -= expected[i];
     CHECK(norm(product) < 1e-13 * norm(expected));
+  }
+}
+
+TEST_CASE("Synthesis on the grid and analysis return every coefficient, to 1e-13 up to degree 1000") {
+  for (const std::uint32_t degree : {100U, 400U, 1000U}) {
+    const Coefficients c = Samples(33).coefficients(degree, 1);
+    std::vector<double> product(c.values.size());
+    GaussGrid grid(degree, host);
+    Coefficients one(0, 1, host.memory);
+    one.values[0] = std::sqrt(4 * std::acos(-1.0));
+    GaussGrid::Values density = grid.values(one);
+    grid.weigh(density);
+    grid.multiply(density, c.values, 1, product);
+    double error = 0, largest = 0;
+    for (std::size_t i = 0; i < product.size(); ++i) {
+      error = std::max(error, std::abs(product[i] - c.values[i]));
+      largest = std::max(largest, std::abs(c.values[i]));
+    }
+    CHECK(error < 1e-13 * largest);
   }
 }
 

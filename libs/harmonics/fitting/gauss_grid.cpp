@@ -10,32 +10,10 @@
 namespace orbicube::harmonics {
 namespace {
 
-// Tasks between two reports.
-constexpr std::size_t wave = 16;
+constexpr const char* phase = "fitting";
 constexpr std::size_t width = 16;
 using Column = std::array<double, width>;
 using base::Four, base::load, base::store;
-
-// Q_lm at `width` heights z for l = m, m + 1, ..., one after the other.
-ORBICUBE_VECTOR_VARIANTS
-void legendre_columns(double first, const std::array<double, 2>* step, std::size_t count, const double* z,
-                      double* column) {
-  Four last[4], before[4], height[4];
-  for (std::size_t r = 0; r < 4; ++r) {
-    height[r] = load(z + 4 * r);
-    last[r] = Four{first, first, first, first};
-    before[r] = Four{};
-    store(column + 4 * r, last[r]);
-  }
-  for (std::size_t l = 1; l < count; ++l) {
-    for (std::size_t r = 0; r < 4; ++r) {
-      const Four next = step[l][0] * height[r] * last[r] - step[l][1] * before[r];
-      before[r] = last[r];
-      last[r] = next;
-      store(column + l * width + 4 * r, next);
-    }
-  }
-}
 
 // Sums over every other degree of cosine and sine coefficients times the columns.
 ORBICUBE_VECTOR_VARIANTS
@@ -81,71 +59,78 @@ void multiply_lanes(const ComplexLanes* density, std::size_t count, ComplexLanes
   }
 }
 
-double power(double base, std::uint32_t exponent) {
-  double to = 1;
-  for (; exponent > 0; exponent /= 2, base *= base) {
-    if (exponent % 2 == 1) to *= base;
-  }
-  return to;
+// Where the pairs l, m start in the order of `packed`.
+std::size_t order_start(std::uint32_t m, std::uint32_t degree) {
+  return std::size_t{m} * (2 * std::size_t{degree} + 3 - m) / 2;
 }
 
-// Whether all Y_lm up to the degree are negligible on circles of at most this radius (Reinecke and Seljebotn 2013).
-bool negligible(std::uint32_t m, std::uint32_t degree, double radius) {
-  return static_cast<double>(m) > radius * degree + std::max(100.0, 0.01 * degree);
+// Coefficients of `channels` functions times the scales of the recurrence, or the transpose.
+void scale_order(const OrderRecurrence& recurrence, std::size_t channels, double* packed) {
+  for (std::size_t c = 0; c < channels; ++c) {
+    for (std::size_t l = 0; l < recurrence.count(); ++l, packed += 2) {
+      packed[0] *= recurrence.scales()[l];
+      packed[1] *= recurrence.scales()[l];
+    }
+  }
 }
 
 }  // namespace
 
-template <class Body>
-void GaussGrid::run(std::size_t count, const Body& body) const {
-  for (std::size_t begin = 0; begin < count; begin += wave) {
-    host_.report("fitting", 0, 0);
-    host_.parallel_for(std::min(wave, count - begin), [&](std::size_t k) { body(begin + k, k); });
-  }
-}
-
 GaussGrid::GaussGrid(std::uint32_t degree, const base::Host& host)
     : host_(host),
-      table_(degree, host.memory),
+      degree_(degree),
       fourier_(FourierTransform::fitting_length(4 * std::size_t{degree} + 1), host.memory),
-      height_((degree + lanes) / lanes * lanes, host.memory),
-      radius_(height_.size(), host.memory),
-      weight_(height_.size(), host.memory),
+      pairs_((degree + lanes) / lanes * lanes, host.memory),
+      weight_(pairs_.padded(), host.memory),
+      powers_((degree + std::size_t{1}) * pairs_.padded(), host.memory),
+      slots_(host),
       spectra_(host.memory),
-      work_(2 * wave * fourier_.length(), host.memory),
-      columns_(host.memory),
+      series_(2 * slots_.count() * fourier_.length(), host.memory),
+      work_(host.memory),
       packed_(host.memory) {
   static_assert(lanes == width);
   const std::size_t circles = 2 * std::size_t{degree} + 1;
-  Array<double> node(circles, host.memory), weight(circles, host.memory);
-  gauss_legendre(node, weight);
+  Array<long double> angle(degree + std::size_t{1}, host.memory);
+  Array<double> weight(circles, host.memory), rest(pairs_.padded(), host.memory);
+  gauss_legendre_angles(angle, weight);
   for (std::size_t t = 0; t <= degree; ++t) {
-    height_[t] = node[t];
-    radius_[t] = std::sqrt((1 - node[t]) * (1 + node[t]));
+    pairs_.set(t, angle[t]);
     // The equator is a circle and its opposite.
     weight_[t] = weight[t] * (t == degree ? 0.5 : 1) * 2 * std::numbers::pi / static_cast<double>(longitudes());
   }
+  pairs_.powers(0, degree + std::size_t{1}, 0, powers_.data(), rest.data());
+}
+
+Array<GaussGrid::Work> GaussGrid::make_work(std::uint32_t degree, std::size_t channels) {
+  Array<Work> work(host_.memory);
+  work.reserve(slots_.count());
+  for (std::size_t k = 0; k < slots_.count(); ++k) {
+    work.push_back({OrderRecurrence(degree, host_.memory),
+                    Array<double>((degree + std::size_t{1}) * (width + 8 * channels), host_.memory)});
+  }
+  return work;
 }
 
 // Writes the spectra of the circles of one order.
-void GaussGrid::synthesize_order(const LegendreTable& table, std::uint32_t m, const double* packed,
-                                 std::size_t channels, double* column) {
-  const std::size_t count = table.degree() + std::size_t{1} - m, groups = group_count();
+void GaussGrid::synthesize_order(Work& work, std::uint32_t m, double* packed, std::size_t channels) {
+  work.recurrence.set_order(m);
+  scale_order(work.recurrence, channels, packed);
+  const std::size_t count = work.recurrence.count(), groups = group_count();
+  const std::size_t first = pairs_.first_pair(m, work.recurrence.degree()) / lanes * lanes;
+  const double *start = power(m / 2), *end = power(m - m / 2);
+  double* column = work.column.data();
   ComplexLanes* positive = spectrum(m > 0 ? 2 * std::size_t{m} - 1 : 0, channels);
   ComplexLanes* negative = spectrum(2 * std::size_t{m}, channels);
-  for (std::size_t block = 0; block < height_.size(); block += lanes) {
+  for (std::size_t c = 0; c < channels; ++c) {
+    std::fill_n(positive + c * groups, first / fourier_lanes, ComplexLanes{});
+    if (m > 0) std::fill_n(negative + c * groups, first / fourier_lanes, ComplexLanes{});
+  }
+  for (std::size_t block = first; block < pairs_.padded(); block += lanes) {
     const std::size_t to = block / fourier_lanes;
-    if (negligible(m, table.degree(), *std::max_element(&radius_[block], &radius_[block] + lanes))) {
-      for (std::size_t c = 0; c < channels; ++c) {
-        std::fill_n(positive + c * groups + to, lanes / fourier_lanes, ComplexLanes{});
-        std::fill_n(negative + c * groups + to, lanes / fourier_lanes, ComplexLanes{});
-      }
-      continue;
-    }
-    legendre_columns(table.first(m), table.steps(m), count, &height_[block], column);
+    pairs_.columns(work.recurrence, start, block, column);
     Column factor;
     for (std::size_t i = 0; i < lanes; ++i)
-      factor[i] = (m > 0 ? 0.5 : 1) * power(radius_[block + i], m);
+      factor[i] = (m > 0 ? 0.5 : 1) * end[block + i];
     for (std::size_t c = 0; c < channels; ++c) {
       const double* from = packed + c * 2 * count;
       Column even_cosine, even_sine, odd_cosine{}, odd_sine{};
@@ -168,21 +153,22 @@ void GaussGrid::synthesize_order(const LegendreTable& table, std::uint32_t m, co
 }
 
 // The transpose: writes the coefficients.
-void GaussGrid::analyze_order(std::uint32_t m, double* packed, std::size_t channels, double* column) {
-  const std::size_t count = table_.degree() + std::size_t{1} - m, groups = group_count();
-  double* sums = column + count * width;  // [channel][degree][cosine, sine][lane]
+void GaussGrid::analyze_order(Work& work, std::uint32_t m, double* packed, std::size_t channels) {
+  work.recurrence.set_order(m);
+  const std::size_t count = work.recurrence.count(), groups = group_count();
+  const double *start = power(m / 2), *end = power(m - m / 2);
+  double *column = work.column.data(), *sums = column + count * width;  // [channel][degree][cosine, sine][lane]
   std::fill_n(sums, channels * count * 8, 0.0);
   const ComplexLanes* positive = spectrum(m > 0 ? 2 * std::size_t{m} - 1 : 0, channels);
   const ComplexLanes* negative = spectrum(2 * std::size_t{m}, channels);
-  for (std::size_t block = 0; block < height_.size(); block += lanes) {
-    if (negligible(m, table_.degree(), *std::max_element(&radius_[block], &radius_[block] + lanes))) continue;
-    legendre_columns(table_.first(m), table_.steps(m), count, &height_[block], column);
+  for (std::size_t block = pairs_.first_pair(m, degree_) / lanes * lanes; block < pairs_.padded(); block += lanes) {
+    pairs_.columns(work.recurrence, start, block, column);
     for (std::size_t c = 0; c < channels; ++c) {
       Column even_cosine, even_sine, odd_cosine, odd_sine;
       for (std::size_t i = 0; i < lanes; ++i) {
         const std::size_t at = c * groups + block / fourier_lanes + i / fourier_lanes, lane = i % fourier_lanes;
         const ComplexLanes &plus = positive[at], &minus = negative[at];
-        const double factor = 0.5 * power(radius_[block + i], m);
+        const double factor = 0.5 * end[block + i];
         const double a = factor * (plus.real[lane] + minus.real[lane]);
         const double b = factor * (minus.imaginary[lane] - plus.imaginary[lane]);
         const double p = factor * (plus.imaginary[lane] + minus.imaginary[lane]);
@@ -199,17 +185,15 @@ void GaussGrid::analyze_order(std::uint32_t m, double* packed, std::size_t chann
   }
   for (std::size_t j = 0; j < channels * count * 2; ++j)
     packed[j] = (sums[4 * j] + sums[4 * j + 1]) + (sums[4 * j + 2] + sums[4 * j + 3]);
+  scale_order(work.recurrence, channels, packed);
 }
 
-// Spectra of all circles from packed_.
-void GaussGrid::synthesize_orders(const LegendreTable& table, std::size_t channels) {
-  const std::size_t stride = (table.degree() + std::size_t{1}) * (width + 8 * channels);
-  spectra_.resize((2 * std::size_t{table.degree()} + 1) * channels * group_count());
-  columns_.resize(wave * stride);
-  run(table.degree() + std::size_t{1}, [&](std::size_t m, std::size_t slot) {
+// Spectra of all circles from packed_, which is scaled.
+void GaussGrid::synthesize_orders(Array<Work>& work, std::uint32_t degree, std::size_t channels) {
+  spectra_.resize((2 * std::size_t{degree} + 1) * channels * group_count());
+  slots_.run_all(degree + std::size_t{1}, phase, host_, [&](std::size_t m, std::size_t slot) {
     const auto order = static_cast<std::uint32_t>(m);
-    synthesize_order(table, order, packed_.data() + table.start(order) * 2 * channels, channels,
-                     columns_.data() + slot * stride);
+    synthesize_order(work[slot], order, packed_.data() + order_start(order, degree) * 2 * channels, channels);
   });
 }
 
@@ -225,21 +209,21 @@ void GaussGrid::read_spectrum(std::size_t group, std::size_t channel, std::size_
 }
 
 GaussGrid::Values GaussGrid::values(const Coefficients& function) {
-  const LegendreTable table(function.degree, host_.memory);
-  packed_.assign(table.pair_count() * 2, 0);
+  packed_.assign(order_start(function.degree + 1, function.degree) * 2, 0);
   for (std::uint32_t m = 0; m <= function.degree; ++m) {
-    double* to = packed_.data() + table.start(m) * 2;
+    double* to = packed_.data() + order_start(m, function.degree) * 2;
     for (std::uint32_t l = m; l <= function.degree; ++l, to += 2) {
       to[0] = function.at(l, static_cast<std::int32_t>(m), 0);
       to[1] = m > 0 ? function.at(l, -static_cast<std::int32_t>(m), 0) : 0;
     }
   }
-  synthesize_orders(table, 1);
+  Array<Work> work = make_work(function.degree, 1);
+  synthesize_orders(work, function.degree, 1);
   Values values(group_count() * longitudes(), host_.memory);
-  run(group_count(), [&](std::size_t group, std::size_t slot) {
+  slots_.run_all(group_count(), phase, host_, [&](std::size_t group, std::size_t slot) {
     ComplexLanes* data = values.data() + group * longitudes();
     read_spectrum(group, 0, 1, function.degree, data);
-    ComplexLanes* scratch = work_.data() + 2 * slot * longitudes();
+    ComplexLanes* scratch = series_.data() + 2 * slot * longitudes();
     if (fourier_.transform(1, data, scratch) == scratch) std::copy_n(scratch, longitudes(), data);
   });
   return values;
@@ -259,11 +243,13 @@ void GaussGrid::weigh(Values& values) const {
 
 void GaussGrid::multiply(const Values& density, std::span<const double> c, std::size_t channels,
                          std::span<double> product) {
-  const std::uint32_t degree = table_.degree();
-  packed_.resize(table_.pair_count() * 2 * channels);
+  const std::uint32_t degree = degree_;
+  if (channels > work_channels_) work_ = make_work(degree, channels);
+  work_channels_ = std::max(work_channels_, channels);
+  packed_.resize(order_start(degree + 1, degree) * 2 * channels);
   const auto each = [&](const auto& copy) {
     for (std::uint32_t m = 0; m <= degree; ++m) {
-      double* at = packed_.data() + table_.start(m) * 2 * channels;
+      double* at = packed_.data() + order_start(m, degree) * 2 * channels;
       for (std::size_t channel = 0; channel < channels; ++channel) {
         for (std::uint32_t l = m; l <= degree; ++l, at += 2) {
           copy(at[0], basis_index(l, static_cast<std::int32_t>(m)) * channels + channel, true);
@@ -273,9 +259,9 @@ void GaussGrid::multiply(const Values& density, std::span<const double> c, std::
     }
   };
   each([&](double& packed, std::size_t k, bool used) { packed = used ? c[k] : 0; });
-  synthesize_orders(table_, channels);
-  run(group_count(), [&](std::size_t group, std::size_t slot) {
-    ComplexLanes* data = work_.data() + 2 * slot * longitudes();
+  synthesize_orders(work_, degree, channels);
+  slots_.run_all(group_count(), phase, host_, [&](std::size_t group, std::size_t slot) {
+    ComplexLanes* data = series_.data() + 2 * slot * longitudes();
     ComplexLanes* scratch = data + longitudes();
     for (std::size_t channel = 0; channel < channels; ++channel) {
       read_spectrum(group, channel, channels, degree, data);
@@ -290,11 +276,9 @@ void GaussGrid::multiply(const Values& density, std::span<const double> c, std::
       }
     }
   });
-  const std::size_t stride = (degree + std::size_t{1}) * (width + 8 * channels);
-  run(degree + std::size_t{1}, [&](std::size_t m, std::size_t slot) {
+  slots_.run_all(degree + std::size_t{1}, phase, host_, [&](std::size_t m, std::size_t slot) {
     const auto order = static_cast<std::uint32_t>(m);
-    analyze_order(order, packed_.data() + table_.start(order) * 2 * channels, channels,
-                  columns_.data() + slot * stride);
+    analyze_order(work_[slot], order, packed_.data() + order_start(order, degree) * 2 * channels, channels);
   });
   each([&](double& packed, std::size_t k, bool used) {
     if (used) product[k] = packed;

@@ -9,9 +9,10 @@
 #include <span>
 
 #include "base/host.h"
+#include "harmonics/functions/circle_sums.h"
 #include "harmonics/functions/coefficients.h"
-#include "harmonics/functions/legendre.h"
 #include "harmonics/scattered/fourier.h"
+#include "harmonics/scattered/slots.h"
 
 namespace orbicube::harmonics {
 
@@ -27,7 +28,7 @@ class GaussGrid {
   // Multiplies values with the weights of the quadrature, so that they become a density for multiply().
   void weigh(Values& values) const;
   // Whether the entry at a group, its longitudes and a lane belongs to a circle, and not to the padding.
-  bool exists(std::size_t group, std::size_t lane) const { return group * fourier_lanes + lane <= table_.degree(); }
+  bool exists(std::size_t group, std::size_t lane) const { return group * fourier_lanes + lane <= degree_; }
   std::size_t longitudes() const { return fourier_.length(); }
 
   // product = analysis of density times synthesis of c, for `channels` columns in the layout of Coefficients. Not from
@@ -36,28 +37,37 @@ class GaussGrid {
 
  private:
   // Circles that the Legendre functions of an order are computed for at once.
-  static constexpr std::size_t lanes = 16;
+  static constexpr std::size_t lanes = 2 * circle_group;
+  // What one task works in.
+  struct Work {
+    OrderRecurrence recurrence;
+    Array<double> column;
+  };
 
-  std::size_t group_count() const { return height_.size() / fourier_lanes; }
+  std::size_t group_count() const { return pairs_.padded() / fourier_lanes; }
   // Room for the spectra of all circles: [order 0, 1, -1, 2, -2, ...][channel][group].
   ComplexLanes* spectrum(std::size_t order, std::size_t channels) {
     return spectra_.data() + order * channels * group_count();
   }
-  void synthesize_order(const LegendreTable& table, std::uint32_t m, const double* packed, std::size_t channels,
-                        double* column);
-  void analyze_order(std::uint32_t m, double* packed, std::size_t channels, double* column);
+  const double* power(std::uint32_t exponent) const { return powers_.data() + exponent * pairs_.padded(); }
+  void synthesize_order(Work& work, std::uint32_t m, double* packed, std::size_t channels);
+  void analyze_order(Work& work, std::uint32_t m, double* packed, std::size_t channels);
   void read_spectrum(std::size_t group, std::size_t channel, std::size_t channels, std::uint32_t degree,
                      ComplexLanes* data);
-  void synthesize_orders(const LegendreTable& table, std::size_t channels);
-  template <class Body>
-  void run(std::size_t count, const Body& body) const;
+  void synthesize_orders(Array<Work>& work, std::uint32_t degree, std::size_t channels);
+  Array<Work> make_work(std::uint32_t degree, std::size_t channels);
 
   const base::Host& host_;
-  LegendreTable table_;
+  std::uint32_t degree_;
   FourierTransform fourier_;
-  Array<double> height_, radius_, weight_;  // of circles with z >= 0, from the pole; padded
-  Array<ComplexLanes> spectra_, work_;
-  Array<double> columns_, packed_;  // packed_: [order][channel][degree][cosine, sine]
+  CirclePairs pairs_;     // from the pole, padded
+  Array<double> weight_;  // of the circles
+  Array<double> powers_;  // of the radii: [exponent up to L][pair]
+  Slots slots_;
+  Array<ComplexLanes> spectra_, series_;
+  Array<Work> work_;
+  std::size_t work_channels_ = 0;
+  Array<double> packed_;  // [order][channel][degree][cosine, sine]
 };
 
 }  // namespace orbicube::harmonics

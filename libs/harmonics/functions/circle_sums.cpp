@@ -15,13 +15,18 @@ using base::Four, base::load, base::store;
 // Circles of at most this radius take Reinsch's form: where both are as exact at degree 1000 but for rounding.
 constexpr double polar_radius = 0.5;
 
+// Where some circles are, and what the first function is there.
+struct Circles {
+  const double *height, *depth, *start;
+};
+
 // The next degree of four circles: R_l of `last` and, in `before`, R_l-1.
 struct PlainStep {
   const double* step;
   Four z, last, before;
 
-  ORBICUBE_INLINE PlainStep(const OrderRecurrence& recurrence, const double* height, const double* /*depth*/)
-      : step(recurrence.steps()), z(load(height)), last{1, 1, 1, 1}, before{} {}
+  ORBICUBE_INLINE PlainStep(const OrderRecurrence& recurrence, const Circles& circles, std::size_t first)
+      : step(recurrence.steps()), z(load(circles.height + first)), last(load(circles.start + first)), before{} {}
   ORBICUBE_INLINE void advance(std::size_t l) {
     const Four next = step[l] * z * last - before;
     before = last;
@@ -34,12 +39,12 @@ struct PolarStep {
   const double *step, *growth, *shrinking;
   Four depth, last, difference;
 
-  ORBICUBE_INLINE PolarStep(const OrderRecurrence& recurrence, const double* /*height*/, const double* from)
+  ORBICUBE_INLINE PolarStep(const OrderRecurrence& recurrence, const Circles& circles, std::size_t first)
       : step(recurrence.steps()),
         growth(recurrence.growths()),
         shrinking(recurrence.shrinkings()),
-        depth(load(from)),
-        last{1, 1, 1, 1},
+        depth(load(circles.depth + first)),
+        last(load(circles.start + first)),
         difference{} {}
   ORBICUBE_INLINE void advance(std::size_t l) {
     difference = shrinking[l - 1] * difference - step[l] * depth * last;
@@ -110,30 +115,51 @@ ORBICUBE_INLINE void analyse_group(Step a, Step b, CircleSums from, std::size_t 
   if (l < count) add(l, sums.even_cosine, sums.even_sine);
 }
 
+// Writes [degree][circle].
+template <class Step>
+ORBICUBE_INLINE void write_columns(const OrderRecurrence& recurrence, const Circles& circles, double* column) {
+  Step a(recurrence, circles, 0), b(recurrence, circles, 4), c(recurrence, circles, 8), d(recurrence, circles, 12);
+  for (std::size_t l = 0;; column += 2 * circle_group) {
+    store(column, a.last);
+    store(column + 4, b.last);
+    store(column + 8, c.last);
+    store(column + 12, d.last);
+    if (++l == recurrence.count()) return;
+    a.advance(l);
+    b.advance(l);
+    c.advance(l);
+    d.advance(l);
+  }
+}
+
 // Variants are made of plain functions only.
 ORBICUBE_VECTOR_VARIANTS
-void synthesise_plain(const OrderRecurrence& recurrence, const double* height, const double* depth,
-                      const double* packed, CircleSums sums) {
-  synthesise_group(PlainStep(recurrence, height, depth), PlainStep(recurrence, height + 4, depth + 4), packed,
-                   recurrence.count(), sums);
+void synthesise_plain(const OrderRecurrence& recurrence, const Circles& circles, const double* packed,
+                      CircleSums sums) {
+  synthesise_group(PlainStep(recurrence, circles, 0), PlainStep(recurrence, circles, 4), packed, recurrence.count(),
+                   sums);
 }
 ORBICUBE_VECTOR_VARIANTS
-void synthesise_polar(const OrderRecurrence& recurrence, const double* height, const double* depth,
-                      const double* packed, CircleSums sums) {
-  synthesise_group(PolarStep(recurrence, height, depth), PolarStep(recurrence, height + 4, depth + 4), packed,
-                   recurrence.count(), sums);
+void synthesise_polar(const OrderRecurrence& recurrence, const Circles& circles, const double* packed,
+                      CircleSums sums) {
+  synthesise_group(PolarStep(recurrence, circles, 0), PolarStep(recurrence, circles, 4), packed, recurrence.count(),
+                   sums);
 }
 ORBICUBE_VECTOR_VARIANTS
-void analyse_plain(const OrderRecurrence& recurrence, const double* height, const double* depth, CircleSums sums,
-                   double* lanes) {
-  analyse_group(PlainStep(recurrence, height, depth), PlainStep(recurrence, height + 4, depth + 4), sums,
-                recurrence.count(), lanes);
+void analyse_plain(const OrderRecurrence& recurrence, const Circles& circles, CircleSums sums, double* lanes) {
+  analyse_group(PlainStep(recurrence, circles, 0), PlainStep(recurrence, circles, 4), sums, recurrence.count(), lanes);
 }
 ORBICUBE_VECTOR_VARIANTS
-void analyse_polar(const OrderRecurrence& recurrence, const double* height, const double* depth, CircleSums sums,
-                   double* lanes) {
-  analyse_group(PolarStep(recurrence, height, depth), PolarStep(recurrence, height + 4, depth + 4), sums,
-                recurrence.count(), lanes);
+void analyse_polar(const OrderRecurrence& recurrence, const Circles& circles, CircleSums sums, double* lanes) {
+  analyse_group(PolarStep(recurrence, circles, 0), PolarStep(recurrence, circles, 4), sums, recurrence.count(), lanes);
+}
+ORBICUBE_VECTOR_VARIANTS
+void columns_plain(const OrderRecurrence& recurrence, const Circles& circles, double* column) {
+  write_columns<PlainStep>(recurrence, circles, column);
+}
+ORBICUBE_VECTOR_VARIANTS
+void columns_polar(const OrderRecurrence& recurrence, const Circles& circles, double* column) {
+  write_columns<PolarStep>(recurrence, circles, column);
 }
 
 ORBICUBE_VECTOR_VARIANTS
@@ -248,37 +274,44 @@ std::size_t CirclePairs::first_pair(std::uint32_t m, std::uint32_t degree) const
   return static_cast<std::size_t>(first) / circle_group * circle_group;
 }
 
-bool CirclePairs::is_polar(std::size_t first) const {
-  return radius_[first + circle_group - 1] <= polar_radius;
+bool CirclePairs::is_polar(std::size_t first, std::size_t count) const {
+  return radius_[first + count - 1] <= polar_radius;
 }
 
-void CirclePairs::powers(std::uint32_t m, std::size_t first, double* high, double* low) const {
+void CirclePairs::powers(std::uint32_t exponent, std::size_t count, std::size_t first, double* high,
+                         double* rest) const {
   for (std::size_t g = first; g < padded(); g += circle_group)
-    group_powers(m, &radius_[g], &radius_rest_[g], high + g, low + g);
-}
-
-void CirclePairs::next_powers(std::size_t first, double* high, double* low) const {
-  multiply_parts(&radius_[first], &radius_rest_[first], padded() - first, high + first, low + first);
-}
-
-void CirclePairs::synthesise(const OrderRecurrence& recurrence, const double* packed, std::size_t first,
-                             CircleSums sums) const {
-  for (std::size_t g = first; g < padded(); g += circle_group) {
-    const auto work = is_polar(g) ? synthesise_polar : synthesise_plain;
-    work(recurrence, &height_[g], &depth_[g], packed, from(sums, g));
+    group_powers(exponent, &radius_[g], &radius_rest_[g], high + g, rest + g);
+  for (std::size_t k = 1; k < count; ++k, high += padded()) {
+    std::copy(high + first, high + padded(), high + padded() + first);
+    multiply_parts(&radius_[first], &radius_rest_[first], padded() - first, high + padded() + first, rest + first);
   }
 }
 
-void CirclePairs::analyse(const OrderRecurrence& recurrence, CircleSums sums, std::size_t first, double* lanes,
-                          double* packed) const {
+void CirclePairs::synthesise(const OrderRecurrence& recurrence, const double* packed, const double* start,
+                             std::size_t first, CircleSums sums) const {
+  for (std::size_t g = first; g < padded(); g += circle_group) {
+    const auto work = is_polar(g, circle_group) ? synthesise_polar : synthesise_plain;
+    work(recurrence, {&height_[g], &depth_[g], start + g}, packed, from(sums, g));
+  }
+}
+
+void CirclePairs::analyse(const OrderRecurrence& recurrence, CircleSums sums, const double* start, std::size_t first,
+                          double* lanes, double* packed) const {
   const std::size_t count = recurrence.count();
   std::fill_n(lanes, 2 * circle_group * count, 0.0);
   for (std::size_t g = first; g < padded(); g += circle_group) {
-    const auto work = is_polar(g) ? analyse_polar : analyse_plain;
-    work(recurrence, &height_[g], &depth_[g], from(sums, g), lanes);
+    const auto work = is_polar(g, circle_group) ? analyse_polar : analyse_plain;
+    work(recurrence, {&height_[g], &depth_[g], start + g}, from(sums, g), lanes);
   }
   for (std::size_t k = 0; k < 2 * count; ++k, lanes += circle_group)
     packed[k] = ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) + ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]));
+}
+
+void CirclePairs::columns(const OrderRecurrence& recurrence, const double* start, std::size_t first,
+                          double* column) const {
+  const auto work = is_polar(first, 2 * circle_group) ? columns_polar : columns_plain;
+  work(recurrence, {&height_[first], &depth_[first], start + first}, column);
 }
 
 }  // namespace orbicube::harmonics

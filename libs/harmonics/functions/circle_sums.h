@@ -61,20 +61,25 @@ class CirclePairs {
   // First of the pairs, a multiple of circle_group, where functions of the order are not negligible.
   std::size_t first_pair(std::uint32_t m, std::uint32_t degree) const;
 
-  // radius^m of the pairs from `first` in two parts, and those turned into radius^(m + 1).
-  void powers(std::uint32_t m, std::size_t first, double* high, double* low) const;
-  void next_powers(std::size_t first, double* high, double* low) const;
+  // Writes radius^k for the pairs from `first` and k = exponent, exponent + 1, ..., `count` of them padded() numbers
+  // apart. `rest` has room for padded() numbers.
+  void powers(std::uint32_t exponent, std::size_t count, std::size_t first, double* high, double* rest) const;
 
-  // Writes sums without the factor radius^m, for the pairs from `first`. `packed`: for each degree g_l C_lm and g_l
-  // S_lm.
-  void synthesise(const OrderRecurrence& recurrence, const double* packed, std::size_t first, CircleSums sums) const;
+  // Writes sums for the pairs from `first`, of functions whose first one has the value `start` at each pair in place of
+  // radius^m: with radius^(m / 2), no value leaves the range of double up to degree 2000. `packed`: for each degree
+  // g_l C_lm and g_l S_lm.
+  void synthesise(const OrderRecurrence& recurrence, const double* packed, const double* start, std::size_t first,
+                  CircleSums sums) const;
   // The transpose: writes coefficients, to be multiplied with g_l. `lanes` has room for 2 circle_group numbers a
   // degree.
-  void analyse(const OrderRecurrence& recurrence, CircleSums sums, std::size_t first, double* lanes,
-               double* packed) const;
+  void analyse(const OrderRecurrence& recurrence, CircleSums sums, const double* start, std::size_t first,
+               double* lanes, double* packed) const;
+
+  // The functions themselves at two groups of circles: 2 circle_group numbers a degree. `first`: a multiple of that.
+  void columns(const OrderRecurrence& recurrence, const double* start, std::size_t first, double* column) const;
 
  private:
-  bool is_polar(std::size_t first) const;
+  bool is_polar(std::size_t first, std::size_t count) const;
 
   std::size_t count_;
   Array<double> height_, depth_;        // z and 1 - z

@@ -8,4 +8,7 @@ namespace orbicube::harmonics {
 // nodes from high to low; both spans have one entry a node. Newton's method on the Legendre polynomial. O(count^2).
 void gauss_legendre(std::span<double> nodes, std::span<double> weights);
 
+// The same with the angles acos of the nodes from 0 to a right angle, (size + 1) / 2 of them, to the last digit.
+void gauss_legendre_angles(std::span<long double> angles, std::span<double> weights);
+
 }  // namespace orbicube::harmonics

@@ -11,13 +11,13 @@ OrderSeries::Work::Work(std::uint32_t degree, std::size_t pairs, std::size_t ser
       packed(2 * (degree + std::size_t{1}), memory),
       lanes(2 * circle_group * (degree + std::size_t{1}), memory),
       sums(4 * pairs, memory),
-      power(pairs, memory),
       power_rest(pairs, memory),
+      powers((orders_at_once / 2 + 1) * pairs, memory),
       one(series, memory),
       other(series, memory) {}
 
 CircleSums OrderSeries::Work::circle_sums() {
-  const std::size_t n = power.size();
+  const std::size_t n = power_rest.size();
   return {sums.data(), sums.data() + n, sums.data() + 2 * n, sums.data() + 3 * n};
 }
 
@@ -132,13 +132,16 @@ void OrderSeries::write_coefficients(const Work& work, std::size_t channel, std:
 }
 
 // Orders of a group come one after the other.
-void OrderSeries::set_powers(Work& work, std::uint32_t m) const {
-  const std::size_t first = pairs_.first_pair(m, degree_);
+void OrderSeries::begin_order(Work& work, std::uint32_t m) const {
   if (m % orders_at_once == 0)
-    pairs_.powers(m, first, work.power.data(), work.power_rest.data());
-  else
-    pairs_.next_powers(first, work.power.data(), work.power_rest.data());
-  work.first_pair = first;
+    pairs_.powers(m / 2, orders_at_once / 2 + 1, pairs_.first_pair(m, degree_), work.powers.data(),
+                  work.power_rest.data());
+  work.recurrence.set_order(m);
+}
+
+// radius^half, of an order of the group.
+const double* OrderSeries::power(const Work& work, std::uint32_t m, std::uint32_t half) const {
+  return work.powers.data() + (half - m / orders_at_once * (orders_at_once / 2)) * pairs_.padded();
 }
 
 // Adds c_m - i s_m of theta from 0 to 2 pi to the lane of an order.
@@ -146,15 +149,16 @@ void OrderSeries::circles_of_order(Work& work, std::uint32_t m) const {
   const std::size_t length = circle_transform_.length(), half = length / 2;
   const std::size_t lane = m % orders_at_once / 2;
   const double parity = m % 2 == 0 ? 1 : -1;
-  set_powers(work, m);
-  work.recurrence.set_order(m);
+  begin_order(work, m);
+  const double *start = power(work, m, m / 2), *end = power(work, m, m - m / 2);
+  const std::size_t first = pairs_.first_pair(m, degree_);
   const double* from = &work.coefficients[m % orders_at_once * 2 * (degree_ + std::size_t{1})];
   for (std::size_t l = 0; l < work.recurrence.count(); ++l) {
     work.packed[2 * l] = from[2 * l] * work.recurrence.scales()[l];
     work.packed[2 * l + 1] = from[2 * l + 1] * work.recurrence.scales()[l];
   }
   const CircleSums sums = work.circle_sums();
-  pairs_.synthesise(work.recurrence, work.packed.data(), work.first_pair, sums);
+  pairs_.synthesise(work.recurrence, work.packed.data(), start, first, sums);
   const auto add = [&](std::size_t j, double real, double imaginary) {
     work.one[j].real[lane] += real;
     work.one[j].imaginary[lane] += imaginary;
@@ -162,8 +166,8 @@ void OrderSeries::circles_of_order(Work& work, std::uint32_t m) const {
     work.one[length - j].real[lane] += parity * real;
     work.one[length - j].imaginary[lane] += parity * imaginary;
   };
-  for (std::size_t p = work.first_pair; p < pairs_.size(); ++p) {
-    const double factor = work.power[p];
+  for (std::size_t p = first; p < pairs_.size(); ++p) {
+    const double factor = end[p];
     if (factor == 0) continue;
     const double even_real = sums.even_cosine[p] * factor, even_imaginary = -sums.even_sine[p] * factor;
     const double odd_real = sums.odd_cosine[p] * factor, odd_imaginary = -sums.odd_sine[p] * factor;
@@ -177,8 +181,9 @@ void OrderSeries::order_of_circles(Work& work, std::uint32_t m, const ComplexLan
   const std::size_t length = circle_transform_.length(), half = length / 2;
   const std::size_t lane = m % orders_at_once / 2;
   const double parity = m % 2 == 0 ? 1 : -1;
-  set_powers(work, m);
-  work.recurrence.set_order(m);
+  begin_order(work, m);
+  const double *start = power(work, m, m / 2), *end = power(work, m, m - m / 2);
+  const std::size_t first = pairs_.first_pair(m, degree_);
   const CircleSums sums = work.circle_sums();
   std::fill(work.sums.begin(), work.sums.end(), 0.0);
   const auto at = [&](std::size_t j, double factor) {
@@ -187,8 +192,8 @@ void OrderSeries::order_of_circles(Work& work, std::uint32_t m, const ComplexLan
     return std::array<double, 2>{factor * (one.real[lane] + parity * other.real[lane]),
                                  factor * (one.imaginary[lane] + parity * other.imaginary[lane])};
   };
-  for (std::size_t p = work.first_pair; p < pairs_.size(); ++p) {
-    const double factor = work.power[p];
+  for (std::size_t p = first; p < pairs_.size(); ++p) {
+    const double factor = end[p];
     const std::array<double, 2> north = at(p, factor);
     const std::array<double, 2> south = 2 * p != half ? at(half - p, factor) : std::array<double, 2>{};
     sums.even_cosine[p] = north[0] + south[0];
@@ -197,7 +202,7 @@ void OrderSeries::order_of_circles(Work& work, std::uint32_t m, const ComplexLan
     sums.odd_cosine[p] = north[0] - south[0];
     sums.odd_sine[p] = -(north[1] - south[1]);
   }
-  pairs_.analyse(work.recurrence, sums, work.first_pair, work.lanes.data(), work.packed.data());
+  pairs_.analyse(work.recurrence, sums, start, first, work.lanes.data(), work.packed.data());
   double* to = &work.coefficients[m % orders_at_once * 2 * (degree_ + std::size_t{1})];
   for (std::size_t l = 0; l < work.recurrence.count(); ++l) {
     to[2 * l] = work.packed[2 * l] * work.recurrence.scales()[l];

@@ -46,8 +46,10 @@ class OrderSeries {
 
     OrderRecurrence recurrence;
     Array<double> coefficients;  // [order of the group][degree][cosine, sine]
-    Array<double> packed, lanes, sums, power, power_rest;
-    std::size_t first_pair = 0;  // that the powers are known of
+    Array<double> packed, lanes, sums, power_rest;
+    // Of the radii: half the first order of a group, and the next four exponents. An order m starts with the power of
+    // m / 2, the rest comes last.
+    Array<double> powers;
     Array<ComplexLanes> one, other;
   };
 
@@ -55,7 +57,8 @@ class OrderSeries {
   void write_coefficients(const Work& work, std::size_t channel, std::uint32_t first, Coefficients& coefficients) const;
   void circles_of_order(Work& work, std::uint32_t m) const;
   void order_of_circles(Work& work, std::uint32_t m, const ComplexLanes* circles) const;
-  void set_powers(Work& work, std::uint32_t m) const;
+  void begin_order(Work& work, std::uint32_t m) const;
+  const double* power(const Work& work, std::uint32_t m, std::uint32_t half) const;
   ComplexLanes* resize(const ComplexLanes* from, std::size_t length, ComplexLanes* to, std::size_t to_length) const;
 
   const base::Host& host_;
