@@ -171,6 +171,22 @@ obc_status obc_harmonics_synthesize(const double* coefficients, uint32_t degree,
   });
 }
 
+obc_status obc_harmonics_analyze(const double* directions, const double* weights, const double* values, size_t count,
+                                 size_t channels, uint32_t degree, const obc_host* host, double* coefficients,
+                                 obc_error* error) {
+  return capi::guarded(error, [&] {
+    checked_size(degree, channels);
+    capi::require(values != nullptr || count == 0, "values is NULL");
+    capi::require(coefficients != nullptr, "coefficients is NULL");
+    const auto at = vectors(directions, count, "directions is NULL");
+    const capi::HostAdapter adapter(host);
+    Coefficients sums(degree, channels, adapter.host().memory);
+    harmonics::analyse(at, {weights, weights != nullptr ? count : 0}, {values, count * channels}, sums,
+                       "analyzing values", adapter.host());
+    std::copy(sums.values.begin(), sums.values.end(), coefficients);
+  });
+}
+
 obc_status obc_harmonics_degree_norms(const double* coefficients, uint32_t degree, size_t channels, double* norms,
                                       obc_error* error) {
   return capi::guarded(error, [&] {

@@ -221,6 +221,33 @@ TEST_CASE("Files: written, read, and refused with the path in front") {
   std::filesystem::remove_all(folder);
 }
 
+TEST_CASE("Analysis through C is the transpose of synthesis") {
+  // Below and above the degree from which both go through Fourier transforms.
+  for (const std::uint32_t at : {degree, 90U}) {
+    const Samples s(900);
+    std::vector<double> x(2 * obc_harmonics_size(at)), sums(x.size()), ax(2 * s.count()), y(ax.size()),
+        weights(s.count());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = std::sin(1.0 + 7.0 * static_cast<double>(k));
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      y[i] = std::cos(3.0 * static_cast<double>(i));
+      weights[i / 2] = 1 + 0.5 * std::sin(static_cast<double>(i / 2));
+    }
+    REQUIRE(obc_harmonics_synthesize(x.data(), at, 2, s.directions.data(), s.count(), nullptr, ax.data(), nullptr,
+                                     nullptr) == OBC_OK);
+    REQUIRE(obc_harmonics_analyze(s.directions.data(), weights.data(), y.data(), s.count(), 2, at, nullptr, sums.data(),
+                                  nullptr) == OBC_OK);
+    double left = 0, right = 0, size = 0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      left += weights[i / 2] * y[i] * ax[i];
+      size += std::abs(weights[i / 2] * y[i] * ax[i]);
+    }
+    for (std::size_t k = 0; k < x.size(); ++k)
+      right += x[k] * sums[k];
+    CHECK(std::abs(left - right) < 1e-13 * size);
+  }
+}
+
 TEST_CASE("Each failing allocation ends in out of memory with nothing leaked, and every report can cancel") {
   const Samples s(120);
   const std::vector<double> coefficients = fitted(s);
@@ -230,7 +257,7 @@ TEST_CASE("Each failing allocation ends in out of memory with nothing leaked, an
   const Samples many(700);
   constexpr std::uint32_t high_degree = 80;
   const std::vector<double> high(obc_harmonics_size(high_degree), 1.0);
-  std::vector<double> sums(many.count());
+  std::vector<double> sums(many.count(), 1.0), analyzed(high.size());
   obc_harmonics_align_options align_options;
   obc_harmonics_align_options_init(&align_options, sizeof align_options);
   align_options.search_degree = 2;
@@ -246,6 +273,10 @@ TEST_CASE("Each failing allocation ends in out of memory with nothing leaked, an
       [&](const obc_host& host) {
         return obc_harmonics_synthesize(high.data(), high_degree, 1, many.directions.data(), many.count(), &host,
                                         sums.data(), nullptr, nullptr);
+      },
+      [&](const obc_host& host) {
+        return obc_harmonics_analyze(many.directions.data(), nullptr, sums.data(), many.count(), 1, high_degree, &host,
+                                     analyzed.data(), nullptr);
       },
       [&](const obc_host& host) {
         return obc_harmonics_rotate(coefficients.data(), degree, 3, rotation, &host, out.data(), nullptr);
@@ -274,6 +305,12 @@ TEST_CASE("Arguments that are wrong are refused") {
                           nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_harmonics_fit(s.directions.data(), nullptr, s.values.data(), 50, 3, nullptr, nullptr, nullptr, nullptr,
                           nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_harmonics_analyze(s.directions.data(), nullptr, s.values.data(), 1, 1, 1001, nullptr, out.data(),
+                              nullptr) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_harmonics_analyze(s.directions.data(), nullptr, nullptr, 1, 1, 2, nullptr, out.data(), nullptr) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_harmonics_analyze(s.directions.data(), nullptr, s.values.data(), 1, 0, 2, nullptr, out.data(), nullptr) ==
+        OBC_INVALID_ARGUMENT);
   CHECK(obc_harmonics_evaluate(s.directions.data(), 1, 1001, nullptr, out.data(), nullptr) == OBC_INVALID_ARGUMENT);
   CHECK(obc_harmonics_synthesize(nullptr, 1, 1, s.directions.data(), 1, nullptr, out.data(), nullptr, nullptr) ==
         OBC_INVALID_ARGUMENT);

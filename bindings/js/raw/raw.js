@@ -1049,6 +1049,7 @@ export const functions = {
   obc_harmonics_fit: 'iiiiiiiiiii',
   obc_harmonics_refine_map: 'iiiiiiiiiiii',
   obc_harmonics_synthesize: 'iiiiiiiiii',
+  obc_harmonics_analyze: 'iiiiiiiiii',
   obc_harmonics_degree_norms: 'iiiiii',
   obc_harmonics_shape_distance: 'iiiiiiiiii',
   obc_harmonics_filter: 'iiiiiiiii',

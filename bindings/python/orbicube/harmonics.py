@@ -116,6 +116,21 @@ def gradients(coefficients: ArrayLike, directions: ArrayLike, *, threads: int = 
     return _synthesized(coefficients, directions, True, threads, progress)[1]
 
 
+@public
+def analyze(directions: ArrayLike, values: ArrayLike, degree: int, weights: Optional[ArrayLike] = None, *, threads: int = 0,
+            progress: Progress = None) -> Doubles:
+    """The transpose of synthesize: for each Y_lm the sum of weight * value * Y_lm over the directions."""
+    at, given = doubles(directions, 3, name="directions"), _channels(values, "values")
+    if len(at) != len(given):
+        raise ValueError(f"values: {len(at)} rows are needed, one for each of the directions, not {len(given)}")
+    shares = None if weights is None else doubles(weights, rows=len(at), name="weights", each="direction")
+    degree = integer(degree, "degree", 0, 1000)
+    sums = np.empty(((degree + 1) ** 2, given.shape[1]))
+    call(raw.obc_harmonics_analyze, address(at), address(shares), address(given), len(at), given.shape[1], degree, HOST,
+         address(sums), threads=threads, progress=progress)
+    return sums
+
+
 def _synthesized(coefficients: ArrayLike, directions: ArrayLike, wanted: bool, threads: int,
                  progress: Progress) -> tuple[Doubles, Doubles]:
     a, at = _coefficients(coefficients, "coefficients"), doubles(directions, 3, name="directions")

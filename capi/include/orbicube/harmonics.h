@@ -129,6 +129,15 @@ OBC_API obc_status obc_harmonics_synthesize(const double *coefficients, uint32_t
                                             const double *directions, size_t count, const obc_host *host, double *values,
                                             double *gradients, obc_error *error);
 
+/* Computes the transpose of obc_harmonics_synthesize: coefficients, (degree+1)^2 * channels doubles, of which that of Y_lm is the sum of
+ * weight * value * Y_lm over the directions. For iterative methods of the caller; what fits values best is the result of
+ * obc_harmonics_fit. weights: one number a direction, or NULL for ones. The weights and values may be any numbers; sums with
+ * those that are not finite are not finite. O(count * degree^2 * channels), from degree 80 O((count + degree^3) * channels).
+ * coefficients is written on success only. host may be NULL. Errors: as obc_harmonics_evaluate. */
+OBC_API obc_status obc_harmonics_analyze(const double *directions, const double *weights, const double *values, size_t count,
+                                         size_t channels, uint32_t degree, const obc_host *host, double *coefficients,
+                                         obc_error *error);
+
 /* Computes the norm of each degree, the square root of the sum of squares over m and the channels: norms, degree + 1 doubles. It is
  * invariant under rotations of the sphere, and of the values of three channels. Errors: OBC_INVALID_ARGUMENT, OBC_OUT_OF_MEMORY. */
 OBC_API obc_status obc_harmonics_degree_norms(const double *coefficients, uint32_t degree, size_t channels, double *norms,

@@ -92,7 +92,7 @@ GaussGrid::GaussGrid(std::uint32_t degree, const base::Host& host)
   const std::size_t circles = 2 * std::size_t{degree} + 1;
   Array<long double> angle(degree + std::size_t{1}, host.memory);
   Array<double> weight(circles, host.memory), rest(pairs_.padded(), host.memory);
-  gauss_legendre_angles(angle, weight);
+  gauss_legendre_angles(angle, weight, [&] { host.report(phase, 0, 0); });
   for (std::size_t t = 0; t <= degree; ++t) {
     pairs_.set(t, angle[t]);
     // The equator is a circle and its opposite.

@@ -35,10 +35,13 @@ void gauss_legendre(std::span<double> nodes, std::span<double> weights) {
   }
 }
 
-void gauss_legendre_angles(std::span<long double> angles, std::span<double> weights) {
+void gauss_legendre_angles(std::span<long double> angles, std::span<double> weights,
+                           const std::function<void()>& pause) {
   const std::size_t n = weights.size();
   const long double count = static_cast<long double>(n);
   for (std::size_t k = 0; 2 * k < n; ++k) {
+    constexpr std::size_t nodes_at_once = 64;
+    if (k % nodes_at_once == 0) pause();
     long double x = (1 - 1 / (8 * count * count)) *
                     std::cos(std::numbers::pi_v<long double> * (static_cast<long double>(k) + 0.75L) / (count + 0.5L));
     long double slope = 1;

@@ -1,6 +1,7 @@
 // Nodes and weights of Gauss-Legendre quadrature on [-1, 1], exact for polynomials of degree 2 count - 1.
 #pragma once
 
+#include <functional>
 #include <span>
 
 namespace orbicube::harmonics {
@@ -9,6 +10,8 @@ namespace orbicube::harmonics {
 void gauss_legendre(std::span<double> nodes, std::span<double> weights);
 
 // The same with the angles acos of the nodes from 0 to a right angle, (size + 1) / 2 of them, to the last digit.
-void gauss_legendre_angles(std::span<long double> angles, std::span<double> weights);
+// `pause` is called every few milliseconds.
+void gauss_legendre_angles(std::span<long double> angles, std::span<double> weights,
+                           const std::function<void()>& pause);
 
 }  // namespace orbicube::harmonics

@@ -259,6 +259,9 @@ class Maps(unittest.TestCase):
         found = harmonics.align(turned, a)
         np.testing.assert_allclose(np.reshape(found.rotation, (3, 3)), turn, atol=1e-7)
         self.assertEqual(harmonics.gradients(a, [[0, 0, 1]]).shape, (1, 3, 3))
+        degree = harmonics.degree_of(a)
+        sums = harmonics.analyze(self.map.directions, values, degree)
+        np.testing.assert_allclose(np.sum(sums * a), np.sum(values * harmonics.synthesize(a, self.map.directions)), rtol=1e-12)
         low = harmonics.filter(a, 0, 2)
         self.assertTrue(np.all(low[9:] == 0) and np.all(low[:9] == a[:9]))
         with tempfile.TemporaryDirectory() as folder:

@@ -81,6 +81,8 @@ CALLS = {
     "harmonics.refine_map": (harmonics.refine_map, {"surface": SURFACE, "directions": DIRECTIONS, "weights": np.ones(len(DIRECTIONS)),
                                                     "rounds": 1, "degree": 2}),
     "harmonics.synthesize": (harmonics.synthesize, {"coefficients": COEFFICIENTS, "directions": DIRECTIONS}),
+    "harmonics.analyze": (harmonics.analyze, {"directions": DIRECTIONS, "values": SURFACE[0], "degree": 3,
+                                              "weights": np.ones(len(DIRECTIONS))}),
     "harmonics.gradients": (harmonics.gradients, {"coefficients": COEFFICIENTS, "directions": DIRECTIONS}),
     "mesh.vertex_areas": (mesh.vertex_areas, {"surface": SURFACE}),
     "harmonics.degree_norms": (harmonics.degree_norms, {"coefficients": COEFFICIENTS}),

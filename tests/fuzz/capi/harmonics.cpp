@@ -41,6 +41,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return obc_harmonics_synthesize(f.data(), degree, channels, directions.data(), n, host.c(), sampled.data(),
                                     slopes.data(), e);
   });
+  ok([&](obc_error* e) {
+    return obc_harmonics_analyze(directions.data(), in.one_in(2) ? weights.data() : nullptr, values.data(), n, channels,
+                                 degree, host.c(), found.data(), e);
+  });
   ok([&](obc_error* e) { return obc_harmonics_degree_norms(f.data(), degree, channels, norms.data(), e); });
   double distance = 0;
   ok([&](obc_error* e) {

@@ -85,6 +85,10 @@ const address_obc_harmonics_synthesize = Ref(C_NULL)
 obc_harmonics_synthesize(coefficients, degree, channels, directions, count, host, values, gradients, error) =
     ccall(symbol(address_obc_harmonics_synthesize, :harmonics, :obc_harmonics_synthesize), Int32, (Ptr{Float64}, UInt32, Csize_t, Ptr{Float64}, Csize_t, Ptr{obc_host}, Ptr{Float64}, Ptr{Float64}, Ptr{obc_error}), coefficients, degree, channels, directions, count, host, values, gradients, error)
 
+const address_obc_harmonics_analyze = Ref(C_NULL)
+obc_harmonics_analyze(directions, weights, values, count, channels, degree, host, coefficients, error) =
+    ccall(symbol(address_obc_harmonics_analyze, :harmonics, :obc_harmonics_analyze), Int32, (Ptr{Float64}, Ptr{Float64}, Ptr{Float64}, Csize_t, Csize_t, UInt32, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_error}), directions, weights, values, count, channels, degree, host, coefficients, error)
+
 const address_obc_harmonics_degree_norms = Ref(C_NULL)
 obc_harmonics_degree_norms(coefficients, degree, channels, norms, error) =
     ccall(symbol(address_obc_harmonics_degree_norms, :harmonics, :obc_harmonics_degree_norms), Int32, (Ptr{Float64}, UInt32, Csize_t, Ptr{Float64}, Ptr{obc_error}), coefficients, degree, channels, norms, error)

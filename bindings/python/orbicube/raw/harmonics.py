@@ -77,6 +77,7 @@ _functions = [
     ("obc_harmonics_fit", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_refine_map", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_uint32, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_synthesize", _c.c_int32, [_c.c_void_p, _c.c_uint32, _c.c_size_t, _c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_harmonics_analyze", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_uint32, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_degree_norms", _c.c_int32, [_c.c_void_p, _c.c_uint32, _c.c_size_t, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_shape_distance", _c.c_int32, [_c.c_void_p, _c.c_uint32, _c.c_void_p, _c.c_uint32, _c.c_size_t, _c.c_uint32, _c.c_uint32, _c.c_void_p, _c.c_void_p]),
     ("obc_harmonics_filter", _c.c_int32, [_c.c_void_p, _c.c_uint32, _c.c_size_t, _c.c_uint32, _c.c_uint32, _c.c_uint32, _c.c_int32, _c.c_void_p]),

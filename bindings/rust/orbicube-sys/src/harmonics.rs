@@ -128,6 +128,12 @@ extern "C" {
     /// Evaluates the functions at directions: values, count \* channels doubles, and unless gradients is NULL their tangential gradients on the unit
     /// sphere, 3 \* count \* channels doubles. O(count \* degree^2 \* channels). Errors: as obc\_harmonics\_evaluate.
     pub fn obc_harmonics_synthesize(coefficients: *const f64, degree: u32, channels: usize, directions: *const f64, count: usize, host: *const obc_host, values: *mut f64, gradients: *mut f64, error: *mut obc_error) -> i32;
+    /// Computes the transpose of obc\_harmonics\_synthesize: coefficients, (degree+1)^2 \* channels doubles, of which that of Y\_lm is the sum of
+    /// weight \* value \* Y\_lm over the directions. For iterative methods of the caller; what fits values best is the result of
+    /// obc\_harmonics\_fit. weights: one number a direction, or NULL for ones. The weights and values may be any numbers; sums with
+    /// those that are not finite are not finite. O(count \* degree^2 \* channels), from degree 80 O((count + degree^3) \* channels).
+    /// coefficients is written on success only. host may be NULL. Errors: as obc\_harmonics\_evaluate.
+    pub fn obc_harmonics_analyze(directions: *const f64, weights: *const f64, values: *const f64, count: usize, channels: usize, degree: u32, host: *const obc_host, coefficients: *mut f64, error: *mut obc_error) -> i32;
     /// Computes the norm of each degree, the square root of the sum of squares over m and the channels: norms, degree + 1 doubles. It is
     /// invariant under rotations of the sphere, and of the values of three channels. Errors: OBC\_INVALID\_ARGUMENT, OBC\_OUT\_OF\_MEMORY.
     pub fn obc_harmonics_degree_norms(coefficients: *const f64, degree: u32, channels: usize, norms: *mut f64, error: *mut obc_error) -> i32;
