@@ -40,6 +40,7 @@ void add_examples(CLI::App& app) {
       {"compare", "a.coef b.coef c.coef -o distances.txt --png distances.png"},
       {"parameterize", "part.mesh -o part.vtk --integer"},
       {"view", "bracket.mesh -o bracket.html"},
+      {"doctor", "--json"},
       {"page", "creature.obj map.obj -o creature.html"},
       {"polycube", "bracket.obj -o polycube.obj --surface surface.obj"},
       {"tetrahedralize", "bracket.obj -o bracket.mesh --edge-length 0.1"},
@@ -54,17 +55,7 @@ void add_examples(CLI::App& app) {
   }
 }
 
-int run(int argc, char** argv) {
-#ifdef ORBICUBE_WITH_CHOLMOD
-  orbicube::linear::provide_cholmod(&orbicube::linear::make_cholmod_factor);
-#endif
-  CLI::App app(
-      "Maps closed surfaces to the unit sphere and to polycubes, and solids to hexahedral meshes, with certificates.",
-      "orbicube");
-  app.set_version_flag("--version", std::string("orbicube ") + orbicube::base::version_text);
-  app.require_subcommand(1);
-  orbicube::cli::CommonOptions common;
-  orbicube::cli::add_common_options(app, common);
+void add_verbs(CLI::App& app, orbicube::cli::CommonOptions& common) {
   orbicube::cli::add_info(app, common);
   orbicube::cli::add_convert(app, common);
   orbicube::cli::add_repair(app, common);
@@ -93,6 +84,21 @@ int run(int argc, char** argv) {
   orbicube::cli::add_untangle(app, common);
   orbicube::cli::add_volume(app, common);
 #endif
+  orbicube::cli::add_doctor(app, common);
+}
+
+int run(int argc, char** argv) {
+#ifdef ORBICUBE_WITH_CHOLMOD
+  orbicube::linear::provide_cholmod(&orbicube::linear::make_cholmod_factor);
+#endif
+  CLI::App app(
+      "Maps closed surfaces to the unit sphere and to polycubes, and solids to hexahedral meshes, with certificates.",
+      "orbicube");
+  app.set_version_flag("--version", std::string("orbicube ") + orbicube::base::version_text);
+  app.require_subcommand(1);
+  orbicube::cli::CommonOptions common;
+  orbicube::cli::add_common_options(app, common);
+  add_verbs(app, common);
   add_examples(app);
   app.footer(
       "Exit code: 0 success with a valid result, 1 no valid result, 2 a wrong input or command line.\n"

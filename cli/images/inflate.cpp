@@ -9,6 +9,14 @@
 
 namespace orbicube::cli {
 
+std::optional<std::string> version_of_zlib() {
+#ifdef ORBICUBE_WITH_ZLIB
+  return zlibVersion();
+#else
+  return std::nullopt;
+#endif
+}
+
 bool is_gzip(std::span<const std::byte> bytes) {
   return bytes.size() >= 2 && bytes[0] == std::byte{0x1f} && bytes[1] == std::byte{0x8b};
 }

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "base/array.h"
 #include "base/host.h"
 
 namespace orbicube::cli {
+
+// Returns the version of zlib, nothing in builds without it.
+std::optional<std::string> version_of_zlib();
 
 bool is_gzip(std::span<const std::byte> bytes);
 

@@ -51,28 +51,34 @@ void add_solver_option(CLI::App& verb, std::string& solver) {
       ->type_name("NAME");
 }
 
-std::unique_ptr<untangle::BlockEngine> start_solver(const std::string& solver) {
-  if (solver != "petsc") return nullptr;
+std::optional<std::filesystem::path> petsc_module() {
   for (const std::filesystem::path& folder : module_folders()) {
     const std::filesystem::path path = folder / "orbicube-petsc.so";
     std::error_code problem;
-    if (!std::filesystem::exists(path, problem)) continue;
-    if (!is_as_safe_as_the_command(path))
-      throw Failure(Exit::wrong_input, path.string(), "unsupported",
-                    "the file or its folder belongs to another user, or can be written by all users");
-    // Never closed: PETSc and MPI do not stand that.
-    void* module = dlopen(path.c_str(), RTLD_NOW | RTLD_GLOBAL);
-    void* start = module != nullptr ? dlsym(module, "orbicube_petsc_start") : nullptr;
-    if (start == nullptr) {
-      const char* reason = dlerror();
-      throw Failure(Exit::wrong_input, path.string(), "unsupported", reason != nullptr ? reason : "not a module");
-    }
-    std::unique_ptr<untangle::BlockEngine> engine(reinterpret_cast<StartPetsc>(start)());
-    if (engine == nullptr) std::exit(0);
-    return engine;
+    if (std::filesystem::exists(path, problem)) return path;
   }
-  throw Failure(Exit::wrong_input, "", "unsupported",
-                "the module of PETSc is not installed with the command (build with -Dpetsc=enabled)");
+  return std::nullopt;
+}
+
+std::unique_ptr<untangle::BlockEngine> start_solver(const std::string& solver) {
+  if (solver != "petsc") return nullptr;
+  const auto path = petsc_module();
+  if (!path)
+    throw Failure(Exit::wrong_input, "", "unsupported",
+                  "the module of PETSc is not installed with the command (build with -Dpetsc=enabled)");
+  if (!is_as_safe_as_the_command(*path))
+    throw Failure(Exit::wrong_input, path->string(), "unsupported",
+                  "the file or its folder belongs to another user, or can be written by all users");
+  // Never closed: PETSc and MPI do not stand that.
+  void* module = dlopen(path->c_str(), RTLD_NOW | RTLD_GLOBAL);
+  void* start = module != nullptr ? dlsym(module, "orbicube_petsc_start") : nullptr;
+  if (start == nullptr) {
+    const char* reason = dlerror();
+    throw Failure(Exit::wrong_input, path->string(), "unsupported", reason != nullptr ? reason : "not a module");
+  }
+  std::unique_ptr<untangle::BlockEngine> engine(reinterpret_cast<StartPetsc>(start)());
+  if (engine == nullptr) std::exit(0);
+  return engine;
 }
 
 }  // namespace orbicube::cli

@@ -88,6 +88,14 @@ std::optional<std::filesystem::path> find_program(std::initializer_list<const ch
   return std::nullopt;
 }
 
+std::optional<std::filesystem::path> find_browser() {
+  return find_program({"chromium", "chromium-browser", "google-chrome"});
+}
+
+std::optional<std::filesystem::path> find_opener() {
+  return find_program({"xdg-open", "open"});
+}
+
 void start_program(const std::filesystem::path& program, const std::vector<std::string>& arguments) {
   spawned(program, arguments);
 }

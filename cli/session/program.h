@@ -15,6 +15,10 @@ namespace orbicube::cli {
 // over: what lies beside the files at hand, which may be anybody's, is not started.
 std::optional<std::filesystem::path> find_program(std::initializer_list<const char*> names);
 
+// Return the browser that draws pictures without a screen, and the program that opens a file in the user's browser.
+std::optional<std::filesystem::path> find_browser();
+std::optional<std::filesystem::path> find_opener();
+
 // Starts a program in a process group of its own, with its standard files at /dev/null, and does not wait for it.
 // Throws Error "io".
 void start_program(const std::filesystem::path& program, const std::vector<std::string>& arguments);

@@ -81,7 +81,9 @@ void Session::keep() {
 
 void Session::end() {
   bar_.finish();
-  write_report({{"exit_code", static_cast<int>(Exit::done)}});
+  const Json outcome = {{"exit_code", static_cast<int>(Exit::done)}};
+  write_report(outcome);
+  if (report_printed_) lines_ = {report(outcome)};
   keep();
 }
 
@@ -108,8 +110,7 @@ void Session::end_with(const Failure& failure) {
   throw told;
 }
 
-void Session::write_report(const Json& outcome) {
-  if (options_.report.empty()) return;
+std::string Session::report(const Json& outcome) const {
   Json report = {{"command", verb_}, {"input", input_}, {"version", base::version_text}};
   report["options"] = verb_options_;
   report["options"].update(
@@ -119,10 +120,15 @@ void Session::write_report(const Json& outcome) {
   report["notes"] = notes_;
   report["seconds"] = seconds();
   report["peak_memory_bytes"] = peak_memory_bytes();
+  // Names that are not UTF-8 must not keep the figures from being written.
+  return report.dump(2, ' ', false, Json::error_handler_t::replace);
+}
+
+void Session::write_report(const Json& outcome) {
+  if (options_.report.empty()) return;
   about(options_.report, Role::output, [&] {
     mesh::OutputFile file(stage(options_.report));
-    // Names that are not UTF-8 must not keep the figures from being written.
-    file.write(report.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    file.write(report(outcome) + "\n");
     file.commit();
   });
 }

@@ -55,6 +55,8 @@ class Session {
 
   double seconds() const;
 
+  // The whole report on stdout in place of what is said, also if quiet.
+  void print_report() { report_printed_ = true; }
   // Text for people on stdout, unless quiet, once its outputs are there: at the end of the run, if that is a good
   // one. Ends a line.
   void say(const std::string& line);
@@ -87,6 +89,7 @@ class Session {
   bool goes_on(const base::Progress& progress);
   void end();
   [[noreturn]] void end_with(const Failure& failure);
+  std::string report(const Json& outcome) const;
   void write_report(const Json& outcome);
 
   CommonOptions options_;
@@ -94,6 +97,7 @@ class Session {
   std::string input_;
   std::chrono::steady_clock::time_point start_;
   bool out_of_time_ = false;
+  bool report_printed_ = false;
   Outputs outputs_;
   std::vector<std::string> lines_;  // to be said
   ProgressBar bar_;

@@ -21,6 +21,7 @@ void add_compare(CLI::App& app, CommonOptions& common);
 void add_page(CLI::App& app, CommonOptions& common);
 void add_study(CLI::App& app, CommonOptions& common);
 void add_view(CLI::App& app, CommonOptions& common);
+void add_doctor(CLI::App& app, CommonOptions& common);
 void add_tetrahedralize(CLI::App& app, CommonOptions& common);  // in builds with TetGen
 void add_polycube(CLI::App& app, CommonOptions& common);        // in builds with the library
 void add_hex(CLI::App& app, CommonOptions& common);             // in builds with the library volume_map

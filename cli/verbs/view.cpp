@@ -98,7 +98,7 @@ std::string address_of(const std::filesystem::path& path) {
 
 // A picture of the page by a browser without a screen.
 void draw(const std::string& page, const std::string& size, const std::filesystem::path& png, Session& session) {
-  const auto browser = find_program({"chromium", "chromium-browser", "google-chrome"});
+  const auto browser = find_browser();
   if (!browser)
     throw Failure(
         Exit::no_result, png.string(), "unsupported",
@@ -135,7 +135,7 @@ void draw(const std::string& page, const std::string& size, const std::filesyste
 }
 
 void open_in_browser(const std::string& page, Session& session) {
-  const auto opener = find_program({"xdg-open", "open"});
+  const auto opener = find_opener();
   if (!opener)
     throw Failure(Exit::no_result, "", "unsupported",
                   "there is no xdg-open in PATH to open a browser; write the page with -o FILE.html or a picture with "

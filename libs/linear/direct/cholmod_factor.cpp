@@ -147,4 +147,10 @@ std::unique_ptr<DirectFactor> make_cholmod_factor(DirectMethod method) {
   return std::make_unique<CholmodFactor>(method == DirectMethod::cholmod_supernodal);
 }
 
+std::string cholmod_version_text() {
+  int version[3];
+  cholmod_version(version);
+  return std::to_string(version[0]) + "." + std::to_string(version[1]) + "." + std::to_string(version[2]);
+}
+
 }  // namespace orbicube::linear
