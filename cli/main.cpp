@@ -10,6 +10,7 @@
 #ifdef ORBICUBE_WITH_CHOLMOD
 #include "linear/direct/cholmod_factor.h"
 #endif
+#include "manual/description.h"
 #include "session/mistakes.h"
 #include "verbs/verbs.h"
 
@@ -95,6 +96,9 @@ int run(int argc, char** argv) {
       "Maps closed surfaces to the unit sphere and to polycubes, and solids to hexahedral meshes, with certificates.",
       "orbicube");
   app.set_version_flag("--version", std::string("orbicube ") + orbicube::base::version_text);
+  app.add_flag_callback(
+      "--describe", [&app] { throw CLI::CallForVersion(orbicube::cli::description(app), 0); },
+      "print all verbs and options as JSON, for other programs");
   app.require_subcommand(1);
   orbicube::cli::CommonOptions common;
   orbicube::cli::add_common_options(app, common);

@@ -134,6 +134,7 @@ void Session::write_report(const Json& outcome) {
 }
 
 CLI::Validator unnamed(CLI::Validator validator) {
+  validator.name(validator.get_description());
   return validator.description("");
 }
 

@@ -114,7 +114,7 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 void add_text_option(CLI::App& verb, bool& text);
 void add_weld_option(CLI::App& verb, bool& weld);
 
-// Checks that help texts do not mention.
+// Checks that help texts do not mention; what they say of themselves becomes their name.
 CLI::Validator unnamed(CLI::Validator validator);
 // Finite numbers: any; above 0; of at least 0; in a range with its ends. Those of CLI11 let NaN pass.
 CLI::Validator finite_number();

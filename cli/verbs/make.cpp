@@ -35,6 +35,18 @@ void make(const MakeOptions& options, Session& session) {
               base::counted(shape.triangles.size(), "triangle"));
 }
 
+// One of these; a message of its own names them all.
+CLI::Validator shape_name(const std::vector<std::string>& names) {
+  return unnamed({[names](const std::string& name) {
+                    if (std::find(names.begin(), names.end(), name) != names.end()) return std::string();
+                    std::string known;
+                    for (const std::string& n : names)
+                      known += (known.empty() ? "" : ", ") + n;
+                    return "no shape is called '" + name + "'; there are " + known;
+                  },
+                  CLI::IsMember(names).get_description()});
+}
+
 }  // namespace
 
 void add_make(CLI::App& app, CommonOptions& common) {
@@ -51,13 +63,7 @@ void add_make(CLI::App& app, CommonOptions& common) {
   verb->add_option("SHAPE", options->shape, "shape to generate, one of those below")
       ->required()
       ->type_name("")
-      ->check([names](const std::string& name) {
-        if (std::find(names.begin(), names.end(), name) != names.end()) return std::string();
-        std::string known;
-        for (const std::string& n : names)
-          known += (known.empty() ? "" : ", ") + n;
-        return "no shape is called '" + name + "'; there are " + known;
-      });
+      ->check(shape_name(names));
   verb->add_option("-o,--output", options->output, std::string("mesh to write: ") + surface_endings)
       ->required()
       ->type_name("OUT");
