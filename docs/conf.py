@@ -8,7 +8,7 @@ with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "m
     version = release = re.search(r"^  version: '([\d.]+)'", file.read(), re.MULTILINE).group(1)
 copyright = author  # noqa: A001: what Sphinx calls it
 extensions = ["myst_parser"]
-root_doc = "index"
+root_doc = "index"  # the gallery, then what there is to read
 myst_heading_anchors = 4
 html_theme = "alabaster"
 html_theme_options = {"description": "maps of shapes to spheres and polycubes, and the solvers underneath", "fixed_sidebar": True,
