@@ -16,6 +16,7 @@
 #include "scenes/page_figures.h"
 #include "scenes/polycube_page.h"
 #include "scenes/polycube_scene.h"
+#include "textures/atlas_scene.h"
 
 namespace orbicube::cli {
 namespace {
@@ -93,6 +94,25 @@ void write_quad_mesh(const PolycubeOutputs& outputs, const PolycubeResult& resul
   if (!note.empty()) session.say("  note: " + note);
 }
 
+void write_atlas(const PolycubeOutputs& outputs, const PolycubeResult& result, const polycube::PatchGraph& graph,
+                 Json& figures, Session& session) {
+  const double start = session.seconds();
+  about(outputs.atlas, Role::output, [&] {
+    const std::string name = std::filesystem::path(result.input).stem().string();
+    figures["atlas"] = Json{{"output", outputs.atlas}};
+    figures["atlas"].update(
+        write_atlas_scene({session.stage(outputs.atlas), outputs.atlas_options, outputs.texture ? result.input : ""},
+                          result.map, graph, name, session.host()));
+  });
+  Json& own = figures["atlas"];
+  own["seconds"] = session.seconds() - start;
+  session.say("wrote " + outputs.atlas + ": an atlas of " + base::counted(graph.patches(), "patch", "patches") +
+              " on " + number(100 * own["coverage"].get<double>()) + " percent of a texture of " +
+              std::to_string(outputs.atlas_options.size) + " texels along a side");
+  if (const auto lost = own["triangles_lost_in_texture"].get<std::size_t>(); lost > 0)
+    session.say("  note: " + base::counted(lost, "triangle") + " of the atlas flat or mirrored in float32");
+}
+
 void write_page_of(const std::string& path, const PolycubeResult& result, Session& session) {
   const std::string name = std::filesystem::path(result.input).filename().string();
   const FaceDistortions faces = face_distortions(result.map, session.host());
@@ -148,6 +168,18 @@ void add_polycube_outputs(CLI::App& verb, PolycubeOutputs& outputs) {
   verb.add_option("--glb", outputs.glb,
                   "write the surface with a checker along the polycube axes and the polycube as a morph target")
       ->type_name("FILE.glb");
+  verb.add_option("--atlas", outputs.atlas,
+                  "write the surface with the patches of the polycube as a texture atlas, tangents and a texture")
+      ->type_name("FILE.glb");
+  verb.add_option("--atlas-size", outputs.atlas_options.size, "texels along a side of the atlas [default: 1024]")
+      ->check(unnamed(CLI::Range(16, 16384)))
+      ->type_name("N");
+  verb.add_option("--atlas-padding", outputs.atlas_options.padding,
+                  "minimum distance of two patches of the atlas, in texels [default: 4]")
+      ->check(number_from_to(0, 1024))
+      ->type_name("TEXELS");
+  verb.add_flag("--texture", outputs.texture,
+                "bake the colors of IN, a glTF file, into the texture of the atlas, in place of a checker");
   verb.add_option("--page", outputs.page, "write a page with shape and polycube side by side, and the figures")
       ->type_name("FILE.html");
 }
@@ -158,6 +190,10 @@ void check_polycube_outputs(const PolycubeOutputs& outputs, Session& session) {
                                 {"cells", outputs.cells},
                                 {"cell_size", outputs.cell_size},
                                 {"glb", outputs.glb},
+                                {"atlas", outputs.atlas},
+                                {"atlas_size", outputs.atlas_options.size},
+                                {"atlas_padding", outputs.atlas_options.padding},
+                                {"texture", outputs.texture},
                                 {"page", outputs.page}});
   if (is_json(outputs.domain)) {
     require_folder(outputs.domain);
@@ -166,19 +202,23 @@ void check_polycube_outputs(const PolycubeOutputs& outputs, Session& session) {
   }
   if (!outputs.quads.empty()) require_quad_format(outputs.quads);
   if (!outputs.page.empty()) require_folder(outputs.page);
-  if (outputs.glb.empty()) return;
-  require_folder(outputs.glb);
-  if (!is_gltf(outputs.glb))
-    throw Failure(Exit::wrong_input, outputs.glb, "unsupported-format", "--glb needs one of " + gltf_endings);
+  for (const auto& [option, path] : {std::pair("--glb", &outputs.glb), std::pair("--atlas", &outputs.atlas)}) {
+    if (path->empty()) continue;
+    require_folder(*path);
+    if (!is_gltf(*path))
+      throw Failure(Exit::wrong_input, *path, "unsupported-format",
+                    std::string(option) + " needs one of " + gltf_endings);
+  }
 }
 
 void write_polycube_outputs(const PolycubeOutputs& outputs, const PolycubeResult& result, Json& figures,
                             Session& session) {
   const base::Host& host = session.host();
-  if (!outputs.domain.empty() || !outputs.quads.empty()) {
+  if (!outputs.domain.empty() || !outputs.quads.empty() || !outputs.atlas.empty()) {
     const polycube::PatchGraph graph = polycube::make_patch_graph(result.map, host);
     if (!outputs.domain.empty()) write_domain(outputs.domain, result, graph, figures, session);
     if (!outputs.quads.empty()) write_quad_mesh(outputs, result, graph, figures, session);
+    if (!outputs.atlas.empty()) write_atlas(outputs, result, graph, figures, session);
   }
   if (!outputs.glb.empty()) {
     about(outputs.glb, Role::output, [&] {

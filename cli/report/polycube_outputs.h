@@ -6,6 +6,7 @@
 #include <string>
 
 #include "polycube/map/certificate.h"
+#include "polycube/outputs/atlas.h"
 #include "polycube/surface/distortion.h"
 #include "polycube/surface/surface_map.h"
 #include "session/session.h"
@@ -13,9 +14,11 @@
 namespace orbicube::cli {
 
 struct PolycubeOutputs {
-  std::string domain, quads, glb, page;  // files, or empty
+  std::string domain, quads, glb, atlas, page;  // files, or empty
   std::size_t cells = 10000;
   double cell_size = 0;  // of cells; 0: by their number
+  polycube::AtlasOptions atlas_options;
+  bool texture = false;  // the atlas has the colors of the input
 };
 
 void add_polycube_outputs(CLI::App& verb, PolycubeOutputs& outputs);

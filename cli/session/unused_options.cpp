@@ -113,6 +113,8 @@ void refuse_unused_polycube_options(const CLI::App& verb) {
   refuse_if(verb.count("--landmarks") > 0 && !common, "--landmarks", "several surfaces");
   refuse_without(verb, "--cells", {"--quads"});
   refuse_without(verb, "--cell-size", {"--quads"});
+  for (const char* option : {"--atlas-size", "--atlas-padding", "--texture"})
+    refuse_without(verb, option, {"--atlas"});
   refuse_if(verb.count("--constraints") > 0 && common, "--constraints",
             "one surface; corresponding points of several are --landmarks");
 }

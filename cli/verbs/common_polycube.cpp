@@ -111,6 +111,7 @@ void share_one_polycube(const PolycubeOptions& options, Session& session) {
     if (i != common.base) own.domain.clear();
     own.quads = numbered(own.quads, i);
     own.glb = numbered(own.glb, i);
+    own.atlas = numbered(own.atlas, i);
     own.page = numbered(own.page, i);
     const polycube::Certificate& certificate = common.certificates[i];
     write_polycube_outputs(own,

@@ -20,6 +20,7 @@
 #include "session/unused_options.h"
 #include "solids/any_genus_surface.h"
 #include "solids/repaired_surface.h"
+#include "textures/baked_texture.h"
 #include "verbs/polycube_options.h"
 #include "verbs/verbs.h"
 
@@ -168,6 +169,9 @@ void polycube(const PolycubeOptions& options, Session& session) {
   session.options() = json_of(options);
   if (options.targets.size() > 1) session.options()["targets"] = options.targets;
   check_polycube_outputs(options.outputs, session);
+  if (options.outputs.texture)
+    for (const std::string& input : options.inputs)
+      require_colored(input);
   if (options.inputs.size() == 1 && options.targets.size() > 1)
     throw Failure(Exit::wrong_input, "", "usage", "--targets: one file for one surface");
   if (options.inputs.size() > 1) return share_one_polycube(options, session);

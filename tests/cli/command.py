@@ -85,7 +85,7 @@ class Glb:
     def accessor(self, number):
         accessor = self.json["accessors"][number]
         view = self.json["bufferViews"][accessor["bufferView"]]
-        components = {"SCALAR": 1, "VEC2": 2, "VEC3": 3}[accessor["type"]]
+        components = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}[accessor["type"]]
         letter = {5126: "f", 5125: "I", 5123: "H"}[accessor["componentType"]]
         start = view.get("byteOffset", 0) + accessor.get("byteOffset", 0)
         flat = struct.unpack_from(f"<{components * accessor['count']}{letter}", self.chunk, start)

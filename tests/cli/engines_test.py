@@ -37,7 +37,7 @@ def main():
         verb("morph", at("one.ply"), at("two.ply"), "-o", at("morph.glb"), "--intermediates", 1)
         verb("morph", at("cube.obj"), at("cube.obj"), "-o", at("through.glb"), "--polycube", "--corners", 8)
         verb("morph", at("cube.obj"), at("cube.obj"), "-o", at("shown.glb"), "--polycube", "--show-polycube", "--corners", 8)
-        verb("polycube", at("bracket.obj"), "-o", at("polycube.obj"), "--glb", at("polycube.glb"))
+        verb("polycube", at("bracket.obj"), "-o", at("polycube.obj"), "--glb", at("polycube.glb"), "--atlas", at("atlas.glb"))
         verb("hex", at("cube.obj"), "-o", at("hexes.mesh"), "--cells", 200, "--glb", at("hexes.glb"))
         verb("hex", at("cube.obj"), "-o", at("cut.mesh"), "--cells", 200, "--glb", at("cut.glb"), "--cut", "half")
         verb("hex", at("solid.mesh"), "-o", at("along.mesh"), "--method", "frames", "--cells", 64, "--glb", at("along.glb"))

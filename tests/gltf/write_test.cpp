@@ -13,6 +13,8 @@
 #include "gltf/json/base64.h"
 #include "gltf/writing/checker.h"
 #include "gltf/writing/morph.h"
+#include "gltf/writing/normals.h"
+#include "gltf/writing/tangents.h"
 #include "made_files.h"
 
 using namespace orbicube;
@@ -201,6 +203,43 @@ TEST_CASE("Everything that a scene holds is where the specification wants it") {
   }
   for (const Json& view : json["bufferViews"])
     CHECK(view.value("byteOffset", std::size_t{0}) % 4 == 0);
+}
+
+TEST_CASE("Tangents go along the first texture coordinate, and tell mirrored textures") {
+  const base::Host host;
+  // A square that lies askew, counter-clockwise seen from above.
+  const std::vector<float> positions = {0, 0, 0, 2, 0, 1, 2, 2, 1, 0, 2, 0};
+  const std::vector<mesh::Triangle> triangles = {{0, 1, 2}, {0, 2, 3}};
+  const base::Array<float> normals = gltf::smooth_normals(positions, triangles, host);
+  // v goes down: (0, 1) is the corner at the bottom left.
+  for (const float sign : {1.0F, -1.0F}) {
+    const std::vector<float> coordinates = {0, 1, sign, 1, sign, 0, 0, 0};
+    const base::Array<float> tangents = gltf::smooth_tangents(positions, normals, coordinates, triangles, host);
+    REQUIRE(tangents.size() == 16);
+    for (std::size_t v = 0; v < 4; ++v) {
+      CHECK(tangents[4 * v] == doctest::Approx(sign * 2 / std::sqrt(5.0)));
+      CHECK(tangents[4 * v + 1] == doctest::Approx(0));
+      CHECK(tangents[4 * v + 2] == doctest::Approx(sign / std::sqrt(5.0)));
+      CHECK(tangents[4 * v + 3] == sign);
+    }
+    Scene scene;
+    scene.positions = positions;
+    scene.triangles = triangles;
+    scene.tangents = tangents;
+    scene.texture_coordinates = coordinates;
+    CHECK_THROWS_AS(written(scene), base::Error);  // without normals
+    scene.normals = normals;
+    CHECK(written(scene, gltf::Form::gltf).find("\"TANGENT\"") != std::string::npos);
+  }
+  // Without a direction in the texture, any that is across the normal.
+  const std::vector<float> none(8, 0.5F);
+  const base::Array<float> tangents = gltf::smooth_tangents(positions, normals, none, triangles, host);
+  for (std::size_t v = 0; v < 4; ++v) {
+    const float* const t = tangents.data() + 4 * v;
+    const float* const n = normals.data() + 3 * v;
+    CHECK(t[0] * t[0] + t[1] * t[1] + t[2] * t[2] == doctest::Approx(1));
+    CHECK(t[0] * n[0] + t[1] * n[1] + t[2] * n[2] == doctest::Approx(0));
+  }
 }
 
 TEST_CASE("A morph target is read with its base, in floats where a renderer gets it and in doubles here") {

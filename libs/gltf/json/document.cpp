@@ -34,6 +34,7 @@ tiny::Mesh mesh_of(const Scene& scene, const SceneAccessors& accessors) {
   tiny::Primitive& surface =
       mesh.primitives.emplace_back(primitive_of(accessors.position, accessors.triangles, TINYGLTF_MODE_TRIANGLES, 0));
   if (accessors.normal) surface.attributes["NORMAL"] = *accessors.normal;
+  if (accessors.tangent) surface.attributes["TANGENT"] = *accessors.tangent;
   if (accessors.texture_coordinate) surface.attributes["TEXCOORD_0"] = *accessors.texture_coordinate;
   if (accessors.color) surface.attributes["COLOR_0"] = *accessors.color;
   add_targets(surface, accessors, true);

@@ -23,7 +23,8 @@ struct TargetAccessors {
 // Numbers of accessors, and of the texture's view, in the buffer.
 struct SceneAccessors {
   int position = 0, triangles = 0;
-  std::optional<int> normal, texture_coordinate, color, edges, texture_view, animation_times, animation_weights;
+  std::optional<int> normal, tangent, texture_coordinate, color, edges, texture_view, animation_times,
+      animation_weights;
   std::vector<TargetAccessors> targets;
 };
 

@@ -42,8 +42,11 @@ void check(const Scene& scene, const base::Host& host) {
   };
   check_size(scene.normals.size(), 3, "normals");
   check_size(scene.texture_coordinates.size(), 2, "texture coordinates");
+  check_size(scene.tangents.size(), 4, "tangents");
   check_size(scene.colors.size(), 4, "colors");
   require_finite(scene.normals, "normals", host);
+  require_finite(scene.tangents, "tangents", host);
+  require(scene.tangents.empty() || !scene.normals.empty(), "tangents need normals");
   require_finite(scene.texture_coordinates, "texture coordinates", host);
   for (const MorphTarget& target : scene.morph_targets) {
     require(target.positions.size() == 3 * vertices, "a morph target has another size than positions");
@@ -67,9 +70,10 @@ void check(const Scene& scene, const base::Host& host) {
               (scene.texture.size() > png.size() && std::memcmp(scene.texture.data(), png.data(), png.size()) == 0),
           "the texture is no PNG file");
   require(scene.texture.empty() || !scene.texture_coordinates.empty(), "a texture needs texture coordinates");
-  require(scene.kept == nullptr || (scene.normals.empty() && scene.colors.empty() && scene.edges.empty() &&
-                                    scene.extras.empty() && (!scene.morph_normals || scene.smooth_normals)),
-          "a surface with what its file has besides takes no normals, colors, edges or extras");
+  require(scene.kept == nullptr ||
+              (scene.normals.empty() && scene.tangents.empty() && scene.colors.empty() && scene.edges.empty() &&
+               scene.extras.empty() && (!scene.morph_normals || scene.smooth_normals)),
+          "a surface with what its file has besides takes no normals, tangents, colors, edges or extras");
 }
 
 SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Host& host) {
@@ -97,6 +101,7 @@ SceneAccessors add_all(BinaryBuffer& buffer, const Scene& scene, const base::Hos
   } else if (!normals.empty()) {
     accessors.normal = buffer.add_floats(normals, 3, false);
   }
+  if (!scene.tangents.empty()) accessors.tangent = buffer.add_floats(scene.tangents, 4, false);
   if (!scene.texture_coordinates.empty())
     accessors.texture_coordinate = buffer.add_floats(scene.texture_coordinates, 2, false);
   if (!scene.colors.empty()) accessors.color = buffer.add_colors(scene.colors);

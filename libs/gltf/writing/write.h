@@ -44,6 +44,7 @@ struct Scene {
   std::span<const float> normals;              // three a vertex, unit; may be left out
   bool smooth_normals = false;                 // makes normals (normals.h) when none are given
   std::span<const float> texture_coordinates;  // two a vertex; may be left out. v goes down, as glTF has it
+  std::span<const float> tangents;             // four a vertex (tangents.h); may be left out; need normals
   std::span<const std::uint8_t> colors;        // four a vertex: linear red, green, blue, opacity; may be left out
   std::span<const MorphTarget> morph_targets;  // may be left out
   bool morph_normals = false;                  // smooth normals for morph targets too; needs normals
@@ -57,8 +58,8 @@ struct Scene {
   std::string name = "surface";                        // of the node and the mesh
   std::string extras;                                  // a JSON object, for the scene; may be left out
   // The surface is written with what was kept of the file that it is from (kept.h); may be null. Triangles are those of
-  // the surface then, which may have been turned, and normals, colors, edges and extras are left out. Normals that were
-  // kept are written, and materials. Parts without texture coordinates or a material get those of the scene.
+  // the surface then, which may have been turned, and normals, tangents, colors, edges and extras are left out. Normals
+  // that were kept are written, and materials. Parts without texture coordinates or a material get those of the scene.
   const Kept* kept = nullptr;
   // For other triangles than those of the surface: its own triangles, and one element a triangle of the scene.
   std::span<const mesh::Triangle> kept_surface;
