@@ -20,7 +20,7 @@ const calm = 250;  // milliseconds without a turn, after which a large mesh is d
 const slow = 60;   // milliseconds for a picture, from which on meshes are simplified while they are turned
 const large = {fast: 150000, slow: 20000};  // triangles, from which on they are
 const views = [];
-let viewer = null, picked = null, key = "plain";
+let viewer = null, picked = null, key = "plain", scale = {};  // scale: what the legend shows
 
 function say(text) {
   byId("message").textContent = text;
@@ -44,6 +44,7 @@ function showElements() {
   byId("at").disabled = byId("other").disabled = byId("axis").value === "";
   byId("quality-text").textContent = limit >= 1 ? "all" : limit.toFixed(2);
   for (const view of views) view.show(planeFor(view), limit < 1 && view.ofCells ? [-Infinity, limit] : null);
+  showScale();
   viewer.redraw();
 }
 
@@ -63,8 +64,15 @@ function showColors() {
     viewer.renderer.setColors(quantity.categories ? categoryColors : colorMaps[quantity.map ?? map]);
   }
   views.forEach(view => view.color(key));
-  showLegend({quantity, range: look.range, map, values: all, inverted, curves: shownCurves()});
+  scale = {quantity, range: look.range, map, values: all, inverted};
+  showScale();
   viewer.redraw();
+}
+
+// Solids that are transparent around their curves have no colors.
+function showScale() {
+  const curves = shownCurves(), colored = curves.length === 0 || views.some(({hasCurves}) => !hasCurves);
+  showLegend({...scale, quantity: colored ? scale.quantity : null, curves});
 }
 
 function shownCurves() {
