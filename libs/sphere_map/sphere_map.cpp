@@ -29,6 +29,37 @@ double total_area(std::span<const Vector3> positions, std::span<const Triangle> 
   return 0.5 * twice;
 }
 
+// `values`, one a vertex by its number, in the order of the vertices.
+void put_back(std::span<const Index> number, Array<Vector3>& values) {
+  Array<Vector3> result(values.size(), values.get_allocator());
+  for (std::size_t v = 0; v < number.size(); ++v)
+    result[v] = values[number[v]];
+  values = std::move(result);
+}
+
+// Refines by numbers that depend on the hierarchy alone.
+Array<Vector3> refine_renumbered(Decimation& decimation, std::span<const Vector3> positions, const Schedule& schedule,
+                                 const RestTriangles& rest, const base::Host& host, const base::ThreadPool& pool,
+                                 Partial* partial) {
+  const Array<Index> number = renumber(decimation, host);
+  Array<Vector3> renumbered(positions.size(), host.memory);
+  for (std::size_t v = 0; v < number.size(); ++v)
+    renumbered[number[v]] = positions[v];
+  Partial reached(host.memory);
+  try {
+    Array<Vector3> directions =
+        refine(decimation, renumbered, schedule, rest, host, pool, partial ? &reached : nullptr);
+    put_back(number, directions);
+    return directions;
+  } catch (const base::Error&) {
+    if (reached.placed > 0 && reached.placed >= partial->placed) {
+      put_back(number, reached.directions);
+      std::swap(*partial, reached);
+    }
+    throw;
+  }
+}
+
 // A kernel can become too small for double precision where the surface has triangles without area. Another order of
 // decimation and a stronger barrier get past that, or else triangles that count as having some area, in the end all
 // alike: maps of that kind exist for every surface (Tutte 1963).
@@ -47,7 +78,9 @@ Array<Vector3> map_with_retries(std::span<const Vector3> positions, std::span<co
       }();
       RestTriangles attempted = rest;
       attempted.min_area = min_areas[attempt] * mean_area;
-      return refine(decimation, positions, schedule.with_stronger_barrier(attempt), attempted, host, pool, partial);
+      attempted.unit_area = surface_area;
+      return refine_renumbered(decimation, positions, schedule.with_stronger_barrier(attempt), attempted, host, pool,
+                               partial);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || attempt + 1 == min_areas.size()) throw;
       host.log(std::string("trying again: ") + e.what());

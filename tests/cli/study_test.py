@@ -99,7 +99,7 @@ class Study(InFolder):
         distances, scores = rows_of(self.path("out/distances.csv")), rows_of(self.path("out/scores.csv"))
         names = [row["name"] for row in distances]
         modes = [key for key in scores[0] if key != "name"]
-        self.assertEqual(len(modes), 6)
+        self.assertIn(len(modes), (5, 6))  # the shape that was moved is the same again, but for its alignment
         for a, x in zip(distances, scores):
             for b, y in zip(names, scores):
                 by_modes = math.dist([float(x[m]) for m in modes], [float(y[m]) for m in modes])
@@ -108,8 +108,8 @@ class Study(InFolder):
             self.assertAlmostEqual(sum(float(x[m]) for x in scores), 0, places=9)
         # The shape that was moved is the nearest to what it was.
         to_moved = sorted((float(row["moved"]), row["name"]) for row in distances)
-        self.assertEqual([name for _, name in to_moved[:2]], ["moved", "c1"])
-        self.assertLess(to_moved[1][0], 0.5 * to_moved[2][0])
+        self.assertEqual({name for _, name in to_moved[:2]}, {"moved", "c1"})
+        self.assertLess(to_moved[1][0], 0.01 * to_moved[2][0])
         self.assertAlmostEqual(sum(report["modes"]["fractions"]), 1)
         data = point_data(self.path("out/mean.vtk"))
         self.assertEqual(set(data), {"", "standard_deviation", *(f"mode_{k}" for k in range(1, 6))})

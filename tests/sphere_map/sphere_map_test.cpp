@@ -128,8 +128,8 @@ TEST_CASE("Quality does not depend on the order of vertices, nor on where a surf
     std::shuffle(s.triangles.begin(), s.triangles.end(), random);
     const auto map = map_of(s);
     check_valid(s, map);
-    // Another order decimates differently and ends in another, equally good map.
-    CHECK(measured(s, map).energy == doctest::Approx(energy).epsilon(0.02));
+    // The hierarchy is the same; the figures are rounded differently.
+    CHECK(measured(s, map).energy == doctest::Approx(energy).epsilon(1e-4));
   }
 }
 

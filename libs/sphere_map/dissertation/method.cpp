@@ -238,8 +238,9 @@ Array<Vector3> compute(std::span<const Vector3> positions, std::span<const Trian
     const PrintedEnergy energy{options.angle_weight, options.area_weight, 4 * std::numbers::pi / area,
                                attempts[i].max_quasi_conformal};
     try {
-      Decimation decimation = decimate(positions, VertexRings(positions.size(), triangles, host),
-                                       options.seed + 0x1000 * i, host, base::ThreadPool(host));
+      Decimation decimation =
+          decimate(positions, VertexRings(positions.size(), triangles, host), options.seed + 0x1000 * i, host,
+                   base::ThreadPool(host), usual_region_size, Ties::by_number);
       return Hierarchy(decimation, positions, energy, rest, options, host).run(partial);
     } catch (const base::Error& e) {
       if (e.status() != base::Status::no_valid_result || i + 1 == attempts.size()) throw;

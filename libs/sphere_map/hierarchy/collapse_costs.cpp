@@ -12,6 +12,10 @@
 namespace orbicube::sphere_map {
 namespace {
 
+// Share of squared length times area in a cost. Larger: edges and stars of even size at the cost of shape; smaller: on
+// flat regions rounding decides.
+constexpr double flat_share = 1e-6;
+
 // A number in [0, 1) that depends on vertex and seed only.
 double random_of(std::uint64_t vertex, std::uint64_t seed) {
   return base::Random((seed << 32U) + vertex).unit();
@@ -19,11 +23,12 @@ double random_of(std::uint64_t vertex, std::uint64_t seed) {
 
 }  // namespace
 
-CollapseCosts::CollapseCosts(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed,
+CollapseCosts::CollapseCosts(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, Ties ties,
                              const base::Host& host, const base::ThreadPool& pool)
     : positions_(positions),
       host_(host),
       seed_(seed),
+      ties_(ties),
       rings_(std::move(rings)),
       quadric_(positions.size(), host.memory),
       target_(positions.size(), no_index, host.memory),
@@ -34,6 +39,7 @@ CollapseCosts::CollapseCosts(std::span<const Vector3> positions, VertexRings rin
     dead_[v] = rings_.valence(v) == 0;
     alive_ += !dead_[v];
   }
+  if (ties == Ties::by_geometry) tie_breaker_ = TieBreaker(positions, rings_, host);
   sum_quadrics(pool);
   choose_first_targets(pool);
 }
@@ -111,7 +117,8 @@ double CollapseCosts::penalty(Index vertex, std::size_t position) const {
   }
   const double error = quadric_[vertex].at(to) + quadric_[target].at(to);
   // The second term decides where the surface is flat and every error is zero: short edges and small stars go first.
-  return (std::max(error, 0.0) + 1e-6 * (to - from).squaredNorm() * area) * factor * (1 + 0.1 / (worst_quality + 1e-6));
+  return (std::max(error, 0.0) + flat_share * (to - from).squaredNorm() * area) * factor *
+         (1 + 0.1 / (worst_quality + 1e-6));
 }
 
 void CollapseCosts::choose(Index vertex, bool patient, Candidates& candidates) {
@@ -122,20 +129,27 @@ void CollapseCosts::choose(Index vertex, bool patient, Candidates& candidates) {
   candidates.clear();
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const Vector3& to = positions_[ring[i]];
-    candidates.emplace_back(quadric_[vertex].at(to) + quadric_[ring[i]].at(to), i);
+    double bound = quadric_[vertex].at(to) + quadric_[ring[i]].at(to);
+    if (ties_ == Ties::by_geometry) {
+      // A tenth of the flat share, with the weight for the area, is below the cost of every collapse.
+      const double flat = 0.1 * flat_share * (to - positions_[vertex]).squaredNorm() * quadric_[vertex].weight();
+      bound = (std::max(bound, 0.0) + flat) * tie_break(ring[i]);
+    }
+    candidates.emplace_back(bound, i);
   }
   std::sort(candidates.begin(), candidates.end());
   int looks = 0;
-  for (const auto& [error, position] : candidates) {
-    if (error >= cost_[vertex] || (looks >= close_looks && target_[vertex] != no_index)) break;
+  for (const auto& [bound, position] : candidates) {
+    if (bound >= cost_[vertex] || (looks >= close_looks && target_[vertex] != no_index)) break;
     if (!link_condition(vertex, position)) continue;
     ++looks;
-    const double cost = penalty(vertex, position);
+    const double cost = penalty(vertex, position) * tie_break(ring[position]);
     if (cost < cost_[vertex] || target_[vertex] == no_index) {
       cost_[vertex] = cost;
       target_[vertex] = ring[position];
     }
   }
+  cost_[vertex] *= tie_break(vertex);
   if (seed_ != 0) cost_[vertex] *= 1 + 0.05 * random_of(vertex, seed_);
 }
 

@@ -13,12 +13,12 @@
 #include <utility>
 
 #include "base/threads/thread_pool.h"
+#include "sphere_map/hierarchy/tie_breaker.h"
 #include "sphere_map/hierarchy/vertex_rings.h"
 
 namespace orbicube::sphere_map {
 
 using mesh::no_index;
-using mesh::Vector3;
 
 // Sum of squared distances to planes, weighted by area (Garland and Heckbert 1997): x'Ax + 2b'x + c.
 struct Quadric {
@@ -35,6 +35,8 @@ struct Quadric {
     for (std::size_t i = 0; i < q.size(); ++i)
       q[i] += other.q[i];
   }
+  // The weights of all planes.
+  double weight() const { return q[0] + q[3] + q[5]; }
   double at(const Vector3& p) const {
     return q[0] * p.x() * p.x() + q[3] * p.y() * p.y() + q[5] * p.z() * p.z() + q[9] +
            2 * (q[1] * p.x() * p.y() + q[2] * p.x() * p.z() + q[4] * p.y() * p.z() + q[6] * p.x() + q[7] * p.y() +
@@ -42,7 +44,7 @@ struct Quadric {
   }
 };
 
-// Neighbors of one vertex: quadric error and position in its ring.
+// Neighbors of one vertex: lower bound of the cost and position in its ring.
 using Candidates = Array<std::pair<double, std::size_t>>;
 
 class CollapseCosts {
@@ -51,8 +53,8 @@ class CollapseCosts {
   static constexpr std::size_t patient_valence = 64;
 
   // Looks at every vertex of `rings`. `seed` varies the order of equally good steps.
-  CollapseCosts(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
-                const base::ThreadPool& pool);
+  CollapseCosts(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, Ties ties,
+                const base::Host& host, const base::ThreadPool& pool);
 
   // Finds target and cost of a vertex. A `patient` look passes over those of high valence. Reads the rings, quadrics
   // and positions of the vertex and its neighbors, and writes what belongs to the vertex: vertices without a common
@@ -70,6 +72,9 @@ class CollapseCosts {
   Index target(Index vertex) const { return target_[vertex]; }  // or no_index
   double cost(Index vertex) const { return cost_[vertex]; }
   void set_cost(Index vertex, double cost) { cost_[vertex] = cost; }
+
+  // Factor on costs that decides among equals.
+  double tie_break(Index vertex) const { return tie_breaker_(positions_[vertex]); }
 
   // With five vertices left one of valence 3 is no flaw any more.
   void set_few_left() { few_left_ = true; }
@@ -90,7 +95,9 @@ class CollapseCosts {
   std::span<const Vector3> positions_;
   const base::Host& host_;
   std::uint64_t seed_;
+  Ties ties_;
   VertexRings rings_;
+  TieBreaker tie_breaker_;
   std::size_t alive_ = 0;
   bool few_left_ = false;
   Array<Quadric> quadric_;

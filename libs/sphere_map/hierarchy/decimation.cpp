@@ -50,11 +50,22 @@ void collapse_to_tetrahedron(CollapseCosts& costs, Decimation& result, const bas
   }
 }
 
+std::array<Index, 4> tetrahedron_left(CollapseCosts& costs) {
+  const auto comes_first = [&](Index a, Index b) { return costs.tie_break(a) < costs.tie_break(b); };
+  Index first = no_index;
+  for (Index v = 0; v < costs.vertex_count(); ++v) {
+    if (!costs.is_dead(v) && (first == no_index || comes_first(v, first))) first = v;
+  }
+  const auto ring = costs.rings()[first];
+  costs.rings().start_with(first, *std::min_element(ring.begin(), ring.end(), comes_first));
+  return {first, ring[0], ring[1], ring[2]};
+}
+
 }  // namespace
 
 Decimation decimate(std::span<const Vector3> positions, VertexRings rings, std::uint64_t seed, const base::Host& host,
-                    const base::ThreadPool& pool, std::size_t region_size) {
-  CollapseCosts costs(positions, std::move(rings), seed, host, pool);
+                    const base::ThreadPool& pool, std::size_t region_size, Ties ties) {
+  CollapseCosts costs(positions, std::move(rings), seed, ties, host, pool);
   const std::size_t count = costs.alive_at_first();
   if (count < 4) throw base::Error("internal", "decimation of fewer than four vertices");
   Decimation result{Array<Collapse>(host.memory), Array<Index>(host.memory), {}, VertexRings(0, {}, host)};
@@ -63,13 +74,50 @@ Decimation decimate(std::span<const Vector3> positions, VertexRings rings, std::
   if (count >= min_regions * region_size) decimate_regions(positions, region_size, costs, result, host, pool);
   collapse_to_tetrahedron(costs, result, host);
 
-  Index first = 0;
-  while (costs.is_dead(first))
-    ++first;
-  const auto ring = costs.rings()[first];
-  result.tetrahedron = {first, ring[0], ring[1], ring[2]};
+  result.tetrahedron = tetrahedron_left(costs);
   result.rings = std::move(costs.rings());
   return result;
+}
+
+Array<Index> renumber(Decimation& decimation, const base::Host& host) {
+  const std::size_t count = decimation.rings.vertex_count();
+  // Of each vertex: with those that were merged into it.
+  Array<Index> size(count, 1, host.memory);
+  for (const Collapse& c : decimation.collapses)
+    size[c.kept] += size[c.removed];
+  host.report("decimation", count, count);
+  Array<Index> number(count, no_index, host.memory);
+  Index next = 0;
+  for (const Index v : decimation.tetrahedron) {
+    number[v] = next;
+    next += size[v];
+  }
+  // The latest merged into a vertex has the end of its range.
+  for (auto c = decimation.collapses.rbegin(); c != decimation.collapses.rend(); ++c) {
+    size[c->kept] -= size[c->removed];
+    number[c->removed] = number[c->kept] + size[c->kept];
+  }
+  for (Index& n : number) {
+    if (n == no_index) n = next++;
+  }
+
+  host.report("decimation", count, count);
+  decimation.rings.renumber(number);
+  host.report("decimation", count, count);
+  for (Index& v : decimation.ring_pool)
+    v = number[v];
+  for (Collapse& c : decimation.collapses) {
+    c.removed = number[c.removed];
+    c.kept = number[c.kept];
+    decimation.rings.start_with(c.removed, c.kept);
+  }
+  for (Index& v : decimation.tetrahedron)
+    v = number[v];
+  const auto [first, second, third, fourth] = decimation.tetrahedron;
+  decimation.rings.start_with(first, second);
+  for (const Index v : {second, third, fourth})
+    decimation.rings.start_with(v, first);
+  return number;
 }
 
 void set_tetrahedron(const std::array<Index, 4>& vertices, std::span<Vector3> directions) {

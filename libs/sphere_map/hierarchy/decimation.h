@@ -10,6 +10,7 @@
 #include <span>
 
 #include "base/threads/thread_pool.h"
+#include "sphere_map/hierarchy/tie_breaker.h"
 #include "sphere_map/hierarchy/vertex_rings.h"
 
 namespace orbicube::sphere_map {
@@ -17,7 +18,7 @@ namespace orbicube::sphere_map {
 struct Decimation {
   Array<Collapse> collapses;         // in the order in which they were done
   Array<Index> ring_pool;            // what Collapse::ring_begin points into
-  std::array<Index, 4> tetrahedron;  // the vertices that are left: the first three of the ring of the first
+  std::array<Index, 4> tetrahedron;  // the vertices that are left: one with its ring, in an order given by geometry
   VertexRings rings;                 // at the tetrahedron; split() refines it again
 
   std::span<const Index> ring(const Collapse& c) const { return {ring_pool.data() + c.ring_begin, c.ring_size}; }
@@ -30,7 +31,14 @@ constexpr std::size_t usual_region_size = 50000;
 // depends on `region_size`, never on the number of threads. O(n log n) for bounded valence. Throws Error internal if no
 // step is possible, which a closed manifold excludes.
 Decimation decimate(std::span<const mesh::Vector3> positions, VertexRings rings, std::uint64_t seed,
-                    const base::Host& host, const base::ThreadPool& pool, std::size_t region_size = usual_region_size);
+                    const base::Host& host, const base::ThreadPool& pool, std::size_t region_size = usual_region_size,
+                    Ties ties = Ties::by_geometry);
+
+// Numbers the vertices of a decimation again, by their place in its hierarchy: first that of the tetrahedron's first
+// vertex and of all that were merged into it, and so on. What refines the decimation then depends on the hierarchy
+// alone, not on the numbers that the vertices had, and vertices with near numbers are near each other. Returns the new
+// number of each vertex; those in no triangle have the last ones.
+Array<Index> renumber(Decimation& decimation, const base::Host& host);
 
 // Sets the directions of the vertices that are left to a regular tetrahedron.
 void set_tetrahedron(const std::array<Index, 4>& vertices, std::span<mesh::Vector3> directions);

@@ -1,6 +1,7 @@
 #include "sphere_map/hierarchy/vertex_rings.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/grouping.h"
 
@@ -78,6 +79,20 @@ bool VertexRings::make_room(Index removed, Index kept, Room& room) {
   move_ring(kept, room.begin, capacity);
   room.begin += capacity;
   return true;
+}
+
+void VertexRings::renumber(std::span<const Index> number) {
+  Array<Place> places(places_.size(), places_.get_allocator());
+  for (std::size_t v = 0; v < places_.size(); ++v)
+    places[number[v]] = places_[v];
+  places_ = std::move(places);
+  for (Index& neighbor : pool_)
+    neighbor = number[neighbor];
+}
+
+void VertexRings::start_with(Index vertex, Index neighbor) {
+  Index* r = ring(vertex);
+  std::rotate(r, r + find(vertex, neighbor), r + valence(vertex));
 }
 
 void VertexRings::erase(Index vertex, std::size_t position) {

@@ -62,6 +62,12 @@ class VertexRings {
   // Undoes collapse(): the latest one that has not been undone yet.
   void split(const Collapse& collapse, std::span<const Index> ring);
 
+  // Numbers the vertices again: `number` has the new number of each.
+  void renumber(std::span<const Index> number);
+
+  // Rotates the ring of a vertex so that it starts with `neighbor`.
+  void start_with(Index vertex, Index neighbor);
+
  private:
   struct Place {
     std::size_t begin = 0;

@@ -1,6 +1,5 @@
 #include "sphere_map/hierarchy/vertex_splits.h"
 
-#include <string>
 #include <utility>
 
 #include "base/error.h"
@@ -84,16 +83,13 @@ void VertexSplits::improve(const Energy& energy, const Move& move, std::size_t s
 }
 
 void VertexSplits::finish() {
-  const std::size_t first = failed_.load();
-  const bool ok = first == running_.splits.size();
-  const Index vertex = ok ? 0 : running_.moves[running_.splits[first].moves_begin].vertex;
+  const bool ok = failed_.load() == running_.splits.size();
   running_.splits.clear();
   running_.moves.clear();
   running_.ring.clear();
   running_.largest_ring = 0;
   if (!ok) {
-    throw base::Error("no-valid-result", "the spherical kernel of vertex " + std::to_string(vertex) +
-                                             " is too small for double precision");
+    throw base::Error("no-valid-result", "the spherical kernel of a vertex is too small for double precision");
   }
 }
 

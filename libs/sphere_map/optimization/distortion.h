@@ -20,6 +20,7 @@
 
 #include "mesh/mesh.h"
 #include "mesh/topology/degenerate_triangles.h"
+#include "sphere_map/optimization/rounded_shape.h"
 
 namespace orbicube::sphere_map {
 
@@ -49,6 +50,8 @@ struct RestTriangles {
   bool release_degenerate = false;
   double min_height = 0;
   double sliver_area = 0;
+  // Positive: areas of shapes are in this unit, the area of the surface, and shapes are rounded (rounded_shape.h).
+  double unit_area = 0;
 };
 
 // Larger: thin triangles of scans count less than their shapes say; smaller: one sliver between large triangles, which
@@ -73,11 +76,6 @@ struct Energy {
   RestTriangles rest;
 };
 
-// Cotangents of a surface triangle's angles and its area.
-struct TriangleShape {
-  double cot_p, cot_q, cot_r, area;
-};
-
 // What a degenerate triangle counts for when it is released: an equilateral one with the cotangents and the area times
 // this, so that the terms of the energy have factors from this to its fourth power (the barrier's). The angles that it
 // has are those of rounding; it only must not collapse on the sphere. Larger: its image is opened at the cost of its
@@ -97,15 +95,17 @@ inline TriangleShape triangle_shape(const Vector3& p, const Vector3& q, const Ve
   const Vector3 pq = q - p;
   const Vector3 pr = r - p;
   const Vector3 qr = r - q;
-  const double squares = pq.squaredNorm() + pr.squaredNorm() + qr.squaredNorm();
+  const double square_p = qr.squaredNorm(), square_q = pr.squaredNorm(), square_r = pq.squaredNorm();
+  const double squares = square_p + square_q + square_r;
   const double floor = 1e-7 * squares + std::numeric_limits<double>::min();
   const double own_area = pq.cross(pr).norm();
   const double twice_area = std::max(own_area, floor);
   const double inverse = 1 / twice_area;
   TriangleShape shape{pq.dot(pr) * inverse, -pq.dot(qr) * inverse, pr.dot(qr) * inverse, 0.5 * twice_area};
+  bool released = false;
   if (rest.release_degenerate) {
-    const double longest_square = std::max({pq.squaredNorm(), pr.squaredNorm(), qr.squaredNorm()});
-    if (is_released(rest, own_area, longest_square)) shape = released_shape(squares);
+    released = is_released(rest, own_area, std::max({square_p, square_q, square_r}));
+    if (released) shape = released_shape(squares);
   }
   if (rest.min_area > 0) {
     shape.area += rest.min_area;
@@ -113,6 +113,11 @@ inline TriangleShape triangle_shape(const Vector3& p, const Vector3& q, const Ve
     for (double* cotangent : {&shape.cot_p, &shape.cot_q, &shape.cot_r}) {
       *cotangent += part * (1 / std::numbers::sqrt3 - *cotangent);
     }
+  }
+  if (rest.unit_area > 0) {
+    shape.area = rounded_number(shape.area / rest.unit_area);
+    const bool own_angles = !released && !(rest.min_area > 0);
+    if (own_angles) round_angles({square_p, square_q, square_r}, own_area, shape);
   }
   return shape;
 }
