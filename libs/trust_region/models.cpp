@@ -24,9 +24,13 @@ Models::Models(std::size_t n, std::size_t outputs, bool least_squares, std::span
       work_(memory),
       values_(memory),
       change_(memory),
-      slopes_(memory),
       surprise_(memory),
-      surprise_afresh_(memory) {
+      surprise_afresh_(memory),
+      at_(memory),
+      slopes_(memory),
+      weights_(memory),
+      moved_(memory),
+      moved_afresh_(memory) {
   std::copy(sign.begin(), sign.end(), sign_.begin());
 }
 
@@ -43,9 +47,14 @@ void Models::allocate(std::size_t capacity, bool quadratics) {
   work_.resize(2 * (n_ + capacity));
   values_.resize(capacity);
   change_.resize(outputs_);
-  slopes_.resize(least_squares_ ? outputs_ * n_ : 0);
   surprise_.resize(outputs_);
   surprise_afresh_.resize(two_families_ ? outputs_ : 0);
+  if (!least_squares_) return;
+  at_.resize(n_);
+  weights_.resize(2 * outputs_);
+  for (auto* slopes : {&slopes_, &moved_})
+    slopes->resize(outputs_ * n_);
+  moved_afresh_.resize(two_families_ ? outputs_ * n_ : 0);
 }
 
 double Models::objective(const double* outputs) const {
@@ -65,12 +74,14 @@ void Models::move(std::size_t from, std::size_t to) {
 }
 
 void Models::forget() {
+  measured_ = false;
   std::fill(remembering_.hessian.begin(), remembering_.hessian.end(), 0.0);
   std::fill(remembering_.gradient.begin(), remembering_.gradient.end(), 0.0);
   std::fill(errors_.begin(), errors_.end(), 0.0);
 }
 
 void Models::meet(const Interpolation& interpolation) {
+  measured_ = false;
   const std::size_t best = interpolation.best();
   for (std::size_t i = 0; i < outputs_; ++i) {
     double* hessian = remembering_.hessian.data() + i * n_ * n_;
@@ -99,6 +110,7 @@ void Models::make_afresh(const Interpolation& interpolation) {
 // values at the others, when lambda_j / alpha_j of its Lagrange function is taken off.
 void Models::leave(const Interpolation& interpolation, std::size_t j) {
   if (!two_families_ || stale_ != 0) return;
+  measured_ = false;
   const double alpha = interpolation.alpha(j), away = interpolation.distance_to_best(j);
   // Where the Lagrange function is almost linear the quotient has no digits.
   if (!(alpha * away * away * away * away > 1e-6)) {
@@ -118,8 +130,14 @@ void Models::leave(const Interpolation& interpolation, std::size_t j) {
 }
 
 void Models::expect(const double* d, const double* outputs, std::size_t best) {
-  predict(remembering_, d, surprise_.data());
-  if (two_families_) predict(afresh_, d, surprise_afresh_.data());
+  learned_ = remade_ = false;
+  if (least_squares_) {
+    predict_with_slopes(remembering_, d, surprise_.data(), moved_.data());
+    if (two_families_) predict_with_slopes(afresh_, d, surprise_afresh_.data(), moved_afresh_.data());
+  } else {
+    predict(remembering_, d, surprise_.data());
+    if (two_families_) predict(afresh_, d, surprise_afresh_.data());
+  }
   for (std::size_t i = 0; i < outputs_; ++i) {
     const double change = outputs[i] - row(best)[i];
     surprise_[i] = change - surprise_[i];
@@ -128,6 +146,8 @@ void Models::expect(const double* d, const double* outputs, std::size_t best) {
 }
 
 void Models::learn(const Interpolation& interpolation, std::size_t j) {
+  measured_ = false;
+  learned_ = true;
   interpolation.lagrange_function(j, lagrange_gradient_.data(), lagrange_hessian_.data(), work_.data());
   const auto add = [&](Family& family, const base::Array<double>& surprise) {
     for (std::size_t i = 0; i < outputs_; ++i) {
@@ -139,20 +159,38 @@ void Models::learn(const Interpolation& interpolation, std::size_t j) {
   if (!two_families_) return;
   if (stale_ != 0) {
     make_afresh(interpolation);
+    remade_ = true;
   } else {
     add(afresh_, surprise_afresh_);
   }
 }
 
 void Models::shift(const double* d) {
-  for (Family* family : {&remembering_, &afresh_}) {
-    for (std::size_t i = 0; i < family->gradient.size(); ++i)
-      family->gradient[i] += dot(family->hessian.data() + i * n_, d, n_);
+  measured_ = false;
+  const auto shift_all = [&](Family& family) {
+    for (std::size_t i = 0; i < family.gradient.size(); ++i)
+      family.gradient[i] += dot(family.hessian.data() + i * n_, d, n_);
+  };
+  if (!least_squares_) {
+    shift_all(remembering_);
+    shift_all(afresh_);
+    return;
   }
+  double* learned = work_.data();
+  if (learned_) multiply(lagrange_hessian_.data(), n_, n_, n_, d, learned);
+  const auto shift_known = [&](Family& family, const base::Array<double>& moved, const base::Array<double>& surprise) {
+    add_scaled(family.gradient.data(), 1, moved.data(), outputs_ * n_);
+    for (std::size_t i = 0; learned_ && i < outputs_; ++i)
+      add_scaled(family.gradient.data() + i * n_, surprise[i], learned, n_);
+  };
+  shift_known(remembering_, moved_, surprise_);
+  if (two_families_ && remade_) shift_all(afresh_);
+  if (two_families_ && !remade_) shift_known(afresh_, moved_afresh_, surprise_afresh_);
 }
 
 // g becomes C^-T g, H becomes C^-T H C^-1.
 void Models::transform(const double* inverse) {
+  measured_ = false;
   double* half = lagrange_hessian_.data();
   for (Family* family : {&remembering_, &afresh_}) {
     for (std::size_t i = 0; i * n_ < family->gradient.size(); ++i) {
@@ -178,6 +216,7 @@ void Models::transform(const double* inverse) {
 
 void Models::judge(const double* d, const double* outputs, std::size_t best) {
   if (!two_families_) return;
+  measured_ = false;
   const double square = dot(d, d, n_);
   for (std::size_t k = 0; k < 2; ++k) {
     predict(k == 0 ? remembering_ : afresh_, d, change_.data());
@@ -197,9 +236,34 @@ void Models::predict(const Family& family, const double* d, double* change) cons
   }
 }
 
+// The same with H_i d, which costs nothing more.
+void Models::predict_with_slopes(const Family& family, const double* d, double* change, double* slopes) const {
+  for (std::size_t i = 0; i < outputs_; ++i) {
+    double* slope = slopes + i * n_;
+    multiply(family.hessian.data() + i * n_ * n_, n_, n_, n_, d, slope);
+    change[i] = dot(family.gradient.data() + i * n_, d, n_) + 0.5 * dot(slope, d, n_);
+  }
+}
+
+// Puts what the family in use predicts at d into change_ and slopes_, unless it is there.
+void Models::measure(const double* d) {
+  if (measured_ && std::equal(d, d + n_, at_.begin())) return;
+  measured_ = true;
+  std::copy_n(d, n_, at_.data());
+  if (std::all_of(d, d + n_, [](double entry) { return entry == 0; })) {
+    std::fill(change_.begin(), change_.end(), 0.0);
+    std::fill(slopes_.begin(), slopes_.end(), 0.0);
+  } else {
+    predict_with_slopes(family(), d, change_.data(), slopes_.data());
+  }
+}
+
 double Models::change(const double* d, std::size_t best) {
-  predict(family(), d, change_.data());
-  if (!least_squares_) return change_[0];
+  if (!least_squares_) {
+    predict(family(), d, change_.data());
+    return change_[0];
+  }
+  measure(d);
   double sum = 0;
   for (std::size_t i = 0; i < outputs_; ++i)
     sum += sign_[i] * change_[i] * (2 * row(best)[i] + change_[i]);
@@ -214,20 +278,21 @@ void Models::expand(const double* d, std::size_t best, double* gradient, double*
       gradient[k] = used.gradient[k] + dot(hessian + k * n_, d, n_);
     return;
   }
-  predict(used, d, change_.data());
-  std::fill_n(gradient, n_, 0.0);
-  std::fill_n(hessian, n_ * n_, 0.0);
+  measure(d);
+  measured_ = false;  // slopes_ becomes the residuals' gradients
+  double* of_squares = weights_.data() + outputs_;
   for (std::size_t i = 0; i < outputs_; ++i) {
-    const double* curvature = used.hessian.data() + i * n_ * n_;
-    double* slope = slopes_.data() + i * n_;
-    for (std::size_t k = 0; k < n_; ++k)
-      slope[k] = used.gradient[i * n_ + k] + dot(curvature + k * n_, d, n_);
-    const double weight = 2 * sign_[i] * (row(best)[i] + change_[i]);
-    add_scaled(gradient, weight, slope, n_);
-    for (std::size_t k = 0; k < n_; ++k)
-      add_scaled(hessian + k * n_, weight, curvature + k * n_, k + 1);
-    add_square_lower(hessian, n_, n_, 2 * sign_[i], slope);
+    weights_[i] = 2 * sign_[i] * (row(best)[i] + change_[i]);
+    of_squares[i] = 2 * sign_[i];
   }
+  add_scaled(slopes_.data(), 1, used.gradient.data(), outputs_ * n_);
+  combination(gradient, n_, weights_.data(), slopes_.data(), n_, outputs_);
+  sum_of_squares_lower(hessian, n_, of_squares, slopes_.data(), outputs_);
+  // Few Hessians at once, so that each is read in its order.
+  constexpr std::size_t some = 4;
+  for (std::size_t i = 0; i < outputs_; i += some)
+    add_combination(hessian, n_ * n_, weights_.data() + i, used.hessian.data() + i * n_ * n_, n_ * n_,
+                    std::min(some, outputs_ - i));
   mirror_lower(hessian, n_);
 }
 

@@ -43,7 +43,7 @@ class Models {
   void learn(const Interpolation& interpolation, std::size_t j);
   // Whether the family without memory must be made afresh, because rounding would have spoiled it.
   bool stale() const { return stale_ != 0; }
-  // The best point moves by d to point `best`.
+  // The best point moves by d, that of the last expect().
   void shift(const double* d);
   // The unknowns u become C u, `inverse` is C^-1 (n x n by rows).
   void transform(const double* inverse);
@@ -53,7 +53,7 @@ class Models {
   // Change of the objective.
   double change(const double* d, std::size_t best);
   // Gradient (n) and Hessian (n x n) of the objective's model at best + d; for residuals those of the quartic
-  // sum sign (r + change)^2.
+  // sum sign (r + change)^2. Cheaper where d is that of the last change().
   void expand(const double* d, std::size_t best, double* gradient, double* hessian);
   template <class Self, class Visit>
   static void visit_state(Self& self, const Visit& visit) {
@@ -68,6 +68,8 @@ class Models {
     base::Array<double> gradient, hessian;  // outputs x n, outputs x n x n
   };
   void predict(const Family& family, const double* d, double* change) const;
+  void predict_with_slopes(const Family& family, const double* d, double* change, double* slopes) const;
+  void measure(const double* d);
   void make_afresh(const Interpolation& interpolation);
   const Family& family() const { return two_families_ && errors_[1] < errors_[0] ? afresh_ : remembering_; }
 
@@ -78,8 +80,13 @@ class Models {
   Family remembering_, afresh_;
   base::Array<double> errors_;  // of the predictions of both families, decaying
   std::uint64_t stale_ = 0;
-  base::Array<double> lagrange_gradient_, lagrange_hessian_, work_, values_, change_, slopes_;
+  base::Array<double> lagrange_gradient_, lagrange_hessian_, work_, values_, change_;
   base::Array<double> surprise_, surprise_afresh_;  // outputs each, from expect() to learn()
+  // Of residuals. What change_ and slopes_ (outputs x n, H_i d) are of, while measured_ says so; weights of the
+  // residuals' Hessians and squares; slopes of both families from expect() to shift().
+  base::Array<double> at_, slopes_, weights_, moved_, moved_afresh_;
+  bool measured_ = false;
+  bool learned_ = false, remade_ = false;  // since expect(): by learn(), and that the other family was made afresh
 };
 
 }  // namespace orbicube::trust_region

@@ -151,6 +151,7 @@ class Solver {
   double change_of(const double* d);
   void expand_at(const double* d);
   void refine_step(double* d, double* value);
+  double move_within(const double* d, double inner, double* trial);
   Request try_step();
   Request take_trial();
   bool models_are_flat();

@@ -10,6 +10,11 @@ namespace {
 
 // How hard the planes of edges are, in units of the model's curvature.
 constexpr double stiffness = 1e4;
+// The inner iteration ends when it gains less than this part of the predicted change: with many unknowns sooner, since
+// each of its steps costs about m n^2 operations, and models are good to more digits only where there are enough
+// points.
+constexpr double gain_of_few = 1e-6, gain_of_many = 1e-3;
+constexpr std::size_t many_unknowns = 24;
 
 }  // namespace
 
@@ -83,39 +88,65 @@ void Solver::expand_at(const double* d) {
 // own, which costs no evaluation.
 void Solver::refine_step(double* d, double* value) {
   const std::size_t n = variables_.free_size();
-  const double* low = variables_.bounded() ? low_.data() : nullptr;
-  const double* high = variables_.bounded() ? high_.data() : nullptr;
   double inner = std::max(0.5 * norm(d, n), 1e-3 * state_.radius);
   double* trial = candidate_.data();
+  const double least_gain = n > many_unknowns ? gain_of_many : gain_of_few;
+  bool known = false;  // gradient_ and hessian_ are those at d
   for (int iteration = 0; iteration < 30; ++iteration) {
     host_.report("trust region", state_.evaluations, options_.max_evaluations, state_.best_value);
-    expand_at(d);
-    relative_bounds(d);
-    quadratic_step_.minimise(gradient_.data(), hessian_.data(), inner, low, high, move_.data());
-    double square = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      trial[i] = d[i] + move_[i];
-      square += trial[i] * trial[i];
-    }
-    const double shrink = square > state_.radius * state_.radius ? state_.radius / std::sqrt(square) : 1;
-    double moved = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      trial[i] *= shrink;
-      moved += (trial[i] - d[i]) * (trial[i] - d[i]);
-    }
+    if (!known) expand_at(d);
+    known = true;
+    const double moved = move_within(d, inner, trial);
     const double next = change_of(trial);
     if (next < *value) {
       const double gain = *value - next;
       std::copy_n(trial, n, d);
       *value = next;
+      known = false;
       inner = std::min(2 * inner, 2 * state_.radius);
-      if (gain < 1e-6 * std::abs(*value) || moved < 1e-16 * state_.radius * state_.radius) break;
+      if (gain < least_gain * std::abs(*value) || moved < 1e-8 * state_.radius) break;
     } else {
       inner *= 0.25;
       if (inner < 1e-4 * state_.radius) break;
     }
   }
   relative_bounds(nullptr);
+}
+
+// Puts into `trial` where the quadratic at d, in gradient_ and hessian_, leads within `inner` around d; returns how far
+// from d. Where that is beyond the ball, the minimizer within the ball is the aim, so that steps along its boundary
+// converge as Newton's method does.
+double Solver::move_within(const double* d, double inner, double* trial) {
+  const std::size_t n = variables_.free_size();
+  const double* low = variables_.bounded() ? low_.data() : nullptr;
+  const double* high = variables_.bounded() ? high_.data() : nullptr;
+  relative_bounds(d);
+  quadratic_step_.minimise(gradient_.data(), hessian_.data(), inner, low, high, move_.data());
+  for (std::size_t i = 0; i < n; ++i)
+    trial[i] = d[i] + move_[i];
+  const double length = norm(trial, n);
+  if (!(length > state_.radius)) return norm(move_.data(), n);
+  if (edges_.count() > 0) {
+    // The penalty of edges has kinks, so that nothing is gained by following the boundary.
+    double square = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      trial[i] *= state_.radius / length;
+      square += (trial[i] - d[i]) * (trial[i] - d[i]);
+    }
+    return std::sqrt(square);
+  }
+  // The gradient at the best point.
+  for (std::size_t i = 0; i < n; ++i)
+    move_[i] = gradient_[i] - dot(hessian_.data() + i * n, d, n);
+  relative_bounds(nullptr);
+  quadratic_step_.minimise(move_.data(), hessian_.data(), state_.radius, low, high, trial);
+  for (std::size_t i = 0; i < n; ++i)
+    move_[i] = trial[i] - d[i];
+  const double far = norm(move_.data(), n);
+  if (!(far > inner)) return far;
+  for (std::size_t i = 0; i < n; ++i)
+    trial[i] = d[i] + inner / far * move_[i];
+  return inner;
 }
 
 }  // namespace orbicube::trust_region

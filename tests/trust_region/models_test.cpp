@@ -95,6 +95,82 @@ TEST_CASE("Updated point by point, the models without memory are those of minimu
   CHECK(compared > 80);
 }
 
+TEST_CASE("Models of residuals meet all points after each move of the best one, and expand as differences say") {
+  std::mt19937_64 random(5);
+  std::normal_distribution<double> normal;
+  const std::size_t n = 3, m = 4, size = 8;
+  auto* memory = std::pmr::get_default_resource();
+  for (const bool two_families : {false, true}) {
+    Interpolation set(n, memory);
+    Models models(n, m, true, {}, two_families, memory);
+    set.allocate(size, true);
+    models.allocate(size, true);
+    const auto outputs_at = [&](const double* x) {
+      return std::vector<double>{std::sin(x[0] + x[1]), x[1] * x[2] - 1, std::exp(0.2 * x[2]), x[0] * x[0] + x[2]};
+    };
+    std::vector<double> x(n), d(n), gradient(n), hessian(n * n), other(n), above(n), below(n), ignored(n * n);
+    set.resize(size);
+    for (std::size_t j = 0; j < size; ++j) {
+      for (double& value : x)
+        value = normal(random);
+      set.place(j, x.data());
+      models.store(j, outputs_at(x.data()).data());
+    }
+    set.set_best(0);
+    REQUIRE(set.rebuild());
+    models.meet(set);
+    for (int update = 0; update < 60; ++update) {
+      for (double& value : d)
+        value = normal(random);
+      const std::size_t best = set.best();
+      for (std::size_t i = 0; i < n; ++i)
+        x[i] = set.point(best)[i] + d[i];
+      REQUIRE(set.prepare(d.data()));
+      // Every third time the best point itself is replaced.
+      std::size_t j = best;
+      for (std::size_t k = 0; update % 3 != 0 && k < size; ++k) {
+        if (k != best && (j == best || std::abs(set.denominator(k)) > std::abs(set.denominator(j)))) j = k;
+      }
+      const std::vector<double> outputs = outputs_at(x.data());
+      models.leave(set, j);
+      models.expect(d.data(), outputs.data(), best);
+      if (!set.replace(j)) continue;
+      models.store(j, outputs.data());
+      if (j == best) models.shift(d.data());
+      models.learn(set, j);
+      if (j != best && update % 2 == 0) {
+        set.set_best(j);
+        models.shift(d.data());
+      }
+      const double at_best = models.objective(models.row(set.best()));
+      for (std::size_t k = 0; k < size; ++k) {
+        for (std::size_t i = 0; i < n; ++i)
+          other[i] = set.point(k)[i] - set.point(set.best())[i];
+        const double difference = models.objective(models.row(k)) - at_best;
+        // Updates of both families round; their values are some units large.
+        CHECK(models.change(other.data(), set.best()) == doctest::Approx(difference).epsilon(1e-6).scale(10));
+      }
+      models.expand(d.data(), set.best(), gradient.data(), hessian.data());
+      const double value = models.change(d.data(), set.best()), step = 1e-4;
+      CHECK(std::isfinite(value));
+      for (std::size_t i = 0; i < n; ++i) {
+        d[i] += step;
+        const double up = models.change(d.data(), set.best());
+        models.expand(d.data(), set.best(), above.data(), ignored.data());
+        d[i] -= 2 * step;
+        const double down = models.change(d.data(), set.best());
+        models.expand(d.data(), set.best(), below.data(), ignored.data());
+        d[i] += step;
+        const double size_of = 1 + std::abs(gradient[i]) + std::abs(hessian[i * n + i]);
+        // Differences have an error of the square of the step in parts of derivatives that may be larger.
+        CHECK(std::abs((up - down) / (2 * step) - gradient[i]) < 1e-5 * size_of);
+        for (std::size_t k = 0; k < n; ++k)
+          CHECK(std::abs((above[k] - below[k]) / (2 * step) - hessian[i * n + k]) < 1e-4 * size_of);
+      }
+    }
+  }
+}
+
 TEST_CASE("Eigenvectors are orthonormal and solve A v = lambda v, with eigenvalues that repeat or vanish as well") {
   std::mt19937_64 random(4);
   std::normal_distribution<double> normal;
