@@ -1,11 +1,14 @@
 """The peers of PyPI on the 53 cases: DFO-LS and POUNDERS (ibcdfo) with the residuals; Powell's UOBYQA, NEWUOA and BOBYQA
-(pdfo) and SciPy's Nelder-Mead without. Needs numpy (below 2 for pdfo) and any of those (POUNDERS also minq5 of POptUS/MINQ on the path);
-says which are missing.
+(pdfo), Py-BOBYQA and SciPy's COBYQA and Nelder-Mead without. Needs numpy (below 2 for pdfo) and any of those (POUNDERS also minq5 of
+POptUS/MINQ on the path); says which are missing.
 
-Usage: compare.py PATH/TO/libtrust-region-problems.so BENCH [plain|bounded|TRANSFORMS] [--reference]
+Usage: compare.py PATH/TO/libtrust-region-problems.so BENCH [plain|bounded|radius|magnitudes|largest|TRANSFORMS] [--reference]
+                  [--budget KAPPA] [--only NAME,...]
 
-BENCH is the program bench-trust-region: what f the solvers must reach is its frozen table (`BENCH --lowest`). TRANSFORMS, such as
-1-10, gives means over rotated and permuted variables. --reference prints the lowest f of each case instead, to freeze."""
+BENCH is the program bench-trust-region: what f the solvers must reach is its frozen table (`BENCH --lowest`). `radius` has start radius 1,
+`magnitudes` and `largest` sum and maximum of |residuals|. TRANSFORMS, such as 1-10, gives means over rotated and permuted variables.
+--reference prints the lowest f of each case instead, to freeze. --budget: evaluations / (n + 1), 500 without. --only: solvers whose
+names contain one of the words."""
 import contextlib
 import ctypes
 import io
@@ -22,7 +25,8 @@ sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."
 from programs import load_problems, pointer  # noqa: E402
 
 KAPPAS = (10, 25, 50, 100, 200, 500)
-TAUS = (1e-3, 1e-5, 1e-7)
+TAUS = (1e-1, 1e-3, 1e-5, 1e-7)
+MODES = {"plain": 0, "bounded": -1, "radius": -2, "magnitudes": -3, "largest": -4}
 
 
 class Budget(Exception):
@@ -31,6 +35,7 @@ class Budget(Exception):
 
 class Case:
     """One case with a record of the values of f, which stops the solver at the budget."""
+    kappa = 500
 
     def __init__(self, library, index, transform):
         self.library = library
@@ -40,7 +45,8 @@ class Case:
         self.radius = library.bench_radius(self.handle)
         self.start, self.lower, self.upper = (numpy.empty(self.n) for _ in range(3))
         library.bench_data(self.handle, pointer(self.start), pointer(self.lower), pointer(self.upper))
-        self.budget = 500 * (self.n + 1)
+        self.norm = {-3: lambda r: numpy.abs(r).sum(), -4: lambda r: numpy.abs(r).max()}.get(transform, lambda r: r @ r)
+        self.budget = Case.kappa * (self.n + 1)
         self.values = []
         self.breaches = 0
 
@@ -55,14 +61,14 @@ class Case:
         self.library.bench_evaluate(self.handle, pointer(x), pointer(answer))
         self.breaches += bool((x < self.lower).any() or (x > self.upper).any())
         with numpy.errstate(all="ignore"):
-            value = float(answer @ answer)
+            value = float(self.norm(answer))
         self.values.append(value if math.isfinite(value) and not self.breaches else math.inf)
         return answer
 
     def value(self, x):
         residuals = self.residuals(x)
         with numpy.errstate(all="ignore"):
-            return float(min(residuals @ residuals, 1e300))
+            return float(min(self.norm(residuals), 1e300))
 
     def close(self):
         self.library.bench_free(self.handle)
@@ -100,9 +106,24 @@ def run_nelder_mead(case):
                             options=dict(maxfev=case.budget, maxiter=10 ** 9, xatol=1e-10, fatol=1e-15))
 
 
+def run_pybobyqa(case):
+    import pybobyqa
+    logging.disable(logging.CRITICAL)
+    bounds = (case.lower, case.upper) if case.bounded() else None
+    pybobyqa.solve(case.value, case.start, bounds=bounds, rhobeg=case.radius, rhoend=1e-8, maxfun=case.budget, do_logging=False,
+                   print_progress=False)
+
+
+def run_cobyqa(case):
+    import scipy.optimize
+    bounds = list(zip(case.lower, case.upper)) if case.bounded() else None
+    scipy.optimize.minimize(case.value, case.start, method="COBYQA", bounds=bounds,
+                            options=dict(maxfev=case.budget, initial_tr_radius=case.radius, final_tr_radius=1e-8))
+
+
 SOLVERS = [("DFO-LS", run_dfols, True), ("POUNDERS", run_pounders, True), ("UOBYQA (PDFO)", run_powell("uobyqa"), False),
            ("NEWUOA (PDFO)", run_powell("newuoa"), False), ("BOBYQA (PDFO)", run_powell("bobyqa"), True),
-           ("Nelder-Mead (SciPy)", run_nelder_mead, True)]
+           ("Py-BOBYQA", run_pybobyqa, True), ("COBYQA (SciPy)", run_cobyqa, True), ("Nelder-Mead (SciPy)", run_nelder_mead, True)]
 
 
 def record(library, run, index, transform):
@@ -126,8 +147,10 @@ def record(library, run, index, transform):
 def main(arguments):
     library = load_problems(arguments[0], make=(ctypes.c_int,), sizes=("size", "residuals"), numbers=("radius",), arrays={"data": 3})
     mode = arguments[2] if len(arguments) > 2 else "plain"
-    if mode in ("plain", "bounded"):
-        transforms = [-1 if mode == "bounded" else 0]
+    Case.kappa = int(arguments[arguments.index("--budget") + 1]) if "--budget" in arguments else 500
+    only = arguments[arguments.index("--only") + 1].split(",") if "--only" in arguments else [""]
+    if mode in MODES:
+        transforms = [MODES[mode]]
     else:
         first, last = mode.split("-")
         transforms = list(range(int(first), int(last) + 1))
@@ -135,11 +158,13 @@ def main(arguments):
     count = library.bench_count()
     lowest = [math.inf] * count
     if not reference:
-        flag = "--lowest-bounded" if mode == "bounded" else "--lowest"
+        flag = f"--lowest-{mode}" if mode in ("bounded", "magnitudes", "largest") else "--lowest"
         text = subprocess.run([arguments[1], flag], capture_output=True, text=True, check=True).stdout
         lowest = [float(line) for line in text.split()]
     for name, run, bounds in SOLVERS:
-        if mode == "bounded" and not bounds:
+        if mode == "bounded" and not bounds or mode in ("magnitudes", "largest") and run in (run_dfols, run_pounders):
+            continue
+        if not any(word in name for word in only):
             continue
         solved = {(tau, kappa): 0 for tau in TAUS for kappa in KAPPAS}
         breached = 0

@@ -3,9 +3,10 @@
 // sums; noise; many unknowns; and microseconds an evaluation outside of f. Everything runs in this process through the
 // C interface, NLopt's BOBYQA beside it; compare.py adds the peers of PyPI on the same cases.
 //
-// Usage: bench-trust-region [--lowest | --lowest-bounded | --find-lowest-suite | plain | transformed | bounded | signed
-// | noise | suite | suite-noise | large | cost]...
-// With ORBICUBE_BENCH_UNSOLVED in the environment, lists the cases that are not solved to the second tolerance.
+// Usage: bench-trust-region [--lowest | --lowest-bounded | --find-lowest-suite | plain | radius | transformed | bounded
+// | signed | nonsmooth | noise | suite | suite-noise | large | cost]... With ORBICUBE_BENCH_UNSOLVED in the
+// environment, lists the cases that are not solved to the second tolerance; with ORBICUBE_BENCH_ONLY, the tables have
+// the solver of that name only.
 #include <orbicube/trust_region.h>
 
 #include <algorithm>
@@ -156,6 +157,8 @@ void table(const char* title, const std::vector<Kind>& kinds, const std::vector<
   std::printf("|---|---|---|---|---|---|---|---|---|\n");
   for (const Kind kind : kinds) {
     if ((kind == Kind::nlopt || kind == Kind::nlopt_newuoa) && !has_nlopt()) continue;
+    if (const char* only = std::getenv("ORBICUBE_BENCH_ONLY"); only != nullptr && std::strcmp(only, name_of(kind)) != 0)
+      continue;
     std::vector<std::array<double, kappas.size()>> counts(taus.size());
     std::size_t breaches = 0;
     for (const std::vector<Problem>& set : sets) {
@@ -202,6 +205,15 @@ void plain() {
   table("53 cases, standard starts", every_kind, {1e-3, 1e-5, 1e-7}, {every_case(0)}, lowest_values.data());
 }
 
+void radius() {
+  std::vector<Problem> set = every_case(0);
+  for (Problem& p : set)
+    p.radius_part = 1;
+  table("53 cases, standard starts, start radius 1",
+        {Kind::residuals, Kind::growing, Kind::fixed_points, Kind::nlopt, Kind::nlopt_newuoa}, {1e-1, 1e-3, 1e-5, 1e-7},
+        {set}, lowest_values.data());
+}
+
 void transformed() {
   std::vector<std::vector<Problem>> sets;
   for (int transform = 1; transform <= 10; ++transform)
@@ -212,12 +224,12 @@ void transformed() {
 }
 
 // The lowest f that any solver of this program reaches on each problem.
-std::vector<double> lowest_here(const std::vector<Problem>& set) {
+std::vector<double> lowest_here(const std::vector<Problem>& set, const std::vector<Kind>& kinds = every_kind) {
   std::vector<double> lowest;
   for (const Problem& p : set) {
     double least = infinity;
-    for (const Kind kind : every_kind) {
-      if (kind == Kind::nlopt && !has_nlopt()) continue;
+    for (const Kind kind : kinds) {
+      if ((kind == Kind::nlopt || kind == Kind::nlopt_newuoa) && !has_nlopt()) continue;
       if (!p.squares && (kind == Kind::residuals || kind == Kind::dissertation)) continue;
       for (const double value : run(p, kind, 500 * (p.n + 1)).values)
         least = std::min(least, value);
@@ -237,6 +249,23 @@ void signed_sums() {
     set.push_back(make_signed(i));
   table("signed sums of squares in a box, n = 2 to 13 (12 cases; fL of these runs)", every_kind, {1e-5, 1e-7}, {set},
         lowest_here(set).data());
+}
+
+void nonsmooth() {
+  const std::vector<Kind> kinds = {Kind::growing, Kind::fixed_points, Kind::nlopt, Kind::nlopt_newuoa};
+  for (const Norm norm : {Norm::magnitudes, Norm::largest}) {
+    std::vector<Problem> set = every_case(0);
+    for (Problem& p : set)
+      p.norm = norm;
+    std::vector<double> lowest = lowest_here(set, kinds);
+    // Where the residuals vanish, f does.
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      if (lowest_values[i] < 1e-20) lowest[i] = 0;
+    }
+    table(norm == Norm::magnitudes ? "53 cases, sum of |residuals| (fL of these runs)"
+                                   : "53 cases, largest |residual| (fL of these runs)",
+          kinds, {1e-1, 1e-3, 1e-5, 1e-7}, {set}, lowest.data());
+  }
 }
 
 void noise() {
@@ -375,9 +404,11 @@ int main(int count, char** arguments) {
   }
   std::printf("Peer in this process: NLopt %s.\n", has_nlopt() ? "yes" : "not found");
   if (wants("plain")) plain();
+  if (wants("radius")) radius();
   if (wants("transformed")) transformed();
   if (wants("bounded")) bounded();
   if (wants("signed")) signed_sums();
+  if (wants("nonsmooth")) nonsmooth();
   if (wants("noise")) noise();
   if (wants("suite")) suite();
   if (wants("suite-noise")) suite_noise();

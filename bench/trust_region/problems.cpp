@@ -119,6 +119,11 @@ void Problem::residuals(const double* x, double* r) const {
 double Problem::objective(const std::vector<double>& r) const {
   if (!squares) return r[0];
   double sum = 0;
+  for (std::size_t i = 0; norm != Norm::squares && i < m; ++i) {
+    if (!(std::abs(r[i]) >= 0)) return r[i];
+    sum = norm == Norm::magnitudes ? sum + std::abs(r[i]) : std::max(sum, std::abs(r[i]));
+  }
+  if (norm != Norm::squares) return sum;
   for (std::size_t i = 0; i < m; ++i)
     sum += (sign.empty() ? 1.0 : sign[i]) * r[i] * r[i];
   return sum;

@@ -10,6 +10,8 @@
 
 namespace orbicube::bench {
 
+enum class Norm { squares, magnitudes, largest };  // f of the residuals: sum r^2, sum |r| or max |r|
+
 struct Problem {
   std::string name;
   int family = 0;
@@ -21,6 +23,7 @@ struct Problem {
   std::vector<double> sign;  // m, or empty: all +1
   double radius_part = 0.1;
   bool squares = true;                // false: f is the one residual itself
+  Norm norm = Norm::squares;          // of the residuals
   static constexpr int suite = 1000;  // family of the first row of suite.h
 
   bool bounded() const;

@@ -1,4 +1,6 @@
 // The cases behind plain C functions, for compare.py. A handle is made once a case and freed by the caller.
+#include <utility>
+
 #include "../problem_functions.h"
 #include "problems.h"
 
@@ -8,10 +10,13 @@ extern "C" {
 std::size_t bench_count() {
   return orbicube::bench::case_count;
 }
-// transform: as in make_case; -1: with bounds.
+// transform: as in make_case; -1: with bounds; -2: with start radius 1; others, of which the caller makes other sums of
+// the residuals: as they are.
 Problem* bench_make(std::size_t index, int transform) {
-  return new Problem(transform < 0 ? orbicube::bench::make_bounded_case(index)
-                                   : orbicube::bench::make_case(index, transform));
+  Problem problem = transform == -1 ? orbicube::bench::make_bounded_case(index)
+                                    : orbicube::bench::make_case(index, transform < 0 ? 0 : transform);
+  if (transform == -2) problem.radius_part = 1;
+  return new Problem(std::move(problem));
 }
 void bench_free(Problem* problem) {
   delete problem;

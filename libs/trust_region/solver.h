@@ -139,6 +139,7 @@ class Solver {
   Request next_of_start();
   Request take_start();
   double axis_step(const double* center, std::size_t axis, double length) const;
+  bool goes_on_after(Stop stop);
   Request restart_or_finish(Stop stop);
 
   // iteration.cpp, step.cpp

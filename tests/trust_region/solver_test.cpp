@@ -207,6 +207,54 @@ TEST_CASE("Told of noise, a run ends below its level in less than half of the ev
   CHECK(2 * told < untold);
 }
 
+TEST_CASE("Where noise or a corner of f ends a run it begins again while that helps, and gets lower") {
+  const auto largest = [](Case c) {
+    c.residuals = 0;
+    c.function = [inner = c.function](std::span<const double> x) {
+      double most = 0;
+      for (const double r : inner(x))
+        most = std::max(most, std::abs(r));
+      return std::vector<double>{most};
+    };
+    return c;
+  };
+  for (const bool noisy : {true, false}) {
+    std::size_t runs = 0, lower = 0;
+    for (const unsigned seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+      for (const Case& inner : {rosenbrock(), wood(), beale()}) {
+        Case c = noisy ? as_scalar(inner) : largest(inner);
+        c.start[0] += 0.1 * seed;
+        const Function exact = c.function;
+        std::mt19937_64 random(seed);
+        std::uniform_real_distribution<double> uniform(-1, 1);
+        Options options;
+        if (noisy) {
+          options.noise_relative = 1e-2;
+          c.function = [&](std::span<const double> x) {
+            return std::vector<double>{exact(x)[0] * (1 + 1e-2 * uniform(random))};
+          };
+        }
+        const base::Host host;
+        Solver solver(c.problem(), options, c.start, host);
+        double first = infinity;  // f where the run would have ended
+        while (solver.step() != Request::done) {
+          if (solver.result().restarts > 0 && first == infinity) first = solver.result().value;
+          if (solver.pending_count() > 0) solver.tell(c.function(solver.pending().first(solver.size())));
+        }
+        const Result end = solver.result();
+        if (end.restarts == 0) continue;
+        CHECK((end.stop == Stop::noise_limit || end.stop == Stop::resolution_limit || end.stop == Stop::converged));
+        CHECK(end.value <= first);
+        ++runs;
+        lower += end.value < 0.9 * first ? 1 : 0;
+      }
+    }
+    // Some starts are near the minimum, or another local one, at their first end.
+    CHECK(runs >= 5);
+    CHECK(lower >= 2);
+  }
+}
+
 TEST_CASE("Restarts go on from the best point and are counted") {
   Options options;
   options.restarts = 2;

@@ -375,8 +375,9 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
         Option("noise_relative", "float", 0.0,
                doc="see noise_absolute. Default: 0."),
         Option("restarts", "int", 0, low=0, high=18446744073709551615,
-               doc="Number of restarts around the best point with another radius. At the boundary of the domain of f a run "
-                   "also restarts as long as that lowers f by a thousandth. Default: 0."),
+               doc="Number of restarts around the best point with another radius. At the boundary of the domain of f, and "
+                   "where noise or the resolution limit ends it, a run also restarts as long as that lowers f by a "
+                   "thousandth and by the noise. Default: 0."),
         Option("max_evaluations", "int", 0, low=0, high=18446744073709551615,
                doc="maximum number of evaluations; 0: 500 (n + 1). Default: 0."),
     ),

@@ -148,8 +148,8 @@ typedef struct obc_trust_region_options {
   double noise_absolute; /* the error of f is up to max(noise_absolute, noise_relative |f|). Default: 0. */
   double noise_relative; /* see noise_absolute. Default: 0. */
 
-  /* Number of restarts around the best point with another radius. At the boundary of the domain of f a run also restarts as long as
-   * that lowers f by a thousandth. Default: 0. */
+  /* Number of restarts around the best point with another radius. At the boundary of the domain of f, and where noise or the
+   * resolution limit ends it, a run also restarts as long as that lowers f by a thousandth and by the noise. Default: 0. */
   uint64_t restarts;
 
   uint64_t max_evaluations; /* maximum number of evaluations; 0: 500 (n + 1). Default: 0. */

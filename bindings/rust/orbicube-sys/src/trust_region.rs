@@ -108,8 +108,8 @@ pub struct obc_trust_region_options {
     pub noise_absolute: f64,
     /// see noise\_absolute. Default: 0.
     pub noise_relative: f64,
-    /// Number of restarts around the best point with another radius. At the boundary of the domain of f a run also restarts as long as
-    /// that lowers f by a thousandth. Default: 0.
+    /// Number of restarts around the best point with another radius. At the boundary of the domain of f, and where noise or the
+    /// resolution limit ends it, a run also restarts as long as that lowers f by a thousandth and by the noise. Default: 0.
     pub restarts: u64,
     /// maximum number of evaluations; 0: 500 (n + 1). Default: 0.
     pub max_evaluations: u64,
