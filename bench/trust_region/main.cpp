@@ -3,10 +3,11 @@
 // sums; noise; many unknowns; and microseconds an evaluation outside of f. Everything runs in this process through the
 // C interface, NLopt's BOBYQA beside it; compare.py adds the peers of PyPI on the same cases.
 //
-// Usage: bench-trust-region [--lowest | --lowest-bounded | --find-lowest-suite | plain | radius | transformed | bounded
-// | signed | nonsmooth | noise | suite | suite-noise | large | cost]... With ORBICUBE_BENCH_UNSOLVED in the
-// environment, lists the cases that are not solved to the second tolerance; with ORBICUBE_BENCH_ONLY, the tables have
-// the solver of that name only.
+// Usage: bench-trust-region [--lowest | --lowest-bounded | --lowest-magnitudes | --lowest-largest |
+// --find-lowest-suite | plain | radius | transformed | bounded | signed | nonsmooth | noise | suite | suite-noise |
+// large | cost]...
+// With ORBICUBE_BENCH_UNSOLVED in the environment, lists the cases that are not solved to the second tolerance; with
+// ORBICUBE_BENCH_ONLY, the tables have the solver of that name only.
 #include <orbicube/trust_region.h>
 
 #include <algorithm>
@@ -251,20 +252,29 @@ void signed_sums() {
         lowest_here(set).data());
 }
 
+const std::vector<Kind> scalar_kinds = {Kind::growing, Kind::fixed_points, Kind::nlopt, Kind::nlopt_newuoa};
+
+std::vector<Problem> cases_of_norm(Norm norm) {
+  std::vector<Problem> set = every_case(0);
+  for (Problem& p : set)
+    p.norm = norm;
+  return set;
+}
+
+// The lowest f that any solver of this program reaches; 0 where the residuals vanish.
+std::vector<double> lowest_of_norm(Norm norm) {
+  std::vector<double> lowest = lowest_here(cases_of_norm(norm), scalar_kinds);
+  for (std::size_t i = 0; i < lowest.size(); ++i) {
+    if (lowest_values[i] < 1e-20) lowest[i] = 0;
+  }
+  return lowest;
+}
+
 void nonsmooth() {
-  const std::vector<Kind> kinds = {Kind::growing, Kind::fixed_points, Kind::nlopt, Kind::nlopt_newuoa};
   for (const Norm norm : {Norm::magnitudes, Norm::largest}) {
-    std::vector<Problem> set = every_case(0);
-    for (Problem& p : set)
-      p.norm = norm;
-    std::vector<double> lowest = lowest_here(set, kinds);
-    // Where the residuals vanish, f does.
-    for (std::size_t i = 0; i < set.size(); ++i) {
-      if (lowest_values[i] < 1e-20) lowest[i] = 0;
-    }
     table(norm == Norm::magnitudes ? "53 cases, sum of |residuals| (fL of these runs)"
                                    : "53 cases, largest |residual| (fL of these runs)",
-          kinds, {1e-1, 1e-3, 1e-5, 1e-7}, {set}, lowest.data());
+          scalar_kinds, {1e-1, 1e-3, 1e-5, 1e-7}, {cases_of_norm(norm)}, lowest_of_norm(norm).data());
   }
 }
 
@@ -393,6 +403,14 @@ int main(int count, char** arguments) {
     const std::vector<double> lowest = lowest_here(set);
     for (std::size_t i = 0; i < lowest.size(); i += 2)
       std::printf("%.17g,  // %s\n", std::min(lowest[i], lowest[i + 1]), set[i].name.c_str());
+    return 0;
+  }
+  for (const Norm norm : {Norm::magnitudes, Norm::largest}) {
+    if (count != 2 ||
+        std::strcmp(arguments[1], norm == Norm::magnitudes ? "--lowest-magnitudes" : "--lowest-largest") != 0)
+      continue;
+    for (const double value : lowest_of_norm(norm))
+      std::printf("%.17g\n", value);
     return 0;
   }
   for (const bool boxed : {false, true}) {
