@@ -184,11 +184,13 @@ Hexahedra hexahedra_along_frames(const Work& work, double feature_angle, std::si
   return made;
 }
 
-bool looks_machined(const Work& work) {
+// judge(positions, triangles, host) of the surface; false where there is none.
+template <class Judge>
+bool surface_is(const Judge& judge, const Work& work) {
   try {
-    if (work.input.tetrahedra.empty()) return is_machined(work.input.positions, work.input.triangles, work.host);
+    if (work.input.tetrahedra.empty()) return judge(work.input.positions, work.input.triangles, work.host);
     const volume_map::BoundaryFirst first = volume_map::boundary_first(work.input, work.host);
-    return is_machined(first.positions, first.surface, work.host);
+    return judge(first.positions, first.surface, work.host);
   } catch (const base::Error& error) {
     if (error.status() == base::Status::cancelled) throw;
     return false;  // no surface of a solid; what is wrong is said by who wants one
@@ -199,7 +201,11 @@ bool looks_machined(const Work& work) {
 Features features_of_machined(const Work& work) {
   const Options& o = work.options;
   const bool tagged = !o.tagged_edges.empty() || !o.tagged_vertices.empty();
-  return may_have_features(o) && (tagged || looks_machined(work)) ? Features::automatic : Features::off;
+  const auto has_edges = [&](std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
+                             const base::Host& host) {
+    return is_machined(positions, triangles, host) || has_sharp_lines(positions, triangles, feature_angle_of(o), host);
+  };
+  return may_have_features(o) && (tagged || surface_is(has_edges, work)) ? Features::automatic : Features::off;
 }
 
 bool must_end(const base::Error& error) {
@@ -245,7 +251,7 @@ Hexahedra best_of_cells(const Work& work, bool machined, std::optional<Hexahedra
 }
 
 Hexahedra best_hexahedra(const Work& work) {
-  const bool machined = frames_may(work) && looks_machined(work);
+  const bool machined = frames_may(work) && surface_is(is_machined, work);
   std::optional<Hexahedra> made;
   if (machined) made = tried_along_frames(work);
   if (made && made->result.quality.min_scaled_jacobian > poor && excess(made->result, work.options.distance) <= 1)
@@ -293,7 +299,7 @@ class WithFeatures {
   // On frames, or on a polycube where all is at right angles, there may be a better mesh than that with the graph
   // embedded, which has a layer around. Elsewhere those only take long.
   void embed_or_strategy() {
-    const bool machined = !by_grid_ && frames_may(work_) && looks_machined(work_);
+    const bool machined = !by_grid_ && frames_may(work_) && surface_is(is_machined, work_);
     if (machined) {
       const base::Stage stage(work_.host, 0.3);
       if (auto now = tried_along_frames(work_)) take(std::move(*now), false);

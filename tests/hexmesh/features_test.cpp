@@ -4,13 +4,16 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "base/error.h"
+#include "base/random.h"
 #include "hexmesh/captured/captured_features.h"
 #include "hexmesh/captured/feature_bound.h"
 #include "hexmesh/captured/feature_choice.h"
 #include "hexmesh/grid/hex_grid.h"
 #include "hexmesh/hexmesh.h"
+#include "hexmesh/strategies/machined_shape.h"
 #include "mesh/shapes/make_shape.h"
 
 using namespace orbicube;
@@ -272,4 +275,34 @@ TEST_CASE("Machined parts keep their edges by default, other shapes and other st
   const Hexahedra on_polycube = make_hexahedra(cube_surface(), options, findings, host);
   CHECK_FALSE(on_polycube.features);
   CHECK(on_polycube.feature_angle == 40);
+}
+
+TEST_CASE("Sharp edges that are lines are distinguished from those of a rough surface") {
+  // The sides of a tall cylinder bend by 30 degrees, and are much longer than its rims.
+  mesh::Mesh column(host.memory);
+  constexpr Index sides = 12;
+  for (const double z : {0.0, 10.0}) {
+    for (Index k = 0; k < sides; ++k)
+      column.positions.emplace_back(std::cos(k * std::numbers::pi / 6), std::sin(k * std::numbers::pi / 6), z);
+  }
+  column.positions.emplace_back(0, 0, 0);
+  column.positions.emplace_back(0, 0, 10);
+  for (Index k = 0; k < sides; ++k) {
+    const Index next = (k + 1) % sides;
+    column.triangles.push_back({k, next, sides + k});
+    column.triangles.push_back({next, sides + next, sides + k});
+    column.triangles.push_back({next, k, 2 * sides});
+    column.triangles.push_back({sides + k, sides + next, 2 * sides + 1});
+  }
+  CHECK_FALSE(is_machined(column.positions, column.triangles, host));
+  CHECK(has_sharp_lines(column.positions, column.triangles, 35, host));
+  std::mt19937_64 random(1);
+  for (const double roughness : {0.03, 0.06, 0.15}) {
+    mesh::Mesh rough = mesh::make_shape("sphere", {.triangles = 3000}, host);
+    for (Vector3& p : rough.positions)
+      p *= 1 + roughness * base::unit_interval(random());
+    CHECK_FALSE(has_sharp_lines(rough.positions, rough.triangles, 35, host));
+  }
+  const mesh::Mesh round = mesh::make_shape("sphere", {.triangles = 3000}, host);
+  CHECK_FALSE(has_sharp_lines(round.positions, round.triangles, 35, host));
 }

@@ -66,9 +66,10 @@ enum {
 /* Sharp edges and corners of the surface that the mesh should have as chains of edges and as vertices. OFF: none in particular. AUTO: edges of
  * at least `feature_angle` and, of tagged edges, those at which the surface turns more than beside them. TAGS: all tagged edges and vertices and
  * no others. ANGLES: those of `feature_angle` alone. MACHINED: with methods AUTO and GRID and padding AUTO, as AUTO for machined parts, whose
- * edges of 40 degrees or more are at least half as long together as those of 10 to 40, and where edges or vertices are tagged; otherwise
- * as OFF. Where the mesh of the method lacks some, a solid of one piece is filled again by cells of a grid that have them
- * embedded, with methods AUTO and GRID and without padding WITHOUT, and the mesh that keeps more is returned. */
+ * edges of 40 degrees or more are at least half as long together as those of 10 to 40 or whose edges of `feature_angle` form lines, few of
+ * which end or branch, and where edges or vertices are tagged; otherwise as OFF. Where the mesh of the method lacks some, a solid of one
+ * piece is filled again by cells of a grid that have them embedded, with methods AUTO and GRID and without padding WITHOUT, and the mesh that
+ * keeps more is returned. */
 enum {
   OBC_HEXMESH_FEATURES_OFF = 0,
   OBC_HEXMESH_FEATURES_AUTO = 1,

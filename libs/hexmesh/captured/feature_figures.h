@@ -10,8 +10,8 @@ namespace orbicube::hexmesh {
 
 // Which edges of the surface are features, that chains of edges of the mesh should follow: none; those of the feature
 // angle and, of tagged ones, those at which the surface turns more than beside them; all tagged ones and no others;
-// those of the feature angle alone; as automatic for machined parts (machined_shape.h) and where edges are tagged, else
-// none.
+// those of the feature angle alone; as automatic for machined parts or sharp lines (machined_shape.h) and where edges
+// are tagged, else none.
 enum class Features : std::int32_t { off = 0, automatic = 1, tags = 2, angles = 3, machined = 4 };
 
 // A curve or a corner of the surface that the mesh does not have.
