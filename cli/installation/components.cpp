@@ -70,9 +70,8 @@ std::vector<Component> components() {
               "there is no verb tetrahedralize; volume, parameterize and hex --method frames take tetrahedral meshes, "
               "but no surfaces",
               "libtet1.5-dev (AGPL), and build again with -Dtetgen=enabled"),
-      library("zlib", version_of_zlib(), "compressed files: .nii.gz, gzip in .nrrd and .mha, .vtu, .vtp, .gii",
-              "compressed images and compressed VTK XML and GIFTI files are refused",
-              "zlib1g-dev, and build again with -Dzlib=enabled"),
+      library("zlib", version_of_zlib(), "compressed images, VTK XML and GIFTI files",
+              "those that are compressed are refused", "zlib1g-dev, and build again with -Dzlib=enabled"),
       library("stb_image", "", "geometry images and textures", "", ""),
       library("tinygltf", "", "glTF and GLB files", "", ""),
       library("nlohmann-json", json_version(), "reports", "", ""),

@@ -1,6 +1,7 @@
 #include "sphere_map/correspondence/alignment.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/SVD>
 #include <string>
 
 #include "base/counted.h"
@@ -15,13 +16,15 @@ Matrix3 best_rotation(std::span<const Vector3> from, std::span<const Vector3> to
     throw base::Error("invalid-argument", base::counted(from.size(), "direction is", "directions are") +
                                               " to be turned onto " + std::to_string(to.size()));
   }
-  // A touch of the identity decides what the pairs do not.
-  Matrix3 sum = 1e-9 * Matrix3::Identity();
+  Matrix3 sum = Matrix3::Zero();
   for (std::size_t i = 0; i < from.size(); ++i) {
     require_direction(from[i], "direction", i);
     require_direction(to[i], "goal of direction", i);
     sum += to[i].stableNormalized() * from[i].stableNormalized().transpose() / static_cast<double>(from.size());
   }
+  // A touch of the identity decides what pairs along one line do not.
+  constexpr double along_a_line = 1e-6, touch = 1e-9;
+  if (Eigen::JacobiSVD<Matrix3>(sum).singularValues()[1] < along_a_line) sum += touch * Matrix3::Identity();
   return mesh::nearest_rotation(sum);
 }
 
