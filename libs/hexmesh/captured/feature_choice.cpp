@@ -111,6 +111,12 @@ FeatureHexes FeatureKeeper::hexahedra_of(const FeatureSurface& surface, bool onc
                                            .rounds = choice_.rounds,
                                            .bound = scaled_jacobian_bound(surface, host_),
                                            .once = once,
+                                           .measure =
+                                               [&](const HexMesh& mesh) {
+                                                 FeatureFigures figures;
+                                                 measure_captured(mesh, surface, figures, host_);
+                                                 return figures;
+                                               },
                                            .max_fitted = std::max(most_fitted * choice_.cells, fitted_) - fitted_},
                                           host_);
     fitted_ += made.fitted;

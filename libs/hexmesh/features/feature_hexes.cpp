@@ -22,6 +22,8 @@ namespace {
 constexpr int max_fits = 3;
 constexpr double more_cells = 1.6, most_cells = 8;  // of the option
 constexpr double finer = 1.5;                       // where a fit failed
+constexpr double finer_at_missing = 1.25;           // at arcs that a mesh lacks
+constexpr double all_captured = 0.99;               // of the length
 
 Index nearest_arc(const FeatureShape& shape, const Vector3& place) {
   double least = std::numeric_limits<double>::infinity();
@@ -83,6 +85,25 @@ std::string text_of(const FeatureObstacle& met, const mesh::FeatureGraph& graph,
   return met.why;
 }
 
+// Of two meshes near the surface that with more of the length, else the better one.
+bool preferred(const HexResult& x, double captured_x, const HexResult& y, double captured_y, double distance) {
+  constexpr double same = 0.005;
+  const bool near = excess(x, distance) <= 1 && excess(y, distance) <= 1;
+  if (near && std::min(captured_x, captured_y) < all_captured && std::abs(captured_x - captured_y) > same)
+    return captured_x > captured_y;
+  return better(x, y, distance);
+}
+
+void refine_at_missing(const FeatureFigures& figures, GradedSearch& search) {
+  bool none = true;
+  for (const MissingFeature& missing : figures.missing) {
+    if (missing.corner) continue;
+    search.refine_at({no_index, missing.number, ""}, finer_at_missing);
+    none = false;
+  }
+  if (none) search.refine_everywhere(finer_at_missing);
+}
+
 }  // namespace
 
 FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<const mesh::Triangle> triangles,
@@ -91,6 +112,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
   FeatureHexes made(host.memory);
   const auto given = static_cast<double>(options.cells);
   const double most = std::max(given, std::min(most_cells * given, static_cast<double>(options.max_cells)));
+  double captured = 0;  // of made.result
   GradedSearch search(positions, triangles, graph, given, most, host);
   const auto missed = [&](const FeatureObstacle& obstacle) {
     made.obstacle = text_of(obstacle, graph, positions);
@@ -109,8 +131,7 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
     GradedCells& cells = *found->cells;
     const std::size_t size = cells.mesh().hexahedra.size();
     if (size > options.max_fitted - made.fitted) {
-      if (!made.found && made.obstacle.empty())
-        missed({no_index, no_index, std::to_string(size) + " hexahedra would take too long after those tried before"});
+      if (made.obstacle.empty()) missed({no_index, no_index, std::to_string(size) + " more hexahedra take too long"});
       break;
     }
     made.fitted += size;
@@ -132,11 +153,15 @@ FeatureHexes feature_hexahedra(std::span<const Vector3> positions, std::span<con
           meets ? nearest_arc(cells.shape(), cells.unit() * result.quality.first_intersection) : arc_at_worst(cells));
       continue;
     }
-    const bool better_one = !made.found || better(result, made.result, options.distance);
-    if (better_one) made.result = std::move(result);
+    const FeatureFigures figures = options.measure ? options.measure(result.mesh) : FeatureFigures();
+    if (!made.found || preferred(result, figures.captured, made.result, captured, options.distance)) {
+      made.result = std::move(result);
+      captured = figures.captured;
+    }
     made.found = true;
-    if (excess(made.result, options.distance) <= 1) break;
-    search.refine_everywhere(more_cells);
+    if (excess(made.result, options.distance) <= 1 && captured >= all_captured) break;
+    excess(made.result, options.distance) > 1 ? search.refine_everywhere(more_cells)
+                                              : refine_at_missing(figures, search);
   }
   if (made.found) made.obstacle.clear();
   return made;

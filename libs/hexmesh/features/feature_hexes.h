@@ -4,20 +4,24 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 
+#include "hexmesh/captured/feature_figures.h"
 #include "hexmesh/strategies/hex_draft.h"
 #include "mesh/features/feature_graph.h"
 
 namespace orbicube::hexmesh {
 
 struct FeatureHexOptions {
-  std::size_t cells = 10000;          // about
-  std::size_t max_cells = 100'000;    // where short arcs and gaps need more
-  double distance = 1;                // as in HexOptions
-  int rounds = 40;                    // of fitting
-  double bound = 1;                   // of scaled Jacobians, by the features (feature_bound.h)
-  bool once = false;                  // one fit, not up to three
+  std::size_t cells = 10000;        // about
+  std::size_t max_cells = 100'000;  // where short arcs and gaps need more
+  double distance = 1;              // as in HexOptions
+  int rounds = 40;                  // of fitting
+  double bound = 1;                 // of scaled Jacobians, by the features (feature_bound.h)
+  bool once = false;                // one fit, not up to three
+  // Of a mesh; while it has less than 99 percent of the length, the missing arcs get smaller cells.
+  std::function<FeatureFigures(const HexMesh&)> measure;
   std::size_t max_fitted = SIZE_MAX;  // hexahedra of all fits, to which the time is proportional
 };
 

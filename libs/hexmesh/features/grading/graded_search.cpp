@@ -18,6 +18,8 @@ constexpr int max_attempts = 40;
 // Cells along bends become wider where there are too many, and after a number of attempts that failed.
 constexpr double at_bends = 1.4, widest = 3;
 constexpr int attempts_at_bends = 8;
+// Cells of the grid in the box of the solid, which are all looked at: thin solids across the axes fill few of them.
+constexpr double most_in_box = 50;  // of the largest number of hexahedra
 
 double size_of(double volume, double hexahedra) {
   return std::cbrt(volume / (grid_part * hexahedra));
@@ -55,6 +57,11 @@ std::optional<EmbeddedCells> GradedSearch::next() {
                         " hexahedra, more than the " + std::to_string(static_cast<std::size_t>(max_cells_)) +
                         " that --cells and --max-cells allow";
       }
+      return {};
+    }
+    const Vector3 in_box = now.grading->cells(whole_.high) - now.grading->cells(whole_.low);
+    if (in_box.prod() > most_in_box * max_cells_) {
+      obstacle_ = {no_index, no_index, "the solid fills too small a part of its box along the axes"};
       return {};
     }
     std::optional<FeatureObstacle> obstacle;
