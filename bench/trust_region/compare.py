@@ -57,13 +57,13 @@ class Case:
         if len(self.values) >= self.budget:
             raise Budget
         x = numpy.ascontiguousarray(x, dtype=float).ravel()
-        answer = numpy.empty(self.m)
-        self.library.bench_evaluate(self.handle, pointer(x), pointer(answer))
+        found = numpy.empty(self.m)
+        self.library.bench_evaluate(self.handle, pointer(x), pointer(found))
         self.breaches += bool((x < self.lower).any() or (x > self.upper).any())
         with numpy.errstate(all="ignore"):
-            value = float(self.norm(answer))
+            value = float(self.norm(found))
         self.values.append(value if math.isfinite(value) and not self.breaches else math.inf)
-        return answer
+        return found
 
     def value(self, x):
         residuals = self.residuals(x)

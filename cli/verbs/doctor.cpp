@@ -105,7 +105,7 @@ void add_doctor(CLI::App& app, CommonOptions& common) {
   const auto options = std::make_shared<DoctorOptions>();
   verb->add_flag("--json", options->json, "print the report, as JSON, in place of the text");
   add_common_options(*verb, common);
-  verb->footer("What is missing is a fact in the report, not an error: the exit code is 0.");
+  verb->footer("Missing components are reported, and are no error: the exit code is 0.");
   verb->callback([options, &app, &common] {
     std::vector<std::string> verbs;
     for (const CLI::App* other : app.get_subcommands([](const CLI::App*) { return true; }))

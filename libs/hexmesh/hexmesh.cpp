@@ -203,7 +203,8 @@ Features features_of_machined(const Work& work) {
   const bool tagged = !o.tagged_edges.empty() || !o.tagged_vertices.empty();
   const auto has_edges = [&](std::span<const mesh::Vector3> positions, std::span<const mesh::Triangle> triangles,
                              const base::Host& host) {
-    return is_machined(positions, triangles, host) || has_sharp_lines(positions, triangles, feature_angle_of(o), host);
+    const double angle = feature_angle_of(o);
+    return angle > 0 && (is_machined(positions, triangles, host) || has_sharp_lines(positions, triangles, angle, host));
   };
   return may_have_features(o) && (tagged || surface_is(has_edges, work)) ? Features::automatic : Features::off;
 }

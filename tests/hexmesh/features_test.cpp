@@ -264,6 +264,9 @@ TEST_CASE("Machined parts keep their edges by default, other shapes and other st
   CHECK(machined.features->replaced);
   CHECK(machined.features->missing.empty());
   CHECK(machined.feature_angle == 35);
+  options.feature_angle = 0;  // none is sharp
+  CHECK_FALSE(make_hexahedra(octahedron(1.2), options, findings, host).features);
+  options.feature_angle.reset();
   const mesh::Mesh round = mesh::make_shape("sphere", {.triangles = 500}, host);
   CHECK_FALSE(make_hexahedra(round, options, findings, host).features);
   // An edge that the input marks is a feature of any shape.

@@ -1,11 +1,14 @@
 // Polycubes made of unit cubes, for tests: the boundary of a set of cells, each square cut into two triangles.
 #pragma once
 
+#include <doctest/doctest.h>
+
 #include <array>
 #include <map>
 #include <vector>
 
 #include "mesh/mesh.h"
+#include "polycube/map/certificate.h"
 #include "polycube/surface/surface.h"
 
 namespace orbicube::test {
@@ -70,6 +73,16 @@ inline std::vector<Cell> box_without(const Cell& size, const std::vector<Cell>& 
     }
   }
   return result;
+}
+
+// The map of a polycube to itself, an isometry.
+inline polycube::SurfaceMap on_itself(const mesh::Mesh& surface, const base::Host& host) {
+  polycube::SurfaceMap map;
+  map.positions = map.polycube = surface.positions;
+  map.triangles = surface.triangles;
+  set_unrefined(map);
+  REQUIRE(certify(map, host).valid());
+  return map;
 }
 
 }  // namespace orbicube::test

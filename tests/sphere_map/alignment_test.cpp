@@ -59,7 +59,7 @@ TEST_CASE("The best rotation is found back, is the best of noisy pairs, and turn
   std::vector<Vector3> to;
   for (const Vector3& d : from)
     to.push_back(3.5 * (truth * d));  // lengths do not matter
-  CHECK((sphere_map::best_rotation(from, to) - truth).norm() < 1e-8);
+  CHECK((sphere_map::best_rotation(from, to) - truth).norm() < 1e-14);
 
   const auto noisy = moved(to, 0.3, 5);
   const Matrix3 best = sphere_map::best_rotation(from, noisy);

@@ -132,11 +132,19 @@ void OrderSeries::write_coefficients(const Work& work, std::size_t channel, std:
 }
 
 // Orders of a group come one after the other.
-void OrderSeries::begin_order(Work& work, std::uint32_t m) const {
+OrderSeries::OnCircles OrderSeries::begin_order(Work& work, std::uint32_t m) const {
   if (m % orders_at_once == 0)
     pairs_.powers(m / 2, orders_at_once / 2 + 1, pairs_.first_pair(m, degree_), work.powers.data(),
                   work.power_rest.data());
   work.recurrence.set_order(m);
+  const std::size_t length = circle_transform_.length();
+  return {length,
+          length / 2,
+          m % orders_at_once / 2,
+          m % 2 == 0 ? 1.0 : -1.0,
+          power(work, m, m / 2),
+          power(work, m, m - m / 2),
+          pairs_.first_pair(m, degree_)};
 }
 
 // radius^half, of an order of the group.
@@ -146,19 +154,16 @@ const double* OrderSeries::power(const Work& work, std::uint32_t m, std::uint32_
 
 // Adds c_m - i s_m of theta from 0 to 2 pi to the lane of an order.
 void OrderSeries::circles_of_order(Work& work, std::uint32_t m) const {
-  const std::size_t length = circle_transform_.length(), half = length / 2;
-  const std::size_t lane = m % orders_at_once / 2;
-  const double parity = m % 2 == 0 ? 1 : -1;
-  begin_order(work, m);
-  const double *start = power(work, m, m / 2), *end = power(work, m, m - m / 2);
-  const std::size_t first = pairs_.first_pair(m, degree_);
+  const OnCircles on = begin_order(work, m);
+  const std::size_t length = on.length, half = on.half, lane = on.lane;
+  const double parity = on.parity;
   const double* from = &work.coefficients[m % orders_at_once * 2 * (degree_ + std::size_t{1})];
   for (std::size_t l = 0; l < work.recurrence.count(); ++l) {
     work.packed[2 * l] = from[2 * l] * work.recurrence.scales()[l];
     work.packed[2 * l + 1] = from[2 * l + 1] * work.recurrence.scales()[l];
   }
   const CircleSums sums = work.circle_sums();
-  pairs_.synthesise(work.recurrence, work.packed.data(), start, first, sums);
+  pairs_.synthesise(work.recurrence, work.packed.data(), on.start, on.first, sums);
   const auto add = [&](std::size_t j, double real, double imaginary) {
     work.one[j].real[lane] += real;
     work.one[j].imaginary[lane] += imaginary;
@@ -166,8 +171,8 @@ void OrderSeries::circles_of_order(Work& work, std::uint32_t m) const {
     work.one[length - j].real[lane] += parity * real;
     work.one[length - j].imaginary[lane] += parity * imaginary;
   };
-  for (std::size_t p = first; p < pairs_.size(); ++p) {
-    const double factor = end[p];
+  for (std::size_t p = on.first; p < pairs_.size(); ++p) {
+    const double factor = on.end[p];
     if (factor == 0) continue;
     const double even_real = sums.even_cosine[p] * factor, even_imaginary = -sums.even_sine[p] * factor;
     const double odd_real = sums.odd_cosine[p] * factor, odd_imaginary = -sums.odd_sine[p] * factor;
@@ -178,12 +183,9 @@ void OrderSeries::circles_of_order(Work& work, std::uint32_t m) const {
 
 // The transpose: writes the coefficients of an order.
 void OrderSeries::order_of_circles(Work& work, std::uint32_t m, const ComplexLanes* circles) const {
-  const std::size_t length = circle_transform_.length(), half = length / 2;
-  const std::size_t lane = m % orders_at_once / 2;
-  const double parity = m % 2 == 0 ? 1 : -1;
-  begin_order(work, m);
-  const double *start = power(work, m, m / 2), *end = power(work, m, m - m / 2);
-  const std::size_t first = pairs_.first_pair(m, degree_);
+  const OnCircles on = begin_order(work, m);
+  const std::size_t length = on.length, half = on.half, lane = on.lane;
+  const double parity = on.parity;
   const CircleSums sums = work.circle_sums();
   std::fill(work.sums.begin(), work.sums.end(), 0.0);
   const auto at = [&](std::size_t j, double factor) {
@@ -192,8 +194,8 @@ void OrderSeries::order_of_circles(Work& work, std::uint32_t m, const ComplexLan
     return std::array<double, 2>{factor * (one.real[lane] + parity * other.real[lane]),
                                  factor * (one.imaginary[lane] + parity * other.imaginary[lane])};
   };
-  for (std::size_t p = first; p < pairs_.size(); ++p) {
-    const double factor = end[p];
+  for (std::size_t p = on.first; p < pairs_.size(); ++p) {
+    const double factor = on.end[p];
     const std::array<double, 2> north = at(p, factor);
     const std::array<double, 2> south = 2 * p != half ? at(half - p, factor) : std::array<double, 2>{};
     sums.even_cosine[p] = north[0] + south[0];
@@ -202,7 +204,7 @@ void OrderSeries::order_of_circles(Work& work, std::uint32_t m, const ComplexLan
     sums.odd_cosine[p] = north[0] - south[0];
     sums.odd_sine[p] = -(north[1] - south[1]);
   }
-  pairs_.analyse(work.recurrence, sums, start, first, work.lanes.data(), work.packed.data());
+  pairs_.analyse(work.recurrence, sums, on.start, on.first, work.lanes.data(), work.packed.data());
   double* to = &work.coefficients[m % orders_at_once * 2 * (degree_ + std::size_t{1})];
   for (std::size_t l = 0; l < work.recurrence.count(); ++l) {
     to[2 * l] = work.packed[2 * l] * work.recurrence.scales()[l];

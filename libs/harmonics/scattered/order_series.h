@@ -57,7 +57,15 @@ class OrderSeries {
   void write_coefficients(const Work& work, std::size_t channel, std::uint32_t first, Coefficients& coefficients) const;
   void circles_of_order(Work& work, std::uint32_t m) const;
   void order_of_circles(Work& work, std::uint32_t m, const ComplexLanes* circles) const;
-  void begin_order(Work& work, std::uint32_t m) const;
+  // An order on circles: its lane, the sign of what it has beyond the pole, and the pairs of circles that it reaches
+  // with the powers of their radii that its recurrence starts with and ends with.
+  struct OnCircles {
+    std::size_t length, half, lane;
+    double parity;
+    const double *start, *end;
+    std::size_t first;
+  };
+  OnCircles begin_order(Work& work, std::uint32_t m) const;
   const double* power(const Work& work, std::uint32_t m, std::uint32_t half) const;
   ComplexLanes* resize(const ComplexLanes* from, std::size_t length, ComplexLanes* to, std::size_t to_length) const;
 
