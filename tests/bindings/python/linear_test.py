@@ -7,6 +7,7 @@ import unittest
 
 import numpy as np
 import orbicube
+from interrupts import interrupted_after
 from orbicube import linear
 
 try:
@@ -282,14 +283,9 @@ class Progress(unittest.TestCase):
     def test_control_c_stops_the_iterations(self):
         # A thousand solutions take far longer than the signal.
         solver = linear.Iterative(self.matrix, method="gauss-seidel", tolerance=1e-15)
-        timer = threading.Timer(0.02, lambda: os.kill(os.getpid(), signal.SIGINT))
-        timer.start()
-        try:
-            with self.assertRaises(KeyboardInterrupt):
-                for _ in range(1000):
-                    solver.solve(self.b)
-        finally:
-            timer.join()
+        with self.assertRaises(KeyboardInterrupt), interrupted_after(0.02):
+            for _ in range(1000):
+                solver.solve(self.b)
         self.assertIs(signal.getsignal(signal.SIGINT), signal.default_int_handler)
         x, _ = solver.solve(self.b)
         self.assertTrue(np.isfinite(x).all())
