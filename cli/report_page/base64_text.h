@@ -5,13 +5,13 @@
 #include <span>
 #include <string>
 
-#include "gltf/json/base64.h"
+#include "base/files/base64.h"
 
 namespace orbicube::cli {
 
 inline std::string base64(std::span<const std::uint8_t> bytes) {
-  std::string text(gltf::base64_size(bytes.size()), '=');
-  gltf::encode_base64(std::as_bytes(bytes), text.data());
+  std::string text(base::base64_size(bytes.size()), '=');
+  base::encode_base64(std::as_bytes(bytes), text.data());
   return text;
 }
 

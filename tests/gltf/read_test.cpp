@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "gltf/json/base64.h"
+#include "base/files/base64.h"
 #include "made_files.h"
 #include "mesh/topology/topology.h"
 
@@ -21,8 +21,8 @@ using gltf::test::tetrahedron;
 namespace {
 
 std::string base64_of(const std::string& bytes) {
-  std::string text(gltf::base64_size(bytes.size()), '\0');
-  gltf::encode_base64(std::as_bytes(std::span(bytes)), text.data());
+  std::string text(base::base64_size(bytes.size()), '\0');
+  base::encode_base64(std::as_bytes(std::span(bytes)), text.data());
   return text;
 }
 

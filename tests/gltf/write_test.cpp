@@ -10,7 +10,6 @@
 #include <limits>
 #include <random>
 
-#include "gltf/json/base64.h"
 #include "gltf/writing/checker.h"
 #include "gltf/writing/morph.h"
 #include "gltf/writing/normals.h"
@@ -367,24 +366,4 @@ TEST_CASE("Writing to a path gives the same bytes, and leaves the old file when 
     ++files;
   CHECK(files == 3);
   std::filesystem::remove_all(folder);
-}
-
-TEST_CASE("Base64 of any length is decoded to what was encoded") {
-  std::mt19937 random(3);
-  for (std::size_t length = 0; length < 70; ++length) {
-    std::vector<std::byte> bytes(length);
-    for (std::byte& byte : bytes)
-      byte = static_cast<std::byte>(random() & 0xFFU);
-    std::string text(gltf::base64_size(length), '\0');
-    gltf::encode_base64(bytes, text.data());
-    const base::Array<std::byte> decoded = gltf::decode_base64(text, base::Host());
-    CHECK(std::equal(decoded.begin(), decoded.end(), bytes.begin(), bytes.end()));
-    text.resize(text.find_last_not_of('=') + 1);  // padding may be missing
-    CHECK(gltf::decode_base64(text, base::Host()).size() == length);
-  }
-  // RFC 4648, section 10.
-  const base::Array<std::byte> known = gltf::decode_base64("Zm9vYmE=", base::Host());
-  CHECK(std::string(reinterpret_cast<const char*>(known.data()), known.size()) == "fooba");
-  CHECK_THROWS_AS(gltf::decode_base64("Zm9v!mE=", base::Host()), base::Error);
-  CHECK_THROWS_AS(gltf::decode_base64("Zm9vY", base::Host()), base::Error);
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "mesh/formats/xml/base64.h"
+#include "base/files/base64.h"
 #include "mesh/formats/xml/zlib_data.h"
 
 namespace orbicube::mesh {
@@ -27,7 +27,7 @@ std::string raw_bytes(const std::vector<Number>& numbers, bool big_endian = fals
 
 inline std::string base64(const std::string& bytes) {
   std::string text;
-  append_base64(std::as_bytes(std::span(bytes)), text);
+  base::append_base64(std::as_bytes(std::span(bytes)), text);
   return text;
 }
 

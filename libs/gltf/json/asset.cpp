@@ -5,7 +5,7 @@
 
 #include "base/counted.h"
 #include "base/error.h"
-#include "gltf/json/base64.h"
+#include "base/files/base64.h"
 #include "gltf/json/structure.h"
 #include "gltf/json/uri.h"
 
@@ -106,7 +106,7 @@ std::span<const std::byte> Asset::load(std::size_t index) {
 
 std::span<const std::byte> Asset::bytes_of_uri(std::string_view uri, const std::string& where) {
   if (const std::optional<std::string_view> base64 = base64_of_data_uri(uri))
-    return decoded_.emplace_back(decode_base64(*base64, host_));
+    return decoded_.emplace_back(base::decode_base64(*base64, host_));
   const std::string name = file_of_uri(uri);
   if (!folder_) throw base::Error("unsupported-uri", where + " names a file, but there is no folder to read from");
   auto file = external_files_.find(name);

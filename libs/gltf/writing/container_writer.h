@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "gltf/json/base64.h"
+#include "base/files/base64.h"
 #include "gltf/json/document.h"
 #include "gltf/writing/binary_buffer.h"
 #include "gltf/writing/write.h"
@@ -52,11 +52,11 @@ void emit_gltf(const DocumentText& document, const BinaryBuffer& buffer, const S
   // Three bytes are four characters: pieces are collected until they are whole.
   constexpr std::size_t whole = std::size_t{3} << 14U;
   std::array<std::byte, whole> collected;
-  std::string encoded(base64_size(whole), '\0');
+  std::string encoded(base::base64_size(whole), '\0');
   std::size_t fill = 0;
   const auto flush = [&] {
-    encode_base64(std::span(collected).first(fill), encoded.data());
-    sink(std::as_bytes(std::span(encoded).first(base64_size(fill))));
+    base::encode_base64(std::span(collected).first(fill), encoded.data());
+    sink(std::as_bytes(std::span(encoded).first(base::base64_size(fill))));
     fill = 0;
   };
   buffer.emit([&](std::span<const std::byte> bytes) {

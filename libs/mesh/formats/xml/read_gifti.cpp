@@ -7,10 +7,10 @@
 
 #include "base/counted.h"
 #include "base/error.h"
+#include "base/files/base64.h"
 #include "mesh/files/left_out.h"
 #include "mesh/files/text_scanner.h"
 #include "mesh/formats/codecs.h"
-#include "mesh/formats/xml/base64.h"
 #include "mesh/formats/xml/number_array.h"
 #include "mesh/formats/xml/xml_scanner.h"
 #include "mesh/formats/xml/zlib_data.h"
@@ -138,7 +138,7 @@ class GiftiReader {
 
   base::Array<std::byte> bytes_of(const GiftiArray& array, const ArrayPlace& place) const {
     const bool compressed = array.encoding == "GZipBase64Binary";
-    Base64Decoder decoder(array.text);
+    base::Base64Decoder decoder(array.text);
     // Sizes that the file claims are compared with the bytes that there are.
     const std::uint64_t row = 3 * size_of(array.type), there = decoder.max_left();
     if (array.rows > there * (compressed ? zlib_max_expansion : 1) / row) {
@@ -160,7 +160,7 @@ class GiftiReader {
     return result;
   }
 
-  static void decode(Base64Decoder& decoder, std::span<std::byte> into, const ArrayPlace& place) {
+  static void decode(base::Base64Decoder& decoder, std::span<std::byte> into, const ArrayPlace& place) {
     if (!decoder.read(into)) place.fail("truncated", "the numbers end before their size, or are no base64");
     if (!decoder.at_end()) place.fail("parse", "more numbers than the array has");
   }

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "mesh/formats/xml/base64.h"
+#include "base/files/base64.h"
 #include "mesh/formats/xml/zlib_data.h"
 
 namespace orbicube::mesh {
@@ -42,7 +42,7 @@ class Source {
  private:
   bool base64_;
   std::string_view raw_;
-  Base64Decoder decoder_;
+  base::Base64Decoder decoder_;
   const ArrayPlace& place_;
 };
 

@@ -6,10 +6,10 @@
 #include <type_traits>
 
 #include "base/error.h"
+#include "base/files/base64.h"
 #include "mesh/files/float_positions.h"
 #include "mesh/files/text_writer.h"
 #include "mesh/formats/codecs.h"
-#include "mesh/formats/xml/base64.h"
 #include "mesh/formats/xml/zlib_data.h"
 
 namespace orbicube::mesh {
@@ -56,7 +56,7 @@ void write_array(TextWriter& out, const std::string& intent_and_type, std::strin
   }
   if (binary) {
     std::string text;
-    append_base64(has_zlib() ? deflate(bytes, host) : bytes, text);
+    base::append_base64(has_zlib() ? deflate(bytes, host) : bytes, text);
     out << text;
   }
   out << "</Data>\n</DataArray>\n";

@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "base/files/base64.h"
 #include "mesh/formats/codecs.h"
 #include "mesh/formats/vtk_regions.h"
-#include "mesh/formats/xml/base64.h"
 #include "mesh/formats/xml/zlib_data.h"
 
 namespace orbicube::mesh {
@@ -87,12 +87,12 @@ class ArrayWriter {
         append(header, packed.size());
         contents.insert(contents.end(), packed.begin(), packed.end());
       }
-      append_base64(header, text_);  // with an end of its own
-      append_base64(contents, text_);
+      base::append_base64(header, text_);  // with an end of its own
+      base::append_base64(contents, text_);
     } else {
       append(header, bytes_.size());
       header.insert(header.end(), bytes_.begin(), bytes_.end());
-      append_base64(header, text_);
+      base::append_base64(header, text_);
     }
     text_ += '\n';
     bytes_.clear();

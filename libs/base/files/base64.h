@@ -1,4 +1,4 @@
-// Bytes as text of 64 characters (RFC 4648), as XML files have them.
+// Bytes as text of 64 characters (RFC 4648, section 4), as glTF and XML files have them.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,24 @@
 #include <string_view>
 
 #include "base/array.h"
+#include "base/host.h"
 
-namespace orbicube::mesh {
+namespace orbicube::base {
+
+constexpr std::size_t base64_size(std::size_t bytes) {
+  return (bytes + 2) / 3 * 4;
+}
+
+// Writes the text of `bytes` to `to`, which has room for base64_size(bytes.size()) characters. To encode in pieces,
+// give pieces of a multiple of three bytes.
+void encode_base64(std::span<const std::byte> bytes, char* to);
+
+// Appends the text of these bytes.
+void append_base64(std::span<const std::byte> bytes, std::string& text);
+
+// The bytes that `text` stands for; padding may be missing. Throws Error "parse" with the position of a character that
+// is none of base64's. O(length).
+Array<std::byte> decode_base64(std::string_view text, const Host& host);
 
 // Decodes from the front of a text. Blanks and ends of lines are skipped; where padding ends a block, the next one may
 // follow, since some programs encode the header of an array and its contents one after the other.
@@ -33,7 +49,4 @@ class Base64Decoder {
   std::size_t count_ = 0, used_ = 0;  // bytes of the group, and those of them that are read
 };
 
-// Appends the text of these bytes.
-void append_base64(std::span<const std::byte> bytes, std::string& text);
-
-}  // namespace orbicube::mesh
+}  // namespace orbicube::base
