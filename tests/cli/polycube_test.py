@@ -12,6 +12,14 @@ from command import InFolder, kind_of, long, main, read_obj, run
 from on_polycube import looks_along
 
 
+def area(positions, triangles):
+    def twice(a, b, c):
+        u, v = ([q[k] - a[k] for k in range(3)] for q in (b, c))
+        return math.hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0])
+
+    return math.fsum(twice(*(positions[v] for v in t)) for t in triangles) / 2
+
+
 class Polycube(InFolder):
     def test_every_triangle_lies_in_an_axis_aligned_plane_and_the_surface_is_kept(self):
         for shape, corners in (("bracket", 0), ("sphere", 8)):
@@ -41,6 +49,29 @@ class Polycube(InFolder):
             self.assertEqual(figures["triangles"], len(triangles))
             if corners:
                 self.assertEqual((figures["corners"], figures["patches"]), (8, 6))
+
+    def test_the_refined_surface_covers_a_long_ring_once(self):
+        # Its pieces are so thin that rounding turns some; vertices that then went the wrong way folded the surface.
+        around, across, tube, stretch = 11, 13, 0.392, 22.5
+        turn = ((0.05619697, -0.47450193, 0.87845877), (-0.66455799, -0.67440832, -0.32177025),
+                (0.74512051, -0.56570429, -0.35323376))
+        positions, triangles = [], []
+        for i in range(around):
+            a, c = 2 * math.pi * i / around, (i + 1) % around
+            for j in range(across):
+                b, d = 2 * math.pi * j / across, (j + 1) % across
+                ring = 1 + tube * math.cos(b)
+                p = (ring * math.cos(a), stretch * ring * math.sin(a), tube * math.sin(b))
+                positions.append(tuple(sum(row[k] * p[k] for k in range(3)) for row in turn))
+                triangles += [(i * across + j, c * across + j, c * across + d), (i * across + j, c * across + d, i * across + d)]
+        path, refined = self.path("ring.obj"), self.path("refined.obj")
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in positions)
+            file.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles)
+        done = run("polycube", path, "-o", self.path("out.obj"), "--surface", refined)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        before, after = area(positions, triangles), area(*read_obj(refined))
+        self.assertLess(abs(after / before - 1), 1e-12)
 
     def test_the_report_says_which_construction_was_best(self):
         path = self.made("creature", 1200)

@@ -14,7 +14,7 @@ constexpr const char* phase = "map";
 class Removal {
  public:
   Removal(EditableSurface& surface, const MapView& map, const base::Host& host)
-      : surface_(surface), map_(map), host_(host) {}
+      : surface_(surface), map_(map), host_(host), normals_(input_normals(surface, host.memory)) {}
 
   std::size_t run() {
     // What goes makes room for others.
@@ -89,8 +89,9 @@ class Removal {
         const Index a = surface_.end(x), b = surface_.end(EditableSurface::next(x));
         if (a == w || b == w || sum >= least) return;
         const auto& p = surface_.position;
-        const Vector3 before = (p[a] - p[v]).cross(p[b] - p[v]), after = (p[a] - p[w]).cross(p[b] - p[w]);
-        sum += before.dot(after) > 0 ? excess(x / 3, w, a, b) : std::numeric_limits<double>::infinity();
+        const Vector3 after = (p[a] - p[w]).cross(p[b] - p[w]);
+        sum += after.dot(normals_[surface_.triangle_source[x / 3]]) > 0 ? excess(x / 3, w, a, b)
+                                                                        : std::numeric_limits<double>::infinity();
       });
       if (!(sum < least) || !surface_.can_collapse(h)) return;
       least = sum;
@@ -102,6 +103,7 @@ class Removal {
   EditableSurface& surface_;
   const MapView& map_;
   const base::Host& host_;
+  const Array<Vector3> normals_;  // of triangles of the input
 };
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr const char* phase = "smoothing";
 class Smoothing {
  public:
   Smoothing(UnfoldedMap& map, const base::Host& host)
-      : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory) {}
+      : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory), input_normals_(host.memory) {}
 
   int run(const SmoothingOptions& options) {
     constexpr int max_removals = 12, steps_at_once = 40, steps_between = 10;
@@ -94,7 +94,8 @@ class Smoothing {
         const Index a = surface_.end(x), b = surface_.end(EditableSurface::next(x));
         if (a == w || b == w || sum >= least) return;
         const auto& p = surface_.position;
-        const bool same_side = (p[a] - p[v]).cross(p[b] - p[v]).dot((p[a] - p[w]).cross(p[b] - p[w])) > 0;
+        const bool same_side =
+            (p[a] - p[w]).cross(p[b] - p[w]).dot(input_normals_[surface_.triangle_source[x / 3]]) > 0;
         if (!same_side || mesh::orientation_2d(there, t.a, t.b) <= 0)
           sum = std::numeric_limits<double>::infinity();
         else
@@ -109,6 +110,7 @@ class Smoothing {
 
   std::size_t remove_added() {
     std::size_t removed = 0;
+    input_normals_ = input_normals(surface_, host_.memory);
     for (Index v = 0; v < surface_.vertices(); ++v) {
       if (v % 256 == 0) host_.report(phase, 0, 0);
       if (surface_.outgoing(v) == no_index || map_.is_corner(v) || surface_.source[v].corner[1] == no_index) continue;
@@ -127,6 +129,7 @@ class Smoothing {
   const base::Host& host_;
   TriangleWeights weights_;
   UnfoldedStar star_;
+  Array<Vector3> input_normals_;
 };
 
 }  // namespace
