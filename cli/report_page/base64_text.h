@@ -10,8 +10,8 @@
 namespace orbicube::cli {
 
 inline std::string base64(std::span<const std::uint8_t> bytes) {
-  std::string text(base::base64_size(bytes.size()), '=');
-  base::encode_base64(std::as_bytes(bytes), text.data());
+  std::string text;
+  base::append_base64(std::as_bytes(bytes), text);
   return text;
 }
 

@@ -54,6 +54,14 @@ def read_obj(path):
     return positions, triangles
 
 
+def write_obj(path, positions, triangles):
+    with open(path, "w", encoding="ascii") as file:
+        for p in positions:
+            file.write("v %r %r %r\n" % tuple(p))
+        for t in triangles:
+            file.write("f %d %d %d\n" % tuple(v + 1 for v in t))
+
+
 def as_float32(value):
     return struct.unpack("<f", struct.pack("<f", value))[0]
 

@@ -3,15 +3,7 @@ import json
 import math
 import unittest
 
-from command import InFolder, main, read_obj, run
-
-
-def write_obj(path, positions, triangles):
-    with open(path, "w", encoding="ascii") as file:
-        for p in positions:
-            file.write("v %r %r %r\n" % tuple(p))
-        for t in triangles:
-            file.write("f %d %d %d\n" % tuple(v + 1 for v in t))
+from command import InFolder, main, read_obj, run, write_obj
 
 
 def split_one_side(positions, triangles, every):

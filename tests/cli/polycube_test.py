@@ -8,7 +8,7 @@ import json
 import math
 import os
 
-from command import InFolder, kind_of, long, main, read_obj, run
+from command import InFolder, kind_of, long, main, read_obj, run, write_obj
 from on_polycube import looks_along
 
 
@@ -65,9 +65,7 @@ class Polycube(InFolder):
                 positions.append(tuple(sum(row[k] * p[k] for k in range(3)) for row in turn))
                 triangles += [(i * across + j, c * across + j, c * across + d), (i * across + j, c * across + d, i * across + d)]
         path, refined = self.path("ring.obj"), self.path("refined.obj")
-        with open(path, "w", encoding="utf-8") as file:
-            file.writelines(f"v {x!r} {y!r} {z!r}\n" for x, y, z in positions)
-            file.writelines(f"f {a + 1} {b + 1} {c + 1}\n" for a, b, c in triangles)
+        write_obj(path, positions, triangles)
         done = run("polycube", path, "-o", self.path("out.obj"), "--surface", refined)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         before, after = area(positions, triangles), area(*read_obj(refined))

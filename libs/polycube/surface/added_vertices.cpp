@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesh/search/predicates.h"
+#include "polycube/surface/input_sides.h"
 
 namespace orbicube::polycube {
 namespace {
@@ -14,7 +15,7 @@ constexpr const char* phase = "map";
 class Removal {
  public:
   Removal(EditableSurface& surface, const MapView& map, const base::Host& host)
-      : surface_(surface), map_(map), host_(host), normals_(input_normals(surface, host.memory)) {}
+      : surface_(surface), map_(map), host_(host), sides_(surface, host.memory) {}
 
   std::size_t run() {
     // What goes makes room for others.
@@ -37,14 +38,6 @@ class Removal {
 
  private:
   bool on_polycube_edge(Index h) const { return map_.facet[h / 3] != map_.facet[surface_.opposite(h) / 3]; }
-
-  // Whether v may go to w as far as the surface in space is concerned.
-  bool along_the_input(Index v, Index w) const {
-    const VertexSource &from = surface_.source[v], &to = surface_.source[w];
-    if (from.corner[2] != no_index) return true;  // all its triangles lie in one of the input
-    return std::all_of(to.corner.begin(), to.corner.end(),
-                       [&](Index c) { return c == no_index || c == from.corner[0] || c == from.corner[1]; });
-  }
 
   // Of a triangle with its first corner moved: by how much its distortions exceed an isometry's; infinite when it would
   // not be positive.
@@ -83,15 +76,12 @@ class Removal {
     Index best = no_index;
     surface_.for_each_outgoing(v, [&](Index h) {
       const Index w = surface_.end(h);
-      if (!along_the_input(v, w) || (edges > 0 && !on_polycube_edge(h))) return;
+      if (!sides_.along(v, w) || (edges > 0 && !on_polycube_edge(h))) return;
       double sum = 0;
       surface_.for_each_outgoing(v, [&](Index x) {
         const Index a = surface_.end(x), b = surface_.end(EditableSurface::next(x));
         if (a == w || b == w || sum >= least) return;
-        const auto& p = surface_.position;
-        const Vector3 after = (p[a] - p[w]).cross(p[b] - p[w]);
-        sum += after.dot(normals_[surface_.triangle_source[x / 3]]) > 0 ? excess(x / 3, w, a, b)
-                                                                        : std::numeric_limits<double>::infinity();
+        sum += sides_.up(x / 3, w, a, b) ? excess(x / 3, w, a, b) : std::numeric_limits<double>::infinity();
       });
       if (!(sum < least) || !surface_.can_collapse(h)) return;
       least = sum;
@@ -103,7 +93,7 @@ class Removal {
   EditableSurface& surface_;
   const MapView& map_;
   const base::Host& host_;
-  const Array<Vector3> normals_;  // of triangles of the input
+  const InputSides sides_;
 };
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "polycube/surface/editable_surface.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "base/error.h"
@@ -200,19 +199,6 @@ void EditableSurface::undo_collapse(Index h) {
   outgoing_[d] = previous(t);
   for (Index x = turned(h); x != h; x = turned(x))
     triangle[x / 3][x % 3] = v;
-}
-
-Array<Vector3> input_normals(const EditableSurface& surface, std::pmr::memory_resource* memory) {
-  Array<Vector3> normals(memory);
-  for (Index f = 0; f < surface.faces(); ++f) {
-    if (!surface.alive(f)) continue;
-    const Index from = surface.triangle_source[f];
-    if (from >= normals.size()) normals.resize(from + 1, Vector3::Zero());
-    const auto& [a, b, c] = surface.triangle[f];
-    const auto& p = surface.position;
-    normals[from] += (p[b] - p[a]).cross(p[c] - p[a]);
-  }
-  return normals;
 }
 
 }  // namespace orbicube::polycube

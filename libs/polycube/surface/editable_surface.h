@@ -71,10 +71,6 @@ class EditableSurface {
   Array<std::uint8_t> dead_;
 };
 
-// Of each triangle of the input twice its area along its normal: the sum over its pieces, whichever way those of nearly
-// no area are turned by rounding.
-Array<Vector3> input_normals(const EditableSurface& surface, std::pmr::memory_resource* memory);
-
 // Returns the map of the faces that are alive, with positions on the polycube of each vertex, patches of each face, and
 // label_of(face). Vertices of the input stay where they are, those that were added close up.
 template <class LabelOf>

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "mesh/search/predicates.h"
+#include "polycube/surface/input_sides.h"
 #include "polycube/unfolded/unfolded_corners.h"
 #include "polycube/unfolded/unfolded_newton.h"
 
@@ -16,7 +17,12 @@ constexpr const char* phase = "smoothing";
 class Smoothing {
  public:
   Smoothing(UnfoldedMap& map, const base::Host& host)
-      : map_(map), surface_(map.surface), host_(host), weights_(map), star_(host.memory), input_normals_(host.memory) {}
+      : map_(map),
+        surface_(map.surface),
+        host_(host),
+        weights_(map),
+        star_(host.memory),
+        sides_(map.surface, host.memory) {}
 
   int run(const SmoothingOptions& options) {
     constexpr int max_removals = 12, steps_at_once = 40, steps_between = 10;
@@ -66,14 +72,6 @@ class Smoothing {
     }
   }
 
-  // Whether v may go to w as far as the surface in space is concerned.
-  bool along_the_input(Index v, Index w) const {
-    const VertexSource &from = surface_.source[v], &to = surface_.source[w];
-    if (from.corner[2] != no_index) return true;  // all its triangles lie in one of the input
-    return std::all_of(to.corner.begin(), to.corner.end(),
-                       [&](Index c) { return c == no_index || c == from.corner[0] || c == from.corner[1]; });
-  }
-
   // The half-edge to the neighbor into which the vertex is best merged; no_index when none makes it better.
   Index best_collapse(Index v) {
     constexpr double isometry = 2;
@@ -85,7 +83,7 @@ class Smoothing {
     Index best = no_index;
     surface_.for_each_outgoing(v, [&](Index h) {
       const Index w = surface_.end(h);
-      if (!along_the_input(v, w)) return;
+      if (!sides_.along(v, w)) return;
       const Vector2d there = map_.motion[h].inverse()(map_.at(EditableSurface::next(h)));
       double sum = 0;
       std::size_t i = 0;
@@ -93,10 +91,7 @@ class Smoothing {
         const UnfoldedStar::Corner& t = star_.triangles[i++];
         const Index a = surface_.end(x), b = surface_.end(EditableSurface::next(x));
         if (a == w || b == w || sum >= least) return;
-        const auto& p = surface_.position;
-        const bool same_side =
-            (p[a] - p[w]).cross(p[b] - p[w]).dot(input_normals_[surface_.triangle_source[x / 3]]) > 0;
-        if (!same_side || mesh::orientation_2d(there, t.a, t.b) <= 0)
+        if (!sides_.up(x / 3, w, a, b) || mesh::orientation_2d(there, t.a, t.b) <= 0)
           sum = std::numeric_limits<double>::infinity();
         else
           sum += distortion(jacobian(weights_.rest(surface_, w, a, b), there, t.a, t.b)) - isometry;
@@ -110,7 +105,6 @@ class Smoothing {
 
   std::size_t remove_added() {
     std::size_t removed = 0;
-    input_normals_ = input_normals(surface_, host_.memory);
     for (Index v = 0; v < surface_.vertices(); ++v) {
       if (v % 256 == 0) host_.report(phase, 0, 0);
       if (surface_.outgoing(v) == no_index || map_.is_corner(v) || surface_.source[v].corner[1] == no_index) continue;
@@ -129,7 +123,7 @@ class Smoothing {
   const base::Host& host_;
   TriangleWeights weights_;
   UnfoldedStar star_;
-  Array<Vector3> input_normals_;
+  const InputSides sides_;
 };
 
 }  // namespace
