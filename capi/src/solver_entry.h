@@ -56,11 +56,19 @@ inline constexpr int32_t answer_continue = 0, answer_stop = 1, answer_failed = 2
 
 // Runs a solver to its end: evaluate(solver) returns what a callback does, and on answer_continue tell(solver) passes
 // on what it found. tell_last(solver) does so before the run is stopped: a value that comes with answer_stop counts.
-template <class Solver, class Evaluate, class Tell, class TellLast>
-void drive(Solver& solver, const Evaluate& evaluate, const Tell& tell, const TellLast& tell_last) {
+// multiply(solver) replies to a request for a product of the Hessian.
+template <class Solver, class Evaluate, class Tell, class TellLast, class Multiply = std::nullptr_t>
+void drive(Solver& solver, const Evaluate& evaluate, const Tell& tell, const TellLast& tell_last,
+           const Multiply& multiply = nullptr) {
   using Request = decltype(solver.step());
   for (Request request; (request = solver.step()) != Request::done;) {
     if (request == Request::iteration) continue;
+    if constexpr (!std::is_same_v<Multiply, std::nullptr_t>) {
+      if (request == Request::need_product) {
+        multiply(solver);
+        continue;
+      }
+    }
     const int32_t answer = evaluate(solver);
     if (answer == answer_failed) {
       solver.tell_failure();
@@ -74,8 +82,9 @@ void drive(Solver& solver, const Evaluate& evaluate, const Tell& tell, const Tel
 }
 
 // The same with f(x, &value, gradient), the gradient in an array of the host's memory.
-template <class Solver, class Function>
-void drive_gradient(Solver& solver, std::pmr::memory_resource* memory, const Function& f) {
+template <class Solver, class Function, class Multiply = std::nullptr_t>
+void drive_gradient(Solver& solver, std::pmr::memory_resource* memory, const Function& f,
+                    const Multiply& multiply = nullptr) {
   base::Array<double> gradient(solver.point().size(), 0.0, memory);
   double value;
   drive(
@@ -89,7 +98,8 @@ void drive_gradient(Solver& solver, std::pmr::memory_resource* memory, const Fun
         if (!std::isfinite(value)) return;
         std::fill(gradient.begin(), gradient.end(), 0.0);  // the value alone is used, and the gradient may be missing
         asking.tell(value, gradient);
-      });
+      },
+      multiply);
 }
 
 inline void throw_if_cancelled(bool cancelled_by_host) {

@@ -38,6 +38,7 @@ To converted(To to, const From& from) {
   capi::assign(to.max_iterations, from.max_iterations);
   capi::assign(to.starts, from.starts);
   capi::assign(to.seed, from.seed);
+  capi::assign(to.hessian_products, from.hessian_products);
   return to;
 }
 
@@ -63,6 +64,7 @@ void copy_result(const so::Solver& solver, obc_sphere_optimizer_result* result, 
     to.iterations = from.iterations;
     to.starts = from.starts;
     to.best_start = from.best_start;
+    to.products = from.products;
     capi::write_versioned(result, to);
   }
   const std::span<const double> best = solver.best_point();
@@ -74,6 +76,36 @@ so::Shape to_shape(size_t count, size_t dimension) {
   capi::require(count >= 1 && dimension >= 2 && count <= std::numeric_limits<size_t>::max() / dimension,
                 "there must be a sphere, in at least two dimensions");
   return {count, dimension};
+}
+
+// The reply of `product` to a request for a product of the Hessian.
+void answer_product(so::Solver& solver, obc_sphere_optimizer_product_function product, void* user) {
+  const so::Shape& shape = solver.shape();
+  const std::span<double> room = solver.gradient_room();
+  std::fill(room.begin(), room.end(), std::numeric_limits<double>::quiet_NaN());  // what is not set is not known
+  const int32_t answer =
+      product(solver.point().data(), solver.direction().data(), shape.count, shape.dimension, room.data(), user);
+  if (answer == OBC_SPHERE_OPTIMIZER_CONTINUE) {
+    solver.tell_product(room);
+  } else {
+    solver.tell_product_failure();
+    if (answer != OBC_SPHERE_OPTIMIZER_FAILED) solver.cancel();
+  }
+}
+
+// `product` is NULL unless the options want products.
+void minimize(const so::Shape& shape, const so::Options& options, obc_sphere_optimizer_function f,
+              obc_sphere_optimizer_product_function product, void* user, double* x, obc_sphere_optimizer_result* result,
+              const obc_host* host) {
+  obc_sphere_optimizer run(host, shape, options, {x, shape.size()});
+  capi::drive_gradient(
+      run.solver, run.adapter.host().memory,
+      [&](const double* at, double* value, double* gradient) {
+        return f(at, shape.count, shape.dimension, value, gradient, user);
+      },
+      [&](so::Solver& solver) { answer_product(solver, product, user); });
+  copy_result(run.solver, result, x);
+  capi::throw_if_cancelled(run.solver.cancelled_by_host());
 }
 
 template <class To, class From>
@@ -295,6 +327,25 @@ obc_status obc_sphere_optimizer_tell(obc_sphere_optimizer* solver, double value,
   return capi::tell_gradient(solver, value, gradient, error);
 }
 
+obc_status obc_sphere_optimizer_get_direction(const obc_sphere_optimizer* solver, const double** direction,
+                                              obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(direction != nullptr, "direction is NULL");
+    *direction = nullptr;
+    const so::Solver& asking = capi::checked(solver).solver;
+    capi::require(asking.asks_product(), "no product was requested");
+    *direction = asking.direction().data();
+  });
+}
+
+obc_status obc_sphere_optimizer_tell_product(obc_sphere_optimizer* solver, const double* product, obc_error* error) {
+  return capi::guarded(error, [&] {
+    so::Solver& asking = capi::checked(solver).solver;
+    if (product == nullptr) return asking.tell_product_failure();
+    asking.tell_product({product, asking.point().size()});
+  });
+}
+
 obc_status obc_sphere_optimizer_get_result(const obc_sphere_optimizer* solver, obc_sphere_optimizer_result* result,
                                            double* x, obc_error* error) {
   return capi::guarded(error, [&] { copy_result(capi::checked(solver).solver, result, x); });
@@ -335,13 +386,25 @@ obc_status obc_sphere_optimizer_minimize(size_t count, size_t dimension, const o
                                          obc_sphere_optimizer_result* result, const obc_host* host, obc_error* error) {
   return capi::guarded(error, [&] {
     capi::require(f != nullptr && x != nullptr, "f or x is NULL");
-    const so::Shape shape = to_shape(count, dimension);
-    obc_sphere_optimizer run(host, shape, to_options(options), {x, shape.size()});
-    capi::drive_gradient(run.solver, run.adapter.host().memory, [&](const double* at, double* value, double* gradient) {
-      return f(at, count, dimension, value, gradient, user);
-    });
-    copy_result(run.solver, result, x);
-    capi::throw_if_cancelled(run.solver.cancelled_by_host());
+    const so::Options chosen = to_options(options);
+    capi::require(chosen.hessian_products == 0,
+                  "products of the Hessian need obc_sphere_optimizer_minimize_second_order or a run by _step");
+    minimize(to_shape(count, dimension), chosen, f, nullptr, user, x, result, host);
+  });
+}
+
+obc_status obc_sphere_optimizer_minimize_second_order(size_t count, size_t dimension,
+                                                      const obc_sphere_optimizer_options* options,
+                                                      obc_sphere_optimizer_function f,
+                                                      obc_sphere_optimizer_product_function product, void* user,
+                                                      double* x, obc_sphere_optimizer_result* result,
+                                                      const obc_host* host, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(f != nullptr && product != nullptr && x != nullptr, "f, product or x is NULL");
+    so::Options chosen = to_options(options);
+    chosen.method = so::Method::truncated_newton;
+    chosen.hessian_products = 1;
+    minimize(to_shape(count, dimension), chosen, f, product, user, x, result, host);
   });
 }
 

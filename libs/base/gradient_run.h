@@ -16,9 +16,20 @@ enum class Request : std::int32_t {
   need_value_and_gradient = 1,  // of f at point(); supply with tell()
   iteration = 2,                // point() is a new iterate; nothing to supply
   done = 3,                     // see result()
+  need_product = 4,             // of the Hessian at point() with direction(); supply with tell_product()
 };
 
-enum class RunPhase : std::int32_t { created, asked_first, told_first, iterate, asked, told, done };
+enum class RunPhase : std::int32_t {
+  created,
+  asked_first,
+  told_first,
+  iterate,
+  asked,
+  told,
+  done,
+  asked_product,
+  told_product
+};
 
 // Plain data without padding, saved as bytes. `Stop` is the library's, with running, converged, target_reached,
 // evaluation_budget, iteration_budget, stalled and cancelled among its values.
@@ -46,6 +57,7 @@ struct GradientRun {
   template <class Advance>
   Request step(const Host& host, const char* name, std::uint64_t max_evaluations, const Advance& advance) {
     if (asked()) return Request::need_value_and_gradient;
+    if (phase == RunPhase::asked_product) return Request::need_product;
     try {
       host.report(name, evaluations, max_evaluations, best_value);
       return advance();
@@ -60,6 +72,11 @@ struct GradientRun {
     if (evaluations >= max_evaluations) return finish(Stop::evaluation_budget);
     phase = next;
     return Request::need_value_and_gradient;
+  }
+
+  Request ask_product() {
+    phase = RunPhase::asked_product;
+    return Request::need_product;
   }
 
   Request finish(Stop reason) {

@@ -12,6 +12,7 @@ namespace orbicube::sphere_optimizer {
 template <class Function>
 Result minimize(Solver& solver, const Function& f) {
   for (Request request; (request = solver.step()) != Request::done;) {
+    base::require(request != Request::need_product, "minimize() has no products of the Hessian");
     if (request != Request::need_value_and_gradient) continue;
     const std::span<double> gradient = solver.gradient_room();
     const double value = f(solver.point(), gradient);

@@ -18,14 +18,15 @@ enum class Method : std::int32_t {
   barzilai_borwein = 1,  // nonmonotone Barzilai-Borwein steps
   great_circle = 2,      // the dissertation's Algorithm 2 with its flaws mended
   dissertation = 3,      // Algorithm 2 as printed
+  truncated_newton = 4,  // trust region with conjugate gradients that end early
 };
 
 struct Options {
   Method method = Method::limited_memory;
-  std::uint32_t memory = 16;         // pairs of limited_memory
-  std::uint32_t history = 10;        // values that barzilai_borwein looks back on
-  std::uint32_t reserved = 0;        // saved runs hold no padding
-  double gradient_tolerance = 1e-8;  // on the longest of the blocks' tangent gradients
+  std::uint32_t memory = 16;           // pairs of limited_memory
+  std::uint32_t history = 10;          // values that barzilai_borwein looks back on
+  std::uint32_t hessian_products = 0;  // 1: the caller supplies those of truncated_newton, 0: differences of gradients
+  double gradient_tolerance = 1e-8;    // on the longest of the blocks' tangent gradients
   double target = -std::numeric_limits<double>::infinity();
   std::uint64_t max_evaluations = 100000, max_iterations = 100000;
   std::uint64_t starts = 1;  // points to start from: the given one, then random ones
@@ -52,6 +53,7 @@ struct Result {
   double gradient_norm =
       std::numeric_limits<double>::infinity();  // longest tangent gradient of a block, at the iterate
   std::uint64_t evaluations = 0, failed_evaluations = 0, iterations = 0;
+  std::uint64_t products = 0;                // of the Hessian, supplied or from differences
   std::uint64_t starts = 0, best_start = 0;  // how many were begun; the one that led to the value, from 0
 };
 

@@ -9,7 +9,7 @@ struct Description {
   std::uint64_t count, dimension;
   Options options;
 };
-constexpr base::SavedRun<Description> saved_run("OBCSPHR4", "sphere_optimizer");
+constexpr base::SavedRun<Description> saved_run("OBCSPHR5", "sphere_optimizer");
 
 }  // namespace
 
@@ -17,11 +17,12 @@ template <class Self, class Visit>
 void Solver::visit_state(Self& self, const Visit& visit) {
   visit(std::span(&self.state_, 1));
   for (auto* array : {&self.x_, &self.gradient_, &self.trial_, &self.trial_gradient_, &self.direction_, &self.velocity_,
-                      &self.best_, &self.radial_, &self.trial_radial_, &self.ambient_, &self.trial_ambient_,
-                      &self.last_values_, &self.lowest_point_}) {
+                      &self.best_, &self.radial_, &self.trial_radial_, &self.curvature_, &self.ambient_,
+                      &self.trial_ambient_, &self.last_values_, &self.lowest_point_}) {
     visit(std::span(*array));
   }
   LimitedMemory::visit_state(self.memory_, visit);
+  NewtonStep::visit_state(self.newton_step_, visit);
 }
 
 std::size_t Solver::save_size() const {

@@ -3,7 +3,8 @@
 // limited_memory: L-BFGS with parallel transport and a Wolfe search along the arcs. barzilai_borwein: Iannazzo and
 // Porcelli 2018, "The Riemannian Barzilai-Borwein method with nonmonotone line search". great_circle: the
 // dissertation's Algorithm 2 along the tangent gradient, the first angle from the last search, halved until the value
-// falls. dissertation: Algorithm 2 as printed, all blocks turning and halving together.
+// falls. dissertation: Algorithm 2 as printed, all blocks turning and halving together. truncated_newton has a file of
+// its own.
 #include "sphere_optimizer/solver.h"
 
 #include <algorithm>
@@ -28,9 +29,10 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double quarter_circle = 0.5 * std::numbers::pi;
 
 const Options& checked(const Options& options) {
-  require(options.method >= Method::limited_memory && options.method <= Method::dissertation, "unknown method");
+  require(options.method >= Method::limited_memory && options.method <= Method::truncated_newton, "unknown method");
   require(options.memory >= 1 && options.memory <= 1000, "memory must be from 1 to 1000 pairs");
   require(options.history >= 1 && options.history <= 1000000, "history must be from 1 to 1000000 values");
+  require(options.hessian_products <= 1, "hessian_products must be 0 or 1");
   require(options.gradient_tolerance >= 0, "gradient_tolerance must not be negative");
   require(!std::isnan(options.target), "target must be a number");
   require(options.starts >= 1, "there must be a start");
@@ -57,6 +59,7 @@ Solver::Solver(const Shape& shape, const Options& options, std::span<const doubl
       shape_(checked(shape)),
       options_(checked(options)),
       memory_(shape, options.method == Method::limited_memory ? options.memory : 0, host.memory),
+      newton_step_(shape, options.method == Method::truncated_newton, host.memory),
       x_(shape.size(), 0.0, host.memory),
       gradient_(shape.size(), 0.0, host.memory),
       trial_(shape.size(), 0.0, host.memory),
@@ -98,6 +101,8 @@ Request Solver::advance() {
       return begin_iteration();
     case Phase::told:
       return take_trial();
+    case Phase::told_product:
+      return take_product();
     default:
       return Request::done;
   }
@@ -141,6 +146,7 @@ void Solver::begin_at_trial() {
 Request Solver::begin_iteration() {
   const Stop reason = state_.reason_to_end(options_);
   if (reason != Stop::running) return end_start(reason);
+  if (options_.method == Method::truncated_newton) return begin_newton_step();
   if (!choose_direction()) return end_start(Stop::stalled);
   place_trial(trial_length());
   return state_.ask(Phase::asked, options_.max_evaluations);
@@ -300,6 +306,9 @@ void Solver::accept_trial() {
 }
 
 Request Solver::take_trial() {
+  if (options_.method == Method::truncated_newton) {
+    return state_.newton.difference > 0 ? take_difference() : take_newton_step();
+  }
   switch (judge_trial()) {
     case Search::accept:
       accept_trial();

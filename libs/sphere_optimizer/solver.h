@@ -15,6 +15,7 @@
 #include "base/host.h"
 #include "base/line_search.h"
 #include "sphere_optimizer/limited_memory.h"
+#include "sphere_optimizer/newton_step.h"
 #include "sphere_optimizer/problem.h"
 #include "sphere_optimizer/spheres.h"
 
@@ -35,6 +36,14 @@ class Solver {
   // A value or an entry that is not finite says that f could not be evaluated there.
   void tell(double value, std::span<const double> gradient);
   void tell_failure() { state_.tell_failure(); }
+  // After need_product: the tangent vector, N d numbers, whose product with the Hessian of f in R^d of all blocks is
+  // requested at point().
+  std::span<const double> direction() const { return newton_step_.direction(); }
+  // The reply to need_product (throws invalid-argument after others). Entries that are not finite say that there is no
+  // product.
+  void tell_product(std::span<const double> product);
+  void tell_product_failure();
+  bool asks_product() const { return state_.phase == Phase::asked_product; }
   // While a request waits, memory of the solver's that the gradient may be written to before tell(), which saves
   // the copy.
   std::span<double> gradient_room() { return trial_gradient_; }
@@ -68,6 +77,16 @@ class Solver {
     double value = std::numeric_limits<double>::infinity(), measure = std::numeric_limits<double>::infinity();
   };
 
+  // What truncated_newton keeps between steps. Lengths are the root of the sum of squares of angles.
+  struct Newton {
+    double radius = 0;          // 0 before the first step
+    double first_gradient = 0;  // length of the first gradient
+    double difference =
+        0;  // length of the move to where a gradient was requested for a product, times direction(); else 0
+    std::uint64_t products = 0;
+    std::uint64_t known = 0;  // 1 if the last request for a product was met
+  };
+
   // All that a run is besides its arrays and its memory; saved as bytes, so it holds no pointer and no padding. Its
   // measure is the longest tangent gradient of a block.
   struct State : base::GradientRun<Stop> {
@@ -76,6 +95,7 @@ class Solver {
     Ended lowest;
     double step_length = 0;               // of barzilai_borwein, times the gradient; 0 while it is not known
     double arc = 0.5 * std::numbers::pi;  // of great_circle: angle of the block that turned farthest, last time
+    Newton newton;
     base::WolfeSearch wolfe{};
     base::BacktrackingSearch backtracking{};
   };
@@ -98,6 +118,11 @@ class Solver {
   bool earlier_is_lower() const { return std::isfinite(state_.lowest.value) && state_.lowest.value <= reached_value(); }
   Request begin_iteration();
   Request take_trial();
+  Request begin_newton_step();
+  Request ask_product();
+  Request take_difference();
+  Request take_product();
+  Request take_newton_step();
   bool choose_direction();
   void estimate_curvature();
   double cancelled_part() const;
@@ -116,6 +141,7 @@ class Solver {
   Shape shape_;
   Options options_;
   LimitedMemory memory_;
+  NewtonStep newton_step_;
   State state_;
   base::Array<double> x_, gradient_, trial_, trial_gradient_, direction_, velocity_, best_;  // N d each
   base::Array<double> lowest_point_;             // N d for several starts: the lowest point of those that have ended

@@ -27,6 +27,7 @@ Request Solver::end_start(Stop reason) {
   next.iterations = state_.iterations;
   next.start = state_.start + 1;
   next.lowest = state_.lowest;
+  next.newton.products = state_.newton.products;
   state_ = next;
   memory_.clear();
   std::fill(last_values_.begin(), last_values_.end(), -std::numeric_limits<double>::infinity());
@@ -55,6 +56,7 @@ Result Solver::result() const {
   Result result;
   state_.describe(result);
   result.gradient_norm = state_.measure;
+  result.products = state_.newton.products;
   result.starts = state_.phase == Phase::created ? state_.start : state_.start + 1;
   result.best_start = state_.start;
   if (earlier_is_lower()) {

@@ -608,7 +608,7 @@ _Static_assert(offsetof(obc_sphere_map_report, equation_3_1) == 120, "obc_sphere
 _Static_assert(offsetof(obc_sphere_map_report, equation_3_2) == 128, "obc_sphere_map_report.equation_3_2");
 _Static_assert(offsetof(obc_sphere_map_report, equation_3_3) == 136, "obc_sphere_map_report.equation_3_3");
 _Static_assert(offsetof(obc_sphere_map_report, equation_3_4) == 144, "obc_sphere_map_report.equation_3_4");
-_Static_assert(sizeof(obc_sphere_optimizer_options) == 64, "obc_sphere_optimizer_options");
+_Static_assert(sizeof(obc_sphere_optimizer_options) == 72, "obc_sphere_optimizer_options");
 _Static_assert(offsetof(obc_sphere_optimizer_options, struct_size) == 0, "obc_sphere_optimizer_options.struct_size");
 _Static_assert(offsetof(obc_sphere_optimizer_options, method) == 4, "obc_sphere_optimizer_options.method");
 _Static_assert(offsetof(obc_sphere_optimizer_options, memory) == 8, "obc_sphere_optimizer_options.memory");
@@ -619,7 +619,8 @@ _Static_assert(offsetof(obc_sphere_optimizer_options, max_evaluations) == 32, "o
 _Static_assert(offsetof(obc_sphere_optimizer_options, max_iterations) == 40, "obc_sphere_optimizer_options.max_iterations");
 _Static_assert(offsetof(obc_sphere_optimizer_options, starts) == 48, "obc_sphere_optimizer_options.starts");
 _Static_assert(offsetof(obc_sphere_optimizer_options, seed) == 56, "obc_sphere_optimizer_options.seed");
-_Static_assert(sizeof(obc_sphere_optimizer_result) == 64, "obc_sphere_optimizer_result");
+_Static_assert(offsetof(obc_sphere_optimizer_options, hessian_products) == 64, "obc_sphere_optimizer_options.hessian_products");
+_Static_assert(sizeof(obc_sphere_optimizer_result) == 72, "obc_sphere_optimizer_result");
 _Static_assert(offsetof(obc_sphere_optimizer_result, struct_size) == 0, "obc_sphere_optimizer_result.struct_size");
 _Static_assert(offsetof(obc_sphere_optimizer_result, stop) == 4, "obc_sphere_optimizer_result.stop");
 _Static_assert(offsetof(obc_sphere_optimizer_result, value) == 8, "obc_sphere_optimizer_result.value");
@@ -629,6 +630,7 @@ _Static_assert(offsetof(obc_sphere_optimizer_result, failed_evaluations) == 32, 
 _Static_assert(offsetof(obc_sphere_optimizer_result, iterations) == 40, "obc_sphere_optimizer_result.iterations");
 _Static_assert(offsetof(obc_sphere_optimizer_result, starts) == 48, "obc_sphere_optimizer_result.starts");
 _Static_assert(offsetof(obc_sphere_optimizer_result, best_start) == 56, "obc_sphere_optimizer_result.best_start");
+_Static_assert(offsetof(obc_sphere_optimizer_result, products) == 64, "obc_sphere_optimizer_result.products");
 _Static_assert(sizeof(obc_sphere_optimizer_blocks) == 32, "obc_sphere_optimizer_blocks");
 _Static_assert(offsetof(obc_sphere_optimizer_blocks, struct_size) == 0, "obc_sphere_optimizer_blocks.struct_size");
 _Static_assert(offsetof(obc_sphere_optimizer_blocks, dimension) == 4, "obc_sphere_optimizer_blocks.dimension");
@@ -1346,7 +1348,7 @@ _Static_assert(offsetof(obc_sphere_map_report, equation_3_1) == 120, "obc_sphere
 _Static_assert(offsetof(obc_sphere_map_report, equation_3_2) == 128, "obc_sphere_map_report.equation_3_2");
 _Static_assert(offsetof(obc_sphere_map_report, equation_3_3) == 136, "obc_sphere_map_report.equation_3_3");
 _Static_assert(offsetof(obc_sphere_map_report, equation_3_4) == 144, "obc_sphere_map_report.equation_3_4");
-_Static_assert(sizeof(obc_sphere_optimizer_options) == 64, "obc_sphere_optimizer_options");
+_Static_assert(sizeof(obc_sphere_optimizer_options) == 72, "obc_sphere_optimizer_options");
 _Static_assert(offsetof(obc_sphere_optimizer_options, struct_size) == 0, "obc_sphere_optimizer_options.struct_size");
 _Static_assert(offsetof(obc_sphere_optimizer_options, method) == 4, "obc_sphere_optimizer_options.method");
 _Static_assert(offsetof(obc_sphere_optimizer_options, memory) == 8, "obc_sphere_optimizer_options.memory");
@@ -1357,7 +1359,8 @@ _Static_assert(offsetof(obc_sphere_optimizer_options, max_evaluations) == 32, "o
 _Static_assert(offsetof(obc_sphere_optimizer_options, max_iterations) == 40, "obc_sphere_optimizer_options.max_iterations");
 _Static_assert(offsetof(obc_sphere_optimizer_options, starts) == 48, "obc_sphere_optimizer_options.starts");
 _Static_assert(offsetof(obc_sphere_optimizer_options, seed) == 56, "obc_sphere_optimizer_options.seed");
-_Static_assert(sizeof(obc_sphere_optimizer_result) == 64, "obc_sphere_optimizer_result");
+_Static_assert(offsetof(obc_sphere_optimizer_options, hessian_products) == 64, "obc_sphere_optimizer_options.hessian_products");
+_Static_assert(sizeof(obc_sphere_optimizer_result) == 72, "obc_sphere_optimizer_result");
 _Static_assert(offsetof(obc_sphere_optimizer_result, struct_size) == 0, "obc_sphere_optimizer_result.struct_size");
 _Static_assert(offsetof(obc_sphere_optimizer_result, stop) == 4, "obc_sphere_optimizer_result.stop");
 _Static_assert(offsetof(obc_sphere_optimizer_result, value) == 8, "obc_sphere_optimizer_result.value");
@@ -1367,6 +1370,7 @@ _Static_assert(offsetof(obc_sphere_optimizer_result, failed_evaluations) == 32, 
 _Static_assert(offsetof(obc_sphere_optimizer_result, iterations) == 40, "obc_sphere_optimizer_result.iterations");
 _Static_assert(offsetof(obc_sphere_optimizer_result, starts) == 48, "obc_sphere_optimizer_result.starts");
 _Static_assert(offsetof(obc_sphere_optimizer_result, best_start) == 56, "obc_sphere_optimizer_result.best_start");
+_Static_assert(offsetof(obc_sphere_optimizer_result, products) == 64, "obc_sphere_optimizer_result.products");
 _Static_assert(sizeof(obc_sphere_optimizer_blocks) == 20, "obc_sphere_optimizer_blocks");
 _Static_assert(offsetof(obc_sphere_optimizer_blocks, struct_size) == 0, "obc_sphere_optimizer_blocks.struct_size");
 _Static_assert(offsetof(obc_sphere_optimizer_blocks, dimension) == 4, "obc_sphere_optimizer_blocks.dimension");

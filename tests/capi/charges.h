@@ -54,6 +54,33 @@ inline std::int32_t callback(const double* x, std::size_t count, std::size_t dim
   return OBC_SPHERE_OPTIMIZER_CONTINUE;
 }
 
+// The product of the Hessian and a direction v: of a pair with difference u and term t / |u| it is
+// t (3 u (u.v) / |u|^5 - v / |u|^3), v the difference of the directions.
+inline std::int32_t product_callback(const double* x, const double* direction, std::size_t count, std::size_t dimension,
+                                     double* product, void* user) {
+  if (count != charges || dimension != 3) return OBC_SPHERE_OPTIMIZER_STOP;
+  if (user != nullptr) ++*static_cast<int*>(user);
+  std::fill(product, product + unknowns, 0.0);
+  for (std::size_t i = 0; i < charges; ++i) {
+    for (std::size_t j = i + 1; j < charges; ++j) {
+      double square = 0, along = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double u = x[3 * i + k] - x[3 * j + k];
+        square += u * u;
+        along += u * (direction[3 * i + k] - direction[3 * j + k]);
+      }
+      const double factor = size_of(i) * size_of(j) / (square * std::sqrt(square));
+      for (std::size_t k = 0; k < 3; ++k) {
+        const double u = x[3 * i + k] - x[3 * j + k], v = direction[3 * i + k] - direction[3 * j + k];
+        const double part = factor * (3 * u * along / square - v);
+        product[3 * i + k] += part;
+        product[3 * j + k] -= part;
+      }
+    }
+  }
+  return OBC_SPHERE_OPTIMIZER_CONTINUE;
+}
+
 // Everybody is everybody's neighbor.
 struct Blocks {
   std::array<std::size_t, charges + 1> start{};

@@ -11,7 +11,7 @@ using namespace orbicube::test;
 namespace {
 
 constexpr Method every_method[] = {Method::limited_memory, Method::barzilai_borwein, Method::great_circle,
-                                   Method::dissertation};
+                                   Method::dissertation, Method::truncated_newton};
 
 }  // namespace
 

@@ -58,6 +58,27 @@ struct Function {
   }
 };
 
+template <class F, class P>
+struct FunctionAndProduct : Function<F> {
+  P& product;
+
+  FunctionAndProduct(F& evaluate, P& multiply) : Function<F>{evaluate, {}}, product(multiply) {}
+  static std::int32_t value(const double* x, std::size_t count, std::size_t dimension, double* value, double* gradient,
+                            void* user) {
+    return Function<F>::all(x, count, dimension, value, gradient, static_cast<Function<F>*>(self_of(user)));
+  }
+  static std::int32_t multiply(const double* x, const double* direction, std::size_t count, std::size_t dimension,
+                               double* out, void* user) {
+    FunctionAndProduct& self = *self_of(user);
+    const std::size_t n = count * dimension;
+    double unused;
+    return self.guarded(&unused, [&] { self.product(Doubles(x, n), Doubles(direction, n), View<double>(out, n)); });
+  }
+
+ private:
+  static FunctionAndProduct* self_of(void* user) { return static_cast<FunctionAndProduct*>(user); }
+};
+
 // obc_sphere_optimizer_blocks and the arrays that it points at.
 class Blocks {
  public:
@@ -93,6 +114,25 @@ Result minimize(F&& f, View<double> x, std::size_t dimension, const Options& opt
   obc_error error;
   const obc_status status = obc_sphere_optimizer_minimize(count, dimension, &options, Called::all, &function, x.data(),
                                                           &result, detail::c(host), &error);
+  function.caught.rethrow();
+  if (host != nullptr) host->rethrow();
+  if (status != OBC_OK) throw Error(error);
+  return result;
+}
+
+// The same with TRUNCATED_NEWTON. product(Doubles x, Doubles direction, View<double> out) fills the product of the
+// Hessian of f at x, as a function of all numbers of x, and a direction.
+template <class F, class P>
+Result minimize_second_order(F&& f, P&& product, View<double> x, std::size_t dimension, const Options& options = {},
+                             Host* host = nullptr) {
+  using Called = detail::FunctionAndProduct<std::remove_reference_t<F>, std::remove_reference_t<P>>;
+  const std::size_t count = detail::rows(x.size(), dimension == 0 ? 1 : dimension, "x");
+  Called function(f, product);
+  Result result = detail::sized<Result>();
+  obc_error error;
+  const obc_status status =
+      obc_sphere_optimizer_minimize_second_order(count, dimension, &options, Called::value, Called::multiply, &function,
+                                                 x.data(), &result, detail::c(host), &error);
   function.caught.rethrow();
   if (host != nullptr) host->rethrow();
   if (status != OBC_OK) throw Error(error);
@@ -194,6 +234,7 @@ class Relaxation {
 
 // A run by reverse communication:
 //   while (solver.ask()) solver.tell(value, gradient);   // at solver.point()
+// With the option hessian_products, where solver.direction() is not empty, reply with tell_product(product).
 // A host that it is given must outlive it; what the host's functions throw comes out of ask().
 class Solver {
  public:
@@ -228,10 +269,23 @@ class Solver {
       const std::int32_t request = obc_sphere_optimizer_step(handle_.get(), &point_);
       if (host_ != nullptr) host_->rethrow();
       if (request < 0) throw Error(request, "sphere_optimizer: step");
-      if (request != OBC_SPHERE_OPTIMIZER_ITERATION) return request == OBC_SPHERE_OPTIMIZER_NEED_FG;
+      if (request != OBC_SPHERE_OPTIMIZER_ITERATION) return request != OBC_SPHERE_OPTIMIZER_DONE;
     }
   }
   Doubles point() const { return {point_, n_}; }  // the queried point, until the next call of ask()
+  // The vector whose product with the Hessian there is queried; empty where value and gradient are.
+  Doubles direction() const {
+    const double* direction = nullptr;
+    const bool asked = obc_sphere_optimizer_get_direction(handle_.get(), &direction, nullptr) == OBC_OK;
+    return {direction, asked ? n_ : 0};
+  }
+  // That product; an entry of NaN: there is none.
+  void tell_product(Doubles product) {
+    detail::check_size(product.size(), n_, "product");
+    detail::call(nullptr, [&](obc_error* error) {
+      return obc_sphere_optimizer_tell_product(handle_.get(), product.data(), error);
+    });
+  }
   // Value and gradient there; NaN: there is none.
   void tell(double value, Doubles gradient) {
     detail::check_size(gradient.size(), n_, "gradient");

@@ -119,9 +119,11 @@ export const constants: {
   readonly OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: 1;
   readonly OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: 2;
   readonly OBC_SPHERE_OPTIMIZER_DISSERTATION: 3;
+  readonly OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON: 4;
   readonly OBC_SPHERE_OPTIMIZER_NEED_FG: 1;
   readonly OBC_SPHERE_OPTIMIZER_ITERATION: 2;
   readonly OBC_SPHERE_OPTIMIZER_DONE: 3;
+  readonly OBC_SPHERE_OPTIMIZER_NEED_PRODUCT: 4;
   readonly OBC_SPHERE_OPTIMIZER_RUNNING: 0;
   readonly OBC_SPHERE_OPTIMIZER_CONVERGED: 1;
   readonly OBC_SPHERE_OPTIMIZER_TARGET_REACHED: 2;
@@ -967,6 +969,12 @@ export interface RawFunctions {
   /** Supplies value and gradient for NEED_FG. An entry that is not finite means that f is undefined there; gradient may then be
    * NULL. Errors: invalid argument if no request waits. */
   obc_sphere_optimizer_tell(solver: Pointer, value: number, gradient: Pointer, error: Pointer): number;
+  /** Hands out the direction of a request NEED_PRODUCT, count * dimension numbers in memory of the solver, valid until its next call.
+   * Errors: invalid argument if no product is requested. */
+  obc_sphere_optimizer_get_direction(solver: Pointer, direction: Pointer, error: Pointer): number;
+  /** Supplies the product of the Hessian and the direction, count * dimension numbers, for NEED_PRODUCT. NULL, or an entry that is not finite,
+   * means that there is none at this point. Errors: invalid argument if no product is requested. */
+  obc_sphere_optimizer_tell_product(solver: Pointer, product: Pointer, error: Pointer): number;
   /** Copies the current state at any time: result (or NULL), and x (or NULL). x is the iterate that satisfies the tolerance if the
    * run CONVERGED, otherwise the lowest point evaluated, and before the first value the start. Errors: invalid argument. */
   obc_sphere_optimizer_get_result(solver: Pointer, result: Pointer, x: Pointer, error: Pointer): number;
@@ -991,6 +999,8 @@ export interface RawFunctions {
    * however the run ended (see result->stop), except OBC_CANCELLED where the host cancelled it; x and result are filled in that case
    * too. Errors: invalid argument, out of memory, cancelled. */
   obc_sphere_optimizer_minimize(count: number, dimension: number, options: Pointer, f: number, user: Pointer, x: Pointer, result: Pointer, host: Pointer, error: Pointer): number;
+  /** The same with TRUNCATED_NEWTON and products of the Hessian from a callback, whatever options->method and hessian_products are. */
+  obc_sphere_optimizer_minimize_second_order(count: number, dimension: number, options: Pointer, f: number, product: number, user: Pointer, x: Pointer, result: Pointer, host: Pointer, error: Pointer): number;
   /** Fill blocks with no blocks, and options with the defaults. */
   obc_sphere_optimizer_blocks_init(blocks: Pointer, struct_size: number): number;
   /** Fill blocks with no blocks, and options with the defaults. */

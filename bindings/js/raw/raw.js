@@ -117,9 +117,11 @@ export const constants = {
   OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: 1,
   OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: 2,
   OBC_SPHERE_OPTIMIZER_DISSERTATION: 3,
+  OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON: 4,
   OBC_SPHERE_OPTIMIZER_NEED_FG: 1,
   OBC_SPHERE_OPTIMIZER_ITERATION: 2,
   OBC_SPHERE_OPTIMIZER_DONE: 3,
+  OBC_SPHERE_OPTIMIZER_NEED_PRODUCT: 4,
   OBC_SPHERE_OPTIMIZER_RUNNING: 0,
   OBC_SPHERE_OPTIMIZER_CONVERGED: 1,
   OBC_SPHERE_OPTIMIZER_TARGET_REACHED: 2,
@@ -790,7 +792,7 @@ export const layouts = {
     },
   },
   obc_sphere_optimizer_options: {
-    size: 64,
+    size: 72,
     fields: {
       struct_size: ['u32', 0],
       method: ['i32', 4],
@@ -802,10 +804,11 @@ export const layouts = {
       max_iterations: ['u64', 40],
       starts: ['u64', 48],
       seed: ['u64', 56],
+      hessian_products: ['i32', 64],
     },
   },
   obc_sphere_optimizer_result: {
-    size: 64,
+    size: 72,
     fields: {
       struct_size: ['u32', 0],
       stop: ['i32', 4],
@@ -816,6 +819,7 @@ export const layouts = {
       iterations: ['u64', 40],
       starts: ['u64', 48],
       best_start: ['u64', 56],
+      products: ['u64', 64],
     },
   },
   obc_sphere_optimizer_blocks: {
@@ -1000,6 +1004,7 @@ export const callbacks = {
   obc_projected_gradient_projection: 'iiiii',
   obc_sphere_map_trace_function: 'vjjdi',
   obc_sphere_optimizer_function: 'iiiiiii',
+  obc_sphere_optimizer_product_function: 'iiiiiii',
   obc_sphere_optimizer_block_function: 'iiiiiiii',
   obc_trust_region_function: 'iiiii',
 };
@@ -1250,6 +1255,8 @@ export const functions = {
   obc_sphere_optimizer_create: 'iiiiiiii',
   obc_sphere_optimizer_step: 'iii',
   obc_sphere_optimizer_tell: 'iidii',
+  obc_sphere_optimizer_get_direction: 'iiii',
+  obc_sphere_optimizer_tell_product: 'iiii',
   obc_sphere_optimizer_get_result: 'iiiii',
   obc_sphere_optimizer_get_shape: 'iiiii',
   obc_sphere_optimizer_save_size: 'ii',
@@ -1257,6 +1264,7 @@ export const functions = {
   obc_sphere_optimizer_load: 'iiiiii',
   obc_sphere_optimizer_destroy: 'vi',
   obc_sphere_optimizer_minimize: 'iiiiiiiiii',
+  obc_sphere_optimizer_minimize_second_order: 'iiiiiiiiiii',
   obc_sphere_optimizer_blocks_init: 'iii',
   obc_sphere_optimizer_relaxation_options_init: 'iii',
   obc_sphere_optimizer_relax: 'iiiiiiiii',
@@ -1330,7 +1338,7 @@ export const words = {
     method: { 'balanced': 0, 'angle-area': 1, 'isometric': 2, 'stretch': 3, 'conformal': 4, 'dissertation': 5 },
   },
   obc_sphere_optimizer_options: {
-    method: { 'limited-memory': 0, 'barzilai-borwein': 1, 'great-circle': 2, 'dissertation': 3 },
+    method: { 'limited-memory': 0, 'barzilai-borwein': 1, 'great-circle': 2, 'dissertation': 3, 'truncated-newton': 4 },
   },
   obc_sphere_optimizer_relaxation_options: {
     method: { 'great-circle': 2, 'dissertation': 3 },

@@ -137,25 +137,34 @@ export namespace projectedGradient {
 export interface SphereOptimizerOptions {
   /** Numbers of a unit vector, 3 if it is not said. */
   dimension?: number;
-  method?: 'limitedMemory' | 'barzilaiBorwein' | 'dissertation';
+  method?: 'limitedMemory' | 'barzilaiBorwein' | 'greatCircle' | 'dissertation' | 'truncatedNewton';
   memory?: number;
   history?: number;
   gradientTolerance?: number;
   target?: number;
   maxEvaluations?: number;
   maxIterations?: number;
+  starts?: number;
+  seed?: number;
+  hessianProducts?: boolean;
 }
+
+/** Writes the product of the Hessian at x, as a function of all numbers of x, and a direction. */
+export type HessianProduct = (x: Float64Array, direction: Float64Array, product: Float64Array) => void;
 
 export class SphereOptimizer extends Run {
   constructor(x0: Numbers, options?: SphereOptimizerOptions);
   static load(saved: Uint8Array, x0: Numbers): SphereOptimizer;
+  /** The vector whose product with the Hessian is requested; null where value and gradient are. */
+  readonly direction: Float64Array | null;
   ask(): Float64Array | null;
   tell(value: number, gradient?: Numbers): void;
-  run(f: WithGradient, host?: Host): RunResult;
+  tellProduct(product: Numbers | null): void;
+  run(f: WithGradient, host?: Host & { hessianProduct?: HessianProduct }): RunResult;
 }
 
 export namespace sphereOptimizer {
-  function minimize(f: WithGradient, x0: Numbers, options?: SphereOptimizerOptions & Host): RunResult;
+  function minimize(f: WithGradient, x0: Numbers, options?: SphereOptimizerOptions & { hessianProduct?: HessianProduct } & Host): RunResult;
 }
 
 // ---- surfaces --------------------------------------------------------------------------------------------------------------

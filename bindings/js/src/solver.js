@@ -23,6 +23,7 @@ export class StopRun extends Error {
 }
 
 const NEED = 1; // of every solver
+const NEED_PRODUCT = 4;
 const DONE = 3;
 
 /** One number for all, or one each. */
@@ -41,6 +42,8 @@ export class Run extends Handle {
   #seen = null;
   #put = null;
   #stopped = false;
+  /** Whether a product of the Hessian is requested, not a value. */
+  wantsProduct = false;
 
   constructor(prefix, address, n, outputs) {
     const [out, answers] = [allocate(8), allocate(8 * outputs)];
@@ -60,7 +63,8 @@ export class Run extends Handle {
       const request = this.#step(this.address, this.#out, this.#out + 4);
       if (request === DONE) return null;
       if (request < 0) throw new Error(`${this.#prefix}_step returned ${request}`);
-      if (request === NEED) {
+      if (request === NEED || request === NEED_PRODUCT) {
+        this.wantsProduct = request === NEED_PRODUCT;
         const address = view('u32', this.#out, 1)[0];
         if (this.#seen?.byteOffset !== address || this.#seen.length === 0) this.#seen = view('f64', address, this.n);
         return this.#seen;
@@ -179,10 +183,10 @@ export class GradientRun extends Run {
 }
 
 /** The minimum value of f that a run of the class finds from x0. */
-export function minimizeWithGradients(Solver, f, x0, { onProgress, signal, ...given }) {
+export function minimizeWithGradients(Solver, f, x0, { onProgress, signal, ...given }, more = {}) {
   const solver = new Solver(x0, given);
   try {
-    return solver.run(f, { onProgress, signal, limit: given.maxEvaluations ?? 100000 });
+    return solver.run(f, { ...more, onProgress, signal, limit: given.maxEvaluations ?? 100000 });
   } finally {
     solver.close();
   }

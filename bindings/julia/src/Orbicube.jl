@@ -5,9 +5,9 @@ functions as they are.
 module Orbicube
 
 export OrbicubeError, EvaluationFailed, StopRun
-export TrustRegion, ProjectedGradient, SphereOptimizer, optimize, least_squares, only_fg!, project
+export TrustRegion, ProjectedGradient, SphereOptimizer, optimize, least_squares, only_fg!, only_fg_and_hv!, project
 export minimizer, converged, iterations, f_calls, stop_reason, report
-export Run, ask!, tell!, result, multipliers, save, load
+export Run, ask!, tell!, asked_direction, tell_product!, result, multipliers, save, load
 export relax, Relaxation, relax!
 export LinearFactor, solve, refactor!, remove_row!, update!, entry_count, LinearIterations
 export Surface, make_surface, read_surface, write_surface, topology, sphere_map, measure_map

@@ -42,6 +42,13 @@ struct ValueAndGradient{F}
 end
 only_fg!(fg!) = ValueAndGradient(fg!)
 
+"The same, and a function that fills the product of the Hessian at x, as a function of all numbers of x, and v: `hv!(Hv, x, v)`."
+struct ValueGradientAndProduct{F,H}
+    fg!::F
+    hv!::H
+end
+only_fg_and_hv!(fg!, hv!) = ValueGradientAndProduct(fg!, hv!)
+
 # -- what C calls --------------------------------------------------------------------------------------------------------------
 
 mutable struct Called{F,N}
@@ -91,6 +98,29 @@ end
 spheres_called(x::Ptr{Float64}, count::Csize_t, dimension::Csize_t, value::Ptr{Float64}, gradient::Ptr{Float64},
                called::Called)::Int32 = gradient_called(x, count * dimension, value, gradient, called)
 
+mutable struct CalledProduct{F,H}
+    f::Called{F,2}
+    hv!::H
+    direction::Matrix{Float64}
+end
+
+product_value_called(x::Ptr{Float64}, count::Csize_t, dimension::Csize_t, value::Ptr{Float64}, gradient::Ptr{Float64},
+                     called::CalledProduct)::Int32 = gradient_called(x, count * dimension, value, gradient, called.f)
+
+function product_called(x::Ptr{Float64}, direction::Ptr{Float64}, count::Csize_t, dimension::Csize_t, product::Ptr{Float64},
+                        called::CalledProduct)::Int32
+    unsafe_copyto!(pointer(called.f.x), x, count * dimension)
+    unsafe_copyto!(pointer(called.direction), direction, count * dimension)
+    answered(called.f) do
+        called.hv!(called.f.output, called.f.x, called.direction)
+        unsafe_copyto!(product, pointer(called.f.output), length(called.f.output))
+    end
+end
+
+product_value_function(::C) where {C} =
+    @cfunction(product_value_called, Int32, (Ptr{Float64}, Csize_t, Csize_t, Ptr{Float64}, Ptr{Float64}, Ref{C}))
+product_function(::C) where {C} =
+    @cfunction(product_called, Int32, (Ptr{Float64}, Ptr{Float64}, Csize_t, Csize_t, Ptr{Float64}, Ref{C}))
 value_function(::C) where {C} = @cfunction(value_called, Int32, (Ptr{Float64}, Csize_t, Ptr{Float64}, Ref{C}))
 residuals_function(::C) where {C} = @cfunction(residuals_called, Int32, (Ptr{Float64}, Csize_t, Ptr{Float64}, Ref{C}))
 gradient_function(::C) where {C} =
@@ -224,6 +254,19 @@ function optimize(f::ValueAndGradient, x0::AbstractMatrix, method::SphereOptimiz
     end
 end
 
+function optimize(f::ValueGradientAndProduct, x0::AbstractMatrix, method::SphereOptimizer)
+    x = Matrix{Float64}(x0)
+    options = filled(Raw.obc_sphere_optimizer_options, Raw.obc_sphere_optimizer_options_init, method.options,
+                     "OBC_SPHERE_OPTIMIZER_")
+    called = CalledProduct(Called(f.fg!, similar(x), similar(x), Caught()), f.hv!, similar(x))
+    result = sized(Raw.obc_sphere_optimizer_result)
+    finished(called.f, result, x, Raw.obc_sphere_optimizer_stop_name) do error
+        GC.@preserve called Raw.obc_sphere_optimizer_minimize_second_order(
+            size(x, 2), size(x, 1), options, product_value_function(called), product_function(called),
+            pointer_from_objref(called), x, result, C_NULL, error)
+    end
+end
+
 both(f, g!) = only_fg!((G, x) -> (g!(G, x); f(x)))
 optimize(f, g!, x0::AbstractArray, method::Union{ProjectedGradient,SphereOptimizer}; problem...) =
     optimize(both(f, g!), x0, method; problem...)
@@ -320,8 +363,8 @@ step!(run::Run{<:SphereOptimizer}, x) = Raw.obc_sphere_optimizer_step(run.handle
 function ask!(run::Run)
     x = Ref(Ptr{Float64}(C_NULL))
     GC.@preserve run while true
-        request = step!(run, x) # of every solver: 1 evaluate, 2 a new iterate, 3 done
-        request == 1 && return copy(unsafe_wrap(Array, x[], size(run.x)))
+        request = step!(run, x) # of every solver: 1 evaluate, 2 a new iterate, 3 done, 4 a product of the Hessian
+        (request == 1 || request == 4) && return copy(unsafe_wrap(Array, x[], size(run.x)))
         request == 3 && return nothing
         request < 0 && throw(OrbicubeError(request, "internal", "step"))
     end
@@ -340,6 +383,22 @@ function tell!(run::Run{<:Union{ProjectedGradient,SphereOptimizer}}, value::Real
         run isa Run{<:ProjectedGradient} ? Raw.obc_projected_gradient_tell(run.handle, value, slope, error) :
         Raw.obc_sphere_optimizer_tell(run.handle, value, slope, error)
     end
+end
+
+"The vector whose product with the Hessian at the point is queried, a copy; `nothing` where value and gradient are."
+function asked_direction(run::Run{<:SphereOptimizer})
+    found = Ref(Ptr{Float64}(C_NULL))
+    GC.@preserve run begin
+        Raw.obc_sphere_optimizer_get_direction(run.handle, found, C_NULL) == 0 || return nothing
+        copy(unsafe_wrap(Array, found[], size(run.x)))
+    end
+end
+
+"That product; not finite: undefined."
+function tell_product!(run::Run{<:SphereOptimizer}, product::AbstractArray)
+    given = doubles(product)
+    expect(length(given), length(run.x), "product")
+    GC.@preserve run checked(error -> Raw.obc_sphere_optimizer_tell_product(run.handle, given, error))
 end
 
 "What is known now."

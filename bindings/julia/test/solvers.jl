@@ -76,6 +76,26 @@ const scattered = reshape([(i * i * 7 % 37) / 37 - 0.5 for i in 0:35], 3, 12)
     @test bits(minimizer(result(run))) == bits(minimizer(r3))
 end
 
+@testset "products of the Hessian" begin
+    stiffness = [3.0, 1, 2, 5] # the minimum is 1
+    quotient!(G, x) = (G .= 2 .* stiffness .* x; sum(stiffness .* x .^ 2))
+    product!(Hv, x, v) = (Hv .= 2 .* stiffness .* v)
+    r = optimize(only_fg_and_hv!(quotient!, product!), ones(4, 1), SphereOptimizer())
+    @test converged(r) && abs(minimum(r) - 1) < 1e-12 && report(r).products > 0
+    run, numbers = Run(ones(4, 1), SphereOptimizer(method=:truncated_newton, hessian_products=true)), zeros(4, 1)
+    while (x = ask!(run)) !== nothing
+        v = asked_direction(run)
+        if v === nothing
+            value = quotient!(numbers, x)
+            tell!(run, value, numbers)
+        else
+            tell_product!(run, product!(numbers, x, v))
+        end
+    end
+    @test bits(minimizer(result(run))) == bits(minimizer(r))
+    @test_throws DomainError optimize(only_fg_and_hv!(quotient!, (Hv, x, v) -> throw(DomainError(1))), ones(4, 1), SphereOptimizer())
+end
+
 const others = [[j for j in 1:12 if j != i] for i in 1:12]
 "The part of charges! that has one of them."
 function charge!(G, H, block, place, points)

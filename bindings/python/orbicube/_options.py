@@ -302,7 +302,7 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
     ),
     "obc_sphere_optimizer_options": (
         Option("method", "word", "limited-memory",
-               words={"limited-memory": 0, "barzilai-borwein": 1, "great-circle": 2, "dissertation": 3},
+               words={"limited-memory": 0, "barzilai-borwein": 1, "great-circle": 2, "dissertation": 3, "truncated-newton": 4},
                doc="OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY or another. Default: LIMITED_MEMORY."),
         Option("memory", "int", 16, low=0, high=4294967295,
                doc="number of pairs of LIMITED_MEMORY, 1 to 1000. Default: 16."),
@@ -322,6 +322,9 @@ OPTIONS: dict[str, tuple[Option, ...]] = {
                    "whole run. Default: 1."),
         Option("seed", "int", 0, low=0, high=18446744073709551615,
                doc="of the random points. Default: 0."),
+        Option("hessian_products", "bool", False,
+               doc="for TRUNCATED_NEWTON, 1: requests products of the Hessian (NEED_PRODUCT), 0: evaluates gradients "
+                   "nearby and computes products from differences. Default: 0."),
     ),
     "obc_sphere_optimizer_relaxation_options": (
         Option("method", "word", "great-circle", words={"great-circle": 2, "dissertation": 3},

@@ -35,21 +35,78 @@ def _points(x0: ArrayLike) -> Doubles:
     return array.copy()
 
 
+class _Product:
+    """What a callback for products returned."""
+
+    def __init__(self, value: Any) -> None:
+        if value is None:
+            raise TypeError(f"hessian_product returned None: return the product, {NO_VALUE}")
+        self.value = value
+
+
 class Solver(GradientRun):
     """A run by reverse communication; x0, the points queried and gradients have a row a sphere."""
 
     @with_options("obc_sphere_optimizer_options")
     def __init__(self, x0: ArrayLike, *,
                  # options of obc_sphere_optimizer_options, written by scripts/bindings.py
-                 method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation"] = "limited-memory",
+                 method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation", "truncated-newton"] = "limited-memory",
                  memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
                  max_evaluations: int = 100000, max_iterations: int = 100000, starts: int = 1, seed: int = 0,
+                 hessian_products: bool = False,
                  # end of options
                  ) -> None:
         chosen = filled(raw.obc_sphere_optimizer_options, raw.obc_sphere_optimizer_options_init, locals())
         start, handle = _points(x0), ctypes.c_void_p()
         call(raw.obc_sphere_optimizer_create, start.shape[0], start.shape[1], byref(chosen), address(start), None, byref(handle))
         super().__init__(raw, "obc_sphere_optimizer", handle.value or 0, start.shape)
+
+    @property
+    def direction(self) -> Optional[Doubles]:
+        """With `hessian_products`, the vector whose product with the Hessian at the point queried is to be told; None: value and
+        gradient are."""
+        where = ctypes.c_void_p()
+        if raw.obc_sphere_optimizer_get_direction(self._handle, byref(where), None):
+            return None
+        direction: Doubles = memory_of(where.value or 0, self._size).reshape(self._shape).copy()
+        return direction
+
+    def tell_product(self, product: Optional[ArrayLike]) -> None:
+        """The product of the Hessian and `direction`; None: there is none."""
+        if product is None:
+            call(raw.obc_sphere_optimizer_tell_product, self._handle, None)
+            return
+        put(self._gradient, product, "product")
+        call(raw.obc_sphere_optimizer_tell_product, self._handle, self._gradient_at)
+
+    @public
+    def run(self, f: Callable[[Doubles], Any], progress: Progress = None,
+            hessian_product: Optional[Callable[[Doubles, Doubles], ArrayLike]] = None) -> Result:
+        """Calls f, which returns (value, gradient), and with `hessian_products` hessian_product(x, direction), until the run has ended."""
+        if hessian_product is None:
+            return super().run(f, progress)
+        product: Callable[[Doubles, Doubles], ArrayLike] = hessian_product
+
+        def answer(x: Doubles) -> Any:
+            direction = self.direction
+            return f(x) if direction is None else _Product(product(x, direction))
+        return super().run(answer, progress)
+
+    def _answer(self, answer: Any) -> None:
+        if isinstance(answer, _Product):
+            self.tell_product(answer.value)
+        else:
+            super()._answer(answer)
+
+    def _failed(self) -> None:
+        if self.direction is None:
+            super()._failed()
+        else:
+            self.tell_product(None)
+
+    def _last(self, *answer: Any) -> None:
+        if self.direction is None:  # the value of f, not of a product
+            super()._last(*answer)
 
     @classmethod
     @public
@@ -66,13 +123,22 @@ class Solver(GradientRun):
 @with_options("obc_sphere_optimizer_options")
 def minimize(f: Callable[[Doubles], tuple[float, ArrayLike]], x0: ArrayLike, *,
              # options of obc_sphere_optimizer_options, written by scripts/bindings.py
-             method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation"] = "limited-memory",
+             method: Literal["limited-memory", "barzilai-borwein", "great-circle", "dissertation", "truncated-newton"] = "limited-memory",
              memory: int = 16, history: int = 10, gradient_tolerance: float = 1e-08, target: float = float("-inf"),
              max_evaluations: int = 100000, max_iterations: int = 100000, starts: int = 1, seed: int = 0,
+             hessian_products: bool = False,
              # end of options
-             progress: Progress = None) -> Result:
-    """The minimum value of f that is found from x0, a row a sphere; f returns (value, gradient)."""
-    return Solver(x0, **picked(locals(), "obc_sphere_optimizer_options")).run(f, progress)
+             hessian_product: Optional[Callable[[Doubles, Doubles], ArrayLike]] = None, progress: Progress = None) -> Result:
+    """The minimum value of f that is found from x0, a row a sphere; f returns (value, gradient).
+
+    hessian_product(x, direction) returns the product of the Hessian of f at x, as a function of all numbers of x, and a direction of
+    the same shape; the method is then "truncated-newton"."""
+    options = picked(locals(), "obc_sphere_optimizer_options")
+    if hessian_product is not None:
+        if method not in ("limited-memory", "truncated-newton"):
+            raise ValueError(f"hessian_product: method {method!r} takes none")
+        options.update(method="truncated-newton", hessian_products=True)
+    return Solver(x0, **options).run(f, progress, hessian_product)
 
 
 class Relaxed:

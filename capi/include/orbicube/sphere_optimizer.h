@@ -8,10 +8,15 @@
  *   GREAT_CIRCLE              the great-circle search of the dissertation's Algorithm 2 (section 3.1.4), corrected: it follows the
  *                             tangent gradient, starts from the length of the last step, and bisects the angle
  *   DISSERTATION              Algorithm 2 as printed, for comparison: the first arc ends at -G / |G| or its mirror image
+ *   TRUNCATED_NEWTON          trust region with conjugate gradients that end early (Absil, Baker, Gallivan 2007), by products of the
+ *                             Hessian that the host supplies, or by differences of gradients
  *
  *   const double *x;
  *   while ((request = obc_sphere_optimizer_step(solver, &x)) > 0 && request != OBC_SPHERE_OPTIMIZER_DONE)
  *     if (request == OBC_SPHERE_OPTIMIZER_NEED_FG) obc_sphere_optimizer_tell(solver, f(x), gradient(x), NULL);
+ *
+ * TRUNCATED_NEWTON is the fastest where a product of the Hessian costs no more than f and f is quadratic, such as relaxations of
+ * max-cut; elsewhere LIMITED_MEMORY takes fewer evaluations than TRUNCATED_NEWTON takes evaluations and products.
  *
  * Block by block (obc_sphere_optimizer_relax, or _relaxation_run in parts), with the terms of f that contain one block: most promising
  * blocks first, then, when gains decrease slowly, in sweeps with over-relaxed steps (Young 1954). A step follows a great
@@ -19,7 +24,7 @@
  * gradient as a whole; all at once reaches high accuracy in fewer evaluations.
  *
  * Memory, in numbers, allocated by _create, _load and at the start of _relax: (7 + 2 memory) N d + 3 N for LIMITED_MEMORY,
- * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for DISSERTATION, N d more for several starts; 18 bytes a block
+ * 7 N d + 3 N for BARZILAI_BORWEIN and GREAT_CIRCLE, 9 N d + 3 N for DISSERTATION, 11 N d + 3 N for TRUNCATED_NEWTON, N d more for several starts; 18 bytes a block
  * for _relax. An iteration takes O(N d memory) time and usually 1.0 to 1.1 evaluations.
  *
  * Thread safety: a solver serves one thread at a time; distinct solvers may run at the same time. All work is done on the calling
@@ -63,14 +68,17 @@ enum {
   OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY = 0,
   OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN = 1,
   OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE = 2,
-  OBC_SPHERE_OPTIMIZER_DISSERTATION = 3
+  OBC_SPHERE_OPTIMIZER_DISSERTATION = 3,
+  OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON = 4
 };
 
 /* Requests of obc_sphere_optimizer_step. */
 enum {
   OBC_SPHERE_OPTIMIZER_NEED_FG = 1,   /* evaluate f and its gradient at x, then call _tell */
   OBC_SPHERE_OPTIMIZER_ITERATION = 2, /* x is a new iterate; requires no action */
-  OBC_SPHERE_OPTIMIZER_DONE = 3       /* the run has ended; see _get_result */
+  OBC_SPHERE_OPTIMIZER_DONE = 3,      /* the run has ended; see _get_result */
+  OBC_SPHERE_OPTIMIZER_NEED_PRODUCT = 4 /* compute the product of the Hessian of f at x and the vector of _get_direction, then call
+                                           _tell_product. Only with the option hessian_products */
 };
 
 /* Stop codes: how a run ended. obc_sphere_optimizer_stop_name has their names. */
@@ -111,6 +119,9 @@ typedef struct obc_sphere_optimizer_options {
   uint64_t starts; /* number of points to start from, at least 1: x0, then random points. A run that CONVERGED, STALLED or failed at one
                       continues at the next; the lowest point of all is the result, and all limits are of the whole run. Default: 1. */
   uint64_t seed;   /* of the random points. Default: 0. */
+
+  int32_t hessian_products; /* for TRUNCATED_NEWTON, 1: requests products of the Hessian (NEED_PRODUCT), 0: evaluates gradients nearby
+                               and computes products from differences. Default: 0. */
 } obc_sphere_optimizer_options;
 
 /* State of a run. The caller sets struct_size. */
@@ -127,14 +138,22 @@ typedef struct obc_sphere_optimizer_result {
 
   uint64_t starts;     /* number of starts that have begun */
   uint64_t best_start; /* number of the start that led to the returned point, from 0 */
+
+  uint64_t products; /* number of products of the Hessian, supplied or from differences */
 } obc_sphere_optimizer_result;
 
 /* Evaluates f at x (count blocks of dimension numbers, consecutive) and its gradient in the same order: the gradient in R^d of each
  * block, or any vector with the same tangential component. DISSERTATION uses the whole gradient; LIMITED_MEMORY takes the normal component as an
- * estimate of the stiffness of each block, which saves evaluations. A value or entry that is not finite counts as FAILED. Returns one
+ * estimate of the stiffness of each block, which saves evaluations, and TRUNCATED_NEWTON with hessian_products needs the whole. A value or entry that is not finite counts as FAILED. Returns one
  * of the constants above. */
 typedef int32_t (*obc_sphere_optimizer_function)(const double *x, size_t count, size_t dimension, double *value,
                                                  double *gradient, void *user);
+
+/* Computes the product of the Hessian of f in R^(count dimension) at x with a direction, which is tangent to the spheres; x, direction and
+ * product have count * dimension numbers. f was evaluated at the same x before. An entry that is not finite counts as FAILED, which ends
+ * the search for a step, not the run. Returns one of the constants above. */
+typedef int32_t (*obc_sphere_optimizer_product_function)(const double *x, const double *direction, size_t count,
+                                                         size_t dimension, double *product, void *user);
 
 /* Fills options with the defaults. */
 OBC_API obc_status obc_sphere_optimizer_options_init(obc_sphere_optimizer_options *options, size_t struct_size);
@@ -157,6 +176,16 @@ OBC_API int32_t obc_sphere_optimizer_step(obc_sphere_optimizer *solver, const do
  * NULL. Errors: invalid argument if no request waits. */
 OBC_API obc_status obc_sphere_optimizer_tell(obc_sphere_optimizer *solver, double value, const double *gradient,
                                              obc_error *error);
+
+/* Hands out the direction of a request NEED_PRODUCT, count * dimension numbers in memory of the solver, valid until its next call.
+ * Errors: invalid argument if no product is requested. */
+OBC_API obc_status obc_sphere_optimizer_get_direction(const obc_sphere_optimizer *solver, const double **direction,
+                                                      obc_error *error);
+
+/* Supplies the product of the Hessian and the direction, count * dimension numbers, for NEED_PRODUCT. NULL, or an entry that is not finite,
+ * means that there is none at this point. Errors: invalid argument if no product is requested. */
+OBC_API obc_status obc_sphere_optimizer_tell_product(obc_sphere_optimizer *solver, const double *product,
+                                                     obc_error *error);
 
 /* Copies the current state at any time: result (or NULL), and x (or NULL). x is the iterate that satisfies the tolerance if the
  * run CONVERGED, otherwise the lowest point evaluated, and before the first value the start. Errors: invalid argument. */
@@ -188,6 +217,14 @@ OBC_API obc_status obc_sphere_optimizer_minimize(size_t count, size_t dimension,
                                                  obc_sphere_optimizer_function f, void *user, double *x,
                                                  obc_sphere_optimizer_result *result, const obc_host *host,
                                                  obc_error *error);
+
+/* The same with TRUNCATED_NEWTON and products of the Hessian from a callback, whatever options->method and hessian_products are. */
+OBC_API obc_status obc_sphere_optimizer_minimize_second_order(size_t count, size_t dimension,
+                                                              const obc_sphere_optimizer_options *options,
+                                                              obc_sphere_optimizer_function f,
+                                                              obc_sphere_optimizer_product_function product, void *user,
+                                                              double *x, obc_sphere_optimizer_result *result,
+                                                              const obc_host *host, obc_error *error);
 
 /* ---- block by block -------------------------------------------------------------------------------------------------- */
 

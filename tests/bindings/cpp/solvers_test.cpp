@@ -166,6 +166,44 @@ TEST_CASE("projected gradient: rows, multipliers, a projection of one's own, a c
   CHECK_THROWS_AS(projected_gradient::Solver(x, problem), Error);
 }
 
+TEST_CASE("points on spheres with products of the Hessian") {
+  const double stiffness[] = {3, 1, 2, 5};  // the minimum is 1
+  const auto quotient = [&](Doubles x, View<double> gradient) {
+    double value = 0;
+    for (std::size_t k = 0; k < 4; ++k) {
+      gradient[k] = 2 * stiffness[k] * x[k];
+      value += stiffness[k] * x[k] * x[k];
+    }
+    return value;
+  };
+  const auto product = [&](Doubles, Doubles direction, View<double> out) {
+    for (std::size_t k = 0; k < 4; ++k)
+      out[k] = 2 * stiffness[k] * direction[k];
+  };
+  const std::vector<double> start = {1, 1, 1, 1};
+  std::vector<double> x = start, numbers(4);
+  const sphere_optimizer::Result result = sphere_optimizer::minimize_second_order(quotient, product, x, 4);
+  CHECK(std::abs(result.value - 1) < 1e-12);
+  CHECK(result.products > 0);
+  sphere_optimizer::Options options;
+  options.method = OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON;
+  options.hessian_products = 1;
+  sphere_optimizer::Solver solver(start, 4, options);
+  while (solver.ask()) {
+    if (solver.direction().empty()) {
+      const double value = quotient(solver.point(), numbers);
+      solver.tell(value, numbers);
+    } else {
+      product(solver.point(), solver.direction(), numbers);
+      solver.tell_product(numbers);
+    }
+  }
+  CHECK(solver.best() == x);
+  const auto broken = [](Doubles, Doubles, View<double>) { throw Mine("product"); };
+  x = start;
+  CHECK_THROWS_AS(sphere_optimizer::minimize_second_order(quotient, broken, x, 4), Mine);
+}
+
 TEST_CASE("points on spheres, all at once and block by block") {
   std::vector<double> x = {1, 0, 0, 0, 1, 0};
   CHECK(std::abs(sphere_optimizer::minimize(height, x, 3).value + 2) < 1e-12);

@@ -152,6 +152,28 @@ export const checks = {
     assert(decay.converged && mix.converged && points.converged);
   },
 
+  'products of the Hessian lower a quotient to its least value'(o) {
+    const stiffness = [3, 1, 2, 5]; // the minimum is 1
+    const quotient = (x, gradient) => stiffness.reduce((sum, k, i) => {
+      gradient[i] = 2 * k * x[i];
+      return sum + k * x[i] * x[i];
+    }, 0);
+    const hessianProduct = (x, direction, product) => stiffness.forEach((k, i) => { product[i] = 2 * k * direction[i]; });
+    const end = o.sphereOptimizer.minimize(quotient, [1, 1, 1, 1], { dimension: 4, hessianProduct });
+    assert(end.converged && Math.abs(end.value - 1) < 1e-12 && end.report.products > 0);
+    const run = new o.SphereOptimizer([1, 1, 1, 1], { dimension: 4, method: 'truncatedNewton', hessianProducts: true });
+    const numbers = new Float64Array(4);
+    for (let x; (x = run.ask()) !== null;) {
+      const { direction } = run;
+      if (direction) {
+        hessianProduct(x, direction, numbers);
+        run.tellProduct(numbers);
+      } else run.tell(quotient(x, numbers), numbers);
+    }
+    sameBits(run.result.x, end.x);
+    run.close();
+  },
+
   'questions and answers end in the same bits, also through save and load'(o) {
     const wanted = o.trustRegion.leastSquares(misfit, [1, 0.1, 0], 8, decayBounds);
     let solver = new o.TrustRegion([1, 0.1, 0], { residuals: 8, ...decayBounds });

@@ -241,7 +241,7 @@ NOT_WALKED = {"projected_gradient.scipy_method", "trust_region.scipy_least_squar
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.LabelSurface", "repair.Repaired", "sphere_map.SphereMap",
               "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.FrameMap", "volume_map.Solid",
               "hexmesh.Hexes", "hexmesh.MissingFeature"}
-EACH_EVALUATION = ("ask", "ask_all", "tell", "save", "close")
+EACH_EVALUATION = ("ask", "ask_all", "tell", "tell_product", "save", "close")
 NO_MISTAKE = object()
 
 

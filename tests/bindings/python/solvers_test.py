@@ -114,6 +114,46 @@ class SameBits(unittest.TestCase):
             solver = sphere_optimizer.Solver.load(solver.save())
         self.same("icosahedron", solver.result)
 
+    def test_products_of_the_hessian(self):
+        stiffness = np.array([[3.0, 1, 0, 0], [1, 4, 1, 0], [0, 1, 5, 1], [0, 0, 1, 6]])
+        least = float(np.linalg.eigvalsh(stiffness)[0])
+        start = [[1.0, -2, 3, -4]]
+
+        def quotient(x):
+            return float(np.vdot(x, x @ stiffness)), 2 * x @ stiffness
+
+        def product(x, direction):
+            self.assertAlmostEqual(float(np.vdot(x, direction)), 0)
+            return 2 * direction @ stiffness
+        result = sphere_optimizer.minimize(quotient, start, hessian_product=product)
+        self.assertTrue(result.converged)
+        self.assertAlmostEqual(result.value, least, places=12)
+        self.assertGreater(result.report.products, 0)
+        differenced = sphere_optimizer.minimize(quotient, start, method="truncated-newton")
+        self.assertAlmostEqual(differenced.value, least, places=12)
+
+        solver = sphere_optimizer.Solver(start, method="truncated-newton", hessian_products=True)
+        while (x := solver.ask()) is not None:
+            if (direction := solver.direction) is None:
+                solver.tell(*quotient(x))
+            else:
+                solver.tell_product(product(x, direction))
+            solver = sphere_optimizer.Solver.load(solver.save())
+        np.testing.assert_array_equal(solver.result.x, result.x)
+
+        def stopping(x, direction):
+            raise sphere_optimizer.Stop(1)
+        stopped = sphere_optimizer.minimize(quotient, start, hessian_product=stopping)
+        self.assertEqual(stopped.stop, "cancelled")
+
+        def failing(x, direction):
+            raise sphere_optimizer.EvaluationFailed
+        self.assertLess(sphere_optimizer.minimize(quotient, start, hessian_product=failing, max_evaluations=500).value, least + 1e-3)
+        with self.assertRaisesRegex(TypeError, "hessian_product returned None"):
+            sphere_optimizer.minimize(quotient, start, hessian_product=lambda x, direction: None)
+        with self.assertRaisesRegex(ValueError, "hessian_product: method 'great-circle' takes none"):
+            sphere_optimizer.minimize(quotient, start, hessian_product=product, method="great-circle")
+
     def test_sparse_rows_in_three_forms(self):
         starts, columns, values = [0, 5, 10], list(range(5)) * 2, [1.0] * 5 + list(PROTEIN)
 

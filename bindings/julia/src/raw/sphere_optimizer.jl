@@ -4,10 +4,12 @@ const OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY = Int32(0)
 const OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN = Int32(1)
 const OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE = Int32(2)
 const OBC_SPHERE_OPTIMIZER_DISSERTATION = Int32(3)
+const OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON = Int32(4)
 
 const OBC_SPHERE_OPTIMIZER_NEED_FG = Int32(1)
 const OBC_SPHERE_OPTIMIZER_ITERATION = Int32(2)
 const OBC_SPHERE_OPTIMIZER_DONE = Int32(3)
+const OBC_SPHERE_OPTIMIZER_NEED_PRODUCT = Int32(4)
 
 const OBC_SPHERE_OPTIMIZER_RUNNING = Int32(0)
 const OBC_SPHERE_OPTIMIZER_CONVERGED = Int32(1)
@@ -37,6 +39,7 @@ mutable struct obc_sphere_optimizer_options <: CStruct
     max_iterations::UInt64
     starts::UInt64
     seed::UInt64
+    hessian_products::Int32
     obc_sphere_optimizer_options() = zeroed!(new())
 end
 
@@ -50,6 +53,7 @@ mutable struct obc_sphere_optimizer_result <: CStruct
     iterations::UInt64
     starts::UInt64
     best_start::UInt64
+    products::UInt64
     obc_sphere_optimizer_result() = zeroed!(new())
 end
 
@@ -102,6 +106,14 @@ const address_obc_sphere_optimizer_tell = Ref(C_NULL)
 obc_sphere_optimizer_tell(solver, value, gradient, error) =
     ccall(symbol(address_obc_sphere_optimizer_tell, :sphere_optimizer, :obc_sphere_optimizer_tell), Int32, (Ptr{Cvoid}, Float64, Ptr{Float64}, Ptr{obc_error}), solver, value, gradient, error)
 
+const address_obc_sphere_optimizer_get_direction = Ref(C_NULL)
+obc_sphere_optimizer_get_direction(solver, direction, error) =
+    ccall(symbol(address_obc_sphere_optimizer_get_direction, :sphere_optimizer, :obc_sphere_optimizer_get_direction), Int32, (Ptr{Cvoid}, Ptr{Ptr{Float64}}, Ptr{obc_error}), solver, direction, error)
+
+const address_obc_sphere_optimizer_tell_product = Ref(C_NULL)
+obc_sphere_optimizer_tell_product(solver, product, error) =
+    ccall(symbol(address_obc_sphere_optimizer_tell_product, :sphere_optimizer, :obc_sphere_optimizer_tell_product), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{obc_error}), solver, product, error)
+
 const address_obc_sphere_optimizer_get_result = Ref(C_NULL)
 obc_sphere_optimizer_get_result(solver, result, x, error) =
     ccall(symbol(address_obc_sphere_optimizer_get_result, :sphere_optimizer, :obc_sphere_optimizer_get_result), Int32, (Ptr{Cvoid}, Ptr{obc_sphere_optimizer_result}, Ptr{Float64}, Ptr{obc_error}), solver, result, x, error)
@@ -129,6 +141,10 @@ obc_sphere_optimizer_destroy(solver) =
 const address_obc_sphere_optimizer_minimize = Ref(C_NULL)
 obc_sphere_optimizer_minimize(count, dimension, options, f, user, x, result, host, error) =
     ccall(symbol(address_obc_sphere_optimizer_minimize, :sphere_optimizer, :obc_sphere_optimizer_minimize), Int32, (Csize_t, Csize_t, Ptr{obc_sphere_optimizer_options}, Ptr{Cvoid}, Ptr{Cvoid}, Ptr{Float64}, Ptr{obc_sphere_optimizer_result}, Ptr{obc_host}, Ptr{obc_error}), count, dimension, options, f, user, x, result, host, error)
+
+const address_obc_sphere_optimizer_minimize_second_order = Ref(C_NULL)
+obc_sphere_optimizer_minimize_second_order(count, dimension, options, f, product, user, x, result, host, error) =
+    ccall(symbol(address_obc_sphere_optimizer_minimize_second_order, :sphere_optimizer, :obc_sphere_optimizer_minimize_second_order), Int32, (Csize_t, Csize_t, Ptr{obc_sphere_optimizer_options}, Ptr{Cvoid}, Ptr{Cvoid}, Ptr{Cvoid}, Ptr{Float64}, Ptr{obc_sphere_optimizer_result}, Ptr{obc_host}, Ptr{obc_error}), count, dimension, options, f, product, user, x, result, host, error)
 
 const address_obc_sphere_optimizer_blocks_init = Ref(C_NULL)
 obc_sphere_optimizer_blocks_init(blocks, struct_size) =

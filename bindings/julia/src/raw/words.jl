@@ -20,7 +20,7 @@ const words = Dict{Tuple{Symbol,Symbol},Vector{Pair{Symbol,Int}}}(
     (:obc_projected_gradient_options, :method) => [:face => 0, :dissertation => 1],
     (:obc_projected_gradient_options, :line_search) => [:max_of_last => 0, :average => 1],
     (:obc_sphere_map_options, :method) => [:balanced => 0, :angle_area => 1, :isometric => 2, :stretch => 3, :conformal => 4, :dissertation => 5],
-    (:obc_sphere_optimizer_options, :method) => [:limited_memory => 0, :barzilai_borwein => 1, :great_circle => 2, :dissertation => 3],
+    (:obc_sphere_optimizer_options, :method) => [:limited_memory => 0, :barzilai_borwein => 1, :great_circle => 2, :dissertation => 3, :truncated_newton => 4],
     (:obc_sphere_optimizer_relaxation_options, :method) => [:great_circle => 2, :dissertation => 3],
     (:obc_sphere_optimizer_relaxation_options, :order) => [:automatic => 0, :queue => 1, :sweeps => 2],
     (:obc_trust_region_options, :method) => [:two_radii => 0, :dissertation => 1],

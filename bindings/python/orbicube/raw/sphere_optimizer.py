@@ -8,10 +8,12 @@ OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY = 0
 OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN = 1
 OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE = 2
 OBC_SPHERE_OPTIMIZER_DISSERTATION = 3
+OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON = 4
 
 OBC_SPHERE_OPTIMIZER_NEED_FG = 1
 OBC_SPHERE_OPTIMIZER_ITERATION = 2
 OBC_SPHERE_OPTIMIZER_DONE = 3
+OBC_SPHERE_OPTIMIZER_NEED_PRODUCT = 4
 
 OBC_SPHERE_OPTIMIZER_RUNNING = 0
 OBC_SPHERE_OPTIMIZER_CONVERGED = 1
@@ -32,6 +34,8 @@ OBC_SPHERE_OPTIMIZER_SWEEPS = 2
 
 obc_sphere_optimizer_function = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p)
 
+obc_sphere_optimizer_product_function = _c.CFUNCTYPE(_c.c_int32, _c.c_void_p, _c.c_void_p, _c.c_size_t, _c.c_size_t, _c.c_void_p, _c.c_void_p)
+
 obc_sphere_optimizer_block_function = _c.CFUNCTYPE(_c.c_int32, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p)
 
 
@@ -48,6 +52,7 @@ class obc_sphere_optimizer_options(_Struct):
         ("max_iterations", _c.c_uint64),
         ("starts", _c.c_uint64),
         ("seed", _c.c_uint64),
+        ("hessian_products", _c.c_int32),
     ]
 
 
@@ -63,6 +68,7 @@ class obc_sphere_optimizer_result(_Struct):
         ("iterations", _c.c_uint64),
         ("starts", _c.c_uint64),
         ("best_start", _c.c_uint64),
+        ("products", _c.c_uint64),
     ]
 
 
@@ -110,6 +116,8 @@ _functions = [
     ("obc_sphere_optimizer_create", _c.c_int32, [_c.c_size_t, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_step", _c.c_int32, [_c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_tell", _c.c_int32, [_c.c_void_p, _c.c_double, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_optimizer_get_direction", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_optimizer_tell_product", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_get_result", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_get_shape", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_save_size", _c.c_size_t, [_c.c_void_p]),
@@ -117,6 +125,7 @@ _functions = [
     ("obc_sphere_optimizer_load", _c.c_int32, [_c.c_void_p, _c.c_size_t, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_destroy", None, [_c.c_void_p]),
     ("obc_sphere_optimizer_minimize", _c.c_int32, [_c.c_size_t, _c.c_size_t, _c.c_void_p, obc_sphere_optimizer_function, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_sphere_optimizer_minimize_second_order", _c.c_int32, [_c.c_size_t, _c.c_size_t, _c.c_void_p, obc_sphere_optimizer_function, obc_sphere_optimizer_product_function, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_sphere_optimizer_blocks_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_sphere_optimizer_relaxation_options_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_sphere_optimizer_relax", _c.c_int32, [_c.c_void_p, _c.c_void_p, obc_sphere_optimizer_block_function, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),

@@ -7,10 +7,12 @@ OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY: int
 OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: int
 OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: int
 OBC_SPHERE_OPTIMIZER_DISSERTATION: int
+OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON: int
 
 OBC_SPHERE_OPTIMIZER_NEED_FG: int
 OBC_SPHERE_OPTIMIZER_ITERATION: int
 OBC_SPHERE_OPTIMIZER_DONE: int
+OBC_SPHERE_OPTIMIZER_NEED_PRODUCT: int
 
 OBC_SPHERE_OPTIMIZER_RUNNING: int
 OBC_SPHERE_OPTIMIZER_CONVERGED: int
@@ -31,6 +33,8 @@ OBC_SPHERE_OPTIMIZER_SWEEPS: int
 
 obc_sphere_optimizer_function: Any
 
+obc_sphere_optimizer_product_function: Any
+
 obc_sphere_optimizer_block_function: Any
 
 class obc_sphere_optimizer_options(Struct):
@@ -44,7 +48,8 @@ class obc_sphere_optimizer_options(Struct):
     max_iterations: int
     starts: int
     seed: int
-    def __init__(self, struct_size: int = ..., method: int = ..., memory: int = ..., history: int = ..., gradient_tolerance: float = ..., target: float = ..., max_evaluations: int = ..., max_iterations: int = ..., starts: int = ..., seed: int = ...) -> None: ...
+    hessian_products: int
+    def __init__(self, struct_size: int = ..., method: int = ..., memory: int = ..., history: int = ..., gradient_tolerance: float = ..., target: float = ..., max_evaluations: int = ..., max_iterations: int = ..., starts: int = ..., seed: int = ..., hessian_products: int = ...) -> None: ...
 
 class obc_sphere_optimizer_result(Struct):
     struct_size: int
@@ -56,7 +61,8 @@ class obc_sphere_optimizer_result(Struct):
     iterations: int
     starts: int
     best_start: int
-    def __init__(self, struct_size: int = ..., stop: int = ..., value: float = ..., gradient_norm: float = ..., evaluations: int = ..., failed_evaluations: int = ..., iterations: int = ..., starts: int = ..., best_start: int = ...) -> None: ...
+    products: int
+    def __init__(self, struct_size: int = ..., stop: int = ..., value: float = ..., gradient_norm: float = ..., evaluations: int = ..., failed_evaluations: int = ..., iterations: int = ..., starts: int = ..., best_start: int = ..., products: int = ...) -> None: ...
 
 class obc_sphere_optimizer_blocks(Struct):
     struct_size: int
@@ -109,6 +115,16 @@ def obc_sphere_optimizer_tell(solver: Pointer, value: float, gradient: Pointer, 
     NULL. Errors: invalid argument if no request waits."""
     ...
 
+def obc_sphere_optimizer_get_direction(solver: Pointer, direction: Pointer, error: Pointer) -> int:
+    """Hands out the direction of a request NEED_PRODUCT, count * dimension numbers in memory of the solver, valid until its next call.
+    Errors: invalid argument if no product is requested."""
+    ...
+
+def obc_sphere_optimizer_tell_product(solver: Pointer, product: Pointer, error: Pointer) -> int:
+    """Supplies the product of the Hessian and the direction, count * dimension numbers, for NEED_PRODUCT. NULL, or an entry that is not finite,
+    means that there is none at this point. Errors: invalid argument if no product is requested."""
+    ...
+
 def obc_sphere_optimizer_get_result(solver: Pointer, result: Pointer, x: Pointer, error: Pointer) -> int:
     """Copies the current state at any time: result (or NULL), and x (or NULL). x is the iterate that satisfies the tolerance if the
     run CONVERGED, otherwise the lowest point evaluated, and before the first value the start. Errors: invalid argument."""
@@ -145,6 +161,10 @@ def obc_sphere_optimizer_minimize(count: int, dimension: int, options: Pointer, 
     """Runs to the end with a callback. x is the start and receives the point of _get_result; result may be NULL. Returns OBC_OK
     however the run ended (see result->stop), except OBC_CANCELLED where the host cancelled it; x and result are filled in that case
     too. Errors: invalid argument, out of memory, cancelled."""
+    ...
+
+def obc_sphere_optimizer_minimize_second_order(count: int, dimension: int, options: Pointer, f: Any, product: Any, user: Pointer, x: Pointer, result: Pointer, host: Pointer, error: Pointer) -> int:
+    """The same with TRUNCATED_NEWTON and products of the Hessian from a callback, whatever options->method and hessian_products are."""
     ...
 
 def obc_sphere_optimizer_blocks_init(blocks: Pointer, struct_size: int) -> int:

@@ -8,6 +8,7 @@ pub const OBC_SPHERE_OPTIMIZER_LIMITED_MEMORY: i32 = 0;
 pub const OBC_SPHERE_OPTIMIZER_BARZILAI_BORWEIN: i32 = 1;
 pub const OBC_SPHERE_OPTIMIZER_GREAT_CIRCLE: i32 = 2;
 pub const OBC_SPHERE_OPTIMIZER_DISSERTATION: i32 = 3;
+pub const OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON: i32 = 4;
 
 /// evaluate f and its gradient at x, then call \_tell
 pub const OBC_SPHERE_OPTIMIZER_NEED_FG: i32 = 1;
@@ -15,6 +16,9 @@ pub const OBC_SPHERE_OPTIMIZER_NEED_FG: i32 = 1;
 pub const OBC_SPHERE_OPTIMIZER_ITERATION: i32 = 2;
 /// the run has ended; see \_get\_result
 pub const OBC_SPHERE_OPTIMIZER_DONE: i32 = 3;
+/// compute the product of the Hessian of f at x and the vector of \_get\_direction, then call
+/// \_tell\_product. Only with the option hessian\_products
+pub const OBC_SPHERE_OPTIMIZER_NEED_PRODUCT: i32 = 4;
 
 /// not ended
 pub const OBC_SPHERE_OPTIMIZER_RUNNING: i32 = 0;
@@ -64,9 +68,14 @@ pub struct obc_sphere_optimizer_relaxation {
 
 /// Evaluates f at x (count blocks of dimension numbers, consecutive) and its gradient in the same order: the gradient in R^d of each
 /// block, or any vector with the same tangential component. DISSERTATION uses the whole gradient; LIMITED\_MEMORY takes the normal component as an
-/// estimate of the stiffness of each block, which saves evaluations. A value or entry that is not finite counts as FAILED. Returns one
+/// estimate of the stiffness of each block, which saves evaluations, and TRUNCATED\_NEWTON with hessian\_products needs the whole. A value or entry that is not finite counts as FAILED. Returns one
 /// of the constants above.
 pub type obc_sphere_optimizer_function = Option<unsafe extern "C" fn(x: *const f64, count: usize, dimension: usize, value: *mut f64, gradient: *mut f64, user: *mut c_void) -> i32>;
+
+/// Computes the product of the Hessian of f in R^(count dimension) at x with a direction, which is tangent to the spheres; x, direction and
+/// product have count \* dimension numbers. f was evaluated at the same x before. An entry that is not finite counts as FAILED, which ends
+/// the search for a step, not the run. Returns one of the constants above.
+pub type obc_sphere_optimizer_product_function = Option<unsafe extern "C" fn(x: *const f64, direction: *const f64, count: usize, dimension: usize, product: *mut f64, user: *mut c_void) -> i32>;
 
 /// Evaluates the terms of f that contain \`block\`, with that block at \`place\` (dimension numbers) and all others as in \`points\` (all
 /// blocks). With gradient not NULL (dimension numbers), place is the current position of the block; with hessian not NULL
@@ -98,6 +107,9 @@ pub struct obc_sphere_optimizer_options {
     pub starts: u64,
     /// of the random points. Default: 0.
     pub seed: u64,
+    /// for TRUNCATED\_NEWTON, 1: requests products of the Hessian (NEED\_PRODUCT), 0: evaluates gradients nearby
+    /// and computes products from differences. Default: 0.
+    pub hessian_products: i32,
 }
 
 /// State of a run. The caller sets struct\_size.
@@ -121,6 +133,8 @@ pub struct obc_sphere_optimizer_result {
     pub starts: u64,
     /// number of the start that led to the returned point, from 0
     pub best_start: u64,
+    /// number of products of the Hessian, supplied or from differences
+    pub products: u64,
 }
 
 /// The spheres and their adjacency. Fill with \_blocks\_init.
@@ -195,6 +209,12 @@ extern "C" {
     /// Supplies value and gradient for NEED\_FG. An entry that is not finite means that f is undefined there; gradient may then be
     /// NULL. Errors: invalid argument if no request waits.
     pub fn obc_sphere_optimizer_tell(solver: *mut obc_sphere_optimizer, value: f64, gradient: *const f64, error: *mut obc_error) -> i32;
+    /// Hands out the direction of a request NEED\_PRODUCT, count \* dimension numbers in memory of the solver, valid until its next call.
+    /// Errors: invalid argument if no product is requested.
+    pub fn obc_sphere_optimizer_get_direction(solver: *const obc_sphere_optimizer, direction: *mut *const f64, error: *mut obc_error) -> i32;
+    /// Supplies the product of the Hessian and the direction, count \* dimension numbers, for NEED\_PRODUCT. NULL, or an entry that is not finite,
+    /// means that there is none at this point. Errors: invalid argument if no product is requested.
+    pub fn obc_sphere_optimizer_tell_product(solver: *mut obc_sphere_optimizer, product: *const f64, error: *mut obc_error) -> i32;
     /// Copies the current state at any time: result (or NULL), and x (or NULL). x is the iterate that satisfies the tolerance if the
     /// run CONVERGED, otherwise the lowest point evaluated, and before the first value the start. Errors: invalid argument.
     pub fn obc_sphere_optimizer_get_result(solver: *const obc_sphere_optimizer, result: *mut obc_sphere_optimizer_result, x: *mut f64, error: *mut obc_error) -> i32;
@@ -219,6 +239,8 @@ extern "C" {
     /// however the run ended (see result-\>stop), except OBC\_CANCELLED where the host cancelled it; x and result are filled in that case
     /// too. Errors: invalid argument, out of memory, cancelled.
     pub fn obc_sphere_optimizer_minimize(count: usize, dimension: usize, options: *const obc_sphere_optimizer_options, f: obc_sphere_optimizer_function, user: *mut c_void, x: *mut f64, result: *mut obc_sphere_optimizer_result, host: *const obc_host, error: *mut obc_error) -> i32;
+    /// The same with TRUNCATED\_NEWTON and products of the Hessian from a callback, whatever options-\>method and hessian\_products are.
+    pub fn obc_sphere_optimizer_minimize_second_order(count: usize, dimension: usize, options: *const obc_sphere_optimizer_options, f: obc_sphere_optimizer_function, product: obc_sphere_optimizer_product_function, user: *mut c_void, x: *mut f64, result: *mut obc_sphere_optimizer_result, host: *const obc_host, error: *mut obc_error) -> i32;
     /// Fill blocks with no blocks, and options with the defaults.
     pub fn obc_sphere_optimizer_blocks_init(blocks: *mut obc_sphere_optimizer_blocks, struct_size: usize) -> i32;
     /// Fill blocks with no blocks, and options with the defaults.
@@ -262,7 +284,7 @@ mod layout {
 
     #[test]
     fn structs_lie_in_memory_as_in_c() {
-        assert_eq!((size_of::<obc_sphere_optimizer_options>(), align_of::<obc_sphere_optimizer_options>()), (64, 8));
+        assert_eq!((size_of::<obc_sphere_optimizer_options>(), align_of::<obc_sphere_optimizer_options>()), (72, 8));
         let it = MaybeUninit::<obc_sphere_optimizer_options>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_optimizer_options.struct_size");
@@ -275,7 +297,8 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).max_iterations) } as usize - start as usize, 40, "obc_sphere_optimizer_options.max_iterations");
         assert_eq!(unsafe { addr_of!((*start).starts) } as usize - start as usize, 48, "obc_sphere_optimizer_options.starts");
         assert_eq!(unsafe { addr_of!((*start).seed) } as usize - start as usize, 56, "obc_sphere_optimizer_options.seed");
-        assert_eq!((size_of::<obc_sphere_optimizer_result>(), align_of::<obc_sphere_optimizer_result>()), (64, 8));
+        assert_eq!(unsafe { addr_of!((*start).hessian_products) } as usize - start as usize, 64, "obc_sphere_optimizer_options.hessian_products");
+        assert_eq!((size_of::<obc_sphere_optimizer_result>(), align_of::<obc_sphere_optimizer_result>()), (72, 8));
         let it = MaybeUninit::<obc_sphere_optimizer_result>::uninit();
         let start = it.as_ptr();
         assert_eq!(unsafe { addr_of!((*start).struct_size) } as usize - start as usize, 0, "obc_sphere_optimizer_result.struct_size");
@@ -287,6 +310,7 @@ mod layout {
         assert_eq!(unsafe { addr_of!((*start).iterations) } as usize - start as usize, 40, "obc_sphere_optimizer_result.iterations");
         assert_eq!(unsafe { addr_of!((*start).starts) } as usize - start as usize, 48, "obc_sphere_optimizer_result.starts");
         assert_eq!(unsafe { addr_of!((*start).best_start) } as usize - start as usize, 56, "obc_sphere_optimizer_result.best_start");
+        assert_eq!(unsafe { addr_of!((*start).products) } as usize - start as usize, 64, "obc_sphere_optimizer_result.products");
         assert_eq!((size_of::<obc_sphere_optimizer_blocks>(), align_of::<obc_sphere_optimizer_blocks>()), (32, 8));
         let it = MaybeUninit::<obc_sphere_optimizer_blocks>::uninit();
         let start = it.as_ptr();

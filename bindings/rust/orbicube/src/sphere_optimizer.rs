@@ -84,6 +84,64 @@ pub fn minimize<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E>(
     result.map(|_| report)
 }
 
+struct FunctionAndProduct<F, P> {
+    f: F,
+    product: P,
+    caught: Caught,
+}
+
+unsafe extern "C" fn value<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E, P>(
+    x: *const f64, count: usize, dimension: usize, value: *mut f64, gradient: *mut f64, user: *mut c_void,
+) -> i32 {
+    let FunctionAndProduct { f, caught, .. } = &mut *(user as *mut FunctionAndProduct<F, P>);
+    let n = count * dimension;
+    caught.guard(|| f(slice::from_raw_parts(x, n), slice::from_raw_parts_mut(gradient, n)).into().code(&mut *value))
+}
+
+unsafe extern "C" fn multiply<F, P: FnMut(&[f64], &[f64], &mut [f64])>(
+    x: *const f64, direction: *const f64, count: usize, dimension: usize, out: *mut f64, user: *mut c_void,
+) -> i32 {
+    let FunctionAndProduct { product, caught, .. } = &mut *(user as *mut FunctionAndProduct<F, P>);
+    let n = count * dimension;
+    caught.guard(|| {
+        product(slice::from_raw_parts(x, n), slice::from_raw_parts(direction, n), slice::from_raw_parts_mut(out, n));
+        OBC_SPHERE_OPTIMIZER_CONTINUE
+    })
+}
+
+/// [`minimize`] with truncated Newton steps: `product(x, direction, out)` fills the product of the Hessian of f at x, as a function of
+/// all numbers of x, and a direction; an entry that is NaN says that there is none.
+///
+/// ```
+/// use orbicube::sphere_optimizer::minimize_second_order;
+///
+/// let stiffness = [1.0, 2.0, 3.0];
+/// let mut x = [1.0; 3];
+/// let report = minimize_second_order(
+///     |x: &[f64], gradient: &mut [f64]| {
+///         (0..3).map(|k| { gradient[k] = 2.0 * stiffness[k] * x[k]; stiffness[k] * x[k] * x[k] }).sum::<f64>()
+///     },
+///     |_: &[f64], direction: &[f64], out: &mut [f64]| (0..3).for_each(|k| out[k] = 2.0 * stiffness[k] * direction[k]),
+///     &mut x, 3, &Default::default(),
+/// )?;
+/// assert!((report.value - 1.0).abs() < 1e-12);
+/// # Ok::<(), orbicube::Error>(())
+/// ```
+pub fn minimize_second_order<E: Into<Evaluation>, F: FnMut(&[f64], &mut [f64]) -> E, P: FnMut(&[f64], &[f64], &mut [f64])>(
+    f: F, product: P, x: &mut [f64], dimension: usize, options: &Options,
+) -> Result<Report, Error> {
+    let count = rows(x.len(), dimension, "x")?;
+    let mut function = FunctionAndProduct { f, product, caught: Caught::default() };
+    let mut report = Report::default();
+    let result = checked(|error| unsafe {
+        obc_sphere_optimizer_minimize_second_order(count, dimension, &options.0, Some(value::<E, F, P>), Some(multiply::<F, P>),
+                                                   &mut function as *mut FunctionAndProduct<F, P> as *mut c_void,
+                                                   x.as_mut_ptr(), &mut report.0, std::ptr::null(), error)
+    });
+    function.caught.resume();
+    result.map(|_| report)
+}
+
 /// The request for the terms of f that contain a block.
 pub struct Part<'a> {
     pub block: usize,
@@ -254,7 +312,8 @@ impl Relaxation {
 
 handle!(Handle, obc_sphere_optimizer, obc_sphere_optimizer_destroy);
 
-/// A run by reverse communication: `while let Some(x) = solver.ask()? { ... solver.tell(value, &gradient)?; }`
+/// A run by reverse communication: `while let Some(x) = solver.ask()? { ... solver.tell(value, &gradient)?; }`. With the option
+/// `hessian_products`, where [`Solver::direction`] is not `None`, reply with [`Solver::tell_product`].
 pub struct Solver {
     handle: Handle,
     n: usize,
@@ -289,11 +348,24 @@ impl Solver {
         loop {
             match unsafe { obc_sphere_optimizer_step(self.handle.as_ptr(), &mut x) } {
                 OBC_SPHERE_OPTIMIZER_ITERATION => {}
-                OBC_SPHERE_OPTIMIZER_NEED_FG => return Ok(Some(unsafe { slice::from_raw_parts(x, self.n) })),
+                OBC_SPHERE_OPTIMIZER_NEED_FG | OBC_SPHERE_OPTIMIZER_NEED_PRODUCT => return Ok(Some(unsafe { slice::from_raw_parts(x, self.n) })),
                 OBC_SPHERE_OPTIMIZER_DONE => return Ok(None),
                 status => return Err(Error { status, kind: "internal".into(), message: "step".into() }),
             }
         }
+    }
+    /// The vector whose product with the Hessian at the point is queried; `None` where value and gradient are.
+    pub fn direction(&self) -> Option<&[f64]> {
+        let mut direction = std::ptr::null();
+        match unsafe { obc_sphere_optimizer_get_direction(self.handle.as_ptr(), &mut direction, std::ptr::null_mut()) } {
+            0 => Some(unsafe { slice::from_raw_parts(direction, self.n) }),
+            _ => None,
+        }
+    }
+    /// That product; what is not finite: there is none.
+    pub fn tell_product(&mut self, product: &[f64]) -> Result<(), Error> {
+        expect_length(product.len(), self.n, "product")?;
+        checked(|error| unsafe { obc_sphere_optimizer_tell_product(self.handle.as_ptr(), product.as_ptr(), error) })
     }
     /// Value and gradient at the point queried; what is not finite: there is none.
     pub fn tell(&mut self, value: f64, gradient: &[f64]) -> Result<(), Error> {

@@ -269,6 +269,38 @@ fn others() -> Vec<Vec<u32>> {
 }
 
 /// The part of `charges` that has one of them.
+#[test]
+fn products_of_the_hessian() {
+    let stiffness = [3.0, 1.0, 2.0, 5.0]; // the minimum is 1
+    let quotient = |x: &[f64], gradient: &mut [f64]| {
+        (0..4).map(|k| { gradient[k] = 2.0 * stiffness[k] * x[k]; stiffness[k] * x[k] * x[k] }).sum::<f64>()
+    };
+    let product = |_: &[f64], direction: &[f64], out: &mut [f64]| (0..4).for_each(|k| out[k] = 2.0 * stiffness[k] * direction[k]);
+    let mut x = [1.0; 4];
+    let report = sphere_optimizer::minimize_second_order(quotient, product, &mut x, 4, &Default::default()).unwrap();
+    assert!(report.converged() && report.products > 0);
+    assert!((report.value - 1.0).abs() < 1e-12);
+
+    let mut options = sphere_optimizer::Options::default();
+    options.method = orbicube::sys::sphere_optimizer::OBC_SPHERE_OPTIMIZER_TRUNCATED_NEWTON;
+    options.hessian_products = 1;
+    let mut solver = sphere_optimizer::Solver::new(&[1.0; 4], 4, &options).unwrap();
+    let mut numbers = [0.0; 4];
+    while let Some(at) = solver.ask().unwrap().map(|at| at.to_vec()) {
+        match solver.direction().map(|direction| direction.to_vec()) {
+            None => {
+                let value = quotient(&at, &mut numbers);
+                solver.tell(value, &numbers).unwrap();
+            }
+            Some(direction) => {
+                product(&at, &direction, &mut numbers);
+                solver.tell_product(&numbers).unwrap();
+            }
+        }
+    }
+    assert_eq!(bits(&solver.best().unwrap()), bits(&x));
+}
+
 fn charge(part: sphere_optimizer::Part) -> f64 {
     let (mut value, mut slope) = (0.0, [0.0; 3]);
     for (j, other) in part.points.chunks(3).enumerate() {
