@@ -3,12 +3,16 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "damage.h"
 #include "repair/holes/loops.h"
 #include "repair/holes/triangulation.h"
+#include "repair/soup/soup.h"
 
 using namespace orbicube;
 using namespace orbicube::test;
@@ -49,6 +53,76 @@ TEST_CASE("A concave planar polygon is not folded, and edges that are there are 
   // Without its diagonals no triangulation is left.
   const std::vector<std::array<Index, 2>> connected = {{0, 2}, {0, 3}, {1, 3}, {1, 4}, {2, 4}};
   CHECK(repair::triangulate({.points = points, .apexes = apexes, .connected = connected}, base::Host()).empty());
+}
+
+TEST_CASE("Triangles to avoid are not made where there is a way without them, and else the fewest") {
+  std::vector<Vector3> points, apexes(6, Vector3::Constant(std::nan("")));
+  for (int i = 0; i < 6; ++i)
+    points.emplace_back(std::cos(i * std::numbers::pi / 3), std::sin(i * std::numbers::pi / 3), 0.1 * (i % 2));
+  const auto with = [](Index a, Index b) {
+    return [=](const Triangle& t) { return std::ranges::count(t, a) > 0 && std::ranges::count(t, b) > 0; };
+  };
+  for (Index a = 0; a < 6; ++a) {
+    for (Index b = a + 2; b < 6 && b - a < 5; ++b) {
+      const auto avoids = with(a, b);
+      const auto triangles =
+          repair::triangulate({.points = points, .apexes = apexes, .connected = {}, .avoids = avoids}, base::Host());
+      CHECK(triangles.size() == 4);
+      CHECK(std::ranges::none_of(triangles, avoids));
+    }
+  }
+  // One triangle has edge 0, 1 in any case.
+  const auto avoids = with(0, 1);
+  const auto triangles =
+      repair::triangulate({.points = points, .apexes = apexes, .connected = {}, .avoids = avoids}, base::Host());
+  CHECK(std::ranges::count_if(triangles, avoids) == 1);
+}
+
+TEST_CASE("A patch goes around what stands in its way") {
+  // The top of a block is open; its four corners are closed by a ridge from the first to the third or by a valley.
+  Mesh block;
+  for (const double low : {0.0, 1.0}) {
+    for (const auto& [x, y, z] : {std::array{-1.0, 0.0, 0.5}, {0.0, -1.0, 0.0}, {1.0, 0.0, 0.5}, {0.0, 1.0, 0.0}})
+      block.positions.push_back(low > 0 ? Vector3(x, y, -2) : Vector3(x, y, z));
+  }
+  for (Index i = 0; i < 4; ++i) {
+    const Index k = (i + 1) % 4;
+    block.triangles.push_back({i + 4, k + 4, k});
+    block.triangles.push_back({i + 4, k, i});
+  }
+  block.triangles.push_back({4, 6, 5});
+  block.triangles.push_back({4, 7, 6});
+  const repair::PartOptions all{.keep = 0, .cavities = true};
+  for (const bool fair : {true, false}) {
+    for (const double height : {0.0, 0.5}) {
+      const Mesh m = together(block, cube({-0.1, -0.1, height - 0.1}, 0.2));
+      const repair::Repaired r = repaired(m, {.parts = all, .holes = {.fair = fair}});
+      CHECK(r.report.certificate.is_solid());
+      CHECK(r.report.certificate.parts == 2);
+      CHECK(r.report.certificate.self_intersections == 0);
+    }
+  }
+}
+
+TEST_CASE("No two patches have an edge in common, in whatever way they are laid") {
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    base::Random random(seed);
+    Mesh m = mesh::make_shape("sphere", {.triangles = 300}, base::Host());
+    for (Vector3& p : m.positions)
+      p += 0.6 * Vector3(random.unit(), random.unit(), random.unit());
+    // Half of the triangles are missing, so that loops share vertices and patches have to go around each other.
+    std::erase_if(m.triangles, [&](const Triangle&) { return random.below(2) == 0; });
+    repair::Soup soup = repair::soup_of(m.positions, m.triangles, base::Host());
+    const base::Host host;
+    base::Array<repair::Event> events;
+    base::Array<std::uint8_t> counted(m.triangles.size(), 1);
+    repair::fill_holes(soup, {}, {host, events, counted});
+    const mesh::EdgeTable edges(soup.positions.size(), soup.triangles, host);
+    std::size_t max_faces = 0;
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      max_faces = std::max(max_faces, edges.half_edges(e).size());
+    CHECK(max_faces == 2);
+  }
 }
 
 TEST_CASE("A patch on a sphere continues it, as dense as its surroundings") {

@@ -8,6 +8,7 @@
 #include "mesh/topology/edge_table.h"
 #include "repair/holes/fairing.h"
 #include "repair/holes/loops.h"
+#include "repair/holes/obstacles.h"
 #include "repair/holes/refinement.h"
 #include "repair/holes/triangulation.h"
 
@@ -27,9 +28,20 @@ struct Surroundings {
   double length = 0;
 };
 
+// How a patch is laid; each where the one before it meets something.
+enum class Laying : std::uint8_t { bent, refined, flat, avoiding };
+
 struct Laid {
   std::size_t first_triangle, end_triangle;
   Surroundings around;
+  Laying laying, before;
+  Patch avoiding;  // of Laying::avoiding
+};
+
+// An edge of a patch between vertices of several holes.
+struct SharedEdge {
+  Index a, b;
+  std::size_t patch;
 };
 
 class Filling {
@@ -59,17 +71,21 @@ class Filling {
       context_.record(Action::filled_hole, place, around.length, loops[i].size());
       ++figures_.filled;
       const std::size_t first = soup_.triangles.size();
-      lay(make(around, options_.fair, options_.fair), around.vertices);
-      note_shared_edges(first);
-      laid.push_back({first, soup_.triangles.size(), std::move(around)});
+      const Laying laying = options_.fair ? Laying::bent : Laying::flat;
+      lay(make(around, laying), around.vertices);
+      note_shared_edges({soup_.triangles.begin() + static_cast<std::ptrdiff_t>(first), soup_.triangles.end()},
+                        laid.size());
+      laid.push_back({first, soup_.triangles.size(), std::move(around), laying, laying, Patch(soup_.memory())});
     }
-    if (options_.fair) lay_again(laid, vertices, triangles);
+    lay_again(laid, vertices, triangles);
     figures_.vertices = soup_.positions.size() - vertices;
     figures_.triangles = soup_.triangles.size() - triangles;
     return figures_;
   }
 
  private:
+  static constexpr std::size_t no_patch = std::numeric_limits<std::size_t>::max();
+
   static Vector3 centre(std::span<const Vector3> points) {
     Vector3 sum = Vector3::Zero();
     for (const Vector3& p : points)
@@ -112,39 +128,52 @@ class Filling {
       }
       s.scales.push_back(sum / static_cast<double>(neighbors.size()));
     }
-    for (const auto& [a, b] : shared_edges_) {
-      if (number_[a] != no_index && number_[b] != no_index)
-        s.connected.push_back({std::min(number_[a], number_[b]), std::max(number_[a], number_[b])});
+    for (const Index v : s.vertices)
+      number_[v] = no_index;
+    connect_by_patches(s, no_patch);
+    return s;
+  }
+
+  // Adds the edges that patches besides the own one have.
+  void connect_by_patches(Surroundings& s, std::size_t own) {
+    for (Index i = 0; i < s.vertices.size(); ++i)
+      number_[s.vertices[i]] = i;
+    for (const SharedEdge& e : shared_edges_) {
+      const Index i = number_[e.a], k = number_[e.b];
+      if (e.patch != own && i != no_index && k != no_index) s.connected.push_back({std::min(i, k), std::max(i, k)});
     }
     std::sort(s.connected.begin(), s.connected.end());
     for (const Index v : s.vertices)
       number_[v] = no_index;
-    return s;
   }
 
-  // Edges of the patch between vertices of several holes, which no other patch may have.
-  void note_shared_edges(std::size_t first) {
-    for (std::size_t t = first; t < soup_.triangles.size(); ++t) {
-      const Triangle& c = soup_.triangles[t];
+  // Edges of a patch between vertices of several holes, which no other patch may have.
+  void note_shared_edges(std::span<const Triangle> triangles, std::size_t patch) {
+    for (const Triangle& c : triangles) {
       for (std::size_t k = 0; k < 3; ++k) {
         const Index a = c[k], b = c[(k + 1) % 3];
         if (a < loops_at_.size() && b < loops_at_.size() && loops_at_[a] > 1 && loops_at_[b] > 1)
-          shared_edges_.push_back({a, b});
+          shared_edges_.push_back({a, b, patch});
       }
     }
   }
 
-  Patch make(const Surroundings& around, bool refined, bool bent) const {
+  Patch make(const Surroundings& around, Laying laying, const Obstacles* obstacles = nullptr) const {
     Patch patch(soup_.memory());
     patch.loop_size = around.points.size();
     patch.points = around.points;
     patch.scales = around.scales;
-    patch.triangles =
-        triangulate({.points = around.points, .apexes = around.apexes, .connected = around.connected}, context_.host);
+    Loop loop{.points = around.points, .apexes = around.apexes, .connected = around.connected};
+    if (obstacles != nullptr) {
+      loop.avoids = [&](const Triangle& t) {
+        return obstacles->meet({around.vertices[t[0]], around.vertices[t[1]], around.vertices[t[2]]});
+      };
+    }
+    patch.triangles = triangulate(loop, context_.host);
     const bool closes_itself = patch.triangles.size() == 1 && around.apexes[0] == around.points[2];
     if (patch.triangles.empty() || closes_itself) make_cone(patch);
-    if (refined) refine(patch, around.connected, context_.host);
-    if (bent && patch.points.size() > patch.loop_size) fair(patch, around.outside, context_.host);
+    if (laying <= Laying::refined) refine(patch, around.connected, context_.host);
+    if (laying == Laying::bent && patch.points.size() > patch.loop_size) fair(patch, around.outside, context_.host);
     return patch;
   }
 
@@ -172,40 +201,91 @@ class Filling {
     }
   }
 
-  // Lays patches that meet something without bending, and those that still do without refinement.
+  // Lays patches that meet something without bending, those that still do without refinement, and at last of the
+  // triangles that meet the fewest others, if that is better.
   void lay_again(std::span<Laid> laid, std::size_t vertices, std::size_t triangles) {
-    for (const bool refined : {true, false}) {
-      Array<std::uint8_t> bad = meeting(laid);
-      if (std::none_of(bad.begin(), bad.end(), [](std::uint8_t b) { return b != 0; })) return;
-      Array<std::uint8_t>& worse = refined ? unbent_ : unrefined_;
-      worse.resize(laid.size(), 0);
+    Array<std::size_t> before(soup_.memory());
+    for (const Laying laying : {Laying::refined, Laying::flat, Laying::avoiding}) {
+      if (!options_.fair && laying != Laying::avoiding) continue;
+      const Array<std::size_t> meetings = count_meetings(laid);
+      Array<std::uint8_t> again(laid.size(), 0, soup_.memory());
       for (std::size_t i = 0; i < laid.size(); ++i)
-        worse[i] = static_cast<std::uint8_t>(worse[i] | bad[i]);
-      unrefined_.resize(laid.size(), 0);
-      soup_.positions.resize(vertices);
-      soup_.vertex_source.resize(vertices);
-      soup_.triangles.resize(triangles);
-      soup_.triangle_source.resize(triangles);
+        again[i] = static_cast<std::uint8_t>(meetings[i] > 0);
+      if (std::none_of(again.begin(), again.end(), [](std::uint8_t a) { return a != 0; })) return;
+      if (laying == Laying::avoiding) make_avoiding(laid, again);
       for (std::size_t i = 0; i < laid.size(); ++i) {
-        laid[i].first_triangle = soup_.triangles.size();
-        lay(make(laid[i].around, unrefined_[i] == 0, unbent_[i] == 0), laid[i].around.vertices);
-        laid[i].end_triangle = soup_.triangles.size();
+        laid[i].before = laid[i].laying;
+        if (again[i] != 0) laid[i].laying = laying;
       }
+      lay_all(laid, vertices, triangles);
+      before = meetings;
+    }
+    take_back(laid, before, vertices, triangles);
+  }
+
+  // Patches that meet no less than before are laid as before.
+  void take_back(std::span<Laid> laid, std::span<const std::size_t> before, std::size_t vertices,
+                 std::size_t triangles) {
+    const auto avoids = [](const Laid& l) { return l.laying == Laying::avoiding; };
+    if (std::none_of(laid.begin(), laid.end(), avoids)) return;
+    const Array<std::size_t> meetings = count_meetings(laid);
+    bool any = false;
+    for (std::size_t i = 0; i < laid.size(); ++i) {
+      if (!avoids(laid[i]) || meetings[i] < before[i]) continue;
+      laid[i].laying = laid[i].before;
+      any = true;
+    }
+    if (any) lay_all(laid, vertices, triangles);
+  }
+
+  void make_avoiding(std::span<Laid> laid, std::span<const std::uint8_t> again) {
+    Array<std::uint8_t> obstacle(soup_.triangles.size(), 1, soup_.memory());
+    shared_edges_.clear();
+    for (std::size_t i = 0; i < laid.size(); ++i) {
+      const std::size_t first = laid[i].first_triangle, count = laid[i].end_triangle - first;
+      if (again[i] != 0) std::fill_n(obstacle.begin() + static_cast<std::ptrdiff_t>(first), count, std::uint8_t{0});
+      note_shared_edges({soup_.triangles.data() + first, count}, i);
+    }
+    const Obstacles obstacles(soup_.positions, soup_.triangles, obstacle, context_.host);
+    for (std::size_t i = 0; i < laid.size(); ++i) {
+      if (again[i] == 0) continue;
+      Surroundings around = laid[i].around;
+      connect_by_patches(around, i);
+      laid[i].avoiding = make(around, Laying::avoiding, &obstacles);
+      Array<Triangle> triangles = laid[i].avoiding.triangles;
+      for (Triangle& t : triangles) {
+        for (Index& v : t)
+          v = v < around.vertices.size() ? around.vertices[v] : no_index;
+      }
+      note_shared_edges(triangles, i);
     }
   }
 
-  // 1 for each patch of which a triangle meets another.
-  Array<std::uint8_t> meeting(std::span<const Laid> laid) const {
-    Array<std::uint8_t> bad(laid.size(), 0, soup_.memory());
+  // `vertices`, `triangles`: numbers of those without any patch.
+  void lay_all(std::span<Laid> laid, std::size_t vertices, std::size_t triangles) {
+    soup_.positions.resize(vertices);
+    soup_.vertex_source.resize(vertices);
+    soup_.triangles.resize(triangles);
+    soup_.triangle_source.resize(triangles);
+    for (Laid& l : laid) {
+      l.first_triangle = soup_.triangles.size();
+      lay(l.laying == Laying::avoiding ? l.avoiding : make(l.around, l.laying), l.around.vertices);
+      l.end_triangle = soup_.triangles.size();
+    }
+  }
+
+  // For each patch, the number of its triangles' meetings with others; within the patch each counts twice.
+  Array<std::size_t> count_meetings(std::span<const Laid> laid) const {
+    Array<std::size_t> count(laid.size(), 0, soup_.memory());
     const auto pairs = mesh::intersecting_triangles(soup_.positions, soup_.triangles, context_.host);
     for (const auto& pair : pairs) {
       for (const Index t : pair) {
         const auto at = std::upper_bound(laid.begin(), laid.end(), t,
                                          [](Index triangle, const Laid& l) { return triangle < l.first_triangle; });
-        if (at != laid.begin() && t < (at - 1)->end_triangle) bad[static_cast<std::size_t>(at - 1 - laid.begin())] = 1;
+        if (at != laid.begin() && t < (at - 1)->end_triangle) ++count[static_cast<std::size_t>(at - 1 - laid.begin())];
       }
     }
-    return bad;
+    return count;
   }
 
   Soup& soup_;
@@ -214,8 +294,7 @@ class Filling {
   Array<Index> number_;  // of the vertices of the loop at hand
   base::Groups<Index, Index> around_{soup_.memory()};
   Array<Index> loops_at_{soup_.memory()};  // number of loops through each vertex
-  Array<std::array<Index, 2>> shared_edges_{soup_.memory()};
-  Array<std::uint8_t> unbent_{soup_.memory()}, unrefined_{soup_.memory()};
+  Array<SharedEdge> shared_edges_{soup_.memory()};
   HoleFigures figures_;
 };
 

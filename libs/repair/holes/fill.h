@@ -18,7 +18,8 @@ struct HoleFigures {
 };
 
 // Fills boundary loops. Those of vertices where several boundary edges end are left. Patches that meet the surface or
-// themselves after they were bent are laid again without that. Throws Error "cancelled".
+// themselves are laid again: without bending, then without refinement, at last of the triangles that meet the fewest
+// others. Throws Error "cancelled".
 HoleFigures fill_holes(Soup& soup, const HoleOptions& options, const Context& context);
 
 }  // namespace orbicube::repair

@@ -14,11 +14,16 @@ constexpr std::size_t max_points = 150;
 constexpr std::size_t coarse_points = 75;
 
 struct Weight {
-  double angle = 0;  // 1 - cosine of the largest dihedral angle
+  std::size_t avoided = 0;  // triangles that should not be there
+  double angle = 0;         // 1 - cosine of the largest dihedral angle
   double area = 0;
-  bool operator<(const Weight& o) const { return angle != o.angle ? angle < o.angle : area < o.area; }
+  bool operator<(const Weight& o) const {
+    if (avoided != o.avoided) return avoided < o.avoided;
+    return angle != o.angle ? angle < o.angle : area < o.area;
+  }
 };
-constexpr Weight impossible{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+constexpr Weight impossible{std::numeric_limits<std::size_t>::max(), std::numeric_limits<double>::infinity(),
+                            std::numeric_limits<double>::infinity()};
 
 class Triangulation {
  public:
@@ -78,17 +83,24 @@ class Triangulation {
         const Weight& left = weight_[at(i, m)];
         const Weight& right = weight_[at(m, k)];
         const double bound = std::max(left.angle, right.angle);
-        if (bound > best.angle || !std::isfinite(bound)) continue;
+        if (!std::isfinite(bound)) continue;
+        const std::size_t avoided = left.avoided + right.avoided;
+        if (avoided > best.avoided || (avoided == best.avoided && bound > best.angle)) continue;
         const Vector3 cross = (point(m) - point(i)).cross(point(k) - point(i));
         const double twice_area = cross.norm();
         const Vector3 n = twice_area > 0 ? Vector3(cross / twice_area) : Vector3::Zero();
         Weight w;
+        w.avoided = avoided;
         w.angle = std::max({bound, bend(n, normal_[at(i, m)]), bend(n, normal_[at(m, k)])});
         if (whole) w.angle = std::max(w.angle, bend(n, side(k, i, apexes_[k])));
         // Flat triangles only where nothing else is possible.
         if (!(twice_area > 0)) w.angle = 3;
         w.area = left.area + right.area + 0.5 * twice_area;
         if (!(w < best)) continue;
+        if (loop_.avoids && loop_.avoids({chosen_[i], chosen_[m], chosen_[k]})) {
+          ++w.avoided;
+          if (!(w < best)) continue;
+        }
         best = w;
         middle_[at(i, k)] = static_cast<Index>(m);
         normal_[at(i, k)] = n;

@@ -2,6 +2,7 @@
 // of the smallest area (Liepa 2003, "Filling holes in meshes"; Barequet and Sharir 1995), by dynamic programming.
 #pragma once
 
+#include <functional>
 #include <span>
 
 #include "repair/types.h"
@@ -16,6 +17,9 @@ struct Loop {
   std::span<const Vector3> apexes;
   // Pairs i, j of points, i < j, that an edge connects already; sorted.
   std::span<const std::array<Index, 2>> connected;
+  // Whether a triangle of numbers of points is to be avoided: the fewest such ones come before angle and area. Empty:
+  // none is.
+  std::function<bool(const Triangle&)> avoids{};
 };
 
 // Returns n - 2 triangles of the numbers of points, each passing edges of the polygon from point i to point i + 1, or
