@@ -117,6 +117,33 @@ TEST_CASE("A Moebius strip is reported as one-sided and stays") {
   CHECK(!repair::shortcomings(r.report.certificate).empty());
 }
 
+TEST_CASE("Parts that cross are not inside each other, those that touch can be") {
+  const repair::PartOptions all{.keep = 0}, with_cavities{.keep = 0, .cavities = true};
+  const Mesh sphere = mesh::make_shape("sphere", {.triangles = 1000}, base::Host());
+  Mesh moved = sphere;
+  // Any triangle may be the first of its part, in the other part or not.
+  for (const double shift : {-0.5, 0.5}) {
+    for (std::size_t v = 0; v < moved.positions.size(); ++v)
+      moved.positions[v] = sphere.positions[v] + shift * Vector3(1, 0.1, 0.2);
+    const Mesh two = together(sphere, moved);
+    for (const repair::PartOptions& parts : {all, with_cavities}) {
+      const repair::Repaired r = repaired(two, {.parts = parts});
+      CHECK(r.report.certificate.parts == 2);
+      CHECK(r.report.certificate.self_intersections > 0);
+      CHECK(r.report.parts.cavities == 0);
+      CHECK(!r.report.changed);
+    }
+  }
+  // Cubes with sides in common planes, one through the other, and one in a corner of the other.
+  const Mesh through = together(cube(), cube({0.5, 0, 0}));
+  CHECK(!repaired(through, {.parts = all}).report.changed);
+  const Mesh corner = together(cube(Vector3::Zero(), 4), cube(Vector3::Zero(), 2));
+  CHECK(repaired(corner, {.parts = all}).report.certificate.volume == doctest::Approx(64));
+  CHECK(repaired(corner, {.parts = with_cavities}).report.parts.cavities == 1);
+  // A part and its copy, of vertices of its own.
+  CHECK(repaired(together(sphere, sphere), {.parts = all}).report.certificate.parts == 2);
+}
+
 TEST_CASE("The largest parts are kept, cavities where requested") {
   Mesh m = together(together(cube(Vector3::Zero(), 4), cube({1, 1, 1}, 2)), cube({6, 0, 0}, 1));
   m = together(m, cube({1.5, 1.5, 1.5}, 1));  // inside of the cavity

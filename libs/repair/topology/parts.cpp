@@ -3,10 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <span>
 #include <utility>
 
+#include "mesh/search/intersections.h"
+#include "mesh/search/nearest.h"
 #include "mesh/topology/disjoint_sets.h"
 #include "mesh/topology/edge_table.h"
 #include "repair/soup/soup.h"
@@ -79,29 +82,92 @@ double solid_angle(const Soup& soup, const Triangle& t, const Vector3& p) {
   return 2 * std::atan2(a.dot(b.cross(c)), x * y * z + a.dot(b) * z + b.dot(c) * x + c.dot(a) * y);
 }
 
-// The number of other parts that a part is in. Parts may touch: of a few points the one whose winding number is nearest
-// to a whole one counts.
-std::int64_t depth_of(const Soup& soup, mesh::DisjointSets& sets, const Part& part, const Context& context) {
-  constexpr int max_points = 5;
-  std::int64_t depth = 0;
-  double least = 2;
-  int points = 0;
-  for (Index of = part.first; of < soup.triangles.size() && points < max_points && least > 1e-6; ++of) {
-    if (sets.find(of) != part.first) continue;
-    ++points;
-    const Vector3 from = centroid(soup, soup.triangles[of]);
-    double angle = 0;
-    for (Index t = 0; t < soup.triangles.size(); ++t) {
-      if (t % 65536 == 0) context.host.report("nested parts", t, soup.triangles.size());
-      if (sets.find(t) != part.first) angle += solid_angle(soup, soup.triangles[t], from);
+// Which parts are inside which others.
+class Nesting {
+ public:
+  Nesting(const Soup& soup, mesh::DisjointSets& sets, std::span<const Part> parts, const Context& context)
+      : soup_(soup),
+        context_(context),
+        part_(soup.triangles.size(), no_index, soup.memory()),
+        met_(parts.size(), Array<Index>(soup.memory()), soup.memory()),
+        angle_(parts.size(), 0, soup.memory()),
+        winding_(parts.size(), 0, soup.memory()),
+        parts_(parts) {
+    Array<Index> of_set(soup.triangles.size(), no_index, soup.memory());
+    for (std::size_t p = 0; p < parts.size(); ++p)
+      of_set[parts[p].first] = static_cast<Index>(p);
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+      part_[t] = of_set[sets.find(t)];
+    for (const auto& pair : mesh::intersecting_triangles(soup.positions, soup.triangles, context.host, max_meetings)) {
+      if (part_[pair[0]] == part_[pair[1]]) continue;
+      for (const Index t : pair)
+        met_[part_[t]].push_back(t);
     }
-    const double winding = angle / (4 * std::numbers::pi);
-    if (!(std::abs(winding - std::round(winding)) < least)) continue;
-    least = std::abs(winding - std::round(winding));
-    depth = std::llround(winding);
   }
-  return depth;
-}
+
+  // The number of other parts that a part is in: a point of it decides where it meets none, and else all points of a
+  // choice have to be inside.
+  std::int64_t depth(std::size_t part) {
+    std::fill(winding_.begin(), winding_.end(), unknown);
+    const std::size_t points = met_[part].empty() ? 1 : max_points;
+    const std::size_t step = std::max<std::size_t>(1, parts_[part].triangles / points);
+    std::size_t seen = 0;
+    for (Index t = parts_[part].first, number = 0; t < soup_.triangles.size() && seen < points; ++t) {
+      if (part_[t] != part || number++ % step != 0) continue;
+      look_from(centroid(soup_, soup_.triangles[t]), part);
+      ++seen;
+    }
+    // Where parts cross, triangles that meet have corners on both sides.
+    const Array<Index>& met = met_[part];
+    const std::size_t count = std::min(max_points, met.size());
+    for (std::size_t i = 0; i < count; ++i) {
+      for (const Index v : soup_.triangles[met[i * met.size() / count]])
+        look_from(soup_.positions[v], part);
+    }
+    std::int64_t sum = 0;
+    for (const std::int64_t w : winding_)
+      sum += w == unknown ? 0 : w;
+    return sum;
+  }
+
+ private:
+  // Larger: parts that cross others by less are known to be not inside; linear time.
+  static constexpr std::size_t max_points = 16;
+  static constexpr std::size_t max_meetings = 1'000'000;  // pairs of triangles; bounds the memory
+  static constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
+
+  // Lowers the winding numbers of the other parts to those around a point, of those that it is not on.
+  void look_from(const Vector3& from, std::size_t part) {
+    constexpr double on_part = std::numeric_limits<double>::quiet_NaN();
+    std::fill(angle_.begin(), angle_.end(), 0);
+    for (Index t = 0; t < soup_.triangles.size(); ++t) {
+      if (t % 65536 == 0) context_.host.report("nested parts", t, soup_.triangles.size());
+      if (part_[t] == part) continue;
+      const bool on = !met_[part].empty() && is_on(soup_.triangles[t], from);
+      angle_[part_[t]] += on ? on_part : solid_angle(soup_, soup_.triangles[t], from);
+    }
+    for (std::size_t p = 0; p < angle_.size(); ++p) {
+      if (p != part && !std::isnan(angle_[p]))
+        winding_[p] = std::min<std::int64_t>(winding_[p], std::llround(angle_[p] / (4 * std::numbers::pi)));
+    }
+  }
+
+  // Whether a point is on a triangle but for rounding, which leaves its solid angle undecided.
+  bool is_on(const Triangle& t, const Vector3& p) const {
+    constexpr double rounding = 1e-12;
+    const Vector3 &a = soup_.positions[t[0]], &b = soup_.positions[t[1]], &c = soup_.positions[t[2]];
+    const double size = std::max({(b - a).squaredNorm(), (c - a).squaredNorm(), p.squaredNorm()});
+    return (mesh::nearest_on_triangle(p, a, b, c).position - p).squaredNorm() <= rounding * rounding * size;
+  }
+
+  const Soup& soup_;
+  const Context& context_;
+  Array<Index> part_;        // of each triangle
+  Array<Array<Index>> met_;  // for each part, its triangles that meet another part
+  Array<double> angle_;
+  Array<std::int64_t> winding_;
+  std::span<const Part> parts_;
+};
 
 }  // namespace
 
@@ -138,8 +204,9 @@ void settle_nested_parts(Soup& soup, bool cavities, PartFigures& figures, const 
   Array<std::uint8_t> keep(parts.size(), 1, soup.memory());
   Array<std::uint8_t> inward(soup.triangles.size(), 0, soup.memory());
   std::size_t dropped = 0;
+  Nesting nesting(soup, sets, parts, context);
   for (std::size_t p = 0; p < parts.size(); ++p) {
-    const std::int64_t depth = depth_of(soup, sets, parts[p], context);
+    const std::int64_t depth = nesting.depth(p);
     if (cavities && depth % 2 != 0) {
       inward[parts[p].first] = 1;
       ++figures.cavities;

@@ -33,8 +33,9 @@ Array<Part> parts_of(const Soup& soup, const base::Host& host);
 PartFigures keep_parts(Soup& soup, const PartOptions& options, const Context& context);
 
 // Of closed parts that are all outward-oriented, those inside an odd number of others are turned inward if cavities are
-// kept, and else dropped with those inside of them. The number of others that a part is in is the winding number of its
-// first vertex. O(n * parts). Adds to the figures. Throws Error "cancelled".
+// kept, and else dropped with those inside of them. A part is inside another if its first triangle is, or of parts that
+// meet, if all points of a choice are: parts that cross stay both. O(n * parts). Adds to the figures. Throws Error
+// "cancelled".
 void settle_nested_parts(Soup& soup, bool cavities, PartFigures& figures, const Context& context);
 
 }  // namespace orbicube::repair
