@@ -82,7 +82,8 @@ void say_result(const RepairVerb& verb, const repair::Repaired& repaired, Sessio
               (c.is_solid() ? ", genus " + std::to_string(c.genus) : "") + ", " +
               (c.self_intersections == 0 ? "no self-intersection"
                                          : base::counted(c.self_intersections, "pair of triangles intersects",
-                                                         "pairs of triangles intersect")));
+                                                         "pairs of triangles intersect") +
+                                               "; --wrap DISTANCE makes a surface around it without"));
   if (r.changed) {
     session.say("  distance of changed triangles " + number(std::max(r.move.from_input, r.move.from_result)) +
                 (r.holes.filled > 0 ? ", of patches " + number(r.move.patches) : ""));

@@ -93,6 +93,17 @@ class Repair(InFolder):
         self.assertEqual(report["certificate"]["genus"], 1)
         self.assertFalse(report["changed"])
 
+    def test_parts_that_intersect_are_counted_and_wrapped(self):
+        through = self.positions + [(x + 0.5, y, z) for x, y, z in self.positions]
+        two = self.triangles + [tuple(v + len(self.positions) for v in t) for t in self.triangles]
+        done, report = self.repaired(through, two, "--keep", "0")
+        self.assertGreater(report["certificate"]["self_intersections"], 0)
+        self.assertIn(f"{report['certificate']['self_intersections']} pairs of triangles intersect; --wrap", done.stdout)
+        done, report = self.repaired(through, two, "--wrap", "0.1")
+        self.check_closed(self.path("out.off"))
+        self.assertEqual((report["certificate"]["parts"], report["certificate"]["self_intersections"]), (1, 0))
+        self.assertIn("no self-intersection", done.stdout)
+
     def test_what_cannot_be_reached(self):
         # The projective plane with six vertices.
         positions = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (-1, 0, 0.1), (0, -1, 0.2), (0, 0.3, -1)]
