@@ -21,6 +21,8 @@ import time
 
 import numpy
 
+from judging import is_solid, read_off, volume_of, write_off
+
 try:
     import pymeshfix
 except ImportError:
@@ -29,24 +31,6 @@ try:
     import trimesh
 except ImportError:
     trimesh = None
-
-
-def read_off(path):
-    with open(path, encoding="ascii") as file:
-        words = file.read().split()
-    n, m = int(words[1]), int(words[2])
-    positions = numpy.array(words[4:4 + 3 * n], dtype=float).reshape(n, 3)
-    return positions, numpy.array(words[4 + 3 * n:4 + 3 * n + 4 * m], dtype=numpy.int64).reshape(m, 4)[:, 1:]
-
-
-def write_off(path, positions, triangles):
-    with open(path, "w", encoding="ascii") as file:
-        print("OFF", file=file)
-        print(len(positions), len(triangles), 0, file=file)
-        for p in positions.tolist():
-            print(*map(repr, p), file=file)
-        for t in triangles.tolist():
-            print(3, *t, file=file)
 
 
 def report_of(orbicube, *arguments):
@@ -83,28 +67,6 @@ def by_trimesh(_, path):
     return numpy.asarray(mesh.vertices), numpy.asarray(mesh.faces)
 
 
-def is_solid(triangles):
-    """Each edge once in each direction, and the triangles around each vertex in one circle."""
-    edges = collections.Counter()
-    around = collections.defaultdict(dict)
-    for a, b, c in triangles.tolist():
-        for u, v, w in ((a, b, c), (b, c, a), (c, a, b)):
-            edges[u, v] += 1
-            around[u][v] = w
-    if any(n != 1 or edges.get((b, a)) != 1 for (a, b), n in edges.items()):
-        return False
-    for following in around.values():
-        first = at = next(iter(following))
-        steps = 0
-        while steps == 0 or at != first:
-            at, steps = following[at], steps + 1
-            if steps > len(following):
-                return False
-        if steps != len(following):
-            return False
-    return True
-
-
 def share_within(points, others, distance):
     """The share of points with one of the others within the distance, in percent."""
     found = 0
@@ -114,11 +76,6 @@ def share_within(points, others, distance):
             nearest = numpy.minimum(nearest, ((part[:, None] - block[None]) ** 2).sum(axis=2).min(axis=1))
         found += (nearest <= distance ** 2).sum()
     return 100 * found / len(points)
-
-
-def volume_of(positions, triangles):
-    a, b, c = (positions[triangles[:, k]] - positions[0] for k in range(3))
-    return numpy.einsum("ij,ij->i", a, numpy.cross(b, c)).sum() / 6
 
 
 def judged(orbicube, path, positions, triangles):
