@@ -8,6 +8,7 @@ import os
 from fractions import Fraction
 
 import numpy
+import scipy.spatial
 
 PAGE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "docs", "repair_figures.md")
 HEAD = """# Figures of repairs
@@ -95,26 +96,41 @@ def euler_characteristic(triangles):
     return len(numpy.unique(triangles)) - len(numpy.unique(edges, axis=0)) + len(triangles)
 
 
+def distances_to_triangles(points, a, b, c):
+    """The distance of each point from the triangle with the same number."""
+    def product(u, v):
+        return numpy.einsum("ij,ij->i", u, v)
+    normal = numpy.cross(b - a, c - a)
+    square = product(normal, normal)
+    inside = square > 0
+    found = numpy.full(len(points), numpy.inf)
+    for u, v in ((a, b), (b, c), (c, a)):
+        edge = v - u
+        length = product(edge, edge)
+        along = numpy.clip(product(points - u, edge) / numpy.where(length > 0, length, 1), 0, 1)
+        found = numpy.minimum(found, numpy.linalg.norm(u + along[:, None] * edge - points, axis=1))
+        inside &= product(numpy.cross(edge, points - u), normal) >= 0
+    height = numpy.abs(product(points - a, normal)) / numpy.sqrt(numpy.where(square > 0, square, 1))
+    return numpy.where(inside, numpy.minimum(found, height), found)
+
+
 def distances_to_surface(points, positions, triangles):
     """The distance of each point from the nearest triangle."""
-    a, b, c = (positions[triangles[:, k]] for k in range(3))
-    normal = numpy.cross(b - a, c - a)
-    square = numpy.einsum("ij,ij->i", normal, normal)
-    flat = square > 0
-    found = numpy.full(len(points), numpy.inf)
-    for number, p in enumerate(points):
-        nearest = numpy.inf
-        inside = flat.copy()
-        for u, v in ((a, b), (b, c), (c, a)):
-            edge = v - u
-            length = numpy.einsum("ij,ij->i", edge, edge)
-            along = numpy.clip(numpy.einsum("ij,ij->i", p - u, edge) / numpy.where(length > 0, length, 1), 0, 1)
-            nearest = min(nearest, numpy.linalg.norm(u + along[:, None] * edge - p, axis=1).min())
-            inside &= numpy.einsum("ij,ij->i", numpy.cross(edge, p - u), normal) >= 0
-        if inside.any():
-            height = numpy.abs(numpy.einsum("ij,ij->i", p - a[inside], normal[inside])) / numpy.sqrt(square[inside])
-            nearest = min(nearest, height.min())
-        found[number] = nearest
+    corners = positions[triangles]
+    centers = corners.mean(axis=1)
+    reach = numpy.linalg.norm(corners - centers[:, None], axis=2).max(axis=1)
+    found = scipy.spatial.cKDTree(corners.reshape(-1, 3)).query(points)[0]
+    # Triangles of one size at a time: those that can be nearer have their centers within the distance so far and their reach.
+    size = numpy.floor(numpy.log2(numpy.maximum(reach, 1e-300)))
+    for of_size in numpy.unique(size):
+        chosen = numpy.flatnonzero(size == of_size)
+        tree = scipy.spatial.cKDTree(centers[chosen])
+        for first in range(0, len(points), 256):
+            block = points[first:first + 256]
+            near = tree.query_ball_point(block, (found[first:first + 256] + reach[chosen].max()) * (1 + 1e-12))
+            point = numpy.repeat(numpy.arange(len(block)), [len(some) for some in near])
+            triangle = chosen[numpy.concatenate(near).astype(numpy.int64)]
+            numpy.minimum.at(found, first + point, distances_to_triangles(block[point], *corners[triangle].transpose(1, 0, 2)))
     return found
 
 
