@@ -40,7 +40,7 @@ class Relaxation:
         self.last = None
 
     def product(self, rows):
-        """The value and W X; value and gradient that are asked for at the same point are computed once."""
+        """The value and W X; value and gradient at the same point are computed once."""
         if self.last is None or not np.array_equal(self.last[0], rows):
             gradient = self.weights @ rows
             self.evaluations += 1

@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <span>
 #include <utility>
 
+#include "base/grouping.h"
+#include "mesh/search/bounding_volume_tree.h"
 #include "mesh/search/intersections.h"
 #include "mesh/search/nearest.h"
 #include "mesh/topology/disjoint_sets.h"
@@ -89,67 +92,92 @@ class Nesting {
       : soup_(soup),
         context_(context),
         part_(soup.triangles.size(), no_index, soup.memory()),
-        met_(parts.size(), Array<Index>(soup.memory()), soup.memory()),
-        angle_(parts.size(), 0, soup.memory()),
-        winding_(parts.size(), 0, soup.memory()),
-        parts_(parts) {
+        triangles_(soup.memory()),
+        met_(soup.memory()),
+        boxes_(parts.size(), soup.memory()),
+        around_(soup.memory()) {
     Array<Index> of_set(soup.triangles.size(), no_index, soup.memory());
     for (std::size_t p = 0; p < parts.size(); ++p)
       of_set[parts[p].first] = static_cast<Index>(p);
-    for (Index t = 0; t < soup.triangles.size(); ++t)
+    for (Index t = 0; t < soup.triangles.size(); ++t) {
       part_[t] = of_set[sets.find(t)];
-    for (const auto& pair : mesh::intersecting_triangles(soup.positions, soup.triangles, context.host, max_meetings)) {
-      if (part_[pair[0]] == part_[pair[1]]) continue;
-      for (const Index t : pair)
-        met_[part_[t]].push_back(t);
+      for (const Index v : soup.triangles[t])
+        boxes_[part_[t]].add(soup.positions[v]);
     }
+    tree_.emplace(boxes_, context.host);
+    triangles_.assign(parts.size(), [&](const auto& visit) {
+      for (Index t = 0; t < soup.triangles.size(); ++t)
+        visit(part_[t], t);
+    });
+    const auto pairs = mesh::intersecting_triangles(soup.positions, soup.triangles, context.host, max_meetings);
+    met_.assign(parts.size(), [&](const auto& visit) {
+      for (const auto& pair : pairs) {
+        if (part_[pair[0]] == part_[pair[1]]) continue;
+        for (const Index t : pair)
+          visit(part_[t], t);
+      }
+    });
   }
 
   // The number of other parts that a part is in: a point of it decides where it meets none, and else all points of a
   // choice have to be inside.
   std::int64_t depth(std::size_t part) {
-    std::fill(winding_.begin(), winding_.end(), unknown);
-    const std::size_t points = met_[part].empty() ? 1 : max_points;
-    const std::size_t step = std::max<std::size_t>(1, parts_[part].triangles / points);
-    std::size_t seen = 0;
-    for (Index t = parts_[part].first, number = 0; t < soup_.triangles.size() && seen < points; ++t) {
-      if (part_[t] != part || number++ % step != 0) continue;
-      look_from(centroid(soup_, soup_.triangles[t]), part);
-      ++seen;
-    }
+    const std::span<const Index> own = triangles_[part], met = met_[part];
+    const std::size_t points = std::min(met.empty() ? 1 : max_points, own.size());
+    around_.clear();
+    const Vector3 first = centroid(soup_, soup_.triangles[own[0]]);
+    tree_->for_each_near({first, first}, [&](Index other) {
+      if (other != part) around_.push_back({other, unknown});
+    });
+    for (std::size_t i = 0; i < points; ++i)
+      look_from(centroid(soup_, soup_.triangles[own[i * (own.size() / points)]]), part);
     // Where parts cross, triangles that meet have corners on both sides.
-    const Array<Index>& met = met_[part];
     const std::size_t count = std::min(max_points, met.size());
     for (std::size_t i = 0; i < count; ++i) {
       for (const Index v : soup_.triangles[met[i * met.size() / count]])
         look_from(soup_.positions[v], part);
     }
     std::int64_t sum = 0;
-    for (const std::int64_t w : winding_)
-      sum += w == unknown ? 0 : w;
+    for (const Around& a : around_)
+      sum += a.winding == unknown ? 0 : a.winding;
     return sum;
   }
 
  private:
+  // Another part, with its minimum winding number around the points so far.
+  struct Around {
+    Index part;
+    std::int64_t winding;
+  };
+
   // Larger: parts that cross others by less are known to be not inside; linear time.
   static constexpr std::size_t max_points = 16;
   static constexpr std::size_t max_meetings = 1'000'000;  // pairs of triangles; bounds the memory
   static constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
 
-  // Lowers the winding numbers of the other parts to those around a point, of those that it is not on.
+  // Lowers the winding numbers of the parts that may be around to those around a point, of those that it is not on.
   void look_from(const Vector3& from, std::size_t part) {
-    constexpr double on_part = std::numeric_limits<double>::quiet_NaN();
-    std::fill(angle_.begin(), angle_.end(), 0);
-    for (Index t = 0; t < soup_.triangles.size(); ++t) {
-      if (t % 65536 == 0) context_.host.report("nested parts", t, soup_.triangles.size());
-      if (part_[t] == part) continue;
-      const bool on = !met_[part].empty() && is_on(soup_.triangles[t], from);
-      angle_[part_[t]] += on ? on_part : solid_angle(soup_, soup_.triangles[t], from);
+    for (Around& a : around_) {
+      if (boxes_[a.part].squared_distance(from) > 0) {
+        a.winding = std::min<std::int64_t>(a.winding, 0);
+      } else if (a.winding > 0) {
+        const double angle = angle_of(a.part, from, !met_[part].empty());
+        if (!std::isnan(angle))
+          a.winding = std::min<std::int64_t>(a.winding, std::llround(angle / (4 * std::numbers::pi)));
+      }
     }
-    for (std::size_t p = 0; p < angle_.size(); ++p) {
-      if (p != part && !std::isnan(angle_[p]))
-        winding_[p] = std::min<std::int64_t>(winding_[p], std::llround(angle_[p] / (4 * std::numbers::pi)));
+  }
+
+  // The solid angle of a part; NaN where the point may be on it and is.
+  double angle_of(Index part, const Vector3& from, bool may_be_on) {
+    constexpr std::size_t reported = 65536;  // solid angles from one report to the next
+    double angle = 0;
+    for (const Index t : triangles_[part]) {
+      if (++angles_ % reported == 0) context_.host.report("nested parts", 0, 0);
+      if (may_be_on && is_on(soup_.triangles[t], from)) return std::numeric_limits<double>::quiet_NaN();
+      angle += solid_angle(soup_, soup_.triangles[t], from);
     }
+    return angle;
   }
 
   // Whether a point is on a triangle but for rounding, which leaves its solid angle undecided.
@@ -162,11 +190,13 @@ class Nesting {
 
   const Soup& soup_;
   const Context& context_;
-  Array<Index> part_;        // of each triangle
-  Array<Array<Index>> met_;  // for each part, its triangles that meet another part
-  Array<double> angle_;
-  Array<std::int64_t> winding_;
-  std::span<const Part> parts_;
+  Array<Index> part_;                     // of each triangle
+  base::Groups<Index, Index> triangles_;  // of each part
+  base::Groups<Index> met_;               // those of each part that meet another part
+  Array<mesh::Box> boxes_;                // of each part
+  std::optional<mesh::BoundingVolumeTree> tree_;
+  Array<Around> around_;
+  std::size_t angles_ = 0;
 };
 
 }  // namespace

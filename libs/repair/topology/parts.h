@@ -34,8 +34,8 @@ PartFigures keep_parts(Soup& soup, const PartOptions& options, const Context& co
 
 // Of closed parts that are all outward-oriented, those inside an odd number of others are turned inward if cavities are
 // kept, and else dropped with those inside of them. A part is inside another if its first triangle is, or of parts that
-// meet, if all points of a choice are: parts that cross stay both. O(n * parts). Adds to the figures. Throws Error
-// "cancelled".
+// meet, if all points of a choice are: parts that cross stay both. O(n log n) where few boxes of parts overlap. Adds to
+// the figures. Throws Error "cancelled".
 void settle_nested_parts(Soup& soup, bool cavities, PartFigures& figures, const Context& context);
 
 }  // namespace orbicube::repair
