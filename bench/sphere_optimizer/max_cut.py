@@ -55,7 +55,7 @@ class Relaxation:
         return 0.5 * (self.total - self.product(rows)[0])
 
     def certificate(self, rows):
-        """How far the bound can be above the minimum, as a share of it: from the least eigenvalue of W less its products with the rows."""
+        """How far the bound can be above the minimum, as a share of it: from the smallest eigenvalue of W less its products with the rows."""
         multipliers = np.einsum("ij,ij->i", rows, self.product(rows)[1])
         least = scipy.linalg.eigh(self.weights.toarray() - np.diag(multipliers), eigvals_only=True, subset_by_index=[0, 0])[0]
         return max(0.0, -least) * NODES / 4 / self.bound(rows)
