@@ -1090,7 +1090,7 @@ export interface RawFunctions {
   obc_untangle_tetrahedra_problem_init(problem: Pointer, struct_size: number): number;
   /** Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
    * unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
-   * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to three attempts.
+   * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to six attempts.
    * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
    * errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
    * not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);

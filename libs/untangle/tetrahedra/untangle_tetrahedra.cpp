@@ -10,15 +10,26 @@
 #include "mesh/search/predicates.h"
 #include "mesh/topology/conforming_tetrahedra.h"
 #include "mesh/topology/place_text.h"
+#include "untangle/barycentric_start.h"
 #include "untangle/tetrahedra/local_untangling.h"
 #include "untangle/tetrahedra/newton.h"
 
 namespace orbicube::untangle {
 namespace {
 
+// Whether all of the boundary stays, so that the sum of volumes is that of every map.
+bool has_fixed_boundary(const UntangleProblem& mesh, const base::Host& host) {
+  if (mesh.fixed.empty()) return false;
+  const Array<std::uint8_t> boundary = mesh::boundary_vertices(mesh.tetrahedra, mesh.start.size(), host);
+  for (std::size_t i = 0; i < mesh.fixed.size(); ++i) {
+    if (boundary[i / 3] != 0 && mesh.fixed[i] == 0) return false;
+  }
+  return true;
+}
+
 // The factor that gives the target shapes the volume that the map will have: that of the start, or the sum of absolute
 // volumes where the start is too inverted for its own to be useful.
-double scale_of(const UntangleProblem& mesh, std::span<const Vector3> start) {
+double scale_of(const UntangleProblem& mesh, std::span<const Vector3> start, const base::Host& host) {
   double sum = 0, absolute = 0, wanted = 0;
   for (const Tetrahedron& t : mesh.tetrahedra) {
     const double volume = six_volumes(start, t);
@@ -26,7 +37,8 @@ double scale_of(const UntangleProblem& mesh, std::span<const Vector3> start) {
     absolute += std::abs(volume);
     wanted += mesh.rest.empty() ? std::sqrt(0.5) : six_volumes(mesh.rest, t);  // of a regular one with edges of 1
   }
-  const double scale = std::cbrt((sum > 0.1 * absolute ? sum : absolute) / wanted);
+  const bool useful = sum > 0.1 * absolute || (sum > 0 && has_fixed_boundary(mesh, host));
+  const double scale = std::cbrt((useful ? sum : absolute) / wanted);
   if (!(scale > 0) || !std::isfinite(scale))
     throw base::Error("degenerate-geometry", "the tetrahedra have no volume, or one that is not finite");
   return scale;
@@ -53,19 +65,26 @@ Array<double> values_of(const Variables& variables, std::span<const Vector3> pos
 }
 
 // Moves all vertices until nothing is inverted, or to where the fewest elements are. Far from a solution a large eps
-// finds the way, unless all may collapse.
-void untangle_everywhere(Newton& newton, const Variables& variables, int steps, std::pmr::memory_resource* memory) {
-  Array<double> best(newton.values().begin(), newton.values().end(), memory);
+// finds the way, unless all may collapse; where neither does, a start at the means of neighbors does.
+void untangle_everywhere(Newton& newton, std::span<const Tetrahedron> tetrahedra, const Variables& variables, int steps,
+                         const base::Host& host) {
+  constexpr double no_limit = std::numeric_limits<double>::infinity();
+  Array<double> best(newton.values().begin(), newton.values().end(), host.memory);
+  Array<double> start(variables.start().begin(), variables.start().end(), host.memory);
   std::size_t fewest = newton.now().inverted;
   bool first = true;
-  for (const auto& [max_eps, patience] : {std::pair{std::numeric_limits<double>::infinity(), 1}, {0.4, 1}, {0.4, 6}}) {
-    if (newton.now().inverted == 0) break;
-    if (!first) newton.restart(variables.start());
-    first = false;
-    newton.untangle(steps, max_eps, patience, {});
-    if (newton.now().inverted < fewest) {
-      fewest = newton.now().inverted;
-      best.assign(newton.values().begin(), newton.values().end());
+  for (const bool barycentric : {false, true}) {
+    if (newton.now().inverted == 0) return;
+    if (barycentric && (steps == 0 || !start_barycentric(tetrahedra, variables, start, host))) break;
+    for (const auto& [max_eps, patience] : {std::pair{no_limit, 1}, {0.4, 1}, {0.4, 6}}) {
+      if (newton.now().inverted == 0) break;
+      if (!first) newton.restart(start);
+      first = false;
+      newton.untangle(steps, max_eps, patience, {});
+      if (newton.now().inverted < fewest) {
+        fewest = newton.now().inverted;
+        best.assign(newton.values().begin(), newton.values().end());
+      }
     }
   }
   if (newton.now().inverted > fewest) newton.restart(best);
@@ -135,7 +154,7 @@ Untangled untangle_tetrahedra(const UntangleProblem& mesh, const UntangleOptions
   variables.expand(variables.start(), result.positions);
   result.inverted_before = count_inverted(mesh.tetrahedra, result.positions, host).count;
 
-  const Array<Element> elements = elements_of(mesh.tetrahedra, mesh.rest, scale_of(mesh, result.positions), host);
+  const Array<Element> elements = elements_of(mesh.tetrahedra, mesh.rest, scale_of(mesh, result.positions, host), host);
   mesh::require_conforming(mesh.tetrahedra, mesh.start, host);
   FoldoverEnergy energy(elements, variables, options.volume_weight, host);
   energy.set_engine(options.engine);
@@ -151,7 +170,7 @@ Untangled untangle_tetrahedra(const UntangleProblem& mesh, const UntangleOptions
                                                  options.steps, result.positions, host);
   if (local.done) newton.restart(values_of(variables, result.positions, host.memory));
   // Otherwise all vertices do.
-  untangle_everywhere(newton, variables, options.steps, host.memory);
+  untangle_everywhere(newton, mesh.tetrahedra, variables, options.steps, host);
   result.steps = newton.steps() + local.steps;
   certify();
   if (newton.now().inverted == 0 && (options.polish_steps > 0 || result.inverted > 0)) {

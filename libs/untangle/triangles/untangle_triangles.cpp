@@ -9,7 +9,7 @@
 #include "base/error.h"
 #include "mesh/search/predicates.h"
 #include "mesh/topology/edge_table.h"
-#include "untangle/tetrahedra/variables.h"
+#include "untangle/barycentric_start.h"
 #include "untangle/triangles/planar_newton.h"
 
 namespace orbicube::untangle {
@@ -111,22 +111,25 @@ PlanarTriangles elements_of(const TriangleProblem& mesh, const Variables& variab
 }
 
 // Moves all vertices until nothing is flipped, or to where the fewest triangles are. Each of these first values of eps
-// finds maps that the others do not.
-void untangle_values(PlanarNewton& newton, const UntangleOptions& options, Array<double>& values,
-                     std::pmr::memory_resource* memory) {
-  const Array<double> start(values, memory);
-  Array<double> best(values, memory);
-  const double worst = newton.min_determinant(values);
+// finds maps that the others do not, and so does a start at the means of neighbors.
+void untangle_values(PlanarNewton& newton, std::span<const Triangle> triangles, const Variables& variables,
+                     const UntangleOptions& options, Array<double>& values, const base::Host& host) {
+  Array<double> start(values, host.memory), best(values, host.memory);
+  newton.min_determinant(values);
   std::size_t fewest = newton.flipped();
-  for (const double first_eps : {std::max(0.05, 0.2 * std::abs(worst)), 0.0, 0.01}) {
-    if (newton.untangle(values,
-                        {.max_steps = options.steps, .area_weight = options.volume_weight, .first_eps = first_eps}))
-      return;
-    if (newton.flipped() < fewest) {
-      fewest = newton.flipped();
-      best = values;
+  for (const bool barycentric : {false, true}) {
+    if (barycentric && (options.steps == 0 || !start_barycentric(triangles, variables, start, host))) break;
+    const double worst = newton.min_determinant(start);
+    for (const double first_eps : {std::max(0.05, 0.2 * std::abs(worst)), 0.0, 0.01}) {
+      values = start;
+      if (newton.untangle(values,
+                          {.max_steps = options.steps, .area_weight = options.volume_weight, .first_eps = first_eps}))
+        return;
+      if (newton.flipped() < fewest) {
+        fewest = newton.flipped();
+        best = values;
+      }
     }
-    values = start;
   }
   values = best;
 }
@@ -222,7 +225,7 @@ UntangledTriangles untangle_triangles(const TriangleProblem& mesh, const Untangl
   const PlanarTriangles elements = elements_of(mesh, variables, areas, unit, host);
   if (variables.free() > 0) {
     PlanarNewton newton(elements, variables.free(), {}, host);
-    untangle_values(newton, options, values, host.memory);
+    untangle_values(newton, mesh.triangles, variables, options, values, host);
     result.steps = newton.steps();
     place(unit);
     if (elements.energy(values, 1) < std::numeric_limits<double>::infinity() &&

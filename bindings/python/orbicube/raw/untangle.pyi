@@ -65,7 +65,7 @@ def obc_untangle_tetrahedra_problem_init(problem: Pointer, struct_size: int) -> 
 def obc_untangle_tetrahedra(problem: Pointer, options: Pointer, host: Pointer, result: Pointer, report: Pointer, error: Pointer) -> int:
     """Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
     unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
-    NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to three attempts.
+    NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to six attempts.
     Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
     errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
     not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
@@ -81,7 +81,7 @@ def obc_untangle_triangles(problem: Pointer, options: Pointer, host: Pointer, re
     """Moves vertices in the plane until all triangles are positive, counter-clockwise. result receives x y a vertex and may be
     problem->positions; fixed coordinates are unchanged and tied ones have the same bits. A mesh without inverted triangles is only polished.
     Where the boundary is a polygon without self-intersections and is fixed, the triangles of the result cover it without overlap. options,
-    host and report may be NULL. Takes about 1 KB a triangle, and a sparse factor a step; up to three attempts.
+    host and report may be NULL. Takes about 1 KB a triangle, and a sparse factor a step; up to six attempts.
     Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
     errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
     not manifold (kinds non-manifold-edge and inconsistent-orientation: three triangles at an edge, or two on one side of it);
