@@ -173,6 +173,11 @@ Untangled untangle_tetrahedra(const UntangleProblem& mesh, const UntangleOptions
   untangle_everywhere(newton, mesh.tetrahedra, variables, options.steps, host);
   result.steps = newton.steps() + local.steps;
   certify();
+  // What is positive by exact arithmetic may be flat in floating point, and is kept where that leads to nothing.
+  if (result.inverted > result.inverted_before) {
+    newton.restart(variables.start());
+    certify();
+  }
   if (newton.now().inverted == 0 && (options.polish_steps > 0 || result.inverted > 0)) {
     const Array<Vector3> before(result.positions, host.memory);
     const std::size_t inverted = result.inverted;

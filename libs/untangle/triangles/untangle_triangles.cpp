@@ -81,6 +81,11 @@ struct Areas {
   double mean() const { return whole() / static_cast<double>(count); }
 };
 
+void require_positive(const Areas& areas) {
+  if (!(areas.absolute > 0) || !std::isfinite(areas.absolute) || !(areas.target > 0) || !std::isfinite(areas.target))
+    throw base::Error("degenerate-geometry", "the triangles have no area, or one that is not finite");
+}
+
 // The triangles with their target shapes, in a plane that is scaled by `unit`, where their mean area is about 1.
 PlanarTriangles elements_of(const TriangleProblem& mesh, const Variables& variables, const Areas& areas, double unit,
                             const base::Host& host) {
@@ -216,8 +221,7 @@ UntangledTriangles untangle_triangles(const TriangleProblem& mesh, const Untangl
   place(1);
   result.inverted_before = result.inverted;
   const Areas areas(mesh, result.positions, boundary);
-  if (!(areas.absolute > 0) || !std::isfinite(areas.absolute) || !(areas.target > 0) || !std::isfinite(areas.target))
-    throw base::Error("degenerate-geometry", "the triangles have no area, or one that is not finite");
+  require_positive(areas);
   // A power of two: nothing is rounded.
   const double unit = std::exp2(-std::floor(0.5 * std::ilogb(areas.mean())));
   for (double& value : values)
@@ -225,9 +229,15 @@ UntangledTriangles untangle_triangles(const TriangleProblem& mesh, const Untangl
   const PlanarTriangles elements = elements_of(mesh, variables, areas, unit, host);
   if (variables.free() > 0) {
     PlanarNewton newton(elements, variables.free(), {}, host);
+    const Array<double> start(values, host.memory);
     untangle_values(newton, mesh.triangles, variables, options, values, host);
     result.steps = newton.steps();
     place(unit);
+    // What is positive by exact arithmetic may be flat in floating point, and is kept where that leads to nothing.
+    if (result.inverted > result.inverted_before) {
+      values = start;
+      place(unit);
+    }
     if (elements.energy(values, 1) < std::numeric_limits<double>::infinity() &&
         (options.polish_steps > 0 || result.inverted > 0)) {
       const Array<double> before(values, host.memory);
