@@ -1,11 +1,14 @@
 #include "orbicube/untangle.h"
 
+#include <algorithm>
 #include <cstring>
+#include <memory>
 #include <span>
 
 #include "base/version.h"
 #include "capi/src/entry.h"
 #include "mesh/topology/conforming_tetrahedra.h"
+#include "untangle/refine/refined.h"
 #include "untangle/tetrahedra/untangle_tetrahedra.h"
 #include "untangle/triangles/untangle_triangles.h"
 
@@ -14,6 +17,17 @@ using mesh::Tetrahedron;
 using mesh::Triangle;
 using mesh::Vector3;
 using untangle::Vector2d;
+
+// Of triangles or of tetrahedra, in flat arrays.
+struct obc_untangle_refined {
+  explicit obc_untangle_refined(const obc_host* host) : adapter(host) {}
+
+  capi::HostAdapter adapter;
+  base::Array<double> positions{adapter.host().memory}, weights{adapter.host().memory};
+  base::Array<std::uint32_t> elements{adapter.host().memory}, parents{adapter.host().memory},
+      origins{adapter.host().memory};
+  std::size_t vertices = 0;
+};
 
 namespace {
 
@@ -117,6 +131,52 @@ base::Array<std::uint8_t> fixed_coordinates(const Problem& given, std::span<cons
   return fixed;
 }
 
+// Runs `body` on the mesh and the options of a problem; the report is empty until then.
+template <class Body>
+void on_tetrahedra(const obc_untangle_tetrahedra_problem* problem, const obc_untangle_options* options,
+                   obc_untangle_report* report, const base::Host& host, const Body& body) {
+  capi::require(problem != nullptr, "the argument `problem` is NULL");
+  const obc_untangle_tetrahedra_problem given = capi::copy_versioned(problem, no_tetrahedra());
+  untangle::UntangleProblem mesh = view_of(given);
+  const obc_untangle_options o = capi::copy_versioned(options, default_options());
+  capi::write_versioned(report, empty_report());
+  untangle::require_vertices(mesh.tetrahedra, mesh.start);
+  const base::Array<std::uint8_t> fixed = fixed_coordinates(given, mesh.fixed, 3, o, host, [&] {
+    return mesh::boundary_vertices(mesh.tetrahedra, given.vertex_count, host);
+  });
+  mesh.fixed = fixed;
+  body(mesh, options_of(o));
+}
+
+template <class Body>
+void on_triangles(const obc_untangle_triangles_problem* problem, const obc_untangle_options* options,
+                  obc_untangle_report* report, const base::Host& host, const Body& body) {
+  capi::require(problem != nullptr, "the argument `problem` is NULL");
+  const obc_untangle_triangles_problem given = capi::copy_versioned(problem, no_triangles());
+  untangle::TriangleProblem mesh = view_of(given);
+  const obc_untangle_options o = capi::copy_versioned(options, default_options());
+  capi::write_versioned(report, empty_report());
+  const base::Array<std::uint8_t> fixed = fixed_coordinates(given, mesh.fixed, 2, o, host, [&] {
+    return untangle::boundary_vertices(mesh.triangles, given.vertex_count, host);
+  });
+  mesh.fixed = fixed;
+  body(mesh, options_of(o));
+}
+
+template <std::size_t corners, class Vector>
+void flatten(const untangle::Refined<corners, Vector>& from, obc_untangle_refined& to) {
+  to.vertices = from.positions.size();
+  for (const Vector& p : from.positions)
+    to.positions.insert(to.positions.end(), p.begin(), p.end());
+  for (const auto& e : from.elements)
+    to.elements.insert(to.elements.end(), e.begin(), e.end());
+  to.parents = from.parents;
+  for (const untangle::Origin<corners>& o : from.origins) {
+    to.origins.insert(to.origins.end(), o.vertices.begin(), o.vertices.end());
+    to.weights.insert(to.weights.end(), o.weights.begin(), o.weights.end());
+  }
+}
+
 }  // namespace
 
 obc_status obc_untangle_options_init(obc_untangle_options* options, size_t struct_size) {
@@ -135,22 +195,14 @@ obc_status obc_untangle_tetrahedra(const obc_untangle_tetrahedra_problem* proble
                                    const obc_host* host, double* result, obc_untangle_report* report,
                                    obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(problem != nullptr, "the argument `problem` is NULL");
     capi::require(result != nullptr, "result is NULL");
-    const obc_untangle_tetrahedra_problem given = capi::copy_versioned(problem, no_tetrahedra());
-    untangle::UntangleProblem mesh = view_of(given);
-    const obc_untangle_options o = capi::copy_versioned(options, default_options());
     const capi::HostAdapter adapter(host);
-    capi::write_versioned(report, empty_report());
-    untangle::require_vertices(mesh.tetrahedra, mesh.start);
-    const base::Host& h = adapter.host();
-    const base::Array<std::uint8_t> fixed = fixed_coordinates(
-        given, mesh.fixed, 3, o, h, [&] { return mesh::boundary_vertices(mesh.tetrahedra, given.vertex_count, h); });
-    mesh.fixed = fixed;
-    const untangle::Untangled untangled = untangle::untangle_tetrahedra(mesh, options_of(o), h);
-    capi::write_versioned(report, report_of(untangled));
-    std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector3));
-    untangle::require_untangled(untangled, mesh.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay");
+    on_tetrahedra(problem, options, report, adapter.host(), [&](const auto& mesh, const auto& o) {
+      const untangle::Untangled untangled = untangle::untangle_tetrahedra(mesh, o, adapter.host());
+      capi::write_versioned(report, report_of(untangled));
+      std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector3));
+      untangle::require_untangled(untangled, mesh.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay");
+    });
   });
 }
 
@@ -161,21 +213,75 @@ obc_status obc_untangle_triangles_problem_init(obc_untangle_triangles_problem* p
 obc_status obc_untangle_triangles(const obc_untangle_triangles_problem* problem, const obc_untangle_options* options,
                                   const obc_host* host, double* result, obc_untangle_report* report, obc_error* error) {
   return capi::guarded(error, [&] {
-    capi::require(problem != nullptr, "the argument `problem` is NULL");
     capi::require(result != nullptr, "result is NULL");
-    const obc_untangle_triangles_problem given = capi::copy_versioned(problem, no_triangles());
-    untangle::TriangleProblem mesh = view_of(given);
-    const obc_untangle_options o = capi::copy_versioned(options, default_options());
     const capi::HostAdapter adapter(host);
-    capi::write_versioned(report, empty_report());
-    const base::Host& h = adapter.host();
-    const base::Array<std::uint8_t> fixed = fixed_coordinates(
-        given, mesh.fixed, 2, o, h, [&] { return untangle::boundary_vertices(mesh.triangles, given.vertex_count, h); });
-    mesh.fixed = fixed;
-    const untangle::UntangledTriangles untangled = untangle::untangle_triangles(mesh, options_of(o), h);
-    capi::write_versioned(report, report_of(untangled));
-    std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector2d));
-    untangle::require_untangled(untangled, mesh.triangles.size(), "triangle stays", "triangles stay");
+    on_triangles(problem, options, report, adapter.host(), [&](const auto& mesh, const auto& o) {
+      const untangle::UntangledTriangles untangled = untangle::untangle_triangles(mesh, o, adapter.host());
+      capi::write_versioned(report, report_of(untangled));
+      std::memcpy(result, untangled.positions.data(), untangled.positions.size() * sizeof(Vector2d));
+      untangle::require_untangled(untangled, mesh.triangles.size(), "triangle stays", "triangles stay");
+    });
+  });
+}
+
+obc_status obc_untangle_refine_tetrahedra(const obc_untangle_tetrahedra_problem* problem,
+                                          const obc_untangle_options* options, const obc_host* host,
+                                          obc_untangle_refined** out, obc_untangle_report* report, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    auto made = std::make_unique<obc_untangle_refined>(host);
+    on_tetrahedra(problem, options, report, made->adapter.host(), [&](const auto& mesh, const auto& o) {
+      const untangle::RefinedTetrahedra refined = untangle::untangle_refined(mesh, o, made->adapter.host());
+      capi::write_versioned(report, report_of(refined));
+      untangle::require_untangled(refined, refined.elements.size(), "tetrahedron stays", "tetrahedra stay");
+      flatten(refined, *made);
+    });
+    *out = made.release();
+  });
+}
+
+obc_status obc_untangle_refine_triangles(const obc_untangle_triangles_problem* problem,
+                                         const obc_untangle_options* options, const obc_host* host,
+                                         obc_untangle_refined** out, obc_untangle_report* report, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(out != nullptr, "out is NULL");
+    *out = nullptr;
+    auto made = std::make_unique<obc_untangle_refined>(host);
+    on_triangles(problem, options, report, made->adapter.host(), [&](const auto& mesh, const auto& o) {
+      const untangle::RefinedTriangles refined = untangle::untangle_refined(mesh, o, made->adapter.host());
+      capi::write_versioned(report, report_of(refined));
+      untangle::require_untangled(refined, refined.elements.size(), "triangle stays", "triangles stay");
+      flatten(refined, *made);
+    });
+    *out = made.release();
+  });
+}
+
+void obc_untangle_refined_destroy(obc_untangle_refined* refined) {
+  delete refined;
+}
+
+size_t obc_untangle_refined_vertex_count(const obc_untangle_refined* refined) {
+  return refined != nullptr ? refined->vertices : 0;
+}
+
+size_t obc_untangle_refined_element_count(const obc_untangle_refined* refined) {
+  return refined != nullptr ? refined->parents.size() : 0;
+}
+
+obc_status obc_untangle_refined_copy(const obc_untangle_refined* refined, double* positions, uint32_t* elements,
+                                     uint32_t* parents, uint32_t* origins, double* weights, obc_error* error) {
+  return capi::guarded(error, [&] {
+    capi::require(refined != nullptr, "refined is NULL");
+    const auto copy = [](const auto& from, auto* to) {
+      if (to != nullptr) std::copy(from.begin(), from.end(), to);
+    };
+    copy(refined->positions, positions);
+    copy(refined->elements, elements);
+    copy(refined->parents, parents);
+    copy(refined->origins, origins);
+    copy(refined->weights, weights);
   });
 }
 

@@ -14,8 +14,10 @@ POINTER = 4
 # one for programs that assemble large systems (what polycubes and hexahedra use of it is in it), correspondences, repairs.
 LEFT_OUT = ["correspondence", "linear", "repair", "tetrahedra"]
 # Functions left out for their size: JavaScript reads and writes surfaces of glTF, keeps nothing else of a file, untangles
-# tetrahedra only, and has no parameterizations along frames.
+# tetrahedra only and without splits, and has no parameterizations along frames.
 LEFT_OUT_FUNCTIONS = ["obc_gltf_surface_keeps", "obc_gltf_write_kept", "obc_untangle_triangles", "obc_untangle_triangles_problem_init"] + [
+    "obc_untangle_" + name for name in (
+        "refine_tetrahedra", "refine_triangles", "refined_destroy", "refined_vertex_count", "refined_element_count", "refined_copy")] + [
     "obc_volume_map_" + name for name in (
         "frame_map_options_init", "frame_map_report_init", "frame_map_compute", "frame_map_destroy", "frame_map_tetrahedron_count",
         "frame_map_singular_edge_count", "frame_map_copy", "locator_create", "locator_destroy", "locator_locate", "locator_interpolate")]

@@ -60,6 +60,55 @@ struct Square {
   }
 };
 
+// Three tetrahedra around an edge that passes outside of the triangle in their middle. All vertices are fixed; the
+// hexahedron of their faces is star-shaped around that triangle.
+struct Bipyramid {
+  std::vector<double> positions = {0, 0, -1, 3, 0, 1, 1, 0, 0, -0.5, 0.75, 0, -0.5, -0.75, 0};
+  std::vector<std::uint32_t> tetrahedra = {0, 1, 2, 3, 0, 1, 3, 4, 0, 1, 4, 2};
+
+  obc_untangle_tetrahedra_problem problem() const {
+    obc_untangle_tetrahedra_problem t;
+    REQUIRE(obc_untangle_tetrahedra_problem_init(&t, sizeof t) == OBC_OK);
+    t.positions = positions.data();
+    t.vertex_count = positions.size() / 3;
+    t.tetrahedra = tetrahedra.data();
+    t.tetrahedron_count = tetrahedra.size() / 4;
+    return t;
+  }
+};
+
+// The square with a corner on the straight line between its neighbors, with which it has a triangle in common.
+Square cut_square() {
+  Square square;
+  square.start[8] = 3.5;
+  square.start[9] = 0.5;
+  return square;
+}
+
+// A refined mesh in arrays, destroyed.
+struct Copied {
+  std::vector<double> positions, weights;
+  std::vector<std::uint32_t> elements, parents, origins;
+
+  Copied(obc_untangle_refined* refined, std::size_t axes)
+      : positions(axes * obc_untangle_refined_vertex_count(refined)),
+        weights((axes + 1) * obc_untangle_refined_vertex_count(refined)),
+        elements((axes + 1) * obc_untangle_refined_element_count(refined)),
+        parents(obc_untangle_refined_element_count(refined)),
+        origins(weights.size()) {
+    REQUIRE(obc_untangle_refined_copy(refined, positions.data(), elements.data(), parents.data(), origins.data(),
+                                      weights.data(), nullptr) == OBC_OK);
+    obc_untangle_refined_destroy(refined);
+  }
+};
+
+obc_untangle_options without_steps() {
+  obc_untangle_options options;
+  REQUIRE(obc_untangle_options_init(&options, sizeof options) == OBC_OK);
+  options.max_steps = 0;
+  return options;
+}
+
 }  // namespace
 
 TEST_CASE("An inverted box is untangled, in place too, and the report says how") {
@@ -264,4 +313,168 @@ TEST_CASE("Each allocation that fails, and each report that cancels, ends the un
   };
   test::check_failing_allocations(call);
   test::check_cancelling(call);
+}
+
+TEST_CASE("Tetrahedra around an edge that cannot lie inside are split at it") {
+  const Bipyramid bipyramid;
+  const obc_untangle_tetrahedra_problem problem = bipyramid.problem();
+  std::vector<double> moved(bipyramid.positions.size());
+  CHECK(obc_untangle_tetrahedra(&problem, nullptr, nullptr, moved.data(), nullptr, nullptr) == OBC_NO_VALID_RESULT);
+  obc_untangle_refined* refined = nullptr;
+  obc_untangle_report report;
+  REQUIRE(obc_untangle_report_init(&report, sizeof report) == OBC_OK);
+  REQUIRE(obc_untangle_refine_tetrahedra(&problem, nullptr, nullptr, &refined, &report, nullptr) == OBC_OK);
+  CHECK(report.inverted_before == 2);
+  CHECK(report.inverted == 0);
+  CHECK(report.first_inverted == UINT32_MAX);
+  CHECK(report.min_determinant > 0);
+  CHECK(obc_untangle_refined_copy(refined, nullptr, nullptr, nullptr, nullptr, nullptr, nullptr) == OBC_OK);
+  const Copied mesh(refined, 3);
+  REQUIRE(mesh.positions.size() == 18);
+  CHECK(std::equal(bipyramid.positions.begin(), bipyramid.positions.end(), mesh.positions.begin()));
+  for (std::size_t t = 0; t < mesh.elements.size(); t += 4) {
+    const auto* const v = &mesh.elements[t];
+    const double* const x = mesh.positions.data();
+    CHECK(obc_mesh_orientation_3d(x + 3 * v[0], x + 3 * v[1], x + 3 * v[2], x + 3 * v[3]) == 1);
+  }
+  std::vector<std::uint32_t> parents = mesh.parents;
+  std::sort(parents.begin(), parents.end());
+  CHECK(parents == std::vector<std::uint32_t>{0, 0, 1, 1, 2, 2});
+  CHECK(std::equal(mesh.origins.begin() + 20, mesh.origins.end(),
+                   std::vector<std::uint32_t>{0, 1, UINT32_MAX, UINT32_MAX}.begin()));
+  CHECK(std::equal(mesh.weights.begin() + 20, mesh.weights.end(), std::vector<double>{0.5, 0.5, 0, 0}.begin()));
+}
+
+TEST_CASE("A box that has a solution is refined to itself") {
+  const Box box;
+  const obc_untangle_tetrahedra_problem problem = problem_of(box);
+  std::vector<double> moved(box.start.size());
+  REQUIRE(obc_untangle_tetrahedra(&problem, nullptr, nullptr, moved.data(), nullptr, nullptr) == OBC_OK);
+  obc_untangle_refined* refined = nullptr;
+  REQUIRE(obc_untangle_refine_tetrahedra(&problem, nullptr, nullptr, &refined, nullptr, nullptr) == OBC_OK);
+  const Copied mesh(refined, 3);
+  CHECK(mesh.positions == moved);
+  CHECK(mesh.elements == box.tetrahedra);
+  for (std::size_t t = 0; t < mesh.parents.size(); ++t)
+    CHECK(mesh.parents[t] == t);
+}
+
+TEST_CASE("A triangle with a straight side of the boundary is split, and its disk is mapped without a step too") {
+  const Square square = cut_square();
+  const obc_untangle_triangles_problem problem = square.problem();
+  const obc_untangle_options constructed = without_steps();
+  for (const obc_untangle_options* options : {static_cast<const obc_untangle_options*>(nullptr), &constructed}) {
+    obc_untangle_refined* refined = nullptr;
+    obc_untangle_report report;
+    REQUIRE(obc_untangle_report_init(&report, sizeof report) == OBC_OK);
+    REQUIRE(obc_untangle_refine_triangles(&problem, options, nullptr, &refined, &report, nullptr) == OBC_OK);
+    CHECK(report.inverted == 0);
+    CHECK(report.inverted_before > 0);
+    if (options != nullptr) CHECK(report.steps == 0);
+    const Copied mesh(refined, 2);
+    CHECK(mesh.parents.size() > square.triangles.size() / 3);
+    for (std::size_t t = 0; t < mesh.elements.size(); t += 3) {
+      const auto* const v = &mesh.elements[t];
+      CHECK(obc_mesh_orientation_2d(&mesh.positions[2 * v[0]], &mesh.positions[2 * v[1]], &mesh.positions[2 * v[2]]) ==
+            1);
+    }
+    for (std::size_t i = 0; i < square.start.size(); ++i) {
+      if (square.fixed[i / 2] != 0) CHECK(mesh.positions[i] == square.start[i]);
+    }
+  }
+}
+
+TEST_CASE("Wrong arguments of refinement are refused and leave no mesh") {
+  const Bipyramid bipyramid;
+  const Square square;
+  obc_error error;
+  obc_untangle_refined* refined = nullptr;
+  const obc_untangle_tetrahedra_problem solid = bipyramid.problem();
+  const obc_untangle_triangles_problem flat = square.problem();
+  CHECK(obc_untangle_refine_tetrahedra(&solid, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  CHECK(obc_untangle_refine_triangles(&flat, nullptr, nullptr, nullptr, nullptr, &error) == OBC_INVALID_ARGUMENT);
+  const auto refuses = [&](const obc_untangle_tetrahedra_problem* problem, const obc_untangle_options* options,
+                           obc_status wanted) {
+    refined = reinterpret_cast<obc_untangle_refined*>(&error);
+    CHECK(obc_untangle_refine_tetrahedra(problem, options, nullptr, &refined, nullptr, &error) == wanted);
+    CHECK(refined == nullptr);
+  };
+  const auto refuses_flat = [&](const obc_untangle_triangles_problem* problem, obc_status wanted) {
+    refined = reinterpret_cast<obc_untangle_refined*>(&error);
+    CHECK(obc_untangle_refine_triangles(problem, nullptr, nullptr, &refined, nullptr, &error) == wanted);
+    CHECK(refined == nullptr);
+  };
+  refuses(nullptr, nullptr, OBC_INVALID_ARGUMENT);
+  refuses_flat(nullptr, OBC_INVALID_ARGUMENT);
+  obc_untangle_tetrahedra_problem wrong = solid;
+  wrong.vertex_count = 4;
+  refuses(&wrong, nullptr, OBC_MALFORMED_FILE);
+  wrong.vertex_count = SIZE_MAX;
+  refuses(&wrong, nullptr, OBC_INVALID_ARGUMENT);
+  wrong = solid;
+  wrong.tetrahedra = nullptr;
+  refuses(&wrong, nullptr, OBC_INVALID_ARGUMENT);
+  std::vector<double> places = bipyramid.positions;
+  places[4] = std::numeric_limits<double>::quiet_NaN();
+  wrong = solid;
+  wrong.positions = places.data();
+  refuses(&wrong, nullptr, OBC_INVALID_ARGUMENT);
+  obc_untangle_options options = without_steps();
+  options.max_steps = -1;
+  refuses(&solid, &options, OBC_INVALID_ARGUMENT);
+  obc_untangle_triangles_problem wrong_flat = flat;
+  wrong_flat.vertex_count = 5;
+  refuses_flat(&wrong_flat, OBC_MALFORMED_FILE);
+  wrong_flat = flat;
+  std::vector<std::uint32_t> ties(square.start.size(), UINT32_MAX - 1);
+  wrong_flat.ties = ties.data();
+  refuses_flat(&wrong_flat, OBC_INVALID_ARGUMENT);
+  CHECK(obc_untangle_refined_copy(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr, &error) ==
+        OBC_INVALID_ARGUMENT);
+  CHECK(obc_untangle_refined_vertex_count(nullptr) == 0);
+  CHECK(obc_untangle_refined_element_count(nullptr) == 0);
+  obc_untangle_refined_destroy(nullptr);
+}
+
+TEST_CASE("What splits do not help is an error with the number of inverted elements") {
+  // A square whose boundary crosses itself.
+  const std::vector<double> crossed = {0, 0, 1, 1, 1, 0, 0, 1};
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 0, 2, 3};
+  obc_untangle_triangles_problem problem;
+  REQUIRE(obc_untangle_triangles_problem_init(&problem, sizeof problem) == OBC_OK);
+  problem.positions = crossed.data();
+  problem.vertex_count = 4;
+  problem.triangles = triangles.data();
+  problem.triangle_count = 2;
+  obc_untangle_report report;
+  REQUIRE(obc_untangle_report_init(&report, sizeof report) == OBC_OK);
+  obc_untangle_refined* refined = nullptr;
+  obc_error error;
+  CHECK(obc_untangle_refine_triangles(&problem, nullptr, nullptr, &refined, &report, &error) == OBC_NO_VALID_RESULT);
+  CHECK(refined == nullptr);
+  CHECK(report.inverted > 0);
+  CHECK(report.first_inverted != UINT32_MAX);
+  CHECK(std::string(error.message).find(std::to_string(report.inverted)) != std::string::npos);
+}
+
+TEST_CASE("Each allocation that fails, and each report that cancels, ends the refinement") {
+  const Bipyramid bipyramid;
+  const Square square = cut_square();
+  const obc_untangle_tetrahedra_problem solid = bipyramid.problem();
+  const obc_untangle_triangles_problem flat = square.problem();
+  const obc_untangle_options constructed = without_steps();
+  const auto check = [](const auto& refine) {
+    const test::Call call = test::destroying<obc_untangle_refined>(obc_untangle_refined_destroy, refine);
+    test::check_failing_allocations(call);
+    test::check_cancelling(call);
+  };
+  check([&](const obc_host* host, obc_untangle_refined** made) {
+    return obc_untangle_refine_tetrahedra(&solid, nullptr, host, made, nullptr, nullptr);
+  });
+  check([&](const obc_host* host, obc_untangle_refined** made) {
+    return obc_untangle_refine_triangles(&flat, nullptr, host, made, nullptr, nullptr);
+  });
+  check([&](const obc_host* host, obc_untangle_refined** made) {
+    return obc_untangle_refine_triangles(&flat, &constructed, host, made, nullptr, nullptr);
+  });
 }

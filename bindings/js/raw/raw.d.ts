@@ -1091,8 +1091,8 @@ export interface RawFunctions {
   /** Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
    * unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
    * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to six attempts.
-   * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
-   * errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+   * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, all other
+   * errors leave result unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
    * not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
    * malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
    * tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled. */

@@ -5,8 +5,8 @@
  * inverted elements, while a parameter eps that falls to 0 makes them more and more expensive; see docs/untangle.md. Each result is
  * certified: every element is positive by exact arithmetic, and fixed coordinates are unchanged.
  *
- * A solution is not guaranteed where one exists, and the mesh is not changed: where no positions of the free vertices make all
- * elements positive, the best positions found are returned with the error.
+ * A solution is not guaranteed where one exists: where no positions of the free vertices make all elements positive, the best positions
+ * found are returned with the error. obc_untangle_refine_... split elements there; the other functions do not change the mesh.
  *
  * Thread safety: all functions may be called at the same time. Results are the same bits for any number of threads.
  *
@@ -97,8 +97,8 @@ OBC_API obc_status obc_untangle_tetrahedra_problem_init(obc_untangle_tetrahedra_
 /* Moves vertices until all tetrahedra are positive. result receives x y z a vertex and may be problem->positions; fixed coordinates are
  * unchanged and tied ones have the same bits. A mesh without inverted tetrahedra is only polished. options, host and report may be
  * NULL. Takes about 700 bytes a tetrahedron; a step is O(n) times up to 150 iterations of conjugate gradients; up to six attempts.
- * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
- * errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+ * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, all other
+ * errors leave result unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
  * not manifold (kinds non-manifold-face and inconsistent-orientation: three tetrahedra at a face, or two on one side of it);
  * malformed file (kind index-range); degenerate (kinds degenerate-cell and inverted-cell: a repeated vertex, a rest
  * tetrahedron that is not positive; degenerate-geometry: zero volume); out of memory; cancelled. */
@@ -138,13 +138,47 @@ OBC_API obc_status obc_untangle_triangles_problem_init(obc_untangle_triangles_pr
  * problem->positions; fixed coordinates are unchanged and tied ones have the same bits. A mesh without inverted triangles is only polished.
  * Where the boundary is a polygon without self-intersections and is fixed, the triangles of the result cover it without overlap. options,
  * host and report may be NULL. Takes about 1 KB a triangle, and a sparse factor a step; up to six attempts.
- * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, for all other
- * errors they are unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
+ * Errors: no valid result (some remain inverted: their number and the first; result and report then have the best mesh, all other
+ * errors leave result unchanged); invalid argument (NULL, not finite, options, ties that contradict each other or are out of range);
  * not manifold (kinds non-manifold-edge and inconsistent-orientation: three triangles at an edge, or two on one side of it);
  * malformed file (kind index-range); degenerate (kind degenerate-face: a repeated vertex, a target shape without area;
  * degenerate-geometry: zero area); out of memory; cancelled. */
 OBC_API obc_status obc_untangle_triangles(const obc_untangle_triangles_problem *problem, const obc_untangle_options *options,
                                           const obc_host *host, double *result, obc_untangle_report *report, obc_error *error);
+
+/* ---- refinement ------------------------------------------------------------------------------------------------------ */
+
+/* An untangled mesh whose elements were split where that is needed. */
+typedef struct obc_untangle_refined obc_untangle_refined;
+
+/* Untangle as obc_untangle_tetrahedra and obc_untangle_triangles do and, where the mesh as it is has no solution or none is found, split
+ * elements: first all edges, faces and elements that join fixed vertices and are not in the boundary, then edges of elements that
+ * remain inverted. New vertices are free, also between fixed ones inside; the boundary is not split, nor is a mesh without inverted elements.
+ * A disk of triangles whose fixed boundary is a star-shaped polygon, all else being free and without ties, is always untangled, within the
+ * precision of coordinates. Elements that become positive by rounding alone, with determinants below 1e-9, are split too. options,
+ * host and report may be NULL; the allocator of the host must remain valid until _destroy. The report counts elements after splits, but
+ * for inverted_before. Takes the time and memory of those functions for up to ten meshes, of up to about eight times the elements.
+ * *out is NULL after an error. Errors: as those functions; after no valid result the report has the figures of the best mesh found. */
+OBC_API obc_status obc_untangle_refine_tetrahedra(const obc_untangle_tetrahedra_problem *problem, const obc_untangle_options *options,
+                                                  const obc_host *host, obc_untangle_refined **out, obc_untangle_report *report,
+                                                  obc_error *error);
+OBC_API obc_status obc_untangle_refine_triangles(const obc_untangle_triangles_problem *problem, const obc_untangle_options *options,
+                                                 const obc_host *host, obc_untangle_refined **out, obc_untangle_report *report,
+                                                 obc_error *error);
+
+/* Destroys a mesh; NULL is allowed. */
+OBC_API void obc_untangle_refined_destroy(obc_untangle_refined *refined);
+
+/* Return the number of vertices, of which those of the problem are the first, and of elements; 0 for NULL. */
+OBC_API size_t obc_untangle_refined_vertex_count(const obc_untangle_refined *refined);
+OBC_API size_t obc_untangle_refined_element_count(const obc_untangle_refined *refined);
+
+/* Copies the mesh to arrays of the caller, each of which may be NULL. d is 3 for tetrahedra and 2 for triangles. positions: d a vertex;
+ * elements: d + 1 vertices each; parents: for each element the one of the problem that it is part of; origins and weights: d + 1 a
+ * vertex, the vertices of the problem whose mean it is there, and their weights, which add up to 1 but for rounding; UINT32_MAX with
+ * weight 0 for the rest. Errors: invalid argument. */
+OBC_API obc_status obc_untangle_refined_copy(const obc_untangle_refined *refined, double *positions, uint32_t *elements,
+                                             uint32_t *parents, uint32_t *origins, double *weights, obc_error *error);
 
 /* Returns the version of the library, major * 10000 + minor * 100 + patch. */
 OBC_API uint32_t obc_untangle_version(void);

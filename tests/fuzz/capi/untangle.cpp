@@ -43,6 +43,28 @@ void require_fixed(const std::uint8_t* fixed, std::size_t each, const std::vecto
             "a fixed coordinate moved");
 }
 
+// A refined mesh: positions that are finite, and elements, parents and origins that exist.
+void check_refined(obc_untangle_refined* refined, std::size_t axes, const std::vector<double>& before,
+                   std::size_t elements, const std::uint8_t* fixed) {
+  const std::size_t n = obc_untangle_refined_vertex_count(refined), m = obc_untangle_refined_element_count(refined);
+  std::vector<double> positions(axes * n), weights((axes + 1) * n);
+  std::vector<std::uint32_t> cells((axes + 1) * m), parents(m), origins((axes + 1) * n);
+  require(obc_untangle_refined_copy(refined, positions.data(), cells.data(), parents.data(), origins.data(),
+                                    weights.data(), nullptr) == OBC_OK,
+          "a refined mesh is not copied");
+  obc_untangle_refined_destroy(refined);
+  require(positions.size() >= before.size() && m >= elements, "a refined mesh has lost something");
+  require_finite(positions, "a position that is not finite");
+  for (const std::uint32_t v : cells)
+    require(v < n, "a vertex of a refined element is out of range");
+  for (const std::uint32_t parent : parents)
+    require(parent < elements, "a parent is out of range");
+  for (std::size_t i = 0; i < origins.size(); ++i)
+    require(weights[i] > 0 ? axes * origins[i] < before.size() : origins[i] == UINT32_MAX, "an origin is out of range");
+  positions.resize(before.size());
+  require_fixed(fixed, axes, before, positions);
+}
+
 // A square of squares cut in two, or a part of some surface.
 Shape flat_mesh(Input& in) {
   if (in.one_in(2)) {
@@ -86,6 +108,14 @@ void untangle_triangles(Input& in, Host& host) {
   const obc_untangle_options options = options_from(in);
   obc_untangle_report report;
   obc_untangle_report_init(&report, sizeof report);
+  if (in.one_in(3)) {
+    obc_untangle_refined* refined = nullptr;
+    if (ok([&](obc_error* e) {
+          return obc_untangle_refine_triangles(&problem, &options, host.c(), &refined, &report, e);
+        }))
+      check_refined(refined, 2, flat, mesh.cell_count(), problem.fixed);
+    return;
+  }
   std::vector<double> result(flat.size());
   if (!ok([&](obc_error* e) {
         return obc_untangle_triangles(&problem, &options, host.c(), result.data(), &report, e);
@@ -127,6 +157,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const obc_untangle_options options = options_from(in);
   obc_untangle_report report;
   obc_untangle_report_init(&report, sizeof report);
+  if (in.one_in(3)) {
+    obc_untangle_refined* refined = nullptr;
+    if (ok([&](obc_error* e) {
+          return obc_untangle_refine_tetrahedra(&problem, &options, host.c(), &refined, &report, e);
+        }))
+      check_refined(refined, 3, mesh.positions, mesh.cell_count(), problem.fixed);
+    return 0;
+  }
   std::vector<double> result(mesh.positions.size());
   if (!ok([&](obc_error* e) {
         return obc_untangle_tetrahedra(&problem, &options, host.c(), result.data(), &report, e);

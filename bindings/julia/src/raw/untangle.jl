@@ -75,6 +75,30 @@ const address_obc_untangle_triangles = Ref(C_NULL)
 obc_untangle_triangles(problem, options, host, result, report, error) =
     ccall(symbol(address_obc_untangle_triangles, :untangle, :obc_untangle_triangles), Int32, (Ptr{obc_untangle_triangles_problem}, Ptr{obc_untangle_options}, Ptr{obc_host}, Ptr{Float64}, Ptr{obc_untangle_report}, Ptr{obc_error}), problem, options, host, result, report, error)
 
+const address_obc_untangle_refine_tetrahedra = Ref(C_NULL)
+obc_untangle_refine_tetrahedra(problem, options, host, out, report, error) =
+    ccall(symbol(address_obc_untangle_refine_tetrahedra, :untangle, :obc_untangle_refine_tetrahedra), Int32, (Ptr{obc_untangle_tetrahedra_problem}, Ptr{obc_untangle_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_untangle_report}, Ptr{obc_error}), problem, options, host, out, report, error)
+
+const address_obc_untangle_refine_triangles = Ref(C_NULL)
+obc_untangle_refine_triangles(problem, options, host, out, report, error) =
+    ccall(symbol(address_obc_untangle_refine_triangles, :untangle, :obc_untangle_refine_triangles), Int32, (Ptr{obc_untangle_triangles_problem}, Ptr{obc_untangle_options}, Ptr{obc_host}, Ptr{Ptr{Cvoid}}, Ptr{obc_untangle_report}, Ptr{obc_error}), problem, options, host, out, report, error)
+
+const address_obc_untangle_refined_destroy = Ref(C_NULL)
+obc_untangle_refined_destroy(refined) =
+    ccall(symbol(address_obc_untangle_refined_destroy, :untangle, :obc_untangle_refined_destroy), Cvoid, (Ptr{Cvoid},), refined)
+
+const address_obc_untangle_refined_vertex_count = Ref(C_NULL)
+obc_untangle_refined_vertex_count(refined) =
+    ccall(symbol(address_obc_untangle_refined_vertex_count, :untangle, :obc_untangle_refined_vertex_count), Csize_t, (Ptr{Cvoid},), refined)
+
+const address_obc_untangle_refined_element_count = Ref(C_NULL)
+obc_untangle_refined_element_count(refined) =
+    ccall(symbol(address_obc_untangle_refined_element_count, :untangle, :obc_untangle_refined_element_count), Csize_t, (Ptr{Cvoid},), refined)
+
+const address_obc_untangle_refined_copy = Ref(C_NULL)
+obc_untangle_refined_copy(refined, positions, elements, parents, origins, weights, error) =
+    ccall(symbol(address_obc_untangle_refined_copy, :untangle, :obc_untangle_refined_copy), Int32, (Ptr{Cvoid}, Ptr{Float64}, Ptr{UInt32}, Ptr{UInt32}, Ptr{UInt32}, Ptr{Float64}, Ptr{obc_error}), refined, positions, elements, parents, origins, weights, error)
+
 const address_obc_untangle_version = Ref(C_NULL)
 obc_untangle_version() =
     ccall(symbol(address_obc_untangle_version, :untangle, :obc_untangle_version), UInt32, ())

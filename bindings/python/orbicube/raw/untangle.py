@@ -73,6 +73,12 @@ _functions = [
     ("obc_untangle_tetrahedra", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_untangle_triangles_problem_init", _c.c_int32, [_c.c_void_p, _c.c_size_t]),
     ("obc_untangle_triangles", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_untangle_refine_tetrahedra", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_untangle_refine_triangles", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
+    ("obc_untangle_refined_destroy", None, [_c.c_void_p]),
+    ("obc_untangle_refined_vertex_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_untangle_refined_element_count", _c.c_size_t, [_c.c_void_p]),
+    ("obc_untangle_refined_copy", _c.c_int32, [_c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p, _c.c_void_p]),
     ("obc_untangle_version", _c.c_uint32, []),
 ]
 
