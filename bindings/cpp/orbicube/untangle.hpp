@@ -2,6 +2,7 @@
 #ifndef ORBICUBE_UNTANGLE_HPP
 #define ORBICUBE_UNTANGLE_HPP
 
+#include <cstdint>
 #include <vector>
 
 #include <orbicube/untangle.h>
@@ -71,6 +72,53 @@ inline Untangled triangles(const Triangles& problem, const Options& options = {}
                    [&](double* result, obc_untangle_report* report, obc_error* error) {
                      return obc_untangle_triangles(&problem, &options, detail::c(host), result, report, error);
                    });
+}
+
+// A mesh whose elements were split where that is needed; vertices of the mesh before come first.
+struct Refined {
+  std::vector<double> positions;
+  std::vector<std::uint32_t> elements;
+  std::vector<std::uint32_t> parents;  // of each element: the one of the mesh before that it is part of
+  // Of each vertex: those of the mesh before whose mean it is there, four each for tetrahedra and three for triangles;
+  // UINT32_MAX with weight 0 for the rest.
+  std::vector<std::uint32_t> origins;
+  std::vector<double> weights;
+  Report report;
+};
+
+namespace runs {
+template <class Call>
+Refined refine(std::size_t axes, Host* host, const Call& body) {
+  Refined result;
+  const auto handle = detail::take<obc_untangle_refined, obc_untangle_refined_destroy>(
+      host, [&](obc_untangle_refined** made, obc_error* error) { return body(made, &result.report, error); });
+  const obc_untangle_refined* const out = handle.get();
+  const std::size_t n = obc_untangle_refined_vertex_count(out), m = obc_untangle_refined_element_count(out);
+  result.positions.resize(axes * n);
+  result.elements.resize((axes + 1) * m);
+  result.parents.resize(m);
+  result.origins.resize((axes + 1) * n);
+  result.weights.resize((axes + 1) * n);
+  detail::call(nullptr, [&](obc_error* error) {
+    return obc_untangle_refined_copy(out, result.positions.data(), result.elements.data(), result.parents.data(),
+                                     result.origins.data(), result.weights.data(), error);
+  });
+  return result;
+}
+}  // namespace runs
+
+// As tetrahedra(), and splits tetrahedra where the mesh as it is has no solution, or none is found.
+inline Refined refine_tetrahedra(const Tetrahedra& problem, const Options& options = {}, Host* host = nullptr) {
+  return runs::refine(3, host, [&](obc_untangle_refined** made, obc_untangle_report* report, obc_error* error) {
+    return obc_untangle_refine_tetrahedra(&problem, &options, detail::c(host), made, report, error);
+  });
+}
+
+// The same for triangles in the plane. A disk whose boundary is fixed to a star-shaped polygon always has a solution.
+inline Refined refine_triangles(const Triangles& problem, const Options& options = {}, Host* host = nullptr) {
+  return runs::refine(2, host, [&](obc_untangle_refined** made, obc_untangle_report* report, obc_error* error) {
+    return obc_untangle_refine_triangles(&problem, &options, detail::c(host), made, report, error);
+  });
 }
 
 }  // namespace untangle

@@ -24,7 +24,7 @@ export frame_field, measure_frames, frame_matchings, singularities, Quaternions
 export PolycubeMap, polycube, polycube_on, certify_polycube, common_polycube, optimize_domain, optimize_corners, align_features
 export energies, polycube_graph, polycube_quads
 export Correspondence, blend, map_points
-export untangle, map_to_polycube, FrameMap, parameterize, SolidLocator, fill_with_hexahedra
+export untangle, refine_untangled, RefinedMesh, map_to_polycube, FrameMap, parameterize, SolidLocator, fill_with_hexahedra
 
 using SparseArrays
 

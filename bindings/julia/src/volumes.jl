@@ -12,6 +12,24 @@ max_steps, max_polish_steps, free_boundary, volume_weight, tolerance.
 """
 function untangle(positions::AbstractMatrix, elements::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
                   keep_best=false, threads=0, progress=nothing, options...)
+    problem, kept = untangle_problem(positions, elements, rest, fixed, ties)
+    flat, axes, n = size(elements, 1) == 3, size(positions, 1), size(positions, 2)
+    chosen = filled(Raw.obc_untangle_options, Raw.obc_untangle_options_init, values(options))
+    report = filled(Raw.obc_untangle_report, Raw.obc_untangle_report_init, NamedTuple())
+    result = Matrix{Float64}(undef, axes, n)
+    try
+        GC.@preserve kept hosted(threads=threads, progress=progress) do lent, error
+            flat ? Raw.obc_untangle_triangles(problem, chosen, lent, result, report, error) :
+                   Raw.obc_untangle_tetrahedra(problem, chosen, lent, result, report, error)
+        end
+    catch error
+        keep_best && error isa OrbicubeError && error.status == Raw.OBC_NO_VALID_RESULT || rethrow()
+    end
+    result, report
+end
+
+# The problem of C, and the arrays that it is a view of.
+function untangle_problem(positions, elements, rest, fixed, ties)
     flat = size(elements, 1) == 3
     axes = flat ? 2 : 3
     if flat
@@ -43,18 +61,50 @@ function untangle(positions::AbstractMatrix, elements::AbstractMatrix{<:Integer}
         groups = UInt32[group == 0 ? typemax(UInt32) : group - 1 for group in ties]
         problem.ties = pointer(groups)
     end
+    problem, (places, cells, shape, flags, groups)
+end
+
+"""
+A mesh whose elements were split where that is needed, vertices of the mesh before first: `positions` (2 or 3 by n), `elements` (3 or 4 by m,
+from 1), `parents` (m), the elements of the mesh before that they are parts of, `origins` and `weights` (3 or 4 by n), the vertices there whose
+mean each vertex is (0 with weight 0: none), and the `report`.
+"""
+struct RefinedMesh
+    positions::Matrix{Float64}
+    elements::Matrix{Int}
+    parents::Vector{Int}
+    origins::Matrix{Int}
+    weights::Matrix{Float64}
+    report::Any
+end
+
+"""
+    refine_untangled(positions, elements; rest, fixed, ties, options...)
+
+As untangle(), and splits elements where the mesh as it is has no solution, or none is found. A disk of triangles whose boundary is fixed to
+a star-shaped polygon always has one.
+"""
+function refine_untangled(positions::AbstractMatrix, elements::AbstractMatrix{<:Integer}; rest=nothing, fixed=nothing, ties=nothing,
+                          threads=0, progress=nothing, options...)
+    problem, kept = untangle_problem(positions, elements, rest, fixed, ties)
+    corners = size(elements, 1)
     chosen = filled(Raw.obc_untangle_options, Raw.obc_untangle_options_init, values(options))
     report = filled(Raw.obc_untangle_report, Raw.obc_untangle_report_init, NamedTuple())
-    result = Matrix{Float64}(undef, axes, n)
-    try
-        GC.@preserve places cells shape flags groups hosted(threads=threads, progress=progress) do lent, error
-            flat ? Raw.obc_untangle_triangles(problem, chosen, lent, result, report, error) :
-                   Raw.obc_untangle_tetrahedra(problem, chosen, lent, result, report, error)
-        end
-    catch error
-        keep_best && error isa OrbicubeError && error.status == Raw.OBC_NO_VALID_RESULT || rethrow()
+    out = Ref(C_NULL)
+    GC.@preserve kept hosted(threads=threads, progress=progress) do lent, error
+        corners == 3 ? Raw.obc_untangle_refine_triangles(problem, chosen, lent, out, report, error) :
+                       Raw.obc_untangle_refine_tetrahedra(problem, chosen, lent, out, report, error)
     end
-    result, report
+    try
+        n, m = Raw.obc_untangle_refined_vertex_count(out[]), Raw.obc_untangle_refined_element_count(out[])
+        places, weights = Matrix{Float64}(undef, corners - 1, n), Matrix{Float64}(undef, corners, n)
+        cells, parents, origins = Matrix{UInt32}(undef, corners, m), Vector{UInt32}(undef, m), Matrix{UInt32}(undef, corners, n)
+        checked(error -> Raw.obc_untangle_refined_copy(out[], places, cells, parents, origins, weights, error))
+        from_one(v) = v == typemax(UInt32) ? 0 : Int(v) + 1
+        RefinedMesh(places, from_one.(cells), from_one.(parents), from_one.(origins), weights, report)
+    finally
+        Raw.obc_untangle_refined_destroy(out[])
+    end
 end
 
 "A solid and the same on the polycube of its boundary: `positions`, `polycube` (3 by n), and `tetrahedra` of both (4 by m, from 1)."

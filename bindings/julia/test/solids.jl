@@ -23,6 +23,23 @@
     @test all(abs.(moved[:, 5] .- 0.5) .< 0.01)
 end
 
+@testset "elements without room" begin
+    # Around an edge that passes outside of the triangle in the middle, and on both sides of a diagonal outside of a dart.
+    places = [0.0 3 1 -0.5 -0.5; 0 0 0 0.75 -0.75; -1 1 0 0 0]
+    solid = refine_untangled(places, [1 1 1; 2 2 2; 3 4 5; 4 5 3])
+    @test solid.report.inverted_before == 2 && solid.report.inverted == 0
+    @test solid.positions[:, 1:5] == places && size(solid.elements) == (4, 6) && sort(solid.parents) == [1, 1, 2, 2, 3, 3]
+    @test solid.origins[:, 6] == [1, 2, 0, 0] && solid.weights[:, 6] == [0.5, 0.5, 0, 0]
+    dart = [0.0 2 0 1; 0 1 4 1]
+    flat = refine_untangled(dart, [1 1; 2 3; 3 4])
+    @test flat.positions[:, 1:4] == dart
+    @test all(1:4) do k
+        a, b, c = (flat.positions[:, v] for v in flat.elements[:, k])
+        (b[1] - a[1]) * (c[2] - a[2]) > (b[2] - a[2]) * (c[1] - a[1])
+    end
+    @test_throws OrbicubeError refine_untangled([0.0 1 1 0; 0 1 0 1], [1 1; 2 3; 3 4])
+end
+
 "The scaled Jacobian of each corner of hexahedra, by arithmetic of our own."
 function scaled_jacobians(mesh)
     ends = ((2, 4, 5), (3, 1, 6), (4, 2, 7), (1, 3, 8), (8, 6, 1), (5, 7, 2), (6, 8, 3), (7, 5, 4))

@@ -46,6 +46,28 @@ TEST_CASE("flipped triangles of a flat mesh are untangled") {
     CHECK(right.positions[i] == doctest::Approx(0.5).epsilon(0.01));
 }
 
+TEST_CASE("elements that have no room are split") {
+  // Around an edge that passes outside of the triangle in the middle, and on both sides of a diagonal outside of a
+  // dart.
+  const std::vector<double> places = {0, 0, -1, 3, 0, 1, 1, 0, 0, -0.5, 0.75, 0, -0.5, -0.75, 0};
+  const std::vector<std::uint32_t> cells = {0, 1, 2, 3, 0, 1, 3, 4, 0, 1, 4, 2};
+  const untangle::Refined solid = untangle::refine_tetrahedra(untangle::Tetrahedra(places, cells));
+  CHECK(solid.report.inverted_before == 2);
+  CHECK(solid.report.inverted == 0);
+  CHECK(solid.elements.size() == 24);
+  CHECK(solid.parents.size() == 6);
+  CHECK(std::equal(places.begin(), places.end(), solid.positions.begin()));
+  CHECK(std::vector<double>(solid.weights.end() - 4, solid.weights.end()) == std::vector<double>{0.5, 0.5, 0, 0});
+  const std::vector<double> dart = {0, 0, 2, 1, 0, 4, 1, 1};
+  const untangle::Refined flat =
+      untangle::refine_triangles(untangle::Triangles(dart, std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
+  CHECK(flat.report.inverted == 0);
+  CHECK(flat.positions.size() == 10);
+  CHECK(flat.elements.size() == 12);
+  CHECK(flat.origins.size() == 15);
+  CHECK_THROWS_AS(untangle::refine_triangles(untangle::Triangles(dart, std::vector<std::uint32_t>{0, 1, 7})), Error);
+}
+
 TEST_CASE("a cube is filled with hexahedra, and a tetrahedral cube goes to its polycube") {
   const std::vector<double> corners = {0, 0, 0, 2, 0, 0, 2, 2, 0, 0, 2, 0, 0, 0, 2, 2, 0, 2, 2, 2, 2, 0, 2, 2, 1, 1, 1};
   const std::vector<std::uint32_t> triangles = {0, 3, 2, 0, 2, 1, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,

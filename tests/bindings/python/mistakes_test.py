@@ -195,6 +195,12 @@ CALLS = {
         "lower": [-1, -1], "upper": [4, 4], "scale": [1, 2]}),
     "trust_region.Solver.give": (lambda: trust_region.Solver([1.0, 2.0]).give, {"points": [[0, 0], [1, 1]], "outputs": [1, 2]}),
     "trust_region.Solver.run": (lambda: trust_region.Solver([1.0, 2.0]).run, {"f": lambda x: float(x @ x)}),
+    "untangle.refine_tetrahedra": (untangle.refine_tetrahedra, {
+        "solid": SOLID, "rest": SOLID[0], "fixed": np.ones(len(SOLID[0]), bool),
+        "ties": np.full((len(SOLID[0]), 3), 2**32 - 1)}),
+    "untangle.refine_triangles": (untangle.refine_triangles, {
+        "positions": FLAT, "triangles": [[0, 1, 2], [0, 2, 3]], "rest": FLAT, "fixed": np.ones(4, bool),
+        "ties": np.full((4, 2), 2**32 - 1)}),
     "untangle.tetrahedra": (untangle.tetrahedra, {
         "solid": SOLID, "rest": SOLID[0], "fixed": np.ones(len(SOLID[0]), bool),
         "ties": np.full((len(SOLID[0]), 3), 2**32 - 1)}),
@@ -239,7 +245,7 @@ if HAS_TETRAHEDRA:
 NOT_WALKED = {"projected_gradient.scipy_method", "trust_region.scipy_least_squares", "trust_region.scipy_method", "correspondence.Correspondence", "mesh.Format", "mesh.Format.count", "mesh.Format.index", "mesh.Surface", "mesh.adopt", "mesh.handle_of",
               "mesh.to_pyvista", "mesh.Mesh.to_pyvista", "mesh.to_trimesh", "mesh.to_polyscope", "mesh.show", "mesh.Mesh.show", "gltf.Surface", "polycube.Polycube", "polycube.Quads",
               "projected_gradient.GradientCheck", "projected_gradient.Projection", "repair.LabelSurface", "repair.Repaired", "sphere_map.SphereMap",
-              "sphere_optimizer.Relaxed", "tetrahedra.Solid", "volume_map.FrameMap", "volume_map.Solid",
+              "sphere_optimizer.Relaxed", "tetrahedra.Solid", "untangle.Refined", "volume_map.FrameMap", "volume_map.Solid",
               "hexmesh.Hexes", "hexmesh.MissingFeature"}
 EACH_EVALUATION = ("ask", "ask_all", "tell", "tell_product", "save", "close")
 NO_MISTAKE = object()

@@ -117,6 +117,25 @@ class Solids(unittest.TestCase):
             untangle.triangles(tangled, triangles, fixed=np.ones(36, bool))
         np.testing.assert_array_equal(caught.exception.best[0], tangled)
 
+    def test_elements_without_room_are_split(self):
+        # Around an edge that passes outside of the triangle in the middle, and on both sides of a diagonal outside of a dart.
+        places = np.array([[0, 0, -1], [3, 0, 1], [1, 0, 0], [-0.5, 0.75, 0], [-0.5, -0.75, 0]])
+        solid = untangle.refine_tetrahedra((places, [[0, 1, 2, 3], [0, 1, 3, 4], [0, 1, 4, 2]]))
+        self.assertEqual((solid.report.inverted_before, solid.report.inverted), (2, 0))
+        self.assertEqual(sorted(solid.parents.tolist()), [0, 0, 1, 1, 2, 2])
+        np.testing.assert_array_equal(solid.positions[:5], places)
+        mesh.check_cells(mesh.Mesh(solid.positions, tetrahedra=solid.elements))
+        self.assertEqual(solid.origins[5].tolist(), [0, 1, 2**32 - 1, 2**32 - 1])
+        np.testing.assert_array_equal(solid.weights[5], [0.5, 0.5, 0, 0])
+        dart = np.array([[0.0, 0], [2, 1], [0, 4], [1, 1]])
+        flat = untangle.refine_triangles(dart, [[0, 1, 2], [0, 2, 3]], rest=[[0.0, 0], [1, 0], [1, 1], [0, 1]])
+        self.assertEqual(flat.elements.shape, (4, 3))
+        for a, b, c in flat.positions[flat.elements]:
+            self.assertEqual(mesh.orientation_2d(a, b, c), 1)
+        crossed = np.array([[0.0, 0], [1, 1], [1, 0], [0, 1]])
+        with self.assertRaises(orbicube.NoValidResult):
+            untangle.refine_triangles(crossed, [[0, 1, 2], [0, 2, 3]])
+
     def check_hexes(self, hexes, volume, within=1e-9):
         """Corners by our own arithmetic, and a boundary in whole faces, of one piece, turned outward."""
         corners = hexes.positions[hexes.hexahedra]

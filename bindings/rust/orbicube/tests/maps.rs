@@ -262,6 +262,23 @@ fn what_stays_tangled_is_handed_out_with_the_error() {
 }
 
 #[test]
+fn elements_without_room_are_split() {
+    // Around an edge that passes outside of the triangle in the middle, and on both sides of a diagonal outside of a dart.
+    let positions = [0.0, 0.0, -1.0, 3.0, 0.0, 1.0, 1.0, 0.0, 0.0, -0.5, 0.75, 0.0, -0.5, -0.75, 0.0];
+    let problem = untangle::Tetrahedra { positions: &positions, tetrahedra: &[0, 1, 2, 3, 0, 1, 3, 4, 0, 1, 4, 2], ..Default::default() };
+    let (solid, report) = untangle::refine_tetrahedra(&problem, &Default::default(), &mut host()).unwrap();
+    assert_eq!((report.inverted_before, report.inverted), (2, 0));
+    assert_eq!((solid.elements.len(), solid.parents.len(), &solid.positions[..15]), (24, 6, &positions[..]));
+    assert_eq!((&solid.origins[20..], &solid.weights[20..]), (&[0, 1, u32::MAX, u32::MAX][..], &[0.5, 0.5, 0.0, 0.0][..]));
+    let dart = [0.0, 0.0, 2.0, 1.0, 0.0, 4.0, 1.0, 1.0];
+    let problem = untangle::Triangles { positions: &dart, triangles: &[0, 1, 2, 0, 2, 3], ..Default::default() };
+    let (flat, report) = untangle::refine_triangles(&problem, &Default::default(), &mut host()).unwrap();
+    assert_eq!((report.inverted, flat.positions.len(), flat.elements.len(), flat.origins.len()), (0, 10, 12, 15));
+    let crossed = untangle::Triangles { positions: &[0.0, 0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 1.0], ..problem };
+    assert_eq!(untangle::refine_triangles(&crossed, &Default::default(), &mut host()).err().unwrap().status, sys::base::OBC_NO_VALID_RESULT);
+}
+
+#[test]
 fn what_maps_to_the_sphere_are_for() {
     use sys::sphere_map::OBC_SPHERE_MAP_OCTAHEDRON;
     let shape = Mesh::make("creature", 400, 0, &mut host()).unwrap();
