@@ -1,6 +1,7 @@
 // orbicube untangle: inverted tetrahedra of a solid, or triangles of a flat mesh, untangled.
 #include "untangle/tetrahedra/untangle_tetrahedra.h"
 
+#include <algorithm>
 #include <memory>
 #include <string>
 #include <utility>
@@ -16,6 +17,7 @@
 #include "report/embedding.h"
 #include "report/solver_choice.h"
 #include "report/text.h"
+#include "solids/refined_solid.h"
 #include "untangle/triangles/untangle_triangles.h"
 #include "verbs/verbs.h"
 
@@ -26,9 +28,11 @@ struct UntangleVerb {
   std::string input;
   std::string output;
   std::string rest;
+  std::string source;
   std::string solver = "own";
   untangle::UntangleOptions options;
   bool free_boundary = false;
+  bool refine = false;
   bool keep_partial = false;
   bool text = false;
 };
@@ -82,6 +86,8 @@ Json json_of(const UntangleVerb& verb) {
   return {{"output", verb.output},
           {"rest", verb.rest},
           {"free_boundary", verb.free_boundary},
+          {"refine", verb.refine},
+          {"source", verb.source},
           {"steps", verb.options.steps},
           {"polish", verb.options.polish_steps},
           {"volume_weight", verb.options.volume_weight},
@@ -110,9 +116,10 @@ mesh::Mesh read_rest(const UntangleVerb& verb, const mesh::Mesh& solid, Session&
   return rest;
 }
 
-untangle::Untangled untangle(const UntangleVerb& verb, const mesh::Mesh& solid, const mesh::Mesh& rest,
-                             untangle::BlockEngine* engine, Session& session) {
-  return about(verb.input, Role::input, [&] {
+// Moves the solid, and splits it and the rest on request.
+untangle::UntanglingFigures untangle(const UntangleVerb& verb, mesh::Mesh& solid, mesh::Mesh& rest,
+                                     untangle::BlockEngine* engine, Session& session) {
+  return about(verb.input, Role::input, [&]() -> untangle::UntanglingFigures {
     const base::Stage stage(session.host(), 0.95);
     base::Array<std::uint8_t> fixed(session.host().memory);
     if (!verb.free_boundary) {
@@ -122,9 +129,24 @@ untangle::Untangled untangle(const UntangleVerb& verb, const mesh::Mesh& solid, 
     }
     untangle::UntangleOptions with_engine = verb.options;
     with_engine.engine = engine;
-    return untangle::untangle_tetrahedra(
-        {.tetrahedra = solid.tetrahedra, .start = solid.positions, .rest = rest.positions, .fixed = fixed}, with_engine,
-        session.host());
+    const untangle::UntangleProblem problem{
+        .tetrahedra = solid.tetrahedra, .start = solid.positions, .rest = rest.positions, .fixed = fixed};
+    if (!verb.refine) {
+      untangle::Untangled result = untangle::untangle_tetrahedra(problem, with_engine, session.host());
+      solid.positions = std::move(result.positions);
+      return result;
+    }
+    untangle::RefinedTetrahedra result = untangle::untangle_refined(problem, with_engine, session.host());
+    report_splits(result, solid.positions.size(), session);
+    const std::size_t left_out = split_cells(result, solid, session.host());
+    if (left_out > 0)
+      session.note(base::counted(left_out, "triangle") + " inside of the solid left out: tetrahedra there were split");
+    if (!rest.positions.empty()) {
+      split_cells(result, rest, session.host());
+      rest.positions = split_positions(result, rest.positions);
+    }
+    solid.positions = std::move(result.positions);
+    return result;
   });
 }
 
@@ -176,9 +198,9 @@ double plane_of(const UntangleVerb& verb, mesh::Mesh& flat, Session& session) {
 }
 
 // Vertices of the plane of `z`; on it again in the end.
-untangle::UntanglingFigures untangle_flat(const UntangleVerb& verb, mesh::Mesh& flat, double z, const mesh::Mesh& rest,
+untangle::UntanglingFigures untangle_flat(const UntangleVerb& verb, mesh::Mesh& flat, double z, mesh::Mesh& rest,
                                           Session& session) {
-  return about(verb.input, Role::input, [&] {
+  return about(verb.input, Role::input, [&]() -> untangle::UntanglingFigures {
     const base::Stage stage(session.host(), 0.95);
     const base::Host& host = session.host();
     base::Array<Eigen::Vector2d> start(host.memory);
@@ -189,11 +211,24 @@ untangle::UntanglingFigures untangle_flat(const UntangleVerb& verb, mesh::Mesh& 
       for (const std::uint8_t on_boundary : untangle::boundary_vertices(flat.triangles, start.size(), host))
         fixed.insert(fixed.end(), 2, on_boundary);
     }
-    const untangle::UntangledTriangles result = untangle::untangle_triangles(
-        {.triangles = flat.triangles, .start = start, .rest = rest.positions, .fixed = fixed}, verb.options, host);
-    for (std::size_t v = 0; v < start.size(); ++v)
-      flat.positions[v] = {result.positions[v].x(), result.positions[v].y(), z};
-    return untangle::UntanglingFigures(result);
+    const untangle::TriangleProblem problem{
+        .triangles = flat.triangles, .start = start, .rest = rest.positions, .fixed = fixed};
+    const auto place = [&](std::span<const Eigen::Vector2d> positions) {
+      flat.positions.clear();
+      for (const Eigen::Vector2d& p : positions)
+        flat.positions.emplace_back(p.x(), p.y(), z);
+    };
+    if (!verb.refine) {
+      const untangle::UntangledTriangles result = untangle::untangle_triangles(problem, verb.options, host);
+      place(result.positions);
+      return result;
+    }
+    const untangle::RefinedTriangles result = untangle::untangle_refined(problem, verb.options, host);
+    report_splits(result, start.size(), session);
+    if (!rest.positions.empty()) rest.positions = split_positions(result, rest.positions);
+    flat.triangles = rest.triangles = result.elements;
+    place(result.positions);
+    return result;
   });
 }
 
@@ -217,12 +252,14 @@ void run_flat(const UntangleVerb& verb, mesh::Mesh& flat, Session& session) {
   const double z = plane_of(verb, flat, session);
   mesh::Mesh rest(session.host().memory);
   if (!verb.rest.empty()) rest = read_rest(verb, flat, session);
+  if (!verb.source.empty()) require_exact_output(verb.source);
   const double start = session.seconds();
   const untangle::UntanglingFigures result = untangle_flat(verb, flat, z, rest, session);
   session.figures().update(figures_of(verb, flat, result));
   session.figures()["seconds_compute"] = session.seconds() - start;
   if (result.inverted == 0 || verb.keep_partial) {
     write_exactly(verb.output, flat.positions, flat.triangles, verb.text, session);
+    if (!verb.source.empty()) write_exactly(verb.source, rest.positions, rest.triangles, verb.text, session);
     if (result.inverted > 0) session.keep();
   }
   about(verb.output, Role::output,
@@ -231,7 +268,7 @@ void run_flat(const UntangleVerb& verb, mesh::Mesh& flat, Session& session) {
 }
 
 // Throws unless all tetrahedra are positive; notes where the boundary intersects itself.
-void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::Untangled& result,
+void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const untangle::UntanglingFigures& result,
                      Session& session) {
   about(verb.output, Role::output,
         [&] { untangle::require_untangled(result, solid.tetrahedra.size(), "tetrahedron stays", "tetrahedra stay"); });
@@ -246,6 +283,7 @@ void check_untangled(const UntangleVerb& verb, const mesh::Mesh& solid, const un
 void run_untangle(const UntangleVerb& verb, Session& session) {
   const std::unique_ptr<untangle::BlockEngine> engine = start_solver(verb.solver);
   require_writable(verb.output);
+  if (!verb.source.empty()) require_writable(verb.source);
   session.options() = json_of(verb);
   mesh::Mesh solid = session.portion(0.03, [&] { return read_elements(verb.input, session); });
   if (solid.tetrahedra.empty()) {
@@ -253,6 +291,7 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
     return;
   }
   require_cells_writable(verb.output);
+  if (!verb.source.empty()) require_cells_writable(verb.source);
   mesh::Mesh rest(session.host().memory);
   // Without shapes to have, tetrahedra that are all inverted are those of another order of vertices.
   if (verb.rest.empty())
@@ -260,12 +299,12 @@ void run_untangle(const UntangleVerb& verb, Session& session) {
   else
     rest = read_rest(verb, solid, session);
   const double start = session.seconds();
-  const untangle::Untangled result = untangle(verb, solid, rest, engine.get(), session);
+  const untangle::UntanglingFigures result = untangle(verb, solid, rest, engine.get(), session);
   session.figures().update(figures_of(verb, solid, result));
   session.figures()["seconds_compute"] = session.seconds() - start;
   if (result.inverted == 0 || verb.keep_partial) {
-    solid.positions = result.positions;
     write_untangled(verb.output, solid, verb.text, session);
+    if (!verb.source.empty()) write_untangled(verb.source, rest, verb.text, session);
     if (result.inverted > 0) session.keep();
   }
   check_untangled(verb, solid, result, session);
@@ -282,13 +321,21 @@ void add_untangle(CLI::App& app, CommonOptions& common) {
                        mesh::format_endings() + ")")
       ->required()
       ->type_name("");
-  verb->add_option("-o,--output", options->output, "mesh to write, of the same elements")->required()->type_name("OUT");
-  verb->add_option(
-          "--rest", options->rest,
-          "mesh of the same elements with the target shapes, such as a surface whose map to the plane IN is; default: "
-          "regular tetrahedra or triangles")
-      ->type_name("REST");
+  verb->add_option("-o,--output", options->output, "mesh to write, of the same elements unless they are split")
+      ->required()
+      ->type_name("OUT");
+  CLI::Option* const rest = verb->add_option("--rest", options->rest,
+                                             "mesh of the same elements with the target shapes, such as a surface "
+                                             "whose map to the plane IN is; default: "
+                                             "regular tetrahedra or triangles")
+                                ->type_name("REST");
   verb->add_flag("--free-boundary", options->free_boundary, "let boundary vertices move; default: they are fixed");
+  CLI::Option* const refine = verb->add_flag(
+      "--refine", options->refine, "split edges, faces and elements inside where the mesh as it is has no solution");
+  verb->add_option("--source", options->source, "mesh to write, of the elements of OUT with the target shapes of REST")
+      ->needs(refine)
+      ->needs(rest)
+      ->type_name("OUT2");
   verb->add_option("--steps", options->options.steps,
                    "maximum number of steps until all elements are positive [default: 500]")
       ->check(unnamed(CLI::Range(0, 1'000'000)))

@@ -84,6 +84,87 @@ class Untangle(InFolder):
             self.assertEqual((figures["inverted"], figures["triangles"]), (0, 72))
             self.assertGreater(figures["inverted_before"], 10)
 
+    def bipyramid(self, name, positions):
+        """Tetrahedra of regions 4 to 6 around an edge, one triangle between two of them and one of the boundary."""
+        cells = [[0, 1, 2, 3], [0, 1, 3, 4], [0, 1, 4, 2]]
+        write_medit(self.path(name), positions, cells)
+        with open(self.path(name), encoding="ascii") as file:
+            text = file.read()
+        for region, cell in enumerate(cells):
+            line = " ".join(str(v + 1) for v in cell)
+            text = text.replace(line + " 0", f"{line} {region + 4}")
+        with open(self.path(name), "w", encoding="ascii") as file:
+            file.write(text.replace("End\n", "Triangles\n2\n1 2 3 8\n1 3 4 9\nEnd\n"))
+        return cells
+
+    def test_tetrahedra_around_an_edge_outside_are_split_at_it(self):
+        # The edge passes outside of the triangle in the middle.
+        positions = [[0, 0, -1], [3, 0, 1], [1, 0, 0], [-0.5, 0.75, 0], [-0.5, -0.75, 0]]
+        shapes = [[0, 0, -1], [0, 0, 1]] + positions[2:]
+        self.bipyramid("rest.mesh", shapes)
+        self.bipyramid("in.mesh", positions)
+        out, source, report = (self.path(name) for name in ("out.mesh", "source.mesh", "report.json"))
+        self.refused(1, "no-valid-result", out, "untangle", self.path("in.mesh"), "-o", out)
+        done = run("untangle", self.path("in.mesh"), "-o", out, "--rest", self.path("rest.mesh"), "--refine", "--source", source,
+                   "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("1 vertex added", done.stdout)
+        result, cells = read_medit(out)
+        shape, same = read_medit(source)
+        self.assertEqual((len(result), len(cells), cells), (6, 6, same))
+        self.assertEqual((result[:5], shape), (positions, shapes + [[0, 0, 0]]))
+        for t in cells:
+            self.assertTrue(positive(result, t) and positive(shape, t))
+        for path in (out, source):
+            with open(path, encoding="ascii") as file:
+                words = file.read().split()
+            start = words.index("Tetrahedra") + 2
+            self.assertEqual(sorted(words[start + 4:start + 30:5]), ["4", "4", "5", "5", "6", "6"])
+            start = words.index("Triangles") + 1
+            self.assertEqual(words[start:start + 5], ["1", "1", "3", "4", "9"])
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertEqual([figures[key] for key in ("vertices", "tetrahedra", "splits", "split_elements", "inverted_before", "inverted")],
+                         [6, 6, 1, 3, 2, 0])
+        self.assertTrue(any("left out" in note for note in figures["notes"]))
+
+    def test_a_flat_mesh_is_split_where_a_corner_is_straight(self):
+        moved, triangles, boundary = self.flat(4)
+        moved[4] = [3.5, 0.5]  # the only triangle of this corner is flat
+        flat, out, source, report = (self.path(name) for name in ("flat.obj", "out.obj", "source.obj", "report.json"))
+        with open(flat, "w", encoding="ascii") as file:
+            file.writelines(f"v {p[0]!r} {p[1]!r} 0.5\n" for p in moved)
+            file.writelines("f " + " ".join(str(v + 1) for v in t) + "\n" for t in triangles)
+        self.refused(1, "no-valid-result", out, "untangle", flat, "-o", out)
+        done = run("untangle", flat, "-o", out, "--refine", "--rest", self.path("surface.obj"), "--source", source, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        result, parts = self.read_obj(out)
+        shape, same = self.read_obj(source)
+        self.assertEqual(parts, same)
+        self.assertEqual(len(shape), len(result))
+        self.assertEqual(shape[:len(moved)], self.read_obj(self.path("surface.obj"))[0])
+        for corners in parts:
+            a, b, c = ([Fraction(x) for x in result[v]] for v in corners)
+            self.assertGreater((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]), 0)
+        for p, q, fixed in zip(moved, result, boundary):
+            if fixed:
+                self.assertEqual(p + [0.5], q)
+        with open(report, encoding="utf-8") as file:
+            figures = json.load(file)
+        self.assertEqual(figures["splits"], len(result) - len(moved))
+        self.assertGreater(figures["splits"], 0)
+        done = run("untangle", flat, "-o", out, "--source", source)
+        self.assertEqual(done.returncode, 2)
+
+    def test_what_needs_no_split_stays_whole(self):
+        self.tangled(3)
+        out, same, report = self.path("out.mesh"), self.path("same.mesh"), self.path("report.json")
+        self.assertEqual(run("untangle", self.path("tangled.mesh"), "-o", out).returncode, 0)
+        self.assertEqual(run("untangle", self.path("tangled.mesh"), "-o", same, "--refine", "--report", report).returncode, 0)
+        self.assertEqual(read_medit(out), read_medit(same))
+        with open(report, encoding="utf-8") as file:
+            self.assertEqual(json.load(file)["splits"], 0)
+
     def test_flat_meshes_are_refused_with_reasons(self):
         self.flat(4)
         flat, surface, out = self.path("flat.obj"), self.path("surface.obj"), self.path("out.obj")
