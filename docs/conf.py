@@ -21,7 +21,7 @@ html_show_sphinx = False
 PARTS = {
     "Guides": ["guide_solvers", "guide_shapes", "guide_engines", "finite_elements"],
     "The command": ["command", "file_formats", "mesh_formats", "error_kinds"],
-    "Libraries": ["base", "quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "linear", "harmonics", "harmonics_figures",
+    "Libraries": ["base", "quaternion", "sphere_optimizer", "trust_region", "projected_gradient", "linear", "linear_tables", "harmonics", "harmonics_figures",
                   "mesh", "gltf", "repair", "frame_field", "frame_field_tables", "sphere_map", "sphere_map_tables", "sphere_map_uses",
                   "tetrahedra", "untangle", "untangle_tables", "polycube", "polycube_tables", "polycube_figures", "correspondence", "study", "study_figures", "volume_map", "volume_map_figures",
                   "hexmesh"],

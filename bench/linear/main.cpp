@@ -9,11 +9,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "base/error.h"
+#include "bench/linear/systems.h"
 #include "bench/measuring.h"
 #include "linear/direct/direct_factor.h"
 #include "linear/iterative/iterative_solver.h"
@@ -25,10 +25,13 @@
 using namespace orbicube;
 using namespace orbicube::linear;
 using bench::cpu_seconds;
+using bench::Edges;
+using bench::random_right;
+using bench::residual_of;
+using bench::System;
+using bench::system_of;
 
 namespace {
-
-using Edges = std::vector<std::pair<Index, Index>>;  // the larger vertex first, sorted
 
 template <class Cells>
 Edges edges_of(const Cells& cells) {
@@ -42,66 +45,6 @@ Edges edges_of(const Cells& cells) {
   std::sort(edges.begin(), edges.end());
   edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   return edges;
-}
-
-struct System {
-  std::string name;
-  int block = 1;
-  std::vector<std::size_t> row_begin{0};
-  std::vector<Index> columns;
-  std::vector<double> values;
-
-  SymmetricMatrix view() const { return {row_begin, columns, values}; }
-};
-
-// Blocks of size 1 or 3 on the edges of a mesh; block_of(i, j) is that of an edge, subtracted off the diagonal and
-// added to that of both ends.
-System system_of(const std::string& name, int block, std::size_t vertices, const Edges& edges,
-                 const std::function<Eigen::Matrix3d(Index, Index)>& block_of) {
-  constexpr double mass = 1e-6;
-  std::vector<Eigen::Matrix3d> diagonal(vertices, Eigen::Matrix3d::Zero());
-  for (const auto& [i, j] : edges) {
-    const Eigen::Matrix3d b = block_of(i, j);
-    diagonal[i] += b;
-    diagonal[j] += b;
-  }
-  System system;
-  system.name = name;
-  system.block = block;
-  auto edge = edges.begin();
-  for (Index v = 0; v < vertices; ++v) {
-    auto last = edge;
-    while (last != edges.end() && last->first == v)
-      ++last;
-    for (int r = 0; r < block; ++r) {
-      for (auto e = edge; e != last; ++e) {
-        const Eigen::Matrix3d b = block_of(v, e->second);
-        for (int c = 0; c < block; ++c) {
-          system.columns.push_back(static_cast<Index>(block) * e->second + static_cast<Index>(c));
-          system.values.push_back(-b(r, c));
-        }
-      }
-      for (int c = 0; c <= r; ++c) {
-        system.columns.push_back(static_cast<Index>(block) * v + static_cast<Index>(c));
-        const double d = diagonal[v](r, c);
-        system.values.push_back(r == c ? (d > 0 ? d * (1 + mass) : 1) : d);
-      }
-      system.row_begin.push_back(system.columns.size());
-    }
-    edge = last;
-  }
-  return system;
-}
-
-double residual_of(const System& system, const std::vector<double>& right, const std::vector<double>& x) {
-  std::vector<double> image(right.size());
-  system.view().multiply(x, image);
-  double above = 0, below = 0;
-  for (std::size_t i = 0; i < right.size(); ++i) {
-    above += (right[i] - image[i]) * (right[i] - image[i]);
-    below += right[i] * right[i];
-  }
-  return std::sqrt(above / below);
 }
 
 void direct_row(const System& system, const char* engine, DirectMethod method, const std::vector<double>& right) {
@@ -136,14 +79,8 @@ void iterative_row(const System& system, const char* engine, IterativeMethod met
 }
 
 void rows(const System& system, const base::Host& host) {
-  const std::size_t size = system.row_begin.size() - 1;
-  std::vector<double> right(size);
-  std::uint64_t state = 1;
-  for (double& entry : right) {
-    state = state * 6364136223846793005U + 1442695040888963407U;
-    entry = static_cast<double>(state >> 11) / 4503599627370496.0 - 1;
-  }
-  std::printf("%s: %zu unknowns, %zu entries\n", system.name.c_str(), size, system.columns.size());
+  const std::vector<double> right = random_right(system);
+  std::printf("%s: %zu unknowns, %zu entries\n", system.name.c_str(), right.size(), system.columns.size());
   std::printf("  %-22s %8s %8s %8s %8s %9s %12s %6s\n", "", "analyze", "factor", "solve", "sum, s", "residual",
               "entries of L", "ops");
   direct_row(system, "Eigen", DirectMethod::eigen, right);
