@@ -156,6 +156,8 @@ void refuse_unused_tetrahedralize_options(const CLI::App& verb) {
 
 void refuse_unused_study_options(const CLI::App& verb) {
   refuse_without(verb, "--permutations", {"--groups", "--covariate"});
+  refuse_if(verb.count("--subjects") > 0 && given_or(verb, "--stage", "all") != "subjects", "--subjects",
+            "--stage subjects");
 }
 
 void refuse_unused_view_options(const CLI::App& verb) {

@@ -21,6 +21,26 @@ std::filesystem::path beside(const std::filesystem::path& folder, const std::str
   return folder / (name + ending);
 }
 
+// The object that NAME.json has of this hash, or an empty one.
+Json json_of(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
+             const base::Host& host) {
+  const base::Array<std::byte> bytes = base::read_file(beside(folder, name, ".json"), host);
+  const char* text = reinterpret_cast<const char*>(bytes.data());
+  Json json = Json::parse(text, text + bytes.size(), nullptr, false);
+  return json.is_object() && json.value("hash", Json()) == Json(hash) ? json : Json::object();
+}
+
+// Calls it; what cannot be read does not exist.
+template <class Read>
+auto read_or_nothing(const Read& read) -> decltype(read()) {
+  try {
+    return read();
+  } catch (const base::Error& error) {
+    if (std::string(error.kind()) == "cancelled") throw;
+    return std::nullopt;
+  }
+}
+
 // The file of a subject's surface, which keeps vertices and doubles.
 std::filesystem::path surface_of(const std::filesystem::path& folder, const std::string& name) {
   return beside(folder, name, mesh::row_of(mesh::Format::ply).ending);
@@ -44,22 +64,27 @@ std::string hash_of(std::span<const mesh::Vector3> positions, const std::string&
 
 std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, const std::string& name,
                                           const std::string& hash, const base::Host& host) {
-  try {
-    const base::Array<std::byte> bytes = base::read_file(beside(folder, name, ".json"), host);
-    const char* text = reinterpret_cast<const char*>(bytes.data());
-    Json json = Json::parse(text, text + bytes.size(), nullptr, false);
-    if (!json.is_object() || json.value("hash", Json()) != Json(hash) || !json.contains("figures")) return std::nullopt;
+  return read_or_nothing([&]() -> std::optional<MappedSubject> {
+    Json json = json_of(folder, name, hash, host);
+    if (!json.contains("figures")) return std::nullopt;
     mesh::Mesh mesh = mesh::read_mesh(surface_of(folder, name), {}, host);
     if (json.value("result_hash", Json()) !=
         Json(hash_of(mesh.positions, dumped(json["figures"]) + dumped(json.value("functions", Json())))))
       return std::nullopt;
     return MappedSubject{
         0, std::move(mesh.positions), std::move(json["figures"]), json.value("functions", Json()), true, 0};
-  } catch (const base::Error& error) {
-    // What cannot be read is made again.
-    if (std::string(error.kind()) == "cancelled") throw;
-    return std::nullopt;
-  }
+  });
+}
+
+std::optional<FailedSubject> kept_failure(const std::filesystem::path& folder, const std::string& name,
+                                          const std::string& hash, const base::Host& host) {
+  return read_or_nothing([&]() -> std::optional<FailedSubject> {
+    const Json json = json_of(folder, name, hash, host);
+    const Json failed = json.value("failed", Json());
+    if (!failed.is_object() || json.value("result_hash", Json()) != Json(hash_of({}, dumped(failed))))
+      return std::nullopt;
+    return FailedSubject{0, failed.value("kind", ""), failed.value("message", "")};
+  });
 }
 
 void keep_subject(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
@@ -79,6 +104,20 @@ void keep_subject(const std::filesystem::path& folder, const std::string& name, 
     file.commit();
   });
   session.keep();
+}
+
+void keep_failure(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
+                  const FailedSubject& failed) {
+  try {
+    const Json why = {{"kind", failed.kind}, {"message", failed.text}};
+    base::OutputFile file(beside(folder, name, ".json"));
+    file.write(dumped({{"hash", hash}, {"result_hash", hash_of({}, dumped(why))}, {"failed", why}}) + "\n");
+    file.commit();
+    std::error_code problem;
+    std::filesystem::remove(surface_of(folder, name), problem);
+  } catch (const base::Error&) {
+    // The disk may be full, or the folder gone.
+  }
 }
 
 }  // namespace orbicube::cli

@@ -21,8 +21,17 @@ std::string hash_of(std::span<const mesh::Vector3> positions, const std::string&
 std::optional<MappedSubject> kept_subject(const std::filesystem::path& folder, const std::string& name,
                                           const std::string& hash, const base::Host& host);
 
+// Returns why the subject cannot be mapped if NAME.json says it of this hash.
+std::optional<FailedSubject> kept_failure(const std::filesystem::path& folder, const std::string& name,
+                                          const std::string& hash, const base::Host& host);
+
 // Writes both files, the JSON last. Throws Failure.
 void keep_subject(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
                   const MappedSubject& subject, std::span<const mesh::Triangle> triangles, Session& session);
+
+// Writes why it cannot be mapped to NAME.json and removes NAME.ply. Where that is impossible, the next study tries it
+// again.
+void keep_failure(const std::filesystem::path& folder, const std::string& name, const std::string& hash,
+                  const FailedSubject& failed);
 
 }  // namespace orbicube::cli

@@ -10,6 +10,7 @@
 #include "files/surface_file.h"
 #include "morphs/morph_states.h"
 #include "studies/study_page_file.h"
+#include "studies/study_part.h"
 
 namespace orbicube::cli {
 namespace {
@@ -135,27 +136,12 @@ void write_modes(const StudyResult& result, const std::filesystem::path& path, E
 }
 
 void add_figures(const StudyResult& result, Session& session) {
+  add_subject_figures(result.list, result.subjects, session);
   Json& figures = session.figures();
-  figures["subjects"] = Json::array();
-  std::size_t reused = 0;
   for (std::size_t i = 0; i < result.subjects.mapped.size(); ++i) {
-    const MappedSubject& subject = result.subjects.mapped[i];
-    const StudySubject& listed = result.list[subject.number];
-    Json entry = {{"name", listed.name}, {"file", listed.file.string()}, {"reused", subject.reused}};
-    entry["distance_from_mean"] = result.from_mean[i];
-    entry["outlier"] = result.outlier[i] != 0;
-    if (!subject.reused) entry["seconds"] = subject.seconds;
-    entry.update(subject.figures);
-    figures["subjects"].push_back(entry);
-    reused += subject.reused ? 1 : 0;
+    figures["subjects"][i]["distance_from_mean"] = result.from_mean[i];
+    figures["subjects"][i]["outlier"] = result.outlier[i] != 0;
   }
-  figures["failed"] = Json::array();
-  for (const FailedSubject& failed : result.subjects.failed) {
-    const StudySubject& listed = result.list[failed.number];
-    figures["failed"].push_back(
-        {{"name", listed.name}, {"file", listed.file.string()}, {"kind", failed.kind}, {"message", failed.text}});
-  }
-  figures["reused"] = reused;
   figures["alignment"] = {{"rounds", result.pose.rounds}, {"converged", result.pose.converged}};
   const double whole = result.modes.variances.sum();
   Json fractions = Json::array();

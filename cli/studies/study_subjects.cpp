@@ -1,10 +1,13 @@
 #include "studies/study_subjects.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <mutex>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "base/counted.h"
@@ -40,10 +43,18 @@ harmonics::Coefficients coefficients_from(const Json& json) {
   return functions;
 }
 
+// The number of subjects that are mapped where the first one can be.
+std::size_t count_of(const SubjectWork& work, std::size_t listed) {
+  if (work.which == Mapped::first) return 1;
+  if (work.which != Mapped::some) return listed;
+  return work.some.size() + (work.some.empty() || work.some.front() > 0 ? 1 : 0);
+}
+
 // How far all subjects together are, which threads report.
 class SharedProgress {
  public:
-  SharedProgress(const base::Host& host, std::size_t count) : host_(host), fractions_(count, 0.0) {}
+  SharedProgress(const base::Host& host, std::size_t listed, std::size_t mapped)
+      : host_(host), fractions_(listed, 0.0), mapped_(mapped) {}
 
   // Returns false if the work is to stop.
   bool update(std::size_t i, double fraction) {
@@ -51,7 +62,7 @@ class SharedProgress {
     sum_ += std::max(0.0, fraction - fractions_[i]);
     fractions_[i] = std::max(fractions_[i], fraction);
     constexpr double steps = 1000;
-    const auto total = static_cast<std::uint64_t>(steps) * fractions_.size();
+    const auto total = static_cast<std::uint64_t>(steps) * mapped_;
     try {
       host_.report("mapping the subjects", std::min(total, static_cast<std::uint64_t>(steps * sum_)), total);
     } catch (const base::Error&) {
@@ -68,24 +79,27 @@ class SharedProgress {
   const base::Host& host_;
   std::mutex mutex_;
   std::vector<double> fractions_;
+  const std::size_t mapped_;
   double sum_ = 0;
   std::atomic<bool> cancelled_ = false;
 };
 
 class SubjectMaker {
  public:
-  SubjectMaker(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
+  SubjectMaker(const std::vector<StudySubject>& list, const SubjectWork& work, const std::filesystem::path& folder,
                const correspondence::SubjectOptions& options, std::int32_t label, const CommonOptions& common,
                Session& session)
       : list_(list),
+        work_(work),
         folder_(folder),
         options_(options),
         label_(label),
         common_(common),
         session_(session),
-        progress_(session.host(), list.size()),
+        progress_(session.host(), list.size(), count_of(work, list.size())),
         grid_(sphere_map::make_grid(options.grid, options.resolution, session.host())),
         key_(key_of(options)),
+        hashes_(list.size()),
         mapped_(list.size()),
         failed_(list.size()) {}
 
@@ -93,11 +107,13 @@ class SubjectMaker {
     std::size_t first = 0;
     // The first one uses all threads; the others one each.
     while (first < list_.size() && !make(first, session_.host().thread_count))
-      ++first;
-    if (first < list_.size()) {
+      require_same_first(first++);
+    if (first < list_.size() && work_.which != Mapped::first) {
       key_ += hash_of(mapped_[first]->positions);
       if (options_.align) functions_.emplace(coefficients_from(mapped_[first]->functions));
-      session_.host().parallel_for(list_.size() - first - 1, [&](std::size_t i) { make(first + 1 + i, 1); });
+      const std::vector<std::size_t> others = others_than(first);
+      const unsigned threads = others.size() == 1 ? session_.host().thread_count : 1;
+      session_.host().parallel_for(others.size(), [&](std::size_t i) { make(others[i], threads); });
     }
     progress_.require_not_cancelled();
     return collected();
@@ -122,9 +138,30 @@ class SubjectMaker {
     return mapped_[i].has_value();
   }
 
+  // A subject that another process might have memory for may not be passed over by this one alone.
+  void require_same_first(std::size_t failed) const {
+    if (work_.which != Mapped::all && failed_[failed]->kind == "out-of-memory") throw out_of_memory(list_[failed].file);
+  }
+
+  // What is to be mapped besides it. Those before it have been tried.
+  std::vector<std::size_t> others_than(std::size_t first) const {
+    std::vector<std::size_t> others;
+    if (work_.which == Mapped::some) {
+      std::copy_if(work_.some.begin(), work_.some.end(), std::back_inserter(others),
+                   [&](std::size_t i) { return i > first; });
+    } else {
+      for (std::size_t i = first + 1; i < list_.size(); ++i)
+        others.push_back(i);
+    }
+    return others;
+  }
+
   void fail(std::size_t i, const std::string& kind, const std::string& text) {
     if (kind == "cancelled" || kind == "time-limit") progress_.cancel();
+    if (failed_[i]) return;  // a study before has found it
     failed_[i] = FailedSubject{i, kind, text};
+    if (work_.which != Mapped::kept && !hashes_[i].empty() && fails_again(kind))
+      keep_failure(folder_, list_[i].name, hashes_[i], *failed_[i]);
   }
 
   MappedSubject made(std::size_t i, unsigned threads) {
@@ -140,6 +177,15 @@ class SubjectMaker {
     if (std::optional<MappedSubject> kept = kept_subject(folder_, subject.name, hash, reading.host())) {
       if (kept->positions.size() == grid_.directions.size()) return std::move(*kept);
     }
+    if ((failed_[i] = kept_failure(folder_, subject.name, hash, reading.host()))) {
+      failed_[i]->number = i;
+      throw Failure(Exit::no_result, file, failed_[i]->kind, failed_[i]->text);
+    }
+    if (work_.which == Mapped::kept) {
+      throw Failure(Exit::no_result, file, "no-valid-result",
+                    "it has no result for these options yet; give --stage subjects --subjects " + subject.name);
+    }
+    hashes_[i] = hash;
     const double start = session_.seconds();
     const ClosedSurface surface = read_subject(subject.file, label_, reading);
     require_ordinary_size(surface.mesh, file);
@@ -183,6 +229,7 @@ class SubjectMaker {
   }
 
   const std::vector<StudySubject>& list_;
+  const SubjectWork& work_;
   const std::filesystem::path& folder_;
   const correspondence::SubjectOptions& options_;
   const std::int32_t label_;
@@ -192,17 +239,24 @@ class SubjectMaker {
   sphere_map::Grid grid_;
   std::string key_;
   std::optional<harmonics::Coefficients> functions_;  // of the first subject
+  std::vector<std::string> hashes_;                   // of those that are mapped by this process
   std::vector<std::optional<MappedSubject>> mapped_;
   std::vector<std::optional<FailedSubject>> failed_;
 };
 
 }  // namespace
 
-StudySubjects map_subjects(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
-                           const correspondence::SubjectOptions& options, std::int32_t label,
-                           const CommonOptions& common, Session& session) {
-  StudySubjects result = SubjectMaker(list, folder, options, label, common, session).run();
-  if (result.mapped.size() >= 2) return result;
+bool fails_again(const std::string& kind) {
+  constexpr std::array<std::string_view, 5> passing = {"cancelled", "time-limit", "out-of-memory", "io", "internal"};
+  return std::find(passing.begin(), passing.end(), kind) == passing.end();
+}
+
+StudySubjects map_subjects(const std::vector<StudySubject>& list, const SubjectWork& work,
+                           const std::filesystem::path& folder, const correspondence::SubjectOptions& options,
+                           std::int32_t label, const CommonOptions& common, Session& session) {
+  StudySubjects result = SubjectMaker(list, work, folder, options, label, common, session).run();
+  const bool whole = work.which == Mapped::all || work.which == Mapped::kept;
+  if (result.failed.empty() || (whole ? result.mapped.size() >= 2 : result.failed.size() < list.size())) return result;
   const FailedSubject& failed = result.failed.front();
   throw Failure(Exit::no_result, list[failed.number].file.string(), "no-valid-result",
                 base::counted(result.failed.size(), "subject", "subjects") + " of " + std::to_string(list.size()) +

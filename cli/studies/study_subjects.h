@@ -30,13 +30,27 @@ struct StudySubjects {
   std::vector<FailedSubject> failed;
 };
 
+// Whether another attempt with the same input and options fails as well, by the kind of the error.
+bool fails_again(const std::string& kind);
+
+// Which subjects a process maps: all; those up to the first that can be mapped; these and some others; or none, but
+// takes what the folder has.
+enum class Mapped { all, first, some, kept };
+
+struct SubjectWork {
+  Mapped which = Mapped::all;
+  std::vector<std::size_t> some;  // numbers in the list, ascending
+};
+
 // Repairs and maps each subject, of an image the surface of its label (0: the only one), and carries the grid to it:
 // FOLDER/NAME.ply has its positions and FOLDER/NAME.json its figures, with hashes of the input, the options and the
-// positions. The first subject that can be mapped is what the others are aligned with. As many subjects at a time as
-// there are threads; the same bits for any number. A subject that fails does not end the study. Throws Failure
-// "no-valid-result" where less than two are left, and "cancelled".
-StudySubjects map_subjects(const std::vector<StudySubject>& list, const std::filesystem::path& folder,
-                           const correspondence::SubjectOptions& options, std::int32_t label,
-                           const CommonOptions& common, Session& session);
+// positions, or FOLDER/NAME.json has why it cannot be mapped. The first subject that can be mapped is what the others
+// are aligned with. As many subjects at a time as there are threads; the same bits for any number, and for processes
+// that share the work in one folder. A subject that fails does not end the study. Throws Failure "no-valid-result"
+// where there are fewer than two of all or no first one, "out-of-memory" where processes could differ about the first
+// one, and "cancelled".
+StudySubjects map_subjects(const std::vector<StudySubject>& list, const SubjectWork& work,
+                           const std::filesystem::path& folder, const correspondence::SubjectOptions& options,
+                           std::int32_t label, const CommonOptions& common, Session& session);
 
 }  // namespace orbicube::cli

@@ -37,6 +37,16 @@ std::set<std::string> values_of(const std::vector<const StudySubject*>& subjects
   return values;
 }
 
+void require_column(const std::string& option, const std::string& column, const StudySubject& subject,
+                    const std::string& input) {
+  if (column.empty() || subject.values.contains(column)) return;
+  std::string known;
+  for (const auto& value : subject.values)
+    known += (known.empty() ? "'" : ", '") + value.first + "'";
+  refuse(input, option + ": there is no column '" + column + "'" +
+                    (known.empty() ? "; give a table of the subjects that has it" : "; there are " + known));
+}
+
 void add_maps(const std::string& what, const char* vectors, correspondence::GroupTest test,
               std::vector<PointData>& maps) {
   maps.push_back({what + "_t2", false, std::move(test.t2)});
@@ -72,17 +82,16 @@ void require_columns(const StudyTests& tests, const std::vector<StudySubject>& l
   std::vector<const StudySubject*> all;
   for (const StudySubject& subject : list)
     all.push_back(&subject);
-  for (const std::string& column : {tests.groups, tests.covariate}) {
-    if (!column.empty() && !list.front().values.contains(column))
-      refuse(input, "there is no column '" + column + "'; the columns are those of a table of the subjects");
-  }
+  require_column("--groups", tests.groups, list.front(), input);
+  require_column("--covariate", tests.covariate, list.front(), input);
   if (!tests.groups.empty()) {
     if (const std::size_t count = values_of(all, tests.groups).size(); count != 2)
-      refuse(input, "column '" + tests.groups + "' has " + base::counted(count, "value") + "; groups are two");
+      refuse(input,
+             "--groups: column '" + tests.groups + "' has " + base::counted(count, "value") + "; give one with two");
   }
   for (const StudySubject* subject : all) {
     if (!tests.covariate.empty() && !number_in(value_of(*subject, tests.covariate))) {
-      refuse(input, "column '" + tests.covariate + "': '" + value_of(*subject, tests.covariate) + "' of " +
+      refuse(input, "--covariate: column '" + tests.covariate + "': '" + value_of(*subject, tests.covariate) + "' of " +
                         subject->file.string() + " is no number");
     }
   }

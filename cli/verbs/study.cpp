@@ -15,6 +15,7 @@
 #include "session/unused_options.h"
 #include "studies/study_list.h"
 #include "studies/study_outputs.h"
+#include "studies/study_part.h"
 #include "studies/study_subjects.h"
 #include "studies/study_tests.h"
 #include "studies/subject_file.h"
@@ -30,11 +31,14 @@ struct StudyOptions {
   std::string placement = "turned";
   std::size_t modes = 5;
   std::int32_t label = 0;
+  StudyPart part;
   StudyTests tests;
 };
 
 Json json_of(const StudyOptions& options) {
   return {{"output", options.output},
+          {"stage", options.part.stage},
+          {"only", options.part.subjects},
           {"grid", options.grid},
           {"align", options.align},
           {"placement", options.placement},
@@ -65,7 +69,7 @@ correspondence::Pose pose_of(const std::string& placement) {
   return placement == "scaled" ? correspondence::Pose::scaled : correspondence::Pose::turned;
 }
 
-correspondence::Population population_of(StudySubjects& subjects) {
+correspondence::Population population_of(const StudySubjects& subjects) {
   const auto rows = static_cast<Eigen::Index>(subjects.mapped.size());
   const auto columns = static_cast<Eigen::Index>(3 * subjects.mapped[0].positions.size());
   correspondence::Population shapes(rows, columns);
@@ -78,9 +82,7 @@ correspondence::Population population_of(StudySubjects& subjects) {
 
 void say_result(const StudyResult& result, const std::string& output, Session& session) {
   const StudySubjects& subjects = result.subjects;
-  for (const FailedSubject& failed : subjects.failed) {
-    session.note(result.list[failed.number].file.string() + ": left out: " + failed.kind + ": " + failed.text);
-  }
+  note_failed(result.list, subjects, session);
   const auto reused = session.figures()["reused"].get<std::size_t>();
   session.say("wrote " + output + ": " + base::counted(subjects.mapped.size(), "subject") + " on " +
               base::counted(subjects.mapped[0].positions.size(), "vertex", "vertices") +
@@ -98,6 +100,19 @@ void say_result(const StudyResult& result, const std::string& output, Session& s
     session.say("  note: " + note);
 }
 
+void analyze_group(const StudyOptions& options, const StudySubjects& subjects, StudyResult& result,
+                   correspondence::Population& shapes, Session& session) {
+  const base::Host& host = session.host();
+  about(options.input, Role::input, [&] {
+    result.pose = correspondence::place_group(pose_of(options.placement), shapes, host);
+    result.distances = correspondence::distances_between(shapes, host);
+    result.modes = correspondence::principal_modes(shapes, host);
+    result.from_mean = correspondence::distances_from_mean(shapes, result.modes.mean);
+    result.outlier = correspondence::outliers(result.from_mean);
+    result.tests = run_tests(options.tests, result.list, subjects, shapes, session);
+  });
+}
+
 void study(const StudyOptions& options, const CommonOptions& common, Session& session) {
   session.options() = json_of(options);
   const GridChoice grid = grid_choice(options.grid, "--grid");
@@ -106,24 +121,39 @@ void study(const StudyOptions& options, const CommonOptions& common, Session& se
   require_columns(options.tests, list, options.input);
   if (options.label != 0 && std::ranges::none_of(list, [](const StudySubject& s) { return is_label_image(s.file); }))
     throw Failure(Exit::wrong_input, options.input, "usage", "--label is for label images, and no subject is one");
+  if (options.part.stage == "list") return say_list(list, session);
+  const SubjectWork work = work_of(options.part, list, options.input);
   const std::filesystem::path folder = made_folder(options);
   const correspondence::SubjectOptions of_subjects{grid.kind, grid.resolution, options.align != "none",
                                                    options.align == "shape", session.seed()};
-  StudySubjects subjects = session.portion(
-      0.95, [&] { return map_subjects(list, folder / "subjects", of_subjects, options.label, common, session); });
+  const bool group = options.part.stage == "all" || options.part.stage == "group";
+  const StudySubjects subjects = session.portion(group ? 0.95 : 1, [&] {
+    return map_subjects(list, work, folder / "subjects", of_subjects, options.label, common, session);
+  });
+  if (!group) {
+    add_subject_figures(list, subjects, session);
+    require_lasting_results(list, work, subjects);
+    return say_subjects(list, subjects, folder.string(), session);
+  }
   correspondence::Population shapes = population_of(subjects);
   const sphere_map::Grid common_grid = sphere_map::make_grid(grid.kind, grid.resolution, host);
   StudyResult result{list, subjects, common_grid.triangles, {}, {}, {}, {}};
-  about(options.input, Role::input, [&] {
-    result.pose = correspondence::place_group(pose_of(options.placement), shapes, host);
-    result.distances = correspondence::distances_between(shapes, host);
-    result.modes = correspondence::principal_modes(shapes, host);
-    result.from_mean = correspondence::distances_from_mean(shapes, result.modes.mean);
-    result.outlier = correspondence::outliers(result.from_mean);
-    result.tests = run_tests(options.tests, list, subjects, shapes, session);
-  });
+  analyze_group(options, subjects, result, shapes, session);
   write_study(result, folder, options.modes, session);
   say_result(result, options.output, session);
+}
+
+void add_test_options(CLI::App& verb, StudyTests& tests) {
+  verb.add_option("--groups", tests.groups,
+                  "column of LIST with two values: test where the groups differ (Hotelling's T2 of each point)")
+      ->type_name("COLUMN");
+  verb.add_option("--covariate", tests.covariate,
+                  "column of LIST with numbers: test where the shapes change with it (regression of each point)")
+      ->type_name("COLUMN");
+  verb.add_option("--permutations", tests.permutations,
+                  "number of permutations from which p-values are computed [default: 1000]")
+      ->check(unnamed(CLI::Range(1, 1'000'000)))
+      ->type_name("N");
 }
 
 }  // namespace
@@ -138,7 +168,6 @@ void add_study(CLI::App& app, CommonOptions& common) {
       ->required()
       ->type_name("FOLDER|LIST");
   verb->add_option("-o,--output", options->output, "folder to write to, created if it does not exist")
-      ->required()
       ->type_name("FOLDER");
   verb->add_option("--grid", options->grid,
                    std::string("vertices of every subject [default: icosphere:5]: ") + grid_help)
@@ -162,25 +191,21 @@ void add_study(CLI::App& app, CommonOptions& common) {
                    "number of principal modes in mean.vtk, modes.glb and study.html [default: 5]")
       ->check(unnamed(CLI::Range(0, 100)))
       ->type_name("N");
-  verb->add_option("--groups", options->tests.groups,
-                   "column of LIST with two values: test where the groups differ (Hotelling's T2 of each point)")
-      ->type_name("COLUMN");
-  verb->add_option("--covariate", options->tests.covariate,
-                   "column of LIST with numbers: test where the shapes change with it (regression of each point)")
-      ->type_name("COLUMN");
-  verb->add_option("--permutations", options->tests.permutations,
-                   "number of permutations from which p-values are computed [default: 1000]")
-      ->check(unnamed(CLI::Range(1, 1'000'000)))
-      ->type_name("N");
+  add_test_options(*verb, options->tests);
+  add_part_options(*verb, options->part);
   add_common_options(*verb, common);
   verb->footer(
       "Each subject is repaired, mapped to the sphere and aligned with the first; a subject that fails is reported and "
       "left\nout. Finished subjects are kept in FOLDER/subjects: a study that was stopped continues with the others.\n"
+      "Several processes and machines may map subjects in one FOLDER: --stage first; then --stage subjects --subjects "
+      "NAME\nof each name that --stage list prints; then --stage group.\n"
       "For example:\n  orbicube study scans -o results");
   verb->callback([options, verb, &common] {
     Session session(common, "study", options->input);
     session.run([&] {
       refuse_unused_study_options(*verb);
+      if (options->output.empty() && options->part.stage != "list")
+        throw Failure(Exit::wrong_input, "", "usage", "--output is required; see 'orbicube study --help'");
       study(*options, common, session);
     });
   });

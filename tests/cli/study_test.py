@@ -171,6 +171,103 @@ class Study(InFolder):
             self.assertGreaterEqual(self.study(folder)["reused"], written)
             self.assertEqual(files_in(self.path("out")), whole)
 
+    def with_failing(self, count=4):
+        """Subjects of which the first, and one behind it, cannot be mapped; their names."""
+        folder = self.subjects(count)
+        self.assertEqual(run("make", "torus", "-o", os.path.join(folder, "a.obj"), "--resolution", 300).returncode, 0)
+        with open(os.path.join(folder, "c2b.obj"), "w", encoding="ascii") as file:
+            file.write("nothing\n")
+        return folder
+
+    def part(self, stage, *arguments, folder="in", out="out", code=0):
+        report = self.path("part.json")
+        done = run("study", self.path(folder), "-o", self.path(out), "--stage", stage, *arguments, "--report", report, *GRID)
+        self.assertEqual(done.returncode, code, done.stderr)
+        with open(report, encoding="utf-8") as file:
+            return done, json.load(file)
+
+    def test_processes_share_a_study_with_the_same_bits(self):
+        folder = self.with_failing()
+        whole_report = self.study(folder, out="whole")
+        whole = files_in(self.path("whole"))
+        done, report = self.part("list")
+        names = done.stdout.split()
+        self.assertEqual(names, ["a", "c1", "c2", "c2b", "c3", "c4"])
+        self.assertEqual([(s["name"], s["file"]) for s in report["list"]], [(n, os.path.join(folder, n + ".obj")) for n in names])
+        self.assertFalse(os.path.exists(self.path("out")))
+        self.assertEqual(run("study", folder, "--stage", "list", *GRID).stdout.split(), names)
+        # In order; then all at the same time, twice each, without a first one.
+        _, report = self.part("first")
+        self.assertEqual([s["name"] for s in report["subjects"]], ["c1"])
+        self.assertEqual([(f["name"], f["kind"]) for f in report["failed"]], [("a", "wrong-genus")])
+        self.assertEqual(sorted(os.listdir(self.path("out/subjects"))), ["a.json", "c1.json", "c1.ply"])
+        for name in ("c3", "c2b", "c4", "c2"):
+            _, report = self.part("subjects", "--subjects", name)
+            self.assertEqual({s["name"]: s["reused"] for s in report["subjects"]}, {"c1": True} | ({} if name == "c2b" else {name: False}))
+        _, report = self.part("group")
+        self.assertEqual(report["reused"], 4)
+        self.assertEqual(files_in(self.path("out")), whole)
+        for key in ("failed", "modes", "alignment"):
+            self.assertEqual(report[key], whole_report[key])
+        shutil.rmtree(self.path("out"))
+        together = [subprocess.Popen([COMMAND, "study", folder, "-o", self.path("out"), "--stage", "subjects", "--subjects", *some, "--quiet", *GRID])
+                    for some in (["c3", "c2"], ["c2b", "c3"], ["c4"], ["c2", "a"])]
+        self.assertEqual([process.wait() for process in together], 4 * [0])
+        self.part("group")
+        self.assertEqual(files_in(self.path("out")), whole)
+        # All by one process, and the group without a subject.
+        shutil.rmtree(self.path("out"))
+        self.part("subjects")
+        os.remove(self.path("out/subjects/c3.json"))
+        _, report = self.part("group")
+        self.assertEqual([(f["name"], f["kind"]) for f in report["failed"]],
+                         [("a", "wrong-genus"), ("c2b", "empty-mesh"), ("c3", "no-valid-result")])
+        self.assertIn("--stage subjects --subjects c3", report["failed"][2]["message"])
+        self.assertEqual(self.study(folder)["reused"], 3)
+        self.assertEqual(files_in(self.path("out")), whole)
+
+    def test_what_cannot_be_mapped_is_found_once(self):
+        folder = self.with_failing(2)
+        self.study(folder)
+        whole = files_in(self.path("out"))
+        with open(self.path("out/subjects/a.json"), encoding="utf-8") as file:
+            kept = json.load(file)
+        self.assertEqual(kept["failed"]["kind"], "wrong-genus")
+        written = os.stat(self.path("out/subjects/a.json")).st_ino
+        self.study(folder)
+        self.assertEqual(os.stat(self.path("out/subjects/a.json")).st_ino, written)
+        self.assertEqual(files_in(self.path("out")), whole)
+        # What was damaged is found again.
+        kept["failed"]["message"] = "another"
+        with open(self.path("out/subjects/a.json"), "w", encoding="utf-8") as file:
+            json.dump(kept, file)
+        self.study(folder)
+        self.assertEqual(files_in(self.path("out")), whole)
+        self.made("creature", 300, 9, name="in/a.obj")
+        self.assertEqual([f["name"] for f in self.study(folder)["failed"]], ["c2b"])
+        self.assertTrue(os.path.exists(self.path("out/subjects/a.ply")))
+        shutil.copy(self.path("in/c2b.obj"), self.path("in/a.obj"))
+        self.assertEqual([f["name"] for f in self.study(folder)["failed"]], ["a", "c2b"])
+        self.assertFalse(os.path.exists(self.path("out/subjects/a.ply")))
+
+    def test_a_part_says_what_may_pass(self):
+        folder = self.subjects(2)
+        table = self.path("list.csv")
+        with open(table, "w", encoding="ascii") as file:
+            file.write("file\nin/missing.obj\nin/c1.obj\nin/c2.obj\n")
+        missing = os.path.join(self.folder, "in/missing.obj")
+        self.part("first", folder="list.csv")
+        self.part("subjects", "--subjects", "c2", folder="list.csv")
+        self.refused(1, "io", missing, "study", table, "-o", self.path("out"), "--stage", "subjects", "--subjects", "c2", "missing", *GRID)
+        self.assertEqual(sorted(os.listdir(self.path("out/subjects"))), ["c1.json", "c1.ply", "c2.json", "c2.ply"])
+        _, report = self.part("group", folder="list.csv")
+        self.assertEqual([(f["name"], f["kind"]) for f in report["failed"]], [("missing", "io")])
+        self.refused(1, "no-valid-result", os.path.join(folder, "c1.obj"), "study", folder, "-o", self.path("none"), "--stage", "group", *GRID)
+        self.refused(2, "invalid-argument", folder, "study", folder, "-o", self.path("out"), "--stage", "subjects", "--subjects", "c11")
+        for wrong, text in ((("-o", self.path("out"), "--subjects", "c1"), "--subjects is for --stage subjects"), ((), "--output is required")):
+            done = run("study", folder, *wrong)
+            self.assertEqual((done.returncode, text in done.stderr), (2, True), done.stderr)
+
     def test_a_table_names_the_subjects(self):
         self.subjects(3)
         shutil.move(self.path("in/c2.obj"), self.path("in/c,2.obj"))
@@ -220,7 +317,8 @@ class Study(InFolder):
         self.assertEqual(groups["min_q"], min(data["group_q"]))
         self.assertEqual(age["min_p_family_wise"], min(data["covariate_p_family_wise"]))
         out = self.path("out")
-        self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--groups", "none")
+        self.assertIn("--groups: there is no column 'none'; there are 'age', 'diagnosis'",
+                      self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--groups", "none"))
         self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--groups", "age")
         self.refused(2, "invalid-argument", table, "study", table, "-o", out, "--covariate", "diagnosis")
         done = run("study", table, "-o", out, "--permutations", 5)
