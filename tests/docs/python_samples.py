@@ -5,24 +5,22 @@
 """
 
 import os
-import re
 import sys
 import tempfile
+
+from samples import blocks
 
 
 def main():
     page = os.path.abspath(sys.argv[1])
-    with open(page, encoding="utf-8") as file:
-        text = file.read()
-    blocks = list(re.finditer(r"^```python\n(.*?)^```", text, re.MULTILINE | re.DOTALL))
-    if not blocks:
+    found = list(blocks(page, "python"))
+    if not found:
         sys.exit("no Python in " + page)
     names = {"__name__": "__main__"}
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
-        for block in blocks:
-            before = text.count("\n", 0, block.start(1))
-            exec(compile("\n" * before + block.group(1), page, "exec"), names)  # lines as in the page
+        for line, text in found:
+            exec(compile("\n" * (line - 1) + text, page, "exec"), names)  # lines as in the page
         os.chdir("/")
 
 
