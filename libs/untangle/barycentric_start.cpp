@@ -1,6 +1,7 @@
 #include "untangle/barycentric_start.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "linear/iterative/iterative_solver.h"
@@ -31,13 +32,14 @@ Array<Edge> edges_of(std::span<const Element> elements, const base::Host& host) 
   return edges;
 }
 
-// The Laplacian of the graph of edges, by variables: its lower triangle by rows.
+// The Laplacian of the graph of edges, by variables, and identity up to a multiple of `block` rows: its lower triangle
+// by rows.
 struct Laplacian {
   Array<std::size_t> row_begin;
   Array<Index> columns;
   Array<double> entries, right;
 
-  Laplacian(std::span<const Edge> edges, const Variables& variables, std::span<const double> values,
+  Laplacian(std::span<const Edge> edges, const Variables& variables, std::span<const double> values, int block,
             const base::Host& host)
       : row_begin(variables.free() + 1, 0, host.memory),
         columns(host.memory),
@@ -77,6 +79,12 @@ struct Laplacian {
       right[row] += degree[row] > 0 ? anchor * degree[row] * values[row] : values[row];
       row_begin[row + 1] = columns.size();
     }
+    while (right.size() % static_cast<std::size_t>(block) != 0) {
+      columns.push_back(static_cast<Index>(right.size()));
+      entries.push_back(1);
+      right.push_back(0);
+      row_begin.push_back(columns.size());
+    }
   }
 };
 
@@ -84,12 +92,14 @@ template <class Element>
 bool start(std::span<const Element> elements, const Variables& variables, std::span<double> values,
            const base::Host& host) {
   if (variables.free() == 0 || variables.free() == variables.size()) return false;
-  const Laplacian laplacian(edges_of(elements, host), variables, values, host);
-  const auto solver = linear::make_iterative_solver({laplacian.row_begin, laplacian.columns, laplacian.entries}, 1,
-                                                    linear::IterativeMethod::automatic, host);
-  Array<double> solution(variables.free(), 0, host.memory);
+  // Blocks of the size that steps of the method have, too: one kind of solver in a program that has no triangles.
+  constexpr int block = std::tuple_size_v<Element> == 4 ? 3 : 1;
+  const Laplacian laplacian(edges_of(elements, host), variables, values, block, host);
+  const auto solver = linear::make_block_solver<block>({laplacian.row_begin, laplacian.columns, laplacian.entries},
+                                                       linear::IterativeMethod::automatic, host);
+  Array<double> solution(laplacian.right.size(), 0, host.memory);
   if (!(solver->solve(laplacian.right, {.tolerance = tolerance}, solution).residual <= max_residual)) return false;
-  std::copy(solution.begin(), solution.end(), values.begin());
+  std::copy_n(solution.begin(), variables.free(), values.begin());
   return true;
 }
 

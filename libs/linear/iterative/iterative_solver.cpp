@@ -88,12 +88,22 @@ class Solver : public IterativeSolver {
 
 }  // namespace
 
+template <int block>
+std::unique_ptr<IterativeSolver> make_block_solver(const SymmetricMatrix& matrix, IterativeMethod method,
+                                                   const base::Host& host) {
+  base::require(matrix.size() % std::size_t{block} == 0, "the size is no multiple of the block size");
+  return std::make_unique<Solver<block>>(matrix, method, host);
+}
+
+template std::unique_ptr<IterativeSolver> make_block_solver<1>(const SymmetricMatrix&, IterativeMethod,
+                                                               const base::Host&);
+template std::unique_ptr<IterativeSolver> make_block_solver<3>(const SymmetricMatrix&, IterativeMethod,
+                                                               const base::Host&);
+
 std::unique_ptr<IterativeSolver> make_iterative_solver(const SymmetricMatrix& matrix, int block, IterativeMethod method,
                                                        const base::Host& host) {
   base::require(block == 1 || block == 3, "the block size must be 1 or 3");
-  base::require(matrix.size() % static_cast<std::size_t>(block) == 0, "the size is no multiple of the block size");
-  if (block == 1) return std::make_unique<Solver<1>>(matrix, method, host);
-  return std::make_unique<Solver<3>>(matrix, method, host);
+  return block == 1 ? make_block_solver<1>(matrix, method, host) : make_block_solver<3>(matrix, method, host);
 }
 
 }  // namespace orbicube::linear

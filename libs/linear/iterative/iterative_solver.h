@@ -37,4 +37,14 @@ class IterativeSolver {
 std::unique_ptr<IterativeSolver> make_iterative_solver(const SymmetricMatrix& matrix, int block, IterativeMethod method,
                                                        const base::Host& host);
 
+// The same for a block size that is known, so that a program that needs one contains one.
+template <int block>
+std::unique_ptr<IterativeSolver> make_block_solver(const SymmetricMatrix& matrix, IterativeMethod method,
+                                                   const base::Host& host);
+
+extern template std::unique_ptr<IterativeSolver> make_block_solver<1>(const SymmetricMatrix&, IterativeMethod,
+                                                                      const base::Host&);
+extern template std::unique_ptr<IterativeSolver> make_block_solver<3>(const SymmetricMatrix&, IterativeMethod,
+                                                                      const base::Host&);
+
 }  // namespace orbicube::linear
