@@ -2,6 +2,7 @@
 import { Mesh, OrbicubeError, OrbicubeWorker, Polycube, SphereMapResult, TrustRegion, c, commonPolycube, ready, sphereMap, trustRegion, vertexAreas,
   projectedGradient, writeGlb, HeapArray, Hexahedra, Solid, frameField, harmonics, hexahedra, singularities, solidMap, untangle } from 'orbicube';
 import { constants, layouts } from 'orbicube/raw.js';
+import { trustRegion as alone } from 'orbicube/trust_region';
 
 async function use(): Promise<number> {
   await ready;
@@ -10,6 +11,7 @@ async function use(): Promise<number> {
   const held = new HeapArray('float64', 3);
   held.array[0] = map.report.meanQuasiConformal;
   const end = trustRegion.minimize((x) => x[0] ** 2, [1], { lower: 0, radiusEnd: 1e-6 });
+  alone.minimize((x) => x[0] ** 2, [1], { lower: 0, radiusEnd: 1e-6 });
   projectedGradient.minimize((x, g) => { g[0] = 2 * x[0]; return x[0] ** 2; }, [1], { A: [[1]], b: [1] });
   const solver = new TrustRegion([1, 2], { residuals: 2 });
   for (let x = solver.ask(); x !== null; x = solver.ask()) solver.tell([x[0], x[1]]);
