@@ -1,7 +1,10 @@
 #include "sphere_map/optimization/newton.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <atomic>
+#include <limits>
+#include <optional>
 
 #include "base/backtracking.h"
 #include "sphere_map/optimization/star_matrix.h"
@@ -25,6 +28,17 @@ struct LevelTriangle {
 // order.
 constexpr std::size_t triangles_a_batch = 2048;
 constexpr std::size_t triangles_a_piece = 256;
+
+// Residual of the systems, as a part of the gradient. Smaller: fewer steps, each of more conjugate gradients.
+constexpr double tolerance = 0.03;
+// Parts of the diagonal blocks that are added to the Hessian (Levenberg 1944) while steps of it alone are too long:
+// near the rotations of long protrusions it is nearly singular or indefinite, and such steps are many radians long.
+// Between them a few factors of ten decide; smaller changes cost more solutions.
+constexpr double min_damping = 1e-4, max_damping = 100;
+constexpr double damping_after_failure = 10, damping_change = 8;
+// Length of the accepted part of a step below which damping grows, and below which a small gain does not end the run.
+constexpr double short_step = 0.2;
+constexpr int max_halvings = 8;
 
 class Newton {
  public:
@@ -50,15 +64,22 @@ class Newton {
   }
 
   double run(const NewtonLimits& limits) {
-    constexpr double tolerance = 0.03;
     double value = assemble();
-    for (int step = 0; step < limits.steps; ++step) {
-      solver_.solve(matrix_, downhill_, tolerance, limits.solver_steps, step_);
-      const double reached = search(value);
-      if (!(reached < value)) break;
-      const bool done = value - reached < limits.relative_gain * value;
-      value = reached;
-      if (done || step + 1 == limits.steps) break;
+    double damping = 0;
+    for (int step = 0; step < limits.steps;) {
+      solver_.solve(matrix_, damping, downhill_, tolerance, limits.solver_steps, step_);
+      const auto taken = search(value);
+      if (taken && !(taken->value < value)) break;
+      if (!taken) {
+        if (damping > max_damping) break;
+        damping = std::max(min_damping, damping_after_failure * damping);
+        continue;
+      }
+      const bool done = value - taken->value < limits.relative_gain * value && taken->length >= short_step;
+      value = taken->value;
+      if (++step == limits.steps || done) break;
+      if (taken->length < short_step) damping = std::max(min_damping, damping_change * damping);
+      if (taken->length == 1) damping = damping > min_damping / 100 ? damping / damping_change : 0;
       assemble();
     }
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -145,23 +166,21 @@ class Newton {
     return value;
   }
 
-  // Halves the step until it lowers the energy enough and all triangles are safely positive. Returns the energy
-  // reached.
-  double search(double value) {
+  // Halves the step until it lowers the energy enough and all triangles are safely positive.
+  std::optional<base::BacktrackingStep> search(double value) {
     double slope = 0;
     for (std::size_t i = 0; i < step_.size(); ++i)
       slope -= downhill_[i].dot(step_[i]);
-    if (!(slope < 0)) return value;
+    if (!(slope < 0)) return std::nullopt;
     const auto energy_after = [&](double length) {
       move(length);
       const double reached = trial_energy();
       host_.report(phase, 0, 0, value);
       return reached;
     };
-    const auto taken = base::backtrack(value, slope, {.max_trials = 12}, energy_after);
-    if (!taken) return value;
-    std::swap(points_, trial_);
-    return taken->value;
+    const auto taken = base::backtrack(value, slope, {.max_trials = max_halvings}, energy_after);
+    if (taken) std::swap(points_, trial_);
+    return taken;
   }
 
   // Sets trial_ to the points after a part of the step.

@@ -3,7 +3,7 @@
 // Vertex by vertex, long dependency_levels of a map take as many passes as the level is wide; here they go in a few
 // steps. The Hessian is the true one in tangent coordinates (triangle_model.h): projecting each triangle's own part to
 // be positive would stall. Its systems are solved by conjugate gradients (star_matrix.h). A step is only taken when it
-// lowers the energy and leaves every triangle safely positive.
+// lowers the energy and leaves every triangle safely positive; where such steps are too short, the Hessian is damped.
 #pragma once
 
 #include "base/threads/thread_pool.h"

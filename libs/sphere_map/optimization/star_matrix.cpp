@@ -53,6 +53,7 @@ double ConjugateGradients::sum(const Term& term) {
 struct ConjugateGradients::System {
   ConjugateGradients& own;
   const StarMatrix& matrix;
+  double damping;
   std::span<const Vector2d> right_side;
   std::span<Vector2d> x;
   int step, max_steps;
@@ -75,6 +76,7 @@ struct ConjugateGradients::System {
   double multiply() {
     return own.sum([&](std::size_t i) {
       own.product_[i] = matrix.row_times(i, own.along_);
+      if (damping > 0) own.product_[i] += damping * (own.inverse_[i].inverse() * own.along_[i]);
       return own.along_[i].dot(own.product_[i]);
     });
   }
@@ -95,9 +97,9 @@ struct ConjugateGradients::System {
   }
 };
 
-void ConjugateGradients::solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance,
-                               int max_steps, std::span<Vector2d> x) {
-  System system{*this, matrix, right_side, x, 0, max_steps};
+void ConjugateGradients::solve(const StarMatrix& matrix, double damping, std::span<const Vector2d> right_side,
+                               double tolerance, int max_steps, std::span<Vector2d> x) {
+  System system{*this, matrix, damping, right_side, x, 0, max_steps};
   const auto outcome = linear::conjugate_gradients(system, max_steps, tolerance);
   if (outcome.not_positive && outcome.steps == 0) std::copy(along_.begin(), along_.end(), x.begin());
 }

@@ -37,15 +37,15 @@ class StarMatrix {
   base::Array<Index> column_;
 };
 
-// Solves matrix * x = right_side by conjugate gradients, preconditioned by the diagonal blocks, whose eigenvalues are
-// made positive. Ends when the residual has fallen to `tolerance` of its start, after max_steps, or at negative
-// curvature with what was reached (Steihaug 1983).
+// Solves (matrix + damping P) x = right_side by conjugate gradients, where P is the diagonal blocks with eigenvalues
+// made positive, which is also the preconditioner. Ends when the residual has fallen to `tolerance` of its start, after
+// max_steps, or at negative curvature with what was reached (Steihaug 1983).
 class ConjugateGradients {
  public:
   ConjugateGradients(std::size_t size, const base::Host& host, const base::ThreadPool& pool);
 
-  void solve(const StarMatrix& matrix, std::span<const Vector2d> right_side, double tolerance, int max_steps,
-             std::span<Vector2d> x);
+  void solve(const StarMatrix& matrix, double damping, std::span<const Vector2d> right_side, double tolerance,
+             int max_steps, std::span<Vector2d> x);
 
  private:
   struct System;
