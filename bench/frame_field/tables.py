@@ -136,7 +136,7 @@ def all_table(fields, names):
                     f"{sum(e <= 0.5 for e in energies)} of {len(names)} meshes. Its curves and nodes are {min(structures):.2f} to {max(structures):.2f} "
                     f"times as many; at most an eighth on {sum(s <= 0.125 for s in structures)} of {len(names)}.\n")
     for key, title in (("mean", "The mean angle"), ("sd", "The standard deviation"), ("p99", "The angle at 99 %"),
-                       ("max", "The largest angle"), ("edges", "The number of singular edges")):
+                       ("max", "The maximum angle"), ("edges", "The number of singular edges")):
         worse = [name for name in names if fields[name, "default"][key] > fields[name, "dissertation"][key]]
         summary += f"{title} is " + (f"larger than that of `dissertation` on {', '.join(worse)}." if worse else "nowhere larger than that of `dissertation`.") + "\n"
     return "\n".join(lines) + "\n", summary
