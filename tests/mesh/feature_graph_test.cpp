@@ -137,6 +137,31 @@ TEST_CASE("A line of noise is left out, and one that fades goes on where the sur
   CHECK(std::all_of(faded.corners.begin(), faded.corners.end(), [](const FeatureCorner& c) { return c.soft; }));
 }
 
+TEST_CASE("Where a line bends again soon there is a bend of an arc in place of a corner") {
+  // Two low pyramids on an octagon with sides of 0.77: its edges turn by 57 degrees and bend by 45, all others turn by
+  // 21.
+  Mesh m(host.memory);
+  for (Index k = 0; k < 8; ++k) {
+    const double angle = k * std::numbers::pi / 4;
+    m.positions.emplace_back(std::cos(angle), std::sin(angle), 0);
+    m.triangles.push_back({k, (k + 1) % 8, 8});
+    m.triangles.push_back({(k + 1) % 8, k, 9});
+  }
+  m.positions.emplace_back(0, 0, 0.5);
+  m.positions.emplace_back(0, 0, -0.5);
+  const FeatureGraph corners = graph_of(m, {.angle = 40, .shortest_side = 0.7});
+  CHECK(corners.corners.size() == 8);
+  CHECK(corners.arcs.size() == 8);
+  CHECK(corners.bends.empty());
+  const FeatureGraph bends = graph_of(m, {.angle = 40, .shortest_side = 0.8});
+  CHECK(bends.bends.size() == 8);
+  CHECK(bends.corners.size() == 3);
+  CHECK(std::all_of(bends.corners.begin(), bends.corners.end(), [](const FeatureCorner& c) { return c.soft; }));
+  CHECK(bends.arcs.size() == 3);
+  CHECK(bends.euler == corners.euler);
+  CHECK(bends.patches == corners.patches);
+}
+
 TEST_CASE("Edges that are left out join patches, and take with them what would end inside one") {
   const Mesh cube = prism(regular(4), std::numbers::sqrt2);
   // One edge of the lower end; then another one at the same corner, whose third edge would end there.

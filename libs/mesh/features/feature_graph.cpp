@@ -29,9 +29,13 @@ class Builder {
       add_corner(v, false);
   }
 
-  void run() {
+  void run(double shortest_side) {
     for (Index v = 0; v < corner_.size(); ++v) {
-      if (lines_.is_corner(v, angle_)) add_corner(v, false);
+      if (!lines_.is_corner(v, angle_) || corner_[v] != no_index) continue;
+      if (has_short_side(v, shortest_side))
+        graph_.bends.push_back(v);
+      else
+        add_corner(v, false);
     }
     find_patches();
     take_chains();
@@ -41,6 +45,24 @@ class Builder {
 
  private:
   Index vertex_count() const { return static_cast<Index>(corner_.size()); }
+
+  // Whether a line only bends there and does so again, ends or branches nearer than `shortest`.
+  bool has_short_side(Index v, double shortest) const {
+    if (shortest == 0 || lines_.degree(v) != 2) return false;
+    bool result = false;
+    lines_.for_each(v, [&](Index side) {
+      double length = 0;
+      bool open = true;
+      lines_.follow(side, [&](Index h) {
+        if (!open) return;
+        const Index at = lines_.connectivity().end(h);
+        length += (lines_.positions()[at] - lines_.positions()[lines_.connectivity().start(h)]).norm();
+        open = length < shortest && !lines_.is_corner(at, angle_);
+      });
+      result = result || length < shortest;
+    });
+    return result;
+  }
 
   void add_corner(Index v, bool soft) {
     if (corner_[v] != no_index) return;
@@ -279,7 +301,7 @@ FeatureGraph feature_graph(std::span<const Vector3> positions, std::span<const T
   for (const Index v : options.corners) {
     if (v < positions.size() && connectivity.outgoing(v) != no_index) ends.push_back(v);
   }
-  Builder(lines, options.angle, ends, triangles, graph, host).run();
+  Builder(lines, options.angle, ends, triangles, graph, host).run(options.shortest_side);
   return graph;
 }
 

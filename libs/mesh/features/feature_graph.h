@@ -34,6 +34,7 @@ struct FeatureGraph {
         arcs(memory),
         vertices(memory),
         fades(memory),
+        bends(memory),
         around(memory),
         patches(memory),
         euler(memory) {}
@@ -42,6 +43,7 @@ struct FeatureGraph {
   Array<FeatureArc> arcs;
   Array<Index> vertices;                   // of all arcs
   Array<Index> fades;                      // vertices of the surface at which a sharp line goes on along weaker edges
+  Array<Index> bends;                      // vertices of the surface at which lines bend without a corner
   base::Groups<FeatureEnd, Index> around;  // of each corner, counter-clockwise seen from outside
   Array<Index> patches;                    // of each triangle
   Array<std::int64_t> euler;               // Euler characteristic of each patch, its border included
@@ -62,6 +64,7 @@ struct FeatureOptions {
   bool weak_lines = false;              // lines at which the surface turns more than beside them are features, too
   std::span<const Edge> without = {};   // none of the features, nor what is then left to end inside a patch
   std::span<const Index> corners = {};  // vertices that are corners whatever meets there
+  double shortest_side = 0;             // where a line only bends, a corner has such lengths to the next on both sides
 };
 
 // Finds sharp edges and joins them to arcs. Lines that end inside a patch are continued, along edges of half the angle
